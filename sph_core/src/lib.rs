@@ -1,1 +1,33 @@
-//! sph_core
+//! Two-dimensional smoothed particle hydrodynamics for free-surface impact, f64.
+//!
+//! The crate knows a fluid and *walls*: particles that somebody else moves and that carry back the
+//! fluid's force. Who moves them, and why, is not its business.
+//!
+//! Read in this order: [`fluid`] (the step), [`pair`] (the physics of two particles), [`kernel`],
+//! [`walls`], then the machinery: [`cells`], [`neighbours`], [`search`], [`sweep`].
+//!
+//! Units are SI, per metre of span; equations are numbered in `THEORY.md`.
+
+pub mod audit;
+pub mod cells;
+pub mod eos;
+pub mod error;
+pub mod fluid;
+pub mod images;
+pub mod integrator;
+pub mod kernel;
+pub mod neighbours;
+pub mod pair;
+pub mod particles;
+pub mod probe;
+pub mod search;
+pub mod step_limit;
+pub mod sweep;
+pub mod walls;
+
+pub use error::Breakdown;
+pub use fluid::{Fluid, Parameters, Slip};
+pub use integrator::Integrator;
+pub use kernel::Kernel;
+pub use particles::{Particles, Seed};
+pub use walls::{WallForces, WallPoint, Walls, WallsMut};

@@ -1,0 +1,197 @@
+//! Cells for the neighbour search: points sorted by level of reach, then by cell row.
+//!
+//! Where resolution varies, one grid cannot serve: points are grouped into levels whose reaches differ
+//! by less than a factor [`LEVEL_RATIO`], each level has a dense grid over its own bounding box with
+//! cells as wide as its widest pair, and a query asks every level whose box it touches. In each level a
+//! neighbourhood is a few contiguous runs.
+
+/// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// Position [m].
+    pub x: f64,
+    /// Position [m].
+    pub y: f64,
+    /// Half the distance over which it may interact with its like [m].
+    pub reach: f64,
+    /// Whose point this is.
+    pub index: u32,
+}
+
+/// Reaches within one level differ by less than this factor.
+const LEVEL_RATIO: f64 = 1.5;
+/// A level's grid is coarsened rather than exceed this many cells per point (plus a floor).
+const CELLS_PER_POINT: usize = 16;
+
+#[derive(Clone, Debug)]
+struct Level {
+    origin: [f64; 2],
+    inverse: f64,
+    columns: usize,
+    rows: usize,
+    widest: f64,
+    /// Start of each cell in `Cells::points`; one more entry than cells.
+    start: Vec<u32>,
+}
+
+/// Points sorted into cells; see the module's text.
+#[derive(Clone, Debug, Default)]
+pub struct Cells {
+    levels: Vec<Level>,
+    points: Vec<Point>,
+}
+
+impl Cells {
+    /// Sort `points` into cells (counting sort, stable: equal input gives equal order).
+    pub fn build(points: &[Point]) -> Cells {
+        let mut cells = Cells { levels: Vec::new(), points: Vec::with_capacity(points.len()) };
+        let Some(least) = points.iter().map(|p| p.reach).reduce(f64::min) else { return cells };
+        let level_of = |p: &Point| (p.reach / least).log(LEVEL_RATIO).floor().max(0.0) as usize;
+        let levels: Vec<usize> = points.iter().map(level_of).collect();
+        let count = levels.iter().max().map_or(0, |&l| l + 1);
+        let mut members: Vec<Vec<u32>> = vec![Vec::new(); count];
+        for (k, &l) in levels.iter().enumerate() {
+            members[l].push(k as u32);
+        }
+        for member in members.iter().filter(|m| !m.is_empty()) {
+            cells.push_level(points, member);
+        }
+        cells
+    }
+
+    fn push_level(&mut self, points: &[Point], member: &[u32]) {
+        let of = |k: &u32| points[*k as usize];
+        let (mut lo, mut hi, mut widest) = ([f64::MAX; 2], [f64::MIN; 2], 0.0_f64);
+        for p in member.iter().map(of) {
+            lo = [lo[0].min(p.x), lo[1].min(p.y)];
+            hi = [hi[0].max(p.x), hi[1].max(p.y)];
+            widest = widest.max(p.reach);
+        }
+        let mut side = 2.0 * widest;
+        let shape = |side: f64| {
+            (((hi[0] - lo[0]) / side) as usize + 1, ((hi[1] - lo[1]) / side) as usize + 1)
+        };
+        let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
+        while (hi[0] - lo[0]) / side * ((hi[1] - lo[1]) / side) > most {
+            side *= 1.5;
+        }
+        let (columns, rows) = shape(side);
+        let mut level = Level { origin: lo, inverse: 1.0 / side, columns, rows, widest, start: vec![0; columns * rows + 1] };
+        let cell: Vec<u32> = member.iter().map(|k| level.cell_of(&of(k)) as u32).collect();
+        for &c in &cell {
+            level.start[c as usize + 1] += 1;
+        }
+        let base = self.points.len() as u32;
+        level.start[0] = base;
+        for c in 0..columns * rows {
+            level.start[c + 1] += level.start[c];
+        }
+        let mut next = level.start.clone();
+        let blank = Point { x: 0.0, y: 0.0, reach: 0.0, index: 0 };
+        self.points.resize(base as usize + member.len(), blank);
+        for (k, &c) in member.iter().zip(&cell) {
+            self.points[next[c as usize] as usize] = of(k);
+            next[c as usize] += 1;
+        }
+        self.levels.push(level);
+    }
+
+    /// The points in sorted order.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Name every point by its place in the sorted order, after its owner was sorted likewise.
+    pub fn name_by_order(&mut self) {
+        for (k, p) in self.points.iter_mut().enumerate() {
+            p.index = k as u32;
+        }
+    }
+
+    /// True if any point lies within `reach` + its own reach of (x, y).
+    pub fn any_within(&self, x: f64, y: f64, reach: f64) -> bool {
+        let mut any = false;
+        self.for_each_within(x, y, reach, |_| any = true);
+        any
+    }
+
+    /// Call `found` with every point within `reach` + its own reach of (x, y), in sorted order.
+    #[inline]
+    pub fn for_each_within(&self, x: f64, y: f64, reach: f64, mut found: impl FnMut(&Point)) {
+        for level in &self.levels {
+            let cut = reach + level.widest;
+            let Some((c0, c1)) = level.span(x - level.origin[0], cut, level.columns) else { continue };
+            let Some((r0, r1)) = level.span(y - level.origin[1], cut, level.rows) else { continue };
+            for row in r0..=r1 {
+                let run = level.start[row * level.columns + c0]..level.start[row * level.columns + c1 + 1];
+                for p in &self.points[run.start as usize..run.end as usize] {
+                    let (dx, dy, cut) = (x - p.x, y - p.y, reach + p.reach);
+                    if dx * dx + dy * dy < cut * cut {
+                        found(p);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Level {
+    fn cell_of(&self, p: &Point) -> usize {
+        let column = (((p.x - self.origin[0]) * self.inverse) as usize).min(self.columns - 1);
+        let row = (((p.y - self.origin[1]) * self.inverse) as usize).min(self.rows - 1);
+        row * self.columns + column
+    }
+
+    /// Cells of one axis that [offset − cut, offset + cut] touches, offset from the box's edge.
+    #[inline(always)]
+    fn span(&self, offset: f64, cut: f64, cells: usize) -> Option<(usize, usize)> {
+        let (lo, hi) = ((offset - cut) * self.inverse, (offset + cut) * self.inverse);
+        if hi < 0.0 || lo >= cells as f64 {
+            return None;
+        }
+        Some((lo.max(0.0) as usize, (hi as usize).min(cells - 1)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn brute(points: &[Point], at: &Point) -> Vec<u32> {
+        let near = |p: &&Point| {
+            let (dx, dy, cut) = (at.x - p.x, at.y - p.y, at.reach + p.reach);
+            dx * dx + dy * dy < cut * cut
+        };
+        points.iter().filter(near).map(|p| p.index).collect()
+    }
+
+    proptest! {
+        /// Cells find exactly what testing every pair finds, over three decades of reach.
+        #[test]
+        fn cells_find_every_pair(raw in prop::collection::vec((0.0..1.0f64, 0.0..1.0f64, -3.0..-0.5f64), 1..200)) {
+            let points: Vec<Point> = raw.iter().enumerate()
+                .map(|(k, &(x, y, e))| Point { x, y, reach: 10f64.powf(e), index: k as u32 }).collect();
+            let cells = Cells::build(&points);
+            for p in &points {
+                let mut found = Vec::new();
+                cells.for_each_within(p.x, p.y, p.reach, |q| found.push(q.index));
+                found.sort_unstable();
+                prop_assert_eq!(found, brute(&points, p));
+            }
+        }
+    }
+
+    #[test]
+    fn a_stray_point_does_not_cost_a_grid_of_empty_cells() {
+        let mut points: Vec<Point> =
+            (0..100).map(|k| Point { x: 0.001 * k as f64, y: 0.0, reach: 0.001, index: k }).collect();
+        points.push(Point { x: 1e6, y: 1e6, reach: 0.001, index: 100 });
+        let cells = Cells::build(&points);
+        let total: usize = cells.levels.iter().map(|l| l.start.len()).sum();
+        assert!(total < 10_000, "{total} cells");
+        let mut found = 0;
+        cells.for_each_within(1e6, 1e6, 0.001, |_| found += 1);
+        assert_eq!(found, 1);
+    }
+}

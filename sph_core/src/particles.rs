@@ -1,0 +1,138 @@
+//! The fluid's particles: what a restart needs ([`Particles`]), what a step recomputes ([`Derived`]).
+//!
+//! Structures of arrays by component, one entry per particle, physically sorted by cell at every
+//! rebuild of the neighbour lists; [`Particles::id`] keeps a particle's identity through the sorting.
+
+use serde::{Deserialize, Serialize};
+
+/// One fluid particle as a filler makes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seed {
+    /// Position [m].
+    pub at: [f64; 2],
+    /// Velocity [m/s].
+    pub velocity: [f64; 2],
+    /// Area it stands for [m²]; its square root is the local spacing.
+    pub area: f64,
+    /// Pressure it starts with [Pa].
+    pub pressure: f64,
+}
+
+/// State that lives from step to step. All arrays have one entry per particle.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Particles {
+    /// Horizontal position [m].
+    pub x: Vec<f64>,
+    /// Vertical position [m].
+    pub y: Vec<f64>,
+    /// Horizontal velocity [m/s].
+    pub u: Vec<f64>,
+    /// Vertical velocity [m/s].
+    pub v: Vec<f64>,
+    /// Density [kg/m³].
+    pub rho: Vec<f64>,
+    /// Mass per metre of span [kg/m].
+    pub mass: Vec<f64>,
+    /// Smoothing length [m].
+    pub h: Vec<f64>,
+    /// Volume correction θ [-] (THEORY E12): V = θ m/ρ.
+    pub theta: Vec<f64>,
+    /// Horizontal acceleration at the end of the last step [m/s²].
+    pub ax: Vec<f64>,
+    /// Vertical acceleration at the end of the last step [m/s²].
+    pub ay: Vec<f64>,
+    /// Identity, stable through sorting.
+    pub id: Vec<u32>,
+}
+
+impl Particles {
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// True when there is no fluid.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// Append a particle of density `rho` [kg/m³] whose smoothing length is `ratio` spacings.
+    pub fn push(&mut self, seed: &Seed, rho: f64, ratio: f64) {
+        self.id.push(self.x.len() as u32);
+        self.x.push(seed.at[0]);
+        self.y.push(seed.at[1]);
+        self.u.push(seed.velocity[0]);
+        self.v.push(seed.velocity[1]);
+        self.rho.push(rho);
+        self.mass.push(rho * seed.area);
+        self.h.push(ratio * seed.area.sqrt());
+        self.theta.push(1.0);
+        self.ax.push(0.0);
+        self.ay.push(0.0);
+    }
+
+    /// Put particle `order[k]` at place k, in every array.
+    pub(crate) fn permute(&mut self, order: &[u32], scratch: &mut Vec<f64>) {
+        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id } = self;
+        for array in [x, y, u, v, rho, mass, h, theta, ax, ay] {
+            permute(array, order, scratch);
+        }
+        let old = id.clone();
+        for (k, &from) in order.iter().enumerate() {
+            id[k] = old[from as usize];
+        }
+    }
+}
+
+/// `array[k] ← array[order[k]]`, through `scratch`.
+fn permute(array: &mut Vec<f64>, order: &[u32], scratch: &mut Vec<f64>) {
+    scratch.clear();
+    scratch.extend(order.iter().map(|&from| array[from as usize]));
+    std::mem::swap(array, scratch);
+}
+
+/// What a step recomputes, one entry per particle.
+#[derive(Clone, Debug, Default)]
+pub struct Derived {
+    /// Pressure [Pa].
+    pub pressure: Vec<f64>,
+    /// Corrected volume θ m/ρ per metre of span [m²].
+    pub volume: Vec<f64>,
+    /// Geometry of the neighbourhood.
+    pub surroundings: Vec<Surroundings>,
+    /// True for a particle that is, or has within its support, a free-surface particle.
+    pub near_surface: Vec<bool>,
+}
+
+impl Derived {
+    pub(crate) fn resize(&mut self, n: usize) {
+        self.pressure.resize(n, 0.0);
+        self.volume.resize(n, 0.0);
+        self.surroundings.resize(n, Surroundings::default());
+        self.near_surface.resize(n, false);
+    }
+
+    pub(crate) fn permute(&mut self, order: &[u32]) {
+        fn gather<T: Copy>(array: &mut Vec<T>, order: &[u32]) {
+            *array = order.iter().map(|&from| array[from as usize]).collect();
+        }
+        gather(&mut self.pressure, order);
+        gather(&mut self.volume, order);
+        gather(&mut self.surroundings, order);
+        gather(&mut self.near_surface, order);
+    }
+}
+
+/// How the neighbours lie around a particle (THEORY E12–E14), summed with the uncorrected volumes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Surroundings {
+    /// S = Σ V W [-]: 1 where space is filled as the densities say.
+    pub filling: f64,
+    /// ∇C = Σ V ∇W [1/m]: points to where particles crowd.
+    pub crowding: [f64; 2],
+    /// Smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
+    pub lambda: f64,
+}
+
+/// Particles of the free surface have λ below this (Marrone et al. 2010 use 0.75 for the jump to the interior).
+pub const SURFACE_LAMBDA: f64 = 0.7;

@@ -1,0 +1,124 @@
+//! Who may meet whom: neighbour lists for fluid and walls, images included, remade when a skin is used up.
+
+use crate::cells::{Cells, Point};
+use crate::images::Mirror;
+use crate::neighbours::{Lists, Skin};
+use crate::particles::{Derived, Particles, SURFACE_LAMBDA};
+
+/// Skin that even a particle at rest gets, in smoothing lengths.
+const SKIN: f64 = 0.06;
+
+/// Wall particles at the moment of the search.
+#[derive(Clone, Copy)]
+pub struct WallKinematics<'a> {
+    /// Position [m].
+    pub x: &'a [f64],
+    /// Position [m].
+    pub y: &'a [f64],
+    /// Velocity [m/s].
+    pub u: &'a [f64],
+    /// Velocity [m/s].
+    pub v: &'a [f64],
+    /// Smoothing length [m].
+    pub h: &'a [f64],
+}
+
+/// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
+/// images, in the order of [`Search::fluid_images`] and [`Search::wall_images`].
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    /// Fluid (and images) around each fluid particle.
+    pub fluid: Lists,
+    /// Walls (and images) around each fluid particle.
+    pub walls_of_fluid: Lists,
+    /// Fluid (and images) around each wall particle.
+    pub fluid_of_wall: Lists,
+    /// Sources of the fluid's images.
+    pub fluid_images: Vec<u32>,
+    /// Sources of the walls' images.
+    pub wall_images: Vec<u32>,
+    /// How often the lists were made.
+    pub rebuilds: u64,
+    skin: Skin,
+    wall_skin: Skin,
+    scratch: Vec<f64>,
+}
+
+impl Search {
+    /// True while every pair that can meet is listed.
+    pub fn holds(&self, particles: &Particles, walls: &WallKinematics) -> bool {
+        self.skin.holds(&particles.x, &particles.y) && self.wall_skin.holds(walls.x, walls.y)
+    }
+
+    /// Sort the fluid by cell and list all pairs, to last about `life` seconds.
+    pub fn rebuild(
+        &mut self,
+        particles: &mut Particles,
+        derived: &mut Derived,
+        walls: &WallKinematics,
+        mirror: Option<Mirror>,
+        life: f64,
+    ) {
+        let allow = |h: f64, u: f64, v: f64| SKIN * h + (u * u + v * v).sqrt() * life;
+        let n = particles.len();
+        let mut allowance: Vec<f64> = (0..n).map(|k| allow(particles.h[k], particles.u[k], particles.v[k])).collect();
+        let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
+        let own = |x: &[f64], y: &[f64], reach: &[f64]| -> Vec<Point> {
+            (0..x.len()).map(|k| Point { x: x[k], y: y[k], reach: reach[k], index: k as u32 }).collect()
+        };
+
+        // sort the fluid physically, so that a neighbourhood is a few contiguous runs
+        let mut fluid_cells = Cells::build(&own(&particles.x, &particles.y, &reach));
+        let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
+        particles.permute(&order, &mut self.scratch);
+        derived.permute(&order);
+        allowance = order.iter().map(|&k| allowance[k as usize]).collect();
+        reach = order.iter().map(|&k| reach[k as usize]).collect();
+        fluid_cells.name_by_order();
+
+        let wall_allowance: Vec<f64> = (0..walls.x.len()).map(|k| allow(walls.h[k], walls.u[k], walls.v[k])).collect();
+        let wall_reach: Vec<f64> = (0..walls.x.len()).map(|k| walls.h[k] + wall_allowance[k]).collect();
+        let mut fluid = own(&particles.x, &particles.y, &reach);
+        let mut wall = own(walls.x, walls.y, &wall_reach);
+        let mut wall_cells = Cells::build(&wall);
+        self.fluid_images.clear();
+        self.wall_images.clear();
+        if let Some(mirror) = mirror {
+            // an image is needed where it meets somebody in front of the plane
+            let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
+            let needed = |p: &&Point| meets(&fluid_cells, p) || meets(&wall_cells, p);
+            self.fluid_images.extend(fluid.iter().filter(needed).map(|p| p.index));
+            self.wall_images.extend(wall.iter().filter(|p| meets(&fluid_cells, p)).map(|p| p.index));
+            append_images(&mut fluid, &self.fluid_images, mirror);
+            append_images(&mut wall, &self.wall_images, mirror);
+            (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
+        }
+        let stranger = |p: Point| Point { index: u32::MAX, ..p };
+        self.fluid.build(n, &fluid_cells, |k| fluid[k]);
+        self.walls_of_fluid.build(n, &wall_cells, |k| stranger(fluid[k]));
+        self.fluid_of_wall.build(walls.x.len(), &fluid_cells, |k| stranger(wall[k]));
+        self.skin.reset(&particles.x, &particles.y, allowance);
+        self.wall_skin.reset(walls.x, walls.y, wall_allowance);
+        self.rebuilds += 1;
+        self.flag_surface(derived);
+    }
+
+    /// Who is, or has within reach, a free-surface particle (by the λ of the last sweep).
+    pub fn flag_surface(&self, derived: &mut Derived) {
+        let n = derived.surroundings.len();
+        let around = &derived.surroundings;
+        let source = |j: u32| if (j as usize) < n { j } else { self.fluid_images[j as usize - n] } as usize;
+        let at_surface = |k: usize| around[k].lambda < SURFACE_LAMBDA;
+        crate::sweep::gather_into(&mut derived.near_surface, |k| {
+            at_surface(k) || self.fluid.of(k).iter().any(|&j| at_surface(source(j)))
+        });
+    }
+}
+
+fn append_images(points: &mut Vec<Point>, sources: &[u32], mirror: Mirror) {
+    let n = points.len() as u32;
+    for (k, &source) in sources.iter().enumerate() {
+        let p = points[source as usize];
+        points.push(Point { x: mirror.reflect(p.x), index: n + k as u32, ..p });
+    }
+}

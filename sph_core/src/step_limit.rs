@@ -1,0 +1,49 @@
+//! The largest stable step (THEORY E17).
+
+use crate::error::Breakdown;
+use crate::fluid::Fluid;
+use crate::sweep;
+use crate::walls::Walls;
+
+/// Share of √(h/|a|) a step may take (Monaghan 1992).
+const FORCE: f64 = 0.25;
+/// Share of h²/ν a step may take (Morris et al. 1997).
+const VISCOUS: f64 = 0.125;
+/// A step this many times smaller than the acoustic limit of water at rest means breakdown.
+const COLLAPSE: f64 = 1e-4;
+
+impl Fluid {
+    /// Δt ≤ C h/(c₀ + |v|) [s] over all particles.
+    pub fn acoustic_limit(&self) -> f64 {
+        let (p, c0) = (&self.particles, self.parameters.eos.c0);
+        let speed = |k: usize| (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
+        self.parameters.cfl * sweep::least(p.len(), |k| p.h[k] / (c0 + speed(k)))
+    }
+
+    /// The step limit [s]: acoustic, force and viscous, over the fluid and the walls beside it.
+    pub fn stable_dt(&self, walls: &Walls) -> Result<f64, Breakdown> {
+        let (p, q) = (&self.particles, &self.parameters);
+        let c0 = q.eos.c0;
+        let limit = |h: f64, u: f64, v: f64, ax: f64, ay: f64| {
+            let (speed, acceleration) = ((u * u + v * v).sqrt(), (ax * ax + ay * ay).sqrt());
+            (q.cfl * h / (c0 + speed)).min(FORCE * (h / acceleration).sqrt()).min(VISCOUS * h * h / q.nu)
+        };
+        let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
+        let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
+        let dt = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall));
+        let at_rest = q.cfl * sweep::least(p.len(), |k| p.h[k]) / c0;
+        if dt > COLLAPSE * at_rest {
+            return Ok(dt);
+        }
+        let k = (0..p.len()).min_by(|&a, &b| of_fluid(a).total_cmp(&of_fluid(b))).unwrap_or(0);
+        Err(Breakdown::Step {
+            dt,
+            id: p.id[k],
+            x: p.x[k],
+            y: p.y[k],
+            speed: p.u[k].hypot(p.v[k]),
+            acceleration: p.ax[k].hypot(p.ay[k]),
+            time: self.time,
+        })
+    }
+}

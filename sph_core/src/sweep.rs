@@ -1,0 +1,31 @@
+//! Parallel sweeps: every target gathers its own sum in a fixed order.
+//!
+//! The only module that knows of threads. Targets are cut into chunks of fixed length, so the bits of a
+//! result never depend on the number of threads; nothing is scattered, so there are no locks or atomics.
+
+use rayon::prelude::*;
+
+/// Targets per chunk.
+pub const CHUNK: usize = 128;
+
+/// `out[k] ← gather(k)` for every target k.
+pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
+    out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
+        for (k, slot) in chunk.iter_mut().enumerate() {
+            *slot = gather(c * CHUNK + k);
+        }
+    });
+}
+
+/// The least `value(k)` of `n` (infinity when there are none); `min` is exact, so any order gives the same bits.
+pub fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
+    (0..n.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|c| (c * CHUNK..((c + 1) * CHUNK).min(n)).map(&value).fold(f64::INFINITY, f64::min))
+        .reduce(|| f64::INFINITY, f64::min)
+}
+
+/// Fill a list for every chunk of `n` targets.
+pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(std::ops::Range<usize>, &mut T) + Sync) {
+    lists.par_iter_mut().enumerate().for_each(|(c, list)| fill(c * CHUNK..((c + 1) * CHUNK).min(n), list));
+}

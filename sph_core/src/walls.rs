@@ -1,0 +1,191 @@
+//! Walls: boundary particles that somebody else moves.
+//!
+//! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
+//! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
+
+/// One boundary particle as its owner samples it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallPoint {
+    /// Position [m].
+    pub at: [f64; 2],
+    /// Unit normal of the nearest face, pointing into the fluid [-].
+    pub normal: [f64; 2],
+    /// Area it stands for [m²].
+    pub area: f64,
+}
+
+/// All boundary particles. One entry per particle in every array.
+#[derive(Clone, Debug, Default)]
+pub struct Walls {
+    /// Position at the end of the step [m].
+    pub x: Vec<f64>,
+    /// Position at the end of the step [m].
+    pub y: Vec<f64>,
+    /// Velocity over the step [m/s].
+    pub u: Vec<f64>,
+    /// Velocity over the step [m/s].
+    pub v: Vec<f64>,
+    /// Acceleration [m/s²].
+    pub ax: Vec<f64>,
+    /// Acceleration [m/s²].
+    pub ay: Vec<f64>,
+    /// Unit normal into the fluid [-].
+    pub nx: Vec<f64>,
+    /// Unit normal into the fluid [-].
+    pub ny: Vec<f64>,
+    /// Area it stands for [m²].
+    pub volume: Vec<f64>,
+    /// Smoothing length [m].
+    pub h: Vec<f64>,
+    /// Pressure extrapolated from the fluid [Pa] (THEORY E9); written by the fluid.
+    pub pressure: Vec<f64>,
+    /// Force of the fluid on the particle at the end of the step, per metre of span [N/m]; written by the fluid.
+    pub fx: Vec<f64>,
+    /// Force at the end of the step [N/m].
+    pub fy: Vec<f64>,
+    /// Mean force over the step [N/m]: times Δt it is exactly the impulse that the fluid lost.
+    pub mean_fx: Vec<f64>,
+    /// Mean force over the step [N/m].
+    pub mean_fy: Vec<f64>,
+}
+
+impl Walls {
+    /// Number of boundary particles.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// True when there is none.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing.
+    pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> std::ops::Range<usize> {
+        let start = self.len();
+        for point in points {
+            self.x.push(point.at[0]);
+            self.y.push(point.at[1]);
+            self.nx.push(point.normal[0]);
+            self.ny.push(point.normal[1]);
+            self.volume.push(point.area);
+            self.h.push(ratio * point.area.sqrt());
+        }
+        let n = self.len();
+        for array in [
+            &mut self.u,
+            &mut self.v,
+            &mut self.ax,
+            &mut self.ay,
+            &mut self.pressure,
+            &mut self.fx,
+            &mut self.fy,
+            &mut self.mean_fx,
+            &mut self.mean_fy,
+        ] {
+            array.resize(n, 0.0);
+        }
+        start..n
+    }
+
+    /// An owner's particles, to be moved.
+    pub fn slice_mut(&mut self, range: std::ops::Range<usize>) -> WallsMut<'_> {
+        WallsMut {
+            x: &mut self.x[range.clone()],
+            y: &mut self.y[range.clone()],
+            u: &mut self.u[range.clone()],
+            v: &mut self.v[range.clone()],
+            ax: &mut self.ax[range.clone()],
+            ay: &mut self.ay[range.clone()],
+            nx: &mut self.nx[range.clone()],
+            ny: &mut self.ny[range],
+        }
+    }
+
+    /// The forces on an owner's particles, to be read.
+    pub fn forces(&self, range: std::ops::Range<usize>) -> WallForces<'_> {
+        WallForces {
+            x: &self.x[range.clone()],
+            y: &self.y[range.clone()],
+            fx: &self.fx[range.clone()],
+            fy: &self.fy[range.clone()],
+            mean_fx: &self.mean_fx[range.clone()],
+            mean_fy: &self.mean_fy[range],
+            mirrored: false,
+        }
+    }
+}
+
+/// Kinematics of one owner's particles, in the owner's order.
+pub struct WallsMut<'a> {
+    /// Position [m].
+    pub x: &'a mut [f64],
+    /// Position [m].
+    pub y: &'a mut [f64],
+    /// Velocity [m/s].
+    pub u: &'a mut [f64],
+    /// Velocity [m/s].
+    pub v: &'a mut [f64],
+    /// Acceleration [m/s²].
+    pub ax: &'a mut [f64],
+    /// Acceleration [m/s²].
+    pub ay: &'a mut [f64],
+    /// Normal [-].
+    pub nx: &'a mut [f64],
+    /// Normal [-].
+    pub ny: &'a mut [f64],
+}
+
+/// Forces of the fluid on one owner's particles, in the owner's order.
+#[derive(Clone, Copy)]
+pub struct WallForces<'a> {
+    /// Where the force acts [m].
+    pub x: &'a [f64],
+    /// Where the force acts [m].
+    pub y: &'a [f64],
+    /// Force now [N/m].
+    pub fx: &'a [f64],
+    /// Force now [N/m].
+    pub fy: &'a [f64],
+    /// Mean force over the step just taken [N/m].
+    pub mean_fx: &'a [f64],
+    /// Mean force over the step just taken [N/m].
+    pub mean_fy: &'a [f64],
+    /// True when the particles are the right half of an owner that is symmetric about x = 0.
+    pub mirrored: bool,
+}
+
+/// Force [N/m] and moment about a point [N] of many small forces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Resultant {
+    /// Force per metre of span [N/m].
+    pub force: [f64; 2],
+    /// Moment per metre of span, counter-clockwise [N].
+    pub moment: f64,
+}
+
+impl WallForces<'_> {
+    /// Resultant about `pole` [m] of the force now; both halves counted when mirrored.
+    pub fn resultant(&self, pole: [f64; 2]) -> Resultant {
+        self.sum(self.fx, self.fy, pole)
+    }
+
+    /// Resultant about `pole` [m] of the mean force over the step; both halves counted when mirrored.
+    pub fn mean_resultant(&self, pole: [f64; 2]) -> Resultant {
+        self.sum(self.mean_fx, self.mean_fy, pole)
+    }
+
+    fn sum(&self, fx: &[f64], fy: &[f64], pole: [f64; 2]) -> Resultant {
+        let mut total = Resultant::default();
+        for k in 0..fx.len() {
+            total.force[0] += fx[k];
+            total.force[1] += fy[k];
+            total.moment += (self.x[k] - pole[0]) * fy[k] - (self.y[k] - pole[1]) * fx[k];
+        }
+        if self.mirrored {
+            let fy = 2.0 * total.force[1]; // acts along x = 0
+            total = Resultant { force: [0.0, fy], moment: -pole[0] * fy };
+        }
+        total
+    }
+}
