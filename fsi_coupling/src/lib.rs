@@ -1,1 +1,22 @@
-//! fsi_coupling
+//! The meeting room of fluid and structure: what a wetted body is, where its boundary particles are, and
+//! how the fluid's forces go back to it.
+//!
+//! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
+//! [`tank`]. [`geometry`], [`sampling`] and [`fill`] turn shapes into particles.
+
+pub mod body;
+pub mod coupled;
+pub mod fill;
+pub mod geometry;
+pub mod pose;
+pub mod prescribed;
+pub mod rigid;
+pub mod sampling;
+pub mod tank;
+
+pub use body::{BodyError, Energy, Ledger, Motion, WettedBody};
+pub use coupled::{Coupled, CouplingError, Scheme};
+pub use geometry::Outline;
+pub use prescribed::PrescribedBody;
+pub use rigid::{RigidBody2d, RigidSpec};
+pub use tank::Tank;

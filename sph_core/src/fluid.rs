@@ -128,6 +128,7 @@ impl Fluid {
     /// Advance by `dt` [s]. Before: the walls' kinematics are those of the step's end. After: the walls
     /// carry the force now and the mean force of the step.
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
+        walls.dt = dt;
         match self.parameters.integrator {
             Integrator::Symplectic => integrator::symplectic(self, walls, dt),
             Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
@@ -262,8 +263,10 @@ impl Fluid {
     /// Make the lists if they no longer hold, then pack what the sweeps read.
     fn pack(&mut self, walls: &Walls, offset: f64) {
         let m = walls.len();
+        // back along the step from its end, at constant acceleration; u is the step's mean velocity
+        let bend = 0.5 * offset * (offset + walls.dt);
         let at = |x: &[f64], u: &[f64], a: &[f64]| -> Vec<f64> {
-            (0..m).map(|k| x[k] + offset * u[k] + 0.5 * offset * offset * a[k]).collect()
+            (0..m).map(|k| x[k] + offset * u[k] + bend * a[k]).collect()
         };
         let (wx, wy) = (at(&walls.x, &walls.u, &walls.ax), at(&walls.y, &walls.v, &walls.ay));
         let kinematics = WallKinematics { x: &wx, y: &wy, u: &walls.u, v: &walls.v, h: &walls.h };

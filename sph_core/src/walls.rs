@@ -17,6 +17,8 @@ pub struct WallPoint {
 /// All boundary particles. One entry per particle in every array.
 #[derive(Clone, Debug, Default)]
 pub struct Walls {
+    /// Length of the step that the kinematics are given for [s]; written by the fluid.
+    pub dt: f64,
     /// Position at the end of the step [m].
     pub x: Vec<f64>,
     /// Position at the end of the step [m].

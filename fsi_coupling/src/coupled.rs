@@ -1,0 +1,193 @@
+//! Fluid and bodies, stepped together.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+use sph_core::audit::FluidEnergy;
+use sph_core::{Breakdown, Fluid, Walls};
+
+use crate::body::{BodyError, WettedBody};
+
+/// How fluid and bodies agree on a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Scheme {
+    /// Each body moves once a step, under the fluid's force at its predicted place.
+    #[default]
+    Weak,
+    /// Repeat the step until the interface agrees. Not available yet: choosing it is an error.
+    Iterated,
+}
+
+/// A coupled run cannot be set up or cannot go on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CouplingError {
+    /// The fluid broke down.
+    #[error(transparent)]
+    Fluid(#[from] Breakdown),
+    /// A body broke down.
+    #[error(transparent)]
+    Body(#[from] BodyError),
+    /// A scheme that is named but not built.
+    #[error("coupling scheme `iterated` is not available in this version: use `weak`")]
+    SchemeNotAvailable,
+}
+
+struct Member {
+    body: Box<dyn WettedBody>,
+    range: Range<usize>,
+}
+
+/// See the module's text.
+pub struct Coupled {
+    /// The fluid.
+    pub fluid: Fluid,
+    /// All boundary particles.
+    pub walls: Walls,
+    members: Vec<Member>,
+    audit: MomentumAudit,
+    energy_at_start: f64,
+}
+
+/// Momentum closure (THEORY E21): what the fluid and the bodies hold, less what came from outside.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MomentumAudit {
+    balance: [f64; 2],
+    /// Largest change of the balance in one step, relative to Σ m|v| + Δt Σ|F| [-].
+    pub worst: f64,
+}
+
+impl Coupled {
+    /// Sample the bodies at `spacing` [m], put everything in place, evaluate the forces at the start.
+    pub fn new(
+        mut fluid: Fluid,
+        bodies: Vec<Box<dyn WettedBody>>,
+        scheme: Scheme,
+        spacing: f64,
+    ) -> Result<Coupled, CouplingError> {
+        if scheme == Scheme::Iterated {
+            return Err(CouplingError::SchemeNotAvailable);
+        }
+        let ratio = fluid.parameters.smoothing_ratio;
+        let layers = (2.0 * ratio - 1e-9).ceil() as usize;
+        let mut walls = Walls::default();
+        let mut members = Vec::new();
+        for mut body in bodies {
+            let range = walls.extend(&body.sample(spacing, layers)?, ratio);
+            body.place(0.0, walls.slice_mut(range.clone()));
+            members.push(Member { body, range });
+        }
+        fluid.initialise(&mut walls)?;
+        let mut coupled = Coupled { fluid, walls, members, audit: MomentumAudit::default(), energy_at_start: 0.0 };
+        coupled.load_bodies();
+        coupled.audit.balance = coupled.balance();
+        coupled.energy_at_start = coupled.energy();
+        Ok(coupled)
+    }
+
+    /// The largest step that fluid and bodies allow [s].
+    pub fn stable_dt(&self) -> Result<f64, CouplingError> {
+        let bodies = self.members.iter().map(|m| m.body.stable_dt()).fold(f64::INFINITY, f64::min);
+        Ok(self.fluid.stable_dt(&self.walls)?.min(bodies))
+    }
+
+    /// One step of `dt` [s].
+    pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
+        for m in &self.members {
+            m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
+        }
+        self.fluid.step(&mut self.walls, dt)?;
+        self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
+        for m in &mut self.members {
+            m.body.advance(dt)?;
+        }
+        self.close_momentum(dt);
+        Ok(())
+    }
+
+    fn load_bodies(&mut self) {
+        let mirrored = self.fluid.parameters.mirror.is_some();
+        for m in &mut self.members {
+            let mut forces = self.walls.forces(m.range.clone());
+            forces.mirrored = mirrored;
+            m.body.load(forces);
+        }
+    }
+
+    /// The bodies, in the order they were given.
+    pub fn bodies(&self) -> impl Iterator<Item = &dyn WettedBody> {
+        self.members.iter().map(|m| m.body.as_ref())
+    }
+
+    /// Boundary particles of body `k`.
+    pub fn range(&self, k: usize) -> Range<usize> {
+        self.members[k].range.clone()
+    }
+
+    /// Fluid particles beyond a wall's surface: (how many, deepest [m]).
+    pub fn penetrated(&self) -> (usize, f64) {
+        let p = &self.fluid.particles;
+        let (mut count, mut deepest) = (0, 0.0_f64);
+        for k in 0..p.len() {
+            let clearance = self.members.iter().map(|m| m.body.clearance([p.x[k], p.y[k]])).fold(f64::INFINITY, f64::min);
+            let behind = self.fluid.parameters.mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
+            let clearance = clearance.min(behind);
+            count += usize::from(clearance < 0.0);
+            deepest = deepest.max(-clearance);
+        }
+        (count, deepest)
+    }
+
+    /// Momentum closure so far.
+    pub fn momentum_audit(&self) -> MomentumAudit {
+        self.audit
+    }
+
+    /// Energies of the fluid now [J/m].
+    pub fn fluid_energy(&self) -> FluidEnergy {
+        self.fluid.energy()
+    }
+
+    /// Energy that left the balance since the start [J/m] (THEORY E22): fluid and free bodies, less the
+    /// work done on the system by bodies whose motion is given. Negative: dissipated.
+    pub fn energy_drift(&self) -> f64 {
+        self.energy() - self.energy_at_start
+    }
+
+    fn energy(&self) -> f64 {
+        let of = |m: &Member| {
+            let e = m.body.energy();
+            if m.body.prescribed() { e.work } else { e.kinetic + e.potential + e.elastic }
+        };
+        self.fluid.energy().total() + self.members.iter().map(of).sum::<f64>()
+    }
+
+    /// Momentum held less impulses from outside, but for gravity on the fluid.
+    fn balance(&self) -> [f64; 2] {
+        let mut total = self.fluid.momentum();
+        for m in &self.members {
+            let ledger = m.body.ledger();
+            for k in 0..2 {
+                total[k] += ledger.momentum[k] - ledger.external[k];
+            }
+        }
+        total
+    }
+
+    fn close_momentum(&mut self, dt: f64) {
+        let (now, weight) = (self.balance(), self.fluid.mass());
+        let p = &self.fluid.particles;
+        let held: f64 = (0..p.len()).map(|k| p.mass[k] * p.u[k].hypot(p.v[k])).sum();
+        let pushed: f64 = (0..self.walls.len()).map(|k| self.walls.fx[k].hypot(self.walls.fy[k])).sum();
+        let scale = held + dt * pushed;
+        let symmetric = self.fluid.parameters.mirror.is_some();
+        for k in 0..2 {
+            let gravity = if symmetric && k == 0 { 0.0 } else { dt * weight * self.fluid.parameters.gravity[k] };
+            let gap = now[k] - self.audit.balance[k] - gravity;
+            if scale > 0.0 {
+                self.audit.worst = self.audit.worst.max(gap.abs() / scale);
+            }
+        }
+        self.audit.balance = now;
+    }
+}

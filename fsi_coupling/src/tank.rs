@@ -1,0 +1,130 @@
+//! The tank: floor and side walls at rest, sampled at the spacing of the water beside them.
+
+use sph_core::{WallForces, WallPoint, WallsMut};
+
+use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
+use crate::fill::Tiling;
+use crate::geometry::Outline;
+
+/// A rectangular open tank. Its particles never move.
+pub struct Tank {
+    tiling: Tiling,
+    x: [f64; 2],
+    floor: f64,
+    rim: f64,
+    half: bool,
+    points: Vec<WallPoint>,
+    mean: [f64; 2],
+    external: [f64; 2],
+}
+
+impl Tank {
+    /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, no wall at x[0]: a
+    /// plane of symmetry stands there.
+    pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
+        Tank { tiling, x, floor, rim, half, points: Vec::new(), mean: [0.0; 2], external: [0.0; 2] }
+    }
+
+    /// Stations (middle, length) that divide [a, b] at the spacing of the water beside it.
+    fn divide(&self, a: f64, b: f64, beside: impl Fn(f64) -> [f64; 2]) -> Vec<(f64, f64)> {
+        let mut parts = vec![(a, 0.0)]; // running coordinate, number of spacings so far
+        let mut t = a;
+        while t < b {
+            let spacing = self.tiling.spacing_at(beside(t));
+            let step = (0.02 * spacing).min(b - t);
+            t += step.max(1e-12 * (b - a));
+            parts.push((t, parts[parts.len() - 1].1 + step / spacing));
+        }
+        let total = parts[parts.len() - 1].1;
+        let count = total.round().max(1.0) as usize;
+        let at = |n: f64| {
+            let k = parts.partition_point(|(_, m)| *m < n).clamp(1, parts.len() - 1);
+            let ((t0, n0), (t1, n1)) = (parts[k - 1], parts[k]);
+            if n1 > n0 { t0 + (n - n0) / (n1 - n0) * (t1 - t0) } else { t0 }
+        };
+        let edge = |k: usize| at(total * k as f64 / count as f64);
+        let piece = |k: usize| (0.5 * (edge(k) + edge(k + 1)), edge(k + 1) - edge(k));
+        (0..count).map(piece).collect()
+    }
+}
+
+impl WettedBody for Tank {
+    fn name(&self) -> &str {
+        "tank"
+    }
+
+    fn sample(&mut self, _spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
+        let mut points = Vec::new();
+        let depth = |layer: usize, s: f64| (layer as f64 + 0.5) * s;
+        for (x, s) in self.divide(self.x[0], self.x[1], |x| [x, self.floor]) {
+            for layer in 0..layers {
+                points.push(WallPoint { at: [x, self.floor - depth(layer, s)], normal: [0.0, 1.0], area: s * s });
+            }
+        }
+        let sides: &[(f64, f64)] = if self.half { &[(1.0, self.x[1])] } else { &[(1.0, self.x[1]), (-1.0, self.x[0])] };
+        for &(out, wall) in sides {
+            for (y, s) in self.divide(self.floor, self.rim, |y| [wall, y]) {
+                for layer in 0..layers {
+                    points.push(WallPoint { at: [wall + out * depth(layer, s), y], normal: [-out, 0.0], area: s * s });
+                }
+            }
+            let s = self.tiling.spacing_at([wall, self.floor]);
+            for i in 0..layers {
+                for j in 0..layers {
+                    let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
+                    points.push(WallPoint { at: [wall + out * depth(i, s), self.floor - depth(j, s)], normal, area: s * s });
+                }
+            }
+        }
+        self.points = points.clone();
+        Ok(points)
+    }
+
+    fn place(&self, _ahead: f64, out: WallsMut<'_>) {
+        for (k, p) in self.points.iter().enumerate() {
+            [out.x[k], out.y[k]] = p.at;
+        }
+    }
+
+    fn load(&mut self, force: WallForces<'_>) {
+        self.mean = force.mean_resultant([0.0, 0.0]).force;
+    }
+
+    fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
+        for k in 0..2 {
+            self.external[k] -= dt * self.mean[k];
+        }
+        Ok(())
+    }
+
+    fn save(&mut self) {}
+
+    fn restore(&mut self) {}
+
+    fn energy(&self) -> Energy {
+        Energy::default()
+    }
+
+    fn ledger(&self) -> Ledger {
+        Ledger { momentum: [0.0; 2], external: self.external }
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        None
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        None
+    }
+
+    fn clearance(&self, at: [f64; 2]) -> f64 {
+        let below_rim = at[1] < self.rim;
+        let left = if self.half || !below_rim { f64::INFINITY } else { at[0] - self.x[0] };
+        let right = if below_rim { self.x[1] - at[0] } else { f64::INFINITY };
+        (at[1] - self.floor).min(left).min(right)
+    }
+
+    fn prescribed(&self) -> bool {
+        true
+    }
+}
