@@ -2,7 +2,6 @@
 
 use crate::cells::{Cells, Point};
 use crate::fluid::Fluid;
-use crate::kernel::Kernel;
 
 /// A reader of the fluid as it stands now; make one per moment, read many points.
 pub struct Probe<'a> {
@@ -23,33 +22,36 @@ impl<'a> Probe<'a> {
         Probe { fluid, cells: Cells::build(&points) }
     }
 
-    /// Σ V p W and Σ V W over the fluid around `at` [m], each particle with its own kernel.
-    fn sums(&self, at: [f64; 2]) -> (f64, f64) {
+    /// Call `take` with weight V W and index of every particle around `at` [m], each with its own kernel.
+    fn around(&self, at: [f64; 2], mut take: impl FnMut(f64, &Point)) {
         let (p, d, kernel) = (&self.fluid.particles, &self.fluid.derived, self.fluid.parameters.kernel);
-        let (mut pressure, mut filling) = (0.0, 0.0);
         self.cells.for_each_within(at[0], at[1], 0.0, |q| {
             let k = q.index as usize;
-            let w = d.volume[k] * weight(kernel, (at[0] - q.x).hypot(at[1] - q.y), p.h[k]);
-            pressure += w * d.pressure[k];
-            filling += w;
+            let w = kernel.value((at[0] - q.x).hypot(at[1] - q.y), p.h[k]);
+            take(d.volume[k] * w, q);
         });
-        (pressure, filling)
     }
 
-    /// Pressure on a flat face [Pa]: 2 Σ V p W, which falls to zero by itself where the face is dry.
-    /// Valid farther than one support 2h from an edge of the face.
-    pub fn on_flat_face(&self, at: [f64; 2]) -> f64 {
-        2.0 * self.sums(at).0
+    /// Pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
+    /// where `slope` s = ρ(g − a)·n [Pa/m] is the pressure's slope along the normal that the wall imposes.
+    /// It falls to zero by itself where the face is dry. Valid farther than one support 2h from an edge.
+    pub fn on_flat_face(&self, at: [f64; 2], normal: [f64; 2], slope: f64) -> f64 {
+        let mut sum = 0.0;
+        self.around(at, |weight, q| {
+            let height = (q.x - at[0]) * normal[0] + (q.y - at[1]) * normal[1];
+            sum += weight * (self.fluid.derived.pressure[q.index as usize] - slope * height);
+        });
+        2.0 * sum
     }
 
-    /// Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where fewer than a
-    /// quarter of the half space in front of a face is filled.
+    /// Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
+    /// eighth of the kernel is filled.
     pub fn shepard(&self, at: [f64; 2]) -> f64 {
-        let (pressure, filling) = self.sums(at);
+        let (mut pressure, mut filling) = (0.0, 0.0);
+        self.around(at, |weight, q| {
+            pressure += weight * self.fluid.derived.pressure[q.index as usize];
+            filling += weight;
+        });
         if filling < 0.125 { 0.0 } else { pressure / filling }
     }
-}
-
-fn weight(kernel: Kernel, r: f64, h: f64) -> f64 {
-    kernel.value(r, h)
 }

@@ -1,0 +1,63 @@
+//! A few pictures of the flow, evenly over the run, for the report.
+
+use super::{Frame, ObserveError, Observer, gauges};
+use crate::report::FlowFrame;
+use crate::scene::Scene;
+
+/// Pictures kept in a run.
+const PICTURES: usize = 4;
+
+/// Keeps particle frames for the report.
+pub struct FlowPictures {
+    due: Vec<f64>,
+    frames: Vec<FlowFrame>,
+    spacing: f64,
+}
+
+impl FlowPictures {
+    /// Pictures at equal intervals up to the scene's end.
+    pub fn new(scene: &Scene) -> FlowPictures {
+        let due = (1..=PICTURES).rev().map(|k| scene.time.end * k as f64 / PICTURES as f64).collect();
+        FlowPictures { due, frames: Vec::new(), spacing: scene.resolution.spacing }
+    }
+
+    /// Keep the state now, due or not: the last word of a run that stops early.
+    pub fn keep(&mut self, frame: &Frame<'_>) {
+        let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
+        let narrow = |v: &[f64]| v.iter().map(|x| *x as f32).collect::<Vec<f32>>();
+        let bodies = frame.system.bodies().filter_map(|b| Some((b.motion()?, b.outline()?)));
+        self.frames.push(FlowFrame {
+            time: frame.time(),
+            x: narrow(&p.x),
+            y: narrow(&p.y),
+            value: d.pressure.iter().map(|v| (*v / 1000.0) as f32).collect(),
+            size: (0..p.len()).map(|k| (p.mass[k] / p.rho[k]).sqrt() as f32).collect(),
+            outlines: bodies.map(|(m, o)| o.vertices().iter().map(|v| gauges::on(&m, *v)).collect()).collect(),
+            walls: frame
+                .system
+                .bodies()
+                .enumerate()
+                .filter(|(_, b)| b.outline().is_none())
+                .flat_map(|(k, _)| frame.system.range(k))
+                .map(|k| [w.x[k], w.y[k]])
+                .collect(),
+            wall_size: self.spacing,
+        });
+    }
+
+    /// The frames kept.
+    pub fn frames(&self) -> &[FlowFrame] {
+        &self.frames
+    }
+}
+
+impl Observer for FlowPictures {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        let due = self.due.last().is_some_and(|t| frame.time() >= *t * (1.0 - 1e-9));
+        if due {
+            self.due.pop();
+            self.keep(frame);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,118 @@
+//! `log.mcap`: curves and conservation numbers at every sample, particles at every frame.
+
+use std::path::Path;
+
+use fsi_coupling::Outline;
+
+use super::{Frame, ObserveError, Observer};
+use crate::log::{BodyView, Level, LogMetadata, LogWriter, ParticleView};
+use crate::scene::Scene;
+
+/// Writes the log.
+pub struct LogObserver {
+    writer: LogWriter,
+    outlines: Vec<(String, Vec<[f64; 2]>)>,
+    gauges: Vec<String>,
+}
+
+impl LogObserver {
+    /// Create the file.
+    pub fn create(path: &Path, scene: &Scene, system: &fsi_coupling::Coupled) -> Result<LogObserver, ObserveError> {
+        let toml = scene.to_toml();
+        let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
+        let outline = |o: &Outline| o.vertices().to_vec();
+        let outlines = system.bodies().filter_map(|b| b.outline().map(|o| (b.name().to_string(), outline(o)))).collect();
+        let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
+        Ok(LogObserver { writer: LogWriter::create(path, &metadata)?, outlines, gauges })
+    }
+
+    /// Note why a run stopped.
+    pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), ObserveError> {
+        Ok(self.writer.note(time, level, text)?)
+    }
+
+    /// Complete the file.
+    pub fn finish(self) -> Result<u64, ObserveError> {
+        Ok(self.writer.finish()?)
+    }
+
+    fn curves(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        let (t, system) = (frame.time(), frame.system);
+        for body in system.bodies() {
+            let Some(m) = body.motion() else { continue };
+            let values = [
+                ("x_m", m.position[0]),
+                ("y_m", m.position[1]),
+                ("angle_deg", m.angle.to_degrees()),
+                ("vx_m_per_s", m.velocity[0]),
+                ("vy_m_per_s", m.velocity[1]),
+                ("ax_m_per_s2", m.acceleration[0]),
+                ("ay_m_per_s2", m.acceleration[1]),
+                ("fx_N_per_m", m.force[0]),
+                ("fy_N_per_m", m.force[1]),
+                ("moment_N", m.moment),
+            ];
+            self.writer.sample(t, &format!("/body/{}", body.name()), &values)?;
+        }
+        if !self.gauges.is_empty() {
+            let named: Vec<(&str, f64)> =
+                self.gauges.iter().map(String::as_str).zip(frame.gauges.iter().copied()).collect();
+            self.writer.sample(t, "/gauges", &named)?;
+        }
+        let (energy, momentum) = (system.fluid_energy(), system.fluid.momentum());
+        let audit = [
+            ("momentum_x_N_s_per_m", momentum[0]),
+            ("momentum_y_N_s_per_m", momentum[1]),
+            ("momentum_closure", system.momentum_audit().worst),
+            ("kinetic_J_per_m", energy.kinetic),
+            ("potential_J_per_m", energy.potential),
+            ("elastic_J_per_m", energy.elastic),
+            ("energy_drift_J_per_m", system.energy_drift()),
+            ("volume_m2", system.fluid.volume()),
+            ("penetrated", frame.penetrated as f64),
+            ("top_speed_m_per_s", system.fluid.top_speed()),
+        ];
+        self.writer.sample(t, "/audit", &audit)?;
+        Ok(())
+    }
+}
+
+impl Observer for LogObserver {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        self.curves(frame)?;
+        if !frame.particles {
+            return Ok(());
+        }
+        let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
+        let spacing: Vec<f64> = (0..p.len()).map(|k| (p.mass[k] / p.rho[k]).sqrt()).collect();
+        let fluid = ParticleView {
+            x: &p.x,
+            y: &p.y,
+            vx: &p.u,
+            vy: &p.v,
+            pressure: &d.pressure,
+            density: &p.rho,
+            spacing: &spacing,
+            id: &p.id,
+        };
+        let wall_spacing: Vec<f64> = w.volume.iter().map(|v| v.sqrt()).collect();
+        let wall_density = vec![frame.system.fluid.parameters.eos.rho0; w.len()];
+        let wall_id: Vec<u32> = (0..w.len() as u32).collect();
+        let walls = ParticleView {
+            x: &w.x,
+            y: &w.y,
+            vx: &w.u,
+            vy: &w.v,
+            pressure: &w.pressure,
+            density: &wall_density,
+            spacing: &wall_spacing,
+            id: &wall_id,
+        };
+        let motions = frame.system.bodies().filter_map(|b| b.motion());
+        let bodies: Vec<BodyView<'_>> = motions
+            .zip(&self.outlines)
+            .map(|(m, (name, outline))| BodyView { name, position: m.position, angle: m.angle, outline })
+            .collect();
+        Ok(self.writer.frame(frame.time(), &fluid, &walls, &bodies)?)
+    }
+}

@@ -1,0 +1,61 @@
+//! Observers: small, scheduled, borrowing immutably. They never change the system or shorten a step.
+
+mod flow;
+mod gauges;
+mod log;
+mod series;
+mod similarity;
+
+use std::io;
+
+use fsi_coupling::Coupled;
+
+use crate::log::LogError;
+
+pub use flow::FlowPictures;
+pub use gauges::{GaugeReader, Reading};
+pub use log::LogObserver;
+pub use series::Series;
+pub use similarity::{SimilarityResult, SimilarityWindow};
+
+/// What an observer sees.
+#[derive(Clone, Copy)]
+pub struct Frame<'a> {
+    /// The system after a step.
+    pub system: &'a Coupled,
+    /// Pressure of each gauge [Pa], in the scene's order.
+    pub gauges: &'a [f64],
+    /// Fluid particles beyond a wall's surface.
+    pub penetrated: usize,
+    /// True where particles are due as well as curves.
+    pub particles: bool,
+}
+
+impl Frame<'_> {
+    /// Time [s].
+    pub fn time(&self) -> f64 {
+        self.system.fluid.time
+    }
+}
+
+/// An observer could not keep what it saw.
+#[derive(Debug, thiserror::Error)]
+pub enum ObserveError {
+    /// A file could not be written.
+    #[error("cannot write {path}: {source}")]
+    Io {
+        /// The file.
+        path: String,
+        /// Why.
+        source: io::Error,
+    },
+    /// The log could not be written.
+    #[error(transparent)]
+    Log(#[from] LogError),
+}
+
+/// Something that watches a run.
+pub trait Observer {
+    /// See the system at a sample time.
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError>;
+}

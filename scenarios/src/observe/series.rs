@@ -1,0 +1,109 @@
+//! `series.csv`: a row per sample, kept in memory too for comparisons and charts.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use fsi_coupling::Motion;
+
+use super::{Frame, ObserveError, Observer};
+use crate::scene::Scene;
+
+/// The sampled curves.
+pub struct Series {
+    columns: Vec<String>,
+    rows: Vec<Vec<f64>>,
+    file: Option<(String, BufWriter<File>)>,
+}
+
+/// Columns of a body, with what they read.
+const BODY: [(&str, fn(&Motion) -> f64); 10] = [
+    ("x_m", |m| m.position[0]),
+    ("y_m", |m| m.position[1]),
+    ("angle_deg", |m| m.angle.to_degrees()),
+    ("vx_m_per_s", |m| m.velocity[0]),
+    ("vy_m_per_s", |m| m.velocity[1]),
+    ("ax_m_per_s2", |m| m.acceleration[0]),
+    ("ay_m_per_s2", |m| m.acceleration[1]),
+    ("fx_N_per_m", |m| m.force[0]),
+    ("fy_N_per_m", |m| m.force[1]),
+    ("moment_N", |m| m.moment),
+];
+
+impl Series {
+    /// Columns for a scene; rows go to `path` as well if one is given.
+    pub fn new(scene: &Scene, path: Option<&Path>) -> Result<Series, ObserveError> {
+        let mut columns = vec!["time_s".to_string()];
+        for body in &scene.body {
+            columns.extend(BODY.iter().map(|(unit, _)| format!("{}.{unit}", body.name)));
+        }
+        columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));
+        let file = match path {
+            None => None,
+            Some(path) => {
+                let name = path.display().to_string();
+                let wrong = |source| ObserveError::Io { path: name.clone(), source };
+                let mut file = BufWriter::new(File::create(path).map_err(wrong)?);
+                writeln!(file, "{}", columns.join(",")).map_err(wrong)?;
+                Some((name, file))
+            }
+        };
+        Ok(Series { columns, rows: Vec::new(), file })
+    }
+
+    /// Names of the columns; the first is `time_s`.
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// A column by name, or `None`.
+    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
+        let k = self.columns.iter().position(|c| c == name)?;
+        Some(self.rows.iter().map(|row| row[k]).collect())
+    }
+
+    /// Sample times [s].
+    pub fn times(&self) -> Vec<f64> {
+        self.rows.iter().map(|row| row[0]).collect()
+    }
+
+    /// The last row.
+    pub fn last(&self) -> Option<&[f64]> {
+        self.rows.last().map(Vec::as_slice)
+    }
+
+    /// Extreme value of each column with its time [s]: the entry of largest magnitude.
+    pub fn peaks(&self) -> impl Iterator<Item = (&str, f64, f64)> {
+        (1..self.columns.len()).filter_map(|k| {
+            let row = self.rows.iter().max_by(|a, b| a[k].abs().total_cmp(&b[k].abs()))?;
+            Some((self.columns[k].as_str(), row[k], row[0]))
+        })
+    }
+
+    /// See that all rows are in the file.
+    pub fn flush(&mut self) -> Result<(), ObserveError> {
+        match &mut self.file {
+            Some((path, file)) => file.flush().map_err(|source| ObserveError::Io { path: path.clone(), source }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Observer for Series {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        let mut row = vec![frame.time()];
+        for motion in frame.system.bodies().filter_map(|b| b.motion()) {
+            row.extend(BODY.iter().map(|(_, read)| read(&motion)));
+        }
+        row.extend(frame.gauges);
+        if let Some((path, file)) = &mut self.file {
+            let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
+            writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;
+        }
+        self.rows.push(row);
+        if frame.particles {
+            self.flush()?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,130 @@
+//! Wedge entry at constant speed: force and pressure against the similarity solution (THEORY E24).
+//!
+//! The flow depends on x/(Vt) alone, so every moment of the run is the same flow at another resolution
+//! k = Vt/Δx. Numbers are taken over the last fifth of the run.
+
+use serde::Serialize;
+use sph_core::probe::Probe;
+
+use super::{Frame, ObserveError, Observer};
+use crate::scene::{Scene, Shape};
+
+/// Points along the face, in similarity coordinates.
+const POINTS: usize = 400;
+/// The window starts at this share of the run.
+const FROM: f64 = 0.8;
+
+/// What the run gives for the similarity solution's numbers.
+#[derive(Clone, Debug, Serialize)]
+pub struct SimilarityResult {
+    /// Window the numbers were taken over [s].
+    pub window_s: [f64; 2],
+    /// Resolution at the window's end, Vt/Δx [-].
+    pub spacings_per_draught: f64,
+    /// F/(ρV³t), mean over the window [-].
+    pub force_coefficient: f64,
+    /// Standard deviation of the same over the window [-].
+    pub force_coefficient_sd: f64,
+    /// Largest pressure on the face over ½ρV², mean over the window's snapshots [-].
+    pub cp_max: f64,
+    /// Standard deviation of the same over the window [-].
+    pub cp_max_sd: f64,
+    /// Largest value of the window's mean profile [-].
+    pub cp_max_of_mean: f64,
+    /// Height of that largest value above still water over Vt [-].
+    pub z_max_over_vt: f64,
+    /// Mean profile: x/(Vt), Cp.
+    #[serde(skip)]
+    pub profile: Vec<[f64; 2]>,
+}
+
+/// Gathers the window.
+pub struct SimilarityWindow {
+    speed: f64,
+    tan: f64,
+    rho: f64,
+    spacing: f64,
+    support: f64,
+    from: f64,
+    reach: f64,
+    times: Vec<f64>,
+    forces: Vec<f64>,
+    peaks: Vec<f64>,
+    profile: Vec<f64>,
+}
+
+impl SimilarityWindow {
+    /// For a scene whose body is a wedge; `None` for any other.
+    pub fn new(scene: &Scene) -> Option<SimilarityWindow> {
+        let body = scene.body.as_ref()?;
+        let Shape::Wedge { deadrise_deg, .. } = body.shape else { return None };
+        let tan = deadrise_deg.to_radians().tan();
+        Some(SimilarityWindow {
+            speed: -body.velocity[1],
+            tan,
+            rho: scene.fluid.density,
+            spacing: scene.resolution.spacing,
+            support: 2.0 * scene.fluid.smoothing_ratio * scene.resolution.spacing,
+            from: FROM * scene.time.end,
+            reach: 1.3 * std::f64::consts::FRAC_PI_2 / tan,
+            times: Vec::new(),
+            forces: Vec::new(),
+            peaks: Vec::new(),
+            profile: vec![0.0; POINTS],
+        })
+    }
+
+    fn x_over_vt(&self, k: usize) -> f64 {
+        self.reach * (k as f64 + 0.5) / POINTS as f64
+    }
+
+    /// The numbers, once the window holds samples.
+    pub fn result(&self) -> Option<SimilarityResult> {
+        let n = self.times.len() as f64;
+        let moments = |v: &[f64]| {
+            let mean = v.iter().sum::<f64>() / n;
+            (mean, (v.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n).sqrt())
+        };
+        let (first, last) = (*self.times.first()?, *self.times.last()?);
+        let profile: Vec<[f64; 2]> = (0..POINTS).map(|k| [self.x_over_vt(k), self.profile[k] / n]).collect();
+        let top = profile.iter().max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        let ((force, force_sd), (peak, peak_sd)) = (moments(&self.forces), moments(&self.peaks));
+        Some(SimilarityResult {
+            window_s: [first, last],
+            spacings_per_draught: self.speed * last / self.spacing,
+            force_coefficient: force,
+            force_coefficient_sd: force_sd,
+            cp_max: peak,
+            cp_max_sd: peak_sd,
+            cp_max_of_mean: top[1],
+            z_max_over_vt: top[0] * self.tan - 1.0,
+            profile,
+        })
+    }
+}
+
+impl Observer for SimilarityWindow {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        let t = frame.time();
+        let Some(motion) = frame.system.bodies().find_map(|b| b.motion()) else { return Ok(()) };
+        if t < self.from {
+            return Ok(());
+        }
+        let draught = self.speed * t;
+        self.times.push(t);
+        self.forces.push(motion.force[1] / (self.rho * self.speed.powi(3) * t));
+        let probe = Probe::new(&frame.system.fluid);
+        let (sin, cos) = { let c = 1.0 / (1.0 + self.tan * self.tan).sqrt(); (self.tan * c, c) };
+        let mut peak = 0.0_f64;
+        for k in 0..POINTS {
+            let x = self.x_over_vt(k) * draught;
+            let at = [motion.position[0] + x, motion.position[1] + x * self.tan];
+            let p = if x / cos < self.support { probe.shepard(at) } else { probe.on_flat_face(at, [sin, -cos], 0.0) };
+            let cp = p / (0.5 * self.rho * self.speed * self.speed);
+            self.profile[k] += cp;
+            peak = peak.max(cp);
+        }
+        self.peaks.push(peak);
+        Ok(())
+    }
+}
