@@ -39,7 +39,7 @@ pub struct ParticleView<'a> {
     pub pressure: &'a [f64],
     /// Densities [kg/m³].
     pub density: &'a [f64],
-    /// Spacings [m]: the square root of the volume of a particle per metre of depth [m²].
+    /// Spacings [m]: the square root of the volume of a particle per metre of span [m²].
     pub spacing: &'a [f64],
     /// Identities, which stay with a particle when its place in the slices changes.
     pub id: &'a [u32],
