@@ -92,8 +92,9 @@ fn topic_name(channel: &str) -> Result<String, LogError> {
 /// The JSON schema of samples with `names`, called after its topic: viewers keep one schema
 /// per name.
 ///
-/// A property is a plain `number`, although a message may hold `null` in its place: Foxglove
-/// and Lichtblick refuse a schema with a union of types, and do not check messages against it.
+/// A property is a plain `number`, although a message may hold `null` in its place: the schema
+/// reader of Foxglove Studio, from which Lichtblick descends, refuses a union of types, and
+/// messages are not checked against the schema.
 fn schema(topic: &str, names: &[String]) -> Schema {
     let properties: serde_json::Map<_, _> = names
         .iter()
