@@ -1,0 +1,32 @@
+//! How much a note matters.
+
+use foxglove::messages::log;
+
+/// How much a note matters, in the words of `foxglove.Log`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// For those who work on the program.
+    Debug,
+    /// The run goes as expected.
+    Info,
+    /// The run goes on, and its result deserves a second look.
+    Warning,
+    /// A part of the result is missing or wrong.
+    Error,
+    /// The run stops here.
+    Fatal,
+}
+
+impl Level {
+    /// The number of this level in `foxglove.Log`.
+    pub(super) fn code(self) -> i32 {
+        let level = match self {
+            Self::Debug => log::Level::Debug,
+            Self::Info => log::Level::Info,
+            Self::Warning => log::Level::Warning,
+            Self::Error => log::Level::Error,
+            Self::Fatal => log::Level::Fatal,
+        };
+        level.into()
+    }
+}
