@@ -52,12 +52,12 @@ impl LogObserver {
                 ("fy_N_per_m", m.force[1]),
                 ("moment_N", m.moment),
             ];
-            self.writer.sample(t, &format!("/body/{}", body.name()), &values)?;
+            self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
         }
         if !self.gauges.is_empty() {
             let named: Vec<(&str, f64)> =
                 self.gauges.iter().map(String::as_str).zip(frame.gauges.iter().copied()).collect();
-            self.writer.sample(t, "/gauges", &named)?;
+            self.writer.sample(t, "gauges", &named)?;
         }
         let (energy, momentum) = (system.fluid_energy(), system.fluid.momentum());
         let audit = [
@@ -72,7 +72,7 @@ impl LogObserver {
             ("penetrated", frame.penetrated as f64),
             ("top_speed_m_per_s", system.fluid.top_speed()),
         ];
-        self.writer.sample(t, "/audit", &audit)?;
+        self.writer.sample(t, "audit", &audit)?;
         Ok(())
     }
 }

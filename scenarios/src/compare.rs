@@ -1,0 +1,130 @@
+//! Our curves against reference curves and exact numbers.
+
+use serde::Serialize;
+
+use crate::observe::{Series, SimilarityResult};
+use crate::reference::{ReferenceError, Table, WedgeSimilarity};
+use crate::scene::{Compare, Norm, Scene, Shape, Similarity};
+
+/// One line of `summary.json`'s `comparison[]`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Comparison {
+    /// The reference's name.
+    pub reference: String,
+    /// What is compared.
+    pub quantity: String,
+    /// Our value: the number compared, or for a curve its mean over the reference's points.
+    pub ours: f64,
+    /// Theirs, likewise.
+    pub theirs: f64,
+    /// The error, in the measure of the scene's `norm`; relative for single numbers.
+    pub error: f64,
+    /// Largest error that passes; `null` where the curve is drawn and not judged.
+    pub tolerance: Option<f64>,
+}
+
+impl Comparison {
+    /// False where the error is beyond its tolerance.
+    pub fn passes(&self) -> bool {
+        self.tolerance.is_none_or(|t| self.error.abs() <= t)
+    }
+}
+
+/// A reference curve in our units: times [s] and values [SI].
+#[derive(Clone, Debug)]
+pub struct ReferenceCurve {
+    /// Times [s].
+    pub t: Vec<f64>,
+    /// Values in the unit of our column.
+    pub y: Vec<f64>,
+}
+
+/// Read the curve that a scene names.
+pub fn curve(compare: &Compare) -> Result<ReferenceCurve, ReferenceError> {
+    let table = Table::load(&compare.reference)?;
+    let scaled = |column: &str, by: f64| -> Result<Vec<f64>, ReferenceError> {
+        Ok(table.column(&compare.reference, column)?.into_iter().map(|v| v * by).collect())
+    };
+    Ok(ReferenceCurve { t: scaled(&compare.x, compare.x_scale)?, y: scaled(&compare.y, compare.y_scale)? })
+}
+
+/// Compare a sampled column with a curve; `None` if the run has no sample in the window.
+pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Series) -> Option<Comparison> {
+    let (times, values) = (series.times(), series.column(&compare.quantity)?);
+    let end = times.last().copied()?;
+    let [from, to] = [compare.window[0], compare.window[1].min(end)];
+    let inside = |t: f64| t >= from && t <= to;
+    let pairs: Vec<(f64, f64)> = reference
+        .t
+        .iter()
+        .zip(&reference.y)
+        .filter(|(t, _)| inside(**t))
+        .map(|(t, theirs)| (compare.scale * interpolate(&times, &values, *t), *theirs))
+        .collect();
+    let first = pairs.first()?.1.abs();
+    let n = pairs.len() as f64;
+    let rms = (pairs.iter().map(|(a, b)| (a - b) * (a - b)).sum::<f64>() / n).sqrt();
+    let largest = |pick: fn(&(f64, f64)) -> f64| pairs.iter().map(|p| pick(p).abs()).fold(0.0, f64::max);
+    let peak_theirs = largest(|p| p.1);
+    // our peak may fall between the reference's points: take it from our own samples
+    let peak_ours = times.iter().zip(&values).filter(|(t, _)| inside(**t)).map(|(_, v)| (compare.scale * v).abs()).fold(0.0, f64::max);
+    let mean = |pick: fn(&(f64, f64)) -> f64| pairs.iter().map(pick).sum::<f64>() / n;
+    let (ours, theirs, error) = match compare.norm {
+        Norm::Rms => (mean(|p| p.0), mean(|p| p.1), rms),
+        Norm::RmsOverFirst => (mean(|p| p.0), mean(|p| p.1), rms / first),
+        Norm::RmsOverPeak => (mean(|p| p.0), mean(|p| p.1), rms / peak_theirs),
+        Norm::Max => (mean(|p| p.0), mean(|p| p.1), largest(|p| p.0 - p.1)),
+        Norm::Peak => (peak_ours, peak_theirs, (peak_ours - peak_theirs).abs() / peak_theirs),
+    };
+    let (reference, quantity, tolerance) = (compare.reference.clone(), compare.quantity.clone(), compare.tolerance);
+    Some(Comparison { reference, quantity, ours, theirs, error, tolerance })
+}
+
+/// Compare the similarity numbers with the exact solution, where it is tabulated.
+pub fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Comparison> {
+    let Some(exact) = similarity_of(scene) else { return Vec::new() };
+    let line = |quantity: &str, ours: f64, theirs: f64, tolerance: f64| Comparison {
+        reference: "wedge_similarity/summary.csv".into(),
+        quantity: quantity.into(),
+        ours,
+        theirs,
+        error: ours / theirs - 1.0,
+        tolerance: Some(tolerance),
+    };
+    vec![
+        line("similarity.force_coefficient", ours.force_coefficient, exact.force_coefficient, 0.02),
+        line("similarity.cp_max", ours.cp_max, exact.cp_max, 0.05),
+    ]
+}
+
+/// The exact solution of a scene that has one.
+pub fn similarity_of(scene: &Scene) -> Option<WedgeSimilarity> {
+    match (scene.similarity, &scene.body.as_ref()?.shape) {
+        (Some(Similarity::Wedge), Shape::Wedge { deadrise_deg, .. }) => WedgeSimilarity::at(*deadrise_deg),
+        _ => None,
+    }
+}
+
+/// Linear interpolation of y(t) at `at`, constant beyond the ends.
+fn interpolate(t: &[f64], y: &[f64], at: f64) -> f64 {
+    let k = t.partition_point(|x| *x < at);
+    if k == 0 {
+        return y[0];
+    }
+    if k == t.len() {
+        return y[k - 1];
+    }
+    let share = (at - t[k - 1]) / (t[k] - t[k - 1]);
+    y[k - 1] + share * (y[k] - y[k - 1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn interpolation_is_linear_and_constant_outside() {
+        let (t, y) = ([0.0, 1.0, 2.0], [0.0, 10.0, 0.0]);
+        assert_eq!([-1.0, 0.25, 1.5, 3.0].map(|at| interpolate(&t, &y, at)), [0.0, 2.5, 5.0, 0.0]);
+    }
+}

@@ -1,0 +1,143 @@
+//! Reference data: tables in CSV with a header of `#` lines that states quantity, units and source.
+//!
+//! The project's own tables (`tests/reference`) are part of the program; a scene may name a file of its own.
+
+use include_dir::{Dir, include_dir};
+
+static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/reference");
+
+/// A table of numbers with named columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The header's text, a line a line, without the `#`.
+    pub about: Vec<String>,
+    columns: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+/// A reference that cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ReferenceError {
+    /// Neither a built-in table nor a readable file.
+    #[error("reference `{0}` is neither a built-in table nor a readable file; built-in: {1}")]
+    Missing(String, String),
+    /// A cell that is not a number.
+    #[error("reference `{name}`, line {line}: `{given}` is not a number")]
+    Cell {
+        /// The table.
+        name: String,
+        /// Line in the file, from 1.
+        line: usize,
+        /// What stands there.
+        given: String,
+    },
+    /// A column that the table does not have.
+    #[error("reference `{name}` has no column `{column}`; it has: {known}")]
+    Column {
+        /// The table.
+        name: String,
+        /// The column asked for.
+        column: String,
+        /// The columns there are.
+        known: String,
+    },
+}
+
+impl Table {
+    /// A built-in table by its path below `tests/reference`, else a file by its path.
+    pub fn load(name: &str) -> Result<Table, ReferenceError> {
+        let text = match TABLES.get_file(name).and_then(|f| f.contents_utf8()) {
+            Some(text) => text.to_string(),
+            None => std::fs::read_to_string(name)
+                .map_err(|_| ReferenceError::Missing(name.into(), builtin_names().join(", ")))?,
+        };
+        Table::parse(name, &text)
+    }
+
+    fn parse(name: &str, text: &str) -> Result<Table, ReferenceError> {
+        let mut table = Table { about: Vec::new(), columns: Vec::new(), rows: Vec::new() };
+        for (k, line) in text.lines().enumerate() {
+            if let Some(about) = line.strip_prefix('#') {
+                table.about.push(about.trim().to_string());
+            } else if table.columns.is_empty() {
+                table.columns = line.split(',').map(|c| c.trim().to_string()).collect();
+            } else if !line.trim().is_empty() {
+                let cell = |c: &str| {
+                    let given = c.trim();
+                    given.parse().map_err(|_| ReferenceError::Cell { name: name.into(), line: k + 1, given: given.into() })
+                };
+                table.rows.push(line.split(',').map(cell).collect::<Result<_, _>>()?);
+            }
+        }
+        Ok(table)
+    }
+
+    /// A column by its name.
+    pub fn column(&self, table: &str, column: &str) -> Result<Vec<f64>, ReferenceError> {
+        let k = self.columns.iter().position(|c| c == column).ok_or_else(|| ReferenceError::Column {
+            name: table.into(),
+            column: column.into(),
+            known: self.columns.join(", "),
+        })?;
+        Ok(self.rows.iter().map(|row| row.get(k).copied().unwrap_or(f64::NAN)).collect())
+    }
+}
+
+fn builtin_names() -> Vec<String> {
+    TABLES.dirs().flat_map(|d| d.files()).map(|f| f.path().display().to_string()).collect()
+}
+
+/// The similarity solution's numbers for a wedge at constant speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WedgeSimilarity {
+    /// F/(ρV³t), both sides.
+    pub force_coefficient: f64,
+    /// Largest Cp on the face.
+    pub cp_max: f64,
+    /// Its height above still water over Vt.
+    pub z_max_over_vt: f64,
+    /// Face pressure: x/(Vt), Cp.
+    pub profile: Vec<[f64; 2]>,
+}
+
+impl WedgeSimilarity {
+    /// The tabulated solution for a deadrise angle [deg], if it is one of those tabulated.
+    pub fn at(deadrise_deg: f64) -> Option<WedgeSimilarity> {
+        let summary = Table::load("wedge_similarity/summary.csv").ok()?;
+        let row = summary.rows.iter().find(|r| (r[0] - deadrise_deg).abs() < 1e-9)?;
+        let name = format!("wedge_similarity/cp_beta{deadrise_deg:.0}.csv");
+        let table = Table::load(&name).ok()?;
+        let (x, cp) = (table.column(&name, "x_over_Vt").ok()?, table.column(&name, "Cp").ok()?);
+        let profile = x.into_iter().zip(cp).map(|(x, cp)| [x, cp]).collect();
+        Some(WedgeSimilarity { force_coefficient: row[3], cp_max: row[1], z_max_over_vt: row[2], profile })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_builtin_table_reads_and_states_its_source() {
+        assert!(builtin_names().len() > 5);
+        for name in builtin_names() {
+            let table = Table::load(&name);
+            // tables with words in cells (cases, formulas) are for people and tests, not for curves
+            if let Ok(table) = table {
+                assert!(!table.about.is_empty(), "{name} has no header");
+                assert!(!table.rows.is_empty(), "{name} is empty");
+            }
+        }
+        assert_eq!(WedgeSimilarity::at(30.0).unwrap().force_coefficient, 14.0201);
+        assert!(WedgeSimilarity::at(33.0).is_none());
+    }
+
+    #[test]
+    fn a_wrong_name_or_column_says_what_there_is() {
+        let missing = Table::load("no_such.csv").unwrap_err().to_string();
+        assert!(missing.contains("wedge25_yettou2006_velocity_exp.csv"), "{missing}");
+        let name = "external/wedge25_yettou2006_velocity_exp.csv";
+        let column = Table::load(name).unwrap().column(name, "v").unwrap_err().to_string();
+        assert!(column.contains("t_ms, v_m_s"), "{column}");
+    }
+}

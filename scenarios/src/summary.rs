@@ -1,0 +1,113 @@
+//! `summary.json`: the contract that other programs read.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::compare::Comparison;
+use crate::observe::SimilarityResult;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Reached its end time.
+    Completed,
+    /// Broke down; `message` says what, where, when.
+    Failed,
+    /// Ended by the user.
+    Interrupted,
+}
+
+/// Numbers of particles.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Particles {
+    /// Fluid particles simulated.
+    pub fluid: usize,
+    /// Wall particles simulated.
+    pub wall: usize,
+}
+
+/// The extreme of a series column.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Peak {
+    /// Value of largest magnitude, in the column's unit.
+    pub value: f64,
+    /// When [s].
+    pub time_s: f64,
+}
+
+/// Conservation over the run (THEORY E21, E22).
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Audit {
+    /// Worst momentum gap of a step over the momentum held and exchanged [-].
+    pub momentum: f64,
+    /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
+    pub energy: f64,
+    /// Change of the fluid's volume Σm/ρ over its start value [-].
+    pub volume: f64,
+    /// Most fluid particles found beyond a wall's surface at any sample.
+    pub penetrated: usize,
+}
+
+/// Weak compressibility: what the sound speed cost.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Compressibility {
+    /// Sound speed [m/s].
+    pub sound_speed_m_per_s: f64,
+    /// Fastest particle over sound speed, largest at any sample [-].
+    pub mach_reached: f64,
+    /// Estimated share of the force lost to compressibility (THEORY E19) [-]; `null` without an impact.
+    pub force_error_estimate: Option<f64>,
+}
+
+/// Everything a script may want to know of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Name of the scene.
+    pub scene: String,
+    /// How the run ended.
+    pub status: Status,
+    /// What went wrong, if anything did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+    /// The model that was run.
+    pub model: &'static str,
+    /// Version of the program.
+    pub version: &'static str,
+    /// Numbers of particles.
+    pub particles: Particles,
+    /// Steps taken.
+    pub steps: u64,
+    /// Time reached [s].
+    pub time_end_s: f64,
+    /// Wall-clock time of the stepping, observers included [s].
+    pub wall_time_s: f64,
+    /// Fluid particles × steps over wall-clock time [1/s].
+    pub particle_updates_per_s: f64,
+    /// Threads used.
+    pub threads: usize,
+    /// Extremes of the series, by column.
+    pub peaks: BTreeMap<String, Peak>,
+    /// Conservation.
+    pub audit: Audit,
+    /// Weak compressibility.
+    pub compressibility: Compressibility,
+    /// The similarity solution's numbers, for scenes that have one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub similarity: Option<SimilarityResult>,
+    /// Comparisons with references.
+    pub comparison: Vec<Comparison>,
+}
+
+impl Summary {
+    /// As the text of `summary.json`.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("a summary holds nothing that JSON cannot say")
+    }
+
+    /// True if the run completed and every judged comparison passes.
+    pub fn passes(&self) -> bool {
+        self.status == Status::Completed && self.comparison.iter().all(Comparison::passes)
+    }
+}
