@@ -99,14 +99,28 @@ pub enum Error {
     },
     /// The factorisation lost positive definiteness to rounding, although the supports suffice.
     #[error(
-        "the stiffness matrix lost positive definiteness at pivot {pivot} of {unknowns}: \
-         its stiffnesses are too far apart for double precision"
+        "ill-conditioned: the stiffness matrix lost positive definiteness at pivot {pivot} of {unknowns}; \
+         use fewer elements along a beam, or stiffnesses closer to each other"
     )]
     NotPositiveDefinite {
         /// The pivot that was not positive, in the order of elimination.
         pivot: usize,
         /// Number of unknowns.
         unknowns: usize,
+    },
+    /// Iterative refinement did not converge: rounding has eaten the factorisation.
+    #[error(
+        "ill-conditioned: with {unknowns} unknowns the solution still changes by {change:.1e} in the \
+         energy norm after {refinements} refinements; use fewer elements along a beam, or stiffnesses \
+         closer to each other"
+    )]
+    IllConditioned {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// Refinements made.
+        refinements: usize,
+        /// Last change of the solution relative to itself \[-\].
+        change: f64,
     },
     /// A new stiffness was given for a model of another connectivity.
     #[error("element {element} connects other nodes than when the stiffness was analysed")]

@@ -4,7 +4,11 @@ use crate::beam::Beam;
 use crate::equations::{Entry, Equations};
 use crate::error::Error;
 use crate::supports::Supports;
-use faer::{Mat, Side};
+use faer::{Mat, Scale, Side};
+
+/// The shift sigma as a fraction of the largest K_ii/M_ii, which estimates omega_max^2: the root of
+/// the rounding unit, so that neither K nor sigma M is lost in their sum.
+const SHIFT: f64 = 1e-8;
 
 /// One natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,10 +25,12 @@ pub struct Mode {
 /// error of order (kL/elements)^4. Supports may leave the model free: rigid motions come first, with
 /// frequencies that are zero but for rounding.
 ///
-/// With M = L L^T the problem is the symmetric C = L^-1 K L^-T, solved densely: time grows with the
-/// cube of the unknowns, so for a few hundred of them. C holds frequencies to eps omega_max^2/omega
-/// only; each is therefore recomputed as the Rayleigh quotient of its shape, from energies, which is
-/// second order in the error of the shape (Parlett 1980, ch. 1).
+/// The problem is solved as M phi = mu (K + sigma M) phi, mu = 1/(omega^2 + sigma): with
+/// K + sigma M = L L^T it is that of the symmetric C = L^-1 M L^-T, whose largest, hence best
+/// determined, eigenvalues are the lowest modes; the shift sigma admits rigid motions (Bathe 2014,
+/// ch. 10). Each frequency is then the Rayleigh quotient of its shape, from energies, with an error
+/// of second order in that of the shape. C is dense: time grows with the cube of the unknowns, so
+/// for a few hundred of them.
 pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<Vec<Mode>, Error> {
     supports.check(beam)?;
     let equations = Equations::new(beam.nodes().len(), supports);
@@ -33,18 +39,23 @@ pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<V
 
     let stiffness = symmetric(unknowns, &equations.stiffness(beam, supports));
     let mass = symmetric(unknowns, &equations.mass(beam));
-    let factor = mass
+    let highest = (0..unknowns)
+        .map(|i| stiffness[(i, i)] / mass[(i, i)])
+        .fold(0.0, f64::max);
+    let shifted = stiffness + Scale(SHIFT * highest) * &mass;
+    let factor = shifted
         .llt(Side::Lower)
-        .map_err(|error| failed(format!("mass matrix: {error:?}")))?;
+        .map_err(|error| failed(format!("K + sigma M: {error:?}")))?;
     let lower = factor.L();
-    let mut half = stiffness;
+    let mut half = mass;
     lower.solve_lower_triangular_in_place(half.as_mut());
     let mut standard = half.transpose().to_owned();
     lower.solve_lower_triangular_in_place(standard.as_mut());
     let eigen = standard
         .self_adjoint_eigen(Side::Lower)
         .map_err(|error| failed(format!("eigenvalues: {error:?}")))?;
-    let mut shapes = eigen.U().subcols(0, count.min(unknowns)).to_owned();
+    let count = count.min(unknowns);
+    let mut shapes = eigen.U().subcols(unknowns - count, count).to_owned();
     lower
         .transpose()
         .solve_upper_triangular_in_place(shapes.as_mut());

@@ -80,6 +80,14 @@ impl Supports {
             .sum()
     }
 
+    /// Adds the forces k u of a displacement on the springs to `forces`, both `[nodes][3]`.
+    pub(crate) fn add_spring_forces(&self, displacement: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+        for spring in &self.springs {
+            let (node, dof) = (spring.node, spring.dof as usize);
+            forces[node][dof] += spring.stiffness * displacement[node][dof];
+        }
+    }
+
     pub(crate) fn check(&self, beam: &Beam) -> Result<(), Error> {
         let nodes = beam.nodes().len();
         for (index, &(node, _)) in self.fixed.iter().enumerate() {
