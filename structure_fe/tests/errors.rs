@@ -211,6 +211,13 @@ fn an_under_supported_model_names_its_free_motion() {
         let (_, motion) = free_motion(beam(elements), rollers);
         assert!(close(motion, [1.0, 0.0, 0.0]), "{motion:?}");
 
+        // Two rollers at right angles on a slope: it turns about the point where their lines meet.
+        let mut crossed = Supports::default();
+        crossed.fix(0, Dof::W).fix(elements, Dof::U);
+        let (_, motion) = free_motion(beam_at(0.7, elements), crossed);
+        let height = LENGTH * 0.7_f64.sin();
+        assert!(close(motion, [height, 0.0, 1.0]), "{motion:?}");
+
         // Three supports whose lines of action meet at the far end: it turns about that end.
         let mut concurrent = Supports::default();
         concurrent.fix(0, Dof::U).pin(elements);

@@ -167,7 +167,10 @@ fn a_triangular_load_is_carried_exactly_along_the_whole_beam() {
     let mut loads = Loads::default();
     let at = |node: usize| [0.0, LOAD * node as f64 / elements as f64];
     for element in 0..elements {
-        loads.along_element(element, at(element), at(element + 1));
+        // In two parts: loads on the same element add up.
+        loads
+            .along_element(element, at(element), [0.0; 2])
+            .along_element(element, [0.0; 2], at(element + 1));
     }
     let solution = solve(beam, supports("cantilever", elements), &loads);
     let exact = 11.0 * LOAD * length.powi(4) / (120.0 * bending_stiffness());
