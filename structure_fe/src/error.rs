@@ -1,0 +1,189 @@
+//! What can be wrong with a model, a support set or a load.
+
+use thiserror::Error;
+
+/// Why a model cannot be built, factorised or solved. Every variant carries the numbers.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The connectivity is empty.
+    #[error("the model has {nodes} nodes and no elements")]
+    NoElements {
+        /// Number of nodes given.
+        nodes: usize,
+    },
+    /// An element, a support or a load names a node that does not exist.
+    #[error("{item} {index} refers to node {node}, but the model has {nodes} nodes")]
+    NoSuchNode {
+        /// What refers to the node: "element", "support", "spring" or "nodal load".
+        item: &'static str,
+        /// Its index, in the order given.
+        index: usize,
+        /// The node asked for.
+        node: usize,
+        /// Number of nodes in the model.
+        nodes: usize,
+    },
+    /// A distributed load names an element that does not exist.
+    #[error("distributed load {index} is on element {element}, but the model has {elements}")]
+    NoSuchElement {
+        /// Index of the load, in the order given.
+        index: usize,
+        /// The element asked for.
+        element: usize,
+        /// Number of elements in the model.
+        elements: usize,
+    },
+    /// A node belongs to no element, so it has neither stiffness nor mass.
+    #[error("node {node} belongs to no element")]
+    UnattachedNode {
+        /// The node.
+        node: usize,
+    },
+    /// The two nodes of an element coincide.
+    #[error(
+        "element {element} between nodes {} and {} has no length: {length} m in a model of extent {extent} m",
+        nodes[0], nodes[1]
+    )]
+    ZeroLengthElement {
+        /// The element.
+        element: usize,
+        /// Its two nodes.
+        nodes: [usize; 2],
+        /// Its length \[m\].
+        length: f64,
+        /// Diagonal of the bounding box of the whole model \[m\].
+        extent: f64,
+    },
+    /// A quantity that must be positive is zero, negative, infinite or not a number.
+    #[error("{quantity} of {item} {index} is {value}; it must be positive and finite")]
+    NotPositive {
+        /// Name of the quantity, with its unit.
+        quantity: &'static str,
+        /// What has it: "element" or "spring".
+        item: &'static str,
+        /// Index of the item, in the order given.
+        index: usize,
+        /// The value given.
+        value: f64,
+    },
+    /// Poisson's ratio outside the range of an isotropic elastic solid, -1 < nu <= 1/2.
+    #[error("Poisson's ratio of element {element} is {value}; it must lie in (-1, 0.5]")]
+    PoissonsRatio {
+        /// The element.
+        element: usize,
+        /// The value given \[-\].
+        value: f64,
+    },
+    /// A coordinate or a load is infinite or not a number.
+    #[error("{quantity} {index} is {value}; it must be finite")]
+    NotFinite {
+        /// Name of the quantity, with its unit.
+        quantity: &'static str,
+        /// Its index, in the order given.
+        index: usize,
+        /// The value given.
+        value: f64,
+    },
+    /// The stiffness matrix is not positive definite, because the supports leave a rigid motion free.
+    #[error(
+        "under-supported: the part of the model that contains node {node} is a mechanism, \
+         free to move there by u = {:.3} m, w = {:.3} m, theta = {:.3} rad",
+        motion[0], motion[1], motion[2]
+    )]
+    UnderSupported {
+        /// First node of the part that is free to move.
+        node: usize,
+        /// The free rigid motion at that node, `[u, w, theta]` \[m, m, rad\], of arbitrary size.
+        motion: [f64; 3],
+    },
+    /// The factorisation lost positive definiteness to rounding, although the supports suffice.
+    #[error(
+        "ill-conditioned: the stiffness matrix lost positive definiteness at pivot {pivot} of {unknowns}; \
+         use fewer elements along a beam, or stiffnesses closer to each other"
+    )]
+    NotPositiveDefinite {
+        /// The pivot that was not positive, in the order of elimination.
+        pivot: usize,
+        /// Number of unknowns.
+        unknowns: usize,
+    },
+    /// Iterative refinement did not converge: rounding has eaten the factorisation.
+    #[error(
+        "ill-conditioned: with {unknowns} unknowns the solution still changes by {change:.1e} in the \
+         energy norm after {refinements} refinements; use fewer elements along a beam, or stiffnesses \
+         closer to each other"
+    )]
+    IllConditioned {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// Refinements made.
+        refinements: usize,
+        /// Last change of the solution relative to itself \[-\].
+        change: f64,
+    },
+    /// A new stiffness was given for a model of another connectivity.
+    #[error("element {element} connects other nodes than when the stiffness was analysed")]
+    OtherConnectivity {
+        /// First element that differs, or the smaller number of elements if one model has more.
+        element: usize,
+    },
+    /// The linear algebra failed for a reason that is not the model's.
+    #[error("linear algebra with {unknowns} unknowns failed: {reason}")]
+    LinearAlgebra {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// What the library said.
+        reason: String,
+    },
+}
+
+/// `value` if it is positive and finite, else the error that says so.
+pub(crate) fn positive(
+    quantity: &'static str,
+    item: &'static str,
+    index: usize,
+    value: f64,
+) -> Result<f64, Error> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive {
+            quantity,
+            item,
+            index,
+            value,
+        })
+    }
+}
+
+/// Ok if all `values` are finite, else the error that names the first which is not.
+pub(crate) fn finite(quantity: &'static str, index: usize, values: &[f64]) -> Result<(), Error> {
+    match values.iter().find(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(&value) => Err(Error::NotFinite {
+            quantity,
+            index,
+            value,
+        }),
+    }
+}
+
+/// Ok if `node` is one of `nodes` nodes, else the error that says who asked for it.
+pub(crate) fn existing_node(
+    item: &'static str,
+    index: usize,
+    node: usize,
+    nodes: usize,
+) -> Result<(), Error> {
+    if node < nodes {
+        Ok(())
+    } else {
+        Err(Error::NoSuchNode {
+            item,
+            index,
+            node,
+            nodes,
+        })
+    }
+}

@@ -1,0 +1,90 @@
+//! What the tests share: a material, a bar, supports by name, and the reference tables.
+#![allow(dead_code)] // each test binary uses its own part
+
+use std::collections::HashMap;
+use structure_fe::{Beam, Loads, Material, Section, Supports};
+
+/// Aluminium, about.
+pub const MATERIAL: Material = Material {
+    youngs_modulus: 70e9,
+    poissons_ratio: 0.33,
+    density: 2700.0,
+};
+
+/// Length of the test beams [m].
+pub const LENGTH: f64 = 1.5;
+
+/// A plate strip of 20 mm: slender, so that its lowest modes are bending modes.
+pub fn section() -> Section {
+    Section::strip(0.02)
+}
+
+/// Bending stiffness EI of the test beams [N m^2].
+pub fn bending_stiffness() -> f64 {
+    section().bending_stiffness(&MATERIAL)
+}
+
+/// A straight test beam at `angle` [rad].
+pub fn beam_at(angle: f64, elements: usize) -> Beam {
+    let to = [LENGTH * angle.cos(), LENGTH * angle.sin()];
+    Beam::straight([0.0, 0.0], to, elements, MATERIAL, section()).unwrap()
+}
+
+/// A straight test beam along x.
+pub fn beam(elements: usize) -> Beam {
+    beam_at(0.0, elements)
+}
+
+/// The supports of a straight beam whose last node is `last`.
+pub fn supports(name: &str, last: usize) -> Supports {
+    let mut supports = Supports::default();
+    match name {
+        "cantilever" => supports.clamp(0),
+        "simply_supported" => supports.pin(0).pin(last),
+        "clamped_clamped" => supports.clamp(0).clamp(last),
+        "clamped_pinned" => supports.clamp(0).pin(last),
+        other => panic!("no supports called {other}"),
+    };
+    supports
+}
+
+/// The load `[q_x, q_y]` [N/m] on every element.
+pub fn uniform(beam: &Beam, load: [f64; 2]) -> Loads {
+    let mut loads = Loads::default();
+    for element in 0..beam.elements().len() {
+        loads.along_element(element, load, load);
+    }
+    loads
+}
+
+/// Rows of a reference table as column name -> text. Lines that begin with `#` are comments.
+pub fn table(name: &str) -> Vec<HashMap<String, String>> {
+    let path = format!(
+        concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../tests/reference/exact/{}.csv"
+        ),
+        name
+    );
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    lines
+        .map(|line| {
+            let cells: Vec<&str> = line.split(',').collect();
+            assert_eq!(cells.len(), names.len(), "{path}: {line}");
+            names
+                .iter()
+                .zip(cells)
+                .map(|(name, cell)| (name.to_string(), cell.to_string()))
+                .collect()
+        })
+        .collect()
+}
+
+/// A cell of a table as a number.
+pub fn number(row: &HashMap<String, String>, column: &str) -> f64 {
+    row[column]
+        .parse()
+        .unwrap_or_else(|error| panic!("{column} = {}: {error}", row[column]))
+}
