@@ -1,0 +1,323 @@
+//! A run: step until the end, sample on the way, leave everything readable whatever happens.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use fsi_coupling::{Coupled, CouplingError};
+
+use crate::build;
+use crate::compare::{self, Comparison, ReferenceCurve};
+use crate::log::Level;
+use crate::observe::{
+    FlowPictures, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow,
+};
+use crate::present;
+use crate::reference::ReferenceError;
+use crate::scene::{Scene, compressibility_error};
+use crate::summary::{Audit, Compressibility, Particles, Peak, Status, Summary};
+
+/// Files of a run, by the contract of the command line.
+pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
+
+/// A run that cannot start, or cannot keep its results.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The output folder holds a run already.
+    #[error("{0} already holds a run ({1}): choose another --out, or --force to replace it")]
+    Occupied(String, &'static str),
+    /// A file or folder could not be written.
+    #[error("cannot write {0}: {1}")]
+    Write(String, std::io::Error),
+    /// An observer failed.
+    #[error(transparent)]
+    Observe(#[from] ObserveError),
+    /// A reference that the scene names cannot be used.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// The scene cannot be built.
+    #[error(transparent)]
+    Build(#[from] CouplingError),
+}
+
+impl RunError {
+    /// True if the user's input is at fault (exit 2), false if the run is (exit 1).
+    pub fn is_input(&self) -> bool {
+        !matches!(self, RunError::Write(..) | RunError::Observe(_))
+    }
+}
+
+/// What a run is told besides its scene.
+#[derive(Default)]
+pub struct RunOptions<'a> {
+    /// Folder for the files; nothing is written without one.
+    pub out: Option<PathBuf>,
+    /// Replace a run that is there.
+    pub force: bool,
+    /// Set from outside to end the run cleanly.
+    pub interrupt: Option<&'a AtomicBool>,
+    /// Called with (time, steps) now and then.
+    pub progress: Option<&'a dyn Fn(f64, u64)>,
+    /// Doubts about the scene, for the report.
+    pub warnings: Vec<String>,
+}
+
+/// A finished run in memory.
+pub struct Outcome {
+    /// The numbers.
+    pub summary: Summary,
+    /// The curves.
+    pub series: Series,
+    /// Reference curves with the scene's comparison they belong to.
+    pub references: Vec<ReferenceCurve>,
+    /// Pictures.
+    pub pictures: FlowPictures,
+}
+
+/// Between two calls of the progress function.
+const PROGRESS_EVERY: Duration = Duration::from_millis(100);
+
+/// Run a scene.
+pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+    let references = scene.compare.iter().map(compare::curve).collect::<Result<Vec<_>, _>>()?;
+    let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
+    if let Some(dir) = &options.out {
+        refuse_occupied(dir, options.force)?;
+    }
+    let mut system = build::build(scene)?;
+    if let Some(dir) = &options.out {
+        std::fs::create_dir_all(dir).map_err(|e| RunError::Write(dir.display().to_string(), e))?;
+        clear(dir)?;
+        write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
+    }
+    let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), file("log.mcap").as_deref(), &system)?;
+    let (start, volume) = (Instant::now(), system.fluid.volume());
+
+    let ended = advance(scene, &mut system, &mut recorder, options)?;
+
+    let (status, message) = match ended {
+        Ok(status) => (status, None),
+        Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
+    };
+    if status != Status::Completed {
+        recorder.last_words(&system, status, message.as_deref())?;
+    }
+    let wall = start.elapsed().as_secs_f64();
+    let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume);
+    recorder.series.flush()?;
+    if let Some(log) = recorder.log {
+        log.finish()?;
+    }
+    let outcome = Outcome { summary, series: recorder.series, references, pictures: recorder.pictures };
+    if let Some(dir) = &options.out {
+        write(&dir.join("summary.json"), &outcome.summary.to_json())?;
+        write(&dir.join("report.html"), &present::report(scene, &outcome, &options.warnings))?;
+    }
+    Ok(outcome)
+}
+
+/// Step to the end; inside, the breakdown that stopped the run, if one did.
+fn advance(
+    scene: &Scene,
+    system: &mut Coupled,
+    recorder: &mut Recorder,
+    options: &RunOptions<'_>,
+) -> Result<Result<Status, CouplingError>, RunError> {
+    let mut told = Instant::now();
+    recorder.observe(system)?;
+    while system.fluid.time < scene.time.end {
+        if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Ok(Ok(Status::Interrupted));
+        }
+        let stepped = system.stable_dt().and_then(|dt| system.step(dt));
+        if let Err(breakdown) = stepped {
+            return Ok(Err(breakdown));
+        }
+        recorder.observe(system)?;
+        if told.elapsed() > PROGRESS_EVERY {
+            told = Instant::now();
+            if let Some(tell) = options.progress {
+                tell(system.fluid.time, system.fluid.steps);
+            }
+        }
+    }
+    Ok(Ok(Status::Completed))
+}
+
+/// All observers of a run and their schedule.
+struct Recorder {
+    gauges: GaugeReader,
+    series: Series,
+    log: Option<LogObserver>,
+    pictures: FlowPictures,
+    similarity: Option<SimilarityWindow>,
+    next_sample: f64,
+    next_frame: f64,
+    every: [f64; 2],
+    end: f64,
+    penetrated: usize,
+    fastest: f64,
+    energy: EnergyScale,
+}
+
+/// The largest energy that changed hands: what a drift is measured by.
+#[derive(Default)]
+struct EnergyScale {
+    moving: f64,
+    lowest: f64,
+    highest: f64,
+    first: Option<f64>,
+}
+
+impl EnergyScale {
+    fn observe(&mut self, system: &Coupled) {
+        let e = system.fluid_energy();
+        let of_bodies: f64 = system.bodies().map(|b| b.energy().kinetic + b.energy().work.abs()).sum();
+        self.moving = self.moving.max(e.kinetic + of_bodies);
+        let height = e.potential - *self.first.get_or_insert(e.potential);
+        (self.lowest, self.highest) = (self.lowest.min(height), self.highest.max(height));
+    }
+
+    fn value(&self) -> f64 {
+        self.moving.max(self.highest - self.lowest).max(f64::MIN_POSITIVE)
+    }
+}
+
+impl Recorder {
+    fn new(scene: &Scene, series: Option<&Path>, log: Option<&Path>, system: &Coupled) -> Result<Recorder, RunError> {
+        Ok(Recorder {
+            gauges: GaugeReader::new(scene),
+            series: Series::new(scene, series)?,
+            log: log.map(|path| LogObserver::create(path, scene, system)).transpose()?,
+            pictures: FlowPictures::new(scene),
+            similarity: scene.similarity.and_then(|_| SimilarityWindow::new(scene)),
+            next_sample: 0.0,
+            next_frame: 0.0,
+            every: [scene.time.sample_every, scene.time.frame_every],
+            end: scene.time.end,
+            penetrated: 0,
+            fastest: 0.0,
+            energy: EnergyScale::default(),
+        })
+    }
+
+    /// Observe if something is due; schedules never shorten a step.
+    fn observe(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+        let t = system.fluid.time;
+        let last = t >= self.end;
+        if t < self.next_sample && t < self.next_frame && !last {
+            return Ok(());
+        }
+        let particles = t >= self.next_frame || last;
+        let next = |every: f64| every * ((t / every + 1e-9).floor() + 1.0);
+        if particles {
+            self.next_frame = next(self.every[1]);
+        }
+        self.next_sample = next(self.every[0]);
+        self.record(system, particles)
+    }
+
+    fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
+        let gauges = self.gauges.read(system);
+        let penetrated = system.penetrated().0;
+        let frame = Frame { system, gauges: &gauges, penetrated, particles };
+        self.penetrated = self.penetrated.max(penetrated);
+        self.fastest = self.fastest.max(system.fluid.top_speed());
+        self.energy.observe(system);
+        self.series.observe(&frame)?;
+        self.pictures.observe(&frame)?;
+        if let Some(window) = &mut self.similarity {
+            window.observe(&frame)?;
+        }
+        if let Some(log) = &mut self.log {
+            log.observe(&frame)?;
+        }
+        Ok(())
+    }
+
+    /// A run that stops early shows its last state and says why.
+    fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
+        let gauges = self.gauges.read(system);
+        let frame = Frame { system, gauges: &gauges, penetrated: 0, particles: true };
+        self.pictures.keep(&frame);
+        if let Some(log) = &mut self.log {
+            log.observe(&frame)?;
+            let (level, text) = match status {
+                Status::Failed => (Level::Error, message.unwrap_or("failed")),
+                _ => (Level::Warning, "interrupted by the user"),
+            };
+            log.note(system.fluid.time, level, text)?;
+        }
+        Ok(())
+    }
+
+    fn summarise(
+        &self,
+        scene: &Scene,
+        system: &Coupled,
+        references: &[ReferenceCurve],
+        status: Status,
+        message: Option<String>,
+        wall: f64,
+        volume: f64,
+    ) -> Summary {
+        let fluid = &system.fluid;
+        let similarity = self.similarity.as_ref().and_then(SimilarityWindow::result);
+        let curves = scene.compare.iter().zip(references);
+        let mut comparison: Vec<Comparison> =
+            curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
+        comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
+        let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
+        Summary {
+            scene: scene.name.clone(),
+            status,
+            message,
+            model: "wcsph",
+            version: env!("CARGO_PKG_VERSION"),
+            particles: Particles { fluid: fluid.particles.len(), wall: system.walls.len() },
+            steps: fluid.steps,
+            time_end_s: fluid.time,
+            wall_time_s: wall,
+            particle_updates_per_s: fluid.particles.len() as f64 * fluid.steps as f64 / wall,
+            threads: rayon::current_num_threads(),
+            peaks: self.series.peaks().map(peak).collect(),
+            audit: Audit {
+                momentum: system.momentum_audit().worst,
+                energy: system.energy_drift() / self.energy.value(),
+                volume: fluid.volume() / volume - 1.0,
+                penetrated: self.penetrated,
+            },
+            compressibility: Compressibility {
+                sound_speed_m_per_s: scene.fluid.sound_speed,
+                mach_reached: self.fastest / scene.fluid.sound_speed,
+                force_error_estimate: scene
+                    .entry()
+                    .map(|entry| compressibility_error(entry.root_speed(), scene.fluid.sound_speed)),
+            },
+            similarity,
+            comparison,
+        }
+    }
+}
+
+fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {
+    match FILES.iter().find(|name| dir.join(name).exists()) {
+        Some(name) if !force => Err(RunError::Occupied(dir.display().to_string(), name)),
+        _ => Ok(()),
+    }
+}
+
+/// Remove a former run's files, so that none of them can be taken for this run's.
+fn clear(dir: &Path) -> Result<(), RunError> {
+    for name in FILES {
+        let path = dir.join(name);
+        if path.exists() {
+            std::fs::remove_file(&path).map_err(|e| RunError::Write(path.display().to_string(), e))?;
+        }
+    }
+    Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), RunError> {
+    std::fs::write(path, text).map_err(|e| RunError::Write(path.display().to_string(), e))
+}
