@@ -17,7 +17,7 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// An image of `width` by `height` [pixels], all of one colour.
+    /// An image of `width` by `height` \[pixels\], all of one colour.
     pub fn new(width: usize, height: usize, background: Rgb) -> Self {
         let (width, height) = (width * SAMPLES, height * SAMPLES);
         Self {

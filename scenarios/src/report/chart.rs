@@ -14,7 +14,7 @@ use std::sync::Arc;
 const WIDTH: f64 = 620.0;
 const PLOT_HEIGHT: f64 = 270.0;
 const POINTS_PER_CURVE: usize = 1000;
-/// Blank that the layout leaves below a legend without a box [pixels].
+/// Blank that the layout leaves below a legend without a box \[pixels\].
 const LEGEND_SLACK: f64 = 16.0;
 
 type Style = (&'static str, MarkerShape);

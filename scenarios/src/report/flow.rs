@@ -13,35 +13,35 @@ use super::ticks::proper_range;
 /// points of `outlines` and `walls`.
 #[derive(Clone, Debug, Default)]
 pub struct FlowFrame {
-    /// Time [s].
+    /// Time \[s\].
     pub time: f64,
-    /// Horizontal particle positions [m].
+    /// Horizontal particle positions \[m\].
     pub x: Vec<f32>,
-    /// Vertical particle positions, upwards [m].
+    /// Vertical particle positions, upwards \[m\].
     pub y: Vec<f32>,
     /// The value that gives each particle its colour, in the unit of [`FlowView::label`].
     pub value: Vec<f32>,
-    /// Particle spacing, which may differ from particle to particle [m].
+    /// Particle spacing, which may differ from particle to particle \[m\].
     pub size: Vec<f32>,
-    /// Outlines of bodies, closed polygons [m].
+    /// Outlines of bodies, closed polygons \[m\].
     pub outlines: Vec<Vec<[f64; 2]>>,
-    /// Positions of wall particles [m].
+    /// Positions of wall particles \[m\].
     pub walls: Vec<[f64; 2]>,
-    /// Spacing of the wall particles [m].
+    /// Spacing of the wall particles \[m\].
     pub wall_size: f64,
 }
 
 /// Which part of the flow is drawn, and how.
 #[derive(Clone, Debug)]
 pub struct FlowView {
-    /// Window from left to right [m].
+    /// Window from left to right \[m\].
     pub x: [f64; 2],
-    /// Window from bottom to top [m].
+    /// Window from bottom to top \[m\].
     pub y: [f64; 2],
     /// Values at the two ends of the colour map, in the unit of `label`; values beyond take the end
     /// colours.
     pub value: [f64; 2],
-    /// Width of the image [pixels], 200 to 8000; the height follows from the window, up to twice
+    /// Width of the image \[pixels\], 200 to 8000; the height follows from the window, up to twice
     /// the width.
     pub width_px: u32,
     /// Name and unit of the value, such as `pressure [kPa]`.
@@ -73,9 +73,9 @@ pub fn flow_png(frame: &FlowFrame, view: &FlowView) -> Vec<u8> {
 
 /// The map from metres to pixels.
 pub(super) struct Window {
-    /// Width [pixels].
+    /// Width \[pixels\].
     pub width: usize,
-    /// Height [pixels].
+    /// Height \[pixels\].
     pub height: usize,
     /// Pixels per metre.
     pub scale: f64,

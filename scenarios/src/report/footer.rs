@@ -8,7 +8,7 @@ use super::ticks::{nice_length, nice_step, proper_range, tick_label, ticks};
 
 /// Sizes of the strip, all in proportion to the lettering.
 pub(super) struct Footer {
-    /// Height [pixels].
+    /// Height \[pixels\].
     pub height: usize,
     /// Pixels per unit of the alphabet.
     unit: f64,

@@ -7,7 +7,7 @@ use super::colour::INK;
 /// Height of capitals and digits in units of the alphabet.
 pub(super) const CAP_HEIGHT: f64 = 6.0;
 
-/// Blank between two letters [units].
+/// Blank between two letters \[units\].
 const GAP: f64 = 2.0;
 const PEN: f64 = 0.95;
 
@@ -18,7 +18,7 @@ pub(super) enum Anchor {
     Middle,
 }
 
-/// Width of `text` [pixels] at `unit` pixels per unit of the alphabet.
+/// Width of `text` \[pixels\] at `unit` pixels per unit of the alphabet.
 pub(super) fn text_width(text: &str, unit: f64) -> f64 {
     (text.chars().map(advance).sum::<f64>() - GAP).max(0.0) * unit
 }
