@@ -1,3 +1,18 @@
-//! scenarios
+//! Scenes, runs, observers and reports: what the `splashdown` command is made of.
+//!
+//! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observe`] watches,
+//! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`cli`] is a thin shell.
 
+pub mod build;
+pub mod cli;
+pub mod compare;
+pub mod forecast;
 pub mod log;
+pub mod observe;
+pub mod present;
+pub mod reference;
+pub mod report;
+pub mod run;
+pub mod scene;
+pub mod summary;
+pub mod validate;

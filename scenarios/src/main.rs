@@ -1,1 +1,7 @@
-fn main() {}
+//! The `splashdown` command: a thin shell over the `scenarios` crate.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    scenarios::cli::main()
+}

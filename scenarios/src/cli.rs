@@ -1,0 +1,304 @@
+//! The command line: parse, call, print, exit code. No physics and no files here.
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::{Args, Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::forecast::forecast;
+use crate::run::{RunError, RunOptions, run};
+use crate::scene::{self, Loaded, SceneError};
+use crate::summary::{Status, Summary};
+use crate::validate::{self, ValidateError};
+
+/// Done.
+const DONE: u8 = 0;
+/// The run failed.
+const FAILED: u8 = 1;
+/// The input was wrong.
+const INPUT: u8 = 2;
+
+/// Memory taken for granted where the system does not say how much there is [bytes].
+const USUAL_MEMORY: u64 = 8 << 30;
+
+#[derive(Parser)]
+#[command(name = "splashdown", version, about = "Water impact and ditching of sections, in two dimensions")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Threads to use (default: all cores). Results do not depend on it.
+    #[arg(long, global = true, value_name = "N")]
+    threads: Option<usize>,
+    /// Say nothing but errors.
+    #[arg(long, global = true)]
+    quiet: bool,
+    /// Print machine-readable output on stdout.
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the built-in scenes.
+    List,
+    /// Run a scene and write log, curves, summary and report.
+    Run(RunArgs),
+    /// Say what a run would cost and how far it can be trusted, without running it.
+    Check(SceneArgs),
+    /// Hold scenes against others' data.
+    Validate(ValidateArgs),
+    /// Describe every key of a scene file.
+    Keywords,
+}
+
+#[derive(Args)]
+struct SceneArgs {
+    /// Name of a built-in scene, or path of a TOML file.
+    scene: String,
+    /// Override a key, e.g. --set body.deadrise_deg=20 (repeatable).
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    sets: Vec<String>,
+}
+
+#[derive(Args)]
+struct RunArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Folder for the run's files (default: runs/SCENE).
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace a run that the folder holds.
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Args)]
+struct ValidateArgs {
+    /// Cases to run.
+    cases: Vec<String>,
+    /// Run every case.
+    #[arg(long, conflicts_with = "cases")]
+    all: bool,
+    /// Keep each case's files below this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the table to this Markdown file.
+    #[arg(long, value_name = "FILE")]
+    table: Option<PathBuf>,
+}
+
+/// What the process ends with.
+enum Stop {
+    Scene(SceneError),
+    Input(String),
+    Failed(String),
+}
+
+impl From<SceneError> for Stop {
+    fn from(error: SceneError) -> Stop {
+        Stop::Scene(error)
+    }
+}
+
+impl From<RunError> for Stop {
+    fn from(error: RunError) -> Stop {
+        if error.is_input() { Stop::Input(error.to_string()) } else { Stop::Failed(error.to_string()) }
+    }
+}
+
+impl From<ValidateError> for Stop {
+    fn from(error: ValidateError) -> Stop {
+        match error {
+            ValidateError::Scene(e) => e.into(),
+            ValidateError::Run(e) => e.into(),
+            other => Stop::Input(other.to_string()),
+        }
+    }
+}
+
+/// Entry point of the binary.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let code = start(&cli).unwrap_or_else(|stop| match stop {
+        Stop::Scene(error) => {
+            eprintln!("{:?}", miette::Report::new(error));
+            INPUT
+        }
+        Stop::Input(text) => {
+            eprintln!("error: {text}");
+            INPUT
+        }
+        Stop::Failed(text) => {
+            eprintln!("error: {text}");
+            FAILED
+        }
+    });
+    ExitCode::from(code)
+}
+
+fn start(cli: &Cli) -> Result<u8, Stop> {
+    if let Some(n) = cli.threads {
+        if n == 0 {
+            return Err(Stop::Input("--threads 0: expected at least 1".into()));
+        }
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
+        pool.map_err(|e| Stop::Failed(format!("cannot start {n} threads: {e}")))?;
+    }
+    match &cli.command {
+        Command::List => list(cli),
+        Command::Run(args) => run_scene(cli, args),
+        Command::Check(args) => check(cli, args),
+        Command::Validate(args) => validate_cases(cli, args),
+        Command::Keywords => keywords(cli),
+    }
+}
+
+fn list(cli: &Cli) -> Result<u8, Stop> {
+    let mut scenes = Vec::new();
+    for (name, _) in scene::builtin() {
+        scenes.push((name, scene::load(name, &[])?.scene.description));
+    }
+    if cli.json {
+        let names: Vec<_> = scenes.iter().map(|(n, d)| serde_json::json!({"scene": n, "description": d})).collect();
+        println!("{}", serde_json::Value::from(names));
+    } else {
+        scenes.iter().for_each(|(name, description)| println!("{name:<20} {description}"));
+    }
+    Ok(DONE)
+}
+
+fn keywords(cli: &Cli) -> Result<u8, Stop> {
+    for k in scene::keywords() {
+        if cli.json {
+            println!("{}", serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc}));
+        } else {
+            println!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default);
+        }
+    }
+    Ok(DONE)
+}
+
+fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
+    let loaded = scene::load(&args.scene, &args.sets)?;
+    loaded.fits_in_memory(available_memory())?;
+    Ok(loaded)
+}
+
+/// Memory that is free to take [bytes].
+fn available_memory() -> u64 {
+    let said = std::fs::read_to_string("/proc/meminfo").unwrap_or_default();
+    let line = said.lines().find_map(|l| l.strip_prefix("MemAvailable:"));
+    let kib = line.and_then(|l| l.trim().trim_end_matches("kB").trim().parse::<u64>().ok());
+    kib.map_or(USUAL_MEMORY, |k| k * 1024)
+}
+
+fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
+    let loaded = load(args)?;
+    let forecast = forecast(&loaded.scene, &loaded.warnings);
+    if cli.json {
+        println!("{}", serde_json::to_string_pretty(&forecast).unwrap_or_default());
+    } else {
+        println!("{}", forecast.to_text());
+    }
+    Ok(DONE)
+}
+
+fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
+    static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    let loaded = load(&args.scene)?;
+    if !cli.quiet {
+        loaded.warnings.iter().for_each(|w| eprintln!("warning: {w}"));
+    }
+    let handler = || {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130); // asked twice: at once
+        }
+    };
+    ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
+    let bar = progress_bar(cli, loaded.scene.time.end);
+    let tell = |time: f64, steps: u64| {
+        bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
+        bar.set_message(format!("t = {time:.5} s, step {steps}"));
+    };
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
+    let options = RunOptions {
+        out: Some(out.clone()),
+        force: args.force,
+        interrupt: Some(&INTERRUPTED),
+        progress: Some(&tell),
+        warnings: loaded.warnings.clone(),
+    };
+    let outcome = run(&loaded.scene, &options);
+    bar.finish_and_clear();
+    let summary = outcome?.summary;
+    if cli.json {
+        println!("{}", summary.to_json());
+    } else if !cli.quiet {
+        println!("{}", in_words(&summary));
+        println!("files in {}: open report.html", out.display());
+    }
+    match summary.status {
+        Status::Completed => Ok(DONE),
+        Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),
+        Status::Interrupted => Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s))),
+    }
+}
+
+fn progress_bar(cli: &Cli, _end: f64) -> ProgressBar {
+    if cli.quiet || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(1000);
+    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {elapsed} elapsed, {eta} to go  {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
+}
+
+fn in_words(s: &Summary) -> String {
+    let mut lines = vec![format!(
+        "{}: {} particles, {} steps, {:.1} s of wall time",
+        s.scene, s.particles.fluid, s.steps, s.wall_time_s
+    )];
+    for c in &s.comparison {
+        let verdict = match c.tolerance {
+            None => "drawn only".to_string(),
+            Some(t) => format!("{} {t}", if c.passes() { "within" } else { "OUTSIDE" }),
+        };
+        lines.push(format!("  {} against {}: error {:.4} ({verdict})", c.quantity, c.reference, c.error));
+    }
+    lines.push(format!(
+        "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",
+        s.audit.momentum, s.audit.energy, s.audit.volume, s.audit.penetrated
+    ));
+    lines.join("\n")
+}
+
+fn validate_cases(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
+    if args.cases.is_empty() && !args.all {
+        for case in validate::cases()? {
+            println!("{:<24} {}", case.name, case.about);
+        }
+        return Ok(DONE);
+    }
+    let mut lines = Vec::new();
+    for case in validate::select(&args.cases)? {
+        if !cli.quiet {
+            eprintln!("{} …", case.name);
+        }
+        lines.extend(validate::run_case(&case, args.out.as_ref())?);
+    }
+    let table = validate::to_markdown(&lines);
+    print!("{table}");
+    if let Some(path) = &args.table {
+        let text = format!("# Validation\n\nWritten by `splashdown validate --all --table tests/VALIDATION.md`.\n\n{table}");
+        std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
+    }
+    let misses = lines.iter().filter(|l| !l.holds).count();
+    if misses > 0 {
+        return Err(Stop::Failed(format!("{misses} of {} numbers do not hold", lines.len())));
+    }
+    Ok(DONE)
+}

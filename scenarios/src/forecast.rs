@@ -1,0 +1,95 @@
+//! `splashdown check`: what a run would cost and how far it can be trusted, before it is run.
+
+use serde::Serialize;
+
+use crate::build::tiling;
+use crate::scene::{Scene, Symmetry, compressibility_error, memory_estimate, particle_estimate};
+
+/// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
+/// order of magnitude of an estimate, not a promise.
+const COST: f64 = 0.7e-6;
+
+/// What `check` says.
+#[derive(Clone, Debug, Serialize)]
+pub struct Forecast {
+    /// Name of the scene.
+    pub scene: String,
+    /// Fluid particles, counted.
+    pub fluid_particles: usize,
+    /// Wall particles, estimated.
+    pub wall_particles: u64,
+    /// Memory, estimated [MiB].
+    pub memory_mib: f64,
+    /// Step at the start [s].
+    pub step_s: f64,
+    /// Steps, estimated.
+    pub steps: u64,
+    /// Core-seconds, estimated.
+    pub core_seconds: f64,
+    /// Sound speed [m/s].
+    pub sound_speed_m_per_s: f64,
+    /// Fastest speed known beforehand over the sound speed [-].
+    pub mach: f64,
+    /// Estimated share of the force lost to compressibility [-].
+    pub compressibility_error: Option<f64>,
+    /// Spacings across the wetted width at the end [-].
+    pub spacings_across_wetted_width: Option<f64>,
+    /// Spacings across the length with 90 % of the peak pressure at the end [-].
+    pub spacings_across_pressure_peak: Option<f64>,
+    /// Doubts, in plain words.
+    pub warnings: Vec<String>,
+}
+
+/// Look ahead without running.
+pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
+    let fluid_particles = tiling(scene).count();
+    let (_, wall_particles) = particle_estimate(scene);
+    let fluid = &scene.fluid;
+    let h = fluid.smoothing_ratio * scene.resolution.spacing;
+    let fastest = scene.fastest_speed();
+    let step = fluid.cfl * h / (fluid.sound_speed + fastest);
+    let steps = (scene.time.end / step).ceil();
+    let entry = scene.entry();
+    let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
+    let wetted = entry.map(|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
+    Forecast {
+        scene: scene.name.clone(),
+        fluid_particles,
+        wall_particles,
+        memory_mib: memory_estimate(scene) as f64 / f64::from(1 << 20),
+        step_s: step,
+        steps: steps as u64,
+        core_seconds: COST * fluid_particles as f64 * steps,
+        sound_speed_m_per_s: fluid.sound_speed,
+        mach: fastest / fluid.sound_speed,
+        compressibility_error: entry.map(|e| compressibility_error(e.root_speed(), fluid.sound_speed)),
+        spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
+        spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
+        warnings: warnings.to_vec(),
+    }
+}
+
+impl Forecast {
+    /// In plain words.
+    pub fn to_text(&self) -> String {
+        let mut lines = vec![
+            format!("scene        {}", self.scene),
+            format!("particles    {} fluid, about {} wall", self.fluid_particles, self.wall_particles),
+            format!("memory       about {:.0} MiB", self.memory_mib),
+            format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
+            format!("cost         about {:.0} core-seconds", self.core_seconds),
+            format!("sound speed  {:.1} m/s, Mach {:.3} at the fastest known speed", self.sound_speed_m_per_s, self.mach),
+        ];
+        if let Some(e) = self.compressibility_error {
+            lines.push(format!("compressible share of the force about {:.2} %", 100.0 * e));
+        }
+        if let Some(n) = self.spacings_across_wetted_width {
+            lines.push(format!("resolution   {n:.0} spacings across the simulated wetted width at the end"));
+        }
+        if let Some(n) = self.spacings_across_pressure_peak {
+            lines.push(format!("             {n:.1} across the pressure peak"));
+        }
+        lines.extend(self.warnings.iter().map(|w| format!("warning      {w}")));
+        lines.join("\n")
+    }
+}

@@ -1,0 +1,198 @@
+//! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
+
+use crate::compare::{self, Comparison};
+use crate::report::{Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render};
+use crate::run::Outcome;
+use crate::scene::{Scene, Symmetry};
+use crate::summary::{Status, Summary};
+
+/// The page of a run.
+pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
+    let summary = &outcome.summary;
+    let mut sections = vec![("Run".to_string(), run_section(scene, summary, warnings))];
+    if !summary.comparison.is_empty() {
+        sections.push(("Against references".into(), vec![comparison_table(&summary.comparison)]));
+    }
+    sections.push(("Flow".into(), pictures(scene, outcome.pictures.frames())));
+    sections.push(("Curves".into(), charts(scene, outcome)));
+    sections.push(("Audit".into(), vec![audit_table(summary)]));
+    sections.push((
+        "Scene as run".into(),
+        vec![Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() }],
+    ));
+    render(&Report {
+        title: format!("splashdown: {}", scene.name),
+        subtitle: scene.description.clone(),
+        status: match summary.status {
+            Status::Completed => PageStatus::Completed,
+            Status::Failed => PageStatus::Failed(summary.message.clone().unwrap_or_default()),
+            Status::Interrupted => PageStatus::Interrupted,
+        },
+        sections,
+    })
+}
+
+fn row(cells: &[&str]) -> Vec<String> {
+    cells.iter().map(|c| c.to_string()).collect()
+}
+
+fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
+    let mut rows = vec![
+        row(&["model", s.model, ""]),
+        row(&["fluid particles", &s.particles.fluid.to_string(), ""]),
+        row(&["wall particles", &s.particles.wall.to_string(), ""]),
+        row(&["finest spacing", &format!("{:.4}", 1e3 * scene.resolution.spacing), "mm"]),
+        row(&["steps", &s.steps.to_string(), ""]),
+        row(&["time reached", &format!("{:.6}", s.time_end_s), "s"]),
+        row(&["wall time", &format!("{:.1}", s.wall_time_s), "s"]),
+        row(&["threads", &s.threads.to_string(), ""]),
+        row(&["particle updates", &format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s"]),
+        row(&["sound speed", &format!("{:.1}", s.compressibility.sound_speed_m_per_s), "m/s"]),
+        row(&["Mach number reached", &format!("{:.4}", s.compressibility.mach_reached), ""]),
+    ];
+    if let Some(error) = s.compressibility.force_error_estimate {
+        rows.push(row(&["share of force lost to compressibility, estimated", &format!("{:.2}", 100.0 * error), "%"]));
+    }
+    let head = row(&["quantity", "value", "unit"]);
+    let mut blocks = Vec::new();
+    if !scene.source.is_empty() {
+        blocks.push(Block::Text(format!("Source: {}.", scene.source)));
+    }
+    if !warnings.is_empty() {
+        blocks.push(Block::Text(format!("Doubts before the run: {}.", warnings.join("; "))));
+    }
+    blocks.push(Block::Table(Table { title: "Size and cost".into(), head, rows }));
+    blocks
+}
+
+fn comparison_table(comparisons: &[Comparison]) -> Block {
+    let line = |c: &Comparison| {
+        let verdict = match (c.tolerance, c.passes()) {
+            (None, _) => "drawn only",
+            (_, true) => "within",
+            (_, false) => "outside",
+        };
+        let tolerance = c.tolerance.map_or(String::new(), |t| format!("{t:.3}"));
+        row(&[&c.reference, &c.quantity, &format!("{:.5}", c.ours), &format!("{:.5}", c.theirs), &format!("{:.4}", c.error), &tolerance, verdict])
+    };
+    Block::Table(Table {
+        title: "Errors against references".into(),
+        head: row(&["reference", "quantity", "ours", "theirs", "error", "tolerance", "verdict"]),
+        rows: comparisons.iter().map(line).collect(),
+    })
+}
+
+fn audit_table(s: &Summary) -> Block {
+    let rows = vec![
+        row(&["momentum: worst gap of a step, relative", &format!("{:.2e}", s.audit.momentum)]),
+        row(&["energy: drift over the largest exchanged (negative: dissipated)", &format!("{:.4}", s.audit.energy)]),
+        row(&["volume: relative change", &format!("{:.2e}", s.audit.volume)]),
+        row(&["particles found beyond a wall", &s.audit.penetrated.to_string()]),
+    ];
+    Block::Table(Table { title: "Conservation".into(), head: row(&["quantity", "value"]), rows })
+}
+
+fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
+    let mirror_x = scene.symmetry == Symmetry::X;
+    let (x, y) = window(scene);
+    let inside = |f: &FlowFrame, k: usize| {
+        let at = if mirror_x { f.x[k].abs() } else { f.x[k] } as f64;
+        at > x[0] && at < x[1] && (f.y[k] as f64) > y[0] && (f.y[k] as f64) < y[1]
+    };
+    let mut values: Vec<f32> =
+        frames.iter().flat_map(|f| (0..f.x.len()).filter(|&k| inside(f, k)).map(|k| f.value[k])).collect();
+    values.sort_by(f32::total_cmp);
+    let top = values.get(values.len().saturating_sub(1) * 995 / 1000).map_or(1.0, |v| f64::from(*v).max(1e-6));
+    let view = FlowView { x, y, value: [0.0, top], width_px: 1100, label: "pressure [kPa]".into(), mirror_x };
+    let picture = |f: &FlowFrame| Block::Picture {
+        png: flow_png(f, &view),
+        caption: format!("Pressure at t = {:.5} s", f.time),
+    };
+    frames.iter().map(picture).collect()
+}
+
+/// The part of the flow worth looking at [m]: the fine zone and as much again, or the whole tank.
+fn window(scene: &Scene) -> ([f64; 2], [f64; 2]) {
+    let (half, depth) = (0.5 * scene.tank.width, scene.tank.depth);
+    let [fine, _] = scene.resolution.fine_zone;
+    let graded = scene.resolution.growth > 1.0 && fine < 0.8 * half;
+    match &scene.body {
+        Some(body) if graded => {
+            let (w, middle) = (1.3 * fine, body.middle());
+            ([middle - w, middle + w], [-0.55 * w, 0.55 * w])
+        }
+        _ => {
+            let margin = 0.03 * half;
+            let top = (scene.tank.height - depth).min(2.0 * half - depth).max(0.1 * half);
+            ([-half - margin, half + margin], [-depth - margin, top])
+        }
+    }
+}
+
+fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let series = &outcome.series;
+    let times = series.times();
+    let ours = |name: &str, scale: f64| {
+        let y: Option<Vec<f64>> = series.column(name).map(|c| c.iter().map(|v| scale * v).collect());
+        Curve { label: "splashdown".into(), mark: Mark::Line, x: times.clone(), y: y.unwrap_or_default() }
+    };
+    let mut drawn: Vec<&str> = Vec::new();
+    for compare in &scene.compare {
+        if drawn.contains(&compare.quantity.as_str()) {
+            continue;
+        }
+        drawn.push(&compare.quantity);
+        let mut curves = vec![ours(&compare.quantity, compare.scale)];
+        for (other, reference) in scene.compare.iter().zip(&outcome.references) {
+            if other.quantity == compare.quantity {
+                let end = outcome.summary.time_end_s.max(scene.time.end);
+                let keep = reference.t.iter().zip(&reference.y).filter(|(t, _)| **t <= end);
+                let (x, y) = keep.map(|(t, y)| (*t, *y)).unzip();
+                curves.push(Curve { label: short(&other.reference), mark: Mark::Points, x, y });
+            }
+        }
+        blocks.push(chart(&format!("{} against references", compare.quantity), "t [s]", &compare.quantity, curves));
+    }
+    if let Some(similarity) = &outcome.summary.similarity {
+        blocks.push(profile_chart(scene, &similarity.profile));
+    }
+    for name in series.columns().iter().skip(1).filter(|n| !drawn.contains(&n.as_str())) {
+        let curve = ours(name, 1.0);
+        let moves = curve.y.iter().any(|v| (v - curve.y[0]).abs() > 1e-12);
+        if moves {
+            blocks.push(chart(name, "t [s]", name, vec![curve]));
+        }
+    }
+    blocks
+}
+
+fn profile_chart(scene: &Scene, profile: &[[f64; 2]]) -> Block {
+    let split = |points: &[[f64; 2]]| points.iter().map(|p| (p[0], p[1])).unzip();
+    let (x, y): (Vec<f64>, Vec<f64>) = split(profile);
+    let end = x.last().copied().unwrap_or(1.0);
+    let mut curves = vec![Curve { label: "splashdown".into(), mark: Mark::Line, x, y }];
+    if let Some(exact) = compare::similarity_of(scene) {
+        let (x, y) = split(&exact.profile);
+        curves.push(Curve { label: "similarity solution".into(), mark: Mark::Dashed, x, y });
+    }
+    Block::Chart(Chart {
+        title: "Pressure on the face, mean over the window".into(),
+        x_label: "x/(V t)".into(),
+        y_label: "Cp".into(),
+        curves,
+        x_range: Some([0.0, end]),
+        y_range: None,
+    })
+}
+
+fn chart(title: &str, x: &str, y: &str, curves: Vec<Curve>) -> Block {
+    let (title, x_label, y_label) = (title.into(), x.into(), y.into());
+    Block::Chart(Chart { title, x_label, y_label, curves, x_range: None, y_range: None })
+}
+
+/// A reference's file name without folder and ending.
+fn short(path: &str) -> String {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    name.trim_end_matches(".csv").into()
+}

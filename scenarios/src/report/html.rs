@@ -1,0 +1,196 @@
+//! The report of a run: one HTML page that needs nothing else.
+
+use super::chart::{Chart, untitled_svg};
+use super::markup::escape;
+use super::table::{Table, table_html};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+/// A part of a section. All text is plain: it is shown as written.
+#[derive(Clone, Debug)]
+pub enum Block {
+    /// Running text; an empty line starts a new paragraph.
+    Text(String),
+    /// A table.
+    Table(Table),
+    /// A chart; its title becomes the caption.
+    Chart(Chart),
+    /// A picture, such as those of [`flow_png`](super::flow_png).
+    Picture {
+        /// The PNG file.
+        png: Vec<u8>,
+        /// What it shows.
+        caption: String,
+    },
+    /// Text in which spaces and line breaks matter, such as a scene file.
+    Code {
+        /// Caption; empty for none.
+        title: String,
+        /// The text.
+        text: String,
+    },
+}
+
+/// How the run ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It reached its end time.
+    Completed,
+    /// It stopped by itself; the text says what went wrong, where and when.
+    Failed(String),
+    /// It was stopped from outside.
+    Interrupted,
+}
+
+/// What the page says.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Heading of the page.
+    pub title: String,
+    /// A line below the heading; empty for none.
+    pub subtitle: String,
+    /// How the run ended.
+    pub status: Status,
+    /// Sections: heading and content.
+    pub sections: Vec<(String, Vec<Block>)>,
+}
+
+/// Sets `report` as one HTML page: styles, charts and pictures inside, no scripts, nothing loaded
+/// from elsewhere.
+///
+/// Sections, figures and tables are numbered. The page follows the reader's choice of light or
+/// dark, and prints. It is well-formed as XML too. Same input, same bytes.
+pub fn render(report: &Report) -> String {
+    let mut numbers = Numbers::default();
+    let sections = (1..).zip(&report.sections);
+    let sections = sections.map(|(number, (heading, blocks))| {
+        let heading = escape(heading);
+        let content = content(blocks, &mut numbers);
+        format!(
+            r#"<section id="section-{number}">
+<h2><span class="number">{number}</span> {heading}</h2>
+{content}</section>
+"#
+        )
+    });
+    let sections: String = sections.collect();
+    let title = escape(&report.title);
+    let header = header(report);
+    format!(
+        r#"<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8" />
+<meta name="viewport" content="width=device-width, initial-scale=1" />
+<title>{title}</title>
+<style>
+{STYLE}</style>
+</head>
+<body>
+<header>
+{header}</header>
+<main>
+{sections}</main>
+</body>
+</html>
+"#
+    )
+}
+
+const STYLE: &str = include_str!("report.css");
+
+/// The numbers given out so far.
+#[derive(Default)]
+struct Numbers {
+    figures: usize,
+    tables: usize,
+}
+
+/// Title, subtitle, status and contents.
+fn header(report: &Report) -> String {
+    let mut html = format!("<h1>{}</h1>\n", escape(&report.title));
+    if !report.subtitle.is_empty() {
+        html += &format!("<p class=\"subtitle\">{}</p>\n", escape(&report.subtitle));
+    }
+    html += &match &report.status {
+        Status::Completed => "<p class=\"status completed\">Completed</p>\n".to_owned(),
+        Status::Interrupted => "<p class=\"status interrupted\">Interrupted</p>\n".to_owned(),
+        Status::Failed(why) => {
+            let why = escape(why);
+            format!("<p class=\"status failed\"><strong>Failed.</strong> {why}</p>\n")
+        }
+    };
+    // Two sections are found without a list.
+    if report.sections.len() > 2 {
+        html += "<nav><ol>\n";
+        for (number, (heading, _)) in (1..).zip(&report.sections) {
+            let heading = escape(heading);
+            html += &format!("<li><a href=\"#section-{number}\">{heading}</a></li>\n");
+        }
+        html += "</ol></nav>\n";
+    }
+    html
+}
+
+/// The blocks of a section; figures that follow each other stand side by side.
+fn content(blocks: &[Block], numbers: &mut Numbers) -> String {
+    let is_figure = |block: &Block| matches!(block, Block::Chart(_) | Block::Picture { .. });
+    let mut html = String::new();
+    for group in blocks.chunk_by(|a, b| is_figure(a) && is_figure(b)) {
+        let inner: String = group.iter().map(|b| block(b, numbers)).collect();
+        if group.iter().any(is_figure) {
+            html += &format!("<div class=\"figures\">\n{inner}</div>\n");
+        } else {
+            html += &inner;
+        }
+    }
+    html
+}
+
+fn block(block: &Block, numbers: &mut Numbers) -> String {
+    match block {
+        Block::Text(text) => paragraphs(text),
+        Block::Table(table) => {
+            numbers.tables += usize::from(!table.title.is_empty());
+            table_html(table, numbers.tables)
+        }
+        Block::Chart(chart) => figure("chart", &untitled_svg(chart), &chart.title, numbers),
+        Block::Picture { png, caption } => {
+            let (data, alt) = (STANDARD.encode(png), escape(caption));
+            let image = format!(r#"<img src="data:image/png;base64,{data}" alt="{alt}" />"#);
+            figure("picture", &image, caption, numbers)
+        }
+        Block::Code { title, text } => code(title, text),
+    }
+}
+
+fn paragraphs(text: &str) -> String {
+    let lines: Vec<_> = text.lines().map(str::trim).collect();
+    let paragraphs = lines
+        .split(|line| line.is_empty())
+        .filter(|lines| !lines.is_empty());
+    paragraphs
+        .map(|lines| format!("<p>{}</p>\n", escape(&lines.join("\n"))))
+        .collect()
+}
+
+fn figure(class: &str, image: &str, caption: &str, numbers: &mut Numbers) -> String {
+    numbers.figures += 1;
+    let (number, caption) = (numbers.figures, escape(caption));
+    format!(
+        r#"<figure class="{class}">
+{image}
+<figcaption><b>Figure {number}.</b> {caption}</figcaption>
+</figure>
+"#
+    )
+}
+
+fn code(title: &str, text: &str) -> String {
+    let caption = match escape(title) {
+        title if title.is_empty() => title,
+        title => format!("<figcaption>{title}</figcaption>\n"),
+    };
+    let text = escape(text);
+    format!("<figure class=\"code\">\n{caption}<pre><code>{text}</code></pre>\n</figure>\n")
+}

@@ -1,0 +1,77 @@
+//! Tables of the page.
+
+use super::markup::escape;
+
+/// A table. Columns of numbers are set right-aligned; short rows are filled up with empty cells.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// Caption; empty for none.
+    pub title: String,
+    /// Column headings, with units in brackets.
+    pub head: Vec<String>,
+    /// Cells, row by row.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// The table in HTML; a table with a title is given `number` in its caption.
+pub(super) fn table_html(table: &Table, number: usize) -> String {
+    let columns = table
+        .rows
+        .iter()
+        .map(Vec::len)
+        .fold(table.head.len(), usize::max);
+    let classes: Vec<_> = (0..columns)
+        .map(|column| {
+            if is_numeric(table, column) {
+                " class=\"number\""
+            } else {
+                ""
+            }
+        })
+        .collect();
+    let row = |tag: &str, row: &Vec<String>| {
+        let cells = classes.iter().enumerate().map(|(column, class)| {
+            let text = escape(cell(row, column));
+            format!("<{tag}{class}>{text}</{tag}>")
+        });
+        format!("<tr>{}</tr>\n", cells.collect::<String>())
+    };
+    let caption = match escape(&table.title) {
+        title if title.is_empty() => String::new(),
+        title => format!("<caption><b>Table {number}.</b> {title}</caption>\n"),
+    };
+    let head = match table.head.as_slice() {
+        [] => String::new(),
+        _ => format!("<thead>\n{}</thead>\n", row("th", &table.head)),
+    };
+    let body: String = table.rows.iter().map(|cells| row("td", cells)).collect();
+    format!(
+        "<div class=\"table\"><table>\n{caption}{head}<tbody>\n{body}</tbody>\n</table></div>\n"
+    )
+}
+
+fn cell(row: &[String], column: usize) -> &str {
+    row.get(column).map_or("", |cell| cell.trim())
+}
+
+/// Whether a column holds numbers, apart from cells left blank.
+fn is_numeric(table: &Table, column: usize) -> bool {
+    let mut cells = table
+        .rows
+        .iter()
+        .map(|row| cell(row, column))
+        .filter(|cell| !is_blank(cell));
+    cells.next().is_some_and(is_number) && cells.all(is_number)
+}
+
+fn is_blank(cell: &str) -> bool {
+    matches!(cell, "" | "-" | "–" | "—")
+}
+
+/// A number as people write it: sign, digits, exponent, perhaps a percent sign.
+fn is_number(cell: &str) -> bool {
+    cell.trim_end_matches(['%', ' '])
+        .replace('−', "-")
+        .parse::<f64>()
+        .is_ok()
+}
