@@ -105,7 +105,7 @@ pub struct Entry {
 
 impl Entry {
     /// The entry of `body` within `end` [s], under gravity [m/s²], shape (2), into water of density ρ [kg/m³].
-    /// `None` where the body neither moves down at t = 0 nor falls from above the surface.
+    /// `None` where the body neither moves down at t = 0 nor falls from above the surface, or is all under water.
     pub fn of(body: &Body, gravity: [f64; 2], density: f64, end: f64) -> Option<Entry> {
         let gravity = -gravity[1];
         let [min, max] = outline::bounding_box(&body.placed_outline());
@@ -119,7 +119,8 @@ impl Entry {
             true => (initial_speed.powi(2) + 2.0 * gravity * gap).sqrt(),
             false => initial_speed,
         };
-        if initial_speed < 0.0 || speed <= 0.0 {
+        let submerged = max[1] <= 0.0;
+        if submerged || initial_speed < 0.0 || speed <= 0.0 {
             return None;
         }
         let final_draught = match &body.motion {

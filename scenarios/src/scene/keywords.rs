@@ -13,6 +13,27 @@ pub struct Keyword {
     pub doc: &'static str,
 }
 
+impl Keyword {
+    /// The keyword in one line.
+    pub fn help(&self) -> String {
+        let Keyword {
+            path,
+            unit,
+            default,
+            doc,
+        } = self;
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" [{unit}]")
+        };
+        match default.starts_with("required") {
+            true => format!("{path}{unit}: {doc} ({default})"),
+            false => format!("{path}{unit}: {doc} (default: {default})"),
+        }
+    }
+}
+
 /// All keys, in the order in which a scene is usually written.
 pub fn keywords() -> &'static [Keyword] {
     KEYWORDS

@@ -60,6 +60,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
             let width = still_water("tank.width", file.tank.width)?;
             let depth = still_water("tank.depth", file.tank.depth)?;
             let tank = resolve_tank(&file.tank, width, depth)?;
+            // Half a width of `width` covers the tank from wherever the body is.
             (tank, file.resolution.fine_zone.unwrap_or([width, depth]))
         }
     };

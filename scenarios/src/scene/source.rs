@@ -7,7 +7,7 @@ use miette::NamedSource;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SceneError;
-use super::keywords;
+use super::keywords::{self, Keyword};
 use super::overrides::{Segment, assignment, segments};
 use super::problem::Problem;
 
@@ -22,17 +22,7 @@ pub(super) struct Source {
 impl Source {
     /// Puts a problem in its place: the last `--set` argument that wrote the key, else its line in the text.
     pub fn error(&self, problem: Problem) -> SceneError {
-        let help = keywords::find(&problem.key).map(|keyword| {
-            let unit = if keyword.unit.is_empty() {
-                String::new()
-            } else {
-                format!(" [{}]", keyword.unit)
-            };
-            format!(
-                "{}{unit}: {} (default: {})",
-                keyword.path, keyword.doc, keyword.default
-            )
-        });
+        let help = keywords::find(&problem.key).map(Keyword::help);
         match self.sets.iter().rfind(|set| writes(set, &problem.key)) {
             Some(argument) => SceneError::Set {
                 argument: argument.clone(),
@@ -61,18 +51,24 @@ impl Source {
         }
     }
 
-    /// Where the value of a key stands; for a key that is not written, its table's header.
+    /// Where the value of a key stands; a key that no scene has, itself; for a key that is not written, its table's header.
     fn span(&self, key: &str) -> Range<usize> {
         let Ok(document) = DeTable::parse(&self.text) else {
             return 0..0;
         };
+        let known = keywords::find(key).is_some();
         let mut span = 0..0;
         let mut value = &DeValue::Table(document.into_inner());
         for segment in segments(key) {
             let found = match (&segment, value) {
-                (Segment::Key(key), DeValue::Table(table)) => table
-                    .get_key_value(*key)
-                    .map(|(key, value)| (header_or_value(key.span(), value), value)),
+                (Segment::Key(key), DeValue::Table(table)) => {
+                    table.get_key_value(*key).map(|(key, item)| {
+                        match known && !item.get_ref().is_table() {
+                            true => (item.span(), item),
+                            false => (key.span(), item),
+                        }
+                    })
+                }
                 (Segment::Index(index), DeValue::Array(items)) => {
                     items.get(*index).map(|item| (item.span(), item))
                 }
@@ -84,14 +80,6 @@ impl Source {
             (span, value) = (place, item.get_ref());
         }
         span
-    }
-}
-
-/// A table is pointed at by its name, anything else by itself.
-fn header_or_value(key: Range<usize>, value: &toml::Spanned<DeValue<'_>>) -> Range<usize> {
-    match value.get_ref() {
-        DeValue::Table(_) => key,
-        _ => value.span(),
     }
 }
 

@@ -2,10 +2,9 @@
 
 mod refused;
 
-use miette::Diagnostic;
 use scenarios::scene::{
-    BYTES_PER_PARTICLE, Motion, Scene, SceneError, Symmetry, apply_set, builtin,
-    compressibility_error, keywords, load, load_text, particle_estimate,
+    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, keywords, load,
+    load_text, particle_estimate,
 };
 
 /// A small complete scene; the tests below count its lines.
@@ -139,6 +138,46 @@ fn a_scene_file_loads_by_its_path() {
     let unreadable = load(folder.path().to_str().expect("a printable path"), &[])
         .expect_err("a folder is no file");
     assert!(matches!(unreadable, SceneError::Unreadable { .. }));
+}
+
+/// Defaults that depend on other keys, in words or formulas.
+const DEFAULTS_IN_WORDS: [&str; 9] = [
+    "absent",
+    "end/500",
+    "end/50",
+    "[0.0, end]",
+    "width",
+    "1.25 depth, 3 depth for a dam break",
+    "breadth/4",
+    "centroid of the outline",
+    "all; [\"y\"] with symmetry",
+];
+
+#[test]
+fn a_key_left_out_has_the_default_that_its_keyword_declares() {
+    for keyword in keywords() {
+        if keyword.default.starts_with("required") || DEFAULTS_IN_WORDS.contains(&keyword.default) {
+            continue;
+        }
+        // Without a velocity the wedge needs a tank; with one the tank is left to the program.
+        let silent = match keyword.path.starts_with("tank.") {
+            true => DROP.replace("gravity = [0.0, -9.81]\n", ""),
+            false => DROP
+                .replace(
+                    "gravity = [0.0, -9.81]\n",
+                    "tank = { width = 2.0, depth = 1.0 }\n",
+                )
+                .replace("velocity = [0.0, -5.0]\n", ""),
+        };
+        let left_out = changed(&silent, &[]).expect("the scene loads");
+        let set = format!("{}={}", keyword.path.replace("[]", "[0]"), keyword.default);
+        let spelled_out = changed(&silent, &[&set]);
+        assert_eq!(
+            spelled_out.map_err(|error| error.to_string()),
+            Ok(left_out),
+            "{set}"
+        );
+    }
 }
 
 #[test]
