@@ -1,0 +1,127 @@
+//! The values that a scene leaves to the program.
+
+use super::impact::{Entry, sound_speed_for};
+use super::model::Body;
+
+/// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
+/// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.
+pub const ACOUSTIC_REACH: f64 = 0.65;
+
+/// Least speed of sound over the fastest known speed of the flow [-].
+pub const LEAST_SOUND_RATIO: f64 = 10.0;
+
+/// Least reach of the tank over the fine zone's [-].
+const TANK_OVER_FINE_ZONE: f64 = 10.0;
+
+/// Half width of the fine zone over the spray root's last [-].
+const ROOT_MARGIN: f64 = 1.15;
+
+/// Half width of the fine zone over the body's, at most [-]: past the chines the jets fly free.
+const PAST_THE_CHINES: f64 = 1.6;
+
+/// Least half width and depth of the fine zone [spacings].
+const LEAST_FINE_ZONE: [f64; 2] = [10.0, 4.0];
+
+/// Fastest speed of the flow that is known before the run [m/s]: the spray root's, the body's, and without an impact
+/// that of water falling through the depth, √(2 g d).
+pub fn fastest_speed(
+    entry: Option<&Entry>,
+    body: Option<&Body>,
+    gravity: [f64; 2],
+    depth: f64,
+) -> f64 {
+    let flow = match entry {
+        Some(entry) => entry.root_speed().max(entry.speed),
+        None => (2.0 * gravity[0].hypot(gravity[1]) * depth.max(0.0)).sqrt(),
+    };
+    flow.max(body.map_or(0.0, Body::fastest_point))
+}
+
+/// Speed of sound [m/s]: c₀ = max(U/M(ε), 10 u).
+///
+/// U is the spray root's speed [m/s] and M(ε) the Mach number at which compressibility costs the admitted share ε of
+/// the force; without an impact only the fastest known speed u [m/s] counts.
+pub fn auto_sound_speed(error: f64, entry: Option<&Entry>, fastest: f64) -> f64 {
+    let impact = entry.map_or(0.0, |entry| sound_speed_for(error, entry.root_speed()));
+    impact.max(LEAST_SOUND_RATIO * fastest)
+}
+
+/// Half width and depth of the fine zone of an impact [m], shape (2).
+///
+/// Half width: 1.15 times the wetted half width at the end of the run (Wagner 1932), at most 1.6 times half the
+/// breadth: the fine rows hold the spray root's last position. Depth: f D with the draught D at the end, f = 0.3 for a
+/// deadrise (of the wedge with the same spray root) up to 30°, rising linearly to 1.5 at 45° and beyond, where the
+/// pressure peaks at the keel. At least 10 by 4 spacings.
+pub fn auto_fine_zone(entry: &Entry, spacing: f64) -> [f64; 2] {
+    let draught = entry.final_draught.max(0.0);
+    let wetted = entry.bottom.wetted_half_width(draught);
+    let half_width = (ROOT_MARGIN * wetted).min(PAST_THE_CHINES * entry.half_breadth);
+    let deadrise = entry.bottom.equivalent_slope(draught).atan().to_degrees();
+    let share = 0.3 + 1.2 * ((deadrise - 30.0) / 15.0).clamp(0.0, 1.0);
+    let [least_width, least_depth] = LEAST_FINE_ZONE;
+    [
+        half_width.max(least_width * spacing),
+        (share * draught).max(least_depth * spacing),
+    ]
+}
+
+/// Half width and depth of a tank that an impact does not feel [m], shape (2): outside acoustic reach,
+/// 0.65 c₀ t_end, and at least 10 times the fine zone.
+pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2]) -> [f64; 2] {
+    fine_zone.map(|fine| (ACOUSTIC_REACH * sound_speed * end).max(TANK_OVER_FINE_ZONE * fine))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::impact::Bottom;
+    use super::*;
+
+    fn wedge(deadrise_deg: f64, half_breadth: f64, final_draught: f64) -> Entry {
+        let slope = deadrise_deg.to_radians().tan();
+        Entry {
+            bottom: Bottom::Wedge { slope },
+            half_breadth,
+            speed: 1.0,
+            final_draught,
+        }
+    }
+
+    #[test]
+    fn fine_zone_holds_the_exact_spray_root() {
+        // Similarity solution (Dobrovolskaya 1969): the free surface turns at x = 8.901, 4.314, 2.723, 1.578 V t.
+        for (deadrise, root) in [(10.0, 8.901), (20.0, 4.314), (30.0, 2.723), (45.0, 1.578)] {
+            let [half_width, _] = auto_fine_zone(&wedge(deadrise, 100.0, 1.0), 0.01);
+            assert!(
+                (1.05..1.3).contains(&(half_width / root)),
+                "{deadrise}: {half_width}"
+            );
+        }
+    }
+
+    #[test]
+    fn fine_zone_depth_follows_the_deadrise() {
+        for (deadrise, depth) in [
+            (10.0, 0.3),
+            (30.0, 0.3),
+            (37.5, 0.9),
+            (45.0, 1.5),
+            (70.0, 1.5),
+        ] {
+            assert!((auto_fine_zone(&wedge(deadrise, 100.0, 1.0), 0.01)[1] - depth).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn fine_zone_ends_past_the_chines_and_never_vanishes() {
+        assert_eq!(auto_fine_zone(&wedge(10.0, 0.5, 1.0), 0.01)[0], 0.8);
+        assert_eq!(auto_fine_zone(&wedge(10.0, 0.5, -1.0), 0.01), [0.1, 0.04]);
+    }
+
+    #[test]
+    fn sound_speed_is_ten_times_the_flow_without_an_impact() {
+        assert_eq!(auto_sound_speed(0.01, None, 4.0), 40.0);
+        let entry = wedge(30.0, 1.0, 1.0);
+        let c = auto_sound_speed(0.01, Some(&entry), 0.0);
+        assert!((21.0..22.0).contains(&(c / entry.root_speed())), "{c}");
+    }
+}

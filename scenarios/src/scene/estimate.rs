@@ -1,0 +1,91 @@
+//! The size of the work, before any particle exists.
+
+use super::model::{Scene, Symmetry};
+use super::outline;
+
+/// Memory per particle: state, scratch and neighbour lists [bytes].
+pub const BYTES_PER_PARTICLE: u64 = 600;
+
+/// Panels of the integrals over shells of graded rows and along walls.
+const PANELS: u32 = 2000;
+
+/// Estimated numbers of particles, `(fluid, wall)`, to a few per cent. Pure arithmetic: allocates nothing that grows
+/// with them.
+///
+/// Fluid: the sum of area over spacing² over the shells around the fine zone, with the spacing dx + (growth − 1) d at
+/// distance d [m]; water that the body displaces is counted. Walls: length over spacing times the rows that fill the
+/// kernel's support, ⌈2 h/dx⌉, along the floor, the side walls and the body.
+pub fn particle_estimate(scene: &Scene) -> (u64, u64) {
+    (
+        fluid_particles(scene).ceil() as u64,
+        wall_particles(scene).ceil() as u64,
+    )
+}
+
+/// Estimated memory of a run [bytes]: [`BYTES_PER_PARTICLE`] for each particle of [`particle_estimate`].
+pub fn memory_estimate(scene: &Scene) -> u64 {
+    let (fluid, wall) = particle_estimate(scene);
+    fluid
+        .saturating_add(wall)
+        .saturating_mul(BYTES_PER_PARTICLE)
+}
+
+fn fluid_particles(scene: &Scene) -> f64 {
+    let spacing = scene.resolution.spacing;
+    let slope = scene.resolution.growth - 1.0;
+    let [left, right] = scene.water_sides();
+    if slope == 0.0 {
+        return (right - left) * scene.tank.depth / (spacing * spacing);
+    }
+    let [half_width, fine_depth] = scene.resolution.fine_zone;
+    let middle = scene.fine_zone_center();
+    let area_within = |distance: f64| {
+        let x =
+            (middle - half_width - distance).max(left)..(middle + half_width + distance).min(right);
+        (x.end - x.start).max(0.0) * (fine_depth + distance).min(scene.tank.depth)
+    };
+    let beside = (middle - left).max(right - middle) - half_width;
+    let reach = beside.max(scene.tank.depth - fine_depth).max(0.0);
+    // Equal panels of ln(spacing): rows, as it were.
+    let growth = (1.0 + slope * reach / spacing).powf(1.0 / f64::from(PANELS));
+    let mut particles = area_within(0.0) / (spacing * spacing);
+    let (mut distance, mut row) = (0.0, spacing);
+    for _ in 0..PANELS {
+        let next_row = row * growth;
+        let next = (next_row - spacing) / slope;
+        particles += (area_within(next) - area_within(distance)) / (row * next_row);
+        (distance, row) = (next, next_row);
+    }
+    particles
+}
+
+fn wall_particles(scene: &Scene) -> f64 {
+    let rows = (2.0 * scene.fluid.smoothing_ratio).ceil();
+    let half = 0.5 * scene.tank.width;
+    let (floor, top) = (-scene.tank.depth, scene.tank.height - scene.tank.depth);
+    let right = particles_along(scene, [half, floor], [half, top]);
+    let left = particles_along(scene, [-half, floor], [-half, top]);
+    let bottom = particles_along(scene, [-half, floor], [half, floor]);
+    let perimeter = scene
+        .body
+        .as_ref()
+        .map_or(0.0, |body| outline::perimeter(&body.shape.outline()));
+    let body = perimeter / scene.resolution.spacing;
+    let single = match scene.symmetry {
+        Symmetry::None => left + right + bottom + body,
+        Symmetry::X => right + 0.5 * (bottom + body),
+    };
+    rows * single
+}
+
+/// Particles of one row from `a` to `b`: ∫ ds / (dx + (growth − 1) d(s)).
+fn particles_along(scene: &Scene, a: [f64; 2], b: [f64; 2]) -> f64 {
+    let slope = scene.resolution.growth - 1.0;
+    let panel = (b[0] - a[0]).hypot(b[1] - a[1]) / f64::from(PANELS);
+    let at = |i: u32| {
+        let s = (f64::from(i) + 0.5) / f64::from(PANELS);
+        [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]
+    };
+    let spacing = |p| scene.resolution.spacing + slope * scene.distance_from_fine_zone(p);
+    (0..PANELS).map(|i| panel / spacing(at(i))).sum()
+}

@@ -1,0 +1,287 @@
+//! A scene as written: every key optional, nothing filled in. The keys are described in [`keywords`](super::keywords).
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::model::{
+    Body, GaugeFrame, Integrator, Kernel, Motion, Norm, Similarity, Symmetry, WallSlip,
+};
+use super::shape::Shape;
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SceneFile {
+    pub name: Option<String>,
+    pub description: Option<String>,
+    pub source: Option<String>,
+    pub symmetry: Option<Symmetry>,
+    pub gravity: Option<[f64; 2]>,
+    pub similarity: Option<Similarity>,
+    pub time: TimeFile,
+    pub resolution: ResolutionFile,
+    pub fluid: FluidFile,
+    pub tank: TankFile,
+    pub body: Option<BodyFile>,
+    pub gauges: Vec<GaugeFile>,
+    pub compare: Vec<CompareFile>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct TimeFile {
+    pub end: Option<f64>,
+    pub sample_every: Option<f64>,
+    pub frame_every: Option<f64>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ResolutionFile {
+    pub spacing: Option<f64>,
+    pub growth: Option<f64>,
+    #[serde(deserialize_with = "pair_or_auto")]
+    pub fine_zone: Option<[f64; 2]>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct FluidFile {
+    pub density: Option<f64>,
+    #[serde(deserialize_with = "number_or_auto")]
+    pub sound_speed: Option<f64>,
+    pub compressibility_error: Option<f64>,
+    pub eos_exponent: Option<f64>,
+    pub kernel: Option<Kernel>,
+    pub smoothing_ratio: Option<f64>,
+    pub artificial_viscosity: Option<f64>,
+    pub kinematic_viscosity: Option<f64>,
+    pub density_diffusion: Option<f64>,
+    pub shifting: Option<bool>,
+    pub volume_correction: Option<bool>,
+    pub wall_slip: Option<WallSlip>,
+    pub integrator: Option<Integrator>,
+    pub cfl: Option<f64>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct TankFile {
+    #[serde(deserialize_with = "number_or_auto")]
+    pub width: Option<f64>,
+    #[serde(deserialize_with = "number_or_auto")]
+    pub depth: Option<f64>,
+    pub height: Option<f64>,
+    pub water_width: Option<f64>,
+}
+
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct BodyFile {
+    pub name: Option<String>,
+    pub shape: Option<ShapeName>,
+    pub deadrise_deg: Option<f64>,
+    pub breadth: Option<f64>,
+    pub side_height: Option<f64>,
+    pub radius: Option<f64>,
+    pub height: Option<f64>,
+    pub points: Option<Vec<[f64; 2]>>,
+    pub thickness: Option<f64>,
+    pub mass: Option<f64>,
+    pub inertia: Option<f64>,
+    pub center_of_mass: Option<[f64; 2]>,
+    pub motion: Option<MotionName>,
+    pub free: Option<Vec<Axis>>,
+    pub velocity: Option<[f64; 2]>,
+    pub angular_velocity_deg_per_s: Option<f64>,
+    #[serde(deserialize_with = "pair_or_touching")]
+    pub position: Option<[f64; 2]>,
+    pub angle_deg: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ShapeName {
+    Wedge,
+    Arc,
+    Box,
+    Polygon,
+    Polyline,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MotionName {
+    #[default]
+    Free,
+    ConstantVelocity,
+    Fixed,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    X,
+    Y,
+    Angle,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct GaugeFile {
+    pub name: Option<String>,
+    pub on: Option<GaugeFrame>,
+    pub at: Option<[f64; 2]>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct CompareFile {
+    pub reference: Option<String>,
+    pub quantity: Option<String>,
+    pub scale: Option<f64>,
+    pub x: Option<String>,
+    pub x_scale: Option<f64>,
+    pub y: Option<String>,
+    pub y_scale: Option<f64>,
+    pub window: Option<[f64; 2]>,
+    pub norm: Option<Norm>,
+    pub tolerance: Option<f64>,
+}
+
+fn number_or_auto<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    from.deserialize_any(ValueOrWord::new("auto", "a number or \"auto\""))
+}
+
+fn pair_or_auto<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 2]>, D::Error> {
+    from.deserialize_any(ValueOrWord::new("auto", "two numbers or \"auto\""))
+}
+
+fn pair_or_touching<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 2]>, D::Error> {
+    from.deserialize_any(ValueOrWord::new("touching", "two numbers or \"touching\""))
+}
+
+/// Reads a value, or a word that stands for leaving the key out.
+struct ValueOrWord<T> {
+    word: &'static str,
+    expected: &'static str,
+    value: PhantomData<T>,
+}
+
+impl<T> ValueOrWord<T> {
+    fn new(word: &'static str, expected: &'static str) -> Self {
+        ValueOrWord {
+            word,
+            expected,
+            value: PhantomData,
+        }
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for ValueOrWord<T> {
+    type Value = Option<T>;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.expected)
+    }
+
+    fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<Self::Value, E> {
+        match word == self.word {
+            true => Ok(None),
+            false => Err(E::invalid_value(Unexpected::Str(word), &self)),
+        }
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<Self::Value, E> {
+        T::deserialize(number.into_deserializer()).map(Some)
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Self::Value, E> {
+        T::deserialize(number.into_deserializer()).map(Some)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<Self::Value, A::Error> {
+        T::deserialize(SeqAccessDeserializer::new(items)).map(Some)
+    }
+}
+
+impl From<Body> for BodyFile {
+    fn from(body: Body) -> Self {
+        let mut file = BodyFile {
+            name: Some(body.name),
+            center_of_mass: Some(body.center_of_mass),
+            velocity: Some(body.velocity),
+            angular_velocity_deg_per_s: Some(body.angular_velocity_deg_per_s),
+            position: Some(body.position),
+            angle_deg: Some(body.angle_deg),
+            ..BodyFile::default()
+        };
+        file.write_shape(body.shape);
+        file.write_motion(body.motion);
+        file
+    }
+}
+
+impl BodyFile {
+    fn write_shape(&mut self, shape: Shape) {
+        let name = match shape {
+            Shape::Wedge {
+                deadrise_deg,
+                breadth,
+                side_height,
+            } => {
+                self.deadrise_deg = Some(deadrise_deg);
+                self.breadth = Some(breadth);
+                self.side_height = Some(side_height);
+                ShapeName::Wedge
+            }
+            Shape::Arc {
+                radius,
+                breadth,
+                side_height,
+            } => {
+                self.radius = Some(radius);
+                self.breadth = Some(breadth);
+                self.side_height = Some(side_height);
+                ShapeName::Arc
+            }
+            Shape::Box { breadth, height } => {
+                self.breadth = Some(breadth);
+                self.height = Some(height);
+                ShapeName::Box
+            }
+            Shape::Polygon { points } => {
+                self.points = Some(points);
+                ShapeName::Polygon
+            }
+            Shape::Polyline { points, thickness } => {
+                self.points = Some(points);
+                self.thickness = Some(thickness);
+                ShapeName::Polyline
+            }
+        };
+        self.shape = Some(name);
+    }
+
+    fn write_motion(&mut self, motion: Motion) {
+        let name = match motion {
+            Motion::Free(freedom) => {
+                let axes = [
+                    (freedom.x, Axis::X),
+                    (freedom.y, Axis::Y),
+                    (freedom.inertia.is_some(), Axis::Angle),
+                ];
+                self.free = Some(axes.into_iter().filter(|a| a.0).map(|a| a.1).collect());
+                self.mass = Some(freedom.mass);
+                self.inertia = freedom.inertia;
+                MotionName::Free
+            }
+            Motion::ConstantVelocity => MotionName::ConstantVelocity,
+            Motion::Fixed => MotionName::Fixed,
+        };
+        self.motion = Some(name);
+    }
+}

@@ -1,0 +1,293 @@
+//! What classical theory says of an impact before it is run: speeds, penetration, compressibility.
+
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
+
+use super::model::{Body, Motion};
+use super::outline;
+use super::shape::Shape;
+
+/// Least deadrise that a flat or nearly flat face counts with [deg]: below it trapped air, absent here, takes over.
+pub const LEAST_DEADRISE_DEG: f64 = 4.0;
+
+/// Draught over radius at which the spray root of an arc sets the speed of sound [-].
+const ARC_DRAUGHT: f64 = 0.05;
+
+/// Steps of the penetration integral.
+const PENETRATION_STEPS: u32 = 1000;
+
+/// A bottom as Wagner's theory sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bottom {
+    /// Straight faces.
+    Wedge {
+        /// Tangent of the deadrise [-].
+        slope: f64,
+    },
+    /// An arc of a circle.
+    Arc {
+        /// Radius [m].
+        radius: f64,
+    },
+}
+
+impl Bottom {
+    /// The bottom of a body as it lies at t = 0: an arc's radius, else the flattest face that looks down,
+    /// at least [`LEAST_DEADRISE_DEG`].
+    pub fn of(body: &Body) -> Bottom {
+        if let Shape::Arc { radius, .. } = body.shape {
+            return Bottom::Arc { radius };
+        }
+        let least = LEAST_DEADRISE_DEG.to_radians();
+        let deadrise = outline::flattest_downward_face(&body.placed_outline());
+        Bottom::Wedge {
+            slope: deadrise.clamp(least, FRAC_PI_2 - least).tan(),
+        }
+    }
+
+    /// Speed of the spray root dc/dt [m/s] at entry speed V [m/s] (Wagner 1932).
+    ///
+    /// Wedge of deadrise β: U = π V/(2 tan β). Arc of radius R at draught D: U = V √(R/D), taken at D = 5 % of R.
+    /// Sharp for deadrise up to about 45°; at first contact of an arc U is infinite, which no speed of sound covers.
+    pub fn root_speed(self, entry_speed: f64) -> f64 {
+        match self {
+            Bottom::Wedge { slope } => FRAC_PI_2 * entry_speed / slope,
+            Bottom::Arc { .. } => entry_speed / ARC_DRAUGHT.sqrt(),
+        }
+    }
+
+    /// Half width of the wetted bottom c [m] at draught D [m], with the pile-up of water (Wagner 1932).
+    ///
+    /// Wedge: c = (π/2) D/tan β. Arc: c = 2 √(R D), for D up to about R/10.
+    pub fn wetted_half_width(self, draught: f64) -> f64 {
+        match self {
+            Bottom::Wedge { slope } => FRAC_PI_2 * draught / slope,
+            Bottom::Arc { radius } => 2.0 * (radius * draught).sqrt(),
+        }
+    }
+
+    /// Half width of the cut with the still water [m] at draught D [m] (von Karman 1929): D/tan β, √(2 R D).
+    pub fn still_half_width(self, draught: f64) -> f64 {
+        match self {
+            Bottom::Wedge { slope } => draught / slope,
+            Bottom::Arc { radius } => SQRT_2 * (radius * draught).sqrt(),
+        }
+    }
+
+    /// Draught [m] at which the spray root stands at half width c [m]: the inverse of [`Bottom::wetted_half_width`].
+    pub fn draught_at(self, wetted_half_width: f64) -> f64 {
+        match self {
+            Bottom::Wedge { slope } => wetted_half_width * slope / FRAC_PI_2,
+            Bottom::Arc { radius } => wetted_half_width.powi(2) / (4.0 * radius),
+        }
+    }
+
+    /// Slope of the wedge whose spray root is as fast as this bottom's at draught D [m]: tan β, or (π/2) √(D/R).
+    pub fn equivalent_slope(self, draught: f64) -> f64 {
+        match self {
+            Bottom::Wedge { slope } => slope,
+            Bottom::Arc { radius } => FRAC_PI_2 * (draught / radius).sqrt(),
+        }
+    }
+}
+
+/// A body's entry into water.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry {
+    /// The bottom that meets the water.
+    pub bottom: Bottom,
+    /// Half of the body's breadth [m].
+    pub half_breadth: f64,
+    /// Downward speed at contact, or at t = 0 where the body starts wet [m/s].
+    pub speed: f64,
+    /// Draught below still water at the end of the run [m]; an upper bound for a free body, negative short of contact.
+    pub final_draught: f64,
+}
+
+impl Entry {
+    /// The entry of `body` within `end` [s], under gravity [m/s²], shape (2), into water of density ρ [kg/m³].
+    /// `None` where the body neither moves down at t = 0 nor falls from above the surface, or is all under water.
+    pub fn of(body: &Body, gravity: [f64; 2], density: f64, end: f64) -> Option<Entry> {
+        let gravity = -gravity[1];
+        let [min, max] = outline::bounding_box(&body.placed_outline());
+        let draught = -min[1];
+        let bottom = Bottom::of(body);
+        let half_breadth = 0.5 * (max[0] - min[0]);
+        let initial_speed = -body.velocity[1];
+        let falls = matches!(&body.motion, Motion::Free(freedom) if freedom.y) && gravity > 0.0;
+        let gap = (-draught).max(0.0);
+        let speed = match falls {
+            true => (initial_speed.powi(2) + 2.0 * gravity * gap).sqrt(),
+            false => initial_speed,
+        };
+        let submerged = max[1] <= 0.0;
+        if submerged || initial_speed < 0.0 || speed <= 0.0 {
+            return None;
+        }
+        let final_draught = match &body.motion {
+            Motion::Free(freedom) if freedom.y => {
+                let added_mass = |draught: f64| {
+                    let c = bottom.still_half_width(draught.max(0.0)).min(half_breadth);
+                    FRAC_PI_2 * density * c * c
+                };
+                free_draught(
+                    draught,
+                    initial_speed,
+                    freedom.mass,
+                    added_mass,
+                    gravity,
+                    end,
+                )
+            }
+            _ => draught + speed * end,
+        };
+        Some(Entry {
+            bottom,
+            half_breadth,
+            speed,
+            final_draught,
+        })
+    }
+
+    /// Speed of the spray root [m/s].
+    pub fn root_speed(&self) -> f64 {
+        self.bottom.root_speed(self.speed)
+    }
+
+    /// Draught [m] up to which the spray root is on the bottom: at the chines or at the end of the run.
+    pub fn attached_draught(&self) -> f64 {
+        self.final_draught
+            .clamp(0.0, self.bottom.draught_at(self.half_breadth))
+    }
+
+    /// Length of the face with at least 90 % of the peak pressure [m], at the last attached draught D.
+    ///
+    /// 0.76 D tan β: the similarity solutions (Dobrovolskaya 1969) at 10°, 20° and 30° give 0.143, 0.269 and 0.437 D.
+    /// Arcs count as the wedge of equal root speed.
+    pub fn peak_length(&self) -> f64 {
+        let draught = self.attached_draught();
+        let slope = self.bottom.equivalent_slope(draught);
+        let wedge_draught = self.bottom.wetted_half_width(draught) * slope / FRAC_PI_2;
+        0.76 * wedge_draught * slope
+    }
+}
+
+/// Draught [m] of a free body after `end` [s] by the momentum of von Karman (1929), without pile-up and buoyancy,
+/// so an upper bound: (m + m_a(D)) dD/dt = (m + m_a(D₀)) V₀ + m g t, with m_a = (π/2) ρ c² [kg/m].
+fn free_draught(
+    start: f64,
+    speed: f64,
+    mass: f64,
+    added_mass: impl Fn(f64) -> f64,
+    gravity: f64,
+    end: f64,
+) -> f64 {
+    let momentum = (mass + added_mass(start)) * speed;
+    let rate =
+        |t: f64, draught: f64| (momentum + mass * gravity * t) / (mass + added_mass(draught));
+    let dt = end / f64::from(PENETRATION_STEPS);
+    (0..PENETRATION_STEPS).fold(start, |draught, n| {
+        let t = f64::from(n) * dt;
+        let half_way = draught + 0.5 * dt * rate(t, draught);
+        draught + dt * rate(t + 0.5 * dt, half_way)
+    })
+}
+
+/// Share of the force that weak compressibility costs [-]: ε = 1.5 M² ln(1/M), M = U/c₀ from the spray root's speed U
+/// and the speed of sound c₀ [m/s].
+///
+/// A fit to weakly compressible runs against the similarity solution at deadrise 10° to 45°, for M up to about 0.3;
+/// it says nothing beyond M = e^(−1/2), where it turns, and is held constant there.
+pub fn compressibility_error(root_speed: f64, sound_speed: f64) -> f64 {
+    let mach = (root_speed / sound_speed).min(LARGEST_MACH);
+    match mach > 0.0 {
+        true => -1.5 * mach * mach * mach.ln(),
+        false => 0.0,
+    }
+}
+
+/// Mach number at which the fitted error is largest, e^(−1/2) [-].
+const LARGEST_MACH: f64 = 0.606_530_659_712_633_4;
+
+/// Largest error that [`sound_speed_for`] can be asked for [-]: below the maximum 0.75/e of the fit.
+pub const LARGEST_COMPRESSIBILITY_ERROR: f64 = 0.25;
+
+/// Speed of sound [m/s] at which compressibility costs the share `error` [-] of the force of a spray root of speed
+/// U [m/s]: the inverse of [`compressibility_error`], for errors in (0, [`LARGEST_COMPRESSIBILITY_ERROR`]].
+pub fn sound_speed_for(error: f64, root_speed: f64) -> f64 {
+    let (mut low, mut high) = (0.0, LARGEST_MACH);
+    while high - low > 4.0 * f64::EPSILON * high {
+        let mach = 0.5 * (low + high);
+        match compressibility_error(mach, 1.0) < error {
+            true => low = mach,
+            false => high = mach,
+        }
+    }
+    root_speed / high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sound_speed_inverts_the_error() {
+        for error in [1e-4, 0.01, 0.057, LARGEST_COMPRESSIBILITY_ERROR] {
+            let c = sound_speed_for(error, 2.72);
+            assert!((compressibility_error(2.72, c) / error - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn error_matches_the_runs_it_was_fitted_to() {
+        // 30° wedge, spray root at 2.72 V: −5.7 % at c₀ = 20 V, −1.9 % at 40 V.
+        assert!((compressibility_error(2.72, 20.0) - 0.057).abs() < 0.003);
+        assert!((compressibility_error(2.72, 40.0) - 0.019).abs() < 0.001);
+        assert_eq!(compressibility_error(0.0, 20.0), 0.0);
+    }
+
+    #[test]
+    fn wagner_root_of_wedge_and_arc_is_the_rate_of_the_wetted_width() {
+        for bottom in [Bottom::Wedge { slope: 0.3 }, Bottom::Arc { radius: 2.0 }] {
+            let (draught, step) = (0.05 * 2.0, 1e-6);
+            let width = |d| bottom.wetted_half_width(d);
+            let rate = (width(draught + step) - width(draught - step)) / (2.0 * step);
+            assert!((bottom.root_speed(1.0) / rate - 1.0).abs() < 1e-8);
+            assert!((bottom.draught_at(width(draught)) / draught - 1.0).abs() < 1e-14);
+            let slope = bottom.equivalent_slope(draught);
+            assert!((FRAC_PI_2 / slope / rate - 1.0).abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn von_karman_wedge_without_gravity() {
+        // m V₀ = (m + k D²) D' integrates to m D + k D³/3 = m V₀ t.
+        let (mass, k, speed, end) = (50.0, 4000.0, 5.0, 0.05);
+        let d = free_draught(0.0, speed, mass, |d| k * d * d, 0.0, end);
+        assert!((mass * d + k * d.powi(3) / 3.0 - mass * speed * end).abs() < 1e-4);
+    }
+
+    #[test]
+    fn von_karman_drops_agree_with_an_independent_integration_and_bound_the_boundary_elements() {
+        // (deadrise [deg], mass [kg/m], speed [m/s], time [s], draught [m]) of an adaptive integration elsewhere.
+        for (deadrise, mass, speed, end, draught) in [
+            (30.0_f64, 241.0, 6.15, 0.026112574, 0.14433757),
+            (20.0, 100.0, 4.0, 0.038357371, 0.10919107),
+        ] {
+            let slope = deadrise.to_radians().tan();
+            let added_mass = |d: f64| FRAC_PI_2 * 1000.0 * (d / slope).powi(2);
+            let ours = free_draught(0.0, speed, mass, added_mass, 9.81, end);
+            assert!((ours / draught - 1.0).abs() < 1e-5, "{ours} {draught}");
+        }
+        // 25°, 78.3 kg/m, 5.05 m/s: boundary elements (Zhao & Faltinsen 1993) integrate to 0.1227 m in 40.1 ms.
+        let slope = 25.0_f64.to_radians().tan();
+        let added_mass = |d: f64| FRAC_PI_2 * 1000.0 * (d / slope).powi(2);
+        let bound = free_draught(0.0, 5.05, 78.3, added_mass, 9.81, 0.0401);
+        assert!((1.0..1.15).contains(&(bound / 0.1227)), "{bound}");
+    }
+
+    #[test]
+    fn free_fall_in_air_is_a_parabola() {
+        let d = free_draught(-1.0, 2.0, 50.0, |_| 0.0, 9.81, 0.2);
+        assert!((d - (-1.0 + 0.4 + 0.5 * 9.81 * 0.04)).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,262 @@
+//! Every key of a scene file, declared once: for help, for the reference page, and for error messages.
+
+/// A key of a scene file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Keyword {
+    /// Where it stands, such as `body.mass`; `gauges[].at` stands in each `[[gauges]]` table.
+    pub path: &'static str,
+    /// Unit of its value, `-` for a pure number, empty for anything else.
+    pub unit: &'static str,
+    /// Its value where the file is silent, or `required`.
+    pub default: &'static str,
+    /// What it means.
+    pub doc: &'static str,
+}
+
+impl Keyword {
+    /// The keyword in one line.
+    pub fn help(&self) -> String {
+        let Keyword {
+            path,
+            unit,
+            default,
+            doc,
+        } = self;
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" [{unit}]")
+        };
+        match default.starts_with("required") {
+            true => format!("{path}{unit}: {doc} ({default})"),
+            false => format!("{path}{unit}: {doc} (default: {default})"),
+        }
+    }
+}
+
+/// All keys, in the order in which a scene is usually written.
+pub fn keywords() -> &'static [Keyword] {
+    KEYWORDS
+}
+
+/// The keyword at `path`, where `gauges[2].at` and `gauges[].at` are the same.
+pub(super) fn find(path: &str) -> Option<&'static Keyword> {
+    let path = without_indices(path);
+    // An item of a list belongs to the key of the list.
+    let key = path.trim_end_matches("[]");
+    KEYWORDS.iter().find(|keyword| keyword.path == key)
+}
+
+/// The known path nearest to an unknown one: few edits of the last word, few changes of table.
+pub(super) fn nearest(path: &str) -> Option<&'static str> {
+    let path = without_indices(path);
+    let (table, key) = path.rsplit_once('.').unwrap_or(("", &path));
+    let cost = |keyword: &&Keyword| {
+        let (its_table, its_key) = keyword.path.rsplit_once('.').unwrap_or(("", keyword.path));
+        3 * edit_distance(key, its_key) + edit_distance(table, its_table).min(2)
+    };
+    let best = KEYWORDS.iter().min_by_key(cost)?;
+    // More than a third of the word changed is another word.
+    (cost(&best) <= key.chars().count() + 2).then_some(best.path)
+}
+
+fn without_indices(path: &str) -> String {
+    let mut inside = false;
+    path.chars()
+        .filter(|c| {
+            inside = match c {
+                '[' => true,
+                ']' => false,
+                _ => inside,
+            };
+            !inside || *c == '['
+        })
+        .collect()
+}
+
+/// Least number of inserted, removed and replaced characters between two words (Levenshtein 1965).
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, to) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(from != *to);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+const fn key(
+    path: &'static str,
+    unit: &'static str,
+    default: &'static str,
+    doc: &'static str,
+) -> Keyword {
+    Keyword {
+        path,
+        unit,
+        default,
+        doc,
+    }
+}
+
+#[rustfmt::skip]
+static KEYWORDS: &[Keyword] = &[
+    key("name", "", "required", "a word for file names and titles"),
+    key("description", "", "\"\"", "what the scene shows, in one line"),
+    key("source", "", "\"\"", "where its numbers come from"),
+    key("symmetry", "", "none", "none | x: simulate x >= 0 only, with a mirror at x = 0"),
+    key("gravity", "m/s^2", "[0.0, -9.81]", "acceleration of gravity [x, y]"),
+    key("similarity", "", "absent", "wedge: judge by the similarity solution of a wedge at constant speed (Dobrovolskaya 1969)"),
+    key("time.end", "s", "required", "end of the simulated time, which starts at 0"),
+    key("time.sample_every", "s", "end/500", "interval between rows of the series"),
+    key("time.frame_every", "s", "end/50", "interval between frames of particles"),
+    key("resolution.spacing", "m", "required", "finest particle spacing dx"),
+    key("resolution.growth", "-", "1.1", "ratio of successive rows outside the fine zone; 1 is uniform"),
+    key("resolution.fine_zone", "m", "auto", "[half width from the body's middle, depth below still water]; auto: holds the spray root to the end, or the whole tank without an impact"),
+    key("fluid.density", "kg/m^3", "1000.0", "density of the undisturbed water"),
+    key("fluid.sound_speed", "m/s", "auto", "speed of sound; auto: compressibility costs an impact fluid.compressibility_error of its force; at least 10 times the flow's fastest known speed"),
+    key("fluid.compressibility_error", "-", "0.01", "share of the force that compressibility may cost"),
+    key("fluid.eos_exponent", "-", "7.0", "exponent of Tait's equation of state; 1 is linear"),
+    key("fluid.kernel", "", "wendland_c2", "gaussian | quadratic | cubic_spline | wendland_c2"),
+    key("fluid.smoothing_ratio", "-", "1.5", "smoothing length over spacing h/dx; the kernel's support is 2h"),
+    key("fluid.artificial_viscosity", "-", "0.02", "coefficient alpha of artificial viscosity; 0 is none"),
+    key("fluid.kinematic_viscosity", "m^2/s", "0.0", "kinematic viscosity; 0 is none"),
+    key("fluid.density_diffusion", "-", "0.1", "coefficient delta of density diffusion; 0 is none"),
+    key("fluid.shifting", "", "true", "particle shifting: true | false"),
+    key("fluid.volume_correction", "", "true", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
+    key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),
+    key("fluid.integrator", "", "symplectic", "symplectic | predictor_corrector"),
+    key("fluid.cfl", "-", "0.6", "step limit dt <= cfl h/(c0 + |v|)"),
+    key("tank.width", "m", "auto", "full inner width, x from -width/2 to width/2; auto: outside acoustic reach of an impact"),
+    key("tank.depth", "m", "auto", "depth of still water, whose surface is y = 0 and whose floor is y = -depth; auto: outside acoustic reach of an impact"),
+    key("tank.height", "m", "1.25 depth, 3 depth for a dam break", "height of the side walls above the floor"),
+    key("tank.water_width", "m", "width", "width of the water at rest from the left wall; less than width for a dam break"),
+    key("body.name", "", "body", "a word that starts its columns in the series"),
+    key("body.shape", "", "required", "wedge | arc | box | polygon | polyline (a bent plate)"),
+    key("body.deadrise_deg", "deg", "required by wedge", "angle between the bottom and the still water, 4 to 80"),
+    key("body.breadth", "m", "required by wedge, arc, box", "distance from chine to chine, chord of the arc, width of the box"),
+    key("body.side_height", "m", "breadth/4", "wedge, arc: height of the vertical sides above the chines"),
+    key("body.radius", "m", "required by arc", "radius of the bottom"),
+    key("body.height", "m", "required by box", "height of the box"),
+    key("body.points", "m", "required by polygon, polyline", "vertices [[x, y], ...] in the body's frame: a polygon's counter-clockwise, a plate's middle line"),
+    key("body.thickness", "m", "required by polyline", "thickness of the plate, half of it on each side of the line"),
+    key("body.mass", "kg/m", "required if free", "mass of the whole body, also with symmetry"),
+    key("body.inertia", "kg m^2/m", "required if free to rotate", "moment of inertia of the whole body about its centre of mass"),
+    key("body.center_of_mass", "m", "centroid of the outline", "[x, y] in the body's frame, whose origin is a wedge's keel, an arc's lowest point, a box's centre"),
+    key("body.motion", "", "free", "free | constant_velocity | fixed"),
+    key("body.free", "", "all; [\"y\"] with symmetry", "directions a free body can move in: any of \"x\", \"y\", \"angle\""),
+    key("body.velocity", "m/s", "[0.0, 0.0]", "velocity [x, y] of the centre of mass at t = 0"),
+    key("body.angular_velocity_deg_per_s", "deg/s", "0.0", "angular velocity at t = 0, counter-clockwise"),
+    key("body.position", "m", "touching", "[x, y] of the body frame's origin at t = 0; touching: x = 0 and the lowest point on the still water"),
+    key("body.angle_deg", "deg", "0.0", "rotation of the body's frame about its origin at t = 0, counter-clockwise"),
+    key("gauges[].name", "", "required", "a word that starts its column in the series"),
+    key("gauges[].on", "", "body", "body: fixed in the body's frame | fixed: fixed in the tank"),
+    key("gauges[].at", "m", "required", "[x, y] in that frame"),
+    key("compare[].reference", "", "required", "CSV file, below the folder of references"),
+    key("compare[].quantity", "", "required", "column of the series, such as wedge.vy_m_per_s"),
+    key("compare[].scale", "-", "1.0", "factor on our column"),
+    key("compare[].x", "", "required", "the reference's column of times"),
+    key("compare[].x_scale", "", "1.0", "factor that turns it into seconds"),
+    key("compare[].y", "", "required", "the reference's column of values"),
+    key("compare[].y_scale", "", "1.0", "factor that turns it into SI units"),
+    key("compare[].window", "s", "[0.0, end]", "times compared [from, to], cut at the end of the run"),
+    key("compare[].norm", "", "rms_over_peak", "rms | max, in the quantity's unit; rms_over_first | rms_over_peak | peak (heights of the peaks), relative"),
+    key("compare[].tolerance", "", "absent", "largest error that passes, in the norm's unit; absent: drawn, not judged"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::super::file::SceneFile;
+    use super::*;
+
+    #[test]
+    fn a_typing_error_finds_its_keyword() {
+        assert_eq!(nearest("resolution.spaceing"), Some("resolution.spacing"));
+        assert_eq!(nearest("gauges[0].nane"), Some("gauges[].name"));
+        assert_eq!(nearest("spacing"), Some("resolution.spacing"));
+        assert_eq!(nearest("body.colour"), None);
+    }
+
+    #[test]
+    fn an_item_of_a_list_belongs_to_the_key_of_the_list() {
+        assert_eq!(
+            find("body.points[3][1]").map(|k| k.path),
+            Some("body.points")
+        );
+        assert_eq!(
+            find("gauges[12].at[0]").map(|k| k.path),
+            Some("gauges[].at")
+        );
+        assert_eq!(find("body"), None);
+    }
+
+    /// The fields that serde knows in a table, from its answer to an unknown one.
+    fn serde_fields(table: &str) -> Vec<String> {
+        let text = format!(
+            "{}\nno_such_key = 1\n",
+            if table.is_empty() {
+                String::new()
+            } else {
+                table_header(table)
+            }
+        );
+        let error = toml::from_str::<SceneFile>(&text).expect_err("the key does not exist");
+        let (_, fields) = error
+            .message()
+            .split_once("expected one of")
+            .expect("serde lists the fields");
+        fields
+            .split('`')
+            .skip(1)
+            .step_by(2)
+            .map(String::from)
+            .collect()
+    }
+
+    fn table_header(table: &str) -> String {
+        match table.strip_suffix("[]") {
+            Some(array) => format!("[[{array}]]"),
+            None => format!("[{table}]"),
+        }
+    }
+
+    #[test]
+    fn keywords_and_serde_fields_are_the_same() {
+        let tables = [
+            "time",
+            "resolution",
+            "fluid",
+            "tank",
+            "body",
+            "gauges[]",
+            "compare[]",
+        ];
+        let top = serde_fields("");
+        let mut fields: Vec<String> = top
+            .iter()
+            .filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f))
+            .cloned()
+            .collect();
+        assert_eq!(fields.len() + tables.len(), top.len());
+        for table in tables {
+            fields.extend(
+                serde_fields(table)
+                    .iter()
+                    .map(|field| format!("{table}.{field}")),
+            );
+        }
+        let declared: Vec<&str> = KEYWORDS.iter().map(|keyword| keyword.path).collect();
+        assert_eq!(declared, fields);
+    }
+
+    #[test]
+    fn edit_distance_counts_edits() {
+        assert_eq!(edit_distance("kitten", "sitting"), 3);
+        assert_eq!(edit_distance("", "abc"), 3);
+    }
+}

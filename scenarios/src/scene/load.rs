@@ -1,0 +1,148 @@
+//! From a name or a path to a scene.
+
+use std::fs;
+use std::io::ErrorKind;
+
+use serde_path_to_error as tracked;
+use toml::{Table, Value};
+
+use super::builtin::builtin;
+use super::check::check;
+use super::error::SceneError;
+use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+use super::keywords;
+use super::model::Scene;
+use super::overrides::apply_set;
+use super::problem::{Problem, significant};
+use super::resolve::resolve;
+use super::source::Source;
+use super::warnings::warnings;
+
+/// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
+const LARGEST_NUMBER: f64 = 1e12;
+
+/// A scene that can be run, and what is doubtful about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// The resolved scene.
+    pub scene: Scene,
+    /// Doubts, in plain words.
+    pub warnings: Vec<String>,
+    source: Source,
+}
+
+/// Loads a built-in scene by its name, or a scene file by its path, with `--set` arguments applied in their order.
+pub fn load(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
+    if let Some((name, text)) = builtin().iter().find(|(name, _)| *name == name_or_path) {
+        return load_text(&format!("{name}.toml"), text, sets);
+    }
+    let text = fs::read_to_string(name_or_path).map_err(|cause| match cause.kind() {
+        ErrorKind::NotFound => {
+            let names: Vec<&str> = builtin().iter().map(|(name, _)| *name).collect();
+            SceneError::Unknown {
+                name: name_or_path.to_string(),
+                help: format!("built-in scenes: {}", names.join(", ")),
+            }
+        }
+        _ => SceneError::Unreadable {
+            path: name_or_path.to_string(),
+            cause,
+        },
+    })?;
+    load_text(name_or_path, &text, sets)
+}
+
+/// Loads a scene from its text; `name` stands for the file in messages.
+pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, SceneError> {
+    let source = Source {
+        name: name.to_string(),
+        text: text.to_string(),
+        sets: sets.to_vec(),
+    };
+    let mut table: Table = text.parse().map_err(|error| source.syntax_error(&error))?;
+    for set in sets {
+        apply_set(&mut table, set)?;
+    }
+    let scene = read(Value::Table(table)).map_err(|problem| source.error(problem))?;
+    Ok(Loaded {
+        warnings: warnings(&scene),
+        scene,
+        source,
+    })
+}
+
+impl Loaded {
+    /// The file the scene was read from, or the name of a built-in scene's.
+    pub fn source_name(&self) -> &str {
+        &self.source.name
+    }
+
+    /// An error where the particles would need more than `limit` [bytes].
+    pub fn fits_in_memory(&self, limit: u64) -> Result<(), SceneError> {
+        let bytes = memory_estimate(&self.scene);
+        if bytes <= limit {
+            return Ok(());
+        }
+        let (fluid, wall) = particle_estimate(&self.scene);
+        let gib = |bytes: u64| significant(bytes as f64 / f64::from(1 << 30));
+        let expected = format!(
+            "a spacing that fits in {} GiB of memory: this one makes {fluid} fluid and {wall} wall particles of \
+             {BYTES_PER_PARTICLE} bytes, {} GiB",
+            gib(limit),
+            gib(bytes)
+        );
+        let spacing = self.scene.resolution.spacing;
+        Err(self
+            .source
+            .error(Problem::new("resolution.spacing", spacing, expected)))
+    }
+}
+
+fn read(value: Value) -> Result<Scene, Problem> {
+    refuse_absurd_numbers("", &value)?;
+    let file = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
+    let scene = resolve(file)?;
+    check(&scene)?;
+    Ok(scene)
+}
+
+/// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.
+fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
+    match value {
+        Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
+            Err(Problem::new(
+                path,
+                number,
+                format!("a finite number up to {LARGEST_NUMBER:e}"),
+            ))
+        }
+        Value::Array(items) => {
+            let mut items = items.iter().enumerate();
+            items.try_for_each(|(i, item)| refuse_absurd_numbers(&format!("{path}[{i}]"), item))
+        }
+        Value::Table(table) => table.iter().try_for_each(|(key, value)| {
+            let dot = if path.is_empty() { "" } else { "." };
+            refuse_absurd_numbers(&format!("{path}{dot}{key}"), value)
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Serde's complaint about a value or a key.
+fn unreadable(error: &tracked::Error<toml::de::Error>) -> Problem {
+    let key = error.path().to_string();
+    let complaint = error.inner().message();
+    let sentence = match complaint.starts_with("unknown field") {
+        false => format!(
+            "`{key}`: {}",
+            complaint.replace("expected f64", "expected a number")
+        ),
+        true => match keywords::nearest(&key) {
+            Some(known) => {
+                format!("unknown key `{key}`: expected a key of a scene, such as `{known}`")
+            }
+            None => format!("unknown key `{key}`: expected a key of a scene"),
+        },
+    };
+    Problem { key, sentence }
+}

@@ -1,0 +1,52 @@
+//! Scenes: what is in the water, how finely, for how long.
+//!
+//! A scene is a TOML file. [`load`] reads one as written, with every key optional, and resolves it to a [`Scene`]: plain
+//! data with every number known. Whatever is wrong becomes a [`SceneError`] with file, line, key, what was given and
+//! what was expected; whatever is doubtful becomes a warning in plain words. [`keywords`] declares every key.
+//!
+//! ```
+//! use scenarios::scene::load;
+//!
+//! let steeper = load("wedge", &["body.deadrise_deg=40".to_string()])?;
+//! assert!(steeper.scene.to_toml().contains("deadrise_deg = 40.0"));
+//! # Ok::<(), scenarios::scene::SceneError>(())
+//! ```
+
+mod auto;
+mod builtin;
+mod check;
+mod error;
+mod estimate;
+mod file;
+mod impact;
+mod keywords;
+mod load;
+mod model;
+mod outline;
+mod overrides;
+mod problem;
+mod resolve;
+mod resolve_body;
+mod shape;
+mod source;
+mod warnings;
+
+pub use auto::{
+    ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed,
+};
+pub use builtin::builtin;
+pub use error::SceneError;
+pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+pub use impact::{
+    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,
+    sound_speed_for,
+};
+pub use keywords::{Keyword, keywords};
+pub use load::{Loaded, load, load_text};
+pub use model::{
+    Body, Compare, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm, Resolution,
+    Scene, Similarity, Symmetry, Tank, Time, WallSlip,
+};
+pub use overrides::apply_set;
+pub use shape::Shape;
+pub use warnings::warnings;

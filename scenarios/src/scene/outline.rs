@@ -1,0 +1,212 @@
+//! Plane geometry of closed outlines.
+//!
+//! An outline is a slice of vertices `[x, y]` [m], shape (n, 2), counter-clockwise, the last vertex joined to the first.
+
+/// Edges of the outline, `(from, to)`.
+pub(super) fn edges(outline: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
+    let next = outline.iter().cycle().skip(1);
+    outline.iter().zip(next).map(|(a, b)| (*a, *b))
+}
+
+fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Length of the closed line [m].
+pub(super) fn perimeter(outline: &[[f64; 2]]) -> f64 {
+    edges(outline)
+        .map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1]))
+        .sum()
+}
+
+/// Enclosed area [m²], positive when counter-clockwise: A = ½ Σ (x_i y_{i+1} − x_{i+1} y_i).
+pub(super) fn signed_area(outline: &[[f64; 2]]) -> f64 {
+    edges(outline)
+        .map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1]))
+        .sum()
+}
+
+/// Centroid of the enclosed area [m]: Σ (a + b)(a × b) / 6A.
+pub(super) fn centroid(outline: &[[f64; 2]]) -> [f64; 2] {
+    let area = signed_area(outline);
+    let mut c = [0.0; 2];
+    for (a, b) in edges(outline) {
+        let twice = a[0] * b[1] - b[0] * a[1];
+        for k in 0..2 {
+            c[k] += (a[k] + b[k]) * twice / (6.0 * area);
+        }
+    }
+    c
+}
+
+/// Corners `[min, max]` of the smallest upright rectangle around the points [m].
+pub(super) fn bounding_box(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    let mut min = [f64::INFINITY; 2];
+    let mut max = [f64::NEG_INFINITY; 2];
+    for p in points {
+        for k in 0..2 {
+            min[k] = min[k].min(p[k]);
+            max[k] = max[k].max(p[k]);
+        }
+    }
+    [min, max]
+}
+
+/// Smallest distance between two parallel lines that hold all points between them [m].
+///
+/// One of the two lines always runs along an edge of the convex hull (Freeman & Shapira 1975).
+pub(super) fn minimum_width(points: &[[f64; 2]]) -> f64 {
+    let hull = convex_hull(points);
+    edges(&hull)
+        .map(|(a, b)| {
+            let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+            hull.iter()
+                .fold(0.0_f64, |far, c| far.max(cross(a, b, *c) / length))
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Counter-clockwise convex hull by the monotone chain (Andrew 1979).
+fn convex_hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sorted.dedup();
+    let half_hull = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut hull: Vec<[f64; 2]> = Vec::new();
+        for p in points {
+            while hull.len() >= 2 && cross(hull[hull.len() - 2], hull[hull.len() - 1], p) <= 0.0 {
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+        hull
+    };
+    let mut hull = half_hull(&mut sorted.iter().copied());
+    hull.extend(half_hull(&mut sorted.iter().rev().copied()));
+    hull
+}
+
+/// The first two edges, by number, that touch although they are not neighbours.
+pub(super) fn first_crossing(outline: &[[f64; 2]]) -> Option<(usize, usize)> {
+    let edges: Vec<_> = edges(outline).collect();
+    let n = edges.len();
+    for i in 0..n {
+        for j in i + 2..n {
+            let neighbours = i == 0 && j == n - 1;
+            if !neighbours && segments_touch(edges[i], edges[j]) {
+                return Some((i, j));
+            }
+        }
+    }
+    None
+}
+
+fn segments_touch((a, b): ([f64; 2], [f64; 2]), (c, d): ([f64; 2], [f64; 2])) -> bool {
+    let boxes_meet =
+        (0..2).all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]));
+    boxes_meet && cross(a, b, c) * cross(a, b, d) <= 0.0 && cross(c, d, a) * cross(c, d, b) <= 0.0
+}
+
+/// The point of the outline nearest to `p` [m].
+pub(super) fn nearest_point(outline: &[[f64; 2]], p: [f64; 2]) -> [f64; 2] {
+    let distance = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+    edges(outline)
+        .map(|(a, b)| {
+            let (ux, uy) = (b[0] - a[0], b[1] - a[1]);
+            let along = (p[0] - a[0]) * ux + (p[1] - a[1]) * uy;
+            let s = (along / (ux * ux + uy * uy)).clamp(0.0, 1.0);
+            [a[0] + s * ux, a[1] + s * uy]
+        })
+        .min_by(|p, q| distance(p).total_cmp(&distance(q)))
+        .expect("an outline has edges")
+}
+
+/// True where every vertex has its mirror image in x = 0, to 1e-9 of the size.
+pub(super) fn is_mirror_symmetric(outline: &[[f64; 2]]) -> bool {
+    let [min, max] = bounding_box(outline);
+    let close = 1e-9 * (max[0] - min[0]).hypot(max[1] - min[1]);
+    outline.iter().all(|p| {
+        outline
+            .iter()
+            .any(|q| (p[0] + q[0]).abs() <= close && (p[1] - q[1]).abs() <= close)
+    })
+}
+
+/// Slope to the horizontal of the flattest edge that faces downwards [rad]; π/2 where none does.
+///
+/// Counter-clockwise, an edge faces downwards where it runs towards +x.
+pub(super) fn flattest_downward_face(outline: &[[f64; 2]]) -> f64 {
+    edges(outline)
+        .filter(|(a, b)| b[0] > a[0])
+        .map(|(a, b)| (b[1] - a[1]).abs().atan2(b[0] - a[0]))
+        .fold(std::f64::consts::FRAC_PI_2, f64::min)
+}
+
+/// The outline of a line of constant thickness: the line shifted to both sides by half of it, corners mitred.
+///
+/// At a corner that turns by θ the mitre is 1/cos(θ/2) times longer than the half thickness.
+pub(super) fn thickened(line: &[[f64; 2]], thickness: f64) -> Vec<[f64; 2]> {
+    let normals: Vec<[f64; 2]> = line
+        .windows(2)
+        .map(|w| {
+            let (ux, uy) = (w[1][0] - w[0][0], w[1][1] - w[0][1]);
+            let length = ux.hypot(uy);
+            [-uy / length, ux / length]
+        })
+        .collect();
+    let offset = |i: usize, side: f64| {
+        let before = normals[i.saturating_sub(1)];
+        let after = normals[i.min(normals.len() - 1)];
+        let stretch = 1.0 + before[0] * after[0] + before[1] * after[1];
+        let m = [
+            (before[0] + after[0]) / stretch,
+            (before[1] + after[1]) / stretch,
+        ];
+        let d = 0.5 * side * thickness;
+        [line[i][0] + d * m[0], line[i][1] + d * m[1]]
+    };
+    let right = (0..line.len()).map(|i| offset(i, -1.0));
+    let left = (0..line.len()).rev().map(|i| offset(i, 1.0));
+    right.chain(left).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RECTANGLE: [[f64; 2]; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 1.0]];
+
+    #[test]
+    fn rectangle_measures() {
+        assert_eq!(signed_area(&RECTANGLE), 4.0);
+        assert_eq!(perimeter(&RECTANGLE), 10.0);
+        assert_eq!(centroid(&RECTANGLE), [2.0, 0.5]);
+        assert_eq!(minimum_width(&RECTANGLE), 1.0);
+        assert_eq!(nearest_point(&RECTANGLE, [1.5, -2.0]), [1.5, 0.0]);
+    }
+
+    #[test]
+    fn minimum_width_sees_a_tilted_plate() {
+        let a = 30.0_f64.to_radians();
+        let tilted = RECTANGLE.map(|[x, y]| [x * a.cos() - y * a.sin(), x * a.sin() + y * a.cos()]);
+        assert!((minimum_width(&tilted) - 1.0).abs() < 1e-14);
+        assert!((flattest_downward_face(&tilted) - a).abs() < 1e-14);
+    }
+
+    #[test]
+    fn bow_tie_crosses_itself_and_rectangle_does_not() {
+        let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+        assert_eq!(first_crossing(&bow_tie), Some((0, 2)));
+        assert_eq!(first_crossing(&RECTANGLE), None);
+    }
+
+    #[test]
+    fn thickened_line_keeps_length_times_thickness() {
+        let bent = [[-1.0, 0.5], [0.0, 0.0], [1.0, 0.5]];
+        let plate = thickened(&bent, 0.1);
+        assert!((signed_area(&plate) - 0.1 * 2.0 * 1.25_f64.sqrt()).abs() < 1e-14);
+        assert!(is_mirror_symmetric(&plate));
+        assert_eq!(first_crossing(&plate), None);
+    }
+}

@@ -1,0 +1,151 @@
+//! What a scene may be run with, but not relied on for; in plain words.
+
+use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
+use super::impact::{Bottom, Entry, compressibility_error};
+use super::model::{Scene, Similarity};
+use super::problem::significant;
+
+/// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
+const PEAK_SPACINGS: f64 = 17.0;
+
+/// Draught over spacing from which the force of an entry is within 1 %.
+const STARTING_DRAUGHT: f64 = 16.0;
+
+const LARGEST_CFL: f64 = 0.8;
+const LARGEST_GROWTH: f64 = 1.2;
+
+/// Doubts about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
+pub fn warnings(scene: &Scene) -> Vec<String> {
+    let mut warnings = Vec::new();
+    warnings.extend(slow_sound(scene));
+    if let Some(entry) = scene.entry() {
+        match entry.final_draught > 0.0 {
+            true => warnings.extend(entry_warnings(scene, &entry)),
+            false => warnings.push(format!(
+                "the body does not reach the water: at the end of the run it is {} m above it",
+                significant(-entry.final_draught)
+            )),
+        }
+    }
+    if scene.fluid.cfl > LARGEST_CFL {
+        warnings.push(format!(
+            "fluid.cfl = {}: 0.8 ran, 1.0 blew up",
+            scene.fluid.cfl
+        ));
+    }
+    if scene.resolution.growth > LARGEST_GROWTH {
+        warnings.push(format!(
+            "resolution.growth = {}: up to 1.2 is harmless, 1.5 costs 9 % of the force",
+            scene.resolution.growth
+        ));
+    }
+    let late = scene
+        .compare
+        .iter()
+        .filter(|compare| compare.window[0] >= scene.time.end);
+    warnings.extend(late.map(|compare| {
+        format!(
+            "{} is compared from {} s on, after the end of the run at {} s",
+            compare.quantity, compare.window[0], scene.time.end
+        )
+    }));
+    warnings
+}
+
+fn slow_sound(scene: &Scene) -> Option<String> {
+    let (fastest, sound) = (scene.fastest_speed(), scene.fluid.sound_speed);
+    // A hair of slack: an "auto" speed of sound is exactly the least.
+    (sound < LEAST_SOUND_RATIO * fastest * (1.0 - 1e-9)).then(|| {
+        format!(
+            "fluid.sound_speed = {} m/s is {} times the flow's fastest known speed, {} m/s: water is nearly incompressible \
+             from {LEAST_SOUND_RATIO} times on",
+            significant(sound),
+            significant(sound / fastest),
+            significant(fastest)
+        )
+    })
+}
+
+fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
+    let spacing = scene.resolution.spacing;
+    let mut warnings = Vec::new();
+
+    let error = compressibility_error(entry.root_speed(), scene.fluid.sound_speed);
+    if error > scene.fluid.compressibility_error * (1.0 + 1e-9) {
+        warnings.push(format!(
+            "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
+             admits {} %: raise fluid.sound_speed",
+            significant(100.0 * error),
+            significant(entry.root_speed() / scene.fluid.sound_speed),
+            significant(100.0 * scene.fluid.compressibility_error)
+        ));
+    }
+
+    let draught = entry.final_draught;
+    if draught < STARTING_DRAUGHT * spacing {
+        warnings.push(format!(
+            "the draught at the end is {} spacings: the force is good to 1 % from {STARTING_DRAUGHT} on",
+            significant(draught / spacing)
+        ));
+    }
+
+    let across = entry.peak_length() / spacing;
+    if across < PEAK_SPACINGS {
+        warnings.push(format!(
+            "peak pressure unreliable: {} spacings across the face near the peak (5 give it to 25 %, {PEAK_SPACINGS} to 2-4 %); \
+             {} m would do for resolution.spacing",
+            significant(across),
+            significant(entry.peak_length() / PEAK_SPACINGS)
+        ));
+    }
+
+    let root = entry.bottom.wetted_half_width(entry.attached_draught());
+    if scene.resolution.growth > 1.0 && scene.resolution.fine_zone[0] < root {
+        warnings.push(format!(
+            "the spray root goes out to {} m and leaves the fine zone, {} m wide on each side: the peak may be off by a quarter",
+            significant(root),
+            significant(scene.resolution.fine_zone[0])
+        ));
+    }
+
+    if draught >= scene.tank.depth {
+        warnings.push(format!(
+            "the body may reach the floor: draught {} m at the end, depth {} m",
+            significant(draught),
+            significant(scene.tank.depth)
+        ));
+    }
+
+    warnings.extend(echo(scene));
+    warnings.extend(root_past_chine(scene, entry));
+    warnings
+}
+
+fn echo(scene: &Scene) -> Option<String> {
+    let beside = 0.5 * scene.tank.width - scene.fine_zone_center().abs();
+    let reach = beside.min(scene.tank.depth);
+    let needed = ACOUSTIC_REACH * scene.fluid.sound_speed * scene.time.end;
+    // A hair of slack: an "auto" tank is exactly as large as needed.
+    (reach < needed * (1.0 - 1e-9)).then(|| {
+        format!(
+            "the echo from the tank's walls, {} m away, reaches the body after about {} s: {} m would keep it out",
+            significant(reach),
+            significant(scene.time.end * reach / needed),
+            significant(needed)
+        )
+    })
+}
+
+fn root_past_chine(scene: &Scene, entry: &Entry) -> Option<String> {
+    let (Some(Similarity::Wedge), Bottom::Wedge { .. }) = (scene.similarity, entry.bottom) else {
+        return None;
+    };
+    let root = entry.bottom.wetted_half_width(entry.final_draught);
+    (root > entry.half_breadth).then(|| {
+        format!(
+            "the spray root would be at {} m at the end, past the chine at {} m, where the similarity solution ends",
+            significant(root),
+            significant(entry.half_breadth)
+        )
+    })
+}

@@ -1,0 +1,308 @@
+//! Scene files: what loads, what is refused and how, what is left to the program.
+
+mod refused;
+
+use scenarios::scene::{
+    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, keywords, load,
+    load_text, particle_estimate,
+};
+
+/// A small complete scene; the tests below count its lines.
+const DROP: &str = r#"name = "drop"
+gravity = [0.0, -9.81]
+[time]
+end = 0.02
+[resolution]
+spacing = 0.005
+[body]
+shape = "wedge"
+deadrise_deg = 30.0
+breadth = 0.5
+side_height = 0.1
+mass = 100.0
+free = ["y"]
+velocity = [0.0, -5.0]
+[[gauges]]
+name = "face"
+at = [0.1, 0.0577]
+[[compare]]
+reference = "some.csv"
+quantity = "body.vy_m_per_s"
+x = "t"
+y = "v"
+"#;
+
+/// A tank without a body.
+const TANK: &str = r#"name = "tank"
+time = { end = 1.0 }
+resolution = { spacing = 0.02 }
+[tank]
+width = 1.0
+depth = 0.5
+"#;
+
+fn sets(sets: &[&str]) -> Vec<String> {
+    sets.iter().map(|set| set.to_string()).collect()
+}
+
+fn changed(text: &str, changes: &[&str]) -> Result<Scene, SceneError> {
+    load_text("drop.toml", text, &sets(changes)).map(|loaded| loaded.scene)
+}
+
+fn drop_with(changes: &[&str]) -> Scene {
+    changed(DROP, changes).expect("the scene loads")
+}
+
+fn warnings_with(text: &str, changes: &[&str]) -> String {
+    let loaded = load_text("drop.toml", text, &sets(changes)).expect("the scene loads");
+    loaded.warnings.join("\n")
+}
+
+#[test]
+fn resolved_scene_loads_again_to_itself() {
+    let plate = [
+        "symmetry=x",
+        "body={ shape = \"polyline\", points = [[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], thickness = 0.05, mass = 50, velocity = [0.0, -2.0] }",
+        "gauges=[]",
+    ];
+    let mut scenes = vec![drop_with(&[]), drop_with(&plate)];
+    for (name, _) in builtin() {
+        scenes.push(load(name, &[]).expect("a built-in scene loads").scene);
+    }
+    for scene in scenes {
+        let text = scene.to_toml();
+        let again =
+            load_text("again", &text, &[]).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert_eq!(again.scene, scene, "{text}");
+    }
+}
+
+#[test]
+fn every_built_in_scene_says_where_it_comes_from() {
+    for (name, text) in builtin() {
+        let scene = load(name, &[]).expect("a built-in scene loads").scene;
+        assert_eq!(scene.name, *name);
+        assert!(
+            text.starts_with('#') && !scene.source.is_empty() && !scene.description.is_empty(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn built_in_scenes_have_the_numbers_of_their_sources() {
+    let body = |name: &str| {
+        load(name, &[])
+            .expect("a built-in scene loads")
+            .scene
+            .body
+            .expect("it has a body")
+    };
+    for (name, mass, speed) in [("wedge", 241.0, 6.15), ("wedge25", 78.3, 5.05)] {
+        let body = body(name);
+        assert!(
+            matches!(&body.motion, Motion::Free(free) if free.mass == mass && free.inertia.is_none())
+        );
+        assert_eq!(body.velocity, [0.0, -speed]);
+    }
+    // The wetted part of the box weighs as much as the box.
+    let floating = body("floating_box");
+    let Motion::Free(freedom) = &floating.motion else {
+        panic!("the box floats freely")
+    };
+    assert!((freedom.mass - 0.5 * 1000.0 * floating.shape.area()).abs() < 1e-9);
+    assert_eq!(
+        load("wedge_constant", &[]).expect("it loads").scene.gravity,
+        [0.0, 0.0]
+    );
+}
+
+#[test]
+fn a_set_of_the_table_alone_leaves_reading_to_load() {
+    let mut table = toml::Table::new();
+    apply_set(&mut table, "fluid.kernel = cubic_spline").expect("a bare word is a string");
+    assert_eq!(table["fluid"]["kernel"].as_str(), Some("cubic_spline"));
+}
+
+#[test]
+fn a_scene_file_loads_by_its_path() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("drop.toml");
+    std::fs::write(&path, DROP).expect("a file");
+    let loaded = load(path.to_str().expect("a printable path"), &[]).expect("the scene loads");
+    assert_eq!(loaded.scene, drop_with(&[]));
+    assert_eq!(
+        loaded.source_name(),
+        path.to_str().expect("a printable path")
+    );
+    let unreadable = load(folder.path().to_str().expect("a printable path"), &[])
+        .expect_err("a folder is no file");
+    assert!(matches!(unreadable, SceneError::Unreadable { .. }));
+}
+
+/// Defaults that depend on other keys, in words or formulas.
+const DEFAULTS_IN_WORDS: [&str; 9] = [
+    "absent",
+    "end/500",
+    "end/50",
+    "[0.0, end]",
+    "width",
+    "1.25 depth, 3 depth for a dam break",
+    "breadth/4",
+    "centroid of the outline",
+    "all; [\"y\"] with symmetry",
+];
+
+#[test]
+fn a_key_left_out_has_the_default_that_its_keyword_declares() {
+    for keyword in keywords() {
+        if keyword.default.starts_with("required") || DEFAULTS_IN_WORDS.contains(&keyword.default) {
+            continue;
+        }
+        // Without a velocity the wedge needs a tank; with one the tank is left to the program.
+        let silent = match keyword.path.starts_with("tank.") {
+            true => DROP.replace("gravity = [0.0, -9.81]\n", ""),
+            false => DROP
+                .replace(
+                    "gravity = [0.0, -9.81]\n",
+                    "tank = { width = 2.0, depth = 1.0 }\n",
+                )
+                .replace("velocity = [0.0, -5.0]\n", ""),
+        };
+        let left_out = changed(&silent, &[]).expect("the scene loads");
+        let set = format!("{}={}", keyword.path.replace("[]", "[0]"), keyword.default);
+        let spelled_out = changed(&silent, &[&set]);
+        assert_eq!(
+            spelled_out.map_err(|error| error.to_string()),
+            Ok(left_out),
+            "{set}"
+        );
+    }
+}
+
+#[test]
+fn auto_sound_speed_costs_the_admitted_share_of_the_force() {
+    for error in [0.002, 0.01, 0.03] {
+        let scene = drop_with(&[&format!("fluid.compressibility_error={error}")]);
+        let entry = scene.entry().expect("the wedge enters the water");
+        let cost = compressibility_error(entry.root_speed(), scene.fluid.sound_speed);
+        assert!((cost / error - 1.0).abs() < 1e-9, "{cost}");
+    }
+}
+
+#[test]
+fn auto_tank_lies_outside_acoustic_reach_wherever_the_body_is() {
+    for x in [0.0, 1.5] {
+        let scene = drop_with(&[&format!("body.position=[{x}, 0]")]);
+        let reach = 0.65 * scene.fluid.sound_speed * scene.time.end;
+        assert!((0.5 * scene.tank.width - x - reach).abs() < 1e-12 * reach);
+        assert_eq!(scene.tank.depth, reach);
+    }
+}
+
+#[test]
+fn touching_puts_the_lowest_point_on_the_water() {
+    for angle in [0.0, 20.0, -75.0] {
+        let scene = drop_with(&[&format!("body.angle_deg={angle}"), "gauges=[]"]);
+        let outline = scene.body.expect("a wedge").placed_outline();
+        let lowest = outline.iter().fold(f64::INFINITY, |low, p| low.min(p[1]));
+        assert!(lowest.abs() < 1e-15, "{angle}: {lowest}");
+    }
+}
+
+#[test]
+fn a_fall_through_air_counts_with_its_speed_at_contact() {
+    let change = [
+        "body.velocity=[0, 0]",
+        "body.position=[0, 0.05]",
+        "time.end=0.2",
+    ];
+    let entry = drop_with(&change)
+        .entry()
+        .expect("the wedge falls into the water");
+    assert!((entry.speed - (2.0 * 9.81 * 0.05_f64).sqrt()).abs() < 1e-12);
+    assert!(entry.final_draught > 0.0);
+}
+
+#[test]
+fn warnings_come_with_their_cause_and_go_with_its_cure() {
+    #[rustfmt::skip]
+    let table: &[(&[&str], &[&str], &str)] = &[
+        (&["fluid.cfl=0.9"], &[], "0.8 ran, 1.0 blew up"),
+        (&["resolution.growth=1.5"], &[], "9 % of the force"),
+        (&["resolution.spacing=0.009"], &["resolution.spacing=0.002"], "peak pressure unreliable"),
+        (&["time.end=0.005"], &[], "the draught at the end is 4."),
+        (&["fluid.sound_speed=100"], &[], "compressibility takes about"),
+        (&["fluid.sound_speed=100"], &[], "times the flow's fastest known speed"),
+        (&["tank.width=3"], &["tank.width=300"], "the echo from the tank's walls, 1.5 m away"),
+        (&["resolution.fine_zone=[0.1, 0.1]"], &["resolution.fine_zone=[0.5, 0.1]"], "leaves the fine zone"),
+        (&["tank.depth=0.05"], &[], "may reach the floor"),
+        (&["body.position=[0, 1]", "body.velocity=[0, -1]"], &[], "does not reach the water"),
+        (&["compare[0].window=[0.1, 0.2]"], &[], "after the end of the run"),
+    ];
+    for (cause, cure, warning) in table {
+        assert!(
+            warnings_with(DROP, cause).contains(warning),
+            "{cause:?}: {}",
+            warnings_with(DROP, cause)
+        );
+        assert!(
+            !warnings_with(DROP, cure).contains(warning),
+            "{cure:?}: {}",
+            warnings_with(DROP, cure)
+        );
+    }
+    let past_the_chine = ["body.breadth=5"];
+    let (_, text) = builtin()
+        .iter()
+        .find(|(name, _)| *name == "wedge_constant")
+        .expect("it is built in");
+    assert!(warnings_with(text, &past_the_chine).contains("past the chine at 2.5 m"));
+    assert_eq!(warnings_with(text, &[]), "");
+}
+
+#[test]
+fn estimate_counts_a_uniform_tank_exactly() {
+    let (fluid, wall) =
+        particle_estimate(&changed(TANK, &["resolution.growth=1"]).expect("it loads"));
+    // 50 by 25; three rows along 1 m of floor and two sides of 0.625 m.
+    assert_eq!((fluid, wall), (1250, 338));
+}
+
+#[test]
+fn estimate_agrees_with_a_graded_lattice_row_by_row() {
+    // Without side limits the water below the fine zone is rows of height dx gʲ across the width.
+    let change = [
+        "resolution.fine_zone=[0.5, 0.1]",
+        "resolution.spacing=0.002",
+        "resolution.growth=1.05",
+    ];
+    let scene = changed(TANK, &change).expect("it loads");
+    let mut rows = 50.0 / 0.002;
+    let (mut depth, mut row) = (0.1, 0.002 * 1.05);
+    while depth < 0.5 {
+        rows += (0.5_f64 - depth).min(row) / (row * row);
+        depth += row;
+        row *= 1.05;
+    }
+    let (fluid, _) = particle_estimate(&scene);
+    assert!((fluid as f64 / rows - 1.0).abs() < 0.02, "{fluid} {rows}");
+}
+
+#[test]
+fn mirror_symmetry_halves_the_particles() {
+    let whole = particle_estimate(&drop_with(&[]));
+    let half = particle_estimate(&drop_with(&["symmetry=x"]));
+    for (whole, half) in [(whole.0, half.0), (whole.1, half.1)] {
+        assert!(
+            (whole as f64 / half as f64 - 2.0).abs() < 0.01,
+            "{whole} {half}"
+        );
+    }
+}
+
+#[test]
+fn mirror_plane_is_off_by_default() {
+    assert_eq!(drop_with(&[]).symmetry, Symmetry::None);
+    assert_eq!(drop_with(&["symmetry=x"]).water_sides()[0], 0.0);
+}

@@ -1,0 +1,284 @@
+//! What is refused, and how: place, key, what was given, what was expected.
+
+use miette::Diagnostic;
+use scenarios::scene::{BYTES_PER_PARTICLE, builtin, keywords, load, load_text, particle_estimate};
+
+use super::{DROP, TANK, changed, drop_with};
+
+#[test]
+fn a_mistake_is_reported_with_line_key_given_and_expected() {
+    // (text, what it becomes, line, fragments of the message)
+    #[rustfmt::skip]
+    let table: &[(&str, &str, usize, &[&str])] = &[
+        ("breadth = 0.5", "breadht = 0.5", 10, &["unknown key `body.breadht`", "`body.breadth`"]),
+        ("[time]", "[timee]", 3, &["unknown key `timee`", "expected"]),
+        ("spacing = 0.005", "spacing = \"fine\"", 6, &["`resolution.spacing`", "\"fine\"", "expected a number"]),
+        ("shape = \"wedge\"", "shape = \"cone\"", 8, &["`body.shape`", "cone", "expected one of", "`polyline`"]),
+        ("velocity = [0.0, -5.0]", "velocity = [-5.0]", 14, &["`body.velocity`", "length 1", "an array of length 2"]),
+        ("velocity = [0.0, -5.0]", "velocity = [0.0, \"a\"]", 14, &["`body.velocity[1]`", "\"a\"", "expected a number"]),
+        ("end = 0.02", "end = nan", 4, &["`time.end` = NaN", "a finite number"]),
+        ("gravity = [0.0, -9.81]", "gravity = [0.0, -inf]", 2, &["`gravity[1]` = -inf", "a finite number"]),
+        ("end = 0.02", "end = -0.02", 4, &["`time.end` = -0.02", "above 0"]),
+        ("end = 0.02", "", 3, &["`time.end` is missing", "[s]"]),
+        ("end = 0.02", "end = 0.02\nsample_every = 0.5", 5, &["`time.sample_every` = 0.5", "up to time.end = 0.02"]),
+        ("end = 0.02", "end = 0.02\nsample_every = 0", 5, &["`time.sample_every` = 0", "above 0"]),
+        ("spacing = 0.005", "spacing = 0", 6, &["`resolution.spacing` = 0", "above 0"]),
+        ("spacing = 0.005", "spacing = 0.1", 6, &["`resolution.spacing` = 0.1", "0.244", "thinner than its walls"]),
+        ("spacing = 0.005", "spacing = 0.005\ngrowth = 0.9", 7, &["`resolution.growth` = 0.9", "from 1 to 2"]),
+        ("[time]", "[fluid]\ndensity = -1000\n[time]", 4, &["`fluid.density` = -1000", "above 0"]),
+        ("[time]", "[fluid]\nsound_speed = \"fast\"\n[time]", 4, &["`fluid.sound_speed`", "fast", "a number or \"auto\""]),
+        ("[time]", "[tank]\ndepth = -1\n[time]", 4, &["`tank.depth` = -1", "above 0"]),
+        ("[time]", "[tank]\nwidth = 0.01\n[time]", 4, &["`tank.width` = 0.01", "at least 4 spacings", "0.02 m"]),
+        ("[time]", "[tank]\nheight = 0.1\ndepth = 2\n[time]", 4, &["`tank.height` = 0.1", "at least tank.depth = 2"]),
+        ("[time]", "[tank]\nwidth = 2\nwater_width = 3\n[time]", 5, &["`tank.water_width` = 3", "tank.width = 2"]),
+        ("deadrise_deg = 30.0", "deadrise_deg = 2.0", 9, &["`body.deadrise_deg` = 2", "from 4 to 80"]),
+        ("deadrise_deg = 30.0", "", 7, &["`body.deadrise_deg` is missing", "[deg]"]),
+        ("breadth = 0.5", "breadth = -0.5", 10, &["`body.breadth` = -0.5", "above 0"]),
+        ("breadth = 0.5", "breadth = 0.5\nradius = 1", 11, &["`body.radius`", "only deadrise_deg, breadth, side_height"]),
+        ("mass = 100.0", "mass = 0.0", 12, &["`body.mass` = 0", "above 0"]),
+        ("mass = 100.0", "", 7, &["`body.mass` is missing", "[kg/m]"]),
+        ("free = [\"y\"]", "free = [\"y\", \"angle\"]", 7, &["`body.inertia` is missing", "free to rotate"]),
+        ("free = [\"y\"]", "free = [\"z\"]", 13, &["`body.free[0]`", "`z`", "`angle`"]),
+        ("free = [\"y\"]", "free = []", 13, &["`body.free` = []", "expected some of"]),
+        ("velocity = [0.0, -5.0]", "velocity = [1.0, -5.0]", 14, &["`body.velocity` = [1.0, -5.0]", "expected 0"]),
+        ("free = [\"y\"]", "free = [\"y\"]\nposition = [0.0, -5.0]", 1, &["`tank.depth` is missing", "needs a body that falls or moves down into"]),
+        ("name = \"drop\"", "name = \"a drop\"", 1, &["`name` = \"a drop\"", "a word of letters"]),
+        ("name = \"drop\"", "symmetry = \"y\"", 1, &["`symmetry`", "`y`", "`x`"]),
+        ("at = [0.1, 0.0577]", "at = [0.1, 0.2]", 17, &["`gauges[0].at` = [0.1, 0.2]", "the nearest", "0.04434 m away"]),
+        ("at = [0.1, 0.0577]", "at = [0.1, -50.0]\non = \"fixed\"", 17, &["`gauges[0].at`", "a point in the tank"]),
+        ("name = \"face\"", "name = \"body\"", 16, &["`gauges[0].name` = \"body\"", "no other gauge or body"]),
+        ("name = \"face\"", "", 15, &["`gauges[0].name` is missing", "a word"]),
+        ("quantity = \"body.vy_m_per_s\"", "quantity = \"vy\"", 20, &["`compare[0].quantity` = \"vy\"", "body.vy_m_per_s", "face.p_Pa"]),
+        ("x = \"t\"", "x = \"t\"\nwindow = [2.0, 1.0]", 22, &["`compare[0].window` = [2.0, 1.0]", "from < to"]),
+        ("x = \"t\"", "x = \"t\"\nx_scale = 0", 22, &["`compare[0].x_scale` = 0", "other than 0"]),
+        ("x = \"t\"", "x = \"t\"\nnorm = \"l2\"", 22, &["`compare[0].norm`", "`l2`", "`rms_over_peak`"]),
+        ("[time]", "similarity = \"wedge\"\n[time]", 3, &["`similarity`", "may change its speed", "constant_velocity"]),
+        ("end = 0.02", "end = ", 4, &["not valid TOML"]),
+        ("end = 0.02", "end = 0.02\nend = 0.03", 5, &["not valid TOML", "duplicate key"]),
+    ];
+    for (from, to, line, fragments) in table {
+        assert!(DROP.contains(from), "{from}");
+        let error = match load_text("drop.toml", &DROP.replacen(from, to, 1), &[]) {
+            Err(error) => error,
+            Ok(_) => panic!("{to:?} must be refused"),
+        };
+        let message = error.to_string();
+        assert!(
+            message.starts_with(&format!("drop.toml:{line}: ")),
+            "{to:?}: {message}"
+        );
+        for fragment in *fragments {
+            assert!(
+                message.contains(fragment),
+                "{to:?}: {fragment:?} is not in: {message}"
+            );
+        }
+    }
+}
+
+#[test]
+fn bodies_and_tanks_must_fit_together() {
+    let polygon = |points: &str| {
+        format!("body={{ shape = \"polygon\", motion = \"fixed\", points = {points} }}")
+    };
+    let box_at = |x: f64, y: f64| {
+        format!(
+            "body={{ shape = \"box\", breadth = 0.4, height = 0.2, motion = \"fixed\", position = [{x}, {y}] }}"
+        )
+    };
+    #[rustfmt::skip]
+    let table: &[(&[&str], &[&str])] = &[
+        (&[&box_at(0.45, 0.0)], &["`body.position`", "from x = 0.25 to 0.65 m, overlapping a tank wall", "-0.5 and 0.5"]),
+        (&[&box_at(2.0, 0.0)], &["`body.position`", "off the tank", "-0.5 and 0.5"]),
+        (&[&box_at(0.0, -0.45)], &["`body.position`", "down to y = -0.55 m, overlapping the floor", "y = -0.5"]),
+        (&[&box_at(0.1, 0.0), "symmetry=x"], &["`body.position` = [0.1, 0]", "symmetry"]),
+        (&[&box_at(0.0, 0.0), "body.angle_deg=5", "symmetry=x"], &["`body.angle_deg` = 5", "expected 0"]),
+        (&[&box_at(0.0, 0.0), "body.velocity=[0, -1]"], &["`body.velocity`", "expected 0"]),
+        (&[&polygon("[[0, 0], [0, 0.2], [0.2, 0]]")], &["`body.points`", "-0.02", "counter-clockwise"]),
+        (&[&polygon("[[0, 0], [0.3, 0.3], [0.3, 0], [0, 0.3]]")], &["`body.points`", "edges 0 and 2 meet"]),
+        (&[&polygon("[[0, 0], [0.3, 0]]")], &["`body.points` = 2 points", "at least 3"]),
+        (&[&polygon("[[0, 0], [0.3, 0], [0.3, 0], [0, 0.3]]")], &["`body.points`", "twice in a row"]),
+        (&[&polygon("[[-0.2, 0], [0.3, 0], [0, 0.3]]"), "symmetry=x"], &["`body.points`", "lopsided", "symmetric about x = 0"]),
+        (&["tank.depth=auto"], &["`tank.depth` is missing", "needs a body that falls or moves down"]),
+        (&["tank.water_width=0.5", "symmetry=x"], &["`tank.water_width` = 0.5", "symmetry"]),
+        (&["gravity=[0, 0]"], &["`fluid.sound_speed` is missing", "needs gravity or a moving body"]),
+        (&["gauges=[{ name = \"g\", at = [0, 0] }]"], &["`gauges[0].on` = \"body\"", "\"fixed\" in a scene without a body"]),
+        (&["similarity=wedge"], &["`similarity` = \"wedge\" without a body", "expected a wedge"]),
+    ];
+    for (changes, fragments) in table {
+        let message = match changed(TANK, changes) {
+            Err(error) => error.to_string(),
+            Ok(_) => panic!("{changes:?} must be refused"),
+        };
+        for fragment in *fragments {
+            assert!(
+                message.contains(fragment),
+                "{changes:?}: {fragment:?} is not in: {message}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_mistake_in_a_set_argument_names_the_argument_instead_of_a_line() {
+    for (set, fragments) in [
+        (
+            "body.mass=-1",
+            ["--set body.mass=-1: ", "`body.mass` = -1", "above 0"],
+        ),
+        (
+            "body.velocity[1]=up",
+            [
+                "--set body.velocity[1]=up: ",
+                "`body.velocity[1]`",
+                "\"up\"",
+            ],
+        ),
+        (
+            "body.colour=red",
+            [
+                "--set body.colour=red: ",
+                "unknown key `body.colour`",
+                "expected",
+            ],
+        ),
+        (
+            "no.such.key=1",
+            ["--set no.such.key=1: ", "unknown key `no`", "expected"],
+        ),
+        (
+            "gauges[3].at=[0, 0]",
+            [
+                "--set gauges[3].at=[0, 0]: ",
+                "gauges has 1 items",
+                "expected an index below 1",
+            ],
+        ),
+        (
+            "time.end=[1,",
+            [
+                "--set time.end=[1,: ",
+                "`time.end` = [1,",
+                "expected a TOML value",
+            ],
+        ),
+        (
+            "time.end",
+            ["--set time.end: ", "expected", "key.path=value"],
+        ),
+    ] {
+        let error = changed(DROP, &[set]).expect_err(set);
+        let message = error.to_string();
+        for fragment in fragments {
+            assert!(
+                message.contains(fragment),
+                "{fragment:?} is not in: {message}"
+            );
+        }
+        assert!(error.source_code().is_none(), "{set}");
+    }
+}
+
+#[test]
+fn the_last_of_two_set_arguments_wins_and_is_blamed() {
+    assert_eq!(
+        drop_with(&["time.end=0.01", "time.end=0.03"]).time.end,
+        0.03
+    );
+    let message = changed(DROP, &["time.end=0.01", "time.end=0"])
+        .expect_err("0 is refused")
+        .to_string();
+    assert!(message.starts_with("--set time.end=0: "), "{message}");
+}
+
+#[test]
+fn an_error_points_at_the_wrong_value_or_the_unknown_key_and_explains_the_key() {
+    for (to, marked, help) in [
+        ("mass = -3.5", "-3.5", Some("body.mass [kg/m]: ")),
+        ("mas = 3.5", "mas", None),
+    ] {
+        let text = DROP.replace("mass = 100.0", to);
+        let error = load_text("drop.toml", &text, &[]).expect_err(to);
+        let mut labels = error.labels().expect("a label");
+        let label = labels.next().expect("a label");
+        let (start, end) = (label.offset(), label.offset() + label.len());
+        assert_eq!(&text[start..end], marked);
+        let explained = error.help().map(|help| help.to_string());
+        assert_eq!(explained.is_some(), help.is_some());
+        assert!(
+            explained
+                .unwrap_or_default()
+                .starts_with(help.unwrap_or_default())
+        );
+    }
+}
+
+#[test]
+fn a_scene_that_is_nowhere_lists_the_scenes_there_are() {
+    let error = load("wegde", &[]).expect_err("a typing error");
+    assert!(error.to_string().contains("`wegde`"));
+    assert!(
+        error
+            .help()
+            .expect("a list")
+            .to_string()
+            .contains("wedge25")
+    );
+}
+
+#[test]
+fn more_particles_than_memory_is_refused_at_the_spacing() {
+    let loaded = load_text("drop.toml", DROP, &[]).expect("the scene loads");
+    let (fluid, wall) = particle_estimate(&loaded.scene);
+    let bytes = (fluid + wall) * BYTES_PER_PARTICLE;
+    assert!(loaded.fits_in_memory(bytes).is_ok());
+    let message = loaded
+        .fits_in_memory(bytes - 1)
+        .expect_err("one byte short")
+        .to_string();
+    assert!(
+        message.starts_with("drop.toml:6: `resolution.spacing` = 0.005"),
+        "{message}"
+    );
+    assert!(
+        message.contains(&format!("{fluid} fluid and {wall} wall")),
+        "{message}"
+    );
+}
+
+#[test]
+fn no_value_of_any_key_makes_loading_panic() {
+    let values = [
+        "0",
+        "-1",
+        "1e12",
+        "1e300",
+        "-1e-300",
+        "\"x\"",
+        "true",
+        "[]",
+        "[0, 0]",
+        "[[0, 0], [1, 0], [0, 1]]",
+        "{}",
+        "nan",
+    ];
+    let (mut loaded, mut refused) = (0, 0);
+    for (name, _) in builtin() {
+        for keyword in keywords() {
+            for value in values {
+                let set = format!("{}={value}", keyword.path.replace("[]", "[0]"));
+                match load(name, &[set]) {
+                    Err(error) => refused += usize::from(!error.to_string().is_empty()),
+                    Ok(strange) => {
+                        let (fluid, _) = particle_estimate(&strange.scene);
+                        loaded += usize::from(fluid > 0);
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(
+        loaded + refused,
+        builtin().len() * keywords().len() * values.len()
+    );
+}
