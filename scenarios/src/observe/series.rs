@@ -34,7 +34,7 @@ impl Series {
     /// Columns for a scene; rows go to `path` as well if one is given.
     pub fn new(scene: &Scene, path: Option<&Path>) -> Result<Series, ObserveError> {
         let mut columns = vec!["time_s".to_string()];
-        for body in &scene.body {
+        for body in scene.body.iter() {
             columns.extend(BODY.iter().map(|(unit, _)| format!("{}.{unit}", body.name)));
         }
         columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));

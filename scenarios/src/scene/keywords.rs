@@ -126,7 +126,7 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.smoothing_ratio", "-", "1.5", "smoothing length over spacing h/dx; the kernel's support is 2h"),
     key("fluid.artificial_viscosity", "-", "0.02", "coefficient alpha of artificial viscosity; 0 is none"),
     key("fluid.kinematic_viscosity", "m^2/s", "0.0", "kinematic viscosity; 0 is none"),
-    key("fluid.density_diffusion", "-", "0.1", "coefficient delta of density diffusion; 0 is none"),
+    key("fluid.density_diffusion", "-", "0.3", "coefficient delta of density diffusion; 0 is none"),
     key("fluid.shifting", "", "true", "particle shifting: true | false"),
     key("fluid.volume_correction", "", "true", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
     key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),

@@ -1,6 +1,7 @@
 //! The resolved scene: plain data, every number known.
 
 use serde::{Deserialize, Serialize};
+pub use sph_core::{Integrator, Kernel, Slip as WallSlip};
 
 use super::auto::fastest_speed;
 use super::file::BodyFile;
@@ -116,43 +117,6 @@ pub struct Fluid {
     pub integrator: Integrator,
     /// Step limit: dt ≤ cfl·h/(c₀ + |v|) [-].
     pub cfl: f64,
-}
-
-/// Smoothing kernels, all of support 2h.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Kernel {
-    /// Gaussian, cut at 2h and normalised there.
-    Gaussian,
-    /// Quadratic (Johnson, Stryk & Beissel 1996).
-    Quadratic,
-    /// Cubic spline (Monaghan & Lattanzio 1985).
-    CubicSpline,
-    /// Quintic of class C2 (Wendland 1995).
-    #[default]
-    WendlandC2,
-}
-
-/// Tangential condition on walls.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum WallSlip {
-    /// The water slides without friction.
-    #[default]
-    Free,
-    /// The water sticks to the wall.
-    None,
-}
-
-/// Time integration.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Integrator {
-    /// Kick–drift–kick.
-    #[default]
-    Symplectic,
-    /// Half-step predictor and corrector (Monaghan 1989).
-    PredictorCorrector,
 }
 
 /// The rectangle of water and its walls.

@@ -186,7 +186,7 @@ fn resolve_fluid(
         )?,
         density_diffusion: not_negative(
             "fluid.density_diffusion",
-            file.density_diffusion.unwrap_or(0.1),
+            file.density_diffusion.unwrap_or(0.3),
         )?,
         shifting: file.shifting.unwrap_or(true),
         volume_correction: file.volume_correction.unwrap_or(true),
