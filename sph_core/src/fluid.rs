@@ -8,7 +8,7 @@ use crate::images::Mirror;
 use crate::integrator::{self, Integrator};
 use crate::kernel::{Kernel, Shape, WithKernel};
 use crate::pair::{self, Constants, Extrapolated, Face, Gathered, Row};
-use crate::particles::{Derived, Particles, SURFACE_LAMBDA, Seed};
+use crate::particles::{Derived, Particles, SPRAY_FILLING, SURFACE_LAMBDA, Seed};
 use crate::search::{Search, WallKinematics};
 use crate::sweep;
 use crate::walls::Walls;
@@ -200,10 +200,13 @@ impl Fluid {
         }
     }
 
-    /// E3: pressures and volumes from densities.
+    /// E3: pressures and volumes from densities. Spray is never thinner than water at rest, so it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
-        let (eos, p, d) = (self.parameters.eos, &self.particles, &mut self.derived);
+        let (eos, p, d) = (self.parameters.eos, &mut self.particles, &mut self.derived);
         for k in 0..p.x.len() {
+            if d.surroundings[k].fluid_filling < SPRAY_FILLING {
+                p.rho[k] = p.rho[k].max(eos.rho0);
+            }
             d.pressure[k] = eos.pressure(p.rho[k]);
             d.volume[k] = p.theta[k] * p.mass[k] / p.rho[k];
         }

@@ -158,14 +158,17 @@ pub fn momentum<'r, K: Shape>(
 ) -> Gathered {
     let mut force_sum = [0.0; 2];
     let mut filling = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
+    let mut fluid_filling = filling;
     let mut crowding = [0.0; 2];
     let mut spread = [0.0; 3];
-    let mut take = |b: &Row, alpha: f64, nu: f64| {
+    let mut take = |b: &Row, alpha: f64, nu: f64, of_fluid: bool| {
         let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { return };
         let f = force::<K>(a, b, &ab, c, alpha, nu);
         force_sum[0] += f[0];
         force_sum[1] += f[1];
-        filling += b.fill * ab.w::<K>();
+        let share = b.fill * ab.w::<K>();
+        filling += share;
+        fluid_filling += if of_fluid { share } else { 0.0 };
         let pull = b.fill * ab.slope;
         crowding[0] += pull * ab.dx;
         crowding[1] += pull * ab.dy;
@@ -173,9 +176,10 @@ pub fn momentum<'r, K: Shape>(
         spread[1] -= pull * ab.dx * ab.dy;
         spread[2] -= pull * ab.dy * ab.dy;
     };
-    fluid.for_each(|b| take(b, c.alpha, c.nu));
-    walls.for_each(|b| take(b, 0.0, wall_nu));
-    Gathered { force: force_sum, around: Surroundings { filling, crowding, lambda: smallest_eigenvalue(spread) } }
+    fluid.for_each(|b| take(b, c.alpha, c.nu, true));
+    walls.for_each(|b| take(b, 0.0, wall_nu, false));
+    let lambda = smallest_eigenvalue(spread);
+    Gathered { force: force_sum, around: Surroundings { filling, fluid_filling, crowding, lambda } }
 }
 
 /// Force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.

@@ -128,7 +128,7 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.kinematic_viscosity", "m^2/s", "0.0", "kinematic viscosity; 0 is none"),
     key("fluid.density_diffusion", "-", "0.3", "coefficient delta of density diffusion; 0 is none"),
     key("fluid.shifting", "", "true", "particle shifting: true | false"),
-    key("fluid.volume_correction", "", "true", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
+    key("fluid.volume_correction", "", "false", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
     key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),
     key("fluid.integrator", "", "symplectic", "symplectic | predictor_corrector"),
     key("fluid.cfl", "-", "0.6", "step limit dt <= cfl h/(c0 + |v|)"),

@@ -189,7 +189,7 @@ fn resolve_fluid(
             file.density_diffusion.unwrap_or(0.3),
         )?,
         shifting: file.shifting.unwrap_or(true),
-        volume_correction: file.volume_correction.unwrap_or(true),
+        volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
         integrator: file.integrator.unwrap_or_default(),
         cfl: positive("fluid.cfl", file.cfl.unwrap_or(0.6))?,
