@@ -129,10 +129,10 @@ impl Fluid {
     /// carry the force now and the mean force of the step.
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
-        match self.parameters.integrator {
+        sweep::within_pool(|| match self.parameters.integrator {
             Integrator::Symplectic => integrator::symplectic(self, walls, dt),
             Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
-        }
+        });
         self.time += dt;
         self.steps += 1;
         self.check()

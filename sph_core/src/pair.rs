@@ -73,6 +73,7 @@ struct Bond {
     r2: f64,
     h: f64,
     q: f64,
+    peak: f64, // α/h²
     slope: f64,
 }
 
@@ -87,14 +88,15 @@ fn bond<K: Shape>(ax: f64, ay: f64, ah: f64, bx: f64, by: f64, bh: f64) -> Optio
     let inverse = 1.0 / h;
     let q = r2.sqrt() * inverse;
     let i2 = inverse * inverse;
-    Some(Bond { dx, dy, r2, h, q, slope: K::ALPHA * K::slope(q) * i2 * i2 })
+    let peak = K::ALPHA * i2;
+    Some(Bond { dx, dy, r2, h, q, peak, slope: peak * i2 * K::slope(q) })
 }
 
 impl Bond {
     /// W_ab [1/m²].
     #[inline(always)]
     fn w<K: Shape>(&self) -> f64 {
-        K::ALPHA * K::w(self.q) / (self.h * self.h)
+        self.peak * K::w(self.q)
     }
 }
 
@@ -156,30 +158,42 @@ pub fn momentum<'r, K: Shape>(
     c: &Constants,
     wall_nu: f64,
 ) -> Gathered {
-    let mut force_sum = [0.0; 2];
-    let mut filling = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
-    let mut fluid_filling = filling;
-    let mut crowding = [0.0; 2];
-    let mut spread = [0.0; 3];
-    let mut take = |b: &Row, alpha: f64, nu: f64, of_fluid: bool| {
+    let mut sum = MomentumSum { filling: a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h), ..MomentumSum::default() };
+    for b in fluid {
+        sum.take::<K>(a, b, c, c.alpha, c.nu);
+    }
+    let fluid_filling = sum.filling;
+    for w in walls {
+        sum.take::<K>(a, w, c, 0.0, wall_nu);
+    }
+    let lambda = smallest_eigenvalue(sum.spread);
+    Gathered { force: sum.force, around: Surroundings { filling: sum.filling, fluid_filling, crowding: sum.crowding, lambda } }
+}
+
+/// Running sums of [`momentum`].
+#[derive(Default)]
+struct MomentumSum {
+    force: [f64; 2],
+    filling: f64,
+    crowding: [f64; 2],
+    spread: [f64; 3],
+}
+
+impl MomentumSum {
+    #[inline(always)]
+    fn take<K: Shape>(&mut self, a: &Row, b: &Row, c: &Constants, alpha: f64, nu: f64) {
         let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { return };
         let f = force::<K>(a, b, &ab, c, alpha, nu);
-        force_sum[0] += f[0];
-        force_sum[1] += f[1];
-        let share = b.fill * ab.w::<K>();
-        filling += share;
-        fluid_filling += if of_fluid { share } else { 0.0 };
+        self.force[0] += f[0];
+        self.force[1] += f[1];
+        self.filling += b.fill * ab.w::<K>();
         let pull = b.fill * ab.slope;
-        crowding[0] += pull * ab.dx;
-        crowding[1] += pull * ab.dy;
-        spread[0] -= pull * ab.dx * ab.dx;
-        spread[1] -= pull * ab.dx * ab.dy;
-        spread[2] -= pull * ab.dy * ab.dy;
-    };
-    fluid.for_each(|b| take(b, c.alpha, c.nu, true));
-    walls.for_each(|b| take(b, 0.0, wall_nu, false));
-    let lambda = smallest_eigenvalue(spread);
-    Gathered { force: force_sum, around: Surroundings { filling, fluid_filling, crowding, lambda } }
+        self.crowding[0] += pull * ab.dx;
+        self.crowding[1] += pull * ab.dy;
+        self.spread[0] -= pull * ab.dx * ab.dx;
+        self.spread[1] -= pull * ab.dx * ab.dy;
+        self.spread[2] -= pull * ab.dy * ab.dy;
+    }
 }
 
 /// Force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.

@@ -30,8 +30,10 @@ impl Fluid {
         };
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
-        let dt = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall));
-        let at_rest = q.cfl * sweep::least(p.len(), |k| p.h[k]) / c0;
+        let (dt, at_rest) = sweep::within_pool(|| {
+            let dt = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall));
+            (dt, q.cfl * sweep::least(p.len(), |k| p.h[k]) / c0)
+        });
         if dt > COLLAPSE * at_rest {
             return Ok(dt);
         }

@@ -8,6 +8,11 @@ use rayon::prelude::*;
 /// Targets per chunk.
 pub const CHUNK: usize = 128;
 
+/// Do `task` on a thread of the pool: the sweeps inside then start without waking the pool each time.
+pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
+    if rayon::current_thread_index().is_some() { task() } else { rayon::scope(|_| task()) }
+}
+
 /// `out[k] ← gather(k)` for every target k.
 pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
     out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
