@@ -2,7 +2,7 @@
 
 use sph_core::{WallForces, WallPoint, WallsMut};
 
-use crate::geometry::Outline;
+use crate::outline::Outline;
 
 /// A body that cannot be built or cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -129,7 +129,8 @@ impl Coupled {
         let p = &self.fluid.particles;
         let (mut count, mut deepest) = (0, 0.0_f64);
         for k in 0..p.len() {
-            let clearance = self.members.iter().map(|m| m.body.clearance([p.x[k], p.y[k]])).fold(f64::INFINITY, f64::min);
+            let clearance =
+                self.members.iter().map(|m| m.body.clearance([p.x[k], p.y[k]])).fold(f64::INFINITY, f64::min);
             let behind = self.fluid.parameters.mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
             let clearance = clearance.min(behind);
             count += usize::from(clearance < 0.0);

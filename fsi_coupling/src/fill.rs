@@ -111,7 +111,11 @@ impl Tiling {
             rows.last().copied().unwrap_or(self.basin.spacing)
         };
         let mut spacing = self.basin.spacing;
-        let outside = [(self.fine[0] - at[0], &self.left), (at[0] - self.fine[1], &self.right), (self.fine[2] - at[1], &self.down)];
+        let outside = [
+            (self.fine[0] - at[0], &self.left),
+            (at[0] - self.fine[1], &self.right),
+            (self.fine[2] - at[1], &self.down),
+        ];
         for (distance, rows) in outside {
             if distance > 0.0 {
                 spacing = f64::max(spacing, along(distance, rows));
@@ -181,7 +185,8 @@ mod tests {
 
     #[test]
     fn grading_saves_particles_and_spacing_is_what_the_cells_have() {
-        let basin = Basin { x: [0.0, 10.0], y: [-10.0, 0.0], fine_x: [0.0, 0.5], fine_depth: 0.3, spacing: 0.01, growth: 1.1 };
+        let basin =
+            Basin { x: [0.0, 10.0], y: [-10.0, 0.0], fine_x: [0.0, 0.5], fine_depth: 0.3, spacing: 0.01, growth: 1.1 };
         let graded = Tiling::new(basin);
         assert!(graded.count() < 15_000, "{}", graded.count());
         let mut worst = 1.0_f64;

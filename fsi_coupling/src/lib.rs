@@ -2,21 +2,24 @@
 //! how the fluid's forces go back to it.
 //!
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
-//! [`tank`]. [`geometry`], [`sampling`] and [`fill`] turn shapes into particles.
+//! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
 
 pub mod body;
 pub mod coupled;
 pub mod fill;
-pub mod geometry;
+pub mod outline;
+pub mod polygon;
 pub mod pose;
 pub mod prescribed;
 pub mod rigid;
 pub mod sampling;
+pub mod shape;
 pub mod tank;
 
 pub use body::{BodyError, Energy, Ledger, Motion, WettedBody};
 pub use coupled::{Coupled, CouplingError, Scheme};
-pub use geometry::Outline;
+pub use outline::Outline;
 pub use prescribed::PrescribedBody;
 pub use rigid::{RigidBody2d, RigidSpec};
+pub use shape::Shape;
 pub use tank::Tank;

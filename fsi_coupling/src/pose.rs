@@ -2,7 +2,7 @@
 
 use sph_core::{WallPoint, WallsMut};
 
-use crate::geometry::Outline;
+use crate::outline::Outline;
 
 /// State of a rigid motion about a pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -4,7 +4,7 @@ use sph_core::walls::Resultant;
 use sph_core::{WallForces, WallPoint, WallsMut};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
-use crate::geometry::Outline;
+use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
 
 /// A motion law: time [s] → motion of the body's origin.
@@ -28,7 +28,17 @@ impl PrescribedBody {
     pub fn new(name: &str, outline: Outline, half: bool, law: Law) -> PrescribedBody {
         let shape = Shape::new(outline, [0.0, 0.0], half);
         let (now, mean) = (Resultant::default(), Resultant::default());
-        PrescribedBody { name: name.into(), shape, law, time: 0.0, saved: 0.0, now, mean, external: [0.0; 2], work: 0.0 }
+        PrescribedBody {
+            name: name.into(),
+            shape,
+            law,
+            time: 0.0,
+            saved: 0.0,
+            now,
+            mean,
+            external: [0.0; 2],
+            work: 0.0,
+        }
     }
 
     /// The law of constant velocity [m/s] and spin [rad/s] from a start position [m] and angle [rad].

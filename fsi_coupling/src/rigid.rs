@@ -10,7 +10,7 @@ use sph_core::walls::Resultant;
 use sph_core::{WallForces, WallPoint, WallsMut};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
-use crate::geometry::Outline;
+use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
 
 /// A rigid body to be built; everything per metre of span.
@@ -84,7 +84,13 @@ impl RigidBody2d {
         world.integration_parameters.max_ccd_substeps = 0;
         world.integration_parameters.normalized_max_linear_velocity = f64::MAX;
         let com = spec.center_of_mass;
-        let start = Rigid { pole: spec.position, angle: spec.angle, velocity: spec.velocity, spin: spec.spin, ..Rigid::default() };
+        let start = Rigid {
+            pole: spec.position,
+            angle: spec.angle,
+            velocity: spec.velocity,
+            spin: spec.spin,
+            ..Rigid::default()
+        };
         let v = start.point_velocity(com);
         let inertia = if spec.free[2] { spec.inertia } else { spec.inertia.max(spec.mass) };
         let body = RigidBodyBuilder::dynamic()

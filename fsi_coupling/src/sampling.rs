@@ -7,7 +7,8 @@
 
 use sph_core::WallPoint;
 
-use crate::geometry::{Outline, normal};
+use crate::outline::Outline;
+use crate::polygon::normal;
 
 /// Neighbouring sides that turn by more than this belong to different faces.
 const CORNER_DEG: f64 = 20.0;
@@ -16,13 +17,15 @@ const TRIM: f64 = 0.02;
 
 /// Boundary particles of `layers` rows at the given spacing [m]; with `half`, of the part x > 0 only.
 pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool) -> Vec<WallPoint> {
-    let faces = faces(outline.vertices(), half);
     let mut points = Vec::new();
-    for layer in 0..layers {
-        let depth = (layer as f64 + 0.5) * spacing;
-        for (k, face) in faces.iter().enumerate() {
-            sample_row(outline, face, depth, spacing, half, &mut points);
-            sample_fan(face, &faces[(k + 1) % faces.len()], depth, spacing, half, &mut points);
+    for part in outline.loops() {
+        let faces = faces(part, half);
+        for layer in 0..layers {
+            let depth = (layer as f64 + 0.5) * spacing;
+            for (k, face) in faces.iter().enumerate() {
+                sample_row(outline, face, depth, spacing, half, &mut points);
+                sample_fan(face, &faces[(k + 1) % faces.len()], depth, spacing, half, &mut points);
+            }
         }
     }
     points
@@ -141,10 +144,13 @@ fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, half: bool, po
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shape::Shape;
 
     #[test]
     fn rows_fill_three_spacings_under_every_face_of_a_wedge() {
-        let wedge = Outline::wedge(30.0, 1.0, 0.3).unwrap();
+        let wedge = Shape::Wedge { deadrise_deg: 30.0, breadth: 1.0, side_height: 0.3 };
+        let [lo, hi] = crate::polygon::bounding_box(&wedge.outline());
+        let wedge = Outline::of(&wedge).unwrap();
         let s = 0.02;
         let points = sample(&wedge, s, 3, false);
         for p in &points {
@@ -153,7 +159,7 @@ mod tests {
         }
         // area of the strip of depth 3s inside the outline, by counting a fine lattice
         let fine = s / 16.0;
-        let (mut strip, [lo, hi]) = (0.0, wedge.bounds());
+        let mut strip = 0.0;
         for i in 0..((hi[0] - lo[0]) / fine) as usize {
             for j in 0..((hi[1] - lo[1]) / fine) as usize {
                 let at = [lo[0] + (i as f64 + 0.5) * fine, lo[1] + (j as f64 + 0.5) * fine];
@@ -167,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_half_and_its_mirror_image_are_the_whole() {
-        let arc = Outline::arc(1.0, 1.2, 0.3).unwrap();
+        let arc = Outline::of(&Shape::Arc { radius: 1.0, breadth: 1.2, side_height: 0.3 }).unwrap();
         let half = sample(&arc, 0.05, 3, true);
         assert!(half.iter().all(|p| p.at[0] > 0.0));
         let nearest = half.iter().map(|p| p.at[0]).fold(f64::MAX, f64::min);
@@ -176,7 +182,9 @@ mod tests {
 
     #[test]
     fn normals_point_out_of_the_body() {
-        let hull = Outline::polygon(&[[-1.0, 0.5], [-0.5, 0.0], [0.0, 0.3], [0.5, 0.0], [1.0, 0.5], [1.0, 1.0], [-1.0, 1.0]]).unwrap();
+        let hull =
+            Outline::polygon(&[[-1.0, 0.5], [-0.5, 0.0], [0.0, 0.3], [0.5, 0.0], [1.0, 0.5], [1.0, 1.0], [-1.0, 1.0]])
+                .unwrap();
         for p in sample(&hull, 0.03, 3, false) {
             let d = hull.signed_distance(p.at);
             let out = [p.at[0] + 1e-4 * p.normal[0], p.at[1] + 1e-4 * p.normal[1]];

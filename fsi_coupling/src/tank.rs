@@ -4,7 +4,7 @@ use sph_core::{WallForces, WallPoint, WallsMut};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
 use crate::fill::Tiling;
-use crate::geometry::Outline;
+use crate::outline::Outline;
 
 /// A rectangular open tank. Its particles never move.
 pub struct Tank {
@@ -72,7 +72,11 @@ impl WettedBody for Tank {
             for i in 0..layers {
                 for j in 0..layers {
                     let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
-                    points.push(WallPoint { at: [wall + out * depth(i, s), self.floor - depth(j, s)], normal, area: s * s });
+                    points.push(WallPoint {
+                        at: [wall + out * depth(i, s), self.floor - depth(j, s)],
+                        normal,
+                        area: s * s,
+                    });
                 }
             }
         }

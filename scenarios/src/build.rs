@@ -73,7 +73,7 @@ fn parameters(scene: &Scene) -> Parameters {
 
 fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
-    let outline = Outline::polygon(&body.shape.outline())?;
+    let outline = Outline::of(&body.shape)?;
     let start = Rigid {
         pole: body.position,
         angle: body.angle_deg.to_radians(),
@@ -81,7 +81,8 @@ fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>
         spin: body.angular_velocity_deg_per_s.to_radians(),
         ..Rigid::default()
     };
-    let follow = |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn WettedBody>;
+    let follow =
+        |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn WettedBody>;
     Ok(match &body.motion {
         Motion::Fixed => follow(PrescribedBody::steady(start.pole, start.angle, [0.0; 2], 0.0)),
         Motion::ConstantVelocity => follow(PrescribedBody::steady(start.pole, start.angle, start.velocity, start.spin)),

@@ -67,7 +67,12 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
     let largest = |pick: fn(&(f64, f64)) -> f64| pairs.iter().map(|p| pick(p).abs()).fold(0.0, f64::max);
     let peak_theirs = largest(|p| p.1);
     // our peak may fall between the reference's points: take it from our own samples
-    let peak_ours = times.iter().zip(&values).filter(|(t, _)| inside(**t)).map(|(_, v)| (compare.scale * v).abs()).fold(0.0, f64::max);
+    let peak_ours = times
+        .iter()
+        .zip(&values)
+        .filter(|(t, _)| inside(**t))
+        .map(|(_, v)| (compare.scale * v).abs())
+        .fold(0.0, f64::max);
     let mean = |pick: fn(&(f64, f64)) -> f64| pairs.iter().map(pick).sum::<f64>() / n;
     let (ours, theirs, error) = match compare.norm {
         Norm::Rms => (mean(|p| p.0), mean(|p| p.1), rms),
@@ -82,7 +87,9 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
 
 /// Compare the similarity numbers with the exact solution, where it is tabulated.
 pub fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Comparison> {
-    let Some(exact) = similarity_of(scene) else { return Vec::new() };
+    let Some(exact) = similarity_of(scene) else {
+        return Vec::new();
+    };
     let line = |quantity: &str, ours: f64, theirs: f64, tolerance: f64| Comparison {
         reference: "wedge_similarity/summary.csv".into(),
         quantity: quantity.into(),

@@ -78,7 +78,10 @@ impl Forecast {
             format!("memory       about {:.0} MiB", self.memory_mib),
             format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
             format!("cost         about {:.0} core-seconds", self.core_seconds),
-            format!("sound speed  {:.1} m/s, Mach {:.3} at the fastest known speed", self.sound_speed_m_per_s, self.mach),
+            format!(
+                "sound speed  {:.1} m/s, Mach {:.3} at the fastest known speed",
+                self.sound_speed_m_per_s, self.mach
+            ),
         ];
         if let Some(e) = self.compressibility_error {
             lines.push(format!("compressible share of the force about {:.2} %", 100.0 * e));

@@ -101,10 +101,7 @@ impl LogWriter {
     /// refuses it.
     pub fn create(path: &Path, metadata: &LogMetadata<'_>) -> Result<Self, LogError> {
         let mut container = Container::create(path, &format!("{PROGRAM}/{}", metadata.version))?;
-        container.metadata(
-            PROGRAM,
-            &[("scene", metadata.scene), ("version", metadata.version)],
-        )?;
+        container.metadata(PROGRAM, &[("scene", metadata.scene), ("version", metadata.version)])?;
         container.metadata(RESOLVED_SCENE, &[("toml", metadata.scene_toml)])?;
         container.attach(RESOLVED_SCENE, "application/toml", metadata.scene_toml)?;
         container.flush()?;
@@ -156,21 +153,13 @@ impl LogWriter {
     /// [`LogError::Channel`] if the channel is not a topic for samples, [`LogError::Names`] if
     /// the names are not those of its first sample, or one is given twice, [`LogError::Time`];
     /// [`LogError::Write`] if the disk refuses it.
-    pub fn sample(
-        &mut self,
-        time: f64,
-        channel: &str,
-        values: &[(&str, f64)],
-    ) -> Result<(), LogError> {
+    pub fn sample(&mut self, time: f64, channel: &str, values: &[(&str, f64)]) -> Result<(), LogError> {
         let stamp = Stamp::from_seconds(time)?;
         if !self.samples.contains_key(channel) {
             let topic = SampleTopic::create(&mut self.container, channel, values)?;
             self.samples.insert(channel.to_owned(), topic);
         }
-        let topic = self
-            .samples
-            .get_mut(channel)
-            .expect("the channel was added above");
+        let topic = self.samples.get_mut(channel).expect("the channel was added above");
         topic.write(&mut self.container, channel, stamp, values)
     }
 

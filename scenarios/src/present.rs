@@ -1,7 +1,9 @@
 //! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
 
 use crate::compare::{self, Comparison};
-use crate::report::{Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render};
+use crate::report::{
+    Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render,
+};
 use crate::run::Outcome;
 use crate::scene::{Scene, Symmetry};
 use crate::summary::{Status, Summary};
@@ -73,7 +75,15 @@ fn comparison_table(comparisons: &[Comparison]) -> Block {
             (_, false) => "outside",
         };
         let tolerance = c.tolerance.map_or(String::new(), |t| format!("{t:.3}"));
-        row(&[&c.reference, &c.quantity, &format!("{:.5}", c.ours), &format!("{:.5}", c.theirs), &format!("{:.4}", c.error), &tolerance, verdict])
+        row(&[
+            &c.reference,
+            &c.quantity,
+            &format!("{:.5}", c.ours),
+            &format!("{:.5}", c.theirs),
+            &format!("{:.4}", c.error),
+            &tolerance,
+            verdict,
+        ])
     };
     Block::Table(Table {
         title: "Errors against references".into(),
@@ -104,10 +114,8 @@ fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
     values.sort_by(f32::total_cmp);
     let top = values.get(values.len().saturating_sub(1) * 995 / 1000).map_or(1.0, |v| f64::from(*v).max(1e-6));
     let view = FlowView { x, y, value: [0.0, top], width_px: 1100, label: "pressure [kPa]".into(), mirror_x };
-    let picture = |f: &FlowFrame| Block::Picture {
-        png: flow_png(f, &view),
-        caption: format!("Pressure at t = {:.5} s", f.time),
-    };
+    let picture =
+        |f: &FlowFrame| Block::Picture { png: flow_png(f, &view), caption: format!("Pressure at t = {:.5} s", f.time) };
     frames.iter().map(picture).collect()
 }
 

@@ -64,7 +64,11 @@ impl Table {
             } else if !line.trim().is_empty() {
                 let cell = |c: &str| {
                     let given = c.trim();
-                    given.parse().map_err(|_| ReferenceError::Cell { name: name.into(), line: k + 1, given: given.into() })
+                    given.parse().map_err(|_| ReferenceError::Cell {
+                        name: name.into(),
+                        line: k + 1,
+                        given: given.into(),
+                    })
                 };
                 table.rows.push(line.split(',').map(cell).collect::<Result<_, _>>()?);
             }

@@ -45,7 +45,9 @@ impl Cells {
     /// Sort `points` into cells (counting sort, stable: equal input gives equal order).
     pub fn build(points: &[Point]) -> Cells {
         let mut cells = Cells { levels: Vec::new(), points: Vec::with_capacity(points.len()) };
-        let Some(least) = points.iter().map(|p| p.reach).reduce(f64::min) else { return cells };
+        let Some(least) = points.iter().map(|p| p.reach).reduce(f64::min) else {
+            return cells;
+        };
         let level_of = |p: &Point| (p.reach / least).log(LEVEL_RATIO).floor().max(0.0) as usize;
         let levels: Vec<usize> = points.iter().map(level_of).collect();
         let count = levels.iter().max().map_or(0, |&l| l + 1);
@@ -68,15 +70,14 @@ impl Cells {
             widest = widest.max(p.reach);
         }
         let mut side = 2.0 * widest;
-        let shape = |side: f64| {
-            (((hi[0] - lo[0]) / side) as usize + 1, ((hi[1] - lo[1]) / side) as usize + 1)
-        };
+        let shape = |side: f64| (((hi[0] - lo[0]) / side) as usize + 1, ((hi[1] - lo[1]) / side) as usize + 1);
         let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
         while (hi[0] - lo[0]) / side * ((hi[1] - lo[1]) / side) > most {
             side *= 1.5;
         }
         let (columns, rows) = shape(side);
-        let mut level = Level { origin: lo, inverse: 1.0 / side, columns, rows, widest, start: vec![0; columns * rows + 1] };
+        let mut level =
+            Level { origin: lo, inverse: 1.0 / side, columns, rows, widest, start: vec![0; columns * rows + 1] };
         let cell: Vec<u32> = member.iter().map(|k| level.cell_of(&of(k)) as u32).collect();
         for &c in &cell {
             level.start[c as usize + 1] += 1;
@@ -120,8 +121,12 @@ impl Cells {
     pub fn for_each_within(&self, x: f64, y: f64, reach: f64, mut found: impl FnMut(&Point)) {
         for level in &self.levels {
             let cut = reach + level.widest;
-            let Some((c0, c1)) = level.span(x - level.origin[0], cut, level.columns) else { continue };
-            let Some((r0, r1)) = level.span(y - level.origin[1], cut, level.rows) else { continue };
+            let Some((c0, c1)) = level.span(x - level.origin[0], cut, level.columns) else {
+                continue;
+            };
+            let Some((r0, r1)) = level.span(y - level.origin[1], cut, level.rows) else {
+                continue;
+            };
             for row in r0..=r1 {
                 let run = level.start[row * level.columns + c0]..level.start[row * level.columns + c1 + 1];
                 for p in &self.points[run.start as usize..run.end as usize] {

@@ -16,7 +16,9 @@ pub enum Breakdown {
         time: f64,
     },
     /// A density so far from the reference that the equation of state has no meaning.
-    #[error("particle {id} at ({x:.6}, {y:.6}) m has density {rho:.1} kg/m^3 at t = {time:.6e} s: weakly compressible flow stays within 30 % of the reference")]
+    #[error(
+        "particle {id} at ({x:.6}, {y:.6}) m has density {rho:.1} kg/m^3 at t = {time:.6e} s: weakly compressible flow stays within 30 % of the reference"
+    )]
     Density {
         /// Identity of the particle.
         id: u32,
@@ -30,7 +32,9 @@ pub enum Breakdown {
         time: f64,
     },
     /// The stable step has shrunk to nothing.
-    #[error("the stable step fell to {dt:.3e} s at t = {time:.6e} s: particle {id} at ({x:.6}, {y:.6}) m moves at {speed:.3e} m/s and accelerates at {acceleration:.3e} m/s^2")]
+    #[error(
+        "the stable step fell to {dt:.3e} s at t = {time:.6e} s: particle {id} at ({x:.6}, {y:.6}) m moves at {speed:.3e} m/s and accelerates at {acceleration:.3e} m/s^2"
+    )]
     Step {
         /// The step [s].
         dt: f64,

@@ -215,7 +215,14 @@ impl Fluid {
     /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
-        let task = DensityRate { fluid: &self.rows, faces: &self.faces, rho: &self.particles.rho, search: &self.search, constants: self.constants(), out: &mut self.density_rate };
+        let task = DensityRate {
+            fluid: &self.rows,
+            faces: &self.faces,
+            rho: &self.particles.rho,
+            search: &self.search,
+            constants: self.constants(),
+            out: &mut self.density_rate,
+        };
         self.parameters.kernel.run(task);
     }
 
@@ -228,11 +235,32 @@ impl Fluid {
         let kernel = self.parameters.kernel;
         self.extrapolated.resize(walls.len(), Extrapolated::default());
         self.wall_force.resize(walls.len(), [0.0; 2]);
-        kernel.run(WallState { fluid: &self.rows, walls: &self.wall_rows, acceleration: (&walls.ax, &walls.ay), search: &self.search, constants, out: &mut self.extrapolated });
+        kernel.run(WallState {
+            fluid: &self.rows,
+            walls: &self.wall_rows,
+            acceleration: (&walls.ax, &walls.ay),
+            search: &self.search,
+            constants,
+            out: &mut self.extrapolated,
+        });
         self.dress_walls(walls);
         let wall_nu = if self.parameters.slip == Slip::None { self.parameters.nu } else { 0.0 };
-        kernel.run(Momentum { fluid: &self.rows, walls: &self.wall_rows, search: &self.search, constants, wall_nu, out: &mut self.gathered });
-        kernel.run(WallForce { fluid: &self.rows, walls: &self.wall_rows, search: &self.search, constants, wall_nu, out: &mut self.wall_force });
+        kernel.run(Momentum {
+            fluid: &self.rows,
+            walls: &self.wall_rows,
+            search: &self.search,
+            constants,
+            wall_nu,
+            out: &mut self.gathered,
+        });
+        kernel.run(WallForce {
+            fluid: &self.rows,
+            walls: &self.wall_rows,
+            search: &self.search,
+            constants,
+            wall_nu,
+            out: &mut self.wall_force,
+        });
         for (k, f) in self.wall_force.iter().enumerate() {
             [walls.fx[k], walls.fy[k]] = *f;
         }
@@ -298,7 +326,9 @@ impl Fluid {
             self.wall_rows.push(Row { x, y, u, v, p: walls.pressure[k], volume, fill: volume, h });
             self.faces.push(Face { x, y, nx, ny, vn: u * nx + v * ny, volume, h });
         }
-        let Some(mirror) = self.parameters.mirror else { return };
+        let Some(mirror) = self.parameters.mirror else {
+            return;
+        };
         for (k, &source) in self.search.fluid_images.iter().enumerate() {
             let row = self.rows[source as usize];
             self.rows[n + k] = Row { x: mirror.reflect(row.x), u: -row.u, ..row };

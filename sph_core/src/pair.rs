@@ -111,7 +111,9 @@ pub fn density_rate<'r, K: Shape>(
 ) -> f64 {
     let (mut compression, mut diffusion) = (0.0, 0.0);
     for b in fluid {
-        let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { continue };
+        let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+            continue;
+        };
         let closing = ((a.u - b.u) * ab.dx + (a.v - b.v) * ab.dy) * ab.slope;
         // dynamic pressure difference: the hydrostatic part must not diffuse (Fourtakas et al. 2019)
         let hydrostatic = -c.rho0 * (c.gravity[0] * ab.dx + c.gravity[1] * ab.dy);
@@ -120,7 +122,9 @@ pub fn density_rate<'r, K: Shape>(
         diffusion -= b.volume * ab.h * excess * ab.slope;
     }
     for w in walls {
-        let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
+        let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
+            continue;
+        };
         // E10: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n
         let closing = 2.0 * (a.u * w.nx + a.v * w.ny - w.vn) * (aw.dx * w.nx + aw.dy * w.ny) * aw.slope;
         compression += w.volume * closing;
@@ -167,7 +171,10 @@ pub fn momentum<'r, K: Shape>(
         sum.take::<K>(a, w, c, 0.0, wall_nu);
     }
     let lambda = smallest_eigenvalue(sum.spread);
-    Gathered { force: sum.force, around: Surroundings { filling: sum.filling, fluid_filling, crowding: sum.crowding, lambda } }
+    Gathered {
+        force: sum.force,
+        around: Surroundings { filling: sum.filling, fluid_filling, crowding: sum.crowding, lambda },
+    }
 }
 
 /// Running sums of [`momentum`].
@@ -182,7 +189,9 @@ struct MomentumSum {
 impl MomentumSum {
     #[inline(always)]
     fn take<K: Shape>(&mut self, a: &Row, b: &Row, c: &Constants, alpha: f64, nu: f64) {
-        let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { return };
+        let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+            return;
+        };
         let f = force::<K>(a, b, &ab, c, alpha, nu);
         self.force[0] += f[0];
         self.force[1] += f[1];
@@ -198,10 +207,17 @@ impl MomentumSum {
 
 /// Force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
-pub fn wall_force<'r, K: Shape>(wall: &Row, fluid: impl Iterator<Item = &'r Row>, c: &Constants, wall_nu: f64) -> [f64; 2] {
+pub fn wall_force<'r, K: Shape>(
+    wall: &Row,
+    fluid: impl Iterator<Item = &'r Row>,
+    c: &Constants,
+    wall_nu: f64,
+) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for a in fluid {
-        let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, a.x, a.y, a.h) else { continue };
+        let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, a.x, a.y, a.h) else {
+            continue;
+        };
         let f = force::<K>(wall, a, &ab, c, 0.0, wall_nu);
         sum[0] += f[0];
         sum[1] += f[1];
@@ -229,7 +245,9 @@ pub fn extrapolate<'r, K: Shape>(
 ) -> Extrapolated {
     let (mut weight, mut pressure, mut velocity, mut arm) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
     for b in fluid {
-        let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, b.x, b.y, b.h) else { continue };
+        let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, b.x, b.y, b.h) else {
+            continue;
+        };
         let w = b.volume * ab.w::<K>();
         weight += w;
         pressure += w * b.p;

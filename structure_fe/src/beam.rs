@@ -54,11 +54,7 @@ impl Beam {
         if let Some(node) = attached.iter().position(|attached| !attached) {
             return Err(Error::UnattachedNode { node });
         }
-        Ok(Self {
-            nodes,
-            elements,
-            formulation,
-        })
+        Ok(Self { nodes, elements, formulation })
     }
 
     /// A model with one material and one section throughout.
@@ -68,14 +64,7 @@ impl Beam {
         material: Material,
         section: Section,
     ) -> Result<Self, Error> {
-        let elements = connectivity
-            .iter()
-            .map(|&nodes| Element {
-                nodes,
-                material,
-                section,
-            })
-            .collect();
+        let elements = connectivity.iter().map(|&nodes| Element { nodes, material, section }).collect();
         Self::new(nodes, elements)
     }
 
@@ -93,9 +82,7 @@ impl Beam {
                 [0, 1].map(|axis| (1.0 - t) * from[axis] + t * to[axis])
             })
             .collect();
-        let connectivity: Vec<_> = (0..elements)
-            .map(|element| [element, element + 1])
-            .collect();
+        let connectivity: Vec<_> = (0..elements).map(|element| [element, element + 1]).collect();
         Self::uniform(nodes, &connectivity, material, section)
     }
 
@@ -121,10 +108,7 @@ impl Beam {
 
     /// Mass of the whole model \[kg\].
     pub fn mass(&self) -> f64 {
-        self.formulation
-            .iter()
-            .map(|element| element.mass_per_length * element.length)
-            .sum()
+        self.formulation.iter().map(|element| element.mass_per_length * element.length).sum()
     }
 
     /// Elastic forces K u at the nodes, `[nodes][F_x, F_y, M]`, of a displacement `[nodes][u, w, theta]`.
@@ -145,9 +129,7 @@ impl Beam {
     /// # Panics
     /// If `displacement` has not one entry per node.
     pub fn strain_energy(&self, displacement: &[[f64; 3]]) -> f64 {
-        self.formulated()
-            .map(|(nodes, element)| element.strain_energy(&self.ends(nodes, displacement)))
-            .sum()
+        self.formulated().map(|(nodes, element)| element.strain_energy(&self.ends(nodes, displacement))).sum()
     }
 
     /// Kinetic energy v^T M v/2 \[J\] of a velocity `[nodes][du/dt, dw/dt, dtheta/dt]` \[m/s, m/s, rad/s\].
@@ -155,9 +137,7 @@ impl Beam {
     /// # Panics
     /// If `velocity` has not one entry per node.
     pub fn kinetic_energy(&self, velocity: &[[f64; 3]]) -> f64 {
-        self.formulated()
-            .map(|(nodes, element)| element.kinetic_energy(&self.ends(nodes, velocity)))
-            .sum()
+        self.formulated().map(|(nodes, element)| element.kinetic_energy(&self.ends(nodes, velocity))).sum()
     }
 
     /// The elements' formulations with the nodes they join.
@@ -192,12 +172,7 @@ fn extent(nodes: &[[f64; 2]]) -> f64 {
     side(0).hypot(side(1))
 }
 
-fn formulate(
-    nodes: &[[f64; 2]],
-    extent: f64,
-    index: usize,
-    element: &Element,
-) -> Result<EulerBernoulli, Error> {
+fn formulate(nodes: &[[f64; 2]], extent: f64, index: usize, element: &Element) -> Result<EulerBernoulli, Error> {
     for node in element.nodes {
         existing_node("element", index, node, nodes.len())?;
     }
@@ -207,12 +182,7 @@ fn formulate(
     let (dx, dy) = (second[0] - first[0], second[1] - first[1]);
     let length = dx.hypot(dy);
     if length <= SHORTEST_ELEMENT * extent {
-        return Err(Error::ZeroLengthElement {
-            element: index,
-            nodes: element.nodes,
-            length,
-            extent,
-        });
+        return Err(Error::ZeroLengthElement { element: index, nodes: element.nodes, length, extent });
     }
     Ok(EulerBernoulli {
         length,

@@ -49,19 +49,12 @@ impl Equations {
     pub fn restrict(&self, field: &[[f64; 3]]) -> Vec<f64> {
         let numbers = self.number.iter().flatten();
         let values = field.iter().flatten();
-        numbers
-            .zip(values)
-            .filter(|(number, _)| number.is_some())
-            .map(|(_, &value)| value)
-            .collect()
+        numbers.zip(values).filter(|(number, _)| number.is_some()).map(|(_, &value)| value).collect()
     }
 
     /// The field whose free entries are `value(equation)` and whose fixed entries are zero.
     pub fn extend(&self, value: impl Fn(usize) -> f64) -> Vec<[f64; 3]> {
-        self.number
-            .iter()
-            .map(|numbers| numbers.map(|number| number.map_or(0.0, &value)))
-            .collect()
+        self.number.iter().map(|numbers| numbers.map(|number| number.map_or(0.0, &value))).collect()
     }
 
     /// Lower triangle of the stiffness matrix, springs included.
@@ -84,11 +77,7 @@ impl Equations {
         self.lower_triangle(beam, EulerBernoulli::mass)
     }
 
-    fn lower_triangle(
-        &self,
-        beam: &Beam,
-        matrix: impl Fn(&EulerBernoulli) -> EndsMatrix,
-    ) -> Vec<Entry> {
+    fn lower_triangle(&self, beam: &Beam, matrix: impl Fn(&EulerBernoulli) -> EndsMatrix) -> Vec<Entry> {
         let mut entries = Vec::with_capacity(21 * beam.elements().len());
         for ([first, second], element) in beam.formulated() {
             let [u1, w1, theta1] = self.number[first];

@@ -139,51 +139,19 @@ pub enum Error {
 }
 
 /// `value` if it is positive and finite, else the error that says so.
-pub(crate) fn positive(
-    quantity: &'static str,
-    item: &'static str,
-    index: usize,
-    value: f64,
-) -> Result<f64, Error> {
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::NotPositive {
-            quantity,
-            item,
-            index,
-            value,
-        })
-    }
+pub(crate) fn positive(quantity: &'static str, item: &'static str, index: usize, value: f64) -> Result<f64, Error> {
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(Error::NotPositive { quantity, item, index, value }) }
 }
 
 /// Ok if all `values` are finite, else the error that names the first which is not.
 pub(crate) fn finite(quantity: &'static str, index: usize, values: &[f64]) -> Result<(), Error> {
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(()),
-        Some(&value) => Err(Error::NotFinite {
-            quantity,
-            index,
-            value,
-        }),
+        Some(&value) => Err(Error::NotFinite { quantity, index, value }),
     }
 }
 
 /// Ok if `node` is one of `nodes` nodes, else the error that says who asked for it.
-pub(crate) fn existing_node(
-    item: &'static str,
-    index: usize,
-    node: usize,
-    nodes: usize,
-) -> Result<(), Error> {
-    if node < nodes {
-        Ok(())
-    } else {
-        Err(Error::NoSuchNode {
-            item,
-            index,
-            node,
-            nodes,
-        })
-    }
+pub(crate) fn existing_node(item: &'static str, index: usize, node: usize, nodes: usize) -> Result<(), Error> {
+    if node < nodes { Ok(()) } else { Err(Error::NoSuchNode { item, index, node, nodes }) }
 }

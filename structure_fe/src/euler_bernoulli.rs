@@ -36,21 +36,13 @@ impl EulerBernoulli {
         let [c, s] = self.tangent;
         let (du, dw) = (q[3] - q[0], q[4] - q[1]);
         let chord_rotation = (c * dw - s * du) / self.length;
-        [
-            c * du + s * dw,
-            q[2] - chord_rotation,
-            q[5] - chord_rotation,
-        ]
+        [c * du + s * dw, q[2] - chord_rotation, q[5] - chord_rotation]
     }
 
     /// Forces D d conjugate to the deformations: normal force \[N\] and the two end moments \[N m\].
     fn deformation_forces(&self, d: &[f64; 3]) -> [f64; 3] {
         let bending = 2.0 * self.bending_stiffness / self.length;
-        [
-            self.axial_stiffness / self.length * d[0],
-            bending * (2.0 * d[1] + d[2]),
-            bending * (d[1] + 2.0 * d[2]),
-        ]
+        [self.axial_stiffness / self.length * d[0], bending * (2.0 * d[1] + d[2]), bending * (d[1] + 2.0 * d[2])]
     }
 
     /// End forces B^T (N, M_1, M_2), in the global axes.
@@ -69,8 +61,7 @@ impl EulerBernoulli {
     pub fn strain_energy(&self, q: &Ends) -> f64 {
         let [e, psi_1, psi_2] = self.deformations(q);
         let bending = psi_1.powi(2) + psi_2.powi(2) + (psi_1 + psi_2).powi(2);
-        0.5 * self.axial_stiffness / self.length * e.powi(2)
-            + self.bending_stiffness / self.length * bending
+        0.5 * self.axial_stiffness / self.length * e.powi(2) + self.bending_stiffness / self.length * bending
     }
 
     /// Stiffness matrix K = B^T D B in the global axes.
@@ -139,14 +130,7 @@ impl EulerBernoulli {
 
 /// The two vectors of `q` turned by the angle of cosine `c` and sine `s`, the rotations untouched.
 fn rotate(q: &Ends, c: f64, s: f64) -> Ends {
-    [
-        c * q[0] - s * q[1],
-        s * q[0] + c * q[1],
-        q[2],
-        c * q[3] - s * q[4],
-        s * q[3] + c * q[4],
-        q[5],
-    ]
+    [c * q[0] - s * q[1], s * q[0] + c * q[1], q[2], c * q[3] - s * q[4], s * q[3] + c * q[4], q[5]]
 }
 
 /// The matrix of a symmetric linear map: its columns, hence rows, are the images of the unit vectors.

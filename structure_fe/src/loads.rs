@@ -29,11 +29,7 @@ impl Loads {
     /// Puts a load on an element that varies linearly from `start` at its first node to `end` at its
     /// second: `[q_x, q_y]` in the global axes, per length of the element \[N/m; N/m^2 on a strip\].
     pub fn along_element(&mut self, element: usize, start: [f64; 2], end: [f64; 2]) -> &mut Self {
-        self.distributed.push(DistributedLoad {
-            element,
-            start,
-            end,
-        });
+        self.distributed.push(DistributedLoad { element, start, end });
         self
     }
 
@@ -45,11 +41,7 @@ impl Loads {
         let elements = beam.elements().len();
         for (index, load) in self.distributed.iter().enumerate() {
             if load.element >= elements {
-                return Err(Error::NoSuchElement {
-                    index,
-                    element: load.element,
-                    elements,
-                });
+                return Err(Error::NoSuchElement { index, element: load.element, elements });
             }
             finite("distributed load [N/m]", index, &load.start)?;
             finite("distributed load [N/m]", index, &load.end)?;

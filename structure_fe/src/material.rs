@@ -17,20 +17,12 @@ pub struct Material {
 
 impl Material {
     pub(crate) fn check(&self, element: usize) -> Result<(), Error> {
-        positive(
-            "Young's modulus [Pa]",
-            "element",
-            element,
-            self.youngs_modulus,
-        )?;
+        positive("Young's modulus [Pa]", "element", element, self.youngs_modulus)?;
         positive("density [kg/m^3]", "element", element, self.density)?;
         if self.poissons_ratio > -1.0 && self.poissons_ratio <= 0.5 {
             Ok(())
         } else {
-            Err(Error::PoissonsRatio {
-                element,
-                value: self.poissons_ratio,
-            })
+            Err(Error::PoissonsRatio { element, value: self.poissons_ratio })
         }
     }
 }

@@ -23,10 +23,7 @@ pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result
     for first in (0..part.len()).filter(|&node| part[node] == node) {
         let members: Vec<usize> = (first..part.len()).filter(|&n| part[n] == first).collect();
         if let Some(motion) = free_motion(beam, &members, &restraint)? {
-            return Err(Error::UnderSupported {
-                node: first,
-                motion,
-            });
+            return Err(Error::UnderSupported { node: first, motion });
         }
     }
     Ok(())
@@ -73,20 +70,11 @@ fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64
 }
 
 /// A rigid motion of the part that its supports do not stop, as `[u, w, theta]` of its first node.
-fn free_motion(
-    beam: &Beam,
-    members: &[usize],
-    restraint: &[[f64; 3]],
-) -> Result<Option<[f64; 3]>, Error> {
+fn free_motion(beam: &Beam, members: &[usize], restraint: &[[f64; 3]]) -> Result<Option<[f64; 3]>, Error> {
     let nodes = beam.nodes();
-    let centre = [0, 1].map(|axis| {
-        members.iter().map(|&node| nodes[node][axis]).sum::<f64>() / members.len() as f64
-    });
+    let centre = [0, 1].map(|axis| members.iter().map(|&node| nodes[node][axis]).sum::<f64>() / members.len() as f64);
     let arm = |node: usize| [0, 1].map(|axis| nodes[node][axis] - centre[axis]);
-    let radius = members
-        .iter()
-        .map(|&node| arm(node)[0].hypot(arm(node)[1]))
-        .fold(0.0, f64::max);
+    let radius = members.iter().map(|&node| arm(node)[0].hypot(arm(node)[1])).fold(0.0, f64::max);
     // Unit motions: along x, along y, and the rotation that moves the farthest node by one.
     let unit_motions = |node: usize| {
         let [x, y] = arm(node).map(|component| component / radius);
@@ -104,15 +92,11 @@ fn free_motion(
     }
     let eigen = stopped
         .self_adjoint_eigen(Side::Lower)
-        .map_err(|error| Error::LinearAlgebra {
-            unknowns: 3,
-            reason: format!("{error:?}"),
-        })?;
+        .map_err(|error| Error::LinearAlgebra { unknowns: 3, reason: format!("{error:?}") })?;
     if eigen.S()[0] > FREE {
         return Ok(None);
     }
     let free = eigen.U().col(0);
-    let [u, w, turn] =
-        unit_motions(members[0]).map(|row| (0..3).map(|k| row[k] * free[k]).sum::<f64>());
+    let [u, w, turn] = unit_motions(members[0]).map(|row| (0..3).map(|k| row[k] * free[k]).sum::<f64>());
     Ok(Some([u, w, turn / radius]))
 }

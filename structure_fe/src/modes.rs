@@ -39,31 +39,21 @@ pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<V
 
     let stiffness = symmetric(unknowns, &equations.stiffness(beam, supports));
     let mass = symmetric(unknowns, &equations.mass(beam));
-    let highest = (0..unknowns)
-        .map(|i| stiffness[(i, i)] / mass[(i, i)])
-        .fold(0.0, f64::max);
+    let highest = (0..unknowns).map(|i| stiffness[(i, i)] / mass[(i, i)]).fold(0.0, f64::max);
     let shifted = stiffness + Scale(SHIFT * highest) * &mass;
-    let factor = shifted
-        .llt(Side::Lower)
-        .map_err(|error| failed(format!("K + sigma M: {error:?}")))?;
+    let factor = shifted.llt(Side::Lower).map_err(|error| failed(format!("K + sigma M: {error:?}")))?;
     let lower = factor.L();
     let mut half = mass;
     lower.solve_lower_triangular_in_place(half.as_mut());
     let mut standard = half.transpose().to_owned();
     lower.solve_lower_triangular_in_place(standard.as_mut());
-    let eigen = standard
-        .self_adjoint_eigen(Side::Lower)
-        .map_err(|error| failed(format!("eigenvalues: {error:?}")))?;
+    let eigen = standard.self_adjoint_eigen(Side::Lower).map_err(|error| failed(format!("eigenvalues: {error:?}")))?;
     let count = count.min(unknowns);
     let mut shapes = eigen.U().subcols(unknowns - count, count).to_owned();
-    lower
-        .transpose()
-        .solve_upper_triangular_in_place(shapes.as_mut());
+    lower.transpose().solve_upper_triangular_in_place(shapes.as_mut());
 
-    let mut modes: Vec<Mode> = shapes
-        .col_iter()
-        .map(|shape| mode(beam, supports, equations.extend(|equation| shape[equation])))
-        .collect();
+    let mut modes: Vec<Mode> =
+        shapes.col_iter().map(|shape| mode(beam, supports, equations.extend(|equation| shape[equation]))).collect();
     modes.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
     Ok(modes)
 }
@@ -75,10 +65,7 @@ fn mode(beam: &Beam, supports: &Supports, mut shape: Vec<[f64; 3]>) -> Mode {
         *value *= scale;
     }
     let energy = beam.strain_energy(&shape) + supports.spring_energy(&shape);
-    Mode {
-        angular_frequency: (2.0 * energy).sqrt(),
-        shape,
-    }
+    Mode { angular_frequency: (2.0 * energy).sqrt(), shape }
 }
 
 /// The full symmetric matrix of the entries of its lower triangle.

@@ -78,9 +78,7 @@ impl Section {
     fn modulus(&self, material: &Material) -> f64 {
         match self.0 {
             Shape::Rectangular { .. } => material.youngs_modulus,
-            Shape::Strip { .. } => {
-                material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2))
-            }
+            Shape::Strip { .. } => material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)),
         }
     }
 

@@ -41,11 +41,7 @@ pub(crate) fn section_forces(
             let elastic = element.elastic_forces(&beam.ends(nodes, displacement));
             let total = std::array::from_fn(|i| elastic[i] - load[i]);
             let [x1, y1, m1, x2, y2, m2] = element.to_local(&total);
-            [[-x1, -y1, -m1], [x2, y2, m2]].map(|[normal, shear, moment]| SectionForces {
-                normal,
-                shear,
-                moment,
-            })
+            [[-x1, -y1, -m1], [x2, y2, m2]].map(|[normal, shear, moment]| SectionForces { normal, shear, moment })
         })
         .collect()
 }

@@ -54,13 +54,7 @@ impl Statics {
         let entries = equations.stiffness(&beam, &supports);
         let pattern = Pattern::new(equations.count(), &entries)?;
         let factor = pattern.factorise(&entries)?;
-        Ok(Self {
-            beam,
-            supports,
-            equations,
-            pattern,
-            factor,
-        })
+        Ok(Self { beam, supports, equations, pattern, factor })
     }
 
     /// Takes another model of the same connectivity, on the same supports: other coordinates,
@@ -110,16 +104,14 @@ impl Statics {
         for _ in 0..REFINEMENTS {
             let displacement = self.equations.extend(|equation| u[equation]);
             let mut internal = self.beam.elastic_forces(&displacement);
-            self.supports
-                .add_spring_forces(&displacement, &mut internal);
+            self.supports.add_spring_forces(&displacement, &mut internal);
             let internal = self.equations.restrict(&internal);
             let residual = Col::from_fn(load.len(), |i| load[i] - internal[i]);
             let correction = self.factor.solve(&residual);
             u += &correction;
             // Twice the elastic energies of the correction and of the solution.
-            let energy = |force: &dyn Fn(usize) -> f64, u: &Col<f64>| {
-                (0..load.len()).map(|i| force(i) * u[i]).sum::<f64>()
-            };
+            let energy =
+                |force: &dyn Fn(usize) -> f64, u: &Col<f64>| (0..load.len()).map(|i| force(i) * u[i]).sum::<f64>();
             let of_correction = energy(&|i| residual[i], &correction);
             let of_solution = energy(&|i| load[i], &u);
             if of_correction <= CONVERGED.powi(2) * of_solution {
@@ -127,18 +119,13 @@ impl Statics {
             }
             change = (of_correction / of_solution).sqrt();
         }
-        Err(Error::IllConditioned {
-            unknowns: load.len(),
-            refinements: REFINEMENTS,
-            change,
-        })
+        Err(Error::IllConditioned { unknowns: load.len(), refinements: REFINEMENTS, change })
     }
 
     fn reactions(&self, displacement: &[[f64; 3]], load: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let elastic = self.beam.elastic_forces(displacement);
         let mut on_springs = vec![[0.0; 3]; elastic.len()];
-        self.supports
-            .add_spring_forces(displacement, &mut on_springs);
+        self.supports.add_spring_forces(displacement, &mut on_springs);
         let mut reactions = on_springs;
         for reaction in reactions.as_flattened_mut() {
             *reaction = -*reaction;
@@ -162,20 +149,12 @@ struct Pattern {
 impl Pattern {
     fn new(unknowns: usize, entries: &[Entry]) -> Result<Self, Error> {
         let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
-        let places: Vec<_> = entries
-            .iter()
-            .map(|entry| Pair::new(entry.row, entry.column))
-            .collect();
-        let (matrix, order) =
-            SymbolicSparseColMat::try_new_from_indices(unknowns, unknowns, &places)
-                .map_err(|error| failed(format!("{error:?}")))?;
-        let elimination = SymbolicLlt::try_new(matrix.as_ref(), Side::Lower)
+        let places: Vec<_> = entries.iter().map(|entry| Pair::new(entry.row, entry.column)).collect();
+        let (matrix, order) = SymbolicSparseColMat::try_new_from_indices(unknowns, unknowns, &places)
             .map_err(|error| failed(format!("{error:?}")))?;
-        Ok(Self {
-            matrix,
-            order,
-            elimination,
-        })
+        let elimination =
+            SymbolicLlt::try_new(matrix.as_ref(), Side::Lower).map_err(|error| failed(format!("{error:?}")))?;
+        Ok(Self { matrix, order, elimination })
     }
 
     fn factorise(&self, entries: &[Entry]) -> Result<Llt<usize, f64>, Error> {
@@ -186,12 +165,9 @@ impl Pattern {
             .map_err(|error| failed(format!("{error:?}")))?;
         Llt::try_new_with_symbolic(self.elimination.clone(), matrix.as_ref(), Side::Lower).map_err(
             |error| match error {
-                LltError::Numeric(
-                    faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index },
-                ) => Error::NotPositiveDefinite {
-                    pivot: index,
-                    unknowns,
-                },
+                LltError::Numeric(faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index }) => {
+                    Error::NotPositiveDefinite { pivot: index, unknowns }
+                }
                 LltError::Generic(error) => failed(format!("{error:?}")),
             },
         )

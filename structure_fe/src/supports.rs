@@ -51,11 +51,7 @@ impl Supports {
     ///
     /// Springs on the same degree of freedom add up.
     pub fn spring(&mut self, node: usize, dof: Dof, stiffness: f64) -> &mut Self {
-        self.springs.push(Spring {
-            node,
-            dof,
-            stiffness,
-        });
+        self.springs.push(Spring { node, dof, stiffness });
         self
     }
 
@@ -74,9 +70,7 @@ impl Supports {
     pub fn spring_energy(&self, displacement: &[[f64; 3]]) -> f64 {
         self.springs
             .iter()
-            .map(|spring| {
-                0.5 * spring.stiffness * displacement[spring.node][spring.dof as usize].powi(2)
-            })
+            .map(|spring| 0.5 * spring.stiffness * displacement[spring.node][spring.dof as usize].powi(2))
             .sum()
     }
 
@@ -95,12 +89,7 @@ impl Supports {
         }
         for (index, spring) in self.springs.iter().enumerate() {
             existing_node("spring", index, spring.node, nodes)?;
-            positive(
-                "stiffness [N/m, N m/rad]",
-                "spring",
-                index,
-                spring.stiffness,
-            )?;
+            positive("stiffness [N/m, N m/rad]", "spring", index, spring.stiffness)?;
         }
         Ok(())
     }

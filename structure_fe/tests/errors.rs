@@ -16,74 +16,31 @@ fn a_model_needs_elements_that_join_existing_distinct_nodes() {
     };
     let nodes = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]];
     assert_eq!(build(nodes.clone(), &[]), Error::NoElements { nodes: 3 });
-    assert!(matches!(
-        Beam::straight([0.0, 0.0], [1.0, 0.0], 0, MATERIAL, section()),
-        Err(Error::NoElements { .. })
-    ));
+    assert!(matches!(Beam::straight([0.0, 0.0], [1.0, 0.0], 0, MATERIAL, section()), Err(Error::NoElements { .. })));
     assert_eq!(
         build(nodes.clone(), &[[0, 1], [1, 3]]),
-        Error::NoSuchNode {
-            item: "element",
-            index: 1,
-            node: 3,
-            nodes: 3
-        }
+        Error::NoSuchNode { item: "element", index: 1, node: 3, nodes: 3 }
     );
     assert_eq!(
         build(nodes.clone(), &[[0, 1], [1, 2]]),
-        Error::ZeroLengthElement {
-            element: 1,
-            nodes: [1, 2],
-            length: 0.0,
-            extent: 1.0
-        }
+        Error::ZeroLengthElement { element: 1, nodes: [1, 2], length: 0.0, extent: 1.0 }
     );
     assert_eq!(build(nodes, &[[0, 1]]), Error::UnattachedNode { node: 2 });
     let nan = build(vec![[0.0, 0.0], [1.0, f64::NAN]], &[[0, 1]]);
-    assert!(
-        matches!(nan, Error::NotFinite { index: 1, value, .. } if value.is_nan()),
-        "{nan}"
-    );
+    assert!(matches!(nan, Error::NotFinite { index: 1, value, .. } if value.is_nan()), "{nan}");
 }
 
 #[test]
 fn material_and_section_must_be_physical() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         for (name, model) in [
-            (
-                "modulus",
-                one_element(
-                    Material {
-                        youngs_modulus: bad,
-                        ..MATERIAL
-                    },
-                    section(),
-                ),
-            ),
-            (
-                "density",
-                one_element(
-                    Material {
-                        density: bad,
-                        ..MATERIAL
-                    },
-                    section(),
-                ),
-            ),
+            ("modulus", one_element(Material { youngs_modulus: bad, ..MATERIAL }, section())),
+            ("density", one_element(Material { density: bad, ..MATERIAL }, section())),
             ("thickness", one_element(MATERIAL, Section::strip(bad))),
-            (
-                "width",
-                one_element(MATERIAL, Section::rectangular(0.1, bad)),
-            ),
+            ("width", one_element(MATERIAL, Section::rectangular(0.1, bad))),
         ] {
             let error = model.unwrap_err();
-            let Error::NotPositive {
-                quantity,
-                index: 0,
-                value,
-                ..
-            } = error
-            else {
+            let Error::NotPositive { quantity, index: 0, value, .. } = error else {
                 panic!("{error}");
             };
             assert!(quantity.contains(name), "{quantity}");
@@ -91,59 +48,20 @@ fn material_and_section_must_be_physical() {
         }
     }
     for bad in [-1.0, 0.51, f64::NAN] {
-        let error = one_element(
-            Material {
-                poissons_ratio: bad,
-                ..MATERIAL
-            },
-            section(),
-        );
-        assert!(matches!(
-            error,
-            Err(Error::PoissonsRatio { element: 0, .. })
-        ));
+        let error = one_element(Material { poissons_ratio: bad, ..MATERIAL }, section());
+        assert!(matches!(error, Err(Error::PoissonsRatio { element: 0, .. })));
     }
-    assert!(
-        one_element(
-            Material {
-                poissons_ratio: 0.5,
-                ..MATERIAL
-            },
-            section()
-        )
-        .is_ok()
-    );
+    assert!(one_element(Material { poissons_ratio: 0.5, ..MATERIAL }, section()).is_ok());
 }
 
 #[test]
 fn supports_and_loads_must_be_on_the_model() {
     let error = Statics::new(beam(2), supports("clamped_clamped", 3)).unwrap_err();
-    assert!(matches!(
-        error,
-        Error::NoSuchNode {
-            item: "support",
-            node: 3,
-            nodes: 3,
-            ..
-        }
-    ));
+    assert!(matches!(error, Error::NoSuchNode { item: "support", node: 3, nodes: 3, .. }));
     let mut held = Supports::default();
     held.clamp(0).spring(2, Dof::W, -5.0);
-    for error in [
-        Statics::new(beam(2), held.clone()).unwrap_err(),
-        natural_modes(&beam(2), &held, 1).unwrap_err(),
-    ] {
-        assert!(
-            matches!(
-                error,
-                Error::NotPositive {
-                    item: "spring",
-                    value: -5.0,
-                    ..
-                }
-            ),
-            "{error}"
-        );
+    for error in [Statics::new(beam(2), held.clone()).unwrap_err(), natural_modes(&beam(2), &held, 1).unwrap_err()] {
+        assert!(matches!(error, Error::NotPositive { item: "spring", value: -5.0, .. }), "{error}");
     }
     let statics = Statics::new(beam(2), supports("cantilever", 2)).unwrap();
     let solve = |put: fn(&mut Loads)| {
@@ -153,20 +71,11 @@ fn supports_and_loads_must_be_on_the_model() {
     };
     assert_eq!(
         solve(|loads| _ = loads.at_node(3, [0.0; 3])),
-        Error::NoSuchNode {
-            item: "nodal load",
-            index: 0,
-            node: 3,
-            nodes: 3
-        }
+        Error::NoSuchNode { item: "nodal load", index: 0, node: 3, nodes: 3 }
     );
     assert_eq!(
         solve(|loads| _ = loads.along_element(2, [0.0; 2], [0.0; 2])),
-        Error::NoSuchElement {
-            index: 2,
-            element: 2,
-            elements: 2
-        }
+        Error::NoSuchElement { index: 2, element: 2, elements: 2 }
     );
     for error in [
         solve(|loads| _ = loads.at_node(1, [0.0, f64::NAN, 0.0])),
@@ -181,9 +90,7 @@ fn free_motion(beam: Beam, supports: Supports) -> (usize, [f64; 3]) {
     match Statics::new(beam, supports) {
         Err(error @ Error::UnderSupported { node, motion }) => {
             assert!(error.to_string().starts_with("under-supported"));
-            let largest = motion
-                .into_iter()
-                .max_by(|a, b| a.abs().total_cmp(&b.abs()));
+            let largest = motion.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()));
             (node, motion.map(|component| component / largest.unwrap()))
         }
         other => panic!("{other:?} should have been under-supported"),
@@ -192,8 +99,7 @@ fn free_motion(beam: Beam, supports: Supports) -> (usize, [f64; 3]) {
 
 #[test]
 fn an_under_supported_model_names_its_free_motion() {
-    let close =
-        |ours: [f64; 3], expected: [f64; 3]| (0..3).all(|i| (ours[i] - expected[i]).abs() < 1e-9);
+    let close = |ours: [f64; 3], expected: [f64; 3]| (0..3).all(|i| (ours[i] - expected[i]).abs() < 1e-9);
     for elements in [1, 7, 40] {
         // Nothing held at all: some motion or other.
         free_motion(beam(elements), Supports::default());
@@ -241,10 +147,7 @@ fn a_part_that_is_not_joined_to_the_rest_must_be_held_by_itself() {
 fn springs_hold_a_model_unless_they_are_absurdly_soft() {
     let sprung = |stiffness: f64| {
         let mut supports = Supports::default();
-        supports
-            .spring(0, Dof::U, stiffness)
-            .spring(0, Dof::W, stiffness)
-            .spring(4, Dof::W, stiffness);
+        supports.spring(0, Dof::U, stiffness).spring(0, Dof::W, stiffness).spring(4, Dof::W, stiffness);
         Statics::new(beam(4), supports)
     };
     assert!(sprung(1e3).is_ok());

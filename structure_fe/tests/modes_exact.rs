@@ -3,9 +3,7 @@
 mod common;
 
 use approx::assert_relative_eq;
-use common::{
-    LENGTH, MATERIAL, beam, beam_at, bending_stiffness, number, section, supports, table,
-};
+use common::{LENGTH, MATERIAL, beam, beam_at, bending_stiffness, number, section, supports, table};
 use structure_fe::{Beam, Dof, Mode, Section, Supports, natural_modes};
 
 /// omega = (kL)^2 sqrt(EI/(rho A L^4)).
@@ -71,12 +69,7 @@ fn a_fine_mesh_keeps_the_nine_digits_of_the_table() {
 }
 
 fn inner_product(beam: &Beam, energy: fn(&Beam, &[[f64; 3]]) -> f64, a: &Mode, b: &Mode) -> f64 {
-    let sum: Vec<_> = a
-        .shape
-        .iter()
-        .zip(&b.shape)
-        .map(|(a, b)| [0, 1, 2].map(|dof| a[dof] + b[dof]))
-        .collect();
+    let sum: Vec<_> = a.shape.iter().zip(&b.shape).map(|(a, b)| [0, 1, 2].map(|dof| a[dof] + b[dof])).collect();
     energy(beam, &sum) - energy(beam, &a.shape) - energy(beam, &b.shape)
 }
 
@@ -88,20 +81,13 @@ fn shapes_are_orthonormal_in_mass_and_orthogonal_in_stiffness() {
     assert!(modes.is_sorted_by_key(|mode| mode.angular_frequency));
     for (i, a) in modes.iter().enumerate() {
         assert_eq!(a.shape[0], [0.0; 3], "the clamp does not move");
-        assert_relative_eq!(
-            2.0 * beam.kinetic_energy(&a.shape),
-            1.0,
-            max_relative = 1e-12
-        );
+        assert_relative_eq!(2.0 * beam.kinetic_energy(&a.shape), 1.0, max_relative = 1e-12);
         for b in &modes[..i] {
             let mass = inner_product(&beam, Beam::kinetic_energy, a, b);
             assert!(mass.abs() < 1e-10, "mass product {mass}");
             let stiffness = inner_product(&beam, Beam::strain_energy, a, b);
             let scale = a.angular_frequency.powi(2).max(b.angular_frequency.powi(2));
-            assert!(
-                stiffness.abs() < 1e-10 * scale,
-                "stiffness product {stiffness}"
-            );
+            assert!(stiffness.abs() < 1e-10 * scale, "stiffness product {stiffness}");
         }
     }
 }
@@ -151,11 +137,7 @@ fn a_body_on_a_spring_oscillates_at_the_root_of_stiffness_over_mass() {
     }
     guided.spring(1, Dof::W, 100.0);
     let mode = &natural_modes(&beam, &guided, 1).unwrap()[0];
-    assert_relative_eq!(
-        mode.angular_frequency,
-        (100.0 / beam.mass()).sqrt(),
-        max_relative = 1e-6
-    );
+    assert_relative_eq!(mode.angular_frequency, (100.0 / beam.mass()).sqrt(), max_relative = 1e-6);
 }
 
 /// Rigid velocities: m v^2/2 along any axis, m L^2 omega^2/6 about an end.
@@ -165,16 +147,8 @@ fn rigid_motion_has_the_kinetic_energy_of_a_rod() {
     let mass = section().mass_per_length(&MATERIAL) * LENGTH;
     assert_relative_eq!(beam.mass(), mass, max_relative = 1e-14);
     let translation = vec![[3.0, -4.0, 0.0]; 6];
-    assert_relative_eq!(
-        beam.kinetic_energy(&translation),
-        12.5 * mass,
-        max_relative = 1e-13
-    );
-    let rotation: Vec<_> = beam
-        .nodes()
-        .iter()
-        .map(|[x, y]| [-2.0 * y, 2.0 * x, 2.0])
-        .collect();
+    assert_relative_eq!(beam.kinetic_energy(&translation), 12.5 * mass, max_relative = 1e-13);
+    let rotation: Vec<_> = beam.nodes().iter().map(|[x, y]| [-2.0 * y, 2.0 * x, 2.0]).collect();
     let exact = mass * LENGTH.powi(2) * 4.0 / 6.0;
     assert_relative_eq!(beam.kinetic_energy(&rotation), exact, max_relative = 1e-13);
 }

@@ -21,28 +21,14 @@ fn section(shape: &str, fields: Fields) -> Result<Section, Error> {
 
 #[test]
 fn a_material_is_its_three_constants_and_nothing_else() {
-    let fields = BTreeMap::from([
-        ("youngs_modulus", 70e9),
-        ("poissons_ratio", 0.33),
-        ("density", 2700.0),
-    ]);
+    let fields = BTreeMap::from([("youngs_modulus", 70e9), ("poissons_ratio", 0.33), ("density", 2700.0)]);
     assert_eq!(material(fields.clone()).unwrap(), MATERIAL);
     let mut misspelt = fields.clone();
     misspelt.insert("densty", 1.0);
-    assert!(
-        material(misspelt)
-            .unwrap_err()
-            .to_string()
-            .contains("densty")
-    );
+    assert!(material(misspelt).unwrap_err().to_string().contains("densty"));
     let mut incomplete = fields;
     incomplete.remove("density");
-    assert!(
-        material(incomplete)
-            .unwrap_err()
-            .to_string()
-            .contains("density")
-    );
+    assert!(material(incomplete).unwrap_err().to_string().contains("density"));
 }
 
 #[test]

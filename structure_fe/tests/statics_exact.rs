@@ -3,12 +3,8 @@
 mod common;
 
 use approx::assert_relative_eq;
-use common::{
-    LENGTH, MATERIAL, beam, beam_at, bending_stiffness, number, section, supports, table, uniform,
-};
-use structure_fe::{
-    Beam, Dof, Element, Error, Loads, Material, Section, StaticSolution, Statics, Supports,
-};
+use common::{LENGTH, MATERIAL, beam, beam_at, bending_stiffness, number, section, supports, table, uniform};
+use structure_fe::{Beam, Dof, Element, Error, Loads, Material, Section, StaticSolution, Statics, Supports};
 
 const LOAD: f64 = 120.0;
 
@@ -27,11 +23,7 @@ fn force_at(node: usize, force: [f64; 3]) -> Loads {
 #[test]
 fn every_row_of_the_table_of_small_deflections() {
     let ei = bending_stiffness();
-    let (force, moment, load) = (
-        LENGTH.powi(3) / ei,
-        LENGTH.powi(2) / ei,
-        LENGTH.powi(4) / ei,
-    );
+    let (force, moment, load) = (LENGTH.powi(3) / ei, LENGTH.powi(2) / ei, LENGTH.powi(4) / ei);
     let rows = table("beam_static_small");
     assert_eq!(rows.len(), 9);
     for elements in [2, 8] {
@@ -91,10 +83,7 @@ fn every_row_of_the_table_of_small_deflections() {
                     let spread = uniform(&beam, [0.0, LOAD]);
                     let solution = solve(beam, supports("clamped_pinned", 2), &spread);
                     let [_, w, slope] = solution.displacement[1];
-                    assert!(
-                        slope.abs() * LENGTH < 1e-9 * w,
-                        "not at the maximum: {slope}"
-                    );
+                    assert!(slope.abs() * LENGTH < 1e-9 * w, "not at the maximum: {slope}");
                     // The table rounds 184.6 and then the quotient.
                     (w / (LOAD * load), exact, 2e-6)
                 }
@@ -118,16 +107,8 @@ fn hydrostatic_plate_has_the_tabulated_deflection_and_moments() {
     let (elements, mid) = (10, 5);
     let plate = Section::strip(0.05);
     for row in table("hydrostatic_plate") {
-        let material = Material {
-            youngs_modulus: 67.5e9,
-            poissons_ratio: number(&row, "nu"),
-            density: 2700.0,
-        };
-        assert_relative_eq!(
-            plate.bending_stiffness(&material),
-            number(&row, "D_Nm"),
-            max_relative = 5e-9
-        );
+        let material = Material { youngs_modulus: 67.5e9, poissons_ratio: number(&row, "nu"), density: 2700.0 };
+        assert_relative_eq!(plate.bending_stiffness(&material), number(&row, "D_Nm"), max_relative = 5e-9);
         let beam = Beam::straight([0.0, 0.0], [1.0, 0.0], elements, material, plate).unwrap();
         let weight = plate.mass_per_length(&material) * 9.81 * number(&row, "self_weight");
         let load = 1000.0 * 9.81 * 2.0 + weight;
@@ -138,18 +119,11 @@ fn hydrostatic_plate_has_the_tabulated_deflection_and_moments() {
         assert_relative_eq!(-w, number(&row, "w_mid_m"), max_relative = 5e-9);
         let clamp = solution.section_forces[0][0];
         let middle = solution.section_forces[mid][0];
-        let (at_clamp, at_middle) = (
-            number(&row, "M_clamp_Nm_per_m"),
-            number(&row, "M_mid_Nm_per_m"),
-        );
+        let (at_clamp, at_middle) = (number(&row, "M_clamp_Nm_per_m"), number(&row, "M_mid_Nm_per_m"));
         assert_relative_eq!(-clamp.moment, at_clamp, max_relative = 1e-9);
         assert_relative_eq!(middle.moment, at_middle, max_relative = 1e-9);
         // The load pushes down, so the top fibre is in tension at the clamp: 6 M/h^2.
-        assert_relative_eq!(
-            clamp.fibre_stress(&plate, 0.025),
-            6.0 * at_clamp / 0.05_f64.powi(2),
-            max_relative = 1e-9
-        );
+        assert_relative_eq!(clamp.fibre_stress(&plate, 0.025), 6.0 * at_clamp / 0.05_f64.powi(2), max_relative = 1e-9);
         assert_relative_eq!(
             middle.fibre_stress(&plate, 0.025),
             -6.0 * at_middle / 0.05_f64.powi(2),
@@ -168,29 +142,18 @@ fn a_triangular_load_is_carried_exactly_along_the_whole_beam() {
     let at = |node: usize| [0.0, LOAD * node as f64 / elements as f64];
     for element in 0..elements {
         // In two parts: loads on the same element add up.
-        loads
-            .along_element(element, at(element), [0.0; 2])
-            .along_element(element, [0.0; 2], at(element + 1));
+        loads.along_element(element, at(element), [0.0; 2]).along_element(element, [0.0; 2], at(element + 1));
     }
     let solution = solve(beam, supports("cantilever", elements), &loads);
     let exact = 11.0 * LOAD * length.powi(4) / (120.0 * bending_stiffness());
-    assert_relative_eq!(
-        solution.displacement[elements][1],
-        exact,
-        max_relative = 1e-9
-    );
+    assert_relative_eq!(solution.displacement[elements][1], exact, max_relative = 1e-9);
     for (element, ends) in solution.section_forces.iter().enumerate() {
         for (end, forces) in ends.iter().enumerate() {
             let x = length * (element + end) as f64 / elements as f64;
             let shear = LOAD * (length.powi(2) - x.powi(2)) / (2.0 * length);
-            let moment = LOAD * (2.0 * length.powi(3) - 3.0 * length.powi(2) * x + x.powi(3))
-                / (6.0 * length);
+            let moment = LOAD * (2.0 * length.powi(3) - 3.0 * length.powi(2) * x + x.powi(3)) / (6.0 * length);
             assert_relative_eq!(forces.shear, shear, epsilon = 1e-9 * LOAD * length);
-            assert_relative_eq!(
-                forces.moment,
-                moment,
-                epsilon = 1e-9 * LOAD * length.powi(2)
-            );
+            assert_relative_eq!(forces.moment, moment, epsilon = 1e-9 * LOAD * length.powi(2));
             assert!(forces.normal.abs() < 1e-9 * LOAD);
         }
     }
@@ -199,15 +162,9 @@ fn a_triangular_load_is_carried_exactly_along_the_whole_beam() {
 /// A bar of two sections in series, pulled at its end and by its weight: u = sum of N L/(EA).
 #[test]
 fn a_stepped_bar_stretches_by_the_sum_of_its_parts() {
-    let sections = [
-        Section::rectangular(0.02, 0.03),
-        Section::rectangular(0.01, 0.03),
-    ];
-    let elements = [0, 1].map(|element| Element {
-        nodes: [element, element + 1],
-        material: MATERIAL,
-        section: sections[element],
-    });
+    let sections = [Section::rectangular(0.02, 0.03), Section::rectangular(0.01, 0.03)];
+    let elements =
+        [0, 1].map(|element| Element { nodes: [element, element + 1], material: MATERIAL, section: sections[element] });
     let nodes = vec![[0.0, 0.0], [0.4, 0.0], [1.0, 0.0]];
     let beam = Beam::new(nodes, elements.to_vec()).unwrap();
     let mut loads = uniform(&beam, [50.0, 0.0]);
@@ -220,11 +177,7 @@ fn a_stepped_bar_stretches_by_the_sum_of_its_parts() {
     assert_relative_eq!(solution.displacement[2][0], end, max_relative = 1e-12);
     let root = solution.section_forces[0][0];
     assert_relative_eq!(root.normal, 350.0, max_relative = 1e-12);
-    assert_relative_eq!(
-        root.fibre_stress(&sections[0], 0.0),
-        350.0 / 6e-4,
-        max_relative = 1e-12
-    );
+    assert_relative_eq!(root.fibre_stress(&sections[0], 0.0), 350.0 / 6e-4, max_relative = 1e-12);
 }
 
 /// Cantilever propped by a spring k at its tip: the spring takes P/(1 + 3 EI/(k L^3)).
@@ -233,20 +186,14 @@ fn a_spring_at_the_tip_takes_its_share() {
     let elements = 4;
     let k = 2.0 * bending_stiffness() / LENGTH.powi(3);
     let mut held = supports("cantilever", elements);
-    held.spring(elements, Dof::W, 0.5 * k)
-        .spring(elements, Dof::W, 0.5 * k);
+    held.spring(elements, Dof::W, 0.5 * k).spring(elements, Dof::W, 0.5 * k);
     let loads = force_at(elements, [0.0, LOAD, 0.0]);
     let solution = solve(beam(elements), held.clone(), &loads);
     let w = LOAD / (k + 3.0 * bending_stiffness() / LENGTH.powi(3));
     assert_relative_eq!(solution.displacement[elements][1], w, max_relative = 1e-10);
-    assert_relative_eq!(
-        solution.reactions[elements][1],
-        -k * w,
-        max_relative = 1e-10
-    );
+    assert_relative_eq!(solution.reactions[elements][1], -k * w, max_relative = 1e-10);
     // Clapeyron: the elastic energy is half the work of the load.
-    let energy = beam(elements).strain_energy(&solution.displacement)
-        + held.spring_energy(&solution.displacement);
+    let energy = beam(elements).strain_energy(&solution.displacement) + held.spring_energy(&solution.displacement);
     assert_relative_eq!(energy, 0.5 * LOAD * w, max_relative = 1e-10);
 }
 
@@ -283,10 +230,6 @@ fn a_beam_with_no_unknowns_has_the_fixed_end_forces() {
     let (shear, moment) = (LOAD * LENGTH / 2.0, LOAD * LENGTH.powi(2) / 12.0);
     for (node, sign) in [(0, -1.0), (1, 1.0)] {
         assert_relative_eq!(solution.reactions[node][1], -shear, max_relative = 1e-14);
-        assert_relative_eq!(
-            solution.reactions[node][2],
-            sign * moment,
-            max_relative = 1e-14
-        );
+        assert_relative_eq!(solution.reactions[node][2], sign * moment, max_relative = 1e-14);
     }
 }

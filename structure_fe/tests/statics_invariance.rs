@@ -41,11 +41,9 @@ fn reactions_balance_the_loads() {
 
     // The resultant of the loads by hand: each linear load through its own centroid.
     let mut applied = resultant(&[nodes[1]], &[[700.0, -300.0, 40.0]]);
-    for (element, start, end) in [
-        (1, [0.0, -900.0], [100.0, -1500.0]),
-        (3, [250.0, 60.0], [-80.0, 0.0]),
-        (4, [0.0, -400.0], [0.0, -200.0]),
-    ] {
+    for (element, start, end) in
+        [(1, [0.0, -900.0], [100.0, -1500.0]), (3, [250.0, 60.0], [-80.0, 0.0]), (4, [0.0, -400.0], [0.0, -200.0])]
+    {
         let [a, b] = statics.beam().elements()[element].nodes.map(|n| nodes[n]);
         let length = statics.beam().length(element);
         // A triangle of load acts at a third of the length from its high end.
@@ -100,24 +98,14 @@ fn a_beam_at_37_degrees_gives_the_rotated_answer() {
     let straight = solve(0.0, [along, across]);
     let turned = solve(angle, [c * along - s * across, s * along + c * across]);
 
-    let largest = |field: &[[f64; 3]]| {
-        field
-            .as_flattened()
-            .iter()
-            .fold(0.0, |a: f64, b| a.max(b.abs()))
-    };
-    for (ours, reference) in [
-        (&turned.displacement, &straight.displacement),
-        (&turned.reactions, &straight.reactions),
-    ] {
+    let largest = |field: &[[f64; 3]]| field.as_flattened().iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    for (ours, reference) in [(&turned.displacement, &straight.displacement), (&turned.reactions, &straight.reactions)]
+    {
         for (ours, &[x, y, rotation]) in ours.iter().zip(reference) {
             let expected = [c * x - s * y, s * x + c * y, rotation];
             for i in 0..3 {
                 let error = (ours[i] - expected[i]).abs();
-                assert!(
-                    error < 1e-12 * largest(reference),
-                    "{ours:?} against {expected:?}"
-                );
+                assert!(error < 1e-12 * largest(reference), "{ours:?} against {expected:?}");
             }
         }
     }
@@ -136,16 +124,9 @@ fn rigid_motion_costs_no_force_and_no_energy() {
     let (beam, _, _) = frame();
     let stiffness = section().axial_stiffness(&MATERIAL);
     for [u0, w0, turn] in [[0.3, -0.7, 0.0], [0.0, 0.0, 0.01], [-2.0, 1.0, 0.03]] {
-        let motion: Vec<_> = beam
-            .nodes()
-            .iter()
-            .map(|[x, y]| [u0 - turn * y, w0 + turn * x, turn])
-            .collect();
+        let motion: Vec<_> = beam.nodes().iter().map(|[x, y]| [u0 - turn * y, w0 + turn * x, turn]).collect();
         for force in beam.elastic_forces(&motion).as_flattened() {
-            assert!(
-                force.abs() < 1e-14 * stiffness,
-                "{force} N of {stiffness} N"
-            );
+            assert!(force.abs() < 1e-14 * stiffness, "{force} N of {stiffness} N");
         }
         assert!(beam.strain_energy(&motion) < 1e-28 * stiffness);
     }
@@ -154,14 +135,10 @@ fn rigid_motion_costs_no_force_and_no_energy() {
 #[test]
 fn elastic_forces_are_the_gradient_of_the_strain_energy() {
     let (beam, _, _) = frame();
-    let u: Vec<[f64; 3]> = (0..5)
-        .map(|node| [0, 1, 2].map(|dof| (1.0 + 3.0 * node as f64 + dof as f64).sin()))
-        .collect();
+    let u: Vec<[f64; 3]> =
+        (0..5).map(|node| [0, 1, 2].map(|dof| (1.0 + 3.0 * node as f64 + dof as f64).sin())).collect();
     let forces = beam.elastic_forces(&u);
-    let scale = forces
-        .as_flattened()
-        .iter()
-        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    let scale = forces.as_flattened().iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     for node in 0..5 {
         for dof in 0..3 {
             // The energy is quadratic, so the central difference is exact but for rounding.
@@ -179,16 +156,8 @@ fn elastic_forces_are_the_gradient_of_the_strain_energy() {
 #[test]
 fn a_refactorised_model_gives_the_same_bits_as_a_new_one() {
     let (beam, supports, loads) = frame();
-    let connectivity: Vec<_> = beam
-        .elements()
-        .iter()
-        .map(|element| element.nodes)
-        .collect();
-    let nodes = beam
-        .nodes()
-        .iter()
-        .map(|[x, y]| [1.1 * x, y - 0.2 * x])
-        .collect();
+    let connectivity: Vec<_> = beam.elements().iter().map(|element| element.nodes).collect();
+    let nodes = beam.nodes().iter().map(|[x, y]| [1.1 * x, y - 0.2 * x]).collect();
     let thicker = Beam::uniform(nodes, &connectivity, MATERIAL, Section::strip(0.03)).unwrap();
 
     let mut statics = Statics::new(beam, supports.clone()).unwrap();
@@ -196,22 +165,12 @@ fn a_refactorised_model_gives_the_same_bits_as_a_new_one() {
     statics.refactorise(thicker.clone()).unwrap();
     let after = statics.solve(&loads).unwrap();
     assert_ne!(before, after);
-    assert_eq!(
-        after,
-        Statics::new(thicker, supports)
-            .unwrap()
-            .solve(&loads)
-            .unwrap()
-    );
+    assert_eq!(after, Statics::new(thicker, supports).unwrap().solve(&loads).unwrap());
 
     // The frame's elements 0 to 2 join the same nodes as those of a straight beam; it has 5.
     for (elements, differs) in [(2, 2), (4, 3)] {
         let error = statics.refactorise(beam_at(0.0, elements)).unwrap_err();
         assert_eq!(error, Error::OtherConnectivity { element: differs });
     }
-    assert_eq!(
-        statics.solve(&loads).unwrap(),
-        after,
-        "an error changes nothing"
-    );
+    assert_eq!(statics.solve(&loads).unwrap(), after, "an error changes nothing");
 }

@@ -2,8 +2,7 @@
 
 use foxglove::messages::line_primitive::Type;
 use foxglove::messages::{
-    Color, FrameTransform, FrameTransforms, LinePrimitive, Point3, SceneEntity, SceneUpdate,
-    Vector3,
+    Color, FrameTransform, FrameTransforms, LinePrimitive, Point3, SceneEntity, SceneUpdate, Vector3,
 };
 
 use super::pose::{identity_pose, rotation_about_z};
@@ -13,12 +12,7 @@ use super::{Stamp, WORLD_FRAME};
 const OUTLINE_THICKNESS: f64 = 2.0;
 
 /// Orange, which stands out from water and walls on a light and on a dark ground.
-const OUTLINE_COLOR: Color = Color {
-    r: 1.0,
-    g: 0.5,
-    b: 0.0,
-    a: 1.0,
-};
+const OUTLINE_COLOR: Color = Color { r: 1.0, g: 0.5, b: 0.0, a: 1.0 };
 
 /// A body of one frame.
 #[derive(Clone, Copy, Debug)]
@@ -51,10 +45,7 @@ pub(super) fn scene_update(stamp: Stamp, bodies: &[BodyView<'_>]) -> SceneUpdate
         lines: vec![outline(body.outline)],
         ..SceneEntity::default()
     });
-    SceneUpdate {
-        deletions: Vec::new(),
-        entities: entities.collect(),
-    }
+    SceneUpdate { deletions: Vec::new(), entities: entities.collect() }
 }
 
 /// The frames of the bodies in the world.
@@ -63,16 +54,10 @@ pub(super) fn frame_transforms(stamp: Stamp, bodies: &[BodyView<'_>]) -> FrameTr
         timestamp: Some(stamp.timestamp()),
         parent_frame_id: WORLD_FRAME.to_owned(),
         child_frame_id: body.frame(),
-        translation: Some(Vector3 {
-            x: body.position[0],
-            y: body.position[1],
-            z: 0.0,
-        }),
+        translation: Some(Vector3 { x: body.position[0], y: body.position[1], z: 0.0 }),
         rotation: Some(rotation_about_z(body.angle)),
     });
-    FrameTransforms {
-        transforms: transforms.collect(),
-    }
+    FrameTransforms { transforms: transforms.collect() }
 }
 
 /// The outline through `corners`, in the frame of its body.
@@ -82,10 +67,7 @@ fn outline(corners: &[[f64; 2]]) -> LinePrimitive {
         pose: Some(identity_pose()),
         thickness: OUTLINE_THICKNESS,
         scale_invariant: true,
-        points: corners
-            .iter()
-            .map(|&[x, y]| Point3 { x, y, z: 0.0 })
-            .collect(),
+        points: corners.iter().map(|&[x, y]| Point3 { x, y, z: 0.0 }).collect(),
         color: Some(OUTLINE_COLOR),
         ..LinePrimitive::default()
     }

@@ -35,10 +35,7 @@ pub(super) struct Container {
 impl Container {
     /// Creates the file, replacing one that is there, for the program `library`.
     pub(super) fn create(path: &Path, library: &str) -> Result<Self, LogError> {
-        let file = File::create(path).map_err(|source| LogError::Create {
-            path: path.to_owned(),
-            source,
-        })?;
+        let file = File::create(path).map_err(|source| LogError::Create { path: path.to_owned(), source })?;
         // No chunk size: chunks end with `flush` alone, so that none holds half a frame.
         let writer = WriteOptions::new()
             .library(format!("{library} {}", mcap::LIBRARY_IDENTIFIER))
@@ -47,35 +44,20 @@ impl Container {
             .chunk_size(None)
             .disable_seeking(true)
             .create(NoSeek::new(BufWriter::new(file)));
-        Ok(Self {
-            writer: at_path(path, writer)?,
-            path: path.to_owned(),
-        })
+        Ok(Self { writer: at_path(path, writer)?, path: path.to_owned() })
     }
 
     /// Writes a metadata record.
-    pub(super) fn metadata(
-        &mut self,
-        name: &str,
-        entries: &[(&str, &str)],
-    ) -> Result<(), LogError> {
+    pub(super) fn metadata(&mut self, name: &str, entries: &[(&str, &str)]) -> Result<(), LogError> {
         let metadata = Metadata {
             name: name.to_owned(),
-            metadata: entries
-                .iter()
-                .map(|&(key, value)| (key.to_owned(), value.to_owned()))
-                .collect(),
+            metadata: entries.iter().map(|&(key, value)| (key.to_owned(), value.to_owned())).collect(),
         };
         at_path(&self.path, self.writer.write_metadata(&metadata))
     }
 
     /// Attaches a text, dated at the start of simulated time.
-    pub(super) fn attach(
-        &mut self,
-        name: &str,
-        media_type: &str,
-        text: &str,
-    ) -> Result<(), LogError> {
+    pub(super) fn attach(&mut self, name: &str, media_type: &str, text: &str) -> Result<(), LogError> {
         let attachment = Attachment {
             log_time: 0,
             create_time: 0,
@@ -87,51 +69,29 @@ impl Container {
     }
 
     /// Adds a topic with messages of `encoding`.
-    pub(super) fn add(
-        &mut self,
-        topic: &str,
-        encoding: &str,
-        schema: &Schema,
-    ) -> Result<Topic, LogError> {
+    pub(super) fn add(&mut self, topic: &str, encoding: &str, schema: &Schema) -> Result<Topic, LogError> {
         let id = self
             .writer
             .add_schema(&schema.name, &schema.encoding, &schema.data)
-            .and_then(|schema| {
-                self.writer
-                    .add_channel(schema, topic, encoding, &BTreeMap::new())
-            });
-        Ok(Topic {
-            id: at_path(&self.path, id)?,
-            messages: 0,
-        })
+            .and_then(|schema| self.writer.add_channel(schema, topic, encoding, &BTreeMap::new()));
+        Ok(Topic { id: at_path(&self.path, id)?, messages: 0 })
     }
 
     /// Adds a topic with messages of the Foxglove type `M`.
     pub(super) fn add_typed<M: Encode>(&mut self, topic: &str) -> Result<TypedTopic<M>, LogError> {
         let schema = M::get_schema().expect("every Foxglove message has a schema");
-        Ok(TypedTopic {
-            topic: self.add(topic, &M::get_message_encoding(), &schema)?,
-            message: PhantomData,
-        })
+        Ok(TypedTopic { topic: self.add(topic, &M::get_message_encoding(), &schema)?, message: PhantomData })
     }
 
     /// Adds an encoded message to the open chunk.
-    pub(super) fn write(
-        &mut self,
-        topic: &mut Topic,
-        stamp: Stamp,
-        message: &[u8],
-    ) -> Result<(), LogError> {
+    pub(super) fn write(&mut self, topic: &mut Topic, stamp: Stamp, message: &[u8]) -> Result<(), LogError> {
         let header = MessageHeader {
             channel_id: topic.id,
             sequence: topic.messages,
             log_time: stamp.nanoseconds(),
             publish_time: stamp.nanoseconds(),
         };
-        at_path(
-            &self.path,
-            self.writer.write_to_known_channel(&header, message),
-        )?;
+        at_path(&self.path, self.writer.write_to_known_channel(&header, message))?;
         topic.messages = topic.messages.wrapping_add(1);
         Ok(())
     }
@@ -144,9 +104,7 @@ impl Container {
         message: &M,
     ) -> Result<(), LogError> {
         let mut bytes = Vec::with_capacity(message.encoded_len().unwrap_or(0));
-        message
-            .encode(&mut bytes)
-            .expect("a vector has room for any message");
+        message.encode(&mut bytes).expect("a vector has room for any message");
         self.write(&mut topic.topic, stamp, &bytes)
     }
 
@@ -166,8 +124,5 @@ impl Container {
 
 /// Says which file refused a write.
 fn at_path<T>(path: &Path, result: McapResult<T>) -> Result<T, LogError> {
-    result.map_err(|source| LogError::Write {
-        path: path.to_owned(),
-        source,
-    })
+    result.map_err(|source| LogError::Write { path: path.to_owned(), source })
 }

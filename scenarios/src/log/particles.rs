@@ -60,12 +60,7 @@ impl ParticleView<'_> {
         ];
         match others.into_iter().find(|&(_, found)| found != expected) {
             None => Ok(expected),
-            Some((field, found)) => Err(LogError::Length {
-                topic,
-                field,
-                expected,
-                found,
-            }),
+            Some((field, found)) => Err(LogError::Length { topic, field, expected, found }),
         }
     }
 }

@@ -17,11 +17,7 @@ pub(super) struct SampleTopic {
 
 impl SampleTopic {
     /// Adds the topic of `channel`, with the schema of its first sample.
-    pub(super) fn create(
-        container: &mut Container,
-        channel: &str,
-        first: &[(&str, f64)],
-    ) -> Result<Self, LogError> {
+    pub(super) fn create(container: &mut Container, channel: &str, first: &[(&str, f64)]) -> Result<Self, LogError> {
         let topic = topic_name(channel)?;
         let names = names(first);
         let distinct: BTreeSet<&String> = names.iter().collect();
@@ -32,10 +28,7 @@ impl SampleTopic {
                 found: names,
             });
         }
-        Ok(Self {
-            topic: container.add(&topic, "json", &schema(&topic, &names))?,
-            names,
-        })
+        Ok(Self { topic: container.add(&topic, "json", &schema(&topic, &names))?, names })
     }
 
     /// Writes one sample.
@@ -83,10 +76,7 @@ fn topic_name(channel: &str) -> Result<String, LogError> {
     } else {
         return Ok(topic);
     };
-    Err(LogError::Channel {
-        channel: channel.to_owned(),
-        reason,
-    })
+    Err(LogError::Channel { channel: channel.to_owned(), reason })
 }
 
 /// The JSON schema of samples with `names`, called after its topic: viewers keep one schema
@@ -96,14 +86,8 @@ fn topic_name(channel: &str) -> Result<String, LogError> {
 /// reader of Foxglove Studio, from which Lichtblick descends, refuses a union of types, and
 /// messages are not checked against the schema.
 fn schema(topic: &str, names: &[String]) -> Schema {
-    let properties: serde_json::Map<_, _> = names
-        .iter()
-        .map(|name| (name.clone(), json!({ "type": "number" })))
-        .collect();
+    let properties: serde_json::Map<_, _> =
+        names.iter().map(|name| (name.clone(), json!({ "type": "number" }))).collect();
     let text = json!({ "type": "object", "properties": properties }).to_string();
-    Schema::new(
-        format!("splashdown{topic}"),
-        "jsonschema",
-        text.into_bytes(),
-    )
+    Schema::new(format!("splashdown{topic}"), "jsonschema", text.into_bytes())
 }

@@ -21,9 +21,7 @@ impl Stamp {
         if !(0.0..CLOCK_END).contains(&time) {
             return Err(LogError::Time { time });
         }
-        Ok(Self {
-            nanoseconds: (time * NANOSECONDS_PER_SECOND as f64).round() as u64,
-        })
+        Ok(Self { nanoseconds: (time * NANOSECONDS_PER_SECOND as f64).round() as u64 })
     }
 
     /// The time [ns], as an MCAP message header carries it.

@@ -32,7 +32,9 @@ impl FlowPictures {
             y: narrow(&p.y),
             value: d.pressure.iter().map(|v| (*v / 1000.0) as f32).collect(),
             size: (0..p.len()).map(|k| (p.mass[k] / p.rho[k]).sqrt() as f32).collect(),
-            outlines: bodies.map(|(m, o)| o.vertices().iter().map(|v| gauges::on(&m, *v)).collect()).collect(),
+            outlines: bodies
+                .flat_map(|(m, o)| o.loops().iter().map(move |l| l.iter().map(|v| gauges::on(&m, *v)).collect()))
+                .collect(),
             walls: frame
                 .system
                 .bodies()

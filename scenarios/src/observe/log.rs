@@ -20,8 +20,10 @@ impl LogObserver {
     pub fn create(path: &Path, scene: &Scene, system: &fsi_coupling::Coupled) -> Result<LogObserver, ObserveError> {
         let toml = scene.to_toml();
         let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-        let outline = |o: &Outline| o.vertices().to_vec();
-        let outlines = system.bodies().filter_map(|b| b.outline().map(|o| (b.name().to_string(), outline(o)))).collect();
+        // one closed line per body: the loops of a compound body are joined by the way back to the first corner
+        let outline = |o: &Outline| join(o.loops());
+        let outlines =
+            system.bodies().filter_map(|b| b.outline().map(|o| (b.name().to_string(), outline(o)))).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
         Ok(LogObserver { writer: LogWriter::create(path, &metadata)?, outlines, gauges })
     }
@@ -40,18 +42,7 @@ impl LogObserver {
         let (t, system) = (frame.time(), frame.system);
         for body in system.bodies() {
             let Some(m) = body.motion() else { continue };
-            let values = [
-                ("x_m", m.position[0]),
-                ("y_m", m.position[1]),
-                ("angle_deg", m.angle.to_degrees()),
-                ("vx_m_per_s", m.velocity[0]),
-                ("vy_m_per_s", m.velocity[1]),
-                ("ax_m_per_s2", m.acceleration[0]),
-                ("ay_m_per_s2", m.acceleration[1]),
-                ("fx_N_per_m", m.force[0]),
-                ("fy_N_per_m", m.force[1]),
-                ("moment_N", m.moment),
-            ];
+            let values = super::series::BODY.map(|(unit, read)| (unit, read(&m)));
             self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
         }
         if !self.gauges.is_empty() {
@@ -75,6 +66,15 @@ impl LogObserver {
         self.writer.sample(t, "audit", &audit)?;
         Ok(())
     }
+}
+
+/// The loops as one closed line that visits each and returns to the first corner of all.
+fn join(loops: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
+    if let [only] = loops {
+        return only.clone();
+    }
+    let home = loops[0][0];
+    loops.iter().flat_map(|l| l.iter().copied().chain([l[0], home])).collect()
 }
 
 impl Observer for LogObserver {

@@ -17,7 +17,7 @@ pub struct Series {
 }
 
 /// Columns of a body, with what they read.
-const BODY: [(&str, fn(&Motion) -> f64); 10] = [
+pub(super) const BODY: [(&str, fn(&Motion) -> f64); 10] = [
     ("x_m", |m| m.position[0]),
     ("y_m", |m| m.position[1]),
     ("angle_deg", |m| m.angle.to_degrees()),

@@ -57,7 +57,9 @@ impl SimilarityWindow {
     /// For a scene whose body is a wedge; `None` for any other.
     pub fn new(scene: &Scene) -> Option<SimilarityWindow> {
         let body = scene.body.as_ref()?;
-        let Shape::Wedge { deadrise_deg, .. } = body.shape else { return None };
+        let Shape::Wedge { deadrise_deg, .. } = body.shape else {
+            return None;
+        };
         let tan = deadrise_deg.to_radians().tan();
         Some(SimilarityWindow {
             speed: -body.velocity[1],
@@ -106,7 +108,9 @@ impl SimilarityWindow {
 impl Observer for SimilarityWindow {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let t = frame.time();
-        let Some(motion) = frame.system.bodies().find_map(|b| b.motion()) else { return Ok(()) };
+        let Some(motion) = frame.system.bodies().find_map(|b| b.motion()) else {
+            return Ok(());
+        };
         if t < self.from {
             return Ok(());
         }
@@ -114,7 +118,10 @@ impl Observer for SimilarityWindow {
         self.times.push(t);
         self.forces.push(motion.force[1] / (self.rho * self.speed.powi(3) * t));
         let probe = Probe::new(&frame.system.fluid);
-        let (sin, cos) = { let c = 1.0 / (1.0 + self.tan * self.tan).sqrt(); (self.tan * c, c) };
+        let (sin, cos) = {
+            let c = 1.0 / (1.0 + self.tan * self.tan).sqrt();
+            (self.tan * c, c)
+        };
         let mut peak = 0.0_f64;
         for k in 0..POINTS {
             let x = self.x_over_vt(k) * draught;

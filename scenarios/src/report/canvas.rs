@@ -20,11 +20,7 @@ impl Canvas {
     /// An image of `width` by `height` \[pixels\], all of one colour.
     pub fn new(width: usize, height: usize, background: Rgb) -> Self {
         let (width, height) = (width * SAMPLES, height * SAMPLES);
-        Self {
-            width,
-            height,
-            samples: vec![background; width * height],
-        }
+        Self { width, height, samples: vec![background; width * height] }
     }
 
     /// Number of samples per row, of rows of samples, and the samples row by row.
@@ -44,9 +40,7 @@ impl Canvas {
     /// Fills a closed polygon by the even-odd rule.
     pub fn fill_polygon(&mut self, corners: &[[f64; 2]], colour: Rgb) {
         let corners: Vec<_> = corners.iter().map(|&p| in_samples(p)).collect();
-        let (low, high) = corners
-            .iter()
-            .fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p[1]), h.max(p[1])));
+        let (low, high) = corners.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p[1]), h.max(p[1])));
         let mut crossings = Vec::new();
         for row in centres(low, high, self.height) {
             let y = row as f64 + 0.5;
@@ -98,8 +92,7 @@ impl Canvas {
         for rows in self.samples.chunks_exact(SAMPLES * self.width) {
             for x in 0..width {
                 for k in 0..3 {
-                    let block =
-                        (0..SAMPLES).flat_map(|j| &rows[j * self.width + x * SAMPLES..][..SAMPLES]);
+                    let block = (0..SAMPLES).flat_map(|j| &rows[j * self.width + x * SAMPLES..][..SAMPLES]);
                     let sum: usize = block.map(|sample| usize::from(sample[k])).sum();
                     pixels.push(((sum + SAMPLES * SAMPLES / 2) / (SAMPLES * SAMPLES)) as u8);
                 }
@@ -127,10 +120,7 @@ impl Canvas {
 
 /// The edges of a closed polygon.
 pub(super) fn edges(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
-    corners
-        .iter()
-        .copied()
-        .zip(corners.iter().copied().cycle().skip(1))
+    corners.iter().copied().zip(corners.iter().copied().cycle().skip(1))
 }
 
 /// Indices of the samples whose centres lie between `low` and `high`, both in samples, within

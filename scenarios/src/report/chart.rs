@@ -4,8 +4,8 @@ use super::decimate::decimate;
 use super::markup::{escape, printable};
 use super::ticks::{nice_step, proper_range, tick_label};
 use kuva::prelude::{
-    Layout, LegendEntry, LegendPosition, LegendShape, LinePlot, LineStyle, MarkerShape, Plot,
-    ScatterPlot, SvgBackend, TextAnnotation, Theme, TickFormat,
+    Layout, LegendEntry, LegendPosition, LegendShape, LinePlot, LineStyle, MarkerShape, Plot, ScatterPlot, SvgBackend,
+    TextAnnotation, Theme, TickFormat,
 };
 use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{Primitive, Scene, render_multiple};
@@ -92,11 +92,7 @@ fn draw(chart: &Chart, title: &str) -> String {
     let mut curves: Vec<_> = chart.curves.iter().map(finite).collect();
     let has_markers = chart.curves.iter().any(|curve| curve.mark == Mark::Points);
     let x_margin = if has_markers { 0.03 } else { 0.0 };
-    let x_range = proper_range(
-        chart
-            .x_range
-            .unwrap_or_else(|| extent(&curves, 0, x_margin)),
-    );
+    let x_range = proper_range(chart.x_range.unwrap_or_else(|| extent(&curves, 0, x_margin)));
     for (points, curve) in curves.iter_mut().zip(&chart.curves) {
         *points = within(points, x_range, curve.mark != Mark::Points);
     }
@@ -104,12 +100,7 @@ fn draw(chart: &Chart, title: &str) -> String {
 
     let mut plots = Vec::new();
     let mut legend = Vec::new();
-    for ((curve, points), style) in chart
-        .curves
-        .iter()
-        .zip(&curves)
-        .zip(STYLES.into_iter().cycle())
-    {
+    for ((curve, points), style) in chart.curves.iter().zip(&curves).zip(STYLES.into_iter().cycle()) {
         let mut points = decimate(points, POINTS_PER_CURVE);
         for p in &mut points {
             *p = [near(p[0], x_range), near(p[1], y_range)];
@@ -126,11 +117,7 @@ fn draw(chart: &Chart, title: &str) -> String {
         // Without any plot there would be no axes either.
         plots.push(LinePlot::new().into());
     }
-    let slack = if layout.show_legend {
-        LEGEND_SLACK
-    } else {
-        0.0
-    };
+    let slack = if layout.show_legend { LEGEND_SLACK } else { 0.0 };
     let mut scene = render_multiple(plots, layout);
     scene.height -= slack;
     to_svg(scene, &chart.title)
@@ -150,35 +137,18 @@ fn plot(curve: &Curve, points: &[[f64; 2]], (colour, marker): Style) -> (Plot, L
             (plot.into(), LegendShape::Line, dasharray)
         }
         _ => {
-            let plot = ScatterPlot::new()
-                .with_data(data)
-                .with_color(colour)
-                .with_size(4.0);
-            (
-                plot.with_marker(marker).into(),
-                LegendShape::Marker(marker),
-                None,
-            )
+            let plot = ScatterPlot::new().with_data(data).with_color(colour).with_size(4.0);
+            (plot.with_marker(marker).into(), LegendShape::Marker(marker), None)
         }
     };
     let (label, color) = (label(&curve.label), colour.into());
-    (
-        plot,
-        LegendEntry {
-            label,
-            color,
-            shape,
-            dasharray,
-        },
-    )
+    (plot, LegendEntry { label, color, shape, dasharray })
 }
 
 /// The points of a curve that have a place on paper.
 fn finite(curve: &Curve) -> Vec<[f64; 2]> {
     let points = curve.x.iter().zip(&curve.y).map(|(&x, &y)| [x, y]);
-    points
-        .filter(|p| p[0].is_finite() && p[1].is_finite())
-        .collect()
+    points.filter(|p| p[0].is_finite() && p[1].is_finite()).collect()
 }
 
 fn axes(chart: &Chart, title: &str, x: [f64; 2], y: [f64; 2], legend: Vec<LegendEntry>) -> Layout {
@@ -229,9 +199,7 @@ fn axes(chart: &Chart, title: &str, x: [f64; 2], y: [f64; 2], legend: Vec<Legend
 /// quantity that never changes sign and comes near zero is shown from zero.
 fn extent(curves: &[Vec<[f64; 2]>], axis: usize, margin: f64) -> [f64; 2] {
     let values = curves.iter().flatten().map(|p| p[axis]);
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
-        (l.min(v), h.max(v))
-    });
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     let [low, high] = proper_range([low, high]);
     let margin = margin * (high - low);
     let end = |end: f64, other: f64, margin: f64| {
@@ -248,10 +216,7 @@ fn within(points: &[[f64; 2]], [low, high]: [f64; 2], is_line: bool) -> Vec<[f64
         let next_to = |j: usize| is_line && points.get(j).is_some_and(|&q| meets(points[i], q));
         meets(points[i], points[i]) || next_to(i + 1) || next_to(i.wrapping_sub(1))
     };
-    (0..points.len())
-        .filter(|&i| seen(i))
-        .map(|i| points[i])
-        .collect()
+    (0..points.len()).filter(|&i| seen(i)).map(|i| points[i]).collect()
 }
 
 /// `value`, or a value far outside `range` on the same side: SVG readers calculate in single
@@ -271,14 +236,7 @@ fn to_svg(mut scene: Scene, title: &str) -> String {
     // The crate numbers clip paths with a global counter. Named by their geometry, equal names mean
     // equal paths, also among several charts on one page.
     for element in &mut scene.elements {
-        if let Primitive::ClipStart {
-            x,
-            y,
-            width,
-            height,
-            id,
-        } = element
-        {
+        if let Primitive::ClipStart { x, y, width, height, id } = element {
             let name = format!("clip-{x:.2}-{y:.2}-{width:.2}-{height:.2}");
             for definition in &mut scene.defs {
                 *definition = definition.replace(&format!("\"{id}\""), &format!("\"{name}\""));
@@ -288,9 +246,6 @@ fn to_svg(mut scene: Scene, title: &str) -> String {
     }
     let svg = SvgBackend::new().render_scene(&scene);
     let (width, height) = (scene.width, scene.height);
-    let opening = format!(
-        r#"<svg viewBox="0 0 {width} {height}" role="img" aria-label="{}" "#,
-        escape(title)
-    );
+    let opening = format!(r#"<svg viewBox="0 0 {width} {height}" role="img" aria-label="{}" "#, escape(title));
     svg.replacen("<svg ", &opening, 1)
 }

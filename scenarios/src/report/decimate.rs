@@ -39,17 +39,11 @@ mod tests {
 
     #[test]
     fn extremes_and_ends_stay() {
-        let mut points: Vec<_> = (0..100_003)
-            .map(|i| [f64::from(i), (f64::from(i) * 1e-3).sin()])
-            .collect();
+        let mut points: Vec<_> = (0..100_003).map(|i| [f64::from(i), (f64::from(i) * 1e-3).sin()]).collect();
         points[54_321][1] = 7.0;
         points[99_998][1] = -9.0;
         let kept = decimate(&points, 1000);
-        assert!(
-            kept.len() <= 1000 && kept.len() > 500,
-            "{} points",
-            kept.len()
-        );
+        assert!(kept.len() <= 1000 && kept.len() > 500, "{} points", kept.len());
         for must in [points[0], points[54_321], points[99_998], points[100_002]] {
             assert!(kept.contains(&must), "{must:?} is gone");
         }

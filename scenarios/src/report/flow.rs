@@ -90,25 +90,13 @@ impl Window {
         let ([left, right], [bottom, top]) = (proper_range(view.x), proper_range(view.y));
         let width = view.width_px.clamp(200, 8000) as usize;
         let scale = width as f64 / (right - left);
-        let height = ((top - bottom) * scale)
-            .round()
-            .clamp(1.0, 2.0 * width as f64) as usize;
+        let height = ((top - bottom) * scale).round().clamp(1.0, 2.0 * width as f64) as usize;
         let sides: &[f64] = if view.mirror_x { &[1.0, -1.0] } else { &[1.0] };
-        Self {
-            width,
-            height,
-            scale,
-            left,
-            top,
-            sides,
-        }
+        Self { width, height, scale, left, top, sides }
     }
 
     fn pixel(&self, side: f64, [x, y]: [f64; 2]) -> [f64; 2] {
-        [
-            (side * x - self.left) * self.scale,
-            (self.top - y) * self.scale,
-        ]
+        [(side * x - self.left) * self.scale, (self.top - y) * self.scale]
     }
 }
 
@@ -121,23 +109,14 @@ fn draw_particles(canvas: &mut Canvas, frame: &FlowFrame, view: &FlowView, windo
     let rows = rows.min(window.height * SAMPLES);
     let scale = window.scale * SAMPLES as f64;
     let mut nearest = vec![f32::INFINITY; width * rows];
-    let particles = frame
-        .x
-        .iter()
-        .zip(&frame.y)
-        .zip(&frame.value)
-        .zip(&frame.size);
+    let particles = frame.x.iter().zip(&frame.y).zip(&frame.value).zip(&frame.size);
     for (((&x, &y), &value), &size) in particles {
         let [x, y, value, size] = [x, y, value, size].map(f64::from);
         let mirrored_away = view.mirror_x && x < 0.0;
         if mirrored_away || !(x.is_finite() && y.is_finite() && size.is_finite()) {
             continue;
         }
-        let colour = if value.is_nan() {
-            NOT_A_NUMBER
-        } else {
-            viridis((value - low) / (high - low))
-        };
+        let colour = if value.is_nan() { NOT_A_NUMBER } else { viridis((value - low) / (high - low)) };
         // A particle smaller than a pixel still gets one.
         let spacing = (size * scale).max(SAMPLES as f64);
         let radius = RADIUS * spacing;

@@ -32,27 +32,11 @@ impl Footer {
         let left = 8.0 * unit;
         let time = format!("t = {time:.4} s");
         write(canvas, &time, [left, first_line], Anchor::Start, unit);
-        self.scale_bar(
-            canvas,
-            [left, first_line + 9.0 * unit],
-            window.scale,
-            0.2 * width,
-        );
+        self.scale_bar(canvas, [left, first_line + 9.0 * unit], window.scale, 0.2 * width);
 
         let bar = [0.5 * width, width - 18.0 * unit];
-        write(
-            canvas,
-            &view.label,
-            [bar[0], first_line],
-            Anchor::Start,
-            unit,
-        );
-        self.colour_bar(
-            canvas,
-            bar,
-            first_line + 4.5 * unit,
-            proper_range(view.value),
-        );
+        write(canvas, &view.label, [bar[0], first_line], Anchor::Start, unit);
+        self.colour_bar(canvas, bar, first_line + 4.5 * unit, proper_range(view.value));
     }
 
     /// A line of round length, at most `longest` pixels; `at` is its upper left corner.
@@ -66,13 +50,7 @@ impl Footer {
         canvas.stroke([left, top], [left, bottom], pen, INK);
         canvas.stroke([right, top], [right, bottom], pen, INK);
         let label = format!("{} m", tick_label(length, length));
-        write(
-            canvas,
-            &label,
-            [right + 5.0 * unit, bottom],
-            Anchor::Start,
-            unit,
-        );
+        write(canvas, &label, [right + 5.0 * unit, bottom], Anchor::Start, unit);
     }
 
     fn colour_bar(&self, canvas: &mut Canvas, ends: [f64; 2], top: f64, range: [f64; 2]) {
@@ -90,13 +68,7 @@ impl Footer {
         for value in ticks(range, step) {
             let x = left + (value - low) / (high - low) * (right - left);
             canvas.stroke([x, bottom], [x, bottom + 2.0 * unit], 0.6 * unit, INK);
-            write(
-                canvas,
-                &tick_label(value, step),
-                [x, baseline],
-                Anchor::Middle,
-                unit,
-            );
+            write(canvas, &tick_label(value, step), [x, baseline], Anchor::Middle, unit);
         }
     }
 }

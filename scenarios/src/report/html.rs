@@ -166,12 +166,8 @@ fn block(block: &Block, numbers: &mut Numbers) -> String {
 
 fn paragraphs(text: &str) -> String {
     let lines: Vec<_> = text.lines().map(str::trim).collect();
-    let paragraphs = lines
-        .split(|line| line.is_empty())
-        .filter(|lines| !lines.is_empty());
-    paragraphs
-        .map(|lines| format!("<p>{}</p>\n", escape(&lines.join("\n"))))
-        .collect()
+    let paragraphs = lines.split(|line| line.is_empty()).filter(|lines| !lines.is_empty());
+    paragraphs.map(|lines| format!("<p>{}</p>\n", escape(&lines.join("\n")))).collect()
 }
 
 fn figure(class: &str, image: &str, caption: &str, numbers: &mut Numbers) -> String {

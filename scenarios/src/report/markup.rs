@@ -2,9 +2,7 @@
 
 /// `text` without the control characters that XML forbids; line breaks and tabs stay.
 pub(super) fn printable(text: &str) -> String {
-    let allowed = |c: &char| {
-        matches!(c, '\n' | '\t') || !(c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'))
-    };
+    let allowed = |c: &char| matches!(c, '\n' | '\t') || !(c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
     text.chars().filter(allowed).collect()
 }
 

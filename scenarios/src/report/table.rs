@@ -15,20 +15,9 @@ pub struct Table {
 
 /// The table in HTML; a table with a title is given `number` in its caption.
 pub(super) fn table_html(table: &Table, number: usize) -> String {
-    let columns = table
-        .rows
-        .iter()
-        .map(Vec::len)
-        .fold(table.head.len(), usize::max);
-    let classes: Vec<_> = (0..columns)
-        .map(|column| {
-            if is_numeric(table, column) {
-                " class=\"number\""
-            } else {
-                ""
-            }
-        })
-        .collect();
+    let columns = table.rows.iter().map(Vec::len).fold(table.head.len(), usize::max);
+    let classes: Vec<_> =
+        (0..columns).map(|column| if is_numeric(table, column) { " class=\"number\"" } else { "" }).collect();
     let row = |tag: &str, row: &Vec<String>| {
         let cells = classes.iter().enumerate().map(|(column, class)| {
             let text = escape(cell(row, column));
@@ -45,9 +34,7 @@ pub(super) fn table_html(table: &Table, number: usize) -> String {
         _ => format!("<thead>\n{}</thead>\n", row("th", &table.head)),
     };
     let body: String = table.rows.iter().map(|cells| row("td", cells)).collect();
-    format!(
-        "<div class=\"table\"><table>\n{caption}{head}<tbody>\n{body}</tbody>\n</table></div>\n"
-    )
+    format!("<div class=\"table\"><table>\n{caption}{head}<tbody>\n{body}</tbody>\n</table></div>\n")
 }
 
 fn cell(row: &[String], column: usize) -> &str {
@@ -56,11 +43,7 @@ fn cell(row: &[String], column: usize) -> &str {
 
 /// Whether a column holds numbers, apart from cells left blank.
 fn is_numeric(table: &Table, column: usize) -> bool {
-    let mut cells = table
-        .rows
-        .iter()
-        .map(|row| cell(row, column))
-        .filter(|cell| !is_blank(cell));
+    let mut cells = table.rows.iter().map(|row| cell(row, column)).filter(|cell| !is_blank(cell));
     cells.next().is_some_and(is_number) && cells.all(is_number)
 }
 
@@ -70,8 +53,5 @@ fn is_blank(cell: &str) -> bool {
 
 /// A number as people write it: sign, digits, exponent, perhaps a percent sign.
 fn is_number(cell: &str) -> bool {
-    cell.trim_end_matches(['%', ' '])
-        .replace('−', "-")
-        .parse::<f64>()
-        .is_ok()
+    cell.trim_end_matches(['%', ' ']).replace('−', "-").parse::<f64>().is_ok()
 }

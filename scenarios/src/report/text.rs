@@ -46,19 +46,12 @@ pub(super) fn write(canvas: &mut Canvas, text: &str, at: [f64; 2], anchor: Ancho
 }
 
 fn advance(letter: char) -> f64 {
-    let right = strokes(letter)
-        .split(' ')
-        .flat_map(points)
-        .map(|p| p[0])
-        .max();
+    let right = strokes(letter).split(' ').flat_map(points).map(|p| p[0]).max();
     GAP + right.map_or(1.0, f64::from)
 }
 
 fn points(stroke: &str) -> impl Iterator<Item = [u8; 2]> {
-    stroke
-        .as_bytes()
-        .chunks_exact(2)
-        .map(|p| [p[0] - b'0', p[1] - b'0'])
+    stroke.as_bytes().chunks_exact(2).map(|p| [p[0] - b'0', p[1] - b'0'])
 }
 
 /// The pen strokes of a letter: runs of points, each a digit for x (0 left) and one for y (0 top, 6
@@ -181,16 +174,10 @@ mod tests {
 
     #[test]
     fn every_stroke_is_whole_points_on_the_grid() {
-        for letter in (' '..='~')
-            .chain("°²³±×µρπΔ−–·".chars())
-            .chain(['\u{1f30a}'])
-        {
+        for letter in (' '..='~').chain("°²³±×µρπΔ−–·".chars()).chain(['\u{1f30a}']) {
             for stroke in strokes(letter).split(' ') {
                 assert!(stroke.len().is_multiple_of(2), "{letter:?}: {stroke}");
-                assert!(
-                    points(stroke).all(|[x, y]| x <= 4 && y <= 8),
-                    "{letter:?}: {stroke}"
-                );
+                assert!(points(stroke).all(|[x, y]| x <= 4 && y <= 8), "{letter:?}: {stroke}");
             }
         }
     }

@@ -25,9 +25,7 @@ pub(super) fn proper_range([a, b]: [f64; 2]) -> [f64; 2] {
 pub(super) fn nice_step(span: f64, intervals: usize) -> f64 {
     let least = span / intervals as f64;
     let decade = 10f64.powf(least.log10().floor());
-    let multiple = [1.0, 2.0, 2.5, 5.0]
-        .into_iter()
-        .find(|m| m * decade >= least * (1.0 - 1e-9));
+    let multiple = [1.0, 2.0, 2.5, 5.0].into_iter().find(|m| m * decade >= least * (1.0 - 1e-9));
     multiple.unwrap_or(10.0) * decade
 }
 
@@ -64,10 +62,7 @@ pub(super) fn tick_label(value: f64, step: f64) -> String {
         let text = format!("{value:.*e}", digits.max(0) as usize);
         match text.split_once('e') {
             Some((mantissa, exponent)) if mantissa.contains('.') => {
-                format!(
-                    "{}e{exponent}",
-                    mantissa.trim_end_matches('0').trim_end_matches('.')
-                )
+                format!("{}e{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
             }
             _ => text,
         }
@@ -82,10 +77,7 @@ mod tests {
     fn steps_are_round_and_few() {
         for span in [1e-30, 0.013, 0.2, 1.0, 7.0, 10.0, 12.5, 99.0, 3e44] {
             let step = nice_step(span, 5);
-            assert!(
-                span / step <= 5.0 + 1e-6 && span / step >= 2.0 - 1e-6,
-                "{span} / {step}"
-            );
+            assert!(span / step <= 5.0 + 1e-6 && span / step >= 2.0 - 1e-6, "{span} / {step}");
         }
         assert_eq!(nice_step(10.0, 5), 2.0);
         assert_eq!(nice_length(0.73), 0.5);
@@ -105,24 +97,12 @@ mod tests {
 
     #[test]
     fn any_range_becomes_drawable() {
-        let ranges = [
-            [0.0, 0.0],
-            [3.0, 3.0],
-            [1e15, 1e15],
-            [f64::NAN, 1.0],
-            [2.0, -1.0],
-        ];
-        for range in ranges
-            .into_iter()
-            .chain([[-f64::MAX, f64::MAX], [5e-324, 0.0]])
-        {
+        let ranges = [[0.0, 0.0], [3.0, 3.0], [1e15, 1e15], [f64::NAN, 1.0], [2.0, -1.0]];
+        for range in ranges.into_iter().chain([[-f64::MAX, f64::MAX], [5e-324, 0.0]]) {
             let [low, high] = proper_range(range);
             let step = nice_step(high - low, 5);
             let count = ticks([low, high], step).count();
-            assert!(
-                low < high && (2..=6).contains(&count),
-                "{range:?} -> [{low}, {high}], {count} ticks"
-            );
+            assert!(low < high && (2..=6).contains(&count), "{range:?} -> [{low}, {high}], {count} ticks");
         }
     }
 }

@@ -24,12 +24,7 @@ const LEAST_FINE_ZONE: [f64; 2] = [10.0, 4.0];
 
 /// Fastest speed of the flow that is known before the run [m/s]: the spray root's, the body's, and without an impact
 /// that of water falling through the depth, √(2 g d).
-pub fn fastest_speed(
-    entry: Option<&Entry>,
-    body: Option<&Body>,
-    gravity: [f64; 2],
-    depth: f64,
-) -> f64 {
+pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 2], depth: f64) -> f64 {
     let flow = match entry {
         Some(entry) => entry.root_speed().max(entry.speed),
         None => (2.0 * gravity[0].hypot(gravity[1]) * depth.max(0.0)).sqrt(),
@@ -59,10 +54,7 @@ pub fn auto_fine_zone(entry: &Entry, spacing: f64) -> [f64; 2] {
     let deadrise = entry.bottom.equivalent_slope(draught).atan().to_degrees();
     let share = 0.3 + 1.2 * ((deadrise - 30.0) / 15.0).clamp(0.0, 1.0);
     let [least_width, least_depth] = LEAST_FINE_ZONE;
-    [
-        half_width.max(least_width * spacing),
-        (share * draught).max(least_depth * spacing),
-    ]
+    [half_width.max(least_width * spacing), (share * draught).max(least_depth * spacing)]
 }
 
 /// Half width and depth of a tank that an impact does not feel [m], shape (2): outside acoustic reach,
@@ -78,12 +70,7 @@ mod tests {
 
     fn wedge(deadrise_deg: f64, half_breadth: f64, final_draught: f64) -> Entry {
         let slope = deadrise_deg.to_radians().tan();
-        Entry {
-            bottom: Bottom::Wedge { slope },
-            half_breadth,
-            speed: 1.0,
-            final_draught,
-        }
+        Entry { bottom: Bottom::Wedge { slope }, half_breadth, speed: 1.0, final_draught }
     }
 
     #[test]
@@ -91,22 +78,13 @@ mod tests {
         // Similarity solution (Dobrovolskaya 1969): the free surface turns at x = 8.901, 4.314, 2.723, 1.578 V t.
         for (deadrise, root) in [(10.0, 8.901), (20.0, 4.314), (30.0, 2.723), (45.0, 1.578)] {
             let [half_width, _] = auto_fine_zone(&wedge(deadrise, 100.0, 1.0), 0.01);
-            assert!(
-                (1.05..1.3).contains(&(half_width / root)),
-                "{deadrise}: {half_width}"
-            );
+            assert!((1.05..1.3).contains(&(half_width / root)), "{deadrise}: {half_width}");
         }
     }
 
     #[test]
     fn fine_zone_depth_follows_the_deadrise() {
-        for (deadrise, depth) in [
-            (10.0, 0.3),
-            (30.0, 0.3),
-            (37.5, 0.9),
-            (45.0, 1.5),
-            (70.0, 1.5),
-        ] {
+        for (deadrise, depth) in [(10.0, 0.3), (30.0, 0.3), (37.5, 0.9), (45.0, 1.5), (70.0, 1.5)] {
             assert!((auto_fine_zone(&wedge(deadrise, 100.0, 1.0), 0.01)[1] - depth).abs() < 1e-12);
         }
     }

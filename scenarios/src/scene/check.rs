@@ -1,9 +1,9 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
 use super::model::{Body, GaugeFrame, Motion, Scene, Similarity, Symmetry};
-use super::outline;
 use super::problem::{Problem, significant};
-use super::shape::Shape;
+use fsi_coupling::Shape;
+use fsi_coupling::polygon;
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;
@@ -45,15 +45,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
 
 fn check_water(scene: &Scene) -> Result<(), Problem> {
     let (tank, least) = (&scene.tank, SMALLEST_WATER * scene.resolution.spacing);
-    let enough = format!(
-        "at least {SMALLEST_WATER} spacings of water, {} m",
-        significant(least)
-    );
-    let lengths = [
-        ("width", tank.width),
-        ("depth", tank.depth),
-        ("water_width", tank.water_width),
-    ];
+    let enough = format!("at least {SMALLEST_WATER} spacings of water, {} m", significant(least));
+    let lengths = [("width", tank.width), ("depth", tank.depth), ("water_width", tank.water_width)];
     if let Some((key, length)) = lengths.iter().find(|(_, length)| *length < least) {
         return Err(Problem::new(&format!("tank.{key}"), length, enough));
     }
@@ -73,41 +66,19 @@ fn check_water(scene: &Scene) -> Result<(), Problem> {
 }
 
 fn check_body_in_tank(scene: &Scene, body: &Body) -> Result<(), Problem> {
-    let [min, max] = outline::bounding_box(&body.placed_outline());
+    let [min, max] = polygon::bounding_box(&body.placed_outline());
     let half = 0.5 * scene.tank.width;
-    let reach = format!(
-        "a body from x = {} to {} m",
-        significant(min[0]),
-        significant(max[0])
-    );
-    let inside = format!(
-        "a body between the walls at x = {} and {} m",
-        significant(-half),
-        significant(half)
-    );
+    let reach = format!("a body from x = {} to {} m", significant(min[0]), significant(max[0]));
+    let inside = format!("a body between the walls at x = {} and {} m", significant(-half), significant(half));
     if min[0] >= half || max[0] <= -half {
-        return Err(Problem::new(
-            "body.position",
-            format!("{reach}, off the tank"),
-            inside,
-        ));
+        return Err(Problem::new("body.position", format!("{reach}, off the tank"), inside));
     }
     if min[0] <= -half || max[0] >= half {
-        return Err(Problem::new(
-            "body.position",
-            format!("{reach}, overlapping a tank wall"),
-            inside,
-        ));
+        return Err(Problem::new("body.position", format!("{reach}, overlapping a tank wall"), inside));
     }
     if min[1] <= -scene.tank.depth {
-        let given = format!(
-            "a body down to y = {} m, overlapping the floor",
-            significant(min[1])
-        );
-        let expected = format!(
-            "a body above the floor at y = {} m",
-            significant(-scene.tank.depth)
-        );
+        let given = format!("a body down to y = {} m, overlapping the floor", significant(min[1]));
+        let expected = format!("a body above the floor at y = {} m", significant(-scene.tank.depth));
         return Err(Problem::new("body.position", given, expected));
     }
     Ok(())
@@ -133,28 +104,17 @@ fn check_thickness(scene: &Scene, body: &Body) -> Result<(), Problem> {
 fn check_symmetric(body: &Body) -> Result<(), Problem> {
     let zero = |key: &str, value: f64| match value == 0.0 {
         true => Ok(()),
-        false => Err(Problem::new(
-            &format!("body.{key}"),
-            value,
-            "0 with symmetry = \"x\"",
-        )),
+        false => Err(Problem::new(&format!("body.{key}"), value, "0 with symmetry = \"x\"")),
     };
     zero("angle_deg", body.angle_deg)?;
-    zero(
-        "angular_velocity_deg_per_s",
-        body.angular_velocity_deg_per_s,
-    )?;
+    zero("angular_velocity_deg_per_s", body.angular_velocity_deg_per_s)?;
     let on_axis = |key: &str, [x, y]: [f64; 2]| match x == 0.0 {
         true => Ok(()),
-        false => Err(Problem::new(
-            &format!("body.{key}"),
-            format!("[{x}, {y}]"),
-            "[0, ...] with symmetry = \"x\"",
-        )),
+        false => Err(Problem::new(&format!("body.{key}"), format!("[{x}, {y}]"), "[0, ...] with symmetry = \"x\"")),
     };
     on_axis("velocity", body.velocity)?;
     on_axis("position", body.position)?;
-    if !outline::is_mirror_symmetric(&body.shape.outline()) {
+    if !polygon::is_mirror_symmetric(&body.shape.outline()) {
         let expected = "a body symmetric about x = 0 with symmetry = \"x\"";
         return Err(Problem::new("body.points", "a lopsided body", expected));
     }
@@ -167,30 +127,20 @@ fn check_gauges(scene: &Scene) -> Result<(), Problem> {
         let key = |name: &str| format!("gauges[{i}].{name}");
         if names.contains(&gauge.name.as_str()) {
             let expected = "a name that no other gauge or body has";
-            return Err(Problem::new(
-                &key("name"),
-                format!("{:?}", gauge.name),
-                expected,
-            ));
+            return Err(Problem::new(&key("name"), format!("{:?}", gauge.name), expected));
         }
         names.push(&gauge.name);
         let given = format!("{:?}", gauge.at);
         match (gauge.on, &scene.body) {
             (GaugeFrame::Body, None) => {
-                return Err(Problem::new(
-                    &key("on"),
-                    "\"body\"",
-                    "\"fixed\" in a scene without a body",
-                ));
+                return Err(Problem::new(&key("on"), "\"body\"", "\"fixed\" in a scene without a body"));
             }
             (GaugeFrame::Body, Some(body)) => {
-                let [x, y] = outline::nearest_point(&body.shape.outline(), gauge.at);
+                let [x, y] = polygon::nearest_point(&body.shape.outline(), gauge.at);
                 let distance = (x - gauge.at[0]).hypot(y - gauge.at[1]);
                 if distance > scene.resolution.spacing {
                     let [x, y, away] = [x, y, distance].map(significant);
-                    let expected = format!(
-                        "a point on the body's outline: the nearest, [{x}, {y}], is {away} m away"
-                    );
+                    let expected = format!("a point on the body's outline: the nearest, [{x}, {y}], is {away} m away");
                     return Err(Problem::new(&key("at"), given, expected));
                 }
             }
@@ -203,19 +153,13 @@ fn check_gauges(scene: &Scene) -> Result<(), Problem> {
 fn check_fixed_gauge(scene: &Scene, key: &str, at: [f64; 2]) -> Result<(), Problem> {
     let tank = &scene.tank;
     let right = 0.5 * tank.width;
-    let left = if scene.symmetry == Symmetry::X {
-        0.0
-    } else {
-        -right
-    };
+    let left = if scene.symmetry == Symmetry::X { 0.0 } else { -right };
     let (floor, top) = (-tank.depth, tank.height - tank.depth);
     match (left..=right).contains(&at[0]) && (floor..=top).contains(&at[1]) {
         true => Ok(()),
         false => {
             let [left, right, floor, top] = [left, right, floor, top].map(significant);
-            let expected = format!(
-                "a point in the tank, x from {left} to {right} and y from {floor} to {top} m"
-            );
+            let expected = format!("a point in the tank, x from {left} to {right} and y from {floor} to {top} m");
             Err(Problem::new(key, format!("{at:?}"), expected))
         }
     }
@@ -223,29 +167,16 @@ fn check_fixed_gauge(scene: &Scene, key: &str, at: [f64; 2]) -> Result<(), Probl
 
 fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
     let columns = |name: &str, columns: &[&str]| -> Vec<String> {
-        columns
-            .iter()
-            .map(|column| format!("{name}.{column}"))
-            .collect()
+        columns.iter().map(|column| format!("{name}.{column}")).collect()
     };
-    let bodies = scene
-        .body
-        .iter()
-        .flat_map(|body| columns(&body.name, &BODY_COLUMNS));
-    let gauges = scene
-        .gauges
-        .iter()
-        .flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
+    let bodies = scene.body.iter().flat_map(|body| columns(&body.name, &BODY_COLUMNS));
+    let gauges = scene.gauges.iter().flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
     let known: Vec<String> = bodies.chain(gauges).collect();
     for (i, compare) in scene.compare.iter().enumerate() {
         if !known.contains(&compare.quantity) {
             let key = format!("compare[{i}].quantity");
             let expected = format!("a column of this scene's series: {}", known.join(", "));
-            return Err(Problem::new(
-                &key,
-                format!("{:?}", compare.quantity),
-                expected,
-            ));
+            return Err(Problem::new(&key, format!("{:?}", compare.quantity), expected));
         }
     }
     Ok(())
@@ -255,46 +186,27 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
 fn check_wedge_similarity(scene: &Scene) -> Result<(), Problem> {
     let has = |given: &str, expected: &str| {
         let expected = format!("{expected} for the similarity solution of a wedge");
-        Err(Problem::new(
-            "similarity",
-            format!("\"wedge\" {given}"),
-            expected,
-        ))
+        Err(Problem::new("similarity", format!("\"wedge\" {given}"), expected))
     };
     let Some(body) = &scene.body else {
         return has("without a body", "a wedge");
     };
     if !matches!(body.shape, Shape::Wedge { .. }) {
-        return has(
-            &format!("with shape = \"{}\"", body.shape.name()),
-            "shape = \"wedge\"",
-        );
+        return has(&format!("with shape = \"{}\"", body.shape.name()), "shape = \"wedge\"");
     }
     if body.motion != Motion::ConstantVelocity {
-        return has(
-            "with a body that may change its speed",
-            "motion = \"constant_velocity\"",
-        );
+        return has("with a body that may change its speed", "motion = \"constant_velocity\"");
     }
     if scene.gravity != [0.0, 0.0] {
-        return has(
-            &format!("with gravity = {:?}", scene.gravity),
-            "gravity = [0.0, 0.0]",
-        );
+        return has(&format!("with gravity = {:?}", scene.gravity), "gravity = [0.0, 0.0]");
     }
     let upright = body.velocity[0] == 0.0 && body.velocity[1] < 0.0 && body.angle_deg == 0.0;
     if !upright || body.angular_velocity_deg_per_s != 0.0 {
-        let given = format!(
-            "with angle_deg = {}, velocity = {:?}",
-            body.angle_deg, body.velocity
-        );
+        let given = format!("with angle_deg = {}, velocity = {:?}", body.angle_deg, body.velocity);
         return has(&given, "an upright wedge that moves straight down");
     }
     match body.position[1] == 0.0 {
         true => Ok(()),
-        false => has(
-            &format!("with the keel at y = {} m", body.position[1]),
-            "position = \"touching\"",
-        ),
+        false => has(&format!("with the keel at y = {} m", body.position[1]), "position = \"touching\""),
     }
 }

@@ -1,7 +1,7 @@
 //! The size of the work, before any particle exists.
 
 use super::model::{Scene, Symmetry};
-use super::outline;
+use fsi_coupling::polygon;
 
 /// Memory per particle: state, scratch and neighbour lists [bytes].
 pub const BYTES_PER_PARTICLE: u64 = 600;
@@ -16,18 +16,13 @@ const PANELS: u32 = 2000;
 /// distance d [m]; water that the body displaces is counted. Walls: length over spacing times the rows that fill the
 /// kernel's support, ⌈2 h/dx⌉, along the floor, the side walls and the body.
 pub fn particle_estimate(scene: &Scene) -> (u64, u64) {
-    (
-        fluid_particles(scene).ceil() as u64,
-        wall_particles(scene).ceil() as u64,
-    )
+    (fluid_particles(scene).ceil() as u64, wall_particles(scene).ceil() as u64)
 }
 
 /// Estimated memory of a run [bytes]: [`BYTES_PER_PARTICLE`] for each particle of [`particle_estimate`].
 pub fn memory_estimate(scene: &Scene) -> u64 {
     let (fluid, wall) = particle_estimate(scene);
-    fluid
-        .saturating_add(wall)
-        .saturating_mul(BYTES_PER_PARTICLE)
+    fluid.saturating_add(wall).saturating_mul(BYTES_PER_PARTICLE)
 }
 
 fn fluid_particles(scene: &Scene) -> f64 {
@@ -40,8 +35,7 @@ fn fluid_particles(scene: &Scene) -> f64 {
     let [half_width, fine_depth] = scene.resolution.fine_zone;
     let middle = scene.fine_zone_center();
     let area_within = |distance: f64| {
-        let x =
-            (middle - half_width - distance).max(left)..(middle + half_width + distance).min(right);
+        let x = (middle - half_width - distance).max(left)..(middle + half_width + distance).min(right);
         (x.end - x.start).max(0.0) * (fine_depth + distance).min(scene.tank.depth)
     };
     let beside = (middle - left).max(right - middle) - half_width;
@@ -66,10 +60,7 @@ fn wall_particles(scene: &Scene) -> f64 {
     let right = particles_along(scene, [half, floor], [half, top]);
     let left = particles_along(scene, [-half, floor], [-half, top]);
     let bottom = particles_along(scene, [-half, floor], [half, floor]);
-    let perimeter = scene
-        .body
-        .as_ref()
-        .map_or(0.0, |body| outline::perimeter(&body.shape.outline()));
+    let perimeter = scene.body.as_ref().map_or(0.0, |body| polygon::perimeter(&body.shape.outline()));
     let body = perimeter / scene.resolution.spacing;
     let single = match scene.symmetry {
         Symmetry::None => left + right + bottom + body,

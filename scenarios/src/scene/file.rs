@@ -7,10 +7,8 @@ use serde::de::value::SeqAccessDeserializer;
 use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::model::{
-    Body, GaugeFrame, Integrator, Kernel, Motion, Norm, Similarity, Symmetry, WallSlip,
-};
-use super::shape::Shape;
+use super::model::{Body, GaugeFrame, Integrator, Kernel, Motion, Norm, Similarity, Symmetry, WallSlip};
+use fsi_coupling::Shape;
 
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -173,11 +171,7 @@ struct ValueOrWord<T> {
 
 impl<T> ValueOrWord<T> {
     fn new(word: &'static str, expected: &'static str) -> Self {
-        ValueOrWord {
-            word,
-            expected,
-            value: PhantomData,
-        }
+        ValueOrWord { word, expected, value: PhantomData }
     }
 }
 
@@ -228,21 +222,13 @@ impl From<Body> for BodyFile {
 impl BodyFile {
     fn write_shape(&mut self, shape: Shape) {
         let name = match shape {
-            Shape::Wedge {
-                deadrise_deg,
-                breadth,
-                side_height,
-            } => {
+            Shape::Wedge { deadrise_deg, breadth, side_height } => {
                 self.deadrise_deg = Some(deadrise_deg);
                 self.breadth = Some(breadth);
                 self.side_height = Some(side_height);
                 ShapeName::Wedge
             }
-            Shape::Arc {
-                radius,
-                breadth,
-                side_height,
-            } => {
+            Shape::Arc { radius, breadth, side_height } => {
                 self.radius = Some(radius);
                 self.breadth = Some(breadth);
                 self.side_height = Some(side_height);
@@ -269,11 +255,7 @@ impl BodyFile {
     fn write_motion(&mut self, motion: Motion) {
         let name = match motion {
             Motion::Free(freedom) => {
-                let axes = [
-                    (freedom.x, Axis::X),
-                    (freedom.y, Axis::Y),
-                    (freedom.inertia.is_some(), Axis::Angle),
-                ];
+                let axes = [(freedom.x, Axis::X), (freedom.y, Axis::Y), (freedom.inertia.is_some(), Axis::Angle)];
                 self.free = Some(axes.into_iter().filter(|a| a.0).map(|a| a.1).collect());
                 self.mass = Some(freedom.mass);
                 self.inertia = freedom.inertia;

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use super::model::{Body, Motion};
-use super::outline;
-use super::shape::Shape;
+use fsi_coupling::Shape;
+use fsi_coupling::polygon;
 
 /// Least deadrise that a flat or nearly flat face counts with [deg]: below it trapped air, absent here, takes over.
 pub const LEAST_DEADRISE_DEG: f64 = 4.0;
@@ -38,10 +38,8 @@ impl Bottom {
             return Bottom::Arc { radius };
         }
         let least = LEAST_DEADRISE_DEG.to_radians();
-        let deadrise = outline::flattest_downward_face(&body.placed_outline());
-        Bottom::Wedge {
-            slope: deadrise.clamp(least, FRAC_PI_2 - least).tan(),
-        }
+        let deadrise = polygon::flattest_downward_face(&body.placed_outline());
+        Bottom::Wedge { slope: deadrise.clamp(least, FRAC_PI_2 - least).tan() }
     }
 
     /// Speed of the spray root dc/dt [m/s] at entry speed V [m/s] (Wagner 1932).
@@ -108,7 +106,7 @@ impl Entry {
     /// `None` where the body neither moves down at t = 0 nor falls from above the surface, or is all under water.
     pub fn of(body: &Body, gravity: [f64; 2], density: f64, end: f64) -> Option<Entry> {
         let gravity = -gravity[1];
-        let [min, max] = outline::bounding_box(&body.placed_outline());
+        let [min, max] = polygon::bounding_box(&body.placed_outline());
         let draught = -min[1];
         let bottom = Bottom::of(body);
         let half_breadth = 0.5 * (max[0] - min[0]);
@@ -129,23 +127,11 @@ impl Entry {
                     let c = bottom.still_half_width(draught.max(0.0)).min(half_breadth);
                     FRAC_PI_2 * density * c * c
                 };
-                free_draught(
-                    draught,
-                    initial_speed,
-                    freedom.mass,
-                    added_mass,
-                    gravity,
-                    end,
-                )
+                free_draught(draught, initial_speed, freedom.mass, added_mass, gravity, end)
             }
             _ => draught + speed * end,
         };
-        Some(Entry {
-            bottom,
-            half_breadth,
-            speed,
-            final_draught,
-        })
+        Some(Entry { bottom, half_breadth, speed, final_draught })
     }
 
     /// Speed of the spray root [m/s].
@@ -155,8 +141,7 @@ impl Entry {
 
     /// Draught [m] up to which the spray root is on the bottom: at the chines or at the end of the run.
     pub fn attached_draught(&self) -> f64 {
-        self.final_draught
-            .clamp(0.0, self.bottom.draught_at(self.half_breadth))
+        self.final_draught.clamp(0.0, self.bottom.draught_at(self.half_breadth))
     }
 
     /// Length of the face with at least 90 % of the peak pressure [m], at the last attached draught D.
@@ -173,17 +158,9 @@ impl Entry {
 
 /// Draught [m] of a free body after `end` [s] by the momentum of von Karman (1929), without pile-up and buoyancy,
 /// so an upper bound: (m + m_a(D)) dD/dt = (m + m_a(D₀)) V₀ + m g t, with m_a = (π/2) ρ c² [kg/m].
-fn free_draught(
-    start: f64,
-    speed: f64,
-    mass: f64,
-    added_mass: impl Fn(f64) -> f64,
-    gravity: f64,
-    end: f64,
-) -> f64 {
+fn free_draught(start: f64, speed: f64, mass: f64, added_mass: impl Fn(f64) -> f64, gravity: f64, end: f64) -> f64 {
     let momentum = (mass + added_mass(start)) * speed;
-    let rate =
-        |t: f64, draught: f64| (momentum + mass * gravity * t) / (mass + added_mass(draught));
+    let rate = |t: f64, draught: f64| (momentum + mass * gravity * t) / (mass + added_mass(draught));
     let dt = end / f64::from(PENETRATION_STEPS);
     (0..PENETRATION_STEPS).fold(start, |draught, n| {
         let t = f64::from(n) * dt;
@@ -269,10 +246,9 @@ mod tests {
     #[test]
     fn von_karman_drops_agree_with_an_independent_integration_and_bound_the_boundary_elements() {
         // (deadrise [deg], mass [kg/m], speed [m/s], time [s], draught [m]) of an adaptive integration elsewhere.
-        for (deadrise, mass, speed, end, draught) in [
-            (30.0_f64, 241.0, 6.15, 0.026112574, 0.14433757),
-            (20.0, 100.0, 4.0, 0.038357371, 0.10919107),
-        ] {
+        for (deadrise, mass, speed, end, draught) in
+            [(30.0_f64, 241.0, 6.15, 0.026112574, 0.14433757), (20.0, 100.0, 4.0, 0.038357371, 0.10919107)]
+        {
             let slope = deadrise.to_radians().tan();
             let added_mass = |d: f64| FRAC_PI_2 * 1000.0 * (d / slope).powi(2);
             let ours = free_draught(0.0, speed, mass, added_mass, 9.81, end);

@@ -16,17 +16,8 @@ pub struct Keyword {
 impl Keyword {
     /// The keyword in one line.
     pub fn help(&self) -> String {
-        let Keyword {
-            path,
-            unit,
-            default,
-            doc,
-        } = self;
-        let unit = if unit.is_empty() {
-            String::new()
-        } else {
-            format!(" [{unit}]")
-        };
+        let Keyword { path, unit, default, doc } = self;
+        let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
         match default.starts_with("required") {
             true => format!("{path}{unit}: {doc} ({default})"),
             false => format!("{path}{unit}: {doc} (default: {default})"),
@@ -90,18 +81,8 @@ fn edit_distance(a: &str, b: &str) -> usize {
     row[b.len()]
 }
 
-const fn key(
-    path: &'static str,
-    unit: &'static str,
-    default: &'static str,
-    doc: &'static str,
-) -> Keyword {
-    Keyword {
-        path,
-        unit,
-        default,
-        doc,
-    }
+const fn key(path: &'static str, unit: &'static str, default: &'static str, doc: &'static str) -> Keyword {
+    Keyword { path, unit, default, doc }
 }
 
 #[rustfmt::skip]
@@ -184,38 +165,17 @@ mod tests {
 
     #[test]
     fn an_item_of_a_list_belongs_to_the_key_of_the_list() {
-        assert_eq!(
-            find("body.points[3][1]").map(|k| k.path),
-            Some("body.points")
-        );
-        assert_eq!(
-            find("gauges[12].at[0]").map(|k| k.path),
-            Some("gauges[].at")
-        );
+        assert_eq!(find("body.points[3][1]").map(|k| k.path), Some("body.points"));
+        assert_eq!(find("gauges[12].at[0]").map(|k| k.path), Some("gauges[].at"));
         assert_eq!(find("body"), None);
     }
 
     /// The fields that serde knows in a table, from its answer to an unknown one.
     fn serde_fields(table: &str) -> Vec<String> {
-        let text = format!(
-            "{}\nno_such_key = 1\n",
-            if table.is_empty() {
-                String::new()
-            } else {
-                table_header(table)
-            }
-        );
+        let text = format!("{}\nno_such_key = 1\n", if table.is_empty() { String::new() } else { table_header(table) });
         let error = toml::from_str::<SceneFile>(&text).expect_err("the key does not exist");
-        let (_, fields) = error
-            .message()
-            .split_once("expected one of")
-            .expect("serde lists the fields");
-        fields
-            .split('`')
-            .skip(1)
-            .step_by(2)
-            .map(String::from)
-            .collect()
+        let (_, fields) = error.message().split_once("expected one of").expect("serde lists the fields");
+        fields.split('`').skip(1).step_by(2).map(String::from).collect()
     }
 
     fn table_header(table: &str) -> String {
@@ -227,28 +187,13 @@ mod tests {
 
     #[test]
     fn keywords_and_serde_fields_are_the_same() {
-        let tables = [
-            "time",
-            "resolution",
-            "fluid",
-            "tank",
-            "body",
-            "gauges[]",
-            "compare[]",
-        ];
+        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]"];
         let top = serde_fields("");
-        let mut fields: Vec<String> = top
-            .iter()
-            .filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f))
-            .cloned()
-            .collect();
+        let mut fields: Vec<String> =
+            top.iter().filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f)).cloned().collect();
         assert_eq!(fields.len() + tables.len(), top.len());
         for table in tables {
-            fields.extend(
-                serde_fields(table)
-                    .iter()
-                    .map(|field| format!("{table}.{field}")),
-            );
+            fields.extend(serde_fields(table).iter().map(|field| format!("{table}.{field}")));
         }
         let declared: Vec<&str> = KEYWORDS.iter().map(|keyword| keyword.path).collect();
         assert_eq!(declared, fields);

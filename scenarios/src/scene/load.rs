@@ -44,31 +44,20 @@ pub fn load(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
                 help: format!("built-in scenes: {}", names.join(", ")),
             }
         }
-        _ => SceneError::Unreadable {
-            path: name_or_path.to_string(),
-            cause,
-        },
+        _ => SceneError::Unreadable { path: name_or_path.to_string(), cause },
     })?;
     load_text(name_or_path, &text, sets)
 }
 
 /// Loads a scene from its text; `name` stands for the file in messages.
 pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    let source = Source {
-        name: name.to_string(),
-        text: text.to_string(),
-        sets: sets.to_vec(),
-    };
+    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec() };
     let mut table: Table = text.parse().map_err(|error| source.syntax_error(&error))?;
     for set in sets {
         apply_set(&mut table, set)?;
     }
     let scene = read(Value::Table(table)).map_err(|problem| source.error(problem))?;
-    Ok(Loaded {
-        warnings: warnings(&scene),
-        scene,
-        source,
-    })
+    Ok(Loaded { warnings: warnings(&scene), scene, source })
 }
 
 impl Loaded {
@@ -92,9 +81,7 @@ impl Loaded {
             gib(bytes)
         );
         let spacing = self.scene.resolution.spacing;
-        Err(self
-            .source
-            .error(Problem::new("resolution.spacing", spacing, expected)))
+        Err(self.source.error(Problem::new("resolution.spacing", spacing, expected)))
     }
 }
 
@@ -110,11 +97,7 @@ fn read(value: Value) -> Result<Scene, Problem> {
 fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
     match value {
         Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
-            Err(Problem::new(
-                path,
-                number,
-                format!("a finite number up to {LARGEST_NUMBER:e}"),
-            ))
+            Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))
         }
         Value::Array(items) => {
             let mut items = items.iter().enumerate();
@@ -133,10 +116,7 @@ fn unreadable(error: &tracked::Error<toml::de::Error>) -> Problem {
     let key = error.path().to_string();
     let complaint = error.inner().message();
     let sentence = match complaint.starts_with("unknown field") {
-        false => format!(
-            "`{key}`: {}",
-            complaint.replace("expected f64", "expected a number")
-        ),
+        false => format!("`{key}`: {}", complaint.replace("expected f64", "expected a number")),
         true => match keywords::nearest(&key) {
             Some(known) => {
                 format!("unknown key `{key}`: expected a key of a scene, such as `{known}`")

@@ -22,31 +22,26 @@ mod impact;
 mod keywords;
 mod load;
 mod model;
-mod outline;
 mod overrides;
 mod problem;
 mod resolve;
 mod resolve_body;
-mod shape;
 mod source;
 mod warnings;
 
-pub use auto::{
-    ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed,
-};
+pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use builtin::builtin;
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+pub use fsi_coupling::Shape;
 pub use impact::{
-    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,
-    sound_speed_for,
+    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error, sound_speed_for,
 };
 pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};
 pub use model::{
-    Body, Compare, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm, Resolution,
-    Scene, Similarity, Symmetry, Tank, Time, WallSlip,
+    Body, Compare, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm, Resolution, Scene, Similarity,
+    Symmetry, Tank, Time, WallSlip,
 };
 pub use overrides::apply_set;
-pub use shape::Shape;
 pub use warnings::warnings;

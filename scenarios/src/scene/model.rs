@@ -6,8 +6,8 @@ pub use sph_core::{Integrator, Kernel, Slip as WallSlip};
 use super::auto::fastest_speed;
 use super::file::BodyFile;
 use super::impact::Entry;
-use super::outline;
-use super::shape::Shape;
+use fsi_coupling::Shape;
+use fsi_coupling::polygon;
 
 /// A scene as it is run. It serialises to TOML with the keys of a scene file, and that text loads to the same scene.
 ///
@@ -257,12 +257,7 @@ impl Scene {
     /// Fastest speed of the flow that is known before the run [m/s].
     pub fn fastest_speed(&self) -> f64 {
         let entry = self.entry();
-        fastest_speed(
-            entry.as_ref(),
-            self.body.as_ref(),
-            self.gravity,
-            self.tank.depth,
-        )
+        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, self.tank.depth)
     }
 
     /// x of the fine zone's middle [m]: the body's, or the tank's where there is no body.
@@ -315,7 +310,7 @@ impl Body {
 
     /// x midway between the body's left and right ends at t = 0 [m].
     pub fn middle(&self) -> f64 {
-        let [min, max] = outline::bounding_box(&self.placed_outline());
+        let [min, max] = polygon::bounding_box(&self.placed_outline());
         0.5 * (min[0] + max[0])
     }
 }

@@ -28,19 +28,14 @@ pub(super) fn assignment(set: &str) -> Option<(&str, &str)> {
 /// Tables on the way are made where they are missing, items of arrays are not. Whether a scene knows the key is seen
 /// when the table is read as one.
 pub fn apply_set(table: &mut Table, set: &str) -> Result<(), SceneError> {
-    let refuse = |problem: String| SceneError::Set {
-        argument: set.to_string(),
-        problem,
-        help: None,
-    };
+    let refuse = |problem: String| SceneError::Set { argument: set.to_string(), problem, help: None };
     let form = || refuse("expected the form key.path=value".to_string());
     let (path, text) = assignment(set).ok_or_else(form)?;
     let steps: Vec<Segment> = segments(path).collect();
     let (Some(Segment::Key(_)), false) = (steps.first(), text.is_empty()) else {
         return Err(form());
     };
-    let value = parse(text)
-        .map_err(|why| refuse(format!("`{path}` = {text}: expected a TOML value; {why}")))?;
+    let value = parse(text).map_err(|why| refuse(format!("`{path}` = {text}: expected a TOML value; {why}")))?;
     *slot(table, &steps).map_err(|why| refuse(format!("`{path}`: {why}")))? = value;
     Ok(())
 }
@@ -74,19 +69,13 @@ fn slot<'a>(table: &'a mut Table, steps: &[Segment]) -> Result<&'a mut Value, St
             (Segment::Index(index), Value::Array(items)) => {
                 let count = items.len();
                 let item = items.get_mut(*index);
-                item.ok_or_else(|| {
-                    format!("{so_far} has {count} items: expected an index below {count}")
-                })?
+                item.ok_or_else(|| format!("{so_far} has {count} items: expected an index below {count}"))?
             }
             (Segment::Key(key), _) => {
-                return Err(format!(
-                    "{so_far} is of type {kind}: expected a table with {key}"
-                ));
+                return Err(format!("{so_far} is of type {kind}: expected a table with {key}"));
             }
             (Segment::Index(index), _) => {
-                return Err(format!(
-                    "{so_far} is of type {kind}: expected an array with an item {index}"
-                ));
+                return Err(format!("{so_far} is of type {kind}: expected an array with an item {index}"));
             }
         };
         if let Segment::Index(index) = step {
@@ -111,24 +100,15 @@ mod tests {
         for (given, value) in [
             ("a.b=2", Value::Integer(2)),
             ("a.b = 2.5e-3", Value::Float(2.5e-3)),
-            (
-                "a.b=[1, 2]",
-                Value::Array(vec![Value::Integer(1), Value::Integer(2)]),
-            ),
+            ("a.b=[1, 2]", Value::Array(vec![Value::Integer(1), Value::Integer(2)])),
             ("a.b=true", Value::Boolean(true)),
             ("a.b=\"2\"", Value::String("2".to_string())),
-            (
-                "a.b=cubic_spline",
-                Value::String("cubic_spline".to_string()),
-            ),
+            ("a.b=cubic_spline", Value::String("cubic_spline".to_string())),
             ("a.b=x=1", Value::Integer(0)),
         ] {
             match set("", given) {
                 Ok(table) => assert_eq!(table["a"]["b"], value, "{given}"),
-                Err(message) => assert!(
-                    given == "a.b=x=1" && message.contains("expected a TOML value"),
-                    "{message}"
-                ),
+                Err(message) => assert!(given == "a.b=x=1" && message.contains("expected a TOML value"), "{message}"),
             }
         }
     }
@@ -136,8 +116,7 @@ mod tests {
     #[test]
     fn items_of_arrays_are_reached_both_ways() {
         for path in ["g[1].at", "g.1.at"] {
-            let table = set("g = [{ at = 1 }, { at = 2 }]", &format!("{path}=3"))
-                .expect("both items exist");
+            let table = set("g = [{ at = 1 }, { at = 2 }]", &format!("{path}=3")).expect("both items exist");
             assert_eq!(table["g"][1]["at"], Value::Integer(3));
         }
     }
@@ -145,21 +124,12 @@ mod tests {
     #[test]
     fn a_path_that_leads_nowhere_says_where_it_ends() {
         for (given, expected) in [
-            (
-                "g[2].at=3",
-                "--set g[2].at=3: `g[2].at`: g has 1 items: expected an index below 1",
-            ),
-            (
-                "a.b.c=3",
-                "--set a.b.c=3: `a.b.c`: a.b is of type integer: expected a table with c",
-            ),
+            ("g[2].at=3", "--set g[2].at=3: `g[2].at`: g has 1 items: expected an index below 1"),
+            ("a.b.c=3", "--set a.b.c=3: `a.b.c`: a.b is of type integer: expected a table with c"),
             ("a=", "--set a=: expected the form key.path=value"),
             ("a", "--set a: expected the form key.path=value"),
         ] {
-            assert_eq!(
-                set("g = [{ at = 1 }]\na = { b = 1 }", given),
-                Err(expected.to_string())
-            );
+            assert_eq!(set("g = [{ at = 1 }]\na = { b = 1 }", given), Err(expected.to_string()));
         }
     }
 }

@@ -13,18 +13,12 @@ pub(super) struct Problem {
 impl Problem {
     pub fn new(key: &str, given: impl Display, expected: impl Display) -> Problem {
         let sentence = format!("`{key}` = {given}: expected {expected}");
-        Problem {
-            key: key.to_string(),
-            sentence,
-        }
+        Problem { key: key.to_string(), sentence }
     }
 
     pub fn missing(key: &str, why: impl Display) -> Problem {
         let sentence = format!("`{key}` is missing: expected {why}");
-        Problem {
-            key: key.to_string(),
-            sentence,
-        }
+        Problem { key: key.to_string(), sentence }
     }
 }
 
@@ -67,11 +61,7 @@ pub(super) fn word(key: &str, value: String) -> Result<String, Problem> {
     let fits = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     match !value.is_empty() && value.chars().all(fits) {
         true => Ok(value),
-        false => Err(Problem::new(
-            key,
-            format!("{value:?}"),
-            "a word of letters, digits, _ and -",
-        )),
+        false => Err(Problem::new(key, format!("{value:?}"), "a word of letters, digits, _ and -")),
     }
 }
 

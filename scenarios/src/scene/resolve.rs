@@ -1,9 +1,7 @@
 //! From a scene as written to a scene as run: defaults, ranges, and the values left to the program.
 
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
-use super::file::{
-    CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile,
-};
+use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{Compare, Fluid, Gauge, GaugeFrame, Resolution, Scene, Tank, Time};
 use super::problem::{Problem, not_negative, positive, required, within, word};
@@ -22,14 +20,9 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     let symmetry = file.symmetry.unwrap_or_default();
     let gravity = file.gravity.unwrap_or([0.0, -9.81]);
     let time = resolve_time(&file.time)?;
-    let body = file
-        .body
-        .map(|body| resolve_body(body, symmetry))
-        .transpose()?;
+    let body = file.body.map(|body| resolve_body(body, symmetry)).transpose()?;
     let density = positive("fluid.density", file.fluid.density.unwrap_or(1000.0))?;
-    let entry = body
-        .as_ref()
-        .and_then(|body| Entry::of(body, gravity, density, time.end));
+    let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end));
     let fastest = match &entry {
         Some(_) => fastest_speed(entry.as_ref(), body.as_ref(), gravity, 0.0),
         None => {
@@ -38,18 +31,11 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         }
     };
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
-    let spacing = required(
-        "resolution.spacing",
-        file.resolution.spacing,
-        "the finest spacing [m]",
-    )?;
+    let spacing = required("resolution.spacing", file.resolution.spacing, "the finest spacing [m]")?;
     let spacing = positive("resolution.spacing", spacing)?;
     let (tank, fine_zone) = match &entry {
         Some(entry) => {
-            let fine_zone = file
-                .resolution
-                .fine_zone
-                .unwrap_or_else(|| auto_fine_zone(entry, spacing));
+            let fine_zone = file.resolution.fine_zone.unwrap_or_else(|| auto_fine_zone(entry, spacing));
             let [beside, below] = auto_reach(fluid.sound_speed, time.end, fine_zone);
             let off_center = body.as_ref().map_or(0.0, |body| body.middle().abs());
             let width = file.tank.width.unwrap_or(2.0 * (beside + off_center));
@@ -72,9 +58,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         gravity,
         similarity: file.similarity,
         gauges: numbered("gauges", file.gauges, resolve_gauge)?,
-        compare: numbered("compare", file.compare, |key, compare| {
-            resolve_compare(key, compare, time.end)
-        })?,
+        compare: numbered("compare", file.compare, |key, compare| resolve_compare(key, compare, time.end))?,
         resolution: resolve_resolution(&file.resolution, spacing, fine_zone)?,
         time,
         fluid,
@@ -84,11 +68,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
 }
 
 fn still_water(key: &str, value: Option<f64>) -> Result<f64, Problem> {
-    required(
-        key,
-        value,
-        "a length [m]: \"auto\" needs a body that falls or moves down into the water",
-    )
+    required(key, value, "a length [m]: \"auto\" needs a body that falls or moves down into the water")
 }
 
 /// Resolves the tables of an array, each with its key `name[i]`.
@@ -98,56 +78,31 @@ fn numbered<F, T>(
     resolve: impl Fn(&str, F) -> Result<T, Problem>,
 ) -> Result<Vec<T>, Problem> {
     let numbered = items.into_iter().enumerate();
-    numbered
-        .map(|(i, item)| resolve(&format!("{name}[{i}]"), item))
-        .collect()
+    numbered.map(|(i, item)| resolve(&format!("{name}[{i}]"), item)).collect()
 }
 
 fn resolve_time(file: &TimeFile) -> Result<Time, Problem> {
-    let end = positive(
-        "time.end",
-        required("time.end", file.end, "the end of the simulated time [s]")?,
-    )?;
+    let end = positive("time.end", required("time.end", file.end, "the end of the simulated time [s]")?)?;
     let interval = |key: &str, value: f64| match value > 0.0 && value <= end {
         true => Ok(value),
-        false => Err(Problem::new(
-            key,
-            value,
-            format!("an interval above 0 and up to time.end = {end} s"),
-        )),
+        false => Err(Problem::new(key, value, format!("an interval above 0 and up to time.end = {end} s"))),
     };
     Ok(Time {
         end,
-        sample_every: interval(
-            "time.sample_every",
-            file.sample_every.unwrap_or(end / SAMPLES),
-        )?,
+        sample_every: interval("time.sample_every", file.sample_every.unwrap_or(end / SAMPLES))?,
         frame_every: interval("time.frame_every", file.frame_every.unwrap_or(end / FRAMES))?,
     })
 }
 
-fn resolve_resolution(
-    file: &ResolutionFile,
-    spacing: f64,
-    fine_zone: [f64; 2],
-) -> Result<Resolution, Problem> {
+fn resolve_resolution(file: &ResolutionFile, spacing: f64, fine_zone: [f64; 2]) -> Result<Resolution, Problem> {
     for length in fine_zone {
         positive("resolution.fine_zone", length)?;
     }
     let growth = within("resolution.growth", file.growth.unwrap_or(1.1), 1.0..=2.0)?;
-    Ok(Resolution {
-        spacing,
-        growth,
-        fine_zone,
-    })
+    Ok(Resolution { spacing, growth, fine_zone })
 }
 
-fn resolve_fluid(
-    file: FluidFile,
-    density: f64,
-    entry: Option<&Entry>,
-    fastest: f64,
-) -> Result<Fluid, Problem> {
+fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: f64) -> Result<Fluid, Problem> {
     let compressibility_error = within(
         "fluid.compressibility_error",
         file.compressibility_error.unwrap_or(0.01),
@@ -165,29 +120,12 @@ fn resolve_fluid(
         density,
         sound_speed,
         compressibility_error,
-        eos_exponent: within(
-            "fluid.eos_exponent",
-            file.eos_exponent.unwrap_or(7.0),
-            1.0..=10.0,
-        )?,
+        eos_exponent: within("fluid.eos_exponent", file.eos_exponent.unwrap_or(7.0), 1.0..=10.0)?,
         kernel: file.kernel.unwrap_or_default(),
-        smoothing_ratio: within(
-            "fluid.smoothing_ratio",
-            file.smoothing_ratio.unwrap_or(1.5),
-            1.0..=3.0,
-        )?,
-        artificial_viscosity: not_negative(
-            "fluid.artificial_viscosity",
-            file.artificial_viscosity.unwrap_or(0.02),
-        )?,
-        kinematic_viscosity: not_negative(
-            "fluid.kinematic_viscosity",
-            file.kinematic_viscosity.unwrap_or(0.0),
-        )?,
-        density_diffusion: not_negative(
-            "fluid.density_diffusion",
-            file.density_diffusion.unwrap_or(0.3),
-        )?,
+        smoothing_ratio: within("fluid.smoothing_ratio", file.smoothing_ratio.unwrap_or(1.5), 1.0..=3.0)?,
+        artificial_viscosity: not_negative("fluid.artificial_viscosity", file.artificial_viscosity.unwrap_or(0.02))?,
+        kinematic_viscosity: not_negative("fluid.kinematic_viscosity", file.kinematic_viscosity.unwrap_or(0.0))?,
+        density_diffusion: not_negative("fluid.density_diffusion", file.density_diffusion.unwrap_or(0.3))?,
         shifting: file.shifting.unwrap_or(true),
         volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
@@ -200,27 +138,14 @@ fn resolve_tank(file: &TankFile, width: f64, depth: f64) -> Result<Tank, Problem
     let width = positive("tank.width", width)?;
     let depth = positive("tank.depth", depth)?;
     let water_width = positive("tank.water_width", file.water_width.unwrap_or(width))?;
-    let room = if water_width < width {
-        RUN_UP
-    } else {
-        FREEBOARD
-    };
+    let room = if water_width < width { RUN_UP } else { FREEBOARD };
     let height = positive("tank.height", file.height.unwrap_or(room * depth))?;
-    Ok(Tank {
-        width,
-        depth,
-        height,
-        water_width,
-    })
+    Ok(Tank { width, depth, height, water_width })
 }
 
 fn resolve_gauge(table: &str, file: GaugeFile) -> Result<Gauge, Problem> {
     let key = |name: &str| format!("{table}.{name}");
-    let name = required(
-        &key("name"),
-        file.name,
-        "a word that starts its column in the series",
-    )?;
+    let name = required(&key("name"), file.name, "a word that starts its column in the series")?;
     Ok(Gauge {
         name: word(&key("name"), name)?,
         on: file.on.unwrap_or(GaugeFrame::Body),
@@ -237,21 +162,11 @@ fn resolve_compare(table: &str, file: CompareFile, end: f64) -> Result<Compare, 
     let window = file.window.unwrap_or([0.0, end]);
     if window[0] < 0.0 || window[0] >= window[1] {
         let expected = "two times [from, to] [s] with 0 <= from < to";
-        return Err(Problem::new(
-            &key("window"),
-            format!("{window:?}"),
-            expected,
-        ));
+        return Err(Problem::new(&key("window"), format!("{window:?}"), expected));
     }
-    let tolerance = file
-        .tolerance
-        .map(|tolerance| positive(&key("tolerance"), tolerance));
+    let tolerance = file.tolerance.map(|tolerance| positive(&key("tolerance"), tolerance));
     Ok(Compare {
-        reference: required(
-            &key("reference"),
-            file.reference,
-            "the path of a CSV file below the references",
-        )?,
+        reference: required(&key("reference"), file.reference, "the path of a CSV file below the references")?,
         quantity: required(&key("quantity"), file.quantity, "a column of the series")?,
         scale: factor("scale", file.scale)?,
         x: required(&key("x"), file.x, "the reference's column of times")?,

@@ -2,9 +2,9 @@
 
 use super::file::{Axis, BodyFile, MotionName, ShapeName};
 use super::model::{Body, Freedom, Motion, Symmetry};
-use super::outline;
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
-use super::shape::Shape;
+use fsi_coupling::Shape;
+use fsi_coupling::polygon;
 
 /// Side height over breadth, where the scene does not say.
 const SIDE_OVER_BREADTH: f64 = 0.25;
@@ -28,7 +28,7 @@ pub(super) fn resolve_body(file: BodyFile, symmetry: Symmetry) -> Result<Body, P
         shape,
     };
     body.position = file.position.unwrap_or_else(|| {
-        let [lowest, _] = outline::bounding_box(&body.placed_outline());
+        let [lowest, _] = polygon::bounding_box(&body.placed_outline());
         [0.0, 0.0 - lowest[1]]
     });
     check_locked_directions(&body)?;
@@ -36,27 +36,12 @@ pub(super) fn resolve_body(file: BodyFile, symmetry: Symmetry) -> Result<Body, P
 }
 
 fn resolve_shape(file: &BodyFile) -> Result<Shape, Problem> {
-    let name = required(
-        "body.shape",
-        file.shape,
-        "wedge, arc, box, polygon or polyline",
-    )?;
-    let length =
-        |key: &str, value: Option<f64>| positive(key, required(key, value, "a length [m]")?);
+    let name = required("body.shape", file.shape, "wedge, arc, box, polygon or polyline")?;
+    let length = |key: &str, value: Option<f64>| positive(key, required(key, value, "a length [m]")?);
     let breadth = || length("body.breadth", file.breadth);
-    let side_height = |breadth: f64| {
-        not_negative(
-            "body.side_height",
-            file.side_height.unwrap_or(SIDE_OVER_BREADTH * breadth),
-        )
-    };
-    let points = || {
-        required(
-            "body.points",
-            file.points.clone(),
-            "vertices [[x, y], ...] [m]",
-        )
-    };
+    let side_height =
+        |breadth: f64| not_negative("body.side_height", file.side_height.unwrap_or(SIDE_OVER_BREADTH * breadth));
+    let points = || required("body.points", file.points.clone(), "vertices [[x, y], ...] [m]");
     let shape = match name {
         ShapeName::Wedge => {
             let angle = required("body.deadrise_deg", file.deadrise_deg, "the deadrise [deg]")?;
@@ -72,23 +57,13 @@ fn resolve_shape(file: &BodyFile) -> Result<Shape, Problem> {
                 let expected = format!("a chord of at most twice body.radius, {} m", 2.0 * radius);
                 return Err(Problem::new("body.breadth", breadth, expected));
             }
-            Shape::Arc {
-                radius,
-                breadth,
-                side_height: side_height(breadth)?,
-            }
+            Shape::Arc { radius, breadth, side_height: side_height(breadth)? }
         }
-        ShapeName::Box => Shape::Box {
-            breadth: breadth()?,
-            height: length("body.height", file.height)?,
-        },
-        ShapeName::Polygon => Shape::Polygon {
-            points: simple_polygon(points()?)?,
-        },
-        ShapeName::Polyline => Shape::Polyline {
-            points: smooth_line(points()?)?,
-            thickness: length("body.thickness", file.thickness)?,
-        },
+        ShapeName::Box => Shape::Box { breadth: breadth()?, height: length("body.height", file.height)? },
+        ShapeName::Polygon => Shape::Polygon { points: simple_polygon(points()?)? },
+        ShapeName::Polyline => {
+            Shape::Polyline { points: smooth_line(points()?)?, thickness: length("body.thickness", file.thickness)? }
+        }
     };
     refuse_other_shapes_keys(file, &shape)?;
     check_plate_outline(&shape)?;
@@ -111,14 +86,9 @@ fn refuse_other_shapes_keys(file: &BodyFile, shape: &Shape) -> Result<(), Proble
         ("radius", file.radius),
         ("height", file.height),
         ("thickness", file.thickness),
-        (
-            "points",
-            file.points.as_ref().map(|points| points.len() as f64),
-        ),
+        ("points", file.points.as_ref().map(|points| points.len() as f64)),
     ];
-    let stranger = given
-        .iter()
-        .find(|(key, value)| value.is_some() && !used.contains(key));
+    let stranger = given.iter().find(|(key, value)| value.is_some() && !used.contains(key));
     match stranger {
         None => Ok(()),
         Some((key, _)) => {
@@ -134,23 +104,14 @@ fn simple_polygon(points: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, Problem> {
         return problem(format!("{} points", points.len()), "at least 3 points");
     }
     if let Some(i) = repeated(&points).or_else(|| (points.first() == points.last()).then_some(0)) {
-        return problem(
-            format!("{:?} twice in a row", points[i]),
-            "every vertex once",
-        );
+        return problem(format!("{:?} twice in a row", points[i]), "every vertex once");
     }
-    if let Some((i, j)) = outline::first_crossing(&points) {
-        return problem(
-            format!("a line whose edges {i} and {j} meet"),
-            "an outline that does not cross itself",
-        );
+    if let Some((i, j)) = polygon::first_crossing(&points) {
+        return problem(format!("a line whose edges {i} and {j} meet"), "an outline that does not cross itself");
     }
-    let area = outline::signed_area(&points);
+    let area = polygon::signed_area(&points);
     if area <= 0.0 {
-        return problem(
-            format!("points around {} m²", significant(area)),
-            "counter-clockwise points",
-        );
+        return problem(format!("points around {} m²", significant(area)), "counter-clockwise points");
     }
     Ok(points)
 }
@@ -161,23 +122,14 @@ fn smooth_line(points: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, Problem> {
         return problem(format!("{} points", points.len()), "at least 2 points");
     }
     if let Some(i) = repeated(&points) {
-        return problem(
-            format!("{:?} twice in a row", points[i]),
-            "every vertex once",
-        );
+        return problem(format!("{:?} twice in a row", points[i]), "every vertex once");
     }
     let sharp = points.windows(3).find(|w| {
-        let (a, b) = (
-            [w[1][0] - w[0][0], w[1][1] - w[0][1]],
-            [w[2][0] - w[1][0], w[2][1] - w[1][1]],
-        );
+        let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
         a[0] * b[0] + a[1] * b[1] < SHARPEST_TURN * a[0].hypot(a[1]) * b[0].hypot(b[1])
     });
     match sharp {
-        Some(w) => problem(
-            format!("a sharp corner at {:?}", w[1]),
-            "corners that turn by at most 120 degrees",
-        ),
+        Some(w) => problem(format!("a sharp corner at {:?}", w[1]), "corners that turn by at most 120 degrees"),
         None => Ok(points),
     }
 }
@@ -188,9 +140,7 @@ fn repeated(points: &[[f64; 2]]) -> Option<usize> {
 
 fn check_plate_outline(shape: &Shape) -> Result<(), Problem> {
     match shape {
-        Shape::Polyline { thickness, .. }
-            if outline::first_crossing(&shape.outline()).is_some() =>
-        {
+        Shape::Polyline { thickness, .. } if polygon::first_crossing(&shape.outline()).is_some() => {
             let expected = "a plate whose two sides do not cross: thinner, or with longer edges";
             Err(Problem::new("body.thickness", thickness, expected))
         }
@@ -213,11 +163,7 @@ fn resolve_motion(file: &BodyFile, symmetry: Symmetry) -> Result<Motion, Problem
                 return Err(Problem::new("body.free", "[]", expected));
             }
             if symmetry == Symmetry::X && free.iter().any(|axis| *axis != Axis::Y) {
-                return Err(Problem::new(
-                    "body.free",
-                    format!("{free:?}"),
-                    "[\"y\"] with symmetry = \"x\"",
-                ));
+                return Err(Problem::new("body.free", format!("{free:?}"), "[\"y\"] with symmetry = \"x\""));
             }
             let mass = required("body.mass", file.mass, "the mass of the free body [kg/m]")?;
             let why = "the moment of inertia [kg m^2/m] of a body that is free to rotate";
@@ -242,19 +188,11 @@ fn check_locked_directions(body: &Body) -> Result<(), Problem> {
     let [vx, vy] = body.velocity;
     if (!x && vx != 0.0) || (!y && vy != 0.0) {
         let expected = "0 along every direction that body.motion and body.free lock";
-        return Err(Problem::new(
-            "body.velocity",
-            format!("{:?}", body.velocity),
-            expected,
-        ));
+        return Err(Problem::new("body.velocity", format!("{:?}", body.velocity), expected));
     }
     if !angle && body.angular_velocity_deg_per_s != 0.0 {
         let expected = "0, since body.motion and body.free lock the rotation";
-        return Err(Problem::new(
-            "body.angular_velocity_deg_per_s",
-            body.angular_velocity_deg_per_s,
-            expected,
-        ));
+        return Err(Problem::new("body.angular_velocity_deg_per_s", body.angular_velocity_deg_per_s, expected));
     }
     Ok(())
 }

@@ -24,11 +24,7 @@ impl Source {
     pub fn error(&self, problem: Problem) -> SceneError {
         let help = keywords::find(&problem.key).map(Keyword::help);
         match self.sets.iter().rfind(|set| writes(set, &problem.key)) {
-            Some(argument) => SceneError::Set {
-                argument: argument.clone(),
-                problem: problem.sentence,
-                help,
-            },
+            Some(argument) => SceneError::Set { argument: argument.clone(), problem: problem.sentence, help },
             None => self.error_at(self.span(&problem.key), problem.sentence, help),
         }
     }
@@ -62,16 +58,12 @@ impl Source {
         for segment in segments(key) {
             let found = match (&segment, value) {
                 (Segment::Key(key), DeValue::Table(table)) => {
-                    table.get_key_value(*key).map(|(key, item)| {
-                        match known && !item.get_ref().is_table() {
-                            true => (item.span(), item),
-                            false => (key.span(), item),
-                        }
+                    table.get_key_value(*key).map(|(key, item)| match known && !item.get_ref().is_table() {
+                        true => (item.span(), item),
+                        false => (key.span(), item),
                     })
                 }
-                (Segment::Index(index), DeValue::Array(items)) => {
-                    items.get(*index).map(|item| (item.span(), item))
-                }
+                (Segment::Index(index), DeValue::Array(items)) => items.get(*index).map(|item| (item.span(), item)),
                 _ => None,
             };
             let Some((place, item)) = found else {

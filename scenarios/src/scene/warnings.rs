@@ -28,10 +28,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         }
     }
     if scene.fluid.cfl > LARGEST_CFL {
-        warnings.push(format!(
-            "fluid.cfl = {}: 0.8 ran, 1.0 blew up",
-            scene.fluid.cfl
-        ));
+        warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.0 blew up", scene.fluid.cfl));
     }
     if scene.resolution.growth > LARGEST_GROWTH {
         warnings.push(format!(
@@ -39,10 +36,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             scene.resolution.growth
         ));
     }
-    let late = scene
-        .compare
-        .iter()
-        .filter(|compare| compare.window[0] >= scene.time.end);
+    let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
     warnings.extend(late.map(|compare| {
         format!(
             "{} is compared from {} s on, after the end of the run at {} s",

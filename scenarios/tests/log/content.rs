@@ -23,10 +23,7 @@ fn messages_of(log: &[u8], topic: &str) -> Vec<(u64, Vec<u8>)> {
 
 fn decoded<M: Decode>(log: &[u8], topic: &str) -> Vec<M> {
     let messages = messages_of(log, topic);
-    messages
-        .iter()
-        .map(|(_, data)| M::decode(data.as_slice()).expect("the message matches its type"))
-        .collect()
+    messages.iter().map(|(_, data)| M::decode(data.as_slice()).expect("the message matches its type")).collect()
 }
 
 #[test]
@@ -70,33 +67,16 @@ fn point_clouds_unpack_to_the_particles() {
     assert_eq!(cloud.frame_id, "world");
     assert_eq!(cloud.timestamp.unwrap().total_nanos(), 30_000_000);
     assert_eq!(cloud.point_stride as usize, POINT_SIZE);
-    let fields: Vec<(&str, u32)> = cloud
-        .fields
-        .iter()
-        .map(|field| (field.name.as_str(), field.offset))
-        .collect();
-    let names = [
-        "x", "y", "z", "pressure", "speed", "density", "spacing", "id",
-    ];
-    assert_eq!(
-        fields,
-        names.into_iter().zip((0..).step_by(4)).collect::<Vec<_>>()
-    );
+    let fields: Vec<(&str, u32)> = cloud.fields.iter().map(|field| (field.name.as_str(), field.offset)).collect();
+    let names = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id"];
+    assert_eq!(fields, names.into_iter().zip((0..).step_by(4)).collect::<Vec<_>>());
 
     let row = Row::new(50, k);
     assert_eq!(cloud.data.len(), row.x.len() * POINT_SIZE);
     for (i, point) in cloud.data.chunks_exact(POINT_SIZE).enumerate() {
         let word = |j: usize| <[u8; 4]>::try_from(&point[4 * j..4 * j + 4]).unwrap();
         let floats: Vec<f32> = (0..7).map(|j| f32::from_le_bytes(word(j))).collect();
-        let expected = [
-            row.x[i],
-            row.y[i],
-            0.0,
-            row.pressure[i],
-            5.0,
-            row.density[i],
-            row.spacing[i],
-        ];
+        let expected = [row.x[i], row.y[i], 0.0, row.pressure[i], 5.0, row.density[i], row.spacing[i]];
         assert_eq!(floats, expected.map(|value| value as f32));
         assert_eq!(u32::from_le_bytes(word(7)), row.id[i]);
     }
@@ -134,17 +114,10 @@ fn samples_are_exact_and_write_null_for_what_is_not_finite() {
     let log = complete_log(&path_in(&folder));
     let samples = messages_of(&log, "/body/wedge");
     // 0.1 + 0.2 in f64, to the last digit.
-    assert_eq!(
-        String::from_utf8_lossy(&samples[1].1),
-        r#"{"y_m":0.30000000000000004,"force_y_N":null}"#
-    );
+    assert_eq!(String::from_utf8_lossy(&samples[1].1), r#"{"y_m":0.30000000000000004,"force_y_N":null}"#);
 
     let summary = Summary::read(&log).unwrap().expect("a summary");
-    let channel = summary
-        .channels
-        .values()
-        .find(|channel| channel.topic == "/body/wedge")
-        .expect("the channel");
+    let channel = summary.channels.values().find(|channel| channel.topic == "/body/wedge").expect("the channel");
     let schema = channel.schema.as_ref().expect("a schema");
     assert_eq!(channel.message_encoding, "json");
     assert_eq!(schema.encoding, "jsonschema");
@@ -179,10 +152,7 @@ fn the_scene_is_an_attachment_and_metadata() {
     assert_eq!(attachment.name, "scene.resolved.toml");
     assert_eq!(attachment.data, METADATA.scene_toml.as_bytes());
 
-    let mut records = summary
-        .metadata_indexes
-        .iter()
-        .map(|index| mcap::read::metadata(&log, index).unwrap());
+    let mut records = summary.metadata_indexes.iter().map(|index| mcap::read::metadata(&log, index).unwrap());
     let program = records.next().expect("the program");
     assert_eq!(program.name, "splashdown");
     assert_eq!(program.metadata["scene"], "wedge");

@@ -6,9 +6,7 @@ use mcap::{McapError, Summary};
 use scenarios::log::{Level, LogWriter};
 use tempfile::TempDir;
 
-use super::{
-    FRAMES, MESSAGES_PER_FRAME, METADATA, complete_log, path_in, stream, time_of, write_frame,
-};
+use super::{FRAMES, MESSAGES_PER_FRAME, METADATA, complete_log, path_in, stream, time_of, write_frame};
 
 #[test]
 fn the_same_run_writes_the_same_bytes() {
@@ -32,11 +30,9 @@ fn a_killed_run_leaves_every_frame_it_returned_from() {
         assert_eq!(messages.len(), (k + 1) * MESSAGES_PER_FRAME);
         before = now;
     }
-    log.sample(time_of(FRAMES), "audit", &[("mass_kg", 999.0)])
-        .unwrap();
+    log.sample(time_of(FRAMES), "audit", &[("mass_kg", 999.0)]).unwrap();
     log.note(time_of(FRAMES), Level::Fatal, "diverged").unwrap();
-    log.sample(time_of(FRAMES), "audit", &[("mass_kg", 998.0)])
-        .unwrap();
+    log.sample(time_of(FRAMES), "audit", &[("mass_kg", 998.0)]).unwrap();
 
     // A killed process runs no destructor. The last sample had no frame or note to follow it.
     std::mem::forget(log);

@@ -18,11 +18,8 @@ const FRAME_INTERVAL: f64 = 0.01;
 /// `/fluid`, `/walls`, `/scene`, `/tf`, and the two samples written before each frame.
 const MESSAGES_PER_FRAME: usize = 6;
 
-const METADATA: LogMetadata<'static> = LogMetadata {
-    scene: "wedge",
-    scene_toml: "[fluid]\ndensity = 1000.0 # kg/m³\n",
-    version: "0.1.0",
-};
+const METADATA: LogMetadata<'static> =
+    LogMetadata { scene: "wedge", scene_toml: "[fluid]\ndensity = 1000.0 # kg/m³\n", version: "0.1.0" };
 
 /// Particles that own their slices: a row at speed 5 m/s, `k` frames into the run.
 struct Row {
@@ -76,11 +73,7 @@ fn path_in(folder: &TempDir) -> PathBuf {
 /// Writes frame `k` and the samples that precede it.
 fn write_frame(log: &mut LogWriter, k: usize) -> Result<(), LogError> {
     let time = time_of(k);
-    log.sample(
-        time,
-        "body/wedge",
-        &[("y_m", 0.1 + 0.2 * k as f64), ("force_y_N", f64::NAN)],
-    )?;
+    log.sample(time, "body/wedge", &[("y_m", 0.1 + 0.2 * k as f64), ("force_y_N", f64::NAN)])?;
     log.sample(time, "audit", &[("mass_kg", 1000.0)])?;
     let wedge = BodyView {
         name: "wedge",
@@ -88,12 +81,7 @@ fn write_frame(log: &mut LogWriter, k: usize) -> Result<(), LogError> {
         angle: FRAC_PI_2,
         outline: &[[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]],
     };
-    log.frame(
-        time,
-        &Row::new(50, k).view(),
-        &Row::new(7, 0).view(),
-        &[wedge],
-    )
+    log.frame(time, &Row::new(50, k).view(), &Row::new(7, 0).view(), &[wedge])
 }
 
 /// Writes a log of [`FRAMES`] frames and one note, and returns its bytes.
@@ -102,8 +90,7 @@ fn complete_log(path: &Path) -> Vec<u8> {
     for k in 0..FRAMES {
         write_frame(&mut log, k).expect("the frame is written");
     }
-    log.note(time_of(FRAMES), Level::Warning, "the wedge is submerged")
-        .expect("the note is written");
+    log.note(time_of(FRAMES), Level::Warning, "the wedge is submerged").expect("the note is written");
     let length = log.finish().expect("the log is finished");
     let bytes = fs::read(path).expect("the log is read");
     assert_eq!(length, bytes.len() as u64);
@@ -112,9 +99,7 @@ fn complete_log(path: &Path) -> Vec<u8> {
 
 /// The messages a streaming reader finds before the end of the bytes, and why it stopped.
 fn stream(bytes: &[u8]) -> (Vec<mcap::Message<'static>>, Option<McapError>) {
-    let options = LinearReaderOptions::default()
-        .with_skip_end_magic(true)
-        .with_prevalidate_chunk_crcs(true);
+    let options = LinearReaderOptions::default().with_skip_end_magic(true).with_prevalidate_chunk_crcs(true);
     let mut messages = Vec::new();
     for message in mcap::io::MessageReader::new_with_options(bytes, options) {
         match message {

@@ -16,10 +16,7 @@ fn a_frame_that_is_refused_leaves_no_trace() {
     let (fluid, mut walls) = (Row::new(4, 0), Row::new(3, 0));
     walls.density.pop();
     let error = log.frame(0.0, &fluid.view(), &walls.view(), &[]);
-    assert_eq!(
-        error.unwrap_err().to_string(),
-        "/walls: 2 values of density for 3 particles"
-    );
+    assert_eq!(error.unwrap_err().to_string(), "/walls: 2 values of density for 3 particles");
     let error = log.frame(f64::NAN, &fluid.view(), &fluid.view(), &[]);
     assert!(matches!(error, Err(LogError::Time { time }) if time.is_nan()));
     log.finish().unwrap();
@@ -30,8 +27,7 @@ fn a_frame_that_is_refused_leaves_no_trace() {
 fn a_sample_must_keep_to_the_schema_of_its_channel() {
     let folder = TempDir::new().unwrap();
     let mut log = LogWriter::create(&path_in(&folder), &METADATA).unwrap();
-    log.sample(0.0, "audit", &[("mass_kg", 1.0), ("energy_J", 2.0)])
-        .unwrap();
+    log.sample(0.0, "audit", &[("mass_kg", 1.0), ("energy_J", 2.0)]).unwrap();
     let swapped = log.sample(0.1, "audit", &[("energy_J", 2.0), ("mass_kg", 1.0)]);
     assert_eq!(
         swapped.unwrap_err().to_string(),

@@ -3,12 +3,7 @@ use super::xml::assert_well_formed;
 use scenarios::report::{Chart, Curve, Mark, chart_svg};
 
 pub fn curve(mark: Mark, x: Vec<f64>, y: Vec<f64>) -> Curve {
-    Curve {
-        label: format!("{mark:?}"),
-        mark,
-        x,
-        y,
-    }
+    Curve { label: format!("{mark:?}"), mark, x, y }
 }
 
 pub fn chart(curves: Vec<Curve>) -> Chart {
@@ -33,36 +28,20 @@ fn charts_are_well_formed_whatever_the_data() {
         (vec![0.0, 1.0], vec![-f64::MAX, f64::MAX]),
         (vec![0.0, 5e-324], vec![0.0, 1e-310]),
         (vec![0.0, 1.0, 2.0, 3.0], vec![1.0]),
-        (
-            (0..5000).map(f64::from).collect(),
-            (0..5000).map(|i| f64::from(i % 7)).collect(),
-        ),
+        ((0..5000).map(f64::from).collect(), (0..5000).map(|i| f64::from(i % 7)).collect()),
     ];
-    let ranges = [
-        None,
-        Some([0.0, 1.0]),
-        Some([2.0, 2.0]),
-        Some([nan, 1.0]),
-        Some([3.0, -3.0]),
-    ];
+    let ranges = [None, Some([0.0, 1.0]), Some([2.0, 2.0]), Some([nan, 1.0]), Some([3.0, -3.0])];
     for (x, y) in &data {
-        for (range, mark) in ranges
-            .iter()
-            .zip([Mark::Line, Mark::Dashed, Mark::Points].into_iter().cycle())
-        {
+        for (range, mark) in ranges.iter().zip([Mark::Line, Mark::Dashed, Mark::Points].into_iter().cycle()) {
             for (x_range, y_range) in [(*range, None), (None, *range), (*range, *range)] {
                 let mut chart = chart(vec![curve(mark, x.clone(), y.clone())]);
                 chart.curves[0].label = HOSTILE.into();
-                (chart.title, chart.x_label, chart.y_label) =
-                    (HOSTILE.into(), HOSTILE.into(), HOSTILE.into());
+                (chart.title, chart.x_label, chart.y_label) = (HOSTILE.into(), HOSTILE.into(), HOSTILE.into());
                 (chart.x_range, chart.y_range) = (x_range, y_range);
                 let svg = chart_svg(&chart);
                 assert_well_formed(&svg);
                 for bad in ["NaN", "inf", "<script"] {
-                    assert!(
-                        !svg.contains(bad),
-                        "{bad} in a chart of {x:?}, {y:?} over {x_range:?}, {y_range:?}"
-                    );
+                    assert!(!svg.contains(bad), "{bad} in a chart of {x:?}, {y:?} over {x_range:?}, {y_range:?}");
                 }
                 assert!(svg.contains("$x^2$"), "labels are printed literally");
             }
@@ -76,48 +55,27 @@ fn charts_are_well_formed_whatever_the_data() {
 #[test]
 fn a_long_curve_is_thinned_and_keeps_its_peak() {
     let count = 200_000;
-    let x: Vec<f64> = (0..count)
-        .map(|i| f64::from(i) / f64::from(count - 1))
-        .collect();
+    let x: Vec<f64> = (0..count).map(|i| f64::from(i) / f64::from(count - 1)).collect();
     let mut y: Vec<f64> = x.iter().map(|x| 0.2 * (300.0 * x).sin()).collect();
     y[123_456] = 1.9;
-    let alone = vec![curve(
-        Mark::Line,
-        vec![0.0, x[123_456], 1.0],
-        vec![0.0, 1.9, 0.0],
-    )];
-    let ranged = |curves| {
-        chart_svg(&Chart {
-            x_range: Some([0.0, 1.0]),
-            y_range: Some([-1.0, 2.0]),
-            ..chart(curves)
-        })
-    };
+    let alone = vec![curve(Mark::Line, vec![0.0, x[123_456], 1.0], vec![0.0, 1.9, 0.0])];
+    let ranged = |curves| chart_svg(&Chart { x_range: Some([0.0, 1.0]), y_range: Some([-1.0, 2.0]), ..chart(curves) });
     let (long, short) = (ranged(vec![curve(Mark::Line, x, y)]), ranged(alone));
     let points = |svg: &str| -> Vec<String> {
         let (_, path) = svg.split_once("<path d=\"M ").expect("a path");
         let path = path.split('"').next().unwrap_or_default();
-        path.split("L ")
-            .map(|point| point.trim().to_owned())
-            .collect()
+        path.split("L ").map(|point| point.trim().to_owned()).collect()
     };
     let apex = &points(&short)[1];
     assert!(points(&long).contains(apex), "the peak at {apex} is gone");
-    assert!(
-        (500..=1000).contains(&points(&long).len()),
-        "{} points",
-        points(&long).len()
-    );
+    assert!((500..=1000).contains(&points(&long).len()), "{} points", points(&long).len());
 }
 
 #[test]
 fn a_zoomed_chart_draws_the_window_in_full() {
     let x: Vec<f64> = (0..100_000).map(|i| f64::from(i) * 1e-5).collect();
     let y: Vec<f64> = x.iter().map(|x| x.sin()).collect();
-    let window = Chart {
-        x_range: Some([0.5, 0.502]),
-        ..chart(vec![curve(Mark::Points, x, y)])
-    };
+    let window = Chart { x_range: Some([0.5, 0.502]), ..chart(vec![curve(Mark::Points, x, y)]) };
     let drawn = chart_svg(&window).matches("<circle").count();
     // 201 points in the window and one marker in the legend.
     assert_eq!(drawn, 202);
@@ -128,11 +86,8 @@ fn curves_differ_in_colour_and_the_same_chart_in_nothing() {
     let line = |k: i32| curve(Mark::Line, vec![0.0, 1.0], vec![0.0, f64::from(k)]);
     let seven = chart((0..7).map(line).collect());
     let svg = chart_svg(&seven);
-    let mut colours: Vec<_> = svg
-        .split("<path")
-        .skip(1)
-        .map(|p| p.split_once("stroke=\"").map(|s| &s.1[..7]))
-        .collect();
+    let mut colours: Vec<_> =
+        svg.split("<path").skip(1).map(|p| p.split_once("stroke=\"").map(|s| &s.1[..7])).collect();
     colours.sort_unstable();
     colours.dedup();
     assert_eq!(colours.len(), 7);

@@ -10,11 +10,7 @@ fn report(blocks: Vec<Block>) -> Report {
         title: "Wedge".into(),
         subtitle: "a test".into(),
         status: Status::Completed,
-        sections: vec![
-            ("One".into(), blocks),
-            (HOSTILE.into(), vec![]),
-            ("Three".into(), vec![]),
-        ],
+        sections: vec![("One".into(), blocks), (HOSTILE.into(), vec![]), ("Three".into(), vec![])],
     }
 }
 
@@ -24,129 +20,73 @@ fn every_block() -> Report {
     let mut hostile = chart(vec![lines(Mark::Line), lines(Mark::Points)]);
     hostile.title = HOSTILE.into();
     hostile.curves[0].label = HOSTILE.into();
-    let table = Table {
-        title: HOSTILE.into(),
-        head: vec![HOSTILE.into()],
-        rows: vec![vec![HOSTILE.into(); 2]],
-    };
+    let table = Table { title: HOSTILE.into(), head: vec![HOSTILE.into()], rows: vec![vec![HOSTILE.into(); 2]] };
     report(vec![
         Block::Text(format!("First.\nStill first.\n\n{HOSTILE}")),
         Block::Table(table),
         Block::Chart(hostile),
         Block::Chart(chart(vec![])),
-        Block::Picture {
-            png: flow_png(&frame, &view),
-            caption: HOSTILE.into(),
-        },
-        Block::Code {
-            title: HOSTILE.into(),
-            text: format!("a = 1\n  {HOSTILE}"),
-        },
+        Block::Picture { png: flow_png(&frame, &view), caption: HOSTILE.into() },
+        Block::Code { title: HOSTILE.into(), text: format!("a = 1\n  {HOSTILE}") },
     ])
 }
 
 #[test]
 fn the_page_is_self_contained_and_escapes_every_text() {
-    for status in [
-        Status::Completed,
-        Status::Interrupted,
-        Status::Failed(HOSTILE.into()),
-    ] {
-        let report = Report {
-            title: HOSTILE.into(),
-            subtitle: HOSTILE.into(),
-            status,
-            ..every_block()
-        };
+    for status in [Status::Completed, Status::Interrupted, Status::Failed(HOSTILE.into())] {
+        let report = Report { title: HOSTILE.into(), subtitle: HOSTILE.into(), status, ..every_block() };
         let page = render(&report);
-        let elements = page
-            .strip_prefix("<!doctype html>\n")
-            .expect("a document type");
+        let elements = page.strip_prefix("<!doctype html>\n").expect("a document type");
         assert_well_formed(elements);
         assert!(!page.contains("<script") && page.contains("&lt;script&gt;"));
         let page = page.replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
-        for link in [
-            "http://", "https://", "src=\"/", "@import", "<link", "<iframe",
-        ] {
+        for link in ["http://", "https://", "src=\"/", "@import", "<link", "<iframe"] {
             assert!(!page.contains(link), "the page reaches out: {link}");
         }
         assert_eq!(page.matches("url(").count(), page.matches("url(#").count());
-        assert_eq!(
-            page.matches("src=").count(),
-            page.matches("src=\"data:image/png;base64,").count()
-        );
+        assert_eq!(page.matches("src=").count(), page.matches("src=\"data:image/png;base64,").count());
     }
 }
 
 #[test]
 fn the_page_holds_the_picture_itself() {
     let png = flow_png(&particles(&[(0.1, 0.0, 5.0)]), &view());
-    let page = render(&report(vec![Block::Picture {
-        png: png.clone(),
-        caption: "A drop".into(),
-    }]));
+    let page = render(&report(vec![Block::Picture { png: png.clone(), caption: "A drop".into() }]));
     let (_, data) = page.split_once("base64,").expect("a picture");
     let data = data.split('"').next().expect("an end of the picture");
-    assert_eq!(
-        base64::engine::general_purpose::STANDARD
-            .decode(data)
-            .expect("base64"),
-        png
-    );
+    assert_eq!(base64::engine::general_purpose::STANDARD.decode(data).expect("base64"), png);
 }
 
 #[test]
 fn figures_tables_and_sections_are_numbered_and_numbers_align() {
     let page = render(&every_block());
-    for expected in [
-        "<b>Figure 1.</b>",
-        "<b>Figure 3.</b>",
-        "<b>Table 1.</b>",
-        "href=\"#section-2\"",
-        "id=\"section-2\"",
-    ] {
+    for expected in
+        ["<b>Figure 1.</b>", "<b>Figure 3.</b>", "<b>Table 1.</b>", "href=\"#section-2\"", "id=\"section-2\""]
+    {
         assert!(page.contains(expected), "{expected} is missing");
     }
     assert!(!page.contains("Figure 4."));
     assert!(page.contains("<p>First.\nStill first.</p>\n<p>"));
 
-    let cells = |rows: &[&[&str]]| {
-        rows.iter()
-            .map(|row| row.iter().map(|c| c.to_string()).collect())
-            .collect()
-    };
+    let cells = |rows: &[&[&str]]| rows.iter().map(|row| row.iter().map(|c| c.to_string()).collect()).collect();
     let table = Table {
         title: "Errors".into(),
         head: ["case", "error [%]", "note"].map(String::from).to_vec(),
-        rows: cells(&[
-            &["wedge", "−3.4 %", "1"],
-            &["plate", "2e-3", "one"],
-            &["dam", "–"],
-        ]),
+        rows: cells(&[&["wedge", "−3.4 %", "1"], &["plate", "2e-3", "one"], &["dam", "–"]]),
     };
     let page = render(&report(vec![Block::Table(table)]));
     assert!(page.contains("<th>case</th><th class=\"number\">error [%]</th><th>note</th>"));
     assert!(page.contains("<td>wedge</td><td class=\"number\">−3.4 %</td><td>1</td>"));
-    assert!(
-        page.contains("<td>dam</td><td class=\"number\">–</td><td></td>"),
-        "short rows are filled up"
-    );
+    assert!(page.contains("<td>dam</td><td class=\"number\">–</td><td></td>"), "short rows are filled up");
 }
 
 #[test]
 fn the_page_says_how_the_run_ended() {
-    let page = |status| {
-        render(&Report {
-            status,
-            ..report(vec![])
-        })
-    };
+    let page = |status| render(&Report { status, ..report(vec![]) });
     assert!(page(Status::Completed).contains("class=\"status completed\""));
     assert!(page(Status::Interrupted).contains("class=\"status interrupted\""));
     let failed = page(Status::Failed("412 m/s at t = 0.0118 s".into()));
-    assert!(
-        failed.contains("class=\"status failed\"") && failed.contains("412 m/s at t = 0.0118 s")
-    );
+    assert!(failed.contains("class=\"status failed\"") && failed.contains("412 m/s at t = 0.0118 s"));
 }
 
 #[test]

@@ -3,8 +3,8 @@
 mod refused;
 
 use scenarios::scene::{
-    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, keywords, load,
-    load_text, particle_estimate,
+    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, keywords, load, load_text,
+    particle_estimate,
 };
 
 /// A small complete scene; the tests below count its lines.
@@ -71,8 +71,7 @@ fn resolved_scene_loads_again_to_itself() {
     }
     for scene in scenes {
         let text = scene.to_toml();
-        let again =
-            load_text("again", &text, &[]).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        let again = load_text("again", &text, &[]).unwrap_or_else(|error| panic!("{error}\n{text}"));
         assert_eq!(again.scene, scene, "{text}");
     }
 }
@@ -82,39 +81,23 @@ fn every_built_in_scene_says_where_it_comes_from() {
     for (name, text) in builtin() {
         let scene = load(name, &[]).expect("a built-in scene loads").scene;
         assert_eq!(scene.name, *name);
-        assert!(
-            text.starts_with('#') && !scene.source.is_empty() && !scene.description.is_empty(),
-            "{name}"
-        );
+        assert!(text.starts_with('#') && !scene.source.is_empty() && !scene.description.is_empty(), "{name}");
     }
 }
 
 #[test]
 fn built_in_scenes_have_the_numbers_of_their_sources() {
-    let body = |name: &str| {
-        load(name, &[])
-            .expect("a built-in scene loads")
-            .scene
-            .body
-            .expect("it has a body")
-    };
+    let body = |name: &str| load(name, &[]).expect("a built-in scene loads").scene.body.expect("it has a body");
     for (name, mass, speed) in [("wedge", 241.0, 6.15), ("wedge25", 78.3, 5.05)] {
         let body = body(name);
-        assert!(
-            matches!(&body.motion, Motion::Free(free) if free.mass == mass && free.inertia.is_none())
-        );
+        assert!(matches!(&body.motion, Motion::Free(free) if free.mass == mass && free.inertia.is_none()));
         assert_eq!(body.velocity, [0.0, -speed]);
     }
     // The wetted part of the box weighs as much as the box.
     let floating = body("floating_box");
-    let Motion::Free(freedom) = &floating.motion else {
-        panic!("the box floats freely")
-    };
+    let Motion::Free(freedom) = &floating.motion else { panic!("the box floats freely") };
     assert!((freedom.mass - 0.5 * 1000.0 * floating.shape.area()).abs() < 1e-9);
-    assert_eq!(
-        load("wedge_constant", &[]).expect("it loads").scene.gravity,
-        [0.0, 0.0]
-    );
+    assert_eq!(load("wedge_constant", &[]).expect("it loads").scene.gravity, [0.0, 0.0]);
 }
 
 #[test]
@@ -131,12 +114,8 @@ fn a_scene_file_loads_by_its_path() {
     std::fs::write(&path, DROP).expect("a file");
     let loaded = load(path.to_str().expect("a printable path"), &[]).expect("the scene loads");
     assert_eq!(loaded.scene, drop_with(&[]));
-    assert_eq!(
-        loaded.source_name(),
-        path.to_str().expect("a printable path")
-    );
-    let unreadable = load(folder.path().to_str().expect("a printable path"), &[])
-        .expect_err("a folder is no file");
+    assert_eq!(loaded.source_name(), path.to_str().expect("a printable path"));
+    let unreadable = load(folder.path().to_str().expect("a printable path"), &[]).expect_err("a folder is no file");
     assert!(matches!(unreadable, SceneError::Unreadable { .. }));
 }
 
@@ -163,20 +142,13 @@ fn a_key_left_out_has_the_default_that_its_keyword_declares() {
         let silent = match keyword.path.starts_with("tank.") {
             true => DROP.replace("gravity = [0.0, -9.81]\n", ""),
             false => DROP
-                .replace(
-                    "gravity = [0.0, -9.81]\n",
-                    "tank = { width = 2.0, depth = 1.0 }\n",
-                )
+                .replace("gravity = [0.0, -9.81]\n", "tank = { width = 2.0, depth = 1.0 }\n")
                 .replace("velocity = [0.0, -5.0]\n", ""),
         };
         let left_out = changed(&silent, &[]).expect("the scene loads");
         let set = format!("{}={}", keyword.path.replace("[]", "[0]"), keyword.default);
         let spelled_out = changed(&silent, &[&set]);
-        assert_eq!(
-            spelled_out.map_err(|error| error.to_string()),
-            Ok(left_out),
-            "{set}"
-        );
+        assert_eq!(spelled_out.map_err(|error| error.to_string()), Ok(left_out), "{set}");
     }
 }
 
@@ -212,14 +184,8 @@ fn touching_puts_the_lowest_point_on_the_water() {
 
 #[test]
 fn a_fall_through_air_counts_with_its_speed_at_contact() {
-    let change = [
-        "body.velocity=[0, 0]",
-        "body.position=[0, 0.05]",
-        "time.end=0.2",
-    ];
-    let entry = drop_with(&change)
-        .entry()
-        .expect("the wedge falls into the water");
+    let change = ["body.velocity=[0, 0]", "body.position=[0, 0.05]", "time.end=0.2"];
+    let entry = drop_with(&change).entry().expect("the wedge falls into the water");
     assert!((entry.speed - (2.0 * 9.81 * 0.05_f64).sqrt()).abs() < 1e-12);
     assert!(entry.final_draught > 0.0);
 }
@@ -241,30 +207,18 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
         (&["compare[0].window=[0.1, 0.2]"], &[], "after the end of the run"),
     ];
     for (cause, cure, warning) in table {
-        assert!(
-            warnings_with(DROP, cause).contains(warning),
-            "{cause:?}: {}",
-            warnings_with(DROP, cause)
-        );
-        assert!(
-            !warnings_with(DROP, cure).contains(warning),
-            "{cure:?}: {}",
-            warnings_with(DROP, cure)
-        );
+        assert!(warnings_with(DROP, cause).contains(warning), "{cause:?}: {}", warnings_with(DROP, cause));
+        assert!(!warnings_with(DROP, cure).contains(warning), "{cure:?}: {}", warnings_with(DROP, cure));
     }
     let past_the_chine = ["body.breadth=5"];
-    let (_, text) = builtin()
-        .iter()
-        .find(|(name, _)| *name == "wedge_constant")
-        .expect("it is built in");
+    let (_, text) = builtin().iter().find(|(name, _)| *name == "wedge_constant").expect("it is built in");
     assert!(warnings_with(text, &past_the_chine).contains("past the chine at 2.5 m"));
     assert_eq!(warnings_with(text, &[]), "");
 }
 
 #[test]
 fn estimate_counts_a_uniform_tank_exactly() {
-    let (fluid, wall) =
-        particle_estimate(&changed(TANK, &["resolution.growth=1"]).expect("it loads"));
+    let (fluid, wall) = particle_estimate(&changed(TANK, &["resolution.growth=1"]).expect("it loads"));
     // 50 by 25; three rows along 1 m of floor and two sides of 0.625 m.
     assert_eq!((fluid, wall), (1250, 338));
 }
@@ -272,11 +226,7 @@ fn estimate_counts_a_uniform_tank_exactly() {
 #[test]
 fn estimate_agrees_with_a_graded_lattice_row_by_row() {
     // Without side limits the water below the fine zone is rows of height dx gʲ across the width.
-    let change = [
-        "resolution.fine_zone=[0.5, 0.1]",
-        "resolution.spacing=0.002",
-        "resolution.growth=1.05",
-    ];
+    let change = ["resolution.fine_zone=[0.5, 0.1]", "resolution.spacing=0.002", "resolution.growth=1.05"];
     let scene = changed(TANK, &change).expect("it loads");
     let mut rows = 50.0 / 0.002;
     let (mut depth, mut row) = (0.1, 0.002 * 1.05);
@@ -294,10 +244,7 @@ fn mirror_symmetry_halves_the_particles() {
     let whole = particle_estimate(&drop_with(&[]));
     let half = particle_estimate(&drop_with(&["symmetry=x"]));
     for (whole, half) in [(whole.0, half.0), (whole.1, half.1)] {
-        assert!(
-            (whole as f64 / half as f64 - 2.0).abs() < 0.01,
-            "{whole} {half}"
-        );
+        assert!((whole as f64 / half as f64 - 2.0).abs() < 0.01, "{whole} {half}");
     }
 }
 

@@ -63,28 +63,18 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
             Ok(_) => panic!("{to:?} must be refused"),
         };
         let message = error.to_string();
-        assert!(
-            message.starts_with(&format!("drop.toml:{line}: ")),
-            "{to:?}: {message}"
-        );
+        assert!(message.starts_with(&format!("drop.toml:{line}: ")), "{to:?}: {message}");
         for fragment in *fragments {
-            assert!(
-                message.contains(fragment),
-                "{to:?}: {fragment:?} is not in: {message}"
-            );
+            assert!(message.contains(fragment), "{to:?}: {fragment:?} is not in: {message}");
         }
     }
 }
 
 #[test]
 fn bodies_and_tanks_must_fit_together() {
-    let polygon = |points: &str| {
-        format!("body={{ shape = \"polygon\", motion = \"fixed\", points = {points} }}")
-    };
+    let polygon = |points: &str| format!("body={{ shape = \"polygon\", motion = \"fixed\", points = {points} }}");
     let box_at = |x: f64, y: f64| {
-        format!(
-            "body={{ shape = \"box\", breadth = 0.4, height = 0.2, motion = \"fixed\", position = [{x}, {y}] }}"
-        )
+        format!("body={{ shape = \"box\", breadth = 0.4, height = 0.2, motion = \"fixed\", position = [{x}, {y}] }}")
     };
     #[rustfmt::skip]
     let table: &[(&[&str], &[&str])] = &[
@@ -111,10 +101,7 @@ fn bodies_and_tanks_must_fit_together() {
             Ok(_) => panic!("{changes:?} must be refused"),
         };
         for fragment in *fragments {
-            assert!(
-                message.contains(fragment),
-                "{changes:?}: {fragment:?} is not in: {message}"
-            );
+            assert!(message.contains(fragment), "{changes:?}: {fragment:?} is not in: {message}");
         }
     }
 }
@@ -122,58 +109,18 @@ fn bodies_and_tanks_must_fit_together() {
 #[test]
 fn a_mistake_in_a_set_argument_names_the_argument_instead_of_a_line() {
     for (set, fragments) in [
-        (
-            "body.mass=-1",
-            ["--set body.mass=-1: ", "`body.mass` = -1", "above 0"],
-        ),
-        (
-            "body.velocity[1]=up",
-            [
-                "--set body.velocity[1]=up: ",
-                "`body.velocity[1]`",
-                "\"up\"",
-            ],
-        ),
-        (
-            "body.colour=red",
-            [
-                "--set body.colour=red: ",
-                "unknown key `body.colour`",
-                "expected",
-            ],
-        ),
-        (
-            "no.such.key=1",
-            ["--set no.such.key=1: ", "unknown key `no`", "expected"],
-        ),
-        (
-            "gauges[3].at=[0, 0]",
-            [
-                "--set gauges[3].at=[0, 0]: ",
-                "gauges has 1 items",
-                "expected an index below 1",
-            ],
-        ),
-        (
-            "time.end=[1,",
-            [
-                "--set time.end=[1,: ",
-                "`time.end` = [1,",
-                "expected a TOML value",
-            ],
-        ),
-        (
-            "time.end",
-            ["--set time.end: ", "expected", "key.path=value"],
-        ),
+        ("body.mass=-1", ["--set body.mass=-1: ", "`body.mass` = -1", "above 0"]),
+        ("body.velocity[1]=up", ["--set body.velocity[1]=up: ", "`body.velocity[1]`", "\"up\""]),
+        ("body.colour=red", ["--set body.colour=red: ", "unknown key `body.colour`", "expected"]),
+        ("no.such.key=1", ["--set no.such.key=1: ", "unknown key `no`", "expected"]),
+        ("gauges[3].at=[0, 0]", ["--set gauges[3].at=[0, 0]: ", "gauges has 1 items", "expected an index below 1"]),
+        ("time.end=[1,", ["--set time.end=[1,: ", "`time.end` = [1,", "expected a TOML value"]),
+        ("time.end", ["--set time.end: ", "expected", "key.path=value"]),
     ] {
         let error = changed(DROP, &[set]).expect_err(set);
         let message = error.to_string();
         for fragment in fragments {
-            assert!(
-                message.contains(fragment),
-                "{fragment:?} is not in: {message}"
-            );
+            assert!(message.contains(fragment), "{fragment:?} is not in: {message}");
         }
         assert!(error.source_code().is_none(), "{set}");
     }
@@ -181,22 +128,14 @@ fn a_mistake_in_a_set_argument_names_the_argument_instead_of_a_line() {
 
 #[test]
 fn the_last_of_two_set_arguments_wins_and_is_blamed() {
-    assert_eq!(
-        drop_with(&["time.end=0.01", "time.end=0.03"]).time.end,
-        0.03
-    );
-    let message = changed(DROP, &["time.end=0.01", "time.end=0"])
-        .expect_err("0 is refused")
-        .to_string();
+    assert_eq!(drop_with(&["time.end=0.01", "time.end=0.03"]).time.end, 0.03);
+    let message = changed(DROP, &["time.end=0.01", "time.end=0"]).expect_err("0 is refused").to_string();
     assert!(message.starts_with("--set time.end=0: "), "{message}");
 }
 
 #[test]
 fn an_error_points_at_the_wrong_value_or_the_unknown_key_and_explains_the_key() {
-    for (to, marked, help) in [
-        ("mass = -3.5", "-3.5", Some("body.mass [kg/m]: ")),
-        ("mas = 3.5", "mas", None),
-    ] {
+    for (to, marked, help) in [("mass = -3.5", "-3.5", Some("body.mass [kg/m]: ")), ("mas = 3.5", "mas", None)] {
         let text = DROP.replace("mass = 100.0", to);
         let error = load_text("drop.toml", &text, &[]).expect_err(to);
         let mut labels = error.labels().expect("a label");
@@ -205,11 +144,7 @@ fn an_error_points_at_the_wrong_value_or_the_unknown_key_and_explains_the_key() 
         assert_eq!(&text[start..end], marked);
         let explained = error.help().map(|help| help.to_string());
         assert_eq!(explained.is_some(), help.is_some());
-        assert!(
-            explained
-                .unwrap_or_default()
-                .starts_with(help.unwrap_or_default())
-        );
+        assert!(explained.unwrap_or_default().starts_with(help.unwrap_or_default()));
     }
 }
 
@@ -217,13 +152,7 @@ fn an_error_points_at_the_wrong_value_or_the_unknown_key_and_explains_the_key() 
 fn a_scene_that_is_nowhere_lists_the_scenes_there_are() {
     let error = load("wegde", &[]).expect_err("a typing error");
     assert!(error.to_string().contains("`wegde`"));
-    assert!(
-        error
-            .help()
-            .expect("a list")
-            .to_string()
-            .contains("wedge25")
-    );
+    assert!(error.help().expect("a list").to_string().contains("wedge25"));
 }
 
 #[test]
@@ -232,18 +161,9 @@ fn more_particles_than_memory_is_refused_at_the_spacing() {
     let (fluid, wall) = particle_estimate(&loaded.scene);
     let bytes = (fluid + wall) * BYTES_PER_PARTICLE;
     assert!(loaded.fits_in_memory(bytes).is_ok());
-    let message = loaded
-        .fits_in_memory(bytes - 1)
-        .expect_err("one byte short")
-        .to_string();
-    assert!(
-        message.starts_with("drop.toml:6: `resolution.spacing` = 0.005"),
-        "{message}"
-    );
-    assert!(
-        message.contains(&format!("{fluid} fluid and {wall} wall")),
-        "{message}"
-    );
+    let message = loaded.fits_in_memory(bytes - 1).expect_err("one byte short").to_string();
+    assert!(message.starts_with("drop.toml:6: `resolution.spacing` = 0.005"), "{message}");
+    assert!(message.contains(&format!("{fluid} fluid and {wall} wall")), "{message}");
 }
 
 #[test]
@@ -277,8 +197,5 @@ fn no_value_of_any_key_makes_loading_panic() {
             }
         }
     }
-    assert_eq!(
-        loaded + refused,
-        builtin().len() * keywords().len() * values.len()
-    );
+    assert_eq!(loaded + refused, builtin().len() * keywords().len() * values.len());
 }

@@ -5,11 +5,7 @@ use std::collections::HashMap;
 use structure_fe::{Beam, Loads, Material, Section, Supports};
 
 /// Aluminium, about.
-pub const MATERIAL: Material = Material {
-    youngs_modulus: 70e9,
-    poissons_ratio: 0.33,
-    density: 2700.0,
-};
+pub const MATERIAL: Material = Material { youngs_modulus: 70e9, poissons_ratio: 0.33, density: 2700.0 };
 
 /// Length of the test beams [m].
 pub const LENGTH: f64 = 1.5;
@@ -59,13 +55,7 @@ pub fn uniform(beam: &Beam, load: [f64; 2]) -> Loads {
 
 /// Rows of a reference table as column name -> text. Lines that begin with `#` are comments.
 pub fn table(name: &str) -> Vec<HashMap<String, String>> {
-    let path = format!(
-        concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/exact/{}.csv"
-        ),
-        name
-    );
+    let path = format!(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/exact/{}.csv"), name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
@@ -73,18 +63,12 @@ pub fn table(name: &str) -> Vec<HashMap<String, String>> {
         .map(|line| {
             let cells: Vec<&str> = line.split(',').collect();
             assert_eq!(cells.len(), names.len(), "{path}: {line}");
-            names
-                .iter()
-                .zip(cells)
-                .map(|(name, cell)| (name.to_string(), cell.to_string()))
-                .collect()
+            names.iter().zip(cells).map(|(name, cell)| (name.to_string(), cell.to_string())).collect()
         })
         .collect()
 }
 
 /// A cell of a table as a number.
 pub fn number(row: &HashMap<String, String>, column: &str) -> f64 {
-    row[column]
-        .parse()
-        .unwrap_or_else(|error| panic!("{column} = {}: {error}", row[column]))
+    row[column].parse().unwrap_or_else(|error| panic!("{column} = {}: {error}", row[column]))
 }

@@ -1,9 +1,9 @@
-//! Plane geometry of closed outlines.
+//! Plane geometry of polygons.
 //!
 //! An outline is a slice of vertices `[x, y]` [m], shape (n, 2), counter-clockwise, the last vertex joined to the first.
 
 /// Edges of the outline, `(from, to)`.
-pub(super) fn edges(outline: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
+pub fn edges(outline: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
     let next = outline.iter().cycle().skip(1);
     outline.iter().zip(next).map(|(a, b)| (*a, *b))
 }
@@ -12,22 +12,25 @@ fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
+/// Unit normal to the right of a → b [-]: outward for a counter-clockwise polygon.
+pub fn normal(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let length = dx.hypot(dy);
+    [dy / length, -dx / length]
+}
+
 /// Length of the closed line [m].
-pub(super) fn perimeter(outline: &[[f64; 2]]) -> f64 {
-    edges(outline)
-        .map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1]))
-        .sum()
+pub fn perimeter(outline: &[[f64; 2]]) -> f64 {
+    edges(outline).map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1])).sum()
 }
 
 /// Enclosed area [m²], positive when counter-clockwise: A = ½ Σ (x_i y_{i+1} − x_{i+1} y_i).
-pub(super) fn signed_area(outline: &[[f64; 2]]) -> f64 {
-    edges(outline)
-        .map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1]))
-        .sum()
+pub fn signed_area(outline: &[[f64; 2]]) -> f64 {
+    edges(outline).map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum()
 }
 
 /// Centroid of the enclosed area [m]: Σ (a + b)(a × b) / 6A.
-pub(super) fn centroid(outline: &[[f64; 2]]) -> [f64; 2] {
+pub fn centroid(outline: &[[f64; 2]]) -> [f64; 2] {
     let area = signed_area(outline);
     let mut c = [0.0; 2];
     for (a, b) in edges(outline) {
@@ -40,7 +43,7 @@ pub(super) fn centroid(outline: &[[f64; 2]]) -> [f64; 2] {
 }
 
 /// Corners `[min, max]` of the smallest upright rectangle around the points [m].
-pub(super) fn bounding_box(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
+pub fn bounding_box(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
     let mut min = [f64::INFINITY; 2];
     let mut max = [f64::NEG_INFINITY; 2];
     for p in points {
@@ -55,13 +58,12 @@ pub(super) fn bounding_box(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
 /// Smallest distance between two parallel lines that hold all points between them [m].
 ///
 /// One of the two lines always runs along an edge of the convex hull (Freeman & Shapira 1975).
-pub(super) fn minimum_width(points: &[[f64; 2]]) -> f64 {
+pub fn minimum_width(points: &[[f64; 2]]) -> f64 {
     let hull = convex_hull(points);
     edges(&hull)
         .map(|(a, b)| {
             let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-            hull.iter()
-                .fold(0.0_f64, |far, c| far.max(cross(a, b, *c) / length))
+            hull.iter().fold(0.0_f64, |far, c| far.max(cross(a, b, *c) / length))
         })
         .fold(f64::INFINITY, f64::min)
 }
@@ -88,7 +90,7 @@ fn convex_hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// The first two edges, by number, that touch although they are not neighbours.
-pub(super) fn first_crossing(outline: &[[f64; 2]]) -> Option<(usize, usize)> {
+pub fn first_crossing(outline: &[[f64; 2]]) -> Option<(usize, usize)> {
     let edges: Vec<_> = edges(outline).collect();
     let n = edges.len();
     for i in 0..n {
@@ -103,13 +105,12 @@ pub(super) fn first_crossing(outline: &[[f64; 2]]) -> Option<(usize, usize)> {
 }
 
 fn segments_touch((a, b): ([f64; 2], [f64; 2]), (c, d): ([f64; 2], [f64; 2])) -> bool {
-    let boxes_meet =
-        (0..2).all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]));
+    let boxes_meet = (0..2).all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]));
     boxes_meet && cross(a, b, c) * cross(a, b, d) <= 0.0 && cross(c, d, a) * cross(c, d, b) <= 0.0
 }
 
 /// The point of the outline nearest to `p` [m].
-pub(super) fn nearest_point(outline: &[[f64; 2]], p: [f64; 2]) -> [f64; 2] {
+pub fn nearest_point(outline: &[[f64; 2]], p: [f64; 2]) -> [f64; 2] {
     let distance = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
     edges(outline)
         .map(|(a, b)| {
@@ -123,20 +124,16 @@ pub(super) fn nearest_point(outline: &[[f64; 2]], p: [f64; 2]) -> [f64; 2] {
 }
 
 /// True where every vertex has its mirror image in x = 0, to 1e-9 of the size.
-pub(super) fn is_mirror_symmetric(outline: &[[f64; 2]]) -> bool {
+pub fn is_mirror_symmetric(outline: &[[f64; 2]]) -> bool {
     let [min, max] = bounding_box(outline);
     let close = 1e-9 * (max[0] - min[0]).hypot(max[1] - min[1]);
-    outline.iter().all(|p| {
-        outline
-            .iter()
-            .any(|q| (p[0] + q[0]).abs() <= close && (p[1] - q[1]).abs() <= close)
-    })
+    outline.iter().all(|p| outline.iter().any(|q| (p[0] + q[0]).abs() <= close && (p[1] - q[1]).abs() <= close))
 }
 
 /// Slope to the horizontal of the flattest edge that faces downwards [rad]; π/2 where none does.
 ///
 /// Counter-clockwise, an edge faces downwards where it runs towards +x.
-pub(super) fn flattest_downward_face(outline: &[[f64; 2]]) -> f64 {
+pub fn flattest_downward_face(outline: &[[f64; 2]]) -> f64 {
     edges(outline)
         .filter(|(a, b)| b[0] > a[0])
         .map(|(a, b)| (b[1] - a[1]).abs().atan2(b[0] - a[0]))
@@ -146,7 +143,7 @@ pub(super) fn flattest_downward_face(outline: &[[f64; 2]]) -> f64 {
 /// The outline of a line of constant thickness: the line shifted to both sides by half of it, corners mitred.
 ///
 /// At a corner that turns by θ the mitre is 1/cos(θ/2) times longer than the half thickness.
-pub(super) fn thickened(line: &[[f64; 2]], thickness: f64) -> Vec<[f64; 2]> {
+pub fn thickened(line: &[[f64; 2]], thickness: f64) -> Vec<[f64; 2]> {
     let normals: Vec<[f64; 2]> = line
         .windows(2)
         .map(|w| {
@@ -159,10 +156,7 @@ pub(super) fn thickened(line: &[[f64; 2]], thickness: f64) -> Vec<[f64; 2]> {
         let before = normals[i.saturating_sub(1)];
         let after = normals[i.min(normals.len() - 1)];
         let stretch = 1.0 + before[0] * after[0] + before[1] * after[1];
-        let m = [
-            (before[0] + after[0]) / stretch,
-            (before[1] + after[1]) / stretch,
-        ];
+        let m = [(before[0] + after[0]) / stretch, (before[1] + after[1]) / stretch];
         let d = 0.5 * side * thickness;
         [line[i][0] + d * m[0], line[i][1] + d * m[1]]
     };

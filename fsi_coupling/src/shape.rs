@@ -1,6 +1,6 @@
-//! The outline of a body.
+//! The shapes that bodies may have, and their corners.
 
-use super::outline;
+use crate::polygon;
 
 /// Angle between the vertices that stand for a circular arc [rad]; chords leave the arc by R·4e-5 at most.
 const ARC_STEP: f64 = std::f64::consts::PI / 180.0;
@@ -53,23 +53,12 @@ impl Shape {
     /// Exact but for arcs, which become chords of one degree (off by 4e-5 R at most).
     pub fn outline(&self) -> Vec<[f64; 2]> {
         match self {
-            Shape::Wedge {
-                deadrise_deg,
-                breadth,
-                side_height,
-            } => {
+            Shape::Wedge { deadrise_deg, breadth, side_height } => {
                 let half = 0.5 * breadth;
                 let chine = half * deadrise_deg.to_radians().tan();
-                with_sides(
-                    vec![[-half, chine], [0.0, 0.0], [half, chine]],
-                    *side_height,
-                )
+                with_sides(vec![[-half, chine], [0.0, 0.0], [half, chine]], *side_height)
             }
-            Shape::Arc {
-                radius,
-                breadth,
-                side_height,
-            } => {
+            Shape::Arc { radius, breadth, side_height } => {
                 let end = (0.5 * breadth / radius).min(1.0).asin();
                 let n = (end / ARC_STEP).ceil().max(1.0) as i32;
                 let at = |i: i32| end * f64::from(i) / f64::from(n);
@@ -83,7 +72,7 @@ impl Shape {
                 vec![[-x, -y], [x, -y], [x, y], [-x, y]]
             }
             Shape::Polygon { points } => points.clone(),
-            Shape::Polyline { points, thickness } => outline::thickened(points, *thickness),
+            Shape::Polyline { points, thickness } => polygon::thickened(points, *thickness),
         }
     }
 
@@ -100,19 +89,19 @@ impl Shape {
 
     /// Enclosed area [m²].
     pub fn area(&self) -> f64 {
-        outline::signed_area(&self.outline())
+        polygon::signed_area(&self.outline())
     }
 
     /// Centroid of the enclosed area, in the body's frame [m].
     pub fn centroid(&self) -> [f64; 2] {
-        outline::centroid(&self.outline())
+        polygon::centroid(&self.outline())
     }
 
     /// Smallest dimension of the body [m]: a plate's thickness, else the smallest width of the outline in any direction.
     pub fn thickness(&self) -> f64 {
         match self {
             Shape::Polyline { thickness, .. } => *thickness,
-            _ => outline::minimum_width(&self.outline()),
+            _ => polygon::minimum_width(&self.outline()),
         }
     }
 }
@@ -134,11 +123,7 @@ mod tests {
 
     #[test]
     fn wedge_area_and_centroid() {
-        let wedge = Shape::Wedge {
-            deadrise_deg: 45.0,
-            breadth: 2.0,
-            side_height: 0.0,
-        };
+        let wedge = Shape::Wedge { deadrise_deg: 45.0, breadth: 2.0, side_height: 0.0 };
         assert!((wedge.area() - 1.0).abs() < 1e-14);
         assert!((wedge.centroid()[1] - 2.0 / 3.0).abs() < 1e-14);
         assert!((wedge.thickness() - 1.0).abs() < 1e-14);
@@ -146,11 +131,7 @@ mod tests {
 
     #[test]
     fn half_circle_has_its_area_and_its_lowest_point_at_the_origin() {
-        let arc = Shape::Arc {
-            radius: 2.0,
-            breadth: 4.0,
-            side_height: 0.0,
-        };
+        let arc = Shape::Arc { radius: 2.0, breadth: 4.0, side_height: 0.0 };
         let exact = 0.5 * std::f64::consts::PI * 4.0;
         // Chords of one degree lose δ²/6 of the area.
         assert!((arc.area() / exact - 1.0 + ARC_STEP.powi(2) / 6.0).abs() < 2e-6);
@@ -160,10 +141,7 @@ mod tests {
     #[test]
     fn thickness_of_a_plate_is_not_the_width_of_its_hull() {
         let points = vec![[-1.0, 1.0], [0.0, 0.0], [1.0, 1.0]];
-        let plate = Shape::Polyline {
-            points,
-            thickness: 0.02,
-        };
+        let plate = Shape::Polyline { points, thickness: 0.02 };
         assert_eq!(plate.thickness(), 0.02);
     }
 }
