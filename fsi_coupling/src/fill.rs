@@ -121,7 +121,7 @@ impl Tiling {
                 spacing = f64::max(spacing, along(distance, rows));
             }
         }
-        spacing
+        spacing.min(self.basin.y[1] - self.basin.y[0])
     }
 }
 
@@ -131,8 +131,10 @@ fn block(x: [f64; 2], y: [f64; 2], wish: [f64; 2], make: &mut impl FnMut(Cell)) 
     if width <= 0.0 || height <= 0.0 {
         return;
     }
-    let columns = (width / wish[0]).round().max(1.0);
-    let rows = (height / wish[1]).round().max(1.0);
+    // where the basin is shallower than the row is thick, cells stay square by being smaller
+    let most = width.min(height);
+    let columns = (width / wish[0].min(most)).round().max(1.0);
+    let rows = (height / wish[1].min(most)).round().max(1.0);
     let size = [width / columns, height / rows];
     for j in 0..rows as usize {
         for i in 0..columns as usize {
