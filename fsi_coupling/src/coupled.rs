@@ -47,6 +47,7 @@ pub struct Coupled {
     members: Vec<Member>,
     audit: MomentumAudit,
     energy_at_start: f64,
+    fluid_at_start: FluidEnergy,
 }
 
 /// Momentum closure (THEORY E21): what the fluid and the bodies hold, less what came from outside.
@@ -78,10 +79,11 @@ impl Coupled {
             members.push(Member { body, range });
         }
         fluid.initialise(&mut walls)?;
-        let mut coupled = Coupled { fluid, walls, members, audit: MomentumAudit::default(), energy_at_start: 0.0 };
+        let mut coupled = Coupled { fluid, walls, members, audit: MomentumAudit::default(), energy_at_start: 0.0, fluid_at_start: FluidEnergy::default() };
         coupled.load_bodies();
         coupled.audit.balance = coupled.balance();
         coupled.energy_at_start = coupled.energy();
+        coupled.fluid_at_start = coupled.fluid.energy();
         Ok(coupled)
     }
 
@@ -147,6 +149,11 @@ impl Coupled {
     /// Energies of the fluid now [J/m].
     pub fn fluid_energy(&self) -> FluidEnergy {
         self.fluid.energy()
+    }
+
+    /// Energies of the fluid at the start [J/m].
+    pub fn fluid_energy_at_start(&self) -> FluidEnergy {
+        self.fluid_at_start
     }
 
     /// Energy that left the balance since the start [J/m] (THEORY E22): fluid and free bodies, less the

@@ -9,7 +9,7 @@ use fsi_coupling::{Coupled, CouplingError};
 use crate::build;
 use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::log::Level;
-use crate::observe::{FlowPictures, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow};
+use crate::observe::{EnergyLedger, FlowPictures, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow};
 use crate::present;
 use crate::reference::ReferenceError;
 use crate::scene::{Scene, compressibility_error};
@@ -72,6 +72,8 @@ pub struct Outcome {
     pub pictures: FlowPictures,
 }
 
+/// Means are taken over the run from this share of it on.
+const LATE: f64 = 0.8;
 /// Between two calls of the progress function.
 const PROGRESS_EVERY: Duration = Duration::from_millis(100);
 
@@ -153,32 +155,7 @@ struct Recorder {
     next_frame: f64,
     every: [f64; 2],
     end: f64,
-    penetrated: usize,
-    fastest: f64,
-    energy: EnergyScale,
-}
-
-/// The largest energy that changed hands: what a drift is measured by.
-#[derive(Default)]
-struct EnergyScale {
-    moving: f64,
-    lowest: f64,
-    highest: f64,
-    first: Option<f64>,
-}
-
-impl EnergyScale {
-    fn observe(&mut self, system: &Coupled) {
-        let e = system.fluid_energy();
-        let of_bodies: f64 = system.bodies().map(|b| b.energy().kinetic + b.energy().work.abs()).sum();
-        self.moving = self.moving.max(e.kinetic + of_bodies);
-        let height = e.potential - *self.first.get_or_insert(e.potential);
-        (self.lowest, self.highest) = (self.lowest.min(height), self.highest.max(height));
-    }
-
-    fn value(&self) -> f64 {
-        self.moving.max(self.highest - self.lowest).max(f64::MIN_POSITIVE)
-    }
+    ledger: EnergyLedger,
 }
 
 impl Recorder {
@@ -193,9 +170,7 @@ impl Recorder {
             next_frame: 0.0,
             every: [scene.time.sample_every, scene.time.frame_every],
             end: scene.time.end,
-            penetrated: 0,
-            fastest: 0.0,
-            energy: EnergyScale::default(),
+            ledger: EnergyLedger::default(),
         })
     }
 
@@ -219,9 +194,7 @@ impl Recorder {
         let gauges = self.gauges.read(system);
         let penetrated = system.penetrated().0;
         let frame = Frame { system, gauges: &gauges, penetrated, particles };
-        self.penetrated = self.penetrated.max(penetrated);
-        self.fastest = self.fastest.max(system.fluid.top_speed());
-        self.energy.observe(system);
+        self.ledger.observe(&frame)?;
         self.series.observe(&frame)?;
         self.pictures.observe(&frame)?;
         if let Some(window) = &mut self.similarity {
@@ -260,6 +233,7 @@ impl Recorder {
         volume: f64,
     ) -> Summary {
         let fluid = &system.fluid;
+        let since = LATE * fluid.time;
         let similarity = self.similarity.as_ref().and_then(SimilarityWindow::result);
         let curves = scene.compare.iter().zip(references);
         let mut comparison: Vec<Comparison> =
@@ -279,15 +253,17 @@ impl Recorder {
             particle_updates_per_s: fluid.particles.len() as f64 * fluid.steps as f64 / wall,
             threads: rayon::current_num_threads(),
             peaks: self.series.peaks().map(peak).collect(),
+            means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
+            rest: self.ledger.rest(since),
             audit: Audit {
                 momentum: system.momentum_audit().worst,
-                energy: system.energy_drift() / self.energy.value(),
+                energy: system.energy_drift() / self.ledger.scale(),
                 volume: fluid.volume() / volume - 1.0,
-                penetrated: self.penetrated,
+                penetrated: self.ledger.penetrated(),
             },
             compressibility: Compressibility {
                 sound_speed_m_per_s: scene.fluid.sound_speed,
-                mach_reached: self.fastest / scene.fluid.sound_speed,
+                mach_reached: self.ledger.fastest() / scene.fluid.sound_speed,
                 force_error_estimate: scene
                     .entry()
                     .map(|entry| compressibility_error(entry.root_speed(), scene.fluid.sound_speed)),

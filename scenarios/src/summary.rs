@@ -37,6 +37,19 @@ pub struct Peak {
     pub time_s: f64,
 }
 
+/// What became of the water's motion: for scenes that should come, or stay, to rest.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Rest {
+    /// Largest kinetic energy of the fluid at any sample [J/m].
+    pub kinetic_peak_j_per_m: f64,
+    /// Mean kinetic energy of the fluid over the last fifth of the run [J/m].
+    pub kinetic_end_j_per_m: f64,
+    /// Mean rise of the fluid's centre of mass over the last fifth of the run [m].
+    pub center_rise_m: f64,
+    /// Largest deviation from that mean in the last fifth [m].
+    pub center_swing_m: f64,
+}
+
 /// Conservation over the run (THEORY E21, E22).
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Audit {
@@ -89,8 +102,12 @@ pub struct Summary {
     pub threads: usize,
     /// Extremes of the series, by column.
     pub peaks: BTreeMap<String, Peak>,
+    /// Means of the series over the last fifth of the run, by column.
+    pub means: BTreeMap<String, f64>,
     /// Conservation.
     pub audit: Audit,
+    /// Coming to rest.
+    pub rest: Rest,
     /// Weak compressibility.
     pub compressibility: Compressibility,
     /// The similarity solution's numbers, for scenes that have one.

@@ -2,6 +2,7 @@
 
 mod flow;
 mod gauges;
+mod ledger;
 mod log;
 mod series;
 mod similarity;
@@ -14,6 +15,7 @@ use crate::log::LogError;
 
 pub use flow::FlowPictures;
 pub use gauges::{GaugeReader, Reading};
+pub use ledger::EnergyLedger;
 pub use log::LogObserver;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};

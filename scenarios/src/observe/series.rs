@@ -80,6 +80,15 @@ impl Series {
         })
     }
 
+    /// Mean of each column over the rows from `since` [s] on.
+    pub fn means(&self, since: f64) -> impl Iterator<Item = (&str, f64)> {
+        let late: Vec<&Vec<f64>> = self.rows.iter().filter(|row| row[0] >= since).collect();
+        (1..self.columns.len()).filter_map(move |k| {
+            let mean = late.iter().map(|row| row[k]).sum::<f64>() / late.len() as f64;
+            mean.is_finite().then_some((self.columns[k].as_str(), mean))
+        })
+    }
+
     /// See that all rows are in the file.
     pub fn flush(&mut self) -> Result<(), ObserveError> {
         match &mut self.file {

@@ -1,0 +1,71 @@
+//! Energies and positions over the run: what the audit and the state of rest are measured by.
+
+use super::{Frame, ObserveError, Observer};
+use crate::summary::Rest;
+
+/// One sample.
+struct Entry {
+    time: f64,
+    kinetic: f64,
+    height: f64,
+}
+
+/// Gathers the fluid's energies at every sample.
+#[derive(Default)]
+pub struct EnergyLedger {
+    entries: Vec<Entry>,
+    moving: f64,
+    lowest: f64,
+    highest: f64,
+    penetrated: usize,
+    fastest: f64,
+}
+
+impl EnergyLedger {
+    /// The largest energy that changed hands [J/m]: what a drift is measured by.
+    pub fn scale(&self) -> f64 {
+        self.moving.max(self.highest - self.lowest).max(f64::MIN_POSITIVE)
+    }
+
+    /// Most particles found beyond a wall at any sample.
+    pub fn penetrated(&self) -> usize {
+        self.penetrated
+    }
+
+    /// Fastest particle at any sample [m/s].
+    pub fn fastest(&self) -> f64 {
+        self.fastest
+    }
+
+    /// How the water came to rest, judged over the samples from `since` [s] on.
+    pub fn rest(&self, since: f64) -> Rest {
+        let first = self.entries.first().map_or(0.0, |e| e.height);
+        let late: Vec<&Entry> = self.entries.iter().filter(|e| e.time >= since).collect();
+        let mean = |read: fn(&Entry) -> f64| late.iter().map(|e| read(e)).sum::<f64>() / late.len().max(1) as f64;
+        let height = mean(|e| e.height);
+        Rest {
+            kinetic_peak_j_per_m: self.entries.iter().map(|e| e.kinetic).fold(0.0, f64::max),
+            kinetic_end_j_per_m: mean(|e| e.kinetic),
+            center_rise_m: height - first,
+            center_swing_m: late.iter().map(|e| (e.height - height).abs()).fold(0.0, f64::max),
+        }
+    }
+}
+
+impl Observer for EnergyLedger {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        let system = frame.system;
+        let p = &system.fluid.particles;
+        let mass: f64 = p.mass.iter().sum();
+        let height = p.mass.iter().zip(&p.y).map(|(m, y)| m * y).sum::<f64>() / mass;
+        let energy = system.fluid_energy();
+        let of_bodies: f64 = system.bodies().map(|b| b.energy().kinetic + b.energy().work.abs()).sum();
+        let fall = energy.potential - system.fluid_energy_at_start().potential;
+        self.moving = self.moving.max(energy.kinetic + of_bodies);
+        (self.lowest, self.highest) = (self.lowest.min(fall), self.highest.max(fall));
+        self.penetrated = self.penetrated.max(frame.penetrated);
+        self.fastest = self.fastest.max(system.fluid.top_speed());
+        self.entries.push(Entry { time: frame.time(), kinetic: energy.kinetic, height });
+        Ok(())
+    }
+}
