@@ -79,7 +79,14 @@ impl Coupled {
             members.push(Member { body, range });
         }
         fluid.initialise(&mut walls)?;
-        let mut coupled = Coupled { fluid, walls, members, audit: MomentumAudit::default(), energy_at_start: 0.0, fluid_at_start: FluidEnergy::default() };
+        let mut coupled = Coupled {
+            fluid,
+            walls,
+            members,
+            audit: MomentumAudit::default(),
+            energy_at_start: 0.0,
+            fluid_at_start: FluidEnergy::default(),
+        };
         coupled.load_bodies();
         coupled.audit.balance = coupled.balance();
         coupled.energy_at_start = coupled.energy();

@@ -218,7 +218,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
         }
     };
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
-    let bar = progress_bar(cli, loaded.scene.time.end);
+    let bar = progress_bar(cli);
     let tell = |time: f64, steps: u64| {
         bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
         bar.set_message(format!("t = {time:.5} s, step {steps}"));
@@ -247,7 +247,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     }
 }
 
-fn progress_bar(cli: &Cli, _end: f64) -> ProgressBar {
+fn progress_bar(cli: &Cli) -> ProgressBar {
     if cli.quiet || !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }

@@ -8,6 +8,9 @@ use crate::run::Outcome;
 use crate::scene::{Scene, Symmetry};
 use crate::summary::{Status, Summary};
 
+/// References of more points than this are drawn as lines.
+const MANY: usize = 60;
+
 /// The page of a run.
 pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     let summary = &outcome.summary;
@@ -157,7 +160,8 @@ fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
                 let end = outcome.summary.time_end_s.max(scene.time.end);
                 let keep = reference.t.iter().zip(&reference.y).filter(|(t, _)| **t <= end);
                 let (x, y) = keep.map(|(t, y)| (*t, *y)).unzip();
-                curves.push(Curve { label: short(&other.reference), mark: Mark::Points, x, y });
+                let mark = if reference.t.len() > MANY { Mark::Dashed } else { Mark::Points };
+                curves.push(Curve { label: short(&other.reference), mark, x, y });
             }
         }
         blocks.push(chart(&format!("{} against references", compare.quantity), "t [s]", &compare.quantity, curves));

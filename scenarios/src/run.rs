@@ -9,7 +9,9 @@ use fsi_coupling::{Coupled, CouplingError};
 use crate::build;
 use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::log::Level;
-use crate::observe::{EnergyLedger, FlowPictures, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow};
+use crate::observe::{
+    EnergyLedger, FlowPictures, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow,
+};
 use crate::present;
 use crate::reference::ReferenceError;
 use crate::scene::{Scene, compressibility_error};

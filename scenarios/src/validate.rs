@@ -139,9 +139,9 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
             case: case.name.clone(),
             quantity: c.quantity.clone(),
             ours: c.ours,
-            theirs: format!("{:.5}", c.theirs),
+            theirs: number(c.theirs),
             error: Some(c.error),
-            allowed: format!("{}", c.tolerance.unwrap_or_default()),
+            allowed: c.tolerance.map_or(String::new(), number),
             holds: c.passes(),
             source: c.reference.clone(),
             core_seconds: cost,
@@ -178,12 +178,12 @@ fn judge(case: &Case, expect: &Expect, json: &Value, core_seconds: f64) -> Line 
     let bounded = expect.at_most.is_none_or(|bound| ours.abs() <= bound);
     let mut allowed = Vec::new();
     allowed.extend(expect.tolerance.map(|t| format!("{} %", 100.0 * t)));
-    allowed.extend(expect.at_most.map(|b| format!("|x| ≤ {b}")));
+    allowed.extend(expect.at_most.map(|b| format!("at most {}", number(b))));
     Line {
         case: case.name.clone(),
         quantity: expect.value.clone(),
         ours,
-        theirs: expect.reference.map_or("".into(), |r| format!("{r}")),
+        theirs: expect.reference.map_or(String::new(), number),
         error,
         allowed: allowed.join(", "),
         holds: near && bounded && ours.is_finite(),
@@ -200,7 +200,7 @@ fn falls(case: &Case, path: &str, fine: &Value, coarse: &Value, core_seconds: f6
         case: case.name.clone(),
         quantity: format!("{path}, error against the coarser run's"),
         ours: fine,
-        theirs: format!("{coarse:.5}"),
+        theirs: number(coarse),
         error: None,
         allowed: "smaller".into(),
         holds: fine.abs() < coarse.abs(),
@@ -218,9 +218,28 @@ pub fn to_markdown(lines: &[Line]) -> String {
         let error = l.error.map_or(String::new(), |e| format!("{:+.2} %", 100.0 * e));
         let holds = if l.holds { "yes" } else { "**no**" };
         text += &format!(
-            "| {} | {} | {:.5} | {} | {error} | {} | {holds} | {:.0} | {} |\n",
-            l.case, l.quantity, l.ours, l.theirs, l.allowed, l.core_seconds, l.source
+            "| {} | {} | {} | {} | {error} | {} | {holds} | {:.0} | {} |\n",
+            l.case,
+            l.quantity,
+            number(l.ours),
+            l.theirs,
+            l.allowed,
+            l.core_seconds,
+            l.source
         );
     }
     text
+}
+
+/// Six digits, in powers of ten where they would not show otherwise.
+fn number(x: f64) -> String {
+    if x == 0.0 {
+        "0".into()
+    } else if (1e-3..1e6).contains(&x.abs()) {
+        let digits = (5.0 - x.abs().log10().floor()).max(0.0) as usize;
+        let text = format!("{x:.digits$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+    } else {
+        format!("{x:.2e}")
+    }
 }
