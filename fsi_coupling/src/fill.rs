@@ -143,7 +143,7 @@ fn block(x: [f64; 2], y: [f64; 2], wish: [f64; 2], make: &mut impl FnMut(Cell)) 
     }
 }
 
-/// Thicknesses s g, s g², … that fill `distance` exactly, with a ratio g no larger than asked.
+/// E23: thicknesses s g, s g², … that fill `distance` exactly, with a ratio g no larger than asked.
 fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     if distance <= 1e-9 * spacing {
         return Vec::new();

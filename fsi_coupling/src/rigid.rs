@@ -137,7 +137,7 @@ impl RigidBody2d {
         }
     }
 
-    /// Give the body an impulse [N s/m] and an angular impulse; guides take their share. Keeps the ledger.
+    /// E20: give the body an impulse [N s/m] and an angular impulse; guides take their share. Keeps the ledger.
     fn kick(&mut self, load: Resultant, dt: f64) {
         let g = self.spec.gravity;
         for k in 0..2 {

@@ -10,7 +10,7 @@ pub struct FluidEnergy {
     pub kinetic: f64,
     /// −Σ m g·r.
     pub potential: f64,
-    /// Σ m ∫ p/ρ² dρ.
+    /// Σ m ∫ p/ρ² dρ (E22).
     pub elastic: f64,
 }
 

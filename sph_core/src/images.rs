@@ -1,4 +1,4 @@
-//! Mirror planes: a neighbour behind a plane of symmetry is the image of one in front of it.
+//! Mirror planes (THEORY, "Walls"): a neighbour behind a plane of symmetry is the image of one in front of it.
 //!
 //! An image is never stored as state: it is a source particle and a reflection, applied whenever the
 //! rows of a sweep are packed.

@@ -58,11 +58,11 @@ pub struct Constants {
     pub rho0: f64,
     /// Sound speed c₀ [m/s].
     pub c0: f64,
-    /// Density diffusion δ [-].
+    /// Density diffusion δ [-] (E5).
     pub delta: f64,
-    /// Artificial viscosity α [-].
+    /// Artificial viscosity α [-] (E7).
     pub alpha: f64,
-    /// Kinematic viscosity ν [m²/s].
+    /// Kinematic viscosity ν [m²/s] (E8).
     pub nu: f64,
 }
 
@@ -230,7 +230,7 @@ pub fn wall_force<'r, K: Shape>(
 pub struct Extrapolated {
     /// Pressure [Pa] (E9).
     pub pressure: f64,
-    /// Velocity of the fluid nearby [m/s].
+    /// Velocity of the fluid nearby [m/s] (E11).
     pub velocity: [f64; 2],
 }
 

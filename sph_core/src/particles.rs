@@ -126,19 +126,19 @@ impl Derived {
 /// How the neighbours lie around a particle (THEORY E12–E14), summed with the uncorrected volumes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Surroundings {
-    /// S = Σ V W [-]: 1 where space is filled as the densities say.
+    /// S = Σ V W [-] (E12): 1 where space is filled as the densities say.
     pub filling: f64,
     /// The fluid's own share of S [-]: about 0.6 in the top row of a flat surface, 0.25 for a lone particle.
     pub fluid_filling: f64,
-    /// ∇C = Σ V ∇W [1/m]: points to where particles crowd.
+    /// ∇C = Σ V ∇W [1/m] (E13): points to where particles crowd.
     pub crowding: [f64; 2],
-    /// Smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
+    /// λ (E14), smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
     pub lambda: f64,
 }
 
-/// Particles of the free surface have λ below this (Marrone et al. 2010 use 0.75 for the jump to the interior).
+/// Particles of the free surface have λ below this (E14; Marrone et al. 2010 use 0.75 for the jump to the interior).
 pub const SURFACE_LAMBDA: f64 = 0.7;
 
-/// Spray: particles whose fluid filling is below this are in films a particle thick, or alone. They hold no
+/// Spray (E3): particles whose fluid filling is below this are in films a particle thick, or alone. They hold no
 /// tension, so that they leave a wall instead of creeping along it.
 pub const SPRAY_FILLING: f64 = 0.5;

@@ -32,7 +32,7 @@ impl<'a> Probe<'a> {
         });
     }
 
-    /// Pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
+    /// E18: pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
     /// where `slope` s = ρ(g − a)·n [Pa/m] is the pressure's slope along the normal that the wall imposes.
     /// It falls to zero by itself where the face is dry. Valid farther than one support 2h from an edge.
     pub fn on_flat_face(&self, at: [f64; 2], normal: [f64; 2], slope: f64) -> f64 {
@@ -44,7 +44,7 @@ impl<'a> Probe<'a> {
         2.0 * sum
     }
 
-    /// Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
+    /// E18: Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
     /// eighth of the kernel is filled.
     pub fn shepard(&self, at: [f64; 2]) -> f64 {
         let (mut pressure, mut filling) = (0.0, 0.0);

@@ -5,9 +5,9 @@ use crate::fluid::Fluid;
 use crate::sweep;
 use crate::walls::Walls;
 
-/// Share of √(h/|a|) a step may take (Monaghan 1992).
+/// Share of √(h/|a|) a step may take (E17; Monaghan 1992).
 const FORCE: f64 = 0.25;
-/// Share of h²/ν a step may take (Morris et al. 1997).
+/// Share of h²/ν a step may take (E17; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
 /// A step this many times smaller than the acoustic limit of water at rest means breakdown.
 const COLLAPSE: f64 = 1e-4;

@@ -27,7 +27,7 @@ pub struct Walls {
     pub u: Vec<f64>,
     /// Velocity over the step [m/s].
     pub v: Vec<f64>,
-    /// Acceleration [m/s²].
+    /// Acceleration [m/s²] (THEORY E9).
     pub ax: Vec<f64>,
     /// Acceleration [m/s²].
     pub ay: Vec<f64>,
