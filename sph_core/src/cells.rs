@@ -1,7 +1,7 @@
 //! Cells for the neighbour search: points sorted by level of reach, then by cell row.
 //!
 //! Where resolution varies, one grid cannot serve: points are grouped into levels whose reaches differ
-//! by less than a factor [`LEVEL_RATIO`], each level has a dense grid over its own bounding box with
+//! by less than a factor `LEVEL_RATIO`, each level has a dense grid over its own bounding box with
 //! cells as wide as its widest pair, and a query asks every level whose box it touches. In each level a
 //! neighbourhood is a few contiguous runs.
 
