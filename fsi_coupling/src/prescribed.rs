@@ -15,8 +15,14 @@ pub struct PrescribedBody {
     name: String,
     shape: Shape,
     law: Law,
+    state: State,
+    saved: State,
+}
+
+/// What a step changes.
+#[derive(Clone, Copy, Default)]
+struct State {
     time: f64,
-    saved: f64,
     now: Resultant,
     mean: Resultant,
     external: [f64; 2],
@@ -27,24 +33,17 @@ impl PrescribedBody {
     /// A body that follows `law`; with `half`, only its half x > 0 is simulated.
     pub fn new(name: &str, outline: Outline, half: bool, law: Law) -> PrescribedBody {
         let shape = Shape::new(outline, [0.0, 0.0], half);
-        let (now, mean) = (Resultant::default(), Resultant::default());
-        PrescribedBody {
-            name: name.into(),
-            shape,
-            law,
-            time: 0.0,
-            saved: 0.0,
-            now,
-            mean,
-            external: [0.0; 2],
-            work: 0.0,
-        }
+        PrescribedBody { name: name.into(), shape, law, state: State::default(), saved: State::default() }
     }
 
     /// The law of constant velocity [m/s] and spin [rad/s] from a start position [m] and angle [rad].
     pub fn steady(start: [f64; 2], angle: f64, velocity: [f64; 2], spin: f64) -> Law {
         let first = Rigid { pole: start, angle, velocity, spin, ..Rigid::default() };
         Box::new(move |t| first.ahead(t))
+    }
+
+    fn rigid(&self) -> Rigid {
+        (self.law)(self.state.time)
     }
 }
 
@@ -54,12 +53,12 @@ impl WettedBody for PrescribedBody {
     }
 
     fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
-        Ok(self.shape.sample(&(self.law)(self.time), spacing, layers))
+        Ok(self.shape.sample(&self.rigid(), spacing, layers))
     }
 
     fn place(&self, ahead: f64, out: WallsMut<'_>) {
         // the law, made a motion of constant acceleration that ends exactly where the law says
-        let (now, then) = ((self.law)(self.time), (self.law)(self.time + ahead));
+        let (now, then) = (self.rigid(), (self.law)(self.state.time + ahead));
         if ahead <= 0.0 {
             return self.shape.place(&now, 0.0, out);
         }
@@ -75,47 +74,51 @@ impl WettedBody for PrescribedBody {
     }
 
     fn load(&mut self, force: WallForces<'_>) {
-        let pole = (self.law)(self.time).pole;
-        (self.now, self.mean) = (force.resultant(pole), force.mean_resultant(pole));
+        let pole = self.rigid().pole;
+        (self.state.now, self.state.mean) = (force.resultant(pole), force.mean_resultant(pole));
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
-        let (now, then) = ((self.law)(self.time), (self.law)(self.time + dt));
+        let (now, then) = (self.rigid(), (self.law)(self.state.time + dt));
+        let moved = [0, 1].map(|k| then.pole[k] - now.pole[k]);
+        let (mean, state) = (self.state.mean, &mut self.state);
         for k in 0..2 {
-            self.work += self.mean.force[k] * (then.pole[k] - now.pole[k]);
-            self.external[k] -= dt * self.mean.force[k];
+            state.work += mean.force[k] * moved[k];
+            state.external[k] -= dt * mean.force[k];
         }
-        self.work += self.mean.moment * (then.angle - now.angle);
-        self.time += dt;
+        // the mean moment about the pole, which moves through the step
+        state.work += mean.about(moved.map(|d| 0.5 * d)).moment * (then.angle - now.angle);
+        state.now = state.now.about(moved);
+        state.time += dt;
         Ok(())
     }
 
     fn save(&mut self) {
-        self.saved = self.time;
+        self.saved = self.state;
     }
 
     fn restore(&mut self) {
-        self.time = self.saved;
+        self.state = self.saved;
     }
 
     fn energy(&self) -> Energy {
-        Energy { work: self.work, ..Energy::default() }
+        Energy { work: self.state.work, ..Energy::default() }
     }
 
     fn ledger(&self) -> Ledger {
-        Ledger { momentum: [0.0; 2], external: self.external }
+        Ledger { momentum: [0.0; 2], external: self.state.external }
     }
 
     fn motion(&self) -> Option<Motion> {
-        let r = (self.law)(self.time);
+        let r = self.rigid();
         Some(Motion {
             position: r.pole,
             angle: r.angle,
             velocity: r.velocity,
             spin: r.spin,
             acceleration: r.acceleration,
-            force: self.now.force,
-            moment: self.now.moment,
+            force: self.state.now.force,
+            moment: self.state.now.moment,
         })
     }
 
@@ -124,7 +127,7 @@ impl WettedBody for PrescribedBody {
     }
 
     fn clearance(&self, at: [f64; 2]) -> f64 {
-        self.shape.clearance(&(self.law)(self.time), at)
+        self.shape.clearance(&self.rigid(), at)
     }
 
     fn prescribed(&self) -> bool {

@@ -5,6 +5,8 @@
 //! no continuous collision surprises, mass properties given. A step is kick–drift–kick with impulses
 //! (THEORY E20): second order, and the same impulses that the fluid's kicks carry.
 
+use std::f64::consts::{PI, TAU};
+
 use rapier2d::prelude::*;
 use sph_core::walls::Resultant;
 use sph_core::{WallForces, WallPoint, WallsMut};
@@ -48,6 +50,7 @@ pub struct RigidBody2d {
     world: PhysicsWorld,
     handle: RigidBodyHandle,
     shape: Shape,
+    angle: f64,
     now: Resultant,
     mean: Resultant,
     kicked: Resultant,
@@ -60,6 +63,7 @@ pub struct RigidBody2d {
 /// State to return to.
 struct Saved {
     pose: Pose,
+    angle: f64,
     linear: Vector,
     angular: f64,
     loads: [Resultant; 3],
@@ -108,6 +112,7 @@ impl RigidBody2d {
         body.recompute_mass_properties_from_colliders(&world.colliders);
         let shape = Shape::new(spec.outline.clone(), com, spec.half);
         Ok(RigidBody2d {
+            angle: spec.angle,
             spec,
             world,
             handle,
@@ -129,12 +134,20 @@ impl RigidBody2d {
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
         Rigid {
             pole: [com.x, com.y],
-            angle: body.rotation().angle(),
+            angle: self.angle,
             velocity: [v.x, v.y],
             spin: body.angvel(),
             acceleration: [0, 1].map(|k| free(k, self.now.force[k] / spec.mass + spec.gravity[k])),
             spin_rate: free(2, self.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
         }
+    }
+
+    /// Add the step's turn to the angle, which counts whole turns; rapier's wraps at ±π.
+    fn follow_angle(&mut self) -> f64 {
+        let wrapped = self.world.bodies[self.handle].rotation().angle();
+        let turned = (wrapped - self.angle + PI).rem_euclid(TAU) - PI;
+        self.angle += turned;
+        turned
     }
 
     /// E20: give the body an impulse [N s/m] and an angular impulse; guides take their share. Keeps the ledger.
@@ -149,11 +162,6 @@ impl RigidBody2d {
         body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
         body.apply_torque_impulse(dt * load.moment, true);
     }
-}
-
-/// The same forces with their moment about a pole displaced by `d` [m].
-fn about(load: Resultant, d: [f64; 2]) -> Resultant {
-    Resultant { moment: load.moment - (d[0] * load.force[1] - d[1] * load.force[0]), ..load }
 }
 
 impl WettedBody for RigidBody2d {
@@ -177,25 +185,26 @@ impl WettedBody for RigidBody2d {
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
-        let before = self.rigid().pole;
-        let angle = self.rigid().angle;
+        let before = self.rigid();
         self.kick(self.kicked, 0.5 * dt);
         self.world.integration_parameters.dt = dt;
         self.world.step();
         if !self.world.quarantine().is_empty() {
             return Err(BodyError::NotFinite { name: self.spec.name.clone(), time: self.time + dt });
         }
-        let after = self.rigid().pole;
-        let moved = [after[0] - before[0], after[1] - before[1]];
-        // what remains of the step's impulse after the first half kick
-        let (mean, kicked) = (about(self.mean, moved), self.kicked);
-        self.now = about(self.now, moved);
+        let com = self.world.bodies[self.handle].center_of_mass();
+        let moved = [com.x - before.pole[0], com.y - before.pole[1]];
+        let turned = self.follow_angle();
+        // what remains of the step's impulse after the first half kick, about where the centre of mass now is
+        let (mean, kicked) = (self.mean, self.kicked);
         let rest = Resultant {
             force: [0, 1].map(|k| 2.0 * mean.force[k] - kicked.force[k]),
             moment: 2.0 * mean.moment - kicked.moment,
         };
-        self.kick(rest, 0.5 * dt);
-        self.work += mean.force[0] * moved[0] + mean.force[1] * moved[1] + mean.moment * (self.rigid().angle - angle);
+        self.kick(rest.about(moved), 0.5 * dt);
+        self.now = self.now.about(moved);
+        self.work += mean.force[0] * moved[0] + mean.force[1] * moved[1];
+        self.work += 0.5 * (kicked.moment + rest.about(moved).moment) * turned;
         self.time += dt;
         Ok(())
     }
@@ -204,6 +213,7 @@ impl WettedBody for RigidBody2d {
         let body = &self.world.bodies[self.handle];
         self.saved = Some(Saved {
             pose: *body.position(),
+            angle: self.angle,
             linear: body.linvel(),
             angular: body.angvel(),
             loads: [self.now, self.mean, self.kicked],
@@ -220,7 +230,7 @@ impl WettedBody for RigidBody2d {
         body.set_linvel(saved.linear, true);
         body.set_angvel(saved.angular, true);
         [self.now, self.mean, self.kicked] = saved.loads;
-        (self.external, self.work, self.time) = (saved.external, saved.work, saved.time);
+        (self.angle, self.external, self.work, self.time) = (saved.angle, saved.external, saved.work, saved.time);
         self.world.bodies[self.handle].recompute_mass_properties_from_colliders(&self.world.colliders);
     }
 
@@ -252,7 +262,7 @@ impl WettedBody for RigidBody2d {
             spin: r.spin,
             acceleration: r.point_acceleration(origin),
             force: self.now.force,
-            moment: about(self.now, arm).moment,
+            moment: self.now.about(arm).moment,
         })
     }
 

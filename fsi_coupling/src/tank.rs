@@ -16,13 +16,14 @@ pub struct Tank {
     points: Vec<WallPoint>,
     mean: [f64; 2],
     external: [f64; 2],
+    saved: [f64; 2],
 }
 
 impl Tank {
     /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, no wall at x[0]: a
     /// plane of symmetry stands there.
     pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
-        Tank { tiling, x, floor, rim, half, points: Vec::new(), mean: [0.0; 2], external: [0.0; 2] }
+        Tank { tiling, x, floor, rim, half, points: Vec::new(), mean: [0.0; 2], external: [0.0; 2], saved: [0.0; 2] }
     }
 
     /// Stations (middle, length) that divide [a, b] at the spacing of the water beside it.
@@ -101,9 +102,13 @@ impl WettedBody for Tank {
         Ok(())
     }
 
-    fn save(&mut self) {}
+    fn save(&mut self) {
+        self.saved = self.external;
+    }
 
-    fn restore(&mut self) {}
+    fn restore(&mut self) {
+        self.external = self.saved;
+    }
 
     fn energy(&self) -> Energy {
         Energy::default()

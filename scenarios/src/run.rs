@@ -172,7 +172,7 @@ impl Recorder {
             next_frame: 0.0,
             every: [scene.time.sample_every, scene.time.frame_every],
             end: scene.time.end,
-            ledger: EnergyLedger::default(),
+            ledger: EnergyLedger::new(scene),
         })
     }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::fluid::Fluid;
+use crate::particles::Particles;
 use crate::walls::Walls;
 
 /// How a step is taken.
@@ -22,15 +23,27 @@ pub(crate) fn symplectic(fluid: &mut Fluid, walls: &mut Walls, dt: f64) {
     fluid.kick(half); //                         v½ = v + ½Δt a
     fluid.drift(half); //                        x½ = x + ½Δt v½
     fluid.evaluate_density_rate(walls, -half); // dρ/dt at (x½, v½)
-    fluid.compress(dt); //                       ρ' = ρ + Δt dρ/dt
+    fluid.compress_about_middle(dt); //          ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
     fluid.drift(half); //                        x' = x½ + ½Δt v½
     fluid.shift(dt); //                          x' ← x' + δr
-    let before = (walls.fx.clone(), walls.fy.clone());
+    note_first_kick(walls, dt); //               ½F, where the walls began
     fluid.evaluate_forces(walls, 0.0); //        a', F' at (x', ρ')
     fluid.kick(half); //                         v' = v½ + ½Δt a'
+    add_second_kick(walls); //                   F̄ = ½(F + F')
+}
+
+fn note_first_kick(walls: &mut Walls, dt: f64) {
     for k in 0..walls.len() {
-        walls.mean_fx[k] = 0.5 * (before.0[k] + walls.fx[k]); // the two kicks' impulse
-        walls.mean_fy[k] = 0.5 * (before.1[k] + walls.fy[k]);
+        let first = [0.5 * walls.fx[k], 0.5 * walls.fy[k]];
+        [walls.mean_fx[k], walls.mean_fy[k]] = first;
+        walls.mean_swing[k] = walls.swing(k, -dt, first);
+    }
+}
+
+fn add_second_kick(walls: &mut Walls) {
+    for k in 0..walls.len() {
+        walls.mean_fx[k] += 0.5 * walls.fx[k];
+        walls.mean_fy[k] += 0.5 * walls.fy[k];
     }
 }
 
@@ -38,30 +51,33 @@ pub(crate) fn symplectic(fluid: &mut Fluid, walls: &mut Walls, dt: f64) {
 pub(crate) fn predictor_corrector(fluid: &mut Fluid, walls: &mut Walls, dt: f64) {
     let half = 0.5 * dt;
     fluid.evaluate_density_rate(walls, -dt); //  dρ/dt at n
-    let old = Old::of(fluid);
+    let old = std::mem::take(&mut fluid.old).of(&fluid.particles);
     fluid.drift(half); //                        x½ = x + ½Δt v
     fluid.kick(half); //                         v½ = v + ½Δt a
     fluid.compress(half); //                     ρ½ = ρ + ½Δt dρ/dt
     fluid.evaluate_forces(walls, -half); //      a½, F½
     fluid.evaluate_density_rate(walls, -half); // dρ/dt at ½
     old.correct(fluid, dt); //                   v' = v + Δt a½, x' = x + ½Δt (v + v'), ρ' = ρ + Δt (dρ/dt)½
+    fluid.old = old;
     fluid.shift(dt);
-    walls.mean_fx.clone_from(&walls.fx);
-    walls.mean_fy.clone_from(&walls.fy);
+    for k in 0..walls.len() {
+        [walls.mean_fx[k], walls.mean_fy[k]] = [walls.fx[k], walls.fy[k]]; // F̄ = F½
+        walls.mean_swing[k] = walls.swing(k, -half, [walls.fx[k], walls.fy[k]]);
+    }
     fluid.evaluate_forces(walls, 0.0); //        a', F' for the next predictor
 }
 
 /// The state at n, by identity: the particles may be sorted anew before it is needed.
-struct Old(Vec<[f64; 5]>);
+#[derive(Default)]
+pub(crate) struct Old(Vec<[f64; 5]>);
 
 impl Old {
-    fn of(fluid: &Fluid) -> Old {
-        let p = &fluid.particles;
-        let mut old = vec![[0.0; 5]; p.len()];
+    fn of(mut self, p: &Particles) -> Old {
+        self.0.resize(p.len(), [0.0; 5]);
         for k in 0..p.len() {
-            old[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k]];
+            self.0[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k]];
         }
-        Old(old)
+        self
     }
 
     fn correct(&self, fluid: &mut Fluid, dt: f64) {

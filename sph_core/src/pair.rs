@@ -134,7 +134,7 @@ pub fn density_rate<'r, K: Shape>(
 
 /// E6 + E7 + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
 #[inline(always)]
-fn force<K: Shape>(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64) -> [f64; 2] {
+fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64) -> [f64; 2] {
     let (du, dv) = (a.u - b.u, a.v - b.v);
     let inverse = 1.0 / (ab.r2 + 0.01 * ab.h * ab.h);
     let approach = (du * ab.dx + dv * ab.dy).min(0.0);
@@ -192,7 +192,7 @@ impl MomentumSum {
         let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             return;
         };
-        let f = force::<K>(a, b, &ab, c, alpha, nu);
+        let f = force(a, b, &ab, c, alpha, nu);
         self.force[0] += f[0];
         self.force[1] += f[1];
         self.filling += b.fill * ab.w::<K>();
@@ -218,7 +218,7 @@ pub fn wall_force<'r, K: Shape>(
         let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, a.x, a.y, a.h) else {
             continue;
         };
-        let f = force::<K>(wall, a, &ab, c, 0.0, wall_nu);
+        let f = force(wall, a, &ab, c, 0.0, wall_nu);
         sum[0] += f[0];
         sum[1] += f[1];
     }

@@ -124,7 +124,7 @@ impl Derived {
 }
 
 /// How the neighbours lie around a particle (THEORY E12–E14), summed with the uncorrected volumes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surroundings {
     /// S = Σ V W [-] (E12): 1 where space is filled as the densities say.
     pub filling: f64,
@@ -134,6 +134,13 @@ pub struct Surroundings {
     pub crowding: [f64; 2],
     /// λ (E14), smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
     pub lambda: f64,
+}
+
+impl Default for Surroundings {
+    /// Deep inside the fluid: what a particle is taken for before its first sweep.
+    fn default() -> Surroundings {
+        Surroundings { filling: 1.0, fluid_filling: 1.0, crowding: [0.0; 2], lambda: 1.0 }
+    }
 }
 
 /// Particles of the free surface have λ below this (E14; Marrone et al. 2010 use 0.75 for the jump to the interior).

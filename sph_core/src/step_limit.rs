@@ -34,7 +34,7 @@ impl Fluid {
             let dt = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall));
             (dt, q.cfl * sweep::least(p.len(), |k| p.h[k]) / c0)
         });
-        if dt > COLLAPSE * at_rest {
+        if p.is_empty() || dt > COLLAPSE * at_rest {
             return Ok(dt);
         }
         let k = (0..p.len()).min_by(|&a, &b| of_fluid(a).total_cmp(&of_fluid(b))).unwrap_or(0);

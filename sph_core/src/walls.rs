@@ -49,6 +49,9 @@ pub struct Walls {
     pub mean_fx: Vec<f64>,
     /// Mean force over the step [N/m].
     pub mean_fy: Vec<f64>,
+    /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
+    /// ends, lacks of the mean moment.
+    pub mean_swing: Vec<f64>,
 }
 
 impl Walls {
@@ -84,10 +87,24 @@ impl Walls {
             &mut self.fy,
             &mut self.mean_fx,
             &mut self.mean_fy,
+            &mut self.mean_swing,
         ] {
             array.resize(n, 0.0);
         }
         start..n
+    }
+
+    /// Where particle `k` is `offset` [s] from the step's end (offset ≤ 0), relative to where it ends [m]: back
+    /// along the step at constant acceleration; u is the step's mean velocity.
+    pub fn displacement(&self, k: usize, offset: f64) -> [f64; 2] {
+        let bend = 0.5 * offset * (offset + self.dt);
+        [offset * self.u[k] + bend * self.ax[k], offset * self.v[k] + bend * self.ay[k]]
+    }
+
+    /// (r − r_end)×F [N] for a force [N/m] on particle `k` at `offset` [s] from the step's end.
+    pub(crate) fn swing(&self, k: usize, offset: f64, force: [f64; 2]) -> f64 {
+        let [dx, dy] = self.displacement(k, offset);
+        dx * force[1] - dy * force[0]
     }
 
     /// An owner's particles, to be moved.
@@ -112,7 +129,8 @@ impl Walls {
             fx: &self.fx[range.clone()],
             fy: &self.fy[range.clone()],
             mean_fx: &self.mean_fx[range.clone()],
-            mean_fy: &self.mean_fy[range],
+            mean_fy: &self.mean_fy[range.clone()],
+            mean_swing: &self.mean_swing[range],
             mirrored: false,
         }
     }
@@ -153,6 +171,8 @@ pub struct WallForces<'a> {
     pub mean_fx: &'a [f64],
     /// Mean force over the step just taken [N/m].
     pub mean_fy: &'a [f64],
+    /// Mean over the step of (r − r_end)×F [N].
+    pub mean_swing: &'a [f64],
     /// True when the particles are the right half of an owner that is symmetric about x = 0.
     pub mirrored: bool,
 }
@@ -166,15 +186,24 @@ pub struct Resultant {
     pub moment: f64,
 }
 
+impl Resultant {
+    /// The same forces with their moment about a pole displaced by `d` [m].
+    pub fn about(self, d: [f64; 2]) -> Resultant {
+        Resultant { moment: self.moment - (d[0] * self.force[1] - d[1] * self.force[0]), ..self }
+    }
+}
+
 impl WallForces<'_> {
     /// Resultant about `pole` [m] of the force now; both halves counted when mirrored.
     pub fn resultant(&self, pole: [f64; 2]) -> Resultant {
         self.sum(self.fx, self.fy, pole)
     }
 
-    /// Resultant about `pole` [m] of the mean force over the step; both halves counted when mirrored.
+    /// Mean over the step of the resultant about the fixed `pole` [m]; both halves counted when mirrored.
     pub fn mean_resultant(&self, pole: [f64; 2]) -> Resultant {
-        self.sum(self.mean_fx, self.mean_fy, pole)
+        let mean = self.sum(self.mean_fx, self.mean_fy, pole);
+        let swing = if self.mirrored { 0.0 } else { self.mean_swing.iter().sum() };
+        Resultant { moment: mean.moment + swing, ..mean }
     }
 
     fn sum(&self, fx: &[f64], fy: &[f64], pole: [f64; 2]) -> Resultant {

@@ -34,12 +34,11 @@ impl GaugeReader {
         let support = 2.0 * scene.fluid.smoothing_ratio * scene.resolution.spacing;
         let half = 0.5 * scene.tank.width;
         let (floor, rim) = (-scene.tank.depth, scene.tank.height - scene.tank.depth);
-        // inner faces of the tank, so that the fluid lies to the left of each
-        let tank = vec![[half, rim], [-half, rim], [-half, floor], [half, floor]];
+        let tank = [[-half, floor], [half, floor], [half, rim], [-half, rim]];
         let place = |g: &crate::scene::Gauge| {
             let corners = match (g.on, &scene.body) {
                 (GaugeFrame::Body, Some(body)) => body.shape.outline(),
-                _ => tank.iter().rev().copied().collect(),
+                _ => tank.to_vec(),
             };
             let reading = reading(&corners, g.at, support, g.on == GaugeFrame::Fixed);
             Place { on: g.on, at: g.at, reading }

@@ -1,6 +1,7 @@
 //! Energies and positions over the run: what the audit and the state of rest are measured by.
 
 use super::{Frame, ObserveError, Observer};
+use crate::scene::Scene;
 use crate::summary::Rest;
 
 /// One sample.
@@ -14,6 +15,7 @@ struct Entry {
 #[derive(Default)]
 pub struct EnergyLedger {
     entries: Vec<Entry>,
+    ripple: f64,
     moving: f64,
     lowest: f64,
     highest: f64,
@@ -22,9 +24,17 @@ pub struct EnergyLedger {
 }
 
 impl EnergyLedger {
-    /// The largest energy that changed hands [J/m]: what a drift is measured by.
+    /// An empty ledger for a scene.
+    pub fn new(scene: &Scene) -> EnergyLedger {
+        let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
+        let ripple = 0.5 * scene.fluid.density * g * spacing * spacing * scene.tank.width;
+        EnergyLedger { ripple, ..EnergyLedger::default() }
+    }
+
+    /// The largest energy that changed hands [J/m]: what a drift is measured by. At least that of a ripple as
+    /// high as a spacing over the whole tank, ½ρgΔx²L, so that water at rest has a scale too.
     pub fn scale(&self) -> f64 {
-        self.moving.max(self.highest - self.lowest).max(f64::MIN_POSITIVE)
+        self.moving.max(self.highest - self.lowest).max(self.ripple).max(f64::MIN_POSITIVE)
     }
 
     /// Most particles found beyond a wall at any sample.

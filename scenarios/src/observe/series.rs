@@ -16,8 +16,11 @@ pub struct Series {
     file: Option<(String, BufWriter<File>)>,
 }
 
+/// Reads a column from a body's motion.
+type Read = fn(&Motion) -> f64;
+
 /// Columns of a body, with what they read.
-pub(super) const BODY: [(&str, fn(&Motion) -> f64); 10] = [
+pub(super) const BODY: [(&str, Read); 10] = [
     ("x_m", |m| m.position[0]),
     ("y_m", |m| m.position[1]),
     ("angle_deg", |m| m.angle.to_degrees()),

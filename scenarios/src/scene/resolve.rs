@@ -3,7 +3,7 @@
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
-use super::model::{Compare, Fluid, Gauge, GaugeFrame, Resolution, Scene, Tank, Time};
+use super::model::{Compare, Fluid, Gauge, GaugeFrame, Integrator, Resolution, Scene, Tank, Time};
 use super::problem::{Problem, not_negative, positive, required, within, word};
 use super::resolve_body::resolve_body;
 
@@ -116,6 +116,7 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         let why = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", why));
     }
+    let integrator = file.integrator.unwrap_or_default();
     Ok(Fluid {
         density,
         sound_speed,
@@ -129,9 +130,17 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         shifting: file.shifting.unwrap_or(true),
         volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
-        integrator: file.integrator.unwrap_or_default(),
-        cfl: positive("fluid.cfl", file.cfl.unwrap_or(0.6))?,
+        integrator,
+        cfl: positive("fluid.cfl", file.cfl.unwrap_or(usual_cfl(integrator)))?,
     })
+}
+
+/// Courant number by default: the predictor–corrector needs half the symplectic scheme's for the same noise.
+fn usual_cfl(integrator: Integrator) -> f64 {
+    match integrator {
+        Integrator::Symplectic => 0.6,
+        Integrator::PredictorCorrector => 0.3,
+    }
 }
 
 fn resolve_tank(file: &TankFile, width: f64, depth: f64) -> Result<Tank, Problem> {

@@ -1,0 +1,87 @@
+//! What the sweeps read: fluid and walls packed row by row, images behind them.
+
+use crate::images::Mirror;
+use crate::pair::{Extrapolated, Face, Row};
+use crate::particles::{Derived, Particles};
+use crate::search::{Search, WallKinematics};
+use crate::sweep;
+use crate::walls::Walls;
+
+/// Rows of fluid and walls; indices at and above the number of particles are images, as in [`Search`].
+#[derive(Default)]
+pub(crate) struct Rows {
+    /// Fluid.
+    pub fluid: Vec<Row>,
+    /// Walls, for forces.
+    pub walls: Vec<Row>,
+    /// Walls, for the continuity equation.
+    pub faces: Vec<Face>,
+    wall_x: Vec<f64>,
+    wall_y: Vec<f64>,
+}
+
+impl Rows {
+    /// Put the walls where they are `offset` seconds from the step's end.
+    pub fn place_walls(&mut self, walls: &Walls, offset: f64) {
+        self.wall_x.clear();
+        self.wall_y.clear();
+        for k in 0..walls.len() {
+            let [dx, dy] = walls.displacement(k, offset);
+            self.wall_x.push(walls.x[k] + dx);
+            self.wall_y.push(walls.y[k] + dy);
+        }
+    }
+
+    /// The walls as the search sees them.
+    pub fn kinematics<'a>(&'a self, walls: &'a Walls) -> WallKinematics<'a> {
+        WallKinematics { x: &self.wall_x, y: &self.wall_y, u: &walls.u, v: &walls.v, h: &walls.h }
+    }
+
+    /// Pack everything as it is now.
+    pub fn pack(&mut self, p: &Particles, d: &Derived, walls: &Walls, search: &Search, mirror: Option<Mirror>) {
+        let n = p.len();
+        self.fluid.resize(n + search.fluid_images.len(), Row::default());
+        sweep::gather_into(&mut self.fluid[..n], |k| Row {
+            x: p.x[k],
+            y: p.y[k],
+            u: p.u[k],
+            v: p.v[k],
+            p: d.pressure[k],
+            volume: d.volume[k],
+            fill: p.mass[k] / p.rho[k],
+            h: p.h[k],
+        });
+        self.walls.clear();
+        self.faces.clear();
+        for k in 0..walls.len() {
+            let (x, y, u, v) = (self.wall_x[k], self.wall_y[k], walls.u[k], walls.v[k]);
+            let (h, volume, nx, ny) = (walls.h[k], walls.volume[k], walls.nx[k], walls.ny[k]);
+            self.walls.push(Row { x, y, u, v, p: walls.pressure[k], volume, fill: volume, h });
+            self.faces.push(Face { x, y, nx, ny, vn: u * nx + v * ny, volume, h });
+        }
+        let Some(mirror) = mirror else { return };
+        for (k, &source) in search.fluid_images.iter().enumerate() {
+            let row = self.fluid[source as usize];
+            self.fluid[n + k] = Row { x: mirror.reflect(row.x), u: -row.u, ..row };
+        }
+        for &source in &search.wall_images {
+            let (row, face) = (self.walls[source as usize], self.faces[source as usize]);
+            self.walls.push(Row { x: mirror.reflect(row.x), u: -row.u, ..row });
+            self.faces.push(Face { x: mirror.reflect(face.x), nx: -face.nx, ..face });
+        }
+    }
+
+    /// E9, E11: the walls show the fluid the pressure they extrapolate and, where it must `stick`, the
+    /// velocity 2V − ũ.
+    pub fn dress_walls(&mut self, found: &[Extrapolated], images: &[u32], stick: bool) {
+        let n = found.len();
+        for (k, row) in self.walls.iter_mut().enumerate() {
+            let (source, side) = if k < n { (k, 1.0) } else { (images[k - n] as usize, -1.0) };
+            row.p = found[source].pressure;
+            if stick {
+                row.u = 2.0 * row.u - side * found[source].velocity[0];
+                row.v = 2.0 * row.v - found[source].velocity[1];
+            }
+        }
+    }
+}
