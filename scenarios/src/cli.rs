@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
+use tracing_subscriber::EnvFilter;
 
 use crate::forecast::forecast;
 use crate::run::{RunError, RunOptions, run};
@@ -122,6 +123,7 @@ impl From<ValidateError> for Stop {
 /// Entry point of the binary.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
+    trace(cli.quiet);
     let code = start(&cli).unwrap_or_else(|stop| match stop {
         Stop::Scene(error) => {
             eprintln!("{:?}", miette::Report::new(error));
@@ -137,6 +139,18 @@ pub fn main() -> ExitCode {
         }
     });
     ExitCode::from(code)
+}
+
+/// Events of a run go to stderr; `SPLASHDOWN_LOG=debug` (or any tracing filter) shows more than warnings.
+fn trace(quiet: bool) {
+    let usual = if quiet { "error" } else { "warn" };
+    let filter = EnvFilter::try_from_env("SPLASHDOWN_LOG").unwrap_or_else(|_| EnvFilter::new(usual));
+    tracing_subscriber::fmt()
+        .with_env_filter(filter)
+        .with_writer(std::io::stderr)
+        .without_time()
+        .with_target(false)
+        .init();
 }
 
 fn start(cli: &Cli) -> Result<u8, Stop> {
@@ -209,9 +223,7 @@ fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
 fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
     let loaded = load(&args.scene)?;
-    if !cli.quiet {
-        loaded.warnings.iter().for_each(|w| eprintln!("warning: {w}"));
-    }
+    loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
     let handler = || {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {
             std::process::exit(130); // asked twice: at once

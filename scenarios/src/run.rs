@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
+use tracing::{debug, info};
 
 use crate::build;
 use crate::compare::{self, Comparison, ReferenceCurve};
@@ -94,6 +95,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     }
     let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), file("log.mcap").as_deref(), &system)?;
     let (start, volume) = (Instant::now(), system.fluid.volume());
+    info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
 
     let ended = advance(scene, &mut system, &mut recorder, options)?;
 
@@ -105,6 +107,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         recorder.last_words(&system, status, message.as_deref())?;
     }
     let wall = start.elapsed().as_secs_f64();
+    info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
     let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume);
     recorder.series.flush()?;
     if let Some(log) = recorder.log {
@@ -135,6 +138,7 @@ fn advance(
         if let Err(breakdown) = stepped {
             return Ok(Err(breakdown));
         }
+        debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
         recorder.observe(system)?;
         if told.elapsed() > PROGRESS_EVERY {
             told = Instant::now();

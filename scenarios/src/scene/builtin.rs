@@ -1,14 +1,20 @@
-//! The scenes that come with the program.
+//! The scenes that come with the program: every file in `scenarios/scenes`.
 
-/// Name and text of each built-in scene.
+use std::sync::LazyLock;
+
+use include_dir::{Dir, include_dir};
+
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/scenes");
+
+/// Name and text of each built-in scene, by name.
 pub fn builtin() -> &'static [(&'static str, &'static str)] {
-    &[
-        ("wedge", include_str!("../../scenes/wedge.toml")),
-        ("wedge25", include_str!("../../scenes/wedge25.toml")),
-        ("wedge_constant", include_str!("../../scenes/wedge_constant.toml")),
-        ("fuselage_section", include_str!("../../scenes/fuselage_section.toml")),
-        ("hydrostatic_tank", include_str!("../../scenes/hydrostatic_tank.toml")),
-        ("dam_break", include_str!("../../scenes/dam_break.toml")),
-        ("floating_box", include_str!("../../scenes/floating_box.toml")),
-    ]
+    static SCENES: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
+        let scene = |file: &'static include_dir::File<'_>| {
+            Some((file.path().file_name()?.to_str()?.strip_suffix(".toml")?, file.contents_utf8()?))
+        };
+        let mut scenes: Vec<_> = FILES.files().filter_map(scene).collect();
+        scenes.sort_unstable();
+        scenes
+    });
+    &SCENES
 }
