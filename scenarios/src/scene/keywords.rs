@@ -112,7 +112,7 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.volume_correction", "", "false", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
     key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),
     key("fluid.integrator", "", "symplectic", "symplectic | predictor_corrector"),
-    key("fluid.cfl", "-", "0.6; 0.3 for predictor_corrector", "step limit dt <= cfl h/(c0 + |v|)"),
+    key("fluid.cfl", "-", "0.6", "step limit dt <= cfl h/(c0 + |v|); by default 0.3 for predictor_corrector"),
     key("tank.width", "m", "auto", "full inner width, x from -width/2 to width/2; auto: outside acoustic reach of an impact"),
     key("tank.depth", "m", "auto", "depth of still water, whose surface is y = 0 and whose floor is y = -depth; auto: outside acoustic reach of an impact"),
     key("tank.height", "m", "1.25 depth, 3 depth for a dam break", "height of the side walls above the floor"),
