@@ -195,7 +195,9 @@ impl WettedBody for RigidBody2d {
             moment: 2.0 * mean.moment - kicked.moment,
         };
         self.kick(rest, 0.5 * dt);
-        self.work += mean.force[0] * moved[0] + mean.force[1] * moved[1] + mean.moment * (self.rigid().angle - angle);
+        let turned = self.rigid().angle - angle; // jumps by a full turn where the engine's angle, in (−π, π], does
+        let turned = turned - std::f64::consts::TAU * (turned / std::f64::consts::TAU).round();
+        self.work += mean.force[0] * moved[0] + mean.force[1] * moved[1] + mean.moment * turned;
         self.time += dt;
         Ok(())
     }
