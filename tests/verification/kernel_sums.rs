@@ -58,7 +58,7 @@ fn inside_a_lattice_space_is_filled_and_gradients_are_exact() {
         (Kernel::WendlandC2, 0.01, [0.99, 1.01], 1e-12),
         (Kernel::CubicSpline, 0.01, [0.99, 1.01], 1e-12),
         (Kernel::Quadratic, 0.05, [0.95, 1.05], 1e-12),
-        (Kernel::Gaussian, 0.01, [0.85, 0.99], 0.05),
+        (Kernel::Gaussian, 0.02, [0.85, 0.99], 0.05),
     ] {
         let around = surroundings(kernel, 0.0);
         for k in interior() {
