@@ -17,7 +17,8 @@ pub fn binary() -> PathBuf {
     let profile = test.parent().and_then(Path::parent).expect("TARGET/PROFILE/deps");
     let path = profile.join(format!("splashdown{}", env::consts::EXE_SUFFIX));
     let built = fs::metadata(&path).and_then(|m| m.modified());
-    let built = built.unwrap_or_else(|e| panic!("{}: {e}; run `cargo build --workspace` for this profile", path.display()));
+    let built =
+        built.unwrap_or_else(|e| panic!("{}: {e}; run `cargo build --workspace` for this profile", path.display()));
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
     for crate_ in ["sph_core", "fsi_coupling", "scenarios"] {
         let (file, changed) = newest(&root.join(crate_).join("src"));

@@ -96,7 +96,9 @@ fn the_summary_has_the_keys_of_the_contract() {
     ] {
         has(&summary, path, Value::is_f64);
     }
-    has(&summary, "/similarity/window_s", |v| v.as_array().is_some_and(|a| a.len() == 2 && a.iter().all(Value::is_f64)));
+    has(&summary, "/similarity/window_s", |v| {
+        v.as_array().is_some_and(|a| a.len() == 2 && a.iter().all(Value::is_f64))
+    });
     has(&summary, "/comparison/0/reference", Value::is_string);
     has(&summary, "/comparison/0/quantity", Value::is_string);
     assert_eq!([&summary["scene"], &summary["status"], &summary["model"]], ["wedge_constant", "completed", "wcsph"]);

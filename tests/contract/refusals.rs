@@ -30,10 +30,10 @@ fn a_wrong_file_is_refused_with_line_key_given_and_expected() {
         ("end = 0.001", "end = nan", "drop.toml:3:", &["`time.end` = NaN", "expected a finite number"]),
         ("spacing = 0.02", "spacing = 0", "drop.toml:5:", &["`resolution.spacing` = 0", "expected a finite number above 0"]),
         ("spacing = 0.02", "spacing = 0.2", "drop.toml:5:", &["`resolution.spacing` = 0.2", "expected at most", "thinner than 6 spacings"]),
-        ("spacing = 0.02", "spacing = 1e-6", "drop.toml:5:", &["`resolution.spacing` = 0.000001", "expected a spacing that fits in", "GiB"]),
+        ("spacing = 0.02", "spacing = 1e-6\nfine_zone = [1.0, 1.0]", "drop.toml:5:", &["`resolution.spacing` = 0.000001", "expected a spacing that fits in", "GiB"]),
         ("[time]", "[tank]\ndepth = 0.01\n[time]", "drop.toml:3:", &["`tank.depth` = 0.01", "expected at least 4 spacings of water"]),
         ("[time]", "[tank]\nwidth = 0.4\n[time]", "drop.toml:", &["`body.position` = a body from x = -0.25 to 0.25 m", "overlapping a tank wall", "expected a body between the walls"]),
-        ("[time]", "[tank]\ndepth = 0.3\n[time]", "drop.toml:", &["`body.position` = a body down to y = -0.5 m", "overlapping the floor", "expected a body above"]),
+        ("[time]", "[tank]\nwidth = 4\ndepth = 0.3\n[time]", "drop.toml:", &["`body.position` = a body down to y = -0.5 m", "overlapping the floor", "expected a body above"]),
         ("end = 0.001", "end = ", "drop.toml:3:", &["not valid TOML"]),
     ];
     let place = Workplace::new();

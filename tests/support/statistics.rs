@@ -32,7 +32,7 @@ impl Noise {
     }
 
     /// The next number of [-1, 1).
-    pub fn next(&mut self) -> f64 {
+    pub fn draw(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
@@ -52,7 +52,7 @@ mod tests {
     #[test]
     fn noise_fills_its_interval_evenly() {
         let mut noise = Noise::new(7);
-        let values: Vec<f64> = (0..10_000).map(|_| noise.next()).collect();
+        let values: Vec<f64> = (0..10_000).map(|_| noise.draw()).collect();
         assert!(values.iter().all(|v| (-1.0..1.0).contains(v)));
         assert!(mean(&values).abs() < 0.02, "{}", mean(&values));
         assert!((deviation(&values) - 1.0 / 3.0_f64.sqrt()).abs() < 0.02, "{}", deviation(&values));

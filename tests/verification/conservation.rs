@@ -38,7 +38,10 @@ fn momentum_closes_in_every_step_of_an_impact() {
         ("wedge_constant", vec!["resolution.spacing=0.1"]),
         ("wedge_constant", vec!["resolution.spacing=0.1", "fluid.integrator=predictor_corrector"]),
         ("wedge", vec!["resolution.spacing=0.016"]),
-        ("wedge", vec!["resolution.spacing=0.016", "symmetry=none", "body.free=[\"x\", \"y\"]", "body.velocity=[1.0, -6.15]"]),
+        (
+            "wedge",
+            vec!["resolution.spacing=0.016", "symmetry=none", "body.free=[\"x\", \"y\"]", "body.velocity=[1.0, -6.15]"],
+        ),
         ("floating_box", vec!["resolution.spacing=0.033", "body.position=[0.1, 0.05]", "body.angle_deg=8"]),
     ] {
         let mut system = system(scene, &sets);

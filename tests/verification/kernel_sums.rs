@@ -29,7 +29,7 @@ fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
     };
     let mut noise = Noise::new(23);
     let seed = |k: usize, noise: &mut Noise| Seed {
-        at: [k % SIDE, k / SIDE].map(|c| SPACING * (c as f64 + disorder * noise.next())),
+        at: [k % SIDE, k / SIDE].map(|c| SPACING * (c as f64 + disorder * noise.draw())),
         velocity: [0.0; 2],
         area: SPACING * SPACING,
         pressure: 0.0,

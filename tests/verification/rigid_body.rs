@@ -178,8 +178,7 @@ fn guides_hold_to_the_bit_and_the_ledger_closes() {
         let (first, held) = (motion(&body), body.ledger().momentum);
         let mut given = [0.0; 2];
         for _ in 0..200 {
-            let forces: Vec<[f64; 2]> =
-                (0..handled.walls.len()).map(|_| [noise.next(), noise.next()]).collect();
+            let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.draw(), noise.draw()]).collect();
             handled.step(&mut body, 0.01, |k, _| forces[k]);
             given[0] += 0.01 * handled.walls.mean_fx.iter().sum::<f64>();
             given[1] += 0.01 * handled.walls.mean_fy.iter().sum::<f64>();

@@ -21,14 +21,11 @@ fn wave(spacing: f64, omega: f64) -> Coupled {
     let mut seeds = Vec::new();
     tiling.for_each(|cell| {
         let (x, height) = (cell.at[0] + 0.5, cell.at[1] + depth);
-        let velocity =
-            [speed * (k * height).cosh() * (k * x).sin(), -speed * (k * height).sinh() * (k * x).cos()];
+        let velocity = [speed * (k * height).cosh() * (k * x).sin(), -speed * (k * height).sinh() * (k * x).cos()];
         seeds.push(Seed { at: cell.at, velocity, area: cell.area(), pressure: -1000.0 * 9.81 * cell.at[1] });
     });
-    let parameters = sph_core::Parameters {
-        eos: Tait { c0: 60.0, ..still.fluid.parameters.eos },
-        ..still.fluid.parameters
-    };
+    let parameters =
+        sph_core::Parameters { eos: Tait { c0: 60.0, ..still.fluid.parameters.eos }, ..still.fluid.parameters };
     let tank: Box<dyn WettedBody> = Box::new(Tank::new(tiling, [-0.5, 0.5], -depth, 0.5, false));
     Coupled::new(Fluid::new(parameters, &seeds), vec![tank], Scheme::Weak, spacing).expect("a tank of water")
 }

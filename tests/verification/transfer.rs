@@ -93,7 +93,7 @@ fn rigid_motion_moves_boundary_particles_rigidly() {
         let mut handled = Handled::new(body.as_mut(), SPACING, half);
         let (before, mut noise) = (distances(&handled), Noise::new(11));
         assert!(before.len() > 50, "{what}: {} distances", before.len());
-        let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.next(), noise.next()]).collect();
+        let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.draw(), noise.draw()]).collect();
         for _ in 0..20 {
             handled.step(body.as_mut(), 0.01, |k, _| forces[k]);
             for (old, new) in before.iter().zip(distances(&handled)) {
@@ -111,7 +111,7 @@ fn the_power_of_any_load_is_the_same_on_both_sides_of_the_interface() {
     for Case { what, half, mut body } in cases() {
         let mut handled = Handled::new(body.as_mut(), SPACING, half);
         for _ in 0..10 {
-            let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.next(), noise.next()]).collect();
+            let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.draw(), noise.draw()]).collect();
             handled.start(body.as_mut(), |k, _| forces[k]);
             let (w, motion) = (&handled.walls, body.motion().unwrap_or_default());
             let pairs = (0..w.len()).map(|k| [w.fx[k] * w.u[k], w.fy[k] * w.v[k]]);
@@ -133,7 +133,7 @@ fn the_power_of_any_load_is_the_same_on_both_sides_of_the_interface() {
 fn placement_error(mut body: Box<dyn WettedBody>, half: bool, dt: f64) -> f64 {
     let mut handled = Handled::new(body.as_mut(), SPACING, half);
     let mut noise = Noise::new(3);
-    let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.next(), noise.next()]).collect();
+    let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.draw(), noise.draw()]).collect();
     handled.start(body.as_mut(), |k, _| forces[k]);
     handled.place(body.as_ref(), dt);
     let promised = (handled.walls.x.clone(), handled.walls.y.clone());
