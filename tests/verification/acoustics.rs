@@ -60,8 +60,8 @@ fn period_error(cells: f64) -> f64 {
 }
 
 /// Sound travels at c₀, to 1.5 % over 40 cells. The error is of first order in the spacing, not of second as inside the
-/// fluid: the walls tell a particle how fast it comes (E10), not how fast the water beside them is stretched along
-/// them, so the rows along a wall are a little soft.
+/// fluid, and larger in a lower box, so it comes from the rows beside the walls: there E10 counts how fast the water
+/// comes at the wall, and not how fast it is stretched along it.
 #[test]
 fn sound_crosses_a_closed_box_at_its_speed() {
     let (coarse, fine) = (period_error(20.0), period_error(40.0));

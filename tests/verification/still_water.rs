@@ -38,8 +38,7 @@ fn still_water_carries_its_weight() {
 }
 
 /// Even water loses its square lattice after a second or two, at speeds of millimetres a second, and then comes to
-/// rest: kinetic energy falls tenfold from its peak. It never holds more than 1e-5 of ρ g H² per unit width, the
-/// energy that lifting the water by half its depth takes.
+/// rest: kinetic energy falls tenfold from its peak, which stays below 1e-5 of ρ g H² per metre of width (H = 1 m).
 #[test]
 fn even_still_water_comes_to_rest() {
     let mut system = system("hydrostatic_tank", &["resolution.spacing=0.05"]);
