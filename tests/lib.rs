@@ -1,1 +1,16 @@
-//! evidence
+//! Cross-crate evidence, in four kinds that are kept apart.
+//!
+//! - `verification`: exact answers and observed orders of convergence.
+//! - `validation`: experiments and others' solutions, as data for `splashdown validate`.
+//! - `regression`: frozen counters of our own runs, which say nothing about physics.
+//! - `stability`: known failures of the method, each asserted, with its remedy beside it.
+//!
+//! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
+//! coarse [`systems`] to step, a hand-made [`load`] to push bodies with, and small [`statistics`].
+
+#[path = "support/load.rs"]
+pub mod load;
+#[path = "support/statistics.rs"]
+pub mod statistics;
+#[path = "support/systems.rs"]
+pub mod systems;

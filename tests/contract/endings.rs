@@ -1,0 +1,74 @@
+//! However a run ends, what it has written can be read.
+
+use crate::command::{Ended, Workplace, read_log};
+
+/// A run that takes long and writes a frame every few steps.
+const LONG: [&str; 6] =
+    ["run", "wedge_constant", "--set", "resolution.spacing=0.02", "--set", "time.frame_every=0.002"];
+const OUT: [&str; 3] = ["--out", "out", "--quiet"];
+/// Bytes that a log has grown to once it holds some frames of that run.
+const SOME_FRAMES: u64 = 500_000;
+
+/// Killed without a chance to tidy up, a run leaves a log whose whole chunks a reader without need of a summary reads.
+#[test]
+fn a_killed_run_leaves_a_log_that_can_be_read() {
+    let place = Workplace::new();
+    let mut child = place.start_until(&[&LONG[..], &OUT].concat(), "out/log.mcap", SOME_FRAMES);
+    child.kill().expect("a child to kill");
+    let ended = Ended::from(child.wait_with_output().expect("a child to wait for"));
+    #[cfg(unix)]
+    assert_eq!(ended.code, None, "the run ended by itself: {}", ended.message);
+    let log = read_log(&place.read("out/log.mcap"));
+    assert!(log.fluid_frames >= 1, "no frame of the fluid can be read");
+    assert!(!log.complete, "the run was killed after its end");
+    let series = place.text("out/series.csv");
+    assert!(series.starts_with("time_s,") && series.lines().count() > 1, "{series}");
+    assert!(!place.path("out/summary.json").exists(), "a killed run has no summary");
+}
+
+/// Ctrl-C ends a run cleanly: exit 1, status "interrupted", all files there, the log complete.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_finishes_its_files() {
+    let place = Workplace::new();
+    let child = place.start_until(&[&LONG[..], &OUT].concat(), "out/log.mcap", SOME_FRAMES);
+    let id = child.id().to_string();
+    let sent = std::process::Command::new("kill").args(["-INT", &id]).status().expect("the kill command");
+    assert!(sent.success(), "no signal was sent");
+    let ended = Ended::from(child.wait_with_output().expect("a child to wait for"));
+    assert_eq!(ended.code, Some(1), "{}", ended.message);
+    ended.says(&["interrupted at t = "]);
+    let summary = place.summary("out");
+    assert_eq!(summary["status"], "interrupted");
+    let time = summary["time_end_s"].as_f64().expect("a number");
+    assert!(time > 0.0 && time < 1.0, "{time} s");
+    let log = read_log(&place.read("out/log.mcap"));
+    assert!(log.complete && log.fluid_frames > 1);
+    assert!(log.notes.iter().any(|note| contains(note, "interrupted")), "the log does not say why it ends");
+    for file in ["series.csv", "scene.resolved.toml", "report.html"] {
+        assert!(!place.read(&format!("out/{file}")).is_empty(), "{file}");
+    }
+}
+
+/// A run that breaks down numerically (a step far above the acoustic limit) says which particle, where and when; its
+/// log is complete, shows the state that broke, and says the same.
+#[test]
+fn a_run_that_blows_up_says_what_where_and_when() {
+    let place = Workplace::new();
+    let sets = ["run", "wedge_constant", "--set", "resolution.spacing=0.1", "--set", "fluid.cfl=3"];
+    let ended = place.run(&[&sets[..], &OUT].concat());
+    assert_eq!(ended.code, Some(1), "{}", ended.message);
+    ended.says(&["particle ", " at (", ") m ", " at t = "]);
+    let summary = place.summary("out");
+    assert_eq!(summary["status"], "failed");
+    let message = summary["message"].as_str().expect("a message");
+    assert!(ended.message.contains(message), "{message:?} is not {:?}", ended.message);
+    let log = read_log(&place.read("out/log.mcap"));
+    assert!(log.complete && log.fluid_frames > 1);
+    assert!(log.notes.iter().any(|note| contains(note, message)), "the log does not say what broke");
+    assert!(place.text("out/report.html").contains("particle"));
+}
+
+fn contains(bytes: &[u8], text: &str) -> bool {
+    bytes.windows(text.len()).any(|window| window == text.as_bytes())
+}

@@ -1,0 +1,11 @@
+//! The contract of the `splashdown` command, driven as its users drive it: exit codes, messages, files.
+//!
+//! Exit 0 done, 1 the run failed (what, where, when), 2 the input was wrong (file, line, key, given, expected). The
+//! command must be built: `cargo test --workspace --release` builds it before these tests run.
+
+mod command;
+
+mod bits;
+mod endings;
+mod files;
+mod refusals;

@@ -1,0 +1,52 @@
+//! Momentum, and action against reaction, in runs with bodies (THEORY E21).
+
+use evidence::systems::{lift, system, take};
+use fsi_coupling::Coupled;
+
+/// Σ m (a − g) of the fluid and Σ F on the walls [N/m], and Σ |m (a − g)|, the size that rounding is relative to.
+fn exchange(system: &Coupled) -> ([f64; 2], [f64; 2], f64) {
+    let (p, g) = (&system.fluid.particles, system.fluid.parameters.gravity);
+    let (mut gained, mut size) = ([0.0; 2], 0.0);
+    for k in 0..p.len() {
+        let force = [p.mass[k] * (p.ax[k] - g[0]), p.mass[k] * (p.ay[k] - g[1])];
+        (gained[0], gained[1]) = (gained[0] + force[0], gained[1] + force[1]);
+        size += force[0].hypot(force[1]);
+    }
+    (gained, [system.walls.fx.iter().sum(), system.walls.fy.iter().sum()], size)
+}
+
+/// What the fluid gains the walls lose, to rounding, through an oblique impact on a whole (not mirrored) tank: pair
+/// forces on walls are those on the fluid with the roles swapped.
+#[test]
+fn forces_on_walls_are_equal_and_opposite_to_those_on_the_fluid() {
+    let oblique = ["symmetry=none", "body.velocity=[2.0, -6.15]", "body.angle_deg=5", "body.free=[\"x\", \"y\"]"];
+    let mut system = system("wedge", &[&oblique[..], &["resolution.spacing=0.016"]].concat());
+    take(&mut system, 150).expect("a stable run");
+    let (gained, lost, size) = exchange(&system);
+    assert!(lift(&system) > 100.0, "the wedge is not in the water: {} N/m", lift(&system));
+    for k in 0..2 {
+        let gap = (gained[k] + lost[k]).abs();
+        assert!(gap < 1e-12 * size, "axis {k}: the fluid gains {} N/m, the walls {} N/m", gained[k], lost[k]);
+    }
+}
+
+/// In every step of an impact the momentum of fluid and body changes by the impulses of gravity, guides and tank alone:
+/// to 1e-10 of what is held and exchanged, body moved or moving, half a tank or a whole one, and for both integrators.
+#[test]
+fn momentum_closes_in_every_step_of_an_impact() {
+    for (scene, sets) in [
+        ("wedge_constant", vec!["resolution.spacing=0.1"]),
+        ("wedge_constant", vec!["resolution.spacing=0.1", "fluid.integrator=predictor_corrector"]),
+        ("wedge", vec!["resolution.spacing=0.016"]),
+        (
+            "wedge",
+            vec!["resolution.spacing=0.016", "symmetry=none", "body.free=[\"x\", \"y\"]", "body.velocity=[1.0, -6.15]"],
+        ),
+        ("floating_box", vec!["resolution.spacing=0.033", "body.position=[0.1, 0.05]", "body.angle_deg=8"]),
+    ] {
+        let mut system = system(scene, &sets);
+        take(&mut system, 250).expect("a stable run");
+        let worst = system.momentum_audit().worst;
+        assert!(worst > 0.0 && worst < 1e-10, "{scene} {sets:?}: momentum open by {worst:e}");
+    }
+}

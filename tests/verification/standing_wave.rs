@@ -1,0 +1,51 @@
+//! A standing gravity wave in a rectangular tank (Lamb, Hydrodynamics, §228): ω² = g k tanh(k H).
+
+use evidence::statistics::period;
+use evidence::systems::{advance, scene};
+use fsi_coupling::{Coupled, Scheme, Tank, WettedBody};
+use scenarios::build;
+use scenarios::reference::Table;
+use sph_core::eos::Tait;
+use sph_core::{Fluid, Seed};
+
+/// Largest slope k A of the wave [-]: by its third-order term the period changes by 0.12 (k A)² = 0.1 %.
+const STEEPNESS: f64 = 0.1;
+
+/// Half a wavelength of 2 m in a tank 1 m deep, set off with the velocities of the flat moment and no displacement:
+/// u = A ω cosh(k(y + H))/sinh(k H) sin(k x), v = −A ω sinh(k(y + H))/sinh(k H) cos(k x).
+fn wave(spacing: f64, omega: f64) -> Coupled {
+    let scene = scene("hydrostatic_tank", &[&format!("resolution.spacing={spacing}")]);
+    let (k, depth) = (std::f64::consts::PI, 1.0);
+    let speed = STEEPNESS / k * omega / (k * depth).sinh();
+    let (tiling, still) = (build::tiling(&scene), build::build(&scene).expect("a still tank"));
+    let mut seeds = Vec::new();
+    tiling.for_each(|cell| {
+        let (x, height) = (cell.at[0] + 0.5, cell.at[1] + depth);
+        let velocity = [speed * (k * height).cosh() * (k * x).sin(), -speed * (k * height).sinh() * (k * x).cos()];
+        seeds.push(Seed { at: cell.at, velocity, area: cell.area(), pressure: -1000.0 * 9.81 * cell.at[1] });
+    });
+    let parameters =
+        sph_core::Parameters { eos: Tait { c0: 60.0, ..still.fluid.parameters.eos }, ..still.fluid.parameters };
+    let tank: Box<dyn WettedBody> = Box::new(Tank::new(tiling, [-0.5, 0.5], -depth, 0.5, false));
+    Coupled::new(Fluid::new(parameters, &seeds), vec![tank], Scheme::Weak, spacing).expect("a tank of water")
+}
+
+/// The water's centre of mass swings with the wave; its period meets the exact one within 2 %.
+#[test]
+fn a_standing_wave_has_lambs_period() {
+    let name = "exact/standing_wave_frequency.csv";
+    let table = Table::load(name).expect("a reference");
+    let first = |column: &str| table.column(name, column).expect("a column")[0];
+    assert_eq!([first("wavelength_m"), first("depth_m")], [2.0, 1.0], "another wave stands first in the table");
+    let omega = first("omega");
+    let mut system = wave(0.04, omega);
+    let mut swing = Vec::new();
+    advance(&mut system, 2.5, |s| {
+        let p = &s.fluid.particles;
+        let moment: f64 = (0..p.len()).map(|k| p.mass[k] * p.x[k]).sum();
+        swing.push([s.fluid.time, moment / s.fluid.mass()]);
+    })
+    .expect("a stable run");
+    let (ours, exact) = (period(&swing), 2.0 * std::f64::consts::PI / omega);
+    assert!((ours / exact - 1.0).abs() < 0.02, "period {ours:.4} s, exact {exact:.4} s");
+}
