@@ -117,6 +117,26 @@ impl WedgeSimilarity {
     }
 }
 
+impl WedgeSimilarity {
+    /// RMS difference of a profile (x/(Vt), Cp) from this one, from the keel to the pressure peak or to `least`
+    /// [x/(Vt)], whichever is farther, over the largest Cp [-].
+    pub fn profile_error(&self, profile: &[[f64; 2]], least: f64) -> f64 {
+        let peak = self.profile.iter().max_by(|a, b| a[1].total_cmp(&b[1])).map_or(0.0, |p| p[0]);
+        let end = peak.max(least);
+        let squares: Vec<f64> =
+            profile.iter().filter(|p| p[0] <= end).map(|p| (p[1] - self.cp(p[0])).powi(2)).collect();
+        (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / self.cp_max
+    }
+
+    /// Cp at x/(Vt), linear between the table's points.
+    fn cp(&self, x: f64) -> f64 {
+        let table = &self.profile;
+        let k = table.partition_point(|p| p[0] < x).clamp(1, table.len() - 1);
+        let ([x0, c0], [x1, c1]) = (table[k - 1], table[k]);
+        c0 + (c1 - c0) * ((x - x0) / (x1 - x0)).clamp(0.0, 1.0)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,6 +154,10 @@ mod tests {
         }
         assert_eq!(WedgeSimilarity::at(30.0).unwrap().force_coefficient, 14.0201);
         assert!(WedgeSimilarity::at(33.0).is_none());
+        let exact = WedgeSimilarity::at(45.0).unwrap();
+        assert!(exact.profile_error(&exact.profile, 1.25) < 1e-12);
+        let tenth_off: Vec<[f64; 2]> = exact.profile.iter().map(|p| [p[0], p[1] + 0.1 * exact.cp_max]).collect();
+        assert!((exact.profile_error(&tenth_off, 1.25) - 0.1).abs() < 1e-12);
     }
 
     #[test]

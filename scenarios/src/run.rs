@@ -240,7 +240,8 @@ impl Recorder {
     ) -> Summary {
         let fluid = &system.fluid;
         let since = LATE * fluid.time;
-        let similarity = self.similarity.as_ref().and_then(SimilarityWindow::result);
+        let exact = compare::similarity_of(scene);
+        let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
         let curves = scene.compare.iter().zip(references);
         let mut comparison: Vec<Comparison> =
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();

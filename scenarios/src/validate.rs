@@ -61,8 +61,12 @@ pub struct Expect {
 pub struct Coarser {
     /// Further overrides.
     pub set: Vec<String>,
-    /// Paths of expected numbers whose relative error must fall from the coarser run to the finer.
+    /// Paths of expected numbers whose error must fall from the coarser run to the finer: the relative error
+    /// where the number has a reference, else the number itself.
     pub error_falls: Vec<String>,
+    /// Errors below this need not fall any further: they are lost in the noise.
+    #[serde(default)]
+    pub noise: f64,
 }
 
 /// A line of the table.
@@ -148,9 +152,8 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
         }));
     }
     if let Some(coarser) = &case.coarser {
-        let coarse = run_with(case, &coarser.set, None)?;
-        let coarse = serde_json::to_value(&coarse).unwrap_or_default();
-        lines.extend(coarser.error_falls.iter().map(|path| falls(case, path, &json, &coarse, cost)));
+        let coarse = serde_json::to_value(run_with(case, &coarser.set, None)?).unwrap_or_default();
+        lines.extend(coarser.error_falls.iter().map(|path| falls(case, coarser, path, &json, &coarse, cost)));
     }
     let finished = summary.status == crate::summary::Status::Completed;
     lines.iter_mut().for_each(|l| l.holds &= finished);
@@ -192,19 +195,20 @@ fn judge(case: &Case, expect: &Expect, json: &Value, core_seconds: f64) -> Line 
     }
 }
 
-fn falls(case: &Case, path: &str, fine: &Value, coarse: &Value, core_seconds: f64) -> Line {
-    let reference = case.expect.iter().find(|e| e.value == path).and_then(|e| e.reference).unwrap_or(f64::NAN);
-    let error = |json: &Value| read(json, path) / reference - 1.0;
+fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &Value, coarse: &Value, core_seconds: f64) -> Line {
+    let reference = case.expect.iter().find(|e| e.value == path).and_then(|e| e.reference);
+    let error = |json: &Value| reference.map_or(read(json, path), |r| read(json, path) / r - 1.0);
     let (fine, coarse) = (error(fine), error(coarse));
+    let noise = coarser.noise;
     Line {
         case: case.name.clone(),
         quantity: format!("{path}, error against the coarser run's"),
         ours: fine,
         theirs: number(coarse),
         error: None,
-        allowed: "smaller".into(),
-        holds: fine.abs() < coarse.abs(),
-        source: case.coarser.as_ref().map_or(String::new(), |c| c.set.join(" ")),
+        allowed: if noise > 0.0 { format!("smaller, or both below {}", number(noise)) } else { "smaller".into() },
+        holds: fine.abs() < coarse.abs() || fine.abs().max(coarse.abs()) < noise,
+        source: coarser.set.join(" "),
         core_seconds,
     }
 }

@@ -7,6 +7,7 @@ use serde::Serialize;
 use sph_core::probe::Probe;
 
 use super::{Frame, ObserveError, Observer};
+use crate::reference::WedgeSimilarity;
 use crate::scene::{Scene, Shape};
 
 /// Points along the face, in similarity coordinates.
@@ -33,6 +34,10 @@ pub struct SimilarityResult {
     pub cp_max_of_mean: f64,
     /// Height of that largest value above still water over Vt [-].
     pub z_max_over_vt: f64,
+    /// RMS difference of the mean profile from the exact one, from the keel to the pressure peak (to four fifths
+    /// of the wetted width where the peak is at the keel), over the exact largest Cp [-]; `null` where no exact
+    /// solution is tabulated.
+    pub profile_error: Option<f64>,
     /// Mean profile: x/(Vt), Cp.
     #[serde(skip)]
     pub profile: Vec<[f64; 2]>,
@@ -80,8 +85,8 @@ impl SimilarityWindow {
         self.reach * (k as f64 + 0.5) / POINTS as f64
     }
 
-    /// The numbers, once the window holds samples.
-    pub fn result(&self) -> Option<SimilarityResult> {
+    /// The numbers, once the window holds samples; judged against `exact`, if there is one.
+    pub fn result(&self, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
         let n = self.times.len() as f64;
         let moments = |v: &[f64]| {
             let mean = v.iter().sum::<f64>() / n;
@@ -100,6 +105,7 @@ impl SimilarityWindow {
             cp_max_sd: peak_sd,
             cp_max_of_mean: top[1],
             z_max_over_vt: top[0] * self.tan - 1.0,
+            profile_error: exact.map(|e| e.profile_error(&profile, 0.8 * std::f64::consts::FRAC_PI_2 / self.tan)),
             profile,
         })
     }

@@ -194,7 +194,8 @@ fn a_fall_through_air_counts_with_its_speed_at_contact() {
 fn warnings_come_with_their_cause_and_go_with_its_cure() {
     #[rustfmt::skip]
     let table: &[(&[&str], &[&str], &str)] = &[
-        (&["fluid.cfl=0.9"], &[], "0.8 ran, 1.0 blew up"),
+        (&["fluid.cfl=0.9"], &[], "0.8 ran, 1.2 blew up"),
+        (&["body.mass=0.5"], &[], "light for weak coupling"),
         (&["resolution.growth=1.5"], &[], "9 % of the force"),
         (&["resolution.spacing=0.009"], &["resolution.spacing=0.002"], "peak pressure unreliable"),
         (&["time.end=0.005"], &[], "the draught at the end is 4."),
