@@ -28,6 +28,9 @@ pub enum CouplingError {
     /// A body broke down.
     #[error(transparent)]
     Body(#[from] BodyError),
+    /// The bodies leave no room for water.
+    #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
+    NoFluid,
     /// A scheme that is named but not built.
     #[error("coupling scheme `iterated` is not available in this version: use `weak`")]
     SchemeNotAvailable,
@@ -68,6 +71,9 @@ impl Coupled {
     ) -> Result<Coupled, CouplingError> {
         if scheme == Scheme::Iterated {
             return Err(CouplingError::SchemeNotAvailable);
+        }
+        if fluid.particles.is_empty() {
+            return Err(CouplingError::NoFluid);
         }
         let ratio = fluid.parameters.smoothing_ratio;
         let layers = (2.0 * ratio - 1e-9).ceil() as usize;

@@ -68,6 +68,29 @@ pub fn minimum_width(points: &[[f64; 2]]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
+/// Smallest distance from the middle of a side, straight into the polygon, to a side that is not its neighbour [m]:
+/// the thickness of its thinnest fin or web; infinite for a triangle.
+pub fn thinnest_web(outline: &[[f64; 2]]) -> f64 {
+    let sides: Vec<_> = edges(outline).collect();
+    let n = sides.len();
+    let mut thinnest = f64::INFINITY;
+    for (i, (a, b)) in sides.iter().enumerate() {
+        let (inward, middle) = (normal(*a, *b).map(|x| -x), [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
+        for (j, (c, d)) in sides.iter().enumerate() {
+            if (i + n - j) % n <= 1 || (j + n - i) % n <= 1 {
+                continue;
+            }
+            let (u, w) = ([d[0] - c[0], d[1] - c[1]], [c[0] - middle[0], c[1] - middle[1]]);
+            let cross = inward[0] * u[1] - inward[1] * u[0];
+            let (along, share) = ((w[0] * u[1] - w[1] * u[0]) / cross, (w[0] * inward[1] - w[1] * inward[0]) / cross);
+            if along > 0.0 && (0.0..=1.0).contains(&share) {
+                thinnest = thinnest.min(along);
+            }
+        }
+    }
+    thinnest
+}
+
 /// Counter-clockwise convex hull by the monotone chain (Andrew 1979).
 fn convex_hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut sorted = points.to_vec();
@@ -186,6 +209,22 @@ mod tests {
         let tilted = RECTANGLE.map(|[x, y]| [x * a.cos() - y * a.sin(), x * a.sin() + y * a.cos()]);
         assert!((minimum_width(&tilted) - 1.0).abs() < 1e-14);
         assert!((flattest_downward_face(&tilted) - a).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_fin_under_a_hull_is_its_thinnest_web() {
+        let fin = [
+            [-0.2, 0.0],
+            [-0.005, 0.0],
+            [-0.005, -0.15],
+            [0.005, -0.15],
+            [0.005, 0.0],
+            [0.2, 0.0],
+            [0.2, 0.2],
+            [-0.2, 0.2],
+        ];
+        assert!((thinnest_web(&fin) - 0.01).abs() < 1e-15);
+        assert_eq!(thinnest_web(&RECTANGLE), 1.0);
     }
 
     #[test]

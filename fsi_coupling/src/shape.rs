@@ -97,10 +97,11 @@ impl Shape {
         polygon::centroid(&self.outline())
     }
 
-    /// Smallest dimension of the body [m]: a plate's thickness, else the smallest width of the outline in any direction.
+    /// Smallest dimension of the body [m]: a plate's thickness, a polygon's thinnest web, else the smallest width of the outline in any direction.
     pub fn thickness(&self) -> f64 {
         match self {
             Shape::Polyline { thickness, .. } => *thickness,
+            Shape::Polygon { points } => polygon::minimum_width(points).min(polygon::thinnest_web(points)),
             _ => polygon::minimum_width(&self.outline()),
         }
     }

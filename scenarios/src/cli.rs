@@ -1,6 +1,6 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -91,6 +91,11 @@ struct ValidateArgs {
     table: Option<PathBuf>,
 }
 
+/// Print a line; a reader that has gone away is no reason to stop.
+fn say(text: std::fmt::Arguments<'_>) {
+    let _ = writeln!(std::io::stdout(), "{text}");
+}
+
 /// What the process ends with.
 enum Stop {
     Scene(SceneError),
@@ -177,9 +182,9 @@ fn list(cli: &Cli) -> Result<u8, Stop> {
     }
     if cli.json {
         let names: Vec<_> = scenes.iter().map(|(n, d)| serde_json::json!({"scene": n, "description": d})).collect();
-        println!("{}", serde_json::Value::from(names));
+        say(format_args!("{}", serde_json::Value::from(names)));
     } else {
-        scenes.iter().for_each(|(name, description)| println!("{name:<20} {description}"));
+        scenes.iter().for_each(|(name, description)| say(format_args!("{name:<20} {description}")));
     }
     Ok(DONE)
 }
@@ -187,9 +192,12 @@ fn list(cli: &Cli) -> Result<u8, Stop> {
 fn keywords(cli: &Cli) -> Result<u8, Stop> {
     for k in scene::keywords() {
         if cli.json {
-            println!("{}", serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc}));
+            say(format_args!(
+                "{}",
+                serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc})
+            ));
         } else {
-            println!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default);
+            say(format_args!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default));
         }
     }
     Ok(DONE)
@@ -213,9 +221,9 @@ fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
     let loaded = load(args)?;
     let forecast = forecast(&loaded.scene, &loaded.warnings);
     if cli.json {
-        println!("{}", serde_json::to_string_pretty(&forecast).unwrap_or_default());
+        say(format_args!("{}", serde_json::to_string_pretty(&forecast).unwrap_or_default()));
     } else {
-        println!("{}", forecast.to_text());
+        say(format_args!("{}", forecast.to_text()));
     }
     Ok(DONE)
 }
@@ -247,10 +255,10 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     bar.finish_and_clear();
     let summary = outcome?.summary;
     if cli.json {
-        println!("{}", summary.to_json());
+        say(format_args!("{}", summary.to_json()));
     } else if !cli.quiet {
-        println!("{}", in_words(&summary));
-        println!("files in {}: open report.html", out.display());
+        say(format_args!("{}", in_words(&summary)));
+        say(format_args!("files in {}: open report.html", out.display()));
     }
     match summary.status {
         Status::Completed => Ok(DONE),
@@ -291,7 +299,7 @@ fn in_words(s: &Summary) -> String {
 fn validate_cases(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
     if args.cases.is_empty() && !args.all {
         for case in validate::cases()? {
-            println!("{:<24} {}", case.name, case.about);
+            say(format_args!("{:<24} {}", case.name, case.about));
         }
         return Ok(DONE);
     }
@@ -303,7 +311,7 @@ fn validate_cases(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
         lines.extend(validate::run_case(&case, args.out.as_ref())?);
     }
     let table = validate::to_markdown(&lines);
-    print!("{table}");
+    say(format_args!("{}", table.trim_end()));
     if let Some(path) = &args.table {
         let text =
             format!("# Validation\n\nWritten by `splashdown validate --all --table tests/VALIDATION.md`.\n\n{table}");

@@ -215,7 +215,7 @@ impl Recorder {
     /// A run that stops early shows its last state and says why.
     fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let frame = Frame { system, gauges: &gauges, penetrated: 0, particles: true };
+        let frame = Frame { system, gauges: &gauges, penetrated: system.penetrated().0, particles: true };
         self.pictures.keep(&frame);
         if let Some(log) = &mut self.log {
             log.observe(&frame)?;
