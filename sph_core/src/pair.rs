@@ -147,9 +147,9 @@ fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64, contac
 /// E6: fluid nearer to a wall particle than this share of the wall's spacing is about to pass between wall
 /// particles: on the wall's surface, half a spacing above its first row, it is 0.5 to 0.71 spacings away; in an
 /// even arrangement 1.
-const CONTACT: f64 = 0.75;
+const CONTACT: f64 = 0.9;
 
-/// E6: contact pressure [Pa] between fluid and wall: ρ₀c₀² (1 − r/(0.75 Δx_w))₊, zero unless water is pressed
+/// E6: contact pressure [Pa] between fluid and wall: ρ₀c₀² (1 − r/(0.9 Δx_w))₊, zero unless water is pressed
 /// through the first row.
 #[inline(always)]
 fn contact(ab: &Bond, wall_volume: f64, c: &Constants) -> f64 {
