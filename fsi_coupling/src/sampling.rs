@@ -2,9 +2,8 @@
 //!
 //! The outline is cut into faces at its corners; each face carries rows at depths ½Δx, 1½Δx, … Every row
 //! is trimmed where another face is nearer (at convex corners rows of both faces would overlap), and its
-//! visible part is divided evenly, with one particle on the bisector of a convex corner: without it the tip has a
-//! hole of a spacing's radius, through which water entered rotated boxes. A re-entrant corner, whose rows leave a
-//! gap, gets a fan.
+//! visible part is divided evenly, so that rows keep half a spacing from the bisector of a corner. A
+//! re-entrant corner, whose rows leave a gap, gets a fan.
 
 use sph_core::WallPoint;
 
@@ -24,11 +23,8 @@ pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool) -> Vec
         for layer in 0..layers {
             let depth = (layer as f64 + 0.5) * spacing;
             for (k, face) in faces.iter().enumerate() {
-                let before = &faces[(k + faces.len() - 1) % faces.len()];
-                let after = &faces[(k + 1) % faces.len()];
-                let corners = [corner(before, face), corner(face, after)];
-                sample_row(outline, face, corners, depth, spacing, half, &mut points);
-                sample_fan(face, after, depth, spacing, half, &mut points);
+                sample_row(outline, face, depth, spacing, half, &mut points);
+                sample_fan(face, &faces[(k + 1) % faces.len()], depth, spacing, half, &mut points);
             }
         }
     }
@@ -91,96 +87,35 @@ fn station(row: &[(f64, Station)], s: f64) -> Station {
     (mix(a, b), n)
 }
 
-/// Where the face turns away from the fluid into the next by a corner's angle: the normal on the bisector.
-fn corner(face: &Face, next: &Face) -> Option<[f64; 2]> {
-    if turn_between(face, next) <= CORNER_DEG.to_radians() {
-        return None;
-    }
-    let [a, b] = [normal(face[face.len() - 2], face[face.len() - 1]), normal(next[0], next[1])];
-    let sum = [a[0] + b[0], a[1] + b[1]];
-    let size = sum[0].hypot(sum[1]);
-    Some([sum[0] / size, sum[1] / size])
-}
-
-/// Turn of the normal from the end of a face to the start of the next [rad].
-fn turn_between(face: &Face, next: &Face) -> f64 {
-    let a = normal(face[face.len() - 2], face[face.len() - 1]);
-    let b = normal(next[0], next[1]);
-    (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
-}
-
-/// A row of one face. `corners` are the bisectors' normals where the face starts and ends at a convex corner.
-fn sample_row(
-    outline: &Outline,
-    face: &Face,
-    corners: [Option<[f64; 2]>; 2],
-    depth: f64,
-    spacing: f64,
-    half: bool,
-    points: &mut Vec<WallPoint>,
-) {
+fn sample_row(outline: &Outline, face: &Face, depth: f64, spacing: f64, half: bool, points: &mut Vec<WallPoint>) {
     let row = offset(face, depth);
     let total = row[row.len() - 1].0;
     let steps = (total / (TRIM * spacing)).ceil().max(1.0) as usize;
     let ds = total / steps as f64;
     let visible = |s: f64| {
         let (at, _) = station(&row, s);
-        outline.signed_distance(at) < -depth + 1e-9 * spacing && !(half && at[0] < 0.0)
+        outline.signed_distance(at) < -depth * (1.0 - 1e-6) + 1e-4 * spacing && !(half && at[0] < 0.0)
     };
-    // where visibility changes between the middles of two steps, by bisection; at the ends, the ends
-    let edge = |k: usize| {
-        if k == 0 || k == steps {
-            return k as f64 * ds;
-        }
-        let (mut from, mut to) = ((k as f64 - 0.5) * ds, (k as f64 + 0.5) * ds);
-        let seen = visible(to);
-        for _ in 0..50 {
-            let middle = 0.5 * (from + to);
-            if visible(middle) == seen { to = middle } else { from = middle }
-        }
-        0.5 * (from + to)
-    };
-    let mut intervals: Vec<[f64; 2]> = Vec::new();
     let mut start = None;
     for k in 0..=steps {
         let seen = k < steps && visible((k as f64 + 0.5) * ds);
         match (start, seen) {
-            (None, true) => start = Some(edge(k)),
+            (None, true) => start = Some(k as f64 * ds),
             (Some(s0), false) => {
-                intervals.push([s0, edge(k)]);
+                divide(&row, s0, k as f64 * ds, spacing, points);
                 start = None;
             }
             _ => {}
         }
     }
-    let last = intervals.len();
-    for (k, [s0, s1]) in intervals.into_iter().enumerate() {
-        let on_plane = |s: f64| half && station(&row, s).0[0].abs() < 0.1 * spacing;
-        let first = corners[0].filter(|_| k == 0 && !on_plane(s0));
-        let at_corner = [first, corners[1].filter(|_| k + 1 == last && !on_plane(s1))];
-        divide(&row, [s0, s1], at_corner, spacing, points);
-    }
 }
 
-/// Points that divide [s0, s1] evenly. At a corner the point stands on the bisector, so that no hole opens at the
-/// tip; the face that starts there owns it. At other ends the first point keeps half a part away.
-fn divide(
-    row: &[(f64, Station)],
-    [s0, s1]: [f64; 2],
-    at_corner: [Option<[f64; 2]>; 2],
-    spacing: f64,
-    points: &mut Vec<WallPoint>,
-) {
-    let [first, last] = at_corner.map(|corner| if corner.is_some() { 0.5 } else { 0.0 });
-    let length = s1 - s0;
-    let count = (length / spacing + first - last).round();
-    if count < 1.0 {
-        return;
-    }
-    let part = length / (count - first + last);
-    for k in 0..count as usize {
-        let (at, own) = station(row, s0 + (k as f64 + 0.5 - first) * part);
-        let normal = at_corner[0].filter(|_| k == 0).unwrap_or(own);
+/// Points at the middles of equal parts of [s0, s1].
+fn divide(row: &[(f64, Station)], s0: f64, s1: f64, spacing: f64, points: &mut Vec<WallPoint>) {
+    let count = ((s1 - s0) / spacing).round() as usize;
+    for k in 0..count {
+        let part = (s1 - s0) / count as f64;
+        let (at, normal) = station(row, s0 + (k as f64 + 0.5) * part);
         points.push(WallPoint { at, normal, area: part * spacing });
     }
 }
@@ -189,7 +124,8 @@ fn divide(
 fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, half: bool, points: &mut Vec<WallPoint>) {
     let corner = next[0];
     let a = normal(face[face.len() - 2], face[face.len() - 1]);
-    let turn = turn_between(face, next);
+    let b = normal(next[0], next[1]);
+    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
     if turn > -CORNER_DEG.to_radians() {
         return;
     }
