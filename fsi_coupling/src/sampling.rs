@@ -1,9 +1,10 @@
 //! Boundary particles from an outline: rows parallel to its faces, inside the body.
 //!
-//! The outline is cut into faces at its corners; each face carries rows at depths ½Δx, 1½Δx, … Every row
-//! is trimmed where another face is nearer (at convex corners rows of both faces would overlap), and its
-//! visible part is divided evenly, so that rows keep half a spacing from the bisector of a corner. A
-//! re-entrant corner, whose rows leave a gap, gets a fan.
+//! The outline is cut into faces at its corners; each face carries rows at depths ½Δx, 1½Δx, … Every row is
+//! trimmed where another face is nearer, and its visible part is divided evenly. Where two faces meet at a convex
+//! corner, each puts half a particle on the bisector: without them the tip has a hole of a spacing's radius,
+//! through which water enters. A re-entrant corner, whose rows leave a gap, gets a fan. The half of a symmetric
+//! body is its right half, with half of each particle on the plane of symmetry.
 
 use sph_core::WallPoint;
 
@@ -15,33 +16,47 @@ const CORNER_DEG: f64 = 20.0;
 /// Rows are walked in steps of this share of the spacing when trimming.
 const TRIM: f64 = 0.02;
 
-/// Boundary particles of `layers` rows at the given spacing [m]; with `half`, of the part x > 0 only.
+/// Boundary particles of `layers` rows at the given spacing [m]; with `half`, of the part x ≥ 0 only.
 pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool) -> Vec<WallPoint> {
     let mut points = Vec::new();
     for part in outline.loops() {
-        let faces = faces(part, half);
+        let faces = faces(part);
         for layer in 0..layers {
             let depth = (layer as f64 + 0.5) * spacing;
             for (k, face) in faces.iter().enumerate() {
-                sample_row(outline, face, depth, spacing, half, &mut points);
-                sample_fan(face, &faces[(k + 1) % faces.len()], depth, spacing, half, &mut points);
+                let before = &faces[(k + faces.len() - 1) % faces.len()];
+                let after = &faces[(k + 1) % faces.len()];
+                let convex = [turn(before, face), turn(face, after)].map(|turn| turn > CORNER_DEG.to_radians());
+                sample_row(outline, face, convex, depth, spacing, &mut points);
+                sample_fan(face, after, depth, spacing, &mut points);
             }
         }
     }
-    points
+    if half { right_half(points, spacing) } else { points }
+}
+
+/// What lies right of x = 0. On the plane, the half of a corner's particle that the right face owns, and half of any
+/// other.
+fn right_half(points: Vec<WallPoint>, spacing: f64) -> Vec<WallPoint> {
+    let right = |p: WallPoint| {
+        let upright = p.normal[0].abs() < 1e-9;
+        match (p.at[0] / spacing, upright) {
+            (x, _) if x > 1e-6 => Some(p),
+            (x, _) if x < -1e-6 => None,
+            (_, true) => Some(WallPoint { at: [0.0, p.at[1]], area: 0.5 * p.area, ..p }),
+            (_, false) => (p.normal[0] > 0.0).then_some(WallPoint { at: [0.0, p.at[1]], ..p }),
+        }
+    };
+    points.into_iter().filter_map(right).collect()
 }
 
 /// A chain of sides without a sharp corner, as points; counter-clockwise, so the fluid is on its right.
 type Face = Vec<[f64; 2]>;
 
-fn faces(v: &[[f64; 2]], half: bool) -> Vec<Face> {
+fn faces(v: &[[f64; 2]]) -> Vec<Face> {
     let n = v.len();
-    let turn = |k: usize| {
-        let (a, b) = (normal(v[(k + n - 1) % n], v[k]), normal(v[k], v[(k + 1) % n]));
-        (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).to_degrees()
-    };
-    let breaks: Vec<usize> =
-        (0..n).filter(|&k| turn(k).abs() > CORNER_DEG || (half && v[k][0].abs() < 1e-12)).collect();
+    let turn = |k: usize| turn_of(normal(v[(k + n - 1) % n], v[k]), normal(v[k], v[(k + 1) % n]));
+    let breaks: Vec<usize> = (0..n).filter(|&k| turn(k).abs() > CORNER_DEG.to_radians()).collect();
     if breaks.is_empty() {
         return vec![(0..=n).map(|k| v[k % n]).collect()];
     }
@@ -51,6 +66,15 @@ fn faces(v: &[[f64; 2]], half: bool) -> Vec<Face> {
         (0..=count).map(|k| v[(start + k) % n]).collect()
     };
     (0..breaks.len()).map(run).collect()
+}
+
+/// Turn of the normal from the end of a face to the start of the next [rad]: positive at a convex corner.
+fn turn(face: &Face, next: &Face) -> f64 {
+    turn_of(normal(face[face.len() - 2], face[face.len() - 1]), normal(next[0], next[1]))
+}
+
+fn turn_of(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }
 
 /// A place on a row: position and the face's outward normal there.
@@ -82,62 +106,101 @@ fn station(row: &[(f64, Station)], s: f64) -> Station {
     let t = if s1 > s0 { (s - s0) / (s1 - s0) } else { 0.0 };
     let mix = |p: [f64; 2], q: [f64; 2]| [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])];
     // on a straight side both ends' normals would blend with the neighbours': take the side's own
-    let own = normal(a, b);
-    let n = if s1 > s0 { own } else { mix(na, nb) };
+    let n = if t < 1e-9 { na } else if t > 1.0 - 1e-9 { nb } else { normal(a, b) };
     (mix(a, b), n)
 }
 
-fn sample_row(outline: &Outline, face: &Face, depth: f64, spacing: f64, half: bool, points: &mut Vec<WallPoint>) {
+/// A row of one face; `convex` says which of its ends are convex corners.
+fn sample_row(
+    outline: &Outline,
+    face: &Face,
+    convex: [bool; 2],
+    depth: f64,
+    spacing: f64,
+    points: &mut Vec<WallPoint>,
+) {
     let row = offset(face, depth);
+    let intervals = visible(outline, &row, depth, spacing);
+    for (k, interval) in intervals.iter().enumerate() {
+        let at_corner = [convex[0] && k == 0, convex[1] && k + 1 == intervals.len()];
+        divide(&row, *interval, at_corner, spacing, points);
+    }
+}
+
+/// The intervals of running length in which a row lies at its depth from the outline: no other face is nearer.
+fn visible(outline: &Outline, row: &[(f64, Station)], depth: f64, spacing: f64) -> Vec<[f64; 2]> {
     let total = row[row.len() - 1].0;
     let steps = (total / (TRIM * spacing)).ceil().max(1.0) as usize;
     let ds = total / steps as f64;
-    let visible = |s: f64| {
-        let (at, _) = station(&row, s);
-        outline.signed_distance(at) < -depth * (1.0 - 1e-6) + 1e-4 * spacing && !(half && at[0] < 0.0)
+    let seen = |s: f64| outline.signed_distance(station(row, s).0) < -depth + 1e-9 * spacing;
+    // where visibility changes between the middles of two steps, by bisection; at the ends, the ends
+    let edge = |k: usize| {
+        if k == 0 || k == steps {
+            return k as f64 * ds;
+        }
+        let (mut from, mut to) = ((k as f64 - 0.5) * ds, (k as f64 + 0.5) * ds);
+        let after = seen(to);
+        for _ in 0..50 {
+            let middle = 0.5 * (from + to);
+            if seen(middle) == after { to = middle } else { from = middle }
+        }
+        0.5 * (from + to)
     };
+    let mut intervals = Vec::new();
     let mut start = None;
     for k in 0..=steps {
-        let seen = k < steps && visible((k as f64 + 0.5) * ds);
-        match (start, seen) {
-            (None, true) => start = Some(k as f64 * ds),
+        let here = k < steps && seen((k as f64 + 0.5) * ds);
+        match (start, here) {
+            (None, true) => start = Some(edge(k)),
             (Some(s0), false) => {
-                divide(&row, s0, k as f64 * ds, spacing, points);
+                intervals.push([s0, edge(k)]);
                 start = None;
             }
             _ => {}
         }
     }
+    intervals
 }
 
-/// Points at the middles of equal parts of [s0, s1].
-fn divide(row: &[(f64, Station)], s0: f64, s1: f64, spacing: f64, points: &mut Vec<WallPoint>) {
-    let count = ((s1 - s0) / spacing).round() as usize;
-    for k in 0..count {
-        let part = (s1 - s0) / count as f64;
-        let (at, normal) = station(row, s0 + (k as f64 + 0.5) * part);
-        points.push(WallPoint { at, normal, area: part * spacing });
+/// Points that divide [s0, s1] into equal parts. At a corner the first stands on the bisector, with half a part; at
+/// other ends it keeps half a part away.
+fn divide(
+    row: &[(f64, Station)],
+    [s0, s1]: [f64; 2],
+    at_corner: [bool; 2],
+    spacing: f64,
+    points: &mut Vec<WallPoint>,
+) {
+    let [first, last] = at_corner.map(|corner| if corner { 0.5 } else { 0.0 });
+    // n points: s1 − s0 = (n − first − last) parts
+    let fewest = if at_corner == [true; 2] { 2.0 } else { 1.0 };
+    let count = ((s1 - s0) / spacing + first + last).round().max(fewest);
+    let part = (s1 - s0) / (count - first - last);
+    let spaced = (part * spacing).sqrt();
+    for k in 0..count as usize {
+        let (at, normal) = station(row, s0 + (k as f64 + 0.5 - first) * part);
+        let tip = (at_corner[0] && k == 0) || (at_corner[1] && k + 1 == count as usize);
+        let share = if tip { 0.5 } else { 1.0 };
+        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced });
     }
 }
 
 /// The gap between the rows of two faces that meet at a re-entrant corner.
-fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, half: bool, points: &mut Vec<WallPoint>) {
+fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
     let corner = next[0];
     let a = normal(face[face.len() - 2], face[face.len() - 1]);
-    let b = normal(next[0], next[1]);
-    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+    let turn = turn(face, next);
     if turn > -CORNER_DEG.to_radians() {
         return;
     }
     let arc = -turn * depth;
     let count = (arc / spacing).round() as usize;
+    let part = arc / count as f64;
     for k in 0..count {
         let angle = a[1].atan2(a[0]) + turn * (k as f64 + 0.5) / count as f64;
         let normal = [angle.cos(), angle.sin()];
         let at = [corner[0] - depth * normal[0], corner[1] - depth * normal[1]];
-        if !(half && at[0] < 0.0) {
-            points.push(WallPoint { at, normal, area: arc / count as f64 * spacing });
-        }
+        points.push(WallPoint { at, normal, area: part * spacing, spacing: (part * spacing).sqrt() });
     }
 }
 
@@ -171,13 +234,55 @@ mod tests {
         assert!((sampled / strip - 1.0).abs() < 0.01, "sampled {sampled}, strip {strip}");
     }
 
+    /// A body that is symmetric, and whose keel, arc or deck meets the plane of symmetry.
+    fn symmetric_bodies() -> [Shape; 3] {
+        [
+            Shape::Wedge { deadrise_deg: 30.0, breadth: 1.0, side_height: 0.3 },
+            Shape::Arc { radius: 1.0, breadth: 1.2, side_height: 0.3 },
+            Shape::Box { breadth: 0.93, height: 0.4 },
+        ]
+    }
+
     #[test]
     fn a_half_and_its_mirror_image_are_the_whole() {
-        let arc = Outline::of(&Shape::Arc { radius: 1.0, breadth: 1.2, side_height: 0.3 }).unwrap();
-        let half = sample(&arc, 0.05, 3, true);
-        assert!(half.iter().all(|p| p.at[0] > 0.0));
-        let nearest = half.iter().map(|p| p.at[0]).fold(f64::MAX, f64::min);
-        assert!((nearest / 0.025 - 1.0).abs() < 0.1, "first point at {nearest}");
+        for shape in symmetric_bodies() {
+            let outline = Outline::of(&shape).unwrap();
+            let (half, whole) = (sample(&outline, 0.05, 3, true), sample(&outline, 0.05, 3, false));
+            let area = |points: &[WallPoint]| points.iter().map(|p| p.area).sum::<f64>();
+            assert!((2.0 * area(&half) / area(&whole) - 1.0).abs() < 1e-9, "{shape:?}");
+            for p in &half {
+                for side in [1.0, -1.0] {
+                    let same = |q: &&WallPoint| {
+                        (q.at[0] - side * p.at[0]).hypot(q.at[1] - p.at[1]) < 1e-9
+                            && (q.normal[0] - side * p.normal[0]).hypot(q.normal[1] - p.normal[1]) < 1e-9
+                    };
+                    let q = whole.iter().find(same).unwrap_or_else(|| panic!("{shape:?}: no image of {p:?}"));
+                    let share = if p.at[0] == 0.0 && p.normal[0].abs() < 1e-9 { 0.5 } else { 1.0 };
+                    assert!((share * q.area - p.area).abs() < 1e-9 * q.area, "{p:?} and {q:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_convex_corner_has_two_halves_of_a_particle_on_its_bisector() {
+        let s = 0.05;
+        for shape in symmetric_bodies() {
+            let outline = Outline::of(&shape).unwrap();
+            let points = sample(&outline, s, 1, false);
+            let v = &outline.loops()[0];
+            let n = v.len();
+            for k in 0..n {
+                let (a, b) = (normal(v[(k + n - 1) % n], v[k]), normal(v[k], v[(k + 1) % n]));
+                if turn_of(a, b) < CORNER_DEG.to_radians() {
+                    continue;
+                }
+                let mitre = 0.5 * s / (1.0 + a[0] * b[0] + a[1] * b[1]);
+                let at = [v[k][0] - mitre * (a[0] + b[0]), v[k][1] - mitre * (a[1] + b[1])];
+                let found = points.iter().filter(|p| (p.at[0] - at[0]).hypot(p.at[1] - at[1]) < 1e-6).count();
+                assert_eq!(found, 2, "{shape:?}: corner {:?}", v[k]);
+            }
+        }
     }
 
     #[test]

@@ -59,14 +59,14 @@ impl WettedBody for Tank {
         let depth = |layer: usize, s: f64| (layer as f64 + 0.5) * s;
         for (x, s) in self.divide(self.x[0], self.x[1], |x| [x, self.floor]) {
             for layer in 0..layers {
-                points.push(WallPoint { at: [x, self.floor - depth(layer, s)], normal: [0.0, 1.0], area: s * s });
+                points.push(WallPoint { at: [x, self.floor - depth(layer, s)], normal: [0.0, 1.0], area: s * s, spacing: s });
             }
         }
         let sides: &[(f64, f64)] = if self.half { &[(1.0, self.x[1])] } else { &[(1.0, self.x[1]), (-1.0, self.x[0])] };
         for &(out, wall) in sides {
             for (y, s) in self.divide(self.floor, self.rim, |y| [wall, y]) {
                 for layer in 0..layers {
-                    points.push(WallPoint { at: [wall + out * depth(layer, s), y], normal: [-out, 0.0], area: s * s });
+                    points.push(WallPoint { at: [wall + out * depth(layer, s), y], normal: [-out, 0.0], area: s * s, spacing: s });
                 }
             }
             let s = self.tiling.spacing_at([wall, self.floor]);
@@ -77,6 +77,7 @@ impl WettedBody for Tank {
                         at: [wall + out * depth(i, s), self.floor - depth(j, s)],
                         normal,
                         area: s * s,
+                        spacing: s,
                     });
                 }
             }

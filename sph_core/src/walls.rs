@@ -10,8 +10,10 @@ pub struct WallPoint {
     pub at: [f64; 2],
     /// Unit normal of the nearest face, pointing into the fluid [-].
     pub normal: [f64; 2],
-    /// Area it stands for [m²].
+    /// Area it stands for [m²]: half of its own where it lies on a plane of symmetry.
     pub area: f64,
+    /// Distance to its neighbours [m].
+    pub spacing: f64,
 }
 
 /// All boundary particles. One entry per particle in every array.
@@ -74,7 +76,7 @@ impl Walls {
             self.nx.push(point.normal[0]);
             self.ny.push(point.normal[1]);
             self.volume.push(point.area);
-            self.h.push(ratio * point.area.sqrt());
+            self.h.push(ratio * point.spacing);
         }
         let n = self.len();
         for array in [
