@@ -71,6 +71,17 @@ pub struct Ledger {
     pub external: [f64; 2],
 }
 
+/// A place on a body's surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Where [m].
+    pub at: [f64; 2],
+    /// Unit normal out of the body [-].
+    pub normal: [f64; 2],
+    /// Velocity of the body there [m/s].
+    pub velocity: [f64; 2],
+}
+
 /// A body in the fluid. One coupled step calls `place`, then the fluid steps, then `load`, then `advance`.
 pub trait WettedBody: Send {
     /// Name, as in output columns.
@@ -116,6 +127,12 @@ pub trait WettedBody: Send {
 
     /// Distance of a point from the body's surface [m], positive in the fluid.
     fn clearance(&self, at: [f64; 2]) -> f64;
+
+    /// The place of the surface that is nearest to a point in space.
+    fn surface(&self, at: [f64; 2]) -> Surface;
+
+    /// A blow: an impulse [N s/m] at a place in space, at once, besides the load.
+    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]);
 
     /// True for a body whose motion is given: the load's work on it leaves the system.
     fn prescribed(&self) -> bool;

@@ -7,6 +7,8 @@ use sph_core::audit::FluidEnergy;
 use sph_core::{Breakdown, Fluid, Walls};
 
 use crate::body::{BodyError, WettedBody};
+use crate::contact::throw_back;
+use crate::penetration::{Penetration, run_into};
 
 /// How fluid and bodies agree on a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,6 +30,23 @@ pub enum CouplingError {
     /// A body broke down.
     #[error(transparent)]
     Body(#[from] BodyError),
+    /// A body ran into another's wall: contact between solids is not modelled.
+    #[error(
+        "body `{body}` ran into `{wall}` at ({x:.6}, {y:.6}) m, t = {time:.6e} s: contact of solids is not modelled; \
+         give it more room or end the run earlier"
+    )]
+    Collision {
+        /// The body that moved.
+        body: String,
+        /// What it ran into.
+        wall: String,
+        /// Where [m].
+        x: f64,
+        /// Where [m].
+        y: f64,
+        /// When [s].
+        time: f64,
+    },
     /// The bodies leave no room for water.
     #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
     NoFluid,
@@ -35,6 +54,9 @@ pub enum CouplingError {
     #[error("coupling scheme `iterated` is not available in this version: use `weak`")]
     SchemeNotAvailable,
 }
+
+/// Bodies may touch: this share of a spacing beyond each other is no collision.
+const PLAY: f64 = 0.01;
 
 struct Member {
     body: Box<dyn WettedBody>,
@@ -48,6 +70,7 @@ pub struct Coupled {
     /// All boundary particles.
     pub walls: Walls,
     members: Vec<Member>,
+    play: f64,
     audit: MomentumAudit,
     energy_at_start: f64,
     fluid_at_start: FluidEnergy,
@@ -89,6 +112,7 @@ impl Coupled {
             fluid,
             walls,
             members,
+            play: PLAY * spacing,
             audit: MomentumAudit::default(),
             energy_at_start: 0.0,
             fluid_at_start: FluidEnergy::default(),
@@ -116,7 +140,29 @@ impl Coupled {
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
+        self.throw_back(); //                                           contact of single particles
         self.close_momentum(dt);
+        self.refuse_collision()
+    }
+
+    /// E25: particles beyond a body's surface return to it.
+    fn throw_back(&mut self) {
+        for particle in self.fluid.suspects(&self.walls) {
+            for m in &mut self.members {
+                throw_back(&mut self.fluid, particle, m.body.as_mut());
+            }
+        }
+    }
+
+    fn refuse_collision(&self) -> Result<(), CouplingError> {
+        for (k, m) in self.members.iter().enumerate() {
+            for (_, other) in self.members.iter().enumerate().filter(|(j, _)| *j != k) {
+                if let Some([x, y]) = run_into(m.body.as_ref(), other.body.as_ref(), self.play) {
+                    let (body, wall) = (m.body.name().to_string(), other.body.name().to_string());
+                    return Err(CouplingError::Collision { body, wall, x, y, time: self.fluid.time });
+                }
+            }
+        }
         Ok(())
     }
 
@@ -139,19 +185,21 @@ impl Coupled {
         self.members[k].range.clone()
     }
 
-    /// Fluid particles beyond a wall's surface: (how many, deepest [m]).
-    pub fn penetrated(&self) -> (usize, f64) {
+    /// Fluid particles beyond a wall's surface, or behind the plane of symmetry.
+    pub fn penetration(&self) -> Penetration {
         let p = &self.fluid.particles;
-        let (mut count, mut deepest) = (0, 0.0_f64);
+        let mut found = Penetration::default();
         for k in 0..p.len() {
-            let clearance =
-                self.members.iter().map(|m| m.body.clearance([p.x[k], p.y[k]])).fold(f64::INFINITY, f64::min);
+            let at = [p.x[k], p.y[k]];
             let behind = self.fluid.parameters.mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
-            let clearance = clearance.min(behind);
-            count += usize::from(clearance < 0.0);
-            deepest = deepest.max(-clearance);
+            let plane = std::iter::once((behind, ""));
+            let bodies = self.members.iter().map(|m| (m.body.clearance(at), m.body.name()));
+            let nearest = plane.chain(bodies).min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((clearance, owner)) = nearest {
+                found.count(p.id[k], at, clearance, owner);
+            }
         }
-        (count, deepest)
+        found
     }
 
     /// Momentum closure so far.

@@ -5,9 +5,11 @@
 //! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
 
 pub mod body;
+mod contact;
 pub mod coupled;
 pub mod fill;
 pub mod outline;
+pub mod penetration;
 pub mod polygon;
 pub mod pose;
 pub mod prescribed;
@@ -16,9 +18,10 @@ pub mod sampling;
 pub mod shape;
 pub mod tank;
 
-pub use body::{BodyError, Energy, Ledger, Motion, WettedBody};
+pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 pub use coupled::{Coupled, CouplingError, Scheme};
 pub use outline::Outline;
+pub use penetration::{Breach, Penetration};
 pub use prescribed::PrescribedBody;
 pub use rigid::{RigidBody2d, RigidSpec};
 pub use shape::Shape;

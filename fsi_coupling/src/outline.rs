@@ -8,6 +8,9 @@ use crate::body::BodyError;
 use crate::polygon;
 use crate::shape::Shape;
 
+/// Below this distance [m] the way to the nearest point has no direction.
+const ON_SURFACE: f64 = 1e-9;
+
 /// One or more closed polygons, counter-clockwise, that do not touch each other.
 ///
 /// The signed distance is that of one oriented polyline through all of them: parry's compound shapes give a
@@ -64,6 +67,25 @@ impl Outline {
     /// Distance to the outline [m]: positive outside, negative inside.
     pub fn signed_distance(&self, at: [f64; 2]) -> f64 {
         self.polyline.distance_to_local_point(Vector::new(at[0], at[1]), false)
+    }
+
+    /// The point of the outline nearest to `at` [m], and the unit normal there: the gradient of the distance.
+    pub fn nearest(&self, at: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+        let found = self.polyline.project_local_point(Vector::new(at[0], at[1]), false).point;
+        let side = if self.signed_distance(at) < 0.0 { 1.0 } else { -1.0 };
+        let way = [side * (found.x - at[0]), side * (found.y - at[1])];
+        let length = way[0].hypot(way[1]);
+        let normal = if length > ON_SURFACE { way.map(|w| w / length) } else { self.gradient(at) };
+        ([found.x, found.y], normal)
+    }
+
+    /// Direction in which the signed distance grows, by differences.
+    fn gradient(&self, at: [f64; 2]) -> [f64; 2] {
+        let d = |x: f64, y: f64| self.signed_distance([at[0] + x, at[1] + y]);
+        let e = 1e3 * ON_SURFACE;
+        let way = [d(e, 0.0) - d(-e, 0.0), d(0.0, e) - d(0.0, -e)];
+        let length = way[0].hypot(way[1]);
+        if length > 0.0 { way.map(|w| w / length) } else { [0.0, 1.0] }
     }
 
     /// Enclosed area [m²].

@@ -2,6 +2,7 @@
 
 use sph_core::{WallPoint, WallsMut};
 
+use crate::body::Surface;
 use crate::outline::Outline;
 
 /// State of a rigid motion about a pole.
@@ -105,6 +106,14 @@ impl Shape {
     pub fn clearance(&self, now: &Rigid, at: [f64; 2]) -> f64 {
         let r = rotate([at[0] - now.pole[0], at[1] - now.pole[1]], -now.angle);
         self.outline.signed_distance([r[0] + self.pole[0], r[1] + self.pole[1]])
+    }
+
+    /// The place of the surface nearest to a point in space, and how it moves.
+    pub fn surface(&self, now: &Rigid, at: [f64; 2]) -> Surface {
+        let r = rotate([at[0] - now.pole[0], at[1] - now.pole[1]], -now.angle);
+        let (found, normal) = self.outline.nearest([r[0] + self.pole[0], r[1] + self.pole[1]]);
+        let arm = [found[0] - self.pole[0], found[1] - self.pole[1]];
+        Surface { at: now.point(arm), normal: rotate(normal, now.angle), velocity: now.point_velocity(arm) }
     }
 
     /// The body frame's origin relative to the pole.

@@ -3,7 +3,7 @@
 use sph_core::walls::Resultant;
 use sph_core::{WallForces, WallPoint, WallsMut};
 
-use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
+use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
 
@@ -128,6 +128,17 @@ impl WettedBody for PrescribedBody {
 
     fn clearance(&self, at: [f64; 2]) -> f64 {
         self.shape.clearance(&self.rigid(), at)
+    }
+
+    fn surface(&self, at: [f64; 2]) -> Surface {
+        self.shape.surface(&self.rigid(), at)
+    }
+
+    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        let r = self.rigid();
+        let v = r.point_velocity(crate::pose::rotate([at[0] - r.pole[0], at[1] - r.pole[1]], -r.angle));
+        self.state.work += impulse[0] * v[0] + impulse[1] * v[1];
+        self.state.external = [0, 1].map(|k| self.state.external[k] - impulse[k]);
     }
 
     fn prescribed(&self) -> bool {

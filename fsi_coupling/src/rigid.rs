@@ -11,7 +11,7 @@ use rapier2d::prelude::*;
 use sph_core::walls::Resultant;
 use sph_core::{WallForces, WallPoint, WallsMut};
 
-use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
+use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
 
@@ -272,6 +272,24 @@ impl WettedBody for RigidBody2d {
 
     fn clearance(&self, at: [f64; 2]) -> f64 {
         self.shape.clearance(&self.rigid(), at)
+    }
+
+    fn surface(&self, at: [f64; 2]) -> Surface {
+        self.shape.surface(&self.rigid(), at)
+    }
+
+    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        let before = self.rigid();
+        let arm = [at[0] - before.pole[0], at[1] - before.pole[1]];
+        let body = &mut self.world.bodies[self.handle];
+        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
+        body.apply_torque_impulse(arm[0] * impulse[1] - arm[1] * impulse[0], true);
+        let after = self.rigid();
+        for k in 0..2 {
+            self.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
+            self.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
+        }
+        self.work += 0.5 * (before.spin + after.spin) * (arm[0] * impulse[1] - arm[1] * impulse[0]);
     }
 
     fn prescribed(&self) -> bool {

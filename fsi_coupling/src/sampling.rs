@@ -106,7 +106,13 @@ fn station(row: &[(f64, Station)], s: f64) -> Station {
     let t = if s1 > s0 { (s - s0) / (s1 - s0) } else { 0.0 };
     let mix = |p: [f64; 2], q: [f64; 2]| [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])];
     // on a straight side both ends' normals would blend with the neighbours': take the side's own
-    let n = if t < 1e-9 { na } else if t > 1.0 - 1e-9 { nb } else { normal(a, b) };
+    let n = if t < 1e-9 {
+        na
+    } else if t > 1.0 - 1e-9 {
+        nb
+    } else {
+        normal(a, b)
+    };
     (mix(a, b), n)
 }
 
@@ -164,13 +170,7 @@ fn visible(outline: &Outline, row: &[(f64, Station)], depth: f64, spacing: f64) 
 
 /// Points that divide [s0, s1] into equal parts. At a corner the first stands on the bisector, with half a part; at
 /// other ends it keeps half a part away.
-fn divide(
-    row: &[(f64, Station)],
-    [s0, s1]: [f64; 2],
-    at_corner: [bool; 2],
-    spacing: f64,
-    points: &mut Vec<WallPoint>,
-) {
+fn divide(row: &[(f64, Station)], [s0, s1]: [f64; 2], at_corner: [bool; 2], spacing: f64, points: &mut Vec<WallPoint>) {
     let [first, last] = at_corner.map(|corner| if corner { 0.5 } else { 0.0 });
     // n points: s1 − s0 = (n − first − last) parts
     let fewest = if at_corner == [true; 2] { 2.0 } else { 1.0 };

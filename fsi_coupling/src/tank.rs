@@ -2,7 +2,7 @@
 
 use sph_core::{WallForces, WallPoint, WallsMut};
 
-use crate::body::{BodyError, Energy, Ledger, Motion, WettedBody};
+use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::fill::Tiling;
 use crate::outline::Outline;
 
@@ -13,6 +13,7 @@ pub struct Tank {
     floor: f64,
     rim: f64,
     half: bool,
+    thickness: f64,
     points: Vec<WallPoint>,
     mean: [f64; 2],
     external: [f64; 2],
@@ -23,7 +24,8 @@ impl Tank {
     /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, no wall at x[0]: a
     /// plane of symmetry stands there.
     pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
-        Tank { tiling, x, floor, rim, half, points: Vec::new(), mean: [0.0; 2], external: [0.0; 2], saved: [0.0; 2] }
+        let (thickness, points, none) = (f64::INFINITY, Vec::new(), [0.0; 2]);
+        Tank { tiling, x, floor, rim, half, thickness, points, mean: none, external: none, saved: none }
     }
 
     /// Stations (middle, length) that divide [a, b] at the spacing of the water beside it.
@@ -59,14 +61,24 @@ impl WettedBody for Tank {
         let depth = |layer: usize, s: f64| (layer as f64 + 0.5) * s;
         for (x, s) in self.divide(self.x[0], self.x[1], |x| [x, self.floor]) {
             for layer in 0..layers {
-                points.push(WallPoint { at: [x, self.floor - depth(layer, s)], normal: [0.0, 1.0], area: s * s, spacing: s });
+                points.push(WallPoint {
+                    at: [x, self.floor - depth(layer, s)],
+                    normal: [0.0, 1.0],
+                    area: s * s,
+                    spacing: s,
+                });
             }
         }
         let sides: &[(f64, f64)] = if self.half { &[(1.0, self.x[1])] } else { &[(1.0, self.x[1]), (-1.0, self.x[0])] };
         for &(out, wall) in sides {
             for (y, s) in self.divide(self.floor, self.rim, |y| [wall, y]) {
                 for layer in 0..layers {
-                    points.push(WallPoint { at: [wall + out * depth(layer, s), y], normal: [-out, 0.0], area: s * s, spacing: s });
+                    points.push(WallPoint {
+                        at: [wall + out * depth(layer, s), y],
+                        normal: [-out, 0.0],
+                        area: s * s,
+                        spacing: s,
+                    });
                 }
             }
             let s = self.tiling.spacing_at([wall, self.floor]);
@@ -82,6 +94,8 @@ impl WettedBody for Tank {
                 }
             }
         }
+        let spacing = sides.iter().map(|&(_, wall)| self.tiling.spacing_at([wall, self.rim])).fold(0.0, f64::max);
+        self.thickness = layers as f64 * spacing;
         self.points = points.clone();
         Ok(points)
     }
@@ -127,11 +141,38 @@ impl WettedBody for Tank {
         None
     }
 
+    /// Water that went over the rim, and lies outside the thickness of a side wall, is not in a wall.
     fn clearance(&self, at: [f64; 2]) -> f64 {
-        let below_rim = at[1] < self.rim;
-        let left = if self.half || !below_rim { f64::INFINITY } else { at[0] - self.x[0] };
-        let right = if below_rim { self.x[1] - at[0] } else { f64::INFINITY };
-        (at[1] - self.floor).min(left).min(right)
+        let left = if self.half { f64::INFINITY } else { at[0] - self.x[0] };
+        let side = left.min(self.x[1] - at[0]);
+        let beside = side < -self.thickness;
+        let above = at[1] - self.rim;
+        match (side >= 0.0, beside || above > 0.0) {
+            (true, _) => side.min(at[1] - self.floor),
+            (false, true) => f64::INFINITY,
+            (false, false) => side.max(above).min(at[1] - self.floor),
+        }
+    }
+
+    fn surface(&self, at: [f64; 2]) -> Surface {
+        let left = if self.half { f64::INFINITY } else { at[0] - self.x[0] };
+        let planes = [
+            (at[1] - self.floor, Surface { at: [at[0], self.floor], normal: [0.0, 1.0], velocity: [0.0; 2] }),
+            (self.x[1] - at[0], Surface { at: [self.x[1], at[1]], normal: [-1.0, 0.0], velocity: [0.0; 2] }),
+            (left, Surface { at: [self.x[0], at[1]], normal: [1.0, 0.0], velocity: [0.0; 2] }),
+        ];
+        let mut nearest = planes[0];
+        for plane in planes {
+            // beyond two walls, in a corner, out through the one that is deeper
+            if plane.0 < nearest.0 {
+                nearest = plane;
+            }
+        }
+        nearest.1
+    }
+
+    fn strike(&mut self, _at: [f64; 2], impulse: [f64; 2]) {
+        self.external = [0, 1].map(|k| self.external[k] - impulse[k]);
     }
 
     fn prescribed(&self) -> bool {

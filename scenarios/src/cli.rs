@@ -293,6 +293,7 @@ fn in_words(s: &Summary) -> String {
         "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",
         s.audit.momentum, s.audit.energy, s.audit.volume, s.audit.penetrated
     ));
+    lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  NOT TIGHT: {worst}")));
     lines.join("\n")
 }
 

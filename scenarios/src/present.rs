@@ -102,6 +102,8 @@ fn audit_table(s: &Summary) -> Block {
         row(&["volume: relative change", &format!("{:.2e}", s.audit.volume)]),
         row(&["particles found beyond a wall", &s.audit.penetrated.to_string()]),
     ];
+    let worst = s.audit.worst_penetration.iter().map(|worst| row(&["not tight", &worst.to_string()]));
+    let rows = rows.into_iter().chain(worst).collect();
     Block::Table(Table { title: "Conservation".into(), head: row(&["quantity", "value"]), rows })
 }
 

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
-use tracing::{debug, info};
+use tracing::{debug, info, warn};
 
 use crate::build;
 use crate::compare::{self, Comparison, ReferenceCurve};
@@ -16,7 +16,7 @@ use crate::observe::{
 use crate::present;
 use crate::reference::ReferenceError;
 use crate::scene::{Scene, compressibility_error};
-use crate::summary::{Audit, Compressibility, Particles, Peak, Status, Summary};
+use crate::summary::{Audit, Compressibility, Particles, Peak, Status, Summary, WorstPenetration};
 
 /// Files of a run, by the contract of the command line.
 pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
@@ -198,8 +198,15 @@ impl Recorder {
 
     fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let penetrated = system.penetrated().0;
-        let frame = Frame { system, gauges: &gauges, penetrated, particles };
+        let penetration = system.penetration();
+        let frame = Frame { system, gauges: &gauges, penetration: &penetration, particles };
+        if let (Some(breach), None) = (&penetration.worst, self.ledger.worst_penetration()) {
+            let first = WorstPenetration::new(breach, frame.time(), frame.time()).to_string();
+            warn!("{first}");
+            if let Some(log) = &mut self.log {
+                log.note(frame.time(), Level::Warning, &first)?;
+            }
+        }
         self.ledger.observe(&frame)?;
         self.series.observe(&frame)?;
         self.pictures.observe(&frame)?;
@@ -215,7 +222,8 @@ impl Recorder {
     /// A run that stops early shows its last state and says why.
     fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let frame = Frame { system, gauges: &gauges, penetrated: system.penetrated().0, particles: true };
+        let penetration = system.penetration();
+        let frame = Frame { system, gauges: &gauges, penetration: &penetration, particles: true };
         self.pictures.keep(&frame);
         if let Some(log) = &mut self.log {
             log.observe(&frame)?;
@@ -267,6 +275,7 @@ impl Recorder {
                 energy: system.energy_drift() / self.ledger.scale(),
                 volume: fluid.volume() / volume - 1.0,
                 penetrated: self.ledger.penetrated(),
+                worst_penetration: self.ledger.worst_penetration().cloned(),
             },
             compressibility: Compressibility {
                 sound_speed_m_per_s: scene.fluid.sound_speed,

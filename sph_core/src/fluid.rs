@@ -87,9 +87,21 @@ impl Fluid {
             Integrator::Symplectic => integrator::symplectic(self, walls, dt),
             Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
         });
+        self.fold();
         self.time += dt;
         self.steps += 1;
         self.check()
+    }
+
+    /// Whoever crossed the plane of symmetry changes places with its image.
+    fn fold(&mut self) {
+        let (Some(mirror), p) = (self.parameters.mirror, &mut self.particles) else { return };
+        for k in 0..p.x.len() {
+            if p.x[k] < mirror.at {
+                p.x[k] = mirror.reflect(p.x[k]);
+                (p.u[k], p.ax[k]) = (-p.u[k], -p.ax[k]);
+            }
+        }
     }
 
     /// v ← v + Δt a.

@@ -16,6 +16,7 @@ pub mod fluid;
 pub mod images;
 pub mod integrator;
 pub mod kernel;
+mod nearest;
 pub mod neighbours;
 pub mod pair;
 pub mod parameters;

@@ -64,8 +64,6 @@ pub struct Constants {
     pub alpha: f64,
     /// Kinematic viscosity ν [m²/s] (E8).
     pub nu: f64,
-    /// Reach R of the contact pressure over the wall's smoothing length [-] (E6c).
-    pub contact: f64,
 }
 
 /// Geometry of a pair whose supports overlap: r_ab, h̄ = (h_a + h_b)/2 and ∇_a W_ab = `slope` r_ab.
@@ -136,22 +134,14 @@ pub fn density_rate<'r, K: Shape>(
 
 /// E6 + E7 + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
 #[inline(always)]
-fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64, contact: f64) -> [f64; 2] {
+fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64) -> [f64; 2] {
     let (du, dv) = (a.u - b.u, a.v - b.v);
     let inverse = 1.0 / (ab.r2 + 0.01 * ab.h * ab.h);
     let approach = (du * ab.dx + dv * ab.dy).min(0.0);
     let weight = a.volume * b.volume * ab.slope;
-    let normal = weight * (c.rho0 * alpha * c.c0 * ab.h * approach * inverse - (a.p + b.p + contact));
+    let normal = weight * (c.rho0 * alpha * c.c0 * ab.h * approach * inverse - (a.p + b.p));
     let shear = weight * 2.0 * c.rho0 * nu * ab.r2 * inverse;
     [normal * ab.dx + shear * du, normal * ab.dy + shear * dv]
-}
-
-/// E6c: contact pressure [Pa] between fluid and wall: ρ₀c₀² (1 − r/R)₊, zero unless water is pressed through the
-/// first row. `wall_h` is the wall's smoothing length [m].
-#[inline(always)]
-fn contact(ab: &Bond, wall_h: f64, c: &Constants) -> f64 {
-    let reach = c.contact * wall_h;
-    if ab.r2 < reach * reach { c.rho0 * c.c0 * c.c0 * (1.0 - ab.r2.sqrt() / reach) } else { 0.0 }
 }
 
 /// What the momentum sweep gathers for one target.
@@ -174,11 +164,11 @@ pub fn momentum<'r, K: Shape>(
 ) -> Gathered {
     let mut sum = MomentumSum { filling: a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h), ..MomentumSum::default() };
     for b in fluid {
-        sum.take::<K>(a, b, c, c.alpha, c.nu, false);
+        sum.take::<K>(a, b, c, c.alpha, c.nu);
     }
     let fluid_filling = sum.filling;
     for w in walls {
-        sum.take::<K>(a, w, c, 0.0, wall_nu, true);
+        sum.take::<K>(a, w, c, 0.0, wall_nu);
     }
     let lambda = smallest_eigenvalue(sum.spread);
     Gathered {
@@ -198,12 +188,11 @@ struct MomentumSum {
 
 impl MomentumSum {
     #[inline(always)]
-    fn take<K: Shape>(&mut self, a: &Row, b: &Row, c: &Constants, alpha: f64, nu: f64, wall: bool) {
+    fn take<K: Shape>(&mut self, a: &Row, b: &Row, c: &Constants, alpha: f64, nu: f64) {
         let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             return;
         };
-        let contact = if wall { contact(&ab, b.h, c) } else { 0.0 };
-        let f = force(a, b, &ab, c, alpha, nu, contact);
+        let f = force(a, b, &ab, c, alpha, nu);
         self.force[0] += f[0];
         self.force[1] += f[1];
         self.filling += b.fill * ab.w::<K>();
@@ -229,7 +218,7 @@ pub fn wall_force<'r, K: Shape>(
         let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, a.x, a.y, a.h) else {
             continue;
         };
-        let f = force(wall, a, &ab, c, 0.0, wall_nu, contact(&ab, wall.h, c));
+        let f = force(wall, a, &ab, c, 0.0, wall_nu);
         sum[0] += f[0];
         sum[1] += f[1];
     }
@@ -290,7 +279,7 @@ mod tests {
     use crate::kernel::WendlandC2;
 
     fn constants() -> Constants {
-        Constants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3, contact: 0.6 }
+        Constants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3 }
     }
 
     fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> Row {

@@ -19,10 +19,6 @@ pub enum Slip {
     None,
 }
 
-/// Reach of the contact pressure over the wall's spacing [-] (E6c). On a wall's surface, half a spacing above its
-/// first row, the nearest wall particle is 0.5 to 0.71 spacings away; in an even arrangement 1.
-const CONTACT: f64 = 0.9;
-
 /// Everything about the fluid that does not change during a run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Parameters {
@@ -58,8 +54,7 @@ impl Parameters {
     /// The numbers that every pair shares.
     pub(crate) fn constants(&self) -> Constants {
         let Parameters { eos, gravity, alpha, nu, delta, .. } = *self;
-        let contact = CONTACT / self.smoothing_ratio;
-        Constants { gravity, rho0: eos.rho0, c0: eos.c0, delta, alpha, nu, contact }
+        Constants { gravity, rho0: eos.rho0, c0: eos.c0, delta, alpha, nu }
     }
 
     /// ν between fluid and wall [m²/s].

@@ -33,7 +33,7 @@ fn still_water_carries_its_weight() {
         let error = pressure_error(&system, 1.0);
         assert!(error < tolerance, "{what}: pressure off by {:.2} %", 100.0 * error);
         assert!((top(&system) - level).abs() < 0.25 * spacing, "{what}: level {} m, was {level} m", top(&system));
-        assert_eq!(system.penetrated().0, 0, "{what}");
+        assert_eq!(system.penetration().count, 0, "{what}");
     }
 }
 

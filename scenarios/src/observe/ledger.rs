@@ -2,7 +2,7 @@
 
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
-use crate::summary::Rest;
+use crate::summary::{Rest, WorstPenetration};
 
 /// One sample.
 struct Entry {
@@ -20,6 +20,7 @@ pub struct EnergyLedger {
     lowest: f64,
     highest: f64,
     penetrated: usize,
+    worst: Option<WorstPenetration>,
     fastest: f64,
 }
 
@@ -40,6 +41,11 @@ impl EnergyLedger {
     /// Most particles found beyond a wall at any sample.
     pub fn penetrated(&self) -> usize {
         self.penetrated
+    }
+
+    /// The particle found deepest beyond a wall at any sample.
+    pub fn worst_penetration(&self) -> Option<&WorstPenetration> {
+        self.worst.as_ref()
     }
 
     /// Fastest particle at any sample [m/s].
@@ -73,7 +79,13 @@ impl Observer for EnergyLedger {
         let fall = energy.potential - system.fluid_energy_at_start().potential;
         self.moving = self.moving.max(energy.kinetic + of_bodies);
         (self.lowest, self.highest) = (self.lowest.min(fall), self.highest.max(fall));
-        self.penetrated = self.penetrated.max(frame.penetrated);
+        self.penetrated = self.penetrated.max(frame.penetration.count);
+        if let Some(breach) = &frame.penetration.worst {
+            let since = self.worst.as_ref().map_or(frame.time(), |worst| worst.first_s);
+            if self.worst.as_ref().is_none_or(|worst| breach.depth > worst.depth_m) {
+                self.worst = Some(WorstPenetration::new(breach, frame.time(), since));
+            }
+        }
         self.fastest = self.fastest.max(system.fluid.top_speed());
         self.entries.push(Entry { time: frame.time(), kinetic: energy.kinetic, height });
         Ok(())

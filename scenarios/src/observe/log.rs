@@ -28,7 +28,7 @@ impl LogObserver {
         Ok(LogObserver { writer: LogWriter::create(path, &metadata)?, outlines, gauges })
     }
 
-    /// Note why a run stopped.
+    /// Note what went wrong, or why a run stopped.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), ObserveError> {
         Ok(self.writer.note(time, level, text)?)
     }
@@ -60,7 +60,7 @@ impl LogObserver {
             ("elastic_J_per_m", energy.elastic),
             ("energy_drift_J_per_m", system.energy_drift()),
             ("volume_m2", system.fluid.volume()),
-            ("penetrated", frame.penetrated as f64),
+            ("penetrated", frame.penetration.count as f64),
             ("top_speed_m_per_s", system.fluid.top_speed()),
         ];
         self.writer.sample(t, "audit", &audit)?;

@@ -9,7 +9,7 @@ mod similarity;
 
 use std::io;
 
-use fsi_coupling::Coupled;
+use fsi_coupling::{Coupled, Penetration};
 
 use crate::log::LogError;
 
@@ -28,7 +28,7 @@ pub struct Frame<'a> {
     /// Pressure of each gauge [Pa], in the scene's order.
     pub gauges: &'a [f64],
     /// Fluid particles beyond a wall's surface.
-    pub penetrated: usize,
+    pub penetration: &'a Penetration,
     /// True where particles are due as well as curves.
     pub particles: bool,
 }

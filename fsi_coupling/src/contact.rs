@@ -1,0 +1,37 @@
+//! Contact of single particles with a body's true surface (THEORY E25).
+//!
+//! Pressure keeps water out of walls as long as it flows in layers; a lone particle of a jet, or one that a sharp
+//! corner cuts through, meets the outline itself: it is put back on the surface and its approach is stopped, an
+//! inelastic blow that the body feels as the same impulse.
+
+use sph_core::Fluid;
+
+use crate::body::WettedBody;
+
+/// How far above the surface a particle is put back, in smoothing lengths: enough for rounding.
+const ABOVE: f64 = 1e-6;
+
+/// Throw particle `k` back if it is beyond the surface of `body`.
+pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody) {
+    let mirrored = fluid.parameters.mirror.is_some();
+    let p = &mut fluid.particles;
+    let at = [p.x[k], p.y[k]];
+    if body.clearance(at) >= 0.0 {
+        return;
+    }
+    let surface = body.surface(at);
+    let n = surface.normal;
+    let above = ABOVE * p.h[k];
+    [p.x[k], p.y[k]] = [surface.at[0] + above * n[0], surface.at[1] + above * n[1]];
+    let approach = (p.u[k] - surface.velocity[0]) * n[0] + (p.v[k] - surface.velocity[1]) * n[1];
+    if approach < 0.0 {
+        p.u[k] -= approach * n[0];
+        p.v[k] -= approach * n[1];
+        let blow = [p.mass[k] * approach * n[0], p.mass[k] * approach * n[1]];
+        if mirrored {
+            body.strike([0.0, surface.at[1]], [0.0, 2.0 * blow[1]]);
+        } else {
+            body.strike(surface.at, blow);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Fluid particles that touch a wall: found here; the walls' owners judge them (THEORY E25).
+
+use crate::fluid::Fluid;
+use crate::sweep;
+use crate::walls::Walls;
+
+/// A fluid particle is a suspect below this height over its nearest wall particle, along that one's normal, in
+/// wall spacings; a wall's surface is half a spacing above its first row.
+const SUSPECT: f64 = 0.6;
+
+impl Fluid {
+    /// Fluid particles that may be beyond a wall's surface, in the particles' order.
+    pub fn suspects(&self, walls: &Walls) -> Vec<usize> {
+        let mut heights = vec![f64::INFINITY; self.particles.len()];
+        sweep::gather_into(&mut heights, |k| self.height_over_nearest(k, walls));
+        (0..heights.len()).filter(|&k| heights[k] < SUSPECT).collect()
+    }
+
+    /// Height over the nearest wall particle along its normal, in wall spacings; infinity far from walls.
+    fn height_over_nearest(&self, k: usize, walls: &Walls) -> f64 {
+        let (x, y, n) = (self.particles.x[k], self.particles.y[k], walls.len());
+        let (mut least, mut height) = (f64::INFINITY, f64::INFINITY);
+        for &j in self.search.walls_of_fluid.of(k) {
+            let (source, side) = self.wall_source(j as usize, n);
+            let wall_x = if side > 0.0 { walls.x[source] } else { self.reflect(walls.x[source]) };
+            let (dx, dy) = (x - wall_x, y - walls.y[source]);
+            let r2 = dx * dx + dy * dy;
+            if r2 < least {
+                least = r2;
+                height = (dx * side * walls.nx[source] + dy * walls.ny[source]) / walls.h[source];
+            }
+        }
+        height * self.parameters.smoothing_ratio
+    }
+
+    /// The wall particle behind a listed index, and −1 for an image.
+    fn wall_source(&self, j: usize, walls: usize) -> (usize, f64) {
+        if j < walls { (j, 1.0) } else { (self.search.wall_images[j - walls] as usize, -1.0) }
+    }
+
+    fn reflect(&self, x: f64) -> f64 {
+        self.parameters.mirror.map_or(x, |mirror| mirror.reflect(x))
+    }
+}
