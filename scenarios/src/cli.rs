@@ -230,16 +230,18 @@ fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
 
 fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    static STEPPING: AtomicBool = AtomicBool::new(false);
     let loaded = load(&args.scene)?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
     let handler = || {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130); // asked twice: at once
+        if INTERRUPTED.swap(true, Ordering::Relaxed) || !STEPPING.load(Ordering::Relaxed) {
+            std::process::exit(130); // asked twice, or nothing to keep yet: at once
         }
     };
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
     let bar = progress_bar(cli);
     let tell = |time: f64, steps: u64| {
+        STEPPING.store(true, Ordering::Relaxed);
         bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
         bar.set_message(format!("t = {time:.5} s, step {steps}"));
     };
@@ -312,7 +314,11 @@ fn validate_cases(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
         lines.extend(validate::run_case(&case, args.out.as_ref())?);
     }
     let table = validate::to_markdown(&lines);
-    say(format_args!("{}", table.trim_end()));
+    if cli.json {
+        say(format_args!("{}", serde_json::to_string_pretty(&lines).unwrap_or_default()));
+    } else {
+        say(format_args!("{}", table.trim_end()));
+    }
     if let Some(path) = &args.table {
         let text =
             format!("# Validation\n\nWritten by `splashdown validate --all --table tests/VALIDATION.md`.\n\n{table}");

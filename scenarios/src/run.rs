@@ -30,6 +30,9 @@ pub enum RunError {
     /// A file or folder could not be written.
     #[error("cannot write {0}: {1}")]
     Write(String, std::io::Error),
+    /// The output folder's name is that of a file.
+    #[error("{0} is a file: choose another --out")]
+    NotAFolder(String),
     /// An observer failed.
     #[error(transparent)]
     Observe(#[from] ObserveError),
@@ -57,7 +60,7 @@ pub struct RunOptions<'a> {
     pub force: bool,
     /// Set from outside to end the run cleanly.
     pub interrupt: Option<&'a AtomicBool>,
-    /// Called with (time, steps) now and then.
+    /// Called with (time, steps): when the stepping begins, and now and then.
     pub progress: Option<&'a dyn Fn(f64, u64)>,
     /// Doubts about the scene, for the report.
     pub warnings: Vec<String>,
@@ -129,6 +132,9 @@ fn advance(
     options: &RunOptions<'_>,
 ) -> Result<Result<Status, CouplingError>, RunError> {
     let mut told = Instant::now();
+    if let Some(tell) = options.progress {
+        tell(0.0, 0);
+    }
     recorder.observe(system)?;
     while system.fluid.time < scene.time.end {
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
@@ -291,6 +297,9 @@ impl Recorder {
 }
 
 fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {
+    if dir.is_file() {
+        return Err(RunError::NotAFolder(dir.display().to_string()));
+    }
     match FILES.iter().find(|name| dir.join(name).exists()) {
         Some(name) if !force => Err(RunError::Occupied(dir.display().to_string(), name)),
         _ => Ok(()),

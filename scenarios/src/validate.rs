@@ -6,7 +6,7 @@
 use std::path::PathBuf;
 
 use include_dir::{Dir, include_dir};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::run::{self, RunError, RunOptions};
@@ -70,7 +70,7 @@ pub struct Coarser {
 }
 
 /// A line of the table.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Line {
     /// The case.
     pub case: String,

@@ -34,6 +34,10 @@ fn a_wrong_file_is_refused_with_line_key_given_and_expected() {
         ("[time]", "[tank]\ndepth = 0.01\n[time]", "drop.toml:3:", &["`tank.depth` = 0.01", "expected at least 4 spacings of water"]),
         ("[time]", "[tank]\nwidth = 0.4\n[time]", "drop.toml:", &["`body.position` = a body from x = -0.25 to 0.25 m", "overlapping a tank wall", "expected a body between the walls"]),
         ("[time]", "[tank]\nwidth = 4\ndepth = 0.3\n[time]", "drop.toml:", &["`body.position` = a body down to y = -0.5 m", "overlapping the floor", "expected a body above"]),
+        ("[time]", "symmetry = \"x\"\ngravity = [1.0, -9.81]\n[time]", "drop.toml:3:", &["`gravity` = [1, -9.81]", "expected [0, ...]"]),
+        ("[time]\nend = 0.001\n[resolution]\nspacing = 0.02\n[body]", "symmetry = \"x\"\n[time]\nend = 0.001\n[resolution]\nspacing = 0.02\n[body]\ncenter_of_mass = [0.1, 0.1]", "drop.toml:8:", &["`body.center_of_mass` = [0.1, 0.1]", "expected [0, ...]"]),
+        ("[time]", "[gauges]\nname = \"g\"\n[time]", "drop.toml:2:", &["`gauges`", "expected a list"]),
+        ("[time]", "[[compare]]\nreference = \"none.csv\"\nx = \"t_s\"\ny = \"v\"\nquantity = \"body.vy_m_per_s\"\nnorm = \"rms\"\n[time]", "drop.toml:3:", &["`compare[0].reference` = \"none.csv\"", "expected a table that can be used"]),
         ("end = 0.001", "end = ", "drop.toml:3:", &["not valid TOML"]),
     ];
     let place = Workplace::new();

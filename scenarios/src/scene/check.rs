@@ -1,7 +1,8 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
-use super::model::{Body, GaugeFrame, Motion, Scene, Similarity, Symmetry};
+use super::model::{Body, Compare, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::problem::{Problem, significant};
+use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
 
@@ -34,6 +35,10 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
         if scene.symmetry == Symmetry::X {
             check_symmetric(body)?;
         }
+    }
+    if scene.symmetry == Symmetry::X && scene.gravity[0] != 0.0 {
+        let given = format!("[{}, {}]", scene.gravity[0], scene.gravity[1]);
+        return Err(Problem::new("gravity", given, "[0, ...] with symmetry = \"x\""));
     }
     check_gauges(scene)?;
     check_comparisons(scene)?;
@@ -114,6 +119,10 @@ fn check_symmetric(body: &Body) -> Result<(), Problem> {
     };
     on_axis("velocity", body.velocity)?;
     on_axis("position", body.position)?;
+    if body.center_of_mass[0].abs() > 1e-9 * polygon::perimeter(&body.shape.outline()) {
+        let given = format!("[{}, {}]", body.center_of_mass[0], body.center_of_mass[1]);
+        return Err(Problem::new("body.center_of_mass", given, "[0, ...] with symmetry = \"x\""));
+    }
     if !polygon::is_mirror_symmetric(&body.shape.outline()) {
         let expected = "a body symmetric about x = 0 with symmetry = \"x\"";
         return Err(Problem::new("body.points", "a lopsided body", expected));
@@ -178,6 +187,20 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
             let expected = format!("a column of this scene's series: {}", known.join(", "));
             return Err(Problem::new(&key, format!("{:?}", compare.quantity), expected));
         }
+        check_reference(i, compare)?;
+    }
+    Ok(())
+}
+
+/// The reference is there, and has the columns that the scene names.
+fn check_reference(i: usize, compare: &Compare) -> Result<(), Problem> {
+    let key = |name: &str| format!("compare[{i}].{name}");
+    let wrong = |name: &str, given: &str, error: ReferenceError| {
+        Problem::new(&key(name), format!("{given:?}"), format!("a table that can be used: {error}"))
+    };
+    let table = Table::load(&compare.reference).map_err(|e| wrong("reference", &compare.reference, e))?;
+    for (name, column) in [("x", &compare.x), ("y", &compare.y)] {
+        table.column(&compare.reference, column).map_err(|e| wrong(name, column, e))?;
     }
     Ok(())
 }

@@ -111,12 +111,23 @@ fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
     }
 }
 
+/// Serde's names of types in a user's words.
+fn plain(complaint: &str) -> String {
+    let said = complaint.replace("expected f64", "expected a number");
+    let said =
+        said.replace("expected a sequence", "expected a list (of tables: a heading in double brackets, [[...]])");
+    match said.split_once("expected struct ") {
+        Some((given, _)) => format!("{given}expected a table of keys"),
+        None => said,
+    }
+}
+
 /// Serde's complaint about a value or a key.
 fn unreadable(error: &tracked::Error<toml::de::Error>) -> Problem {
     let key = error.path().to_string();
     let complaint = error.inner().message();
     let sentence = match complaint.starts_with("unknown field") {
-        false => format!("`{key}`: {}", complaint.replace("expected f64", "expected a number")),
+        false => format!("`{key}`: {}", plain(complaint)),
         true => match keywords::nearest(&key) {
             Some(known) => {
                 format!("unknown key `{key}`: expected a key of a scene, such as `{known}`")

@@ -4,7 +4,7 @@ use fsi_coupling::polygon;
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::impact::{Bottom, Entry, compressibility_error};
-use super::model::{Motion, Scene, Similarity};
+use super::model::{Kernel, Motion, Scene, Similarity};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -41,6 +41,10 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             "resolution.growth = {}: up to 1.2 is harmless, 1.5 costs 9 % of the force",
             scene.resolution.growth
         ));
+    }
+    if scene.fluid.kernel == Kernel::Quadratic && scene.body.is_some() {
+        warnings
+            .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
     warnings.extend(light_body(scene));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);

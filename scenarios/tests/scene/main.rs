@@ -26,10 +26,10 @@ velocity = [0.0, -5.0]
 name = "face"
 at = [0.1, 0.0577]
 [[compare]]
-reference = "some.csv"
+reference = "external/wedge25_yettou2006_velocity_exp.csv"
 quantity = "body.vy_m_per_s"
-x = "t"
-y = "v"
+x = "t_ms"
+y = "v_m_s"
 "#;
 
 /// A tank without a body.
