@@ -119,13 +119,13 @@ fn check_symmetric(body: &Body) -> Result<(), Problem> {
     };
     on_axis("velocity", body.velocity)?;
     on_axis("position", body.position)?;
-    if body.center_of_mass[0].abs() > 1e-9 * polygon::perimeter(&body.shape.outline()) {
-        let given = format!("[{}, {}]", body.center_of_mass[0], body.center_of_mass[1]);
-        return Err(Problem::new("body.center_of_mass", given, "[0, ...] with symmetry = \"x\""));
-    }
     if !polygon::is_mirror_symmetric(&body.shape.outline()) {
         let expected = "a body symmetric about x = 0 with symmetry = \"x\"";
         return Err(Problem::new("body.points", "a lopsided body", expected));
+    }
+    if body.center_of_mass[0].abs() > 1e-9 * polygon::perimeter(&body.shape.outline()) {
+        let given = format!("[{}, {}]", body.center_of_mass[0], body.center_of_mass[1]);
+        return Err(Problem::new("body.center_of_mass", given, "[0, ...] with symmetry = \"x\""));
     }
     Ok(())
 }
