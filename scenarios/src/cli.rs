@@ -4,6 +4,7 @@ use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -21,6 +22,10 @@ const DONE: u8 = 0;
 const FAILED: u8 = 1;
 /// The input was wrong.
 const INPUT: u8 = 2;
+
+/// A second Ctrl-C or SIGTERM after this long means: at once. Sooner it is the same request, sent to the process and
+/// to its group.
+const IMPATIENT: Duration = Duration::from_secs(1);
 
 /// Memory taken for granted where the system does not say how much there is [bytes].
 const USUAL_MEMORY: u64 = 8 << 30;
@@ -233,8 +238,11 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     static STEPPING: AtomicBool = AtomicBool::new(false);
     let loaded = load(&args.scene)?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
-    let handler = || {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) || !STEPPING.load(Ordering::Relaxed) {
+    let mut first: Option<Instant> = None;
+    let handler = move || {
+        INTERRUPTED.store(true, Ordering::Relaxed);
+        let asked_again = first.get_or_insert_with(Instant::now).elapsed() > IMPATIENT;
+        if asked_again || !STEPPING.load(Ordering::Relaxed) {
             std::process::exit(130); // asked twice, or nothing to keep yet: at once
         }
     };

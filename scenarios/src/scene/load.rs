@@ -116,6 +116,7 @@ fn plain(complaint: &str) -> String {
     let said = complaint.replace("expected f64", "expected a number");
     let said =
         said.replace("expected a sequence", "expected a list (of tables: a heading in double brackets, [[...]])");
+    let said = said.replace("expected fewer elements in array", "expected two numbers");
     match said.split_once("expected struct ") {
         Some((given, _)) => format!("{given}expected a table of keys"),
         None => said,
