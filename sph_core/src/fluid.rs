@@ -259,7 +259,7 @@ impl Fluid {
             let life = LIST_LIFE * self.acoustic_limit();
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, life);
         }
-        self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror);
+        self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
     }
 
     /// Every state finite, every density believable.

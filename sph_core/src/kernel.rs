@@ -19,6 +19,8 @@ pub enum Kernel {
     /// w = (1 − q/2)⁴(2q + 1) (Wendland 1995, C2): positive definite, so particles do not pair.
     #[default]
     WendlandC2,
+    /// w = (1 − q/2)⁶(35q²/12 + 3q + 1) (Wendland 1995, C4): narrower for its support than C2.
+    WendlandC4,
 }
 
 /// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · slope(q) · r_ab`.
@@ -43,6 +45,9 @@ pub struct CubicSpline;
 /// See [`Kernel::WendlandC2`].
 #[derive(Clone, Copy)]
 pub struct WendlandC2;
+/// See [`Kernel::WendlandC4`].
+#[derive(Clone, Copy)]
+pub struct WendlandC4;
 
 /// 1 − e⁻⁴, the part of the Gaussian inside q < 2.
 const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
@@ -108,6 +113,22 @@ impl Shape for WendlandC2 {
     }
 }
 
+impl Shape for WendlandC4 {
+    const ALPHA: f64 = 9.0 / (4.0 * PI);
+    #[inline(always)]
+    fn w(q: f64) -> f64 {
+        let t = 1.0 - 0.5 * q;
+        let t2 = t * t;
+        t2 * t2 * t2 * ((35.0 / 12.0 * q + 3.0) * q + 1.0)
+    }
+    #[inline(always)]
+    fn slope(q: f64) -> f64 {
+        let t = 1.0 - 0.5 * q;
+        let t2 = t * t;
+        -14.0 / 3.0 * t2 * t2 * t * (1.0 + 2.5 * q)
+    }
+}
+
 /// Something to be done with a kernel known at compile time: one dispatch, then an inlined loop.
 pub trait WithKernel {
     /// What comes back.
@@ -118,7 +139,8 @@ pub trait WithKernel {
 
 impl Kernel {
     /// Every kernel, for tests and tables.
-    pub const ALL: [Kernel; 4] = [Kernel::Gaussian, Kernel::Quadratic, Kernel::CubicSpline, Kernel::WendlandC2];
+    pub const ALL: [Kernel; 5] =
+        [Kernel::Gaussian, Kernel::Quadratic, Kernel::CubicSpline, Kernel::WendlandC2, Kernel::WendlandC4];
 
     /// Run `task` with this kernel's shape as a type.
     pub fn run<T: WithKernel>(self, task: T) -> T::Out {
@@ -127,6 +149,7 @@ impl Kernel {
             Kernel::Quadratic => task.with::<Quadratic>(),
             Kernel::CubicSpline => task.with::<CubicSpline>(),
             Kernel::WendlandC2 => task.with::<WendlandC2>(),
+            Kernel::WendlandC4 => task.with::<WendlandC4>(),
         }
     }
 

@@ -41,8 +41,10 @@ pub struct Face {
     pub nx: f64,
     /// Unit normal into the fluid [-].
     pub ny: f64,
-    /// Velocity along the normal V·n [m/s].
+    /// Velocity of the wall along the normal V·n [m/s].
     pub vn: f64,
+    /// Velocity of the fluid nearby along the tangent t = (−n_y, n_x), ũ·t [m/s].
+    pub vt: f64,
     /// Area it stands for [m²].
     pub volume: f64,
     /// Smoothing length [m].
@@ -64,6 +66,8 @@ pub struct Constants {
     pub alpha: f64,
     /// Kinematic viscosity ν [m²/s] (E8).
     pub nu: f64,
+    /// Whether walls feel the fluid stretch along them [-]: 0 or 1 (E10).
+    pub stretch: f64,
 }
 
 /// Geometry of a pair whose supports overlap: r_ab, h̄ = (h_a + h_b)/2 and ∇_a W_ab = `slope` r_ab.
@@ -125,8 +129,11 @@ pub fn density_rate<'r, K: Shape>(
         let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
             continue;
         };
-        // E10: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n
-        let closing = 2.0 * (a.u * w.nx + a.v * w.ny - w.vn) * (aw.dx * w.nx + aw.dy * w.ny) * aw.slope;
+        // E10: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n across
+        // the wall; along it, if so chosen, with the velocity of the fluid in front, whose stretching is then felt
+        let (un, ut) = (a.u * w.nx + a.v * w.ny, a.v * w.nx - a.u * w.ny);
+        let (rn, rt) = (aw.dx * w.nx + aw.dy * w.ny, aw.dy * w.nx - aw.dx * w.ny);
+        let closing = (2.0 * (un - w.vn) * rn + c.stretch * (ut - w.vt) * rt) * aw.slope;
         compression += w.volume * closing;
     }
     rho_a * compression + 2.0 * c.delta / c.c0 * diffusion
@@ -279,7 +286,7 @@ mod tests {
     use crate::kernel::WendlandC2;
 
     fn constants() -> Constants {
-        Constants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3 }
+        Constants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3, stretch: 1.0 }
     }
 
     fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> Row {

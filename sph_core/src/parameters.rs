@@ -42,6 +42,8 @@ pub struct Parameters {
     pub volume_correction: bool,
     /// What the fluid does along a wall.
     pub slip: Slip,
+    /// Walls feel the fluid stretch along them (E10).
+    pub wall_stretch: bool,
     /// Time integration.
     pub integrator: Integrator,
     /// Courant number of the acoustic step limit (E17).
@@ -54,7 +56,15 @@ impl Parameters {
     /// The numbers that every pair shares.
     pub(crate) fn constants(&self) -> Constants {
         let Parameters { eos, gravity, alpha, nu, delta, .. } = *self;
-        Constants { gravity, rho0: eos.rho0, c0: eos.c0, delta, alpha, nu }
+        Constants {
+            gravity,
+            rho0: eos.rho0,
+            c0: eos.c0,
+            delta,
+            alpha,
+            nu,
+            stretch: f64::from(u8::from(self.wall_stretch)),
+        }
     }
 
     /// ν between fluid and wall [m²/s].

@@ -38,7 +38,15 @@ impl Rows {
     }
 
     /// Pack everything as it is now.
-    pub fn pack(&mut self, p: &Particles, d: &Derived, walls: &Walls, search: &Search, mirror: Option<Mirror>) {
+    pub fn pack(
+        &mut self,
+        p: &Particles,
+        d: &Derived,
+        walls: &Walls,
+        search: &Search,
+        mirror: Option<Mirror>,
+        found: &[Extrapolated],
+    ) {
         let n = p.len();
         self.fluid.resize(n + search.fluid_images.len(), Row::default());
         sweep::gather_into(&mut self.fluid[..n], |k| Row {
@@ -57,7 +65,9 @@ impl Rows {
             let (x, y, u, v) = (self.wall_x[k], self.wall_y[k], walls.u[k], walls.v[k]);
             let (h, volume, nx, ny) = (walls.h[k], walls.volume[k], walls.nx[k], walls.ny[k]);
             self.walls.push(Row { x, y, u, v, p: walls.pressure[k], volume, fill: volume, h });
-            self.faces.push(Face { x, y, nx, ny, vn: u * nx + v * ny, volume, h });
+            let near = found.get(k).map_or([u, v], |f| f.velocity);
+            let vt = near[1] * nx - near[0] * ny;
+            self.faces.push(Face { x, y, nx, ny, vn: u * nx + v * ny, vt, volume, h });
         }
         let Some(mirror) = mirror else { return };
         for (k, &source) in search.fluid_images.iter().enumerate() {
@@ -67,7 +77,7 @@ impl Rows {
         for &source in &search.wall_images {
             let (row, face) = (self.walls[source as usize], self.faces[source as usize]);
             self.walls.push(Row { x: mirror.reflect(row.x), u: -row.u, ..row });
-            self.faces.push(Face { x: mirror.reflect(face.x), nx: -face.nx, ..face });
+            self.faces.push(Face { x: mirror.reflect(face.x), nx: -face.nx, vt: -face.vt, ..face });
         }
     }
 

@@ -23,6 +23,7 @@ fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
         shifting: false,
         volume_correction: false,
         slip: Slip::Free,
+        wall_stretch: false,
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,

@@ -61,6 +61,7 @@ pub struct FluidFile {
     pub shifting: Option<bool>,
     pub volume_correction: Option<bool>,
     pub wall_slip: Option<WallSlip>,
+    pub wall_stretch: Option<bool>,
     pub integrator: Option<Integrator>,
     pub cfl: Option<f64>,
 }

@@ -113,6 +113,8 @@ pub struct Fluid {
     pub volume_correction: bool,
     /// Tangential condition on walls.
     pub wall_slip: WallSlip,
+    /// Walls feel the water stretch along them.
+    pub wall_stretch: bool,
     /// Time integration.
     pub integrator: Integrator,
     /// Step limit: dt ≤ cfl·h/(c₀ + |v|) [-].
