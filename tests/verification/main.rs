@@ -2,6 +2,8 @@
 
 mod acoustics;
 mod conservation;
+mod gas;
+mod integrators;
 mod kernel_sums;
 mod rigid_body;
 mod standing_wave;

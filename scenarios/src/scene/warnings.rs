@@ -4,7 +4,7 @@ use fsi_coupling::polygon;
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::impact::{Bottom, Entry, compressibility_error};
-use super::model::{Kernel, Motion, Scene, Similarity};
+use super::model::{DensityEvolution, Integrator, Kernel, Motion, Scene, Similarity};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -35,6 +35,20 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     }
     if scene.fluid.cfl > LARGEST_CFL {
         warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.2 blew up", scene.fluid.cfl));
+    }
+    let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
+    let acoustic = h / (scene.fluid.sound_speed + scene.fastest_speed());
+    if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * acoustic) {
+        warnings.push(format!(
+            "time.step = {step} s is {} times h/(c0 + |v|) at the fastest known speed: 0.8 ran, 1.2 blew up",
+            significant(step / acoustic)
+        ));
+    }
+    if scene.fluid.integrator == Integrator::Verlet && scene.fluid.verlet_correction_every == 0 {
+        warnings.push("fluid.verlet_correction_every = 0: the two time levels of verlet drift apart".into());
+    }
+    if scene.fluid.density_evolution == DensityEvolution::Summation {
+        warnings.push("fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".into());
     }
     if scene.resolution.growth > LARGEST_GROWTH {
         warnings.push(format!(
