@@ -113,8 +113,8 @@ impl Fluid {
         }
     }
 
-    /// L5 if `linear`, else L4, now.
-    pub(crate) fn smooth_density(&mut self, walls: &Walls, linear: bool) {
+    /// L5 if `linear`, else L4, now; walls where they stand at the end of the step.
+    pub fn smooth_density(&mut self, walls: &Walls, linear: bool) {
         self.pack(walls, 0.0);
         let mut smooth = std::mem::take(&mut self.density_rate); // free between rates
         self.parameters.kernel.run(Filter {
@@ -125,6 +125,12 @@ impl Fluid {
             out: &mut smooth,
         });
         std::mem::swap(&mut self.particles.rho, &mut smooth);
+        if let Some(gas) = self.parameters.gas {
+            let p = &mut self.particles; //          a gas follows its isentropes
+            for k in 0..p.x.len() {
+                p.energy[k] *= (p.rho[k] / smooth[k]).powf(gas.gamma - 1.0);
+            }
+        }
         self.density_rate = smooth;
     }
 }

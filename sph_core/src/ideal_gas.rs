@@ -53,6 +53,12 @@ impl IdealGas {
         energy - self.energy_at_rest() + self.ambient() * (1.0 / rho - 1.0 / self.rho0)
     }
 
+    /// Factor on the density [-], at least 1, that brings gas thinner than p₀ allows back to p₀ along its isentrope.
+    fn isentropic_relief(&self, rho: f64, energy: f64) -> f64 {
+        let absolute = (self.gamma - 1.0) * rho * energy;
+        (self.ambient() / absolute).powf(1.0 / self.gamma).max(1.0)
+    }
+
     /// Speed of sound √(γ (γ − 1) e) [m/s]; √(γ R T₀/M) at rest.
     pub fn sound_speed(&self, energy: f64) -> f64 {
         (self.gamma * (self.gamma - 1.0) * energy.max(0.0)).sqrt()
@@ -157,12 +163,15 @@ impl Fluid {
         }
     }
 
-    /// L9: pressures and volumes from densities and energies. Spray holds no tension, as in water (E3).
+    /// L9: pressures and volumes from densities and energies. Spray holds no tension, as in water (E3): it is compressed
+    /// along its isentrope to p₀, or it would lose p₀ times the volume each time and grow ever colder.
     pub(crate) fn gas_state(&mut self, gas: IdealGas) {
         let (p, d) = (&mut self.particles, &mut self.derived);
         for k in 0..p.x.len() {
             if d.surroundings[k].fluid_filling < SPRAY_FILLING {
-                p.rho[k] = p.rho[k].max(gas.density(0.0, p.energy[k]));
+                let relief = gas.isentropic_relief(p.rho[k], p.energy[k]);
+                p.rho[k] *= relief;
+                p.energy[k] *= relief.powf(gas.gamma - 1.0);
             }
             d.pressure[k] = gas.pressure(p.rho[k], p.energy[k]);
             d.volume[k] = p.theta[k] * p.mass[k] / p.rho[k];

@@ -129,8 +129,8 @@ fn stress_force<'r, K: Shape>(
 }
 
 impl Fluid {
-    /// L7: stress of every particle and image [Pa], from the rows last packed. An image's shear has the other sign.
-    pub(crate) fn evaluate_stress(&mut self) -> &[Stress] {
+    /// L7: stress of every particle and image [Pa], from the state of the last sweep. An image's shear has the other sign.
+    pub fn evaluate_stress(&mut self) -> &[Stress] {
         let n = self.particles.len();
         self.stress.resize(n + self.search.fluid_images.len(), [0.0; 3]);
         self.parameters.kernel.run(StressSweep {

@@ -43,8 +43,8 @@ fn excess_velocity<'r, K: Shape>(a: &Row, near: impl Iterator<Item = (&'r Row, f
 }
 
 impl Fluid {
-    /// L6: what the neighbours' velocities have over each particle's own [m/s], from the rows last packed.
-    pub(crate) fn excess_velocities(&mut self) -> &[[f64; 2]] {
+    /// L6: what the neighbours' velocities have over each particle's own [m/s], from the state of the last sweep.
+    pub fn excess_velocities(&mut self) -> &[[f64; 2]] {
         self.excess_velocity.resize(self.particles.len(), [0.0; 2]);
         self.parameters.kernel.run(Smoothing {
             fluid: &self.rows.fluid,

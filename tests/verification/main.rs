@@ -5,6 +5,7 @@ mod conservation;
 mod gas;
 mod integrators;
 mod kernel_sums;
+mod options;
 mod rigid_body;
 mod standing_wave;
 mod still_water;

@@ -185,7 +185,7 @@ fn usual_cfl(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::Symplectic => 0.6,
         Integrator::PredictorCorrector | Integrator::Beeman => 0.3,
-        Integrator::Verlet => 0.1,
+        Integrator::Verlet => 0.05,
     }
 }
 
