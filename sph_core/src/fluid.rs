@@ -1,6 +1,7 @@
 //! The fluid: its state, its step, and the verbs that the integrators are written in.
 
 use crate::error::Breakdown;
+use crate::ideal_gas::Heat;
 use crate::integrator::{self, Integrator, Old};
 use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
@@ -35,6 +36,7 @@ pub struct Fluid {
     wall_force: Vec<[f64; 2]>,
     pub(crate) history: History,
     pub(crate) heating: Vec<f64>,
+    pub(crate) heat: Vec<Heat>,
     pub(crate) excess_velocity: Vec<[f64; 2]>,
     pub(crate) stress: Vec<Stress>,
 }
@@ -71,6 +73,7 @@ impl Fluid {
             wall_force: Vec::new(),
             history: History::default(),
             heating: Vec::new(),
+            heat: Vec::new(),
             excess_velocity: Vec::new(),
             stress: Vec::new(),
         };

@@ -70,7 +70,7 @@ impl IdealGas {
     }
 }
 
-/// L10: m de/dt [W/m] of every fluid particle.
+/// L10 for every fluid particle.
 struct Heating<'a> {
     fluid: &'a [Row],
     walls: &'a [Row],
@@ -78,7 +78,7 @@ struct Heating<'a> {
     search: &'a Search,
     constants: Constants,
     ambient: f64,
-    out: &'a mut [f64],
+    out: &'a mut [Heat],
 }
 
 impl WithKernel for Heating<'_> {
@@ -93,6 +93,15 @@ impl WithKernel for Heating<'_> {
     }
 }
 
+/// What L10 gathers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Heat {
+    /// Work of pressures and viscosity that stays in the particle [W/m].
+    power: f64,
+    /// −∇·v [1/s], as the continuity equation has it (E4, E10).
+    compression: f64,
+}
+
 /// L10: half of the power that the pair's absolute pressures and viscosity take from its motion; all of what a wall gives.
 #[inline(always)]
 fn heating<'r, K: Shape>(
@@ -101,8 +110,8 @@ fn heating<'r, K: Shape>(
     walls: impl Iterator<Item = (&'r Row, &'r Face)>,
     c: &Constants,
     ambient: f64,
-) -> f64 {
-    let mut heat = 0.0;
+) -> Heat {
+    let mut heat = Heat::default();
     for b in fluid {
         let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             continue;
@@ -110,7 +119,8 @@ fn heating<'r, K: Shape>(
         let (du, dv) = (a.u - b.u, a.v - b.v);
         let f = pair::force(a, b, &ab, c, c.alpha, c.nu);
         let closing = (du * ab.dx + dv * ab.dy) * ab.slope;
-        heat += a.volume * b.volume * ambient * closing - 0.5 * (f[0] * du + f[1] * dv);
+        heat.compression += b.volume * closing;
+        heat.power += a.volume * b.volume * ambient * closing - 0.5 * (f[0] * du + f[1] * dv);
     }
     for (w, face) in walls {
         let Some(aw) = pair::bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
@@ -118,7 +128,8 @@ fn heating<'r, K: Shape>(
         };
         let approach = a.u * face.nx + a.v * face.ny - face.vn;
         let closing = approach * (aw.dx * face.nx + aw.dy * face.ny) * aw.slope;
-        heat += a.volume * w.volume * (a.p + w.p + 2.0 * ambient) * closing;
+        heat.compression += 2.0 * w.volume * closing;
+        heat.power += a.volume * w.volume * (a.p + w.p + 2.0 * ambient) * closing;
     }
     heat
 }
@@ -127,6 +138,7 @@ impl Fluid {
     /// L10: de/dt with the rows that the density rate was found with. Nothing to do for water.
     pub(crate) fn evaluate_heating(&mut self) {
         let Some(gas) = self.parameters.gas else { return };
+        self.heat.resize(self.particles.len(), Heat::default());
         self.parameters.kernel.run(Heating {
             fluid: &self.rows.fluid,
             walls: &self.rows.walls,
@@ -134,15 +146,18 @@ impl Fluid {
             search: &self.search,
             constants: self.parameters.constants(),
             ambient: gas.ambient(),
-            out: &mut self.heating,
+            out: &mut self.heat,
         });
-        for (rate, mass) in self.heating.iter_mut().zip(&self.particles.mass) {
-            *rate /= mass;
+        let p = &self.particles;
+        for (k, heat) in self.heat.iter().enumerate() {
+            let diffused = self.density_rate[k] - p.rho[k] * heat.compression; // E5, along the isentrope
+            let along = (gas.gamma - 1.0) * p.energy[k] / p.rho[k];
+            self.heating[k] = heat.power / p.mass[k] + along * diffused;
         }
     }
 
     /// e ← e + Δt de/dt.
-    pub(crate) fn heat(&mut self, dt: f64) {
+    pub(crate) fn warm(&mut self, dt: f64) {
         if self.parameters.gas.is_none() {
             return;
         }
@@ -153,7 +168,7 @@ impl Fluid {
 
     /// e ← e (2 + η)/(2 − η), η = Δt (de/dt)/e with the rate about the step's middle: second order, since (de/dt)/e of a
     /// gas depends on its motion alone.
-    pub(crate) fn heat_about_middle(&mut self, dt: f64) {
+    pub(crate) fn warm_about_middle(&mut self, dt: f64) {
         if self.parameters.gas.is_none() {
             return;
         }

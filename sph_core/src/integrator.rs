@@ -29,7 +29,7 @@ pub(crate) fn symplectic(fluid: &mut Fluid, walls: &mut Walls, dt: f64) {
     fluid.evaluate_density_rate(walls, -half); // dρ/dt at (x½, v½)
     fluid.evaluate_heating(); //                 de/dt there (L10)
     fluid.compress_about_middle(dt); //          ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
-    fluid.heat_about_middle(dt); //              e' likewise
+    fluid.warm_about_middle(dt); //              e' likewise
     fluid.drift(half); //                        x' = x½ + ½Δt v½
     fluid.shift(dt); //                          x' ← x' + δr
     fluid.drift_with_neighbours(dt); //          L6
@@ -65,7 +65,7 @@ pub(crate) fn predictor_corrector(fluid: &mut Fluid, walls: &mut Walls, dt: f64)
     fluid.drift(half); //                        x½ = x + ½Δt v
     fluid.kick(half); //                         v½ = v + ½Δt a
     fluid.compress(half); //                     ρ½ = ρ + ½Δt dρ/dt
-    fluid.heat(half); //                         e½ likewise
+    fluid.warm(half); //                         e½ likewise
     fluid.sum_density(walls, -half); //          L11
     fluid.evaluate_forces(walls, -half); //      a½, F½
     fluid.evaluate_density_rate(walls, -half); // dρ/dt at ½

@@ -71,13 +71,13 @@ fn options_run_together_and_as_the_thesis_had_them() {
     }
 }
 
-/// An energy that only dissipates: a heavy gas in gauge pressure behaves as the water does. Its spray must be compressed
-/// along isentropes (THEORY L9): at constant energy it loses p₀ times the volume in every step, forty times what falls.
+/// A heavy gas under p₀ falls as the water does, and dissipates as much. For that its spray must be compressed, and its
+/// density diffused, along isentropes (THEORY L9, L10): with e left alone p₀ dV goes astray, many times what falls.
 #[test]
 fn a_gas_does_not_lose_more_energy_than_falls() {
     let energy = dam_break(&HEAVY_GAS).audit.energy;
     eprintln!("gas: energy {energy}");
-    assert!((-1.0..0.05).contains(&energy), "energy changes by {energy} of what changed hands");
+    assert!((-1.0..0.0).contains(&energy), "energy changes by {energy} of what changed hands");
 }
 
 /// The quadratic kernel's gradient is largest where particles touch and drops to zero at 2h with a kink. Failure: with
@@ -89,10 +89,12 @@ fn the_quadratic_kernel_breaks_down_without_much_viscosity() {
 }
 
 /// Failure: counted from masses (THEORY L11), water at a free surface misses half of its neighbours and is taken for
-/// thin; the surface rows are pulled together and the run breaks down. Remedy: the continuity equation (E4).
+/// thin: at the column's corner so thin that the run cannot begin. Remedy: the continuity equation (E4).
 #[test]
 fn summed_densities_break_down_at_a_free_surface() {
-    breaks_down(&["fluid.density_evolution=summation"]);
+    let scene = scene("dam_break", &["resolution.spacing=0.06", "fluid.density_evolution=summation"]);
+    let Err(error) = run::run(&scene, &RunOptions::default()) else { panic!("summed densities ran") };
+    assert!(error.to_string().contains("has density"), "{error}");
     completes(&["fluid.density_evolution=continuity"]);
 }
 

@@ -38,6 +38,15 @@ fn verlet_without_its_correction_step_breaks_down() {
     }
 }
 
+/// Failure: with summed densities (THEORY L11) the surface of still water is pulled together by tension that is not there,
+/// until the run breaks down. Remedy: the continuity equation (E4).
+#[test]
+fn still_water_with_summed_densities_breaks_down() {
+    let error = advance(&mut tank(&["fluid.density_evolution=summation"]), 1.0, |_| ()).expect_err("still water ran");
+    assert!(matches!(error, CouplingError::Fluid(Breakdown::Density { .. })), "{error}");
+    advance(&mut tank(&["fluid.density_evolution=continuity"]), 1.0, |_| ()).expect("still water stays");
+}
+
 /// Failure: density diffusion of the whole pressure (L12) takes the hydrostatic gradient for noise; at the surface and
 /// at the floor its sum is one-sided, and still water spreads: the lowest rows sink together, the top rises. Remedy:
 /// diffuse what is over the hydrostatic pressure (E5).
