@@ -76,7 +76,6 @@ fn options_run_together_and_as_the_thesis_had_them() {
 #[test]
 fn a_gas_does_not_lose_more_energy_than_falls() {
     let energy = dam_break(&HEAVY_GAS).audit.energy;
-    eprintln!("gas: energy {energy}");
     assert!((-1.0..0.0).contains(&energy), "energy changes by {energy} of what changed hands");
 }
 
