@@ -8,7 +8,7 @@ use sph_core::eos::Tait;
 use sph_core::images::Mirror;
 use sph_core::{Fluid, Parameters, Seed};
 
-use crate::scene::{Body, Motion, Scene, Symmetry};
+use crate::scene::{Body, DiffusionForm, Motion, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -69,6 +69,15 @@ fn parameters(scene: &Scene) -> Parameters {
         integrator: fluid.integrator,
         cfl: fluid.cfl,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
+        verlet_correction_every: fluid.verlet_correction_every.into(),
+        density_filter: fluid.density_filter,
+        density_filter_every: fluid.density_filter_every.into(),
+        xsph: fluid.xsph,
+        turbulence: fluid.turbulence,
+        gas: fluid.gas(),
+        density_evolution: fluid.density_evolution,
+        hydrostatic_diffusion: fluid.density_diffusion_form == DiffusionForm::Fourtakas,
+        shift_surface: false,
     }
 }
 

@@ -47,7 +47,7 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let fluid = &scene.fluid;
     let h = fluid.smoothing_ratio * scene.resolution.spacing;
     let fastest = scene.fastest_speed();
-    let step = fluid.cfl * h / (fluid.sound_speed + fastest);
+    let step = scene.time.step.unwrap_or(fluid.cfl * h / (fluid.sound_speed + fastest));
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };

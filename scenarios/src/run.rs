@@ -140,7 +140,8 @@ fn advance(
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Ok(Ok(Status::Interrupted));
         }
-        let stepped = system.stable_dt().and_then(|dt| system.step(dt));
+        let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
+        let stepped = dt.and_then(|dt| system.step(dt));
         if let Err(breakdown) = stepped {
             return Ok(Err(breakdown));
         }

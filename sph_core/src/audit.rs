@@ -10,7 +10,7 @@ pub struct FluidEnergy {
     pub kinetic: f64,
     /// −Σ m g·r.
     pub potential: f64,
-    /// Σ m ∫ p/ρ² dρ (E22).
+    /// Σ m ∫ p/ρ² dρ (E22); of a gas Σ m (e − e₀ + p₀/ρ − p₀/ρ₀), heat included (L10).
     pub elastic: f64,
 }
 
@@ -53,7 +53,10 @@ impl Fluid {
             let growth = if eos.gamma == 1.0 { s.ln() } else { (s.powf(eos.gamma - 1.0) - 1.0) / (eos.gamma - 1.0) };
             e.kinetic += 0.5 * p.mass[k] * (p.u[k] * p.u[k] + p.v[k] * p.v[k]);
             e.potential -= p.mass[k] * (g[0] * p.x[k] + g[1] * p.y[k]);
-            e.elastic += p.mass[k] * b / eos.rho0 * (growth + 1.0 / s - 1.0);
+            e.elastic += match self.parameters.gas {
+                None => p.mass[k] * b / eos.rho0 * (growth + 1.0 / s - 1.0),
+                Some(gas) => p.mass[k] * gas.energy_over_rest(p.rho[k], p.energy[k]),
+            };
         }
         let halves = self.halves();
         FluidEnergy { kinetic: halves * e.kinetic, potential: halves * e.potential, elastic: halves * e.elastic }

@@ -1,7 +1,9 @@
 //! The fluid: its state, its step, and the verbs that the integrators are written in.
 
 use crate::error::Breakdown;
+use crate::ideal_gas::Heat;
 use crate::integrator::{self, Integrator, Old};
+use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::{Parameters, Slip};
 use crate::particles::{Derived, Particles, SPRAY_FILLING, SURFACE_LAMBDA, Seed};
@@ -9,6 +11,7 @@ use crate::rows::Rows;
 use crate::search::Search;
 use crate::sweep;
 use crate::sweeps::{DensityRate, Momentum, WallForce, WallState};
+use crate::turbulence::Stress;
 use crate::walls::Walls;
 
 /// A weakly compressible fluid.
@@ -25,12 +28,17 @@ pub struct Fluid {
     pub steps: u64,
     /// Neighbour lists.
     pub search: Search,
-    rows: Rows,
+    pub(crate) rows: Rows,
     pub(crate) old: Old,
     pub(crate) density_rate: Vec<f64>,
-    gathered: Vec<Gathered>,
+    pub(crate) gathered: Vec<Gathered>,
     extrapolated: Vec<Extrapolated>,
     wall_force: Vec<[f64; 2]>,
+    pub(crate) history: History,
+    pub(crate) heating: Vec<f64>,
+    pub(crate) heat: Vec<Heat>,
+    pub(crate) excess_velocity: Vec<[f64; 2]>,
+    pub(crate) stress: Vec<Stress>,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -47,7 +55,8 @@ impl Fluid {
     pub fn new(parameters: Parameters, seeds: &[Seed]) -> Fluid {
         let mut particles = Particles::default();
         for seed in seeds {
-            particles.push(seed, parameters.eos.density(seed.pressure), parameters.smoothing_ratio);
+            let (rho, energy) = parameters.state_at(seed.pressure);
+            particles.push(seed, rho, energy, parameters.smoothing_ratio);
         }
         let mut fluid = Fluid {
             parameters,
@@ -62,16 +71,23 @@ impl Fluid {
             gathered: Vec::new(),
             extrapolated: Vec::new(),
             wall_force: Vec::new(),
+            history: History::default(),
+            heating: Vec::new(),
+            heat: Vec::new(),
+            excess_velocity: Vec::new(),
+            stress: Vec::new(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
         fluid.density_rate.resize(n, 0.0);
         fluid.gathered.resize(n, Gathered::default());
+        fluid.heating.resize(n, 0.0);
         fluid
     }
 
     /// Forces at the start: once, when the walls stand where they start.
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {
+        self.sum_density(walls, 0.0);
         self.evaluate_forces(walls, 0.0);
         self.search.flag_surface(&mut self.derived);
         walls.mean_fx.clone_from(&walls.fx);
@@ -86,6 +102,8 @@ impl Fluid {
         sweep::within_pool(|| match self.parameters.integrator {
             Integrator::Symplectic => integrator::symplectic(self, walls, dt),
             Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
+            Integrator::Verlet => multistep::verlet(self, walls, dt),
+            Integrator::Beeman => multistep::beeman(self, walls, dt),
         });
         self.fold();
         self.time += dt;
@@ -100,6 +118,7 @@ impl Fluid {
             if p.x[k] < mirror.at {
                 p.x[k] = mirror.reflect(p.x[k]);
                 (p.u[k], p.ax[k]) = (-p.u[k], -p.ax[k]);
+                self.history.reflect(p.id[k]);
             }
         }
     }
@@ -147,7 +166,7 @@ impl Fluid {
         let p = &mut self.particles;
         for k in 0..p.x.len() {
             let around = &self.derived.surroundings[k];
-            if around.lambda < SURFACE_LAMBDA {
+            if around.lambda < SURFACE_LAMBDA && !self.parameters.shift_surface {
                 continue;
             }
             let speed = (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
@@ -177,6 +196,9 @@ impl Fluid {
 
     /// E3: pressures and volumes from densities. Spray is never thinner than water at rest, so it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
+        if let Some(gas) = self.parameters.gas {
+            return self.gas_state(gas); //           L9
+        }
         let (eos, p, d) = (self.parameters.eos, &mut self.particles, &mut self.derived);
         for k in 0..p.x.len() {
             if d.surroundings[k].fluid_filling < SPRAY_FILLING {
@@ -195,7 +217,7 @@ impl Fluid {
             faces: &self.rows.faces,
             rho: &self.particles.rho,
             search: &self.search,
-            constants: self.parameters.constants(),
+            constants: self.parameters.diffusion_constants(),
             out: &mut self.density_rate,
         });
     }
@@ -207,6 +229,7 @@ impl Fluid {
         self.pack(walls, offset);
         self.extrapolate_to_walls(walls);
         self.gather_forces(walls);
+        self.gather_turbulence(); //                 L8
         self.accelerate();
         self.correct_volumes();
     }
@@ -252,7 +275,7 @@ impl Fluid {
     }
 
     /// Make the lists if they no longer hold, then pack what the sweeps read.
-    fn pack(&mut self, walls: &Walls, offset: f64) {
+    pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
         self.rows.place_walls(walls, offset);
         let (mirror, kinematics) = (self.parameters.mirror, self.rows.kinematics(walls));
         if !self.search.holds(&self.particles, &kinematics) {
@@ -265,10 +288,11 @@ impl Fluid {
     /// Every state finite, every density believable.
     fn check(&self) -> Result<(), Breakdown> {
         let (p, time, rho0) = (&self.particles, self.time, self.parameters.eos.rho0);
+        let gas = self.parameters.gas.is_some();
         let sound = |k: usize| {
             let strain = (p.rho[k] / rho0 - 1.0).abs();
             let finite = (p.x[k] + p.y[k] + p.u[k] + p.v[k] + p.ax[k] + p.ay[k]).is_finite();
-            if finite && strain < 0.3 { 1.0 } else { -1.0 }
+            if finite && (strain < 0.3 || gas && p.rho[k] > 0.0 && p.energy[k] > 0.0) { 1.0 } else { -1.0 }
         };
         if sweep::least(p.len(), sound) > 0.0 {
             return Ok(());

@@ -10,12 +10,15 @@
 
 pub mod audit;
 pub mod cells;
+pub mod density_filter;
 pub mod eos;
 pub mod error;
 pub mod fluid;
+pub mod ideal_gas;
 pub mod images;
 pub mod integrator;
 pub mod kernel;
+mod multistep;
 mod nearest;
 pub mod neighbours;
 pub mod pair;
@@ -25,14 +28,21 @@ pub mod probe;
 mod rows;
 pub mod search;
 pub mod step_limit;
+pub mod summation;
 pub mod sweep;
 mod sweeps;
+pub mod turbulence;
 pub mod walls;
+mod xsph;
 
+pub use density_filter::DensityFilter;
 pub use error::Breakdown;
 pub use fluid::Fluid;
+pub use ideal_gas::IdealGas;
 pub use integrator::Integrator;
 pub use kernel::Kernel;
 pub use parameters::{Parameters, Slip};
 pub use particles::{Particles, Seed};
+pub use summation::DensityEvolution;
+pub use turbulence::Turbulence;
 pub use walls::{WallForces, WallPoint, Walls, WallsMut};

@@ -71,19 +71,19 @@ pub struct Constants {
 }
 
 /// Geometry of a pair whose supports overlap: r_ab, h̄ = (h_a + h_b)/2 and ∇_a W_ab = `slope` r_ab.
-struct Bond {
-    dx: f64,
-    dy: f64,
+pub(crate) struct Bond {
+    pub dx: f64,
+    pub dy: f64,
     r2: f64,
     h: f64,
     q: f64,
     peak: f64, // α/h²
-    slope: f64,
+    pub slope: f64,
 }
 
 /// E2: the pair's kernel is taken at the mean smoothing length, so ∇_a W_ab = −∇_b W_ab exactly.
 #[inline(always)]
-fn bond<K: Shape>(ax: f64, ay: f64, ah: f64, bx: f64, by: f64, bh: f64) -> Option<Bond> {
+pub(crate) fn bond<K: Shape>(ax: f64, ay: f64, ah: f64, bx: f64, by: f64, bh: f64) -> Option<Bond> {
     let (dx, dy, h) = (ax - bx, ay - by, 0.5 * (ah + bh));
     let r2 = dx * dx + dy * dy;
     if r2 >= 4.0 * h * h {
@@ -99,7 +99,7 @@ fn bond<K: Shape>(ax: f64, ay: f64, ah: f64, bx: f64, by: f64, bh: f64) -> Optio
 impl Bond {
     /// W_ab [1/m²].
     #[inline(always)]
-    fn w<K: Shape>(&self) -> f64 {
+    pub fn w<K: Shape>(&self) -> f64 {
         self.peak * K::w(self.q)
     }
 }
@@ -141,7 +141,7 @@ pub fn density_rate<'r, K: Shape>(
 
 /// E6 + E7 + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
 #[inline(always)]
-fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64) -> [f64; 2] {
+pub(crate) fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64) -> [f64; 2] {
     let (du, dv) = (a.u - b.u, a.v - b.v);
     let inverse = 1.0 / (ab.r2 + 0.01 * ab.h * ab.h);
     let approach = (du * ab.dx + dv * ab.dy).min(0.0);

@@ -2,11 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::density_filter::DensityFilter;
 use crate::eos::Tait;
+use crate::ideal_gas::IdealGas;
 use crate::images::Mirror;
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::pair::Constants;
+use crate::summation::DensityEvolution;
+use crate::turbulence::Turbulence;
 
 /// What the fluid does along a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,6 +54,24 @@ pub struct Parameters {
     pub cfl: f64,
     /// Plane of symmetry, if the scene has one.
     pub mirror: Option<Mirror>,
+    /// Steps between two Euler steps of Verlet's integrator; 0 is never (L1).
+    pub verlet_correction_every: u64,
+    /// How densities are smoothed (L4, L5).
+    pub density_filter: DensityFilter,
+    /// Steps between two filterings.
+    pub density_filter_every: u64,
+    /// Share ε of the neighbours' velocity that particles move with [-] (L6); 0 is none.
+    pub xsph: f64,
+    /// What stands for unresolved eddies (L7).
+    pub turbulence: Turbulence,
+    /// The gas, if the fluid is one (L9): then `eos` gives ρ₀, γ and the speed of sound at rest only.
+    pub gas: Option<IdealGas>,
+    /// Where densities come from (L11).
+    pub density_evolution: DensityEvolution,
+    /// Take the hydrostatic difference out of density diffusion (E5, Fourtakas et al. 2019); without: L12.
+    pub hydrostatic_diffusion: bool,
+    /// Shift free-surface particles too: the error that E13 avoids, for comparison.
+    pub shift_surface: bool,
 }
 
 impl Parameters {
@@ -65,6 +87,20 @@ impl Parameters {
             nu,
             stretch: f64::from(u8::from(self.wall_stretch)),
         }
+    }
+
+    /// Density [kg/m³] and specific internal energy [J/kg] at rest under a pressure [Pa]: water, or gas at T₀.
+    pub(crate) fn state_at(&self, pressure: f64) -> (f64, f64) {
+        match self.gas {
+            None => (self.eos.density(pressure), 0.0),
+            Some(gas) => (gas.density(pressure, gas.energy_at_rest()), gas.energy_at_rest()),
+        }
+    }
+
+    /// E5, or L12: the same without gravity, so that pressures themselves diffuse.
+    pub(crate) fn diffusion_constants(&self) -> Constants {
+        let constants = self.constants();
+        if self.hydrostatic_diffusion { constants } else { Constants { gravity: [0.0; 2], ..constants } }
     }
 
     /// ν between fluid and wall [m²/s].

@@ -43,6 +43,8 @@ pub struct Particles {
     pub ay: Vec<f64>,
     /// Identity, stable through sorting.
     pub id: Vec<u32>,
+    /// Specific internal energy e [J/kg] of a gas (THEORY L10); 0 for water.
+    pub energy: Vec<f64>,
 }
 
 impl Particles {
@@ -56,8 +58,9 @@ impl Particles {
         self.x.is_empty()
     }
 
-    /// Append a particle of density `rho` [kg/m³] whose smoothing length is `ratio` spacings.
-    pub fn push(&mut self, seed: &Seed, rho: f64, ratio: f64) {
+    /// Append a particle of density `rho` [kg/m³] and specific internal energy `energy` [J/kg] whose smoothing length is
+    /// `ratio` spacings.
+    pub fn push(&mut self, seed: &Seed, rho: f64, energy: f64, ratio: f64) {
         self.id.push(self.x.len() as u32);
         self.x.push(seed.at[0]);
         self.y.push(seed.at[1]);
@@ -69,12 +72,13 @@ impl Particles {
         self.theta.push(1.0);
         self.ax.push(0.0);
         self.ay.push(0.0);
+        self.energy.push(energy);
     }
 
     /// Put particle `order[k]` at place k, in every array.
     pub(crate) fn permute(&mut self, order: &[u32], scratch: &mut Vec<f64>) {
-        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id } = self;
-        for array in [x, y, u, v, rho, mass, h, theta, ax, ay] {
+        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id, energy } = self;
+        for array in [x, y, u, v, rho, mass, h, theta, ax, ay, energy] {
             permute(array, order, scratch);
         }
         let old = id.clone();

@@ -103,14 +103,19 @@ impl Search {
         self.flag_surface(derived);
     }
 
+    /// The particle behind listed index `j` of `n` particles and their images.
+    #[inline(always)]
+    pub fn source(&self, j: u32, n: usize) -> usize {
+        if (j as usize) < n { j as usize } else { self.fluid_images[j as usize - n] as usize }
+    }
+
     /// Who is, or has within reach, a free-surface particle (by the λ of the last sweep).
     pub fn flag_surface(&self, derived: &mut Derived) {
         let n = derived.surroundings.len();
         let around = &derived.surroundings;
-        let source = |j: u32| if (j as usize) < n { j } else { self.fluid_images[j as usize - n] } as usize;
         let at_surface = |k: usize| around[k].lambda < SURFACE_LAMBDA;
         crate::sweep::gather_into(&mut derived.near_surface, |k| {
-            at_surface(k) || self.fluid.of(k).iter().any(|&j| at_surface(source(j)))
+            at_surface(k) || self.fluid.of(k).iter().any(|&j| at_surface(self.source(j, n)))
         });
     }
 }

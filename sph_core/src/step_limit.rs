@@ -13,23 +13,29 @@ const VISCOUS: f64 = 0.125;
 const COLLAPSE: f64 = 1e-4;
 
 impl Fluid {
-    /// Δt ≤ C h/(c₀ + |v|) [s] over all particles.
+    /// Speed of sound at particle `k` [m/s]: c₀, and in a gas hotter than at rest more.
+    fn sound_speed(&self, k: usize) -> f64 {
+        let c0 = self.parameters.eos.c0;
+        self.parameters.gas.map_or(c0, |gas| gas.sound_speed(self.particles.energy[k]).max(c0))
+    }
+
+    /// Δt ≤ C h/(c + |v|) [s] over all particles.
     pub fn acoustic_limit(&self) -> f64 {
-        let (p, c0) = (&self.particles, self.parameters.eos.c0);
+        let p = &self.particles;
         let speed = |k: usize| (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
-        self.parameters.cfl * sweep::least(p.len(), |k| p.h[k] / (c0 + speed(k)))
+        self.parameters.cfl * sweep::least(p.len(), |k| p.h[k] / (self.sound_speed(k) + speed(k)))
     }
 
     /// The step limit [s]: acoustic, force and viscous, over the fluid and the walls beside it.
     pub fn stable_dt(&self, walls: &Walls) -> Result<f64, Breakdown> {
         let (p, q) = (&self.particles, &self.parameters);
         let c0 = q.eos.c0;
-        let limit = |h: f64, u: f64, v: f64, ax: f64, ay: f64| {
+        let limit = |c: f64, h: f64, u: f64, v: f64, ax: f64, ay: f64| {
             let (speed, acceleration) = ((u * u + v * v).sqrt(), (ax * ax + ay * ay).sqrt());
-            (q.cfl * h / (c0 + speed)).min(FORCE * (h / acceleration).sqrt()).min(VISCOUS * h * h / q.nu)
+            (q.cfl * h / (c + speed)).min(FORCE * (h / acceleration).sqrt()).min(VISCOUS * h * h / q.nu)
         };
-        let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
-        let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
+        let of_fluid = |k: usize| limit(self.sound_speed(k), p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
+        let of_wall = |k: usize| limit(c0, walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
         let (dt, at_rest) = sweep::within_pool(|| {
             let dt = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall));
             (dt, q.cfl * sweep::least(p.len(), |k| p.h[k]) / c0)

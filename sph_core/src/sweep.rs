@@ -22,6 +22,15 @@ pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
     });
 }
 
+/// `change(k, out[k])` for every target k.
+pub fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
+    out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
+        for (k, slot) in chunk.iter_mut().enumerate() {
+            change(c * CHUNK + k, slot);
+        }
+    });
+}
+
 /// The least `value(k)` of `n` (infinity when there are none); `min` is exact, so any order gives the same bits.
 pub fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
     (0..n.div_ceil(CHUNK))

@@ -54,6 +54,24 @@ fn the_bits_do_not_depend_on_threads_and_come_again() {
     }
 }
 
+/// The options' own sweeps are gathers too: the same bits with one thread and with three.
+#[test]
+fn the_options_bits_do_not_depend_on_threads() {
+    let coarse = "resolution.spacing=0.05";
+    let eddies = ["fluid.kinematic_viscosity=1e-6", "fluid.turbulence=sps", "fluid.density_filter=mls"];
+    for sets in [
+        [&eddies[..], &[coarse, "fluid.xsph=0.5", "fluid.integrator=beeman"]].concat(),
+        vec![coarse, "fluid.equation_of_state=ideal_gas", "fluid.molar_mass=2.1", "fluid.integrator=verlet"],
+        vec![coarse, "fluid.density_filter=shepard", "fluid.density_filter_every=5"],
+    ] {
+        let with = |threads: usize| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
+            pool.install(|| bits(&stepped("dam_break", &sets)))
+        };
+        assert_eq!(with(1), with(3), "{sets:?}");
+    }
+}
+
 /// The hash sees a single bit, so that equal hashes mean equal states.
 #[test]
 fn the_hash_sees_the_last_bit_of_one_particle() {

@@ -3,5 +3,8 @@
 
 mod bodies;
 mod noise;
+mod options;
+mod order;
+mod schemes;
 mod walls;
 mod water;

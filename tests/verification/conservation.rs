@@ -31,18 +31,28 @@ fn forces_on_walls_are_equal_and_opposite_to_those_on_the_fluid() {
 }
 
 /// In every step of an impact the momentum of fluid and body changes by the impulses of gravity, guides and tank alone:
-/// to 1e-10 of what is held and exchanged, body moved or moving, half a tank or a whole one, and for both integrators.
+/// to 1e-10 of what is held and exchanged, body moved or moving, half a tank or a whole one, for every integrator and
+/// with every option that changes forces or velocities.
 #[test]
 fn momentum_closes_in_every_step_of_an_impact() {
+    let float = ["resolution.spacing=0.033", "body.position=[0.1, 0.05]", "body.angle_deg=8"];
     for (scene, sets) in [
         ("wedge_constant", vec!["resolution.spacing=0.1"]),
         ("wedge_constant", vec!["resolution.spacing=0.1", "fluid.integrator=predictor_corrector"]),
+        ("wedge_constant", vec!["resolution.spacing=0.1", "fluid.integrator=verlet"]),
+        ("wedge_constant", vec!["resolution.spacing=0.1", "fluid.integrator=beeman", "fluid.xsph=0.5"]),
         ("wedge", vec!["resolution.spacing=0.016"]),
+        (
+            "wedge",
+            vec!["resolution.spacing=0.016", "fluid.kinematic_viscosity=1e-6", "fluid.turbulence=sps", "symmetry=none"],
+        ),
+        ("floating_box", [&float[..], &["fluid.integrator=verlet", "fluid.density_filter=mls"]].concat()),
+        ("floating_box", [&float[..], &["fluid.integrator=beeman", "fluid.density_filter=shepard"]].concat()),
         (
             "wedge",
             vec!["resolution.spacing=0.016", "symmetry=none", "body.free=[\"x\", \"y\"]", "body.velocity=[1.0, -6.15]"],
         ),
-        ("floating_box", vec!["resolution.spacing=0.033", "body.position=[0.1, 0.05]", "body.angle_deg=8"]),
+        ("floating_box", float.to_vec()),
     ] {
         let mut system = system(scene, &sets);
         take(&mut system, 250).expect("a stable run");

@@ -3,7 +3,7 @@
 use evidence::statistics::Noise;
 use sph_core::eos::Tait;
 use sph_core::particles::{SPRAY_FILLING, SURFACE_LAMBDA, Surroundings};
-use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip, Walls};
+use sph_core::{DensityEvolution, DensityFilter, Fluid, Integrator, Kernel, Parameters, Seed, Slip, Turbulence, Walls};
 
 /// Spacing of the lattice [m].
 const SPACING: f64 = 0.1;
@@ -27,6 +27,15 @@ fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,
+        verlet_correction_every: 40,
+        density_filter: DensityFilter::None,
+        density_filter_every: 20,
+        xsph: 0.0,
+        turbulence: Turbulence::None,
+        gas: None,
+        density_evolution: DensityEvolution::Continuity,
+        hydrostatic_diffusion: true,
+        shift_surface: false,
     };
     let mut noise = Noise::new(23);
     let seed = |k: usize, noise: &mut Noise| Seed {

@@ -2,7 +2,10 @@
 
 mod acoustics;
 mod conservation;
+mod gas;
+mod integrators;
 mod kernel_sums;
+mod options;
 mod rigid_body;
 mod standing_wave;
 mod still_water;

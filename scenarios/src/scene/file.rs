@@ -7,7 +7,10 @@ use serde::de::value::SeqAccessDeserializer;
 use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::model::{Body, GaugeFrame, Integrator, Kernel, Motion, Norm, Similarity, Symmetry, WallSlip};
+use super::model::{
+    Body, DensityEvolution, DensityFilter, DiffusionForm, EquationOfState, GaugeFrame, Integrator, Kernel, Motion,
+    Norm, Similarity, Symmetry, Turbulence, WallSlip,
+};
 use fsi_coupling::Shape;
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -34,6 +37,7 @@ pub struct TimeFile {
     pub end: Option<f64>,
     pub sample_every: Option<f64>,
     pub frame_every: Option<f64>,
+    pub step: Option<f64>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -64,6 +68,16 @@ pub struct FluidFile {
     pub wall_stretch: Option<bool>,
     pub integrator: Option<Integrator>,
     pub cfl: Option<f64>,
+    pub verlet_correction_every: Option<u32>,
+    pub density_filter: Option<DensityFilter>,
+    pub density_filter_every: Option<u32>,
+    pub xsph: Option<f64>,
+    pub turbulence: Option<Turbulence>,
+    pub equation_of_state: Option<EquationOfState>,
+    pub temperature: Option<f64>,
+    pub molar_mass: Option<f64>,
+    pub density_evolution: Option<DensityEvolution>,
+    pub density_diffusion_form: Option<DiffusionForm>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

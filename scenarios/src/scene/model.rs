@@ -1,7 +1,7 @@
 //! The resolved scene: plain data, every number known.
 
 use serde::{Deserialize, Serialize};
-pub use sph_core::{Integrator, Kernel, Slip as WallSlip};
+pub use sph_core::{DensityEvolution, DensityFilter, IdealGas, Integrator, Kernel, Slip as WallSlip, Turbulence};
 
 use super::auto::fastest_speed;
 use super::file::BodyFile;
@@ -73,6 +73,8 @@ pub struct Time {
     pub sample_every: f64,
     /// Interval between frames of particles [s].
     pub frame_every: f64,
+    /// Length of every step [s]; without it each step is as long as is stable.
+    pub step: Option<f64>,
 }
 
 /// Particle spacing: `spacing` in the fine zone, growing away from it.
@@ -119,6 +121,57 @@ pub struct Fluid {
     pub integrator: Integrator,
     /// Step limit: dt ≤ cfl·h/(c₀ + |v|) [-].
     pub cfl: f64,
+    /// Steps between two Euler steps of Verlet's integrator; 0 is never.
+    pub verlet_correction_every: u32,
+    /// How densities are smoothed now and then.
+    pub density_filter: DensityFilter,
+    /// Steps between two filterings.
+    pub density_filter_every: u32,
+    /// Share ε of its neighbours' velocity that a particle moves with [-].
+    pub xsph: f64,
+    /// What stands for eddies smaller than a particle.
+    pub turbulence: Turbulence,
+    /// What gives the pressure.
+    pub equation_of_state: EquationOfState,
+    /// Temperature of the ideal gas at rest [K].
+    pub temperature: f64,
+    /// Molar mass of the ideal gas [kg/mol].
+    pub molar_mass: f64,
+    /// Where densities come from.
+    pub density_evolution: DensityEvolution,
+    /// What density diffusion diffuses.
+    pub density_diffusion_form: DiffusionForm,
+}
+
+/// What gives the pressure.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum EquationOfState {
+    /// Tait's law for water: of the density alone.
+    #[default]
+    Tait,
+    /// An ideal gas, with the energy equation.
+    IdealGas,
+}
+
+/// What density diffusion diffuses.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DiffusionForm {
+    /// Pressure less its hydrostatic part (Fourtakas et al. 2019).
+    #[default]
+    Fourtakas,
+    /// The whole pressure (Molteni & Colagrossi 2009).
+    Molteni,
+}
+
+impl Fluid {
+    /// The gas, where the fluid is one.
+    pub fn gas(&self) -> Option<IdealGas> {
+        let Fluid { density, eos_exponent, temperature, molar_mass, .. } = *self;
+        let gas = IdealGas { rho0: density, gamma: eos_exponent, temperature, molar_mass };
+        (self.equation_of_state == EquationOfState::IdealGas).then_some(gas)
+    }
 }
 
 /// The rectangle of water and its walls.

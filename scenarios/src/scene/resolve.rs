@@ -3,8 +3,9 @@
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
-use super::model::{Compare, Fluid, Gauge, GaugeFrame, Integrator, Resolution, Scene, Tank, Time};
-use super::problem::{Problem, not_negative, positive, required, within, word};
+use super::model::{Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Resolution, Scene, Tank, Time};
+use super::model::{IdealGas, Turbulence};
+use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
@@ -14,6 +15,10 @@ const FRAMES: f64 = 50.0;
 /// Wall height over depth, where the scene does not say: above waves, and above the run-up of a dam break.
 const FREEBOARD: f64 = 1.25;
 const RUN_UP: f64 = 3.0;
+
+/// Exponents of the equations of state, where the scene does not say: water's in Tait's law, air's.
+const TAIT_EXPONENT: f64 = 7.0;
+const AIR_EXPONENT: f64 = 1.4;
 
 pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     let name = required("name", file.name, "a word for file names")?;
@@ -91,6 +96,7 @@ fn resolve_time(file: &TimeFile) -> Result<Time, Problem> {
         end,
         sample_every: interval("time.sample_every", file.sample_every.unwrap_or(end / SAMPLES))?,
         frame_every: interval("time.frame_every", file.frame_every.unwrap_or(end / FRAMES))?,
+        step: file.step.map(|step| interval("time.step", step)).transpose()?,
     })
 }
 
@@ -112,16 +118,19 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         Some(speed) => positive("fluid.sound_speed", speed)?,
         None => auto_sound_speed(compressibility_error, entry, fastest),
     };
-    if sound_speed == 0.0 {
+    let equation_of_state = file.equation_of_state.unwrap_or_default();
+    let gaseous = equation_of_state == EquationOfState::IdealGas;
+    if sound_speed == 0.0 && !gaseous {
         let why = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", why));
     }
     let integrator = file.integrator.unwrap_or_default();
-    Ok(Fluid {
+    let usual_exponent = if gaseous { AIR_EXPONENT } else { TAIT_EXPONENT };
+    let mut fluid = Fluid {
         density,
         sound_speed,
         compressibility_error,
-        eos_exponent: within("fluid.eos_exponent", file.eos_exponent.unwrap_or(7.0), 1.0..=10.0)?,
+        eos_exponent: within("fluid.eos_exponent", file.eos_exponent.unwrap_or(usual_exponent), 1.0..=10.0)?,
         kernel: file.kernel.unwrap_or_default(),
         smoothing_ratio: within("fluid.smoothing_ratio", file.smoothing_ratio.unwrap_or(1.5), 1.0..=3.0)?,
         artificial_viscosity: not_negative("fluid.artificial_viscosity", file.artificial_viscosity.unwrap_or(0.02))?,
@@ -133,14 +142,51 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         wall_stretch: file.wall_stretch.unwrap_or(false),
         integrator,
         cfl: positive("fluid.cfl", file.cfl.unwrap_or(usual_cfl(integrator)))?,
-    })
+        verlet_correction_every: file.verlet_correction_every.unwrap_or(40),
+        density_filter: file.density_filter.unwrap_or_default(),
+        density_filter_every: file.density_filter_every.unwrap_or(20),
+        xsph: within("fluid.xsph", file.xsph.unwrap_or(0.0), 0.0..=1.0)?,
+        turbulence: file.turbulence.unwrap_or_default(),
+        equation_of_state,
+        temperature: positive("fluid.temperature", file.temperature.unwrap_or(288.15))?,
+        molar_mass: positive("fluid.molar_mass", file.molar_mass.unwrap_or(0.028_964_4))?,
+        density_evolution: file.density_evolution.unwrap_or_default(),
+        density_diffusion_form: file.density_diffusion_form.unwrap_or_default(),
+    };
+    if fluid.density_filter_every == 0 {
+        return Err(Problem::new("fluid.density_filter_every", 0, "a number of steps of at least 1"));
+    }
+    if fluid.turbulence == Turbulence::Sps && fluid.kinematic_viscosity == 0.0 {
+        let expected = "none, or a fluid.kinematic_viscosity above 0";
+        return Err(Problem::new("fluid.turbulence", "\"sps\"", expected));
+    }
+    if let Some(gas) = fluid.gas() {
+        fluid.sound_speed = gas_sound_speed(&gas, file.sound_speed)?;
+    }
+    Ok(fluid)
+}
+
+/// Speed of sound of a gas at rest [m/s]: its temperature's; a scene that says another contradicts itself.
+fn gas_sound_speed(gas: &IdealGas, given: Option<f64>) -> Result<f64, Problem> {
+    if gas.gamma <= 1.0 {
+        return Err(Problem::new("fluid.eos_exponent", gas.gamma, "a ratio of specific heats above 1"));
+    }
+    let sound = gas.sound_speed_at_rest();
+    match given {
+        Some(speed) if (speed / sound - 1.0).abs() > 1e-9 => {
+            let expected = format!("{} m/s, that of fluid.temperature in an ideal gas, or none", significant(sound));
+            Err(Problem::new("fluid.sound_speed", speed, expected))
+        }
+        _ => Ok(sound),
+    }
 }
 
 /// Courant number by default: the predictor–corrector needs half the symplectic scheme's for the same noise.
 fn usual_cfl(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::Symplectic => 0.6,
-        Integrator::PredictorCorrector => 0.3,
+        Integrator::PredictorCorrector | Integrator::Beeman => 0.3,
+        Integrator::Verlet => 0.05,
     }
 }
 

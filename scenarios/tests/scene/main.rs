@@ -65,7 +65,8 @@ fn resolved_scene_loads_again_to_itself() {
         "body={ shape = \"polyline\", points = [[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], thickness = 0.05, mass = 50, velocity = [0.0, -2.0] }",
         "gauges=[]",
     ];
-    let mut scenes = vec![drop_with(&[]), drop_with(&plate)];
+    let gas = drop_with(&["fluid.equation_of_state=ideal_gas", "time.step=1e-5"]);
+    let mut scenes = vec![drop_with(&[]), drop_with(&plate), gas];
     for (name, _) in builtin() {
         scenes.push(load(name, &[]).expect("a built-in scene loads").scene);
     }
@@ -195,6 +196,10 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
     #[rustfmt::skip]
     let table: &[(&[&str], &[&str], &str)] = &[
         (&["fluid.cfl=0.9"], &[], "0.8 ran, 1.2 blew up"),
+        (&["time.step=1e-3"], &["time.step=1e-5"], "time.step = 0.001 s is"),
+        (&["fluid.integrator=verlet", "fluid.verlet_correction_every=0"], &["fluid.integrator=verlet"], "drift apart"),
+        (&["fluid.integrator=verlet", "fluid.cfl=0.1"], &["fluid.integrator=verlet", "fluid.cfl=0.1", "fluid.verlet_correction_every=10"], "drift apart"),
+        (&["fluid.density_evolution=summation"], &[], "fails at a free surface"),
         (&["body.mass=0.5"], &[], "light for weak coupling"),
         (&["resolution.growth=1.5"], &[], "9 % of the force"),
         (&["resolution.spacing=0.009"], &["resolution.spacing=0.002"], "peak pressure unreliable"),
@@ -253,4 +258,12 @@ fn mirror_symmetry_halves_the_particles() {
 fn mirror_plane_is_off_by_default() {
     assert_eq!(drop_with(&[]).symmetry, Symmetry::None);
     assert_eq!(drop_with(&["symmetry=x"]).water_sides()[0], 0.0);
+}
+
+#[test]
+fn a_gas_has_the_sound_speed_of_its_temperature_and_airs_exponent() {
+    let fluid = drop_with(&["fluid.equation_of_state=ideal_gas", "fluid.temperature=300"]).fluid;
+    assert_eq!(fluid.eos_exponent, 1.4);
+    let exact = (1.4 * 8.314_462_618_f64 * 300.0 / 0.028_964_4).sqrt();
+    assert!((fluid.sound_speed / exact - 1.0).abs() < 1e-9, "{} m/s", fluid.sound_speed);
 }

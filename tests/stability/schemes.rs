@@ -1,0 +1,84 @@
+//! Failures of schemes in a still tank and a collapsing column, each beside the form that does not have it.
+
+use evidence::systems::{advance, system};
+use fsi_coupling::{Coupled, CouplingError};
+use sph_core::Breakdown;
+
+fn tank(sets: &[&str]) -> Coupled {
+    system("hydrostatic_tank", &[&["resolution.spacing=0.05"], sets].concat())
+}
+
+/// Mean height of the fluid's particles [m].
+fn middle(system: &Coupled) -> f64 {
+    let p = &system.fluid.particles;
+    p.y.iter().sum::<f64>() / p.len() as f64
+}
+
+/// Verlet's two time levels (THEORY L1) know of each other through the rates only; what dissipates makes their difference
+/// grow. Failure: without the Euler step the tank breaks down in a hundredth of a second; without any dissipation it
+/// takes longer. Remedy: one Euler step in 40, at the usual Courant number, or one in 10 at twice that.
+#[test]
+fn verlet_without_its_correction_step_breaks_down() {
+    let never = ["fluid.integrator=verlet", "fluid.verlet_correction_every=0"];
+    let error = advance(&mut tank(&never), 0.1, |_| ()).expect_err("the leapfrog alone ran");
+    assert!(matches!(error, CouplingError::Fluid(Breakdown::Density { .. } | Breakdown::NotFinite { .. })), "{error}");
+    let bare = ["fluid.density_diffusion=0", "fluid.artificial_viscosity=0"];
+    let mut undamped = tank(&[&never[..], &bare].concat());
+    let ended = advance(&mut undamped, 1.0, |_| ());
+    let energy = undamped.fluid_energy().kinetic;
+    assert!(ended.is_err() || energy > 100.0, "undamped: {energy} J/m after 1 s");
+    for sets in [
+        &["fluid.integrator=verlet"][..],
+        &["fluid.integrator=verlet", "fluid.cfl=0.1", "fluid.verlet_correction_every=10"],
+    ] {
+        let mut corrected = tank(sets);
+        advance(&mut corrected, 0.5, |_| ()).expect("the corrected leapfrog runs");
+        let energy = corrected.fluid_energy().kinetic;
+        assert!(energy < 0.1, "{sets:?}: {energy} J/m after 0.5 s");
+    }
+}
+
+/// Failure: with summed densities (THEORY L11) the surface of still water is pulled together by tension that is not there,
+/// until the run breaks down. Remedy: the continuity equation (E4).
+#[test]
+fn still_water_with_summed_densities_breaks_down() {
+    let error = advance(&mut tank(&["fluid.density_evolution=summation"]), 1.0, |_| ()).expect_err("still water ran");
+    assert!(matches!(error, CouplingError::Fluid(Breakdown::Density { .. })), "{error}");
+    advance(&mut tank(&["fluid.density_evolution=continuity"]), 1.0, |_| ()).expect("still water stays");
+}
+
+/// Failure: density diffusion of the whole pressure (L12) takes the hydrostatic gradient for noise; at the surface and
+/// at the floor its sum is one-sided, and still water spreads: the lowest rows sink together, the top rises. Remedy:
+/// diffuse what is over the hydrostatic pressure (E5).
+#[test]
+fn diffusion_of_the_hydrostatic_pressure_makes_still_water_drift() {
+    let drift = |form: &str| {
+        let mut tank = tank(&[form]);
+        let start = middle(&tank);
+        advance(&mut tank, 2.0, |_| ()).expect("a stable run");
+        middle(&tank) - start
+    };
+    let (whole, rest) =
+        (drift("fluid.density_diffusion_form=molteni"), drift("fluid.density_diffusion_form=fourtakas"));
+    assert!(whole.abs() > 0.005, "whole pressure: the middle moves by {whole:.5} m");
+    assert!(rest.abs() < 0.001, "without its hydrostatic part: the middle moves by {rest:.5} m");
+}
+
+/// How full the surroundings of the particles of a dam break are on average after 0.45 s [-].
+fn filling(shifting: bool, shift_surface: bool) -> f64 {
+    let mut system = system("dam_break", &["resolution.spacing=0.03"]);
+    system.fluid.parameters.shifting = shifting;
+    system.fluid.parameters.shift_surface = shift_surface;
+    advance(&mut system, 0.45, |_| ()).expect("a stable run");
+    let around = &system.fluid.derived.surroundings;
+    around.iter().map(|a| a.filling).sum::<f64>() / around.len() as f64
+}
+
+/// Failure: shifting (E13) at the free surface follows ∇C out of the water, and the column swells. Remedy: shift where
+/// λ ≥ 0.7 only, which leaves the filling as it is without shifting.
+#[test]
+fn shifting_the_surface_swells_the_water() {
+    let (none, inside, everywhere) = (filling(false, false), filling(true, false), filling(true, true));
+    assert!((inside - none).abs() < 0.02, "filling {inside:.3} with shifting, {none:.3} without");
+    assert!(everywhere < none - 0.1, "filling {everywhere:.3} with the surface shifted, {none:.3} without");
+}
