@@ -28,7 +28,7 @@ pub(crate) fn lossless() -> Parameters {
         shifting: false,
         volume_correction: false,
         slip: Slip::Free,
-        wall_stretch,
+        wall_stretch: false,
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,
