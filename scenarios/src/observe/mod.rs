@@ -1,5 +1,6 @@
 //! Observers: small, scheduled, borrowing immutably. They never change the system or shorten a step.
 
+mod face_profile;
 mod flow;
 mod gauge_record;
 mod gauges;
