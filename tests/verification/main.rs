@@ -2,6 +2,8 @@
 
 mod acoustics;
 mod conservation;
+mod echo;
+mod gauges;
 mod kernel_sums;
 mod rigid_body;
 mod standing_wave;
