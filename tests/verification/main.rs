@@ -8,5 +8,6 @@ mod kernel_sums;
 mod rigid_body;
 mod standing_wave;
 mod still_water;
+mod study;
 mod symmetry;
 mod transfer;
