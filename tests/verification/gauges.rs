@@ -78,3 +78,24 @@ fn a_filtered_gauge_does_not_alias() {
     assert_eq!(fine.summary.gauges["slow"], coarse.summary.gauges["slow"]);
     assert!(coarse.summary.gauges["raw"].peak_pa < fine.summary.gauges["raw"].peak_pa, "samples miss peaks");
 }
+
+/// Where half of the flow is simulated, the other half of a gauge's face reads the images: a face about the keel shows
+/// what its right half shows.
+#[test]
+fn a_face_across_the_plane_of_symmetry_reads_both_halves() {
+    let (radius, length) = (1.0_f64, 0.2);
+    let angle = 0.25 * length / radius;
+    let [x, y] = [radius * angle.sin(), radius * (1.0 - angle.cos())];
+    let gauges = format!(
+        "gauges=[{{ name = 'both', at = [0.0, 0.0], length = {length} }}, \
+         {{ name = 'right', at = [{x}, {y}], length = {} }}]",
+        0.5 * length
+    );
+    let sets = ["resolution.spacing=0.02", "time.end=0.01", "body.radius=1.0", &gauges];
+    let scene = scene("fuselage_section", &sets);
+    assert_eq!(scene.symmetry, scenarios::scene::Symmetry::X);
+    let outcome = run(&scene, &RunOptions::default()).expect("a run");
+    let (both, right) = (mean(&outcome, "both"), mean(&outcome, "right"));
+    assert!(right > 1000.0, "no impact: {right} Pa");
+    assert!((both / right - 1.0).abs() < 0.01, "{both} Pa over both halves, {right} Pa over the right one");
+}
