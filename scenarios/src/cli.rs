@@ -1,5 +1,7 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
+mod study;
+
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -54,6 +56,8 @@ enum Command {
     Run(RunArgs),
     /// Say what a run would cost and how far it can be trusted, without running it.
     Check(SceneArgs),
+    /// Run a scene at several spacings and sound speeds and say what a number tends to.
+    Study(study::StudyArgs),
     /// Hold scenes against others' data.
     Validate(ValidateArgs),
     /// Describe every key of a scene file.
@@ -175,6 +179,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::List => list(cli),
         Command::Run(args) => run_scene(cli, args),
         Command::Check(args) => check(cli, args),
+        Command::Study(args) => study::run_study(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Keywords => keywords(cli),
     }

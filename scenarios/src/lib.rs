@@ -1,7 +1,8 @@
 //! Scenes, runs, observers and reports: what the `splashdown` command is made of.
 //!
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observe`] watches,
-//! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`cli`] is a thin shell.
+//! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`study`] extrapolates from
+//! several runs. [`cli`] is a thin shell.
 
 pub mod build;
 pub mod cli;
@@ -14,5 +15,6 @@ pub mod reference;
 pub mod report;
 pub mod run;
 pub mod scene;
+pub mod study;
 pub mod summary;
 pub mod validate;

@@ -1,6 +1,7 @@
 //! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
 
 use crate::compare::{self, Comparison};
+use crate::observe::GaugeResult;
 use crate::report::{
     Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render,
 };
@@ -58,6 +59,9 @@ fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
     if let Some(error) = s.compressibility.force_error_estimate {
         rows.push(row(&["share of force lost to compressibility, estimated", &format!("{:.2}", 100.0 * error), "%"]));
     }
+    if let Some(factor) = s.compressibility.force_corrected {
+        rows.push(row(&["factor on the force that takes it back", &format!("{factor:.4}"), ""]));
+    }
     let head = row(&["quantity", "value", "unit"]);
     let mut blocks = Vec::new();
     if !scene.source.is_empty() {
@@ -67,7 +71,43 @@ fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
         blocks.push(Block::Text(format!("Doubts before the run: {}.", warnings.join("; "))));
     }
     blocks.push(Block::Table(Table { title: "Size and cost".into(), head, rows }));
+    blocks.push(Block::Text(compressibility_in_words(s)));
+    blocks.extend(gauge_table(s));
     blocks
+}
+
+/// What weak compressibility did to the run, in a sentence.
+fn compressibility_in_words(s: &Summary) -> String {
+    let c = &s.compressibility;
+    let reached = format!("The water is weakly compressible; its fastest particle reached Mach {:.3}", c.mach_reached);
+    match (c.force_error_estimate, c.force_corrected) {
+        (Some(share), Some(factor)) => format!(
+            "{reached}. By a law fitted to wedges, this takes {:.2} % of the force: incompressible water would give \
+             {factor:.4} times the forces shown, which are not corrected. To extrapolate it away, with the spacing: \
+             splashdown study.",
+            100.0 * share
+        ),
+        _ => format!("{reached}; without an impact there is no estimate of what this costs."),
+    }
+}
+
+fn gauge_table(s: &Summary) -> Option<Block> {
+    let known = |value: Option<f64>, digits: usize| value.map_or("–".to_string(), |v| format!("{v:.digits$}"));
+    let line = |(name, g): (&String, &GaugeResult)| {
+        row(&[
+            name,
+            &format!("{:.1}", g.peak_pa),
+            &format!("{:.6}", g.peak_time_s),
+            &known(g.rise_time_s.map(|t| 1e3 * t), 3),
+            &format!("{:.4}", g.impulse_pa_s),
+            &format!("{:.2}", 1e3 * g.length_m),
+            &known(g.bandwidth_hz, 0),
+        ])
+    };
+    let head = ["gauge", "peak [Pa]", "at [s]", "rise 10–90 % [ms]", "impulse [Pa s]", "length [mm]", "bandwidth [Hz]"];
+    (!s.gauges.is_empty()).then(|| {
+        Block::Table(Table { title: "Gauges".into(), head: row(&head), rows: s.gauges.iter().map(line).collect() })
+    })
 }
 
 fn comparison_table(comparisons: &[Comparison]) -> Block {

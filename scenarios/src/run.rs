@@ -189,6 +189,7 @@ impl Recorder {
 
     /// Observe if something is due; schedules never shorten a step.
     fn observe(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+        self.gauges.follow(system);
         let t = system.fluid.time;
         let last = t >= self.end;
         if t < self.next_sample && t < self.next_frame && !last {
@@ -261,6 +262,8 @@ impl Recorder {
         let mut comparison: Vec<Comparison> =
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
+        let root_speed = scene.entry().map(|entry| entry.root_speed());
+        let compressible_share = root_speed.map(|speed| compressibility_error(speed, scene.fluid.sound_speed));
         let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
         Summary {
             scene: scene.name.clone(),
@@ -287,12 +290,12 @@ impl Recorder {
             compressibility: Compressibility {
                 sound_speed_m_per_s: scene.fluid.sound_speed,
                 mach_reached: self.ledger.fastest() / scene.fluid.sound_speed,
-                force_error_estimate: scene
-                    .entry()
-                    .map(|entry| compressibility_error(entry.root_speed(), scene.fluid.sound_speed)),
+                force_error_estimate: compressible_share,
+                force_corrected: compressible_share.map(|share| 1.0 / (1.0 - share)),
             },
             similarity,
             comparison,
+            gauges: self.gauges.results(),
         }
     }
 }

@@ -6,7 +6,7 @@ use fsi_coupling::Breach;
 use serde::Serialize;
 
 use crate::compare::Comparison;
-use crate::observe::SimilarityResult;
+use crate::observe::{GaugeResult, SimilarityResult};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -115,6 +115,9 @@ pub struct Compressibility {
     pub mach_reached: f64,
     /// Estimated share of the force lost to compressibility (THEORY E19) [-]; `null` without an impact.
     pub force_error_estimate: Option<f64>,
+    /// Factor on the force that takes this share back, 1/(1 − share) (THEORY G4) [-]; `null` without an impact. No other
+    /// number of the summary is corrected.
+    pub force_corrected: Option<f64>,
 }
 
 /// Everything a script may want to know of a run.
@@ -158,6 +161,8 @@ pub struct Summary {
     pub similarity: Option<SimilarityResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
+    /// Gauges, by name.
+    pub gauges: BTreeMap<String, GaugeResult>,
 }
 
 impl Summary {

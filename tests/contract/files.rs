@@ -54,6 +54,15 @@ fn the_series_has_the_columns_of_the_contract() {
     assert!(rows.len() >= 8, "{} rows for 8 sampling intervals", rows.len());
     assert!(rows.iter().all(|row| row.len() == 12 && row.iter().all(|v| v.is_finite())));
     assert!(rows.windows(2).all(|pair| pair[1][0] > pair[0][0]), "time does not run forward");
+    let summary = place.summary("out");
+    for key in ["peak_pa", "peak_time_s", "impulse_pa_s", "length_m"] {
+        has(&summary, &format!("/gauges/keel/{key}"), Value::is_f64);
+    }
+    for key in ["rise_time_s", "bandwidth_hz"] {
+        has(&summary, &format!("/gauges/keel/{key}"), |v| v.is_f64() || v.is_null());
+    }
+    assert_eq!(summary["gauges"]["keel"]["peak_pa"], summary["peaks"]["keel.p_Pa"]["value"]);
+    assert!(place.text("out/report.html").contains("takes"), "no sentence on compressibility");
 }
 
 /// Asserts the type of the value at a path of `summary.json`.
@@ -89,6 +98,13 @@ fn the_summary_has_the_keys_of_the_contract() {
         "/similarity/cp_max",
         "/similarity/z_max_over_vt",
         "/similarity/force_coefficient",
+        "/similarity/impulse_coefficient",
+        "/similarity/profile_error_snapshot",
+        "/similarity/cp_noise",
+        "/similarity/z_max_error",
+        "/compressibility/mach_reached",
+        "/compressibility/force_error_estimate",
+        "/compressibility/force_corrected",
         "/comparison/0/ours",
         "/comparison/0/theirs",
         "/comparison/0/error",

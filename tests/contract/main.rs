@@ -9,3 +9,4 @@ mod bits;
 mod endings;
 mod files;
 mod refusals;
+mod study;

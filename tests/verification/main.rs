@@ -2,12 +2,15 @@
 
 mod acoustics;
 mod conservation;
+mod echo;
 mod gas;
+mod gauges;
 mod integrators;
 mod kernel_sums;
 mod options;
 mod rigid_body;
 mod standing_wave;
 mod still_water;
+mod study;
 mod symmetry;
 mod transfer;

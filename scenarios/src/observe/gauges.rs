@@ -1,10 +1,15 @@
-//! Pressure gauges: where they are now, and how the fluid is read there.
+//! Pressure gauges: where they are now, and how the fluid is read there (THEORY E18, G1, G2).
+
+use std::collections::BTreeMap;
 
 use fsi_coupling::pose::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::probe::Probe;
 
-use crate::scene::{GaugeFrame, Scene};
+use super::gauge_record::{GaugeRecord, GaugeResult};
+use super::low_pass::LowPass;
+use super::sensing::sensing;
+use crate::scene::{GaugeFrame, Scene, Symmetry};
 
 /// How a place on a surface is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,15 +20,27 @@ pub enum Reading {
     Point,
 }
 
+/// A point of a gauge's face.
 struct Place {
-    on: GaugeFrame,
     at: [f64; 2],
     reading: Reading,
+    weight: f64,
+}
+
+/// A gauge: its face, its filter, what it has shown.
+struct Instrument {
+    name: String,
+    on: GaugeFrame,
+    places: Vec<Place>,
+    length: f64,
+    bandwidth: Option<f64>,
+    filter: Option<LowPass>,
+    record: GaugeRecord,
 }
 
 /// Reads all gauges of a scene.
 pub struct GaugeReader {
-    places: Vec<Place>,
+    instruments: Vec<Instrument>,
     rho: f64,
     gravity: [f64; 2],
 }
@@ -35,42 +52,86 @@ impl GaugeReader {
         let half = 0.5 * scene.tank.width;
         let (floor, rim) = (-scene.tank.depth, scene.tank.height - scene.tank.depth);
         let tank = [[-half, floor], [half, floor], [half, rim], [-half, rim]];
-        let place = |g: &crate::scene::Gauge| {
+        // Only x ≥ 0 is simulated: what lies beyond the plane of symmetry is read at its image.
+        let simulated = |at: [f64; 2]| if scene.symmetry == Symmetry::X { [at[0].abs(), at[1]] } else { at };
+        let instrument = |g: &crate::scene::Gauge| {
             let corners = match (g.on, &scene.body) {
                 (GaugeFrame::Body, Some(body)) => body.shape.outline(),
                 _ => tank.to_vec(),
             };
-            let reading = reading(&corners, g.at, support, g.on == GaugeFrame::Fixed);
-            Place { on: g.on, at: g.at, reading }
+            let face = sensing(&corners, g.at, g.length, support);
+            let place = |(at, weight): ([f64; 2], f64)| {
+                let at = simulated(at);
+                Place { at, reading: reading(&corners, at, support, g.on == GaugeFrame::Fixed), weight }
+            };
+            Instrument {
+                name: g.name.clone(),
+                on: g.on,
+                places: face.points.into_iter().map(place).collect(),
+                length: face.length,
+                bandwidth: g.bandwidth,
+                filter: g.bandwidth.map(LowPass::new),
+                record: GaugeRecord::default(),
+            }
         };
         GaugeReader {
-            places: scene.gauges.iter().map(place).collect(),
+            instruments: scene.gauges.iter().map(instrument).collect(),
             rho: scene.fluid.density,
             gravity: scene.gravity,
         }
     }
 
-    /// Pressures now [Pa].
-    pub fn read(&self, system: &Coupled) -> Vec<f64> {
-        if self.places.is_empty() {
-            return Vec::new();
-        }
-        let probe = Probe::new(&system.fluid);
-        let body = system.bodies().find_map(|b| b.motion()).unwrap_or_default();
-        self.places.iter().map(|place| self.read_one(&probe, &body, place)).collect()
+    /// Let the gauges with a bandwidth see a step: their filters take every one, so that samples do not alias.
+    pub fn follow(&mut self, system: &Coupled) {
+        self.update(system, |instrument| instrument.filter.is_some());
     }
 
-    fn read_one(&self, probe: &Probe<'_>, body: &Motion, place: &Place) -> f64 {
-        let on_body = place.on == GaugeFrame::Body;
-        let (at, turn) = if on_body { (on(body, place.at), body.angle) } else { (place.at, 0.0) };
-        match place.reading {
-            Reading::Point => probe.shepard(at),
-            Reading::Face(normal) => {
-                let n = rotate(normal, turn);
-                let acceleration = if on_body { body.acceleration } else { [0.0; 2] };
-                let field = [0, 1].map(|k| self.gravity[k] - acceleration[k]);
-                probe.on_flat_face(at, n, self.rho * (field[0] * n[0] + field[1] * n[1]))
-            }
+    /// Pressures now [Pa].
+    pub fn read(&mut self, system: &Coupled) -> Vec<f64> {
+        self.update(system, |instrument| instrument.filter.is_none());
+        self.instruments.iter().map(|i| i.record.latest()).collect()
+    }
+
+    /// What each gauge says of the run so far, by name.
+    pub fn results(&self) -> BTreeMap<String, GaugeResult> {
+        let one = |i: &Instrument| Some((i.name.clone(), i.record.result(i.length, i.bandwidth)?));
+        self.instruments.iter().filter_map(one).collect()
+    }
+
+    fn update(&mut self, system: &Coupled, which: impl Fn(&Instrument) -> bool) {
+        if !self.instruments.iter().any(&which) {
+            return;
+        }
+        let time = system.fluid.time;
+        let probe = Probe::new(&system.fluid);
+        let body = system.bodies().find_map(|b| b.motion()).unwrap_or_default();
+        let (rho, gravity) = (self.rho, self.gravity);
+        for instrument in self.instruments.iter_mut().filter(|i| which(i)) {
+            let still = Motion::default();
+            let frame = if instrument.on == GaugeFrame::Body { &body } else { &still };
+            let read = |place: &Place| place.weight * read_one(&probe, frame, place, rho, gravity);
+            let raw = instrument.places.iter().map(read).sum();
+            let shown = match &mut instrument.filter {
+                None => raw,
+                Some(filter) => {
+                    filter.take(time, raw);
+                    filter.value()
+                }
+            };
+            instrument.record.take(time, shown);
+        }
+    }
+}
+
+/// Pressure at a place of a frame that moves as `frame` does [Pa].
+fn read_one(probe: &Probe<'_>, frame: &Motion, place: &Place, rho: f64, gravity: [f64; 2]) -> f64 {
+    let at = on(frame, place.at);
+    match place.reading {
+        Reading::Point => probe.shepard(at),
+        Reading::Face(normal) => {
+            let n = rotate(normal, frame.angle);
+            let field = [0, 1].map(|k| gravity[k] - frame.acceleration[k]);
+            probe.on_flat_face(at, n, rho * (field[0] * n[0] + field[1] * n[1]))
         }
     }
 }

@@ -1,9 +1,13 @@
 //! Observers: small, scheduled, borrowing immutably. They never change the system or shorten a step.
 
+mod face_profile;
 mod flow;
+mod gauge_record;
 mod gauges;
 mod ledger;
 mod log;
+mod low_pass;
+mod sensing;
 mod series;
 mod similarity;
 
@@ -14,9 +18,11 @@ use fsi_coupling::{Coupled, Penetration};
 use crate::log::LogError;
 
 pub use flow::FlowPictures;
+pub use gauge_record::GaugeResult;
 pub use gauges::{GaugeReader, Reading};
 pub use ledger::EnergyLedger;
 pub use log::LogObserver;
+pub use low_pass::LowPass;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
 

@@ -6,12 +6,15 @@
 use serde::Serialize;
 use sph_core::probe::Probe;
 
+use super::face_profile::{noise, peak_place};
 use super::{Frame, ObserveError, Observer};
 use crate::reference::WedgeSimilarity;
 use crate::scene::{Scene, Shape};
 
 /// Points along the face, in similarity coordinates.
 const POINTS: usize = 400;
+/// Points in a spacing along the face of the last snapshot.
+const POINTS_PER_SPACING: f64 = 4.0;
 /// The window starts at this share of the run.
 const FROM: f64 = 0.8;
 
@@ -38,6 +41,18 @@ pub struct SimilarityResult {
     /// of the wetted width where the peak is at the keel), over the exact largest Cp [-]; `null` where no exact
     /// solution is tabulated.
     pub profile_error: Option<f64>,
+    /// As `profile_error`, of one snapshot: the last [-].
+    pub profile_error_snapshot: Option<f64>,
+    /// Pressure noise along the face of the last snapshot: RMS of the profile less its running mean over four spacings,
+    /// from two spacings beside the keel to 0.9 of the way to the pressure peak (to four fifths of the wetted width
+    /// where the peak is at the keel), over `cp_max_of_mean` [-] (THEORY G5); `null` on a face too short to tell.
+    pub cp_noise: Option<f64>,
+    /// Relative error of the height z of the mean profile's peak, interpolated between its points [-]; `null` where no
+    /// exact solution is tabulated.
+    pub z_max_error: Option<f64>,
+    /// Impulse of the force since first contact, 2∫F dt/(ρV³t²), at the window's end [-] (THEORY G5): the same number as
+    /// the force coefficient in the exact solution, with less scatter and more of the coarse start.
+    pub impulse_coefficient: f64,
     /// Mean profile: x/(Vt), Cp.
     #[serde(skip)]
     pub profile: Vec<[f64; 2]>,
@@ -56,6 +71,9 @@ pub struct SimilarityWindow {
     forces: Vec<f64>,
     peaks: Vec<f64>,
     profile: Vec<f64>,
+    snapshot: Vec<[f64; 2]>,
+    impulse: f64,
+    before: [f64; 2],
 }
 
 impl SimilarityWindow {
@@ -78,6 +96,9 @@ impl SimilarityWindow {
             forces: Vec::new(),
             peaks: Vec::new(),
             profile: vec![0.0; POINTS],
+            snapshot: Vec::new(),
+            impulse: 0.0,
+            before: [0.0; 2],
         })
     }
 
@@ -96,6 +117,13 @@ impl SimilarityWindow {
         let profile: Vec<[f64; 2]> = (0..POINTS).map(|k| [self.x_over_vt(k), self.profile[k] / n]).collect();
         let top = profile.iter().max_by(|a, b| a[1].total_cmp(&b[1]))?;
         let ((force, force_sd), (peak, peak_sd)) = (moments(&self.forces), moments(&self.peaks));
+        let least = 0.8 * std::f64::consts::FRAC_PI_2 / self.tan;
+        let z = |x: f64| x * self.tan - 1.0;
+        // Where the peak is at the keel there is no way to it.
+        let at_keel = exact.map_or(top[0] < 0.5 * least, |e| e.z_max_over_vt <= -1.0);
+        let end = if at_keel { least / 0.9 } else { top[0] };
+        let cos = 1.0 / self.tan.hypot(1.0);
+        let spacing = self.spacing * cos / (self.speed * last);
         Some(SimilarityResult {
             window_s: [first, last],
             spacings_per_draught: self.speed * last / self.spacing,
@@ -105,7 +133,11 @@ impl SimilarityWindow {
             cp_max_sd: peak_sd,
             cp_max_of_mean: top[1],
             z_max_over_vt: top[0] * self.tan - 1.0,
-            profile_error: exact.map(|e| e.profile_error(&profile, 0.8 * std::f64::consts::FRAC_PI_2 / self.tan)),
+            profile_error: exact.map(|e| e.profile_error(&profile, least)),
+            impulse_coefficient: 2.0 * self.impulse / (self.rho * self.speed.powi(3) * last * last),
+            profile_error_snapshot: exact.map(|e| e.profile_error(&self.snapshot, least)),
+            cp_noise: noise(&self.snapshot, spacing, end, top[1]),
+            z_max_error: exact.and_then(|e| Some((z(peak_place(&profile)?) - e.z_max_over_vt) / e.z_max_over_vt.abs())),
             profile,
         })
     }
@@ -117,6 +149,9 @@ impl Observer for SimilarityWindow {
         let Some(motion) = frame.system.bodies().find_map(|b| b.motion()) else {
             return Ok(());
         };
+        let [t0, force0] = self.before;
+        self.impulse += 0.5 * (motion.force[1] + force0) * (t - t0);
+        self.before = [t, motion.force[1]];
         if t < self.from {
             return Ok(());
         }
@@ -128,16 +163,23 @@ impl Observer for SimilarityWindow {
             let c = 1.0 / (1.0 + self.tan * self.tan).sqrt();
             (self.tan * c, c)
         };
-        let mut peak = 0.0_f64;
-        for k in 0..POINTS {
-            let x = self.x_over_vt(k) * draught;
+        let cp = |x_over_vt: f64| {
+            let x = x_over_vt * draught;
             let at = [motion.position[0] + x, motion.position[1] + x * self.tan];
             let p = if x / cos < self.support { probe.shepard(at) } else { probe.on_flat_face(at, [sin, -cos], 0.0) };
-            let cp = p / (0.5 * self.rho * self.speed * self.speed);
+            p / (0.5 * self.rho * self.speed * self.speed)
+        };
+        let mut peak = 0.0_f64;
+        for k in 0..POINTS {
+            let cp = cp(self.x_over_vt(k));
             self.profile[k] += cp;
             peak = peak.max(cp);
         }
         self.peaks.push(peak);
+        // The last one stays.
+        let step = self.spacing * cos / (POINTS_PER_SPACING * draught);
+        let places = (0..(self.reach / step) as usize).map(|k| (k as f64 + 0.5) * step);
+        self.snapshot = places.map(|x| [x, cp(x)]).collect();
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
-use super::model::{Body, Compare, GaugeFrame, Motion, Scene, Similarity, Symmetry};
+use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::problem::{Problem, significant};
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
@@ -153,7 +153,10 @@ fn check_gauges(scene: &Scene) -> Result<(), Problem> {
                     return Err(Problem::new(&key("at"), given, expected));
                 }
             }
-            (GaugeFrame::Fixed, _) => check_fixed_gauge(scene, &key("at"), gauge.at)?,
+            (GaugeFrame::Fixed, _) => {
+                check_fixed_gauge(scene, &key("at"), gauge.at)?;
+                check_face_of_fixed_gauge(scene, &key("length"), gauge)?;
+            }
         }
     }
     Ok(())
@@ -172,6 +175,17 @@ fn check_fixed_gauge(scene: &Scene, key: &str, at: [f64; 2]) -> Result<(), Probl
             Err(Problem::new(key, format!("{at:?}"), expected))
         }
     }
+}
+
+/// Only a gauge on a wall has a face to average over.
+fn check_face_of_fixed_gauge(scene: &Scene, key: &str, gauge: &Gauge) -> Result<(), Problem> {
+    let (tank, [x, y]) = (&scene.tank, gauge.at);
+    let away = (0.5 * tank.width - x.abs()).min(y + tank.depth);
+    if gauge.length == 0.0 || away <= scene.resolution.spacing {
+        return Ok(());
+    }
+    let expected = format!("0 for a gauge in the water, {} m from the nearest wall", significant(away));
+    Err(Problem::new(key, gauge.length, expected))
 }
 
 fn check_comparisons(scene: &Scene) -> Result<(), Problem> {

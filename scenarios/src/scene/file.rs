@@ -148,6 +148,8 @@ pub struct GaugeFile {
     pub name: Option<String>,
     pub on: Option<GaugeFrame>,
     pub at: Option<[f64; 2]>,
+    pub length: Option<f64>,
+    pub bandwidth: Option<f64>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

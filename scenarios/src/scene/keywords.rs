@@ -150,6 +150,8 @@ static KEYWORDS: &[Keyword] = &[
     key("gauges[].name", "", "required", "a word that starts its column in the series"),
     key("gauges[].on", "", "body", "body: fixed in the body's frame | fixed: fixed in the tank"),
     key("gauges[].at", "m", "required", "[x, y] in that frame"),
+    key("gauges[].length", "m", "0.0", "length of its face, along the surface about its place and up to a corner: it shows the mean; 0 is a point, which the kernel spreads over its support 2h all the same"),
+    key("gauges[].bandwidth", "Hz", "absent", "bandwidth of its low-pass (Butterworth, second order, -3 dB), which takes every step; absent: unfiltered"),
     key("compare[].reference", "", "required", "CSV file, below the folder of references"),
     key("compare[].quantity", "", "required", "column of the series, such as wedge.vy_m_per_s"),
     key("compare[].scale", "-", "1.0", "factor on our column"),

@@ -242,6 +242,11 @@ pub struct Gauge {
     pub on: GaugeFrame,
     /// Its place in that frame [m], shape (2).
     pub at: [f64; 2],
+    /// Length of its face [m]; 0 is a point.
+    pub length: f64,
+    /// Bandwidth of its low-pass [Hz]; `None` shows every frequency.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bandwidth: Option<f64>,
 }
 
 /// The frame a gauge is fixed in.

@@ -206,6 +206,8 @@ fn resolve_gauge(table: &str, file: GaugeFile) -> Result<Gauge, Problem> {
         name: word(&key("name"), name)?,
         on: file.on.unwrap_or(GaugeFrame::Body),
         at: required(&key("at"), file.at, "a point [x, y] [m]")?,
+        length: not_negative(&key("length"), file.length.unwrap_or(0.0))?,
+        bandwidth: file.bandwidth.map(|hertz| positive(&key("bandwidth"), hertz)).transpose()?,
     })
 }
 

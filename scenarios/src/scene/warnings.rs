@@ -4,7 +4,7 @@ use fsi_coupling::polygon;
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::impact::{Bottom, Entry, compressibility_error};
-use super::model::{DensityEvolution, Integrator, Kernel, Motion, Scene, Similarity};
+use super::model::{DensityEvolution, Gauge, Integrator, Kernel, Motion, Scene, Similarity};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -20,6 +20,8 @@ const LIGHTEST_BODY: f64 = 0.6;
 
 /// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
 const LARGEST_VERLET_GROWTH: f64 = 10.0;
+/// Samples in a period of a gauge's bandwidth.
+const SAMPLES_PER_PERIOD: f64 = 5.0;
 
 const LARGEST_GROWTH: f64 = 1.2;
 
@@ -62,6 +64,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
     warnings.extend(light_body(scene));
+    warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
     warnings.extend(late.map(|compare| {
         format!(
@@ -107,16 +110,33 @@ fn light_body(scene: &Scene) -> Option<String> {
     })
 }
 
+/// A filtered curve is shown whole by samples at more than twice its bandwidth (Shannon 1949); 5 times for its shape.
+fn coarse_samples(scene: &Scene, gauge: &Gauge) -> Option<String> {
+    let (bandwidth, every) = (gauge.bandwidth?, scene.time.sample_every);
+    (every * bandwidth > 1.0 / SAMPLES_PER_PERIOD).then(|| {
+        format!(
+            "{} has a bandwidth of {} Hz and is sampled at {} Hz: the filter sees every step, but the series misses peaks; \
+             {} s would do for time.sample_every",
+            gauge.name,
+            significant(bandwidth),
+            significant(1.0 / every),
+            significant(1.0 / (SAMPLES_PER_PERIOD * bandwidth))
+        )
+    })
+}
+
 fn slow_sound(scene: &Scene) -> Option<String> {
     let (fastest, sound) = (scene.fastest_speed(), scene.fluid.sound_speed);
     // A hair of slack: an "auto" speed of sound is exactly the least.
     (sound < LEAST_SOUND_RATIO * fastest * (1.0 - 1e-9)).then(|| {
         format!(
-            "fluid.sound_speed = {} m/s is {} times the flow's fastest known speed, {} m/s: water is nearly incompressible \
-             from {LEAST_SOUND_RATIO} times on",
+            "fluid.sound_speed = {} m/s is {} times the flow's fastest known speed, {} m/s, Mach {}: water is nearly \
+             incompressible from {LEAST_SOUND_RATIO} times on, up to Mach {}",
             significant(sound),
             significant(sound / fastest),
-            significant(fastest)
+            significant(fastest),
+            significant(fastest / sound),
+            1.0 / LEAST_SOUND_RATIO
         )
     })
 }

@@ -2,6 +2,7 @@
 
 mod refused;
 
+use scenarios::forecast::forecast;
 use scenarios::scene::{
     Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, keywords, load, load_text,
     particle_estimate,
@@ -206,6 +207,8 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
         (&["time.end=0.005"], &[], "the draught at the end is 4."),
         (&["fluid.sound_speed=100"], &[], "compressibility takes about"),
         (&["fluid.sound_speed=100"], &[], "times the flow's fastest known speed"),
+        (&["fluid.sound_speed=130"], &["fluid.sound_speed=140"], "nearly incompressible from 10 times on, up to Mach 0.1"),
+        (&["gauges[0].bandwidth=9e3"], &["gauges[0].bandwidth=4e3"], "face has a bandwidth of 9000 Hz and is sampled at 25000 Hz"),
         (&["tank.width=3"], &["tank.width=300"], "the echo from the tank's walls, 1.5 m away"),
         (&["resolution.fine_zone=[0.1, 0.1]"], &["resolution.fine_zone=[0.5, 0.1]"], "leaves the fine zone"),
         (&["tank.depth=0.05"], &[], "may reach the floor"),
@@ -220,6 +223,24 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
     let (_, text) = builtin().iter().find(|(name, _)| *name == "wedge_constant").expect("it is built in");
     assert!(warnings_with(text, &past_the_chine).contains("past the chine at 2.5 m"));
     assert_eq!(warnings_with(text, &[]), "");
+}
+
+/// What `check` prints: the Mach number, the share of the force lost, and above Mach 0.1 a warning with that number.
+#[test]
+fn check_says_mach_number_and_compressible_share() {
+    let said = |sound: f64| {
+        let set = format!("fluid.sound_speed={sound}");
+        let loaded = load_text("drop.toml", DROP, &sets(&[&set])).expect("the scene loads");
+        let entry = loaded.scene.entry().expect("it falls in");
+        let share = 100.0 * compressibility_error(entry.root_speed(), sound);
+        let (text, mach) = (forecast(&loaded.scene, &loaded.warnings).to_text(), entry.root_speed() / sound);
+        assert!(text.contains(&format!("Mach {mach:.3}")), "{text}");
+        assert!(text.contains(&format!("compressible share of the force about {share:.2} %")), "{text}");
+        (mach, text.lines().any(|l| l.starts_with("warning") && l.contains(&format!("Mach {:.2}", mach - 0.005))))
+    };
+    let [(slow, warned), (fast, silent)] = [100.0, 400.0].map(said);
+    assert!(slow > 0.1 && warned, "Mach {slow}");
+    assert!(fast < 0.1 && !silent, "Mach {fast}");
 }
 
 #[test]

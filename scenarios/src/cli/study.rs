@@ -1,0 +1,77 @@
+//! `splashdown study`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{Cli, DONE, SceneArgs, Stop, say};
+use crate::study::{Plan, Study, StudyError, page, study};
+
+#[derive(Args)]
+pub(super) struct StudyArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Path of a number in summary.json, e.g. similarity/force_coefficient or peaks/wedge.fy_N_per_m/value.
+    #[arg(long, value_name = "PATH")]
+    quantity: String,
+    /// Spacings [m], e.g. 0.04,0.03,0.02 (default: the scene's own, 1.41 and 2 times it).
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    spacings: Vec<f64>,
+    /// Sound speeds [m/s] (default: the scene's own and half of it).
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    sound_speeds: Vec<f64>,
+    /// Folder for study.json and study.html (default: runs/SCENE_study).
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace a study that the folder holds.
+    #[arg(long)]
+    force: bool,
+}
+
+impl From<StudyError> for Stop {
+    fn from(error: StudyError) -> Stop {
+        match error {
+            StudyError::Scene(e) => e.into(),
+            StudyError::Run(e) => e.into(),
+            other if other.is_input() => Stop::Input(other.to_string()),
+            other => Stop::Failed(other.to_string()),
+        }
+    }
+}
+
+/// Files of a study.
+const FILES: [&str; 2] = ["study.json", "study.html"];
+
+pub(super) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
+    let name = super::load(&args.scene)?.scene.name;
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("{name}_study")));
+    if let (Some(held), false) = (FILES.iter().find(|file| out.join(file).exists()), args.force) {
+        let text = format!("{} already holds a study ({held}): choose another --out, or --force", out.display());
+        return Err(Stop::Input(text));
+    }
+    let plan = Plan {
+        scene: args.scene.scene.clone(),
+        sets: args.scene.sets.clone(),
+        quantity: args.quantity.clone(),
+        spacings: args.spacings.clone(),
+        sound_speeds: args.sound_speeds.clone(),
+    };
+    let done = study(&plan, |k, of, dx, c| {
+        if !cli.quiet {
+            eprintln!("run {k} of {of}: spacing {dx:.6} m, sound speed {c:.2} m/s …");
+        }
+    })?;
+    keep(&done, &out)?;
+    match cli.json {
+        true => say(format_args!("{}", done.to_json())),
+        false => say(format_args!("{}", done.to_text())),
+    }
+    Ok(DONE)
+}
+
+fn keep(study: &Study, out: &PathBuf) -> Result<(), Stop> {
+    let wrong = |e: std::io::Error| Stop::Failed(format!("cannot write to {}: {e}", out.display()));
+    std::fs::create_dir_all(out).map_err(wrong)?;
+    std::fs::write(out.join(FILES[0]), study.to_json()).map_err(wrong)?;
+    std::fs::write(out.join(FILES[1]), page(study)).map_err(wrong)
+}

@@ -1,0 +1,69 @@
+//! The pressure along a wedge's face at one moment, in similarity coordinates: its peak and its noise (THEORY G5).
+
+/// Spacings over which a profile is averaged to tell its noise.
+const SMOOTHED: f64 = 4.0;
+/// Noise is told up to this share of the way to the pressure peak, where the profile turns sharply.
+const UP_TO: f64 = 0.9;
+
+/// Place of the largest value of a profile (x, value): the parabola through its largest point and the two beside it;
+/// the point itself at an end of the profile.
+pub fn peak_place(profile: &[[f64; 2]]) -> Option<f64> {
+    let top = (0..profile.len()).max_by(|a, b| profile[*a][1].total_cmp(&profile[*b][1]))?;
+    let [x, at_top] = profile[top];
+    if top == 0 || top + 1 == profile.len() {
+        return Some(x);
+    }
+    let (before, after) = (profile[top - 1], profile[top + 1]);
+    let (fall, rise) = (at_top - before[1], at_top - after[1]);
+    let step = 0.5 * (after[0] - before[0]);
+    Some(if fall + rise > 0.0 { x + 0.5 * step * (fall - rise) / (fall + rise) } else { x })
+}
+
+/// RMS of what a running mean over four spacings leaves of a profile (x, Cp), sampled evenly, from two spacings
+/// beside the keel to 0.9 `peak`, over `scale`; `spacing` and `peak` in the unit of x. `None` where fewer than
+/// four spacings lie between.
+pub fn noise(profile: &[[f64; 2]], spacing: f64, peak: f64, scale: f64) -> Option<f64> {
+    let (half, end) = (0.5 * SMOOTHED * spacing, UP_TO * peak);
+    let mut squares = Vec::new();
+    for [x, cp] in profile.iter().filter(|p| p[0] >= half && p[0] <= end) {
+        let from = profile.partition_point(|p| p[0] < x - half - 1e-9 * spacing);
+        let to = profile.partition_point(|p| p[0] <= x + half + 1e-9 * spacing);
+        let window = &profile[from..to];
+        let mean = window.iter().map(|p| p[1]).sum::<f64>() / window.len() as f64;
+        squares.push((cp - mean).powi(2));
+    }
+    (end - half >= SMOOTHED * spacing).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt() / scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sampled(f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
+        (0..1000).map(|k| 1e-3 * (f64::from(k) + 0.5)).map(|x| [x, f(x)]).collect()
+    }
+
+    #[test]
+    fn the_peak_of_a_parabola_is_found_between_samples() {
+        let profile = sampled(|x| 3.0 - (x - 0.47123).powi(2));
+        assert!((peak_place(&profile).expect("a profile") - 0.47123).abs() < 1e-9);
+        assert_eq!(peak_place(&sampled(|x| -x)), Some(0.0005));
+        assert_eq!(peak_place(&[]), None);
+    }
+
+    /// A wave as long as the running mean has none in it: all of it is noise. A straight line is none.
+    #[test]
+    fn noise_is_what_waves_by_the_spacing() {
+        let spacing = 0.01;
+        let wave = |x: f64| 5.0 + 2.0 * x + 0.03 * (std::f64::consts::TAU * x / 0.04).sin();
+        let told = noise(&sampled(wave), spacing, 1.0, 10.0).expect("a long face");
+        assert!((told / (0.003 / 2.0_f64.sqrt()) - 1.0).abs() < 0.03, "{told}");
+        assert!(noise(&sampled(|x| 5.0 - 2.0 * x), spacing, 1.0, 10.0).expect("a long face") < 1e-12);
+        // a long wave is flow: of one of length L the residue is 1 − sin(πw/L)/(πw/L) of it, w = 4 spacings
+        let long = |x: f64| 0.3 * (std::f64::consts::TAU * x / 0.4).sin();
+        let share = 1.0 - (0.1 * std::f64::consts::PI).sin() / (0.1 * std::f64::consts::PI);
+        let left = noise(&sampled(long), spacing, 1.0, 1.0).expect("a long face");
+        assert!((left / (share * 0.3 / 2.0_f64.sqrt()) - 1.0).abs() < 0.1, "{left}");
+        assert_eq!(noise(&sampled(wave), 0.2, 1.0, 1.0), None, "a face of five spacings");
+    }
+}
