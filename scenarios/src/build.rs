@@ -68,6 +68,7 @@ fn parameters(scene: &Scene) -> Parameters {
         integrator: fluid.integrator,
         cfl: fluid.cfl,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
+        periodic: None,
     }
 }
 

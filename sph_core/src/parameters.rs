@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::eos::Tait;
-use crate::images::Mirror;
+use crate::images::{Mirror, Periodic};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::pair::Constants;
@@ -48,6 +48,8 @@ pub struct Parameters {
     pub cfl: f64,
     /// Plane of symmetry, if the scene has one.
     pub mirror: Option<Mirror>,
+    /// Periodic plane pairs (V1), if the fluid repeats itself.
+    pub periodic: Option<Periodic>,
 }
 
 impl Parameters {

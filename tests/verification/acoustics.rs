@@ -29,6 +29,7 @@ fn box_of_sound(spacing: f64) -> Coupled {
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,
+        periodic: None,
     };
     let (x, y) = ([0.0, LENGTH], [-HEIGHT, 0.0]);
     let tiling = Tiling::new(Basin { x, y, fine_x: x, fine_depth: HEIGHT, spacing, growth: 1.0 });

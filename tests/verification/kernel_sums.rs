@@ -26,6 +26,7 @@ fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,
+        periodic: None,
     };
     let mut noise = Noise::new(23);
     let seed = |k: usize, noise: &mut Noise| Seed {

@@ -7,4 +7,5 @@ mod rigid_body;
 mod standing_wave;
 mod still_water;
 mod symmetry;
+mod taylor_green;
 mod transfer;
