@@ -47,11 +47,12 @@ impl Fluid {
     /// kernel, or combined with a mirror (V1): both are errors of the caller, not of its data.
     pub fn new(parameters: Parameters, seeds: &[Seed]) -> Fluid {
         if let Some(periodic) = parameters.periodic {
-            let support = 2.0 * parameters.smoothing_ratio * seeds.iter().map(|s| s.area).fold(0.0, f64::max).sqrt();
+            let two_supports =
+                4.0 * parameters.smoothing_ratio * seeds.iter().map(|s| s.area).fold(0.0, f64::max).sqrt();
             assert!(parameters.mirror.is_none(), "a mirror and a period do not go together");
             assert!(
-                periodic.shortest() > 4.0 * support,
-                "a period of {} m needs to exceed four supports of {support} m",
+                periodic.shortest() > two_supports,
+                "a period of {} m needs to exceed two supports, {two_supports} m",
                 periodic.shortest()
             );
         }

@@ -22,7 +22,7 @@ impl Mirror {
 }
 
 /// V1: periodic plane pairs. What leaves through one plane of a pair enters through the other, at the same velocity.
-/// Each period must be longer than four supports 2h, so that no particle meets another twice. Not to be combined with a
+/// Each period must be longer than two supports, 4h, so that no particle meets another twice. Not to be combined with a
 /// [`Mirror`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Periodic {

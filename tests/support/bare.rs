@@ -39,12 +39,7 @@ pub fn lattice(
 }
 
 /// Evaluate the first forces, then step until `end` [s], each step as long as is stable; the last one ends there.
-pub fn advance(
-    fluid: &mut Fluid,
-    walls: &mut Walls,
-    end: f64,
-    mut watch: impl FnMut(&Fluid),
-) -> Result<(), Breakdown> {
+pub fn advance(fluid: &mut Fluid, walls: &mut Walls, end: f64, mut watch: impl FnMut(&Fluid)) -> Result<(), Breakdown> {
     if fluid.steps == 0 {
         fluid.initialise(walls)?;
     }

@@ -1,9 +1,12 @@
 //! Verification: what has an exact answer must meet it, and errors must fall at the order the theory says.
 
 mod acoustics;
+mod channel;
 mod conservation;
+mod elliptic_drop;
 mod kernel_sums;
 mod rigid_body;
+mod rotating_patch;
 mod standing_wave;
 mod still_water;
 mod symmetry;
