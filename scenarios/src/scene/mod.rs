@@ -40,8 +40,8 @@ pub use impact::{
 pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};
 pub use model::{
-    Body, Compare, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm, Resolution, Scene, Similarity,
-    Symmetry, Tank, Time, WallSlip,
+    Body, Compare, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm, Observe, Oscillation,
+    Resolution, Scene, Similarity, Symmetry, Tank, Time, WallSlip,
 };
 pub use overrides::apply_set;
 pub use warnings::warnings;
