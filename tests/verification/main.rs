@@ -12,3 +12,4 @@ mod still_water;
 mod symmetry;
 mod taylor_green;
 mod transfer;
+mod wave_maker;
