@@ -54,6 +54,11 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("x = \"t_ms\"", "x = \"t_ms\"\nx_scale = 0", 22, &["`compare[0].x_scale` = 0", "other than 0"]),
         ("x = \"t_ms\"", "x = \"t_ms\"\nnorm = \"l2\"", 22, &["`compare[0].norm`", "`l2`", "`rms_over_peak`"]),
         ("[time]", "similarity = \"wedge\"\n[time]", 3, &["`similarity`", "may change its speed", "constant_velocity"]),
+        ("x = \"t_ms\"", "x = \"t_ms\"\nthreshold = 2", 22, &["`compare[0].threshold` = 2", "from 0.01 to 0.99"]),
+        ("mass = 100.0", "mass = 100.0\nperiod = 1.0", 13, &["`body.period`", "only with motion = \"oscillating\""]),
+        ("mass = 100.0", "motion = \"oscillating\"", 7, &["`body.amplitude` is missing", "[m]"]),
+        ("mass = 100.0", "motion = \"oscillating\"\namplitude = [0, 0.1]\nperiod = 0", 14, &["`body.period` = 0", "above 0"]),
+        ("[time]", "[observe]\nfront = 1\n[time]", 4, &["`observe.front`"]),
         ("end = 0.02", "end = ", 4, &["not valid TOML"]),
         ("end = 0.02", "end = 0.02\nend = 0.03", 5, &["not valid TOML", "duplicate key"]),
     ];
