@@ -6,8 +6,10 @@
 //! - `stability`: known failures of the method, each asserted, with its remedy beside it.
 //!
 //! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
-//! coarse [`systems`] to step, a hand-made [`load`] to push bodies with, and small [`statistics`].
+//! coarse [`systems`] to step, [`bare`] fluids without bodies, a hand-made [`load`] to push bodies with, and small [`statistics`].
 
+#[path = "support/bare.rs"]
+pub mod bare;
 #[path = "support/load.rs"]
 pub mod load;
 #[path = "support/statistics.rs"]

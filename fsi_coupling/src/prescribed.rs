@@ -42,6 +42,28 @@ impl PrescribedBody {
         Box::new(move |t| first.ahead(t))
     }
 
+    /// V4: the law x₀ + A r(t) sin(2π t/T), with r = s²(3 − 2s), s = min(t/T, 1): at rest at t = 0, harmonic after a
+    /// period; x₀, A [m], T [s], at a constant angle [rad].
+    pub fn oscillating(middle: [f64; 2], angle: f64, amplitude: [f64; 2], period: f64) -> Law {
+        let omega = std::f64::consts::TAU / period;
+        Box::new(move |t| {
+            let s = (t / period).clamp(0.0, 1.0);
+            let ease = [s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / period, (6.0 - 12.0 * s) / period.powi(2)];
+            let bend = if t < period { ease[2] } else { 0.0 };
+            let (sin, cos) = (omega * t).sin_cos();
+            let place = ease[0] * sin;
+            let speed = ease[1] * sin + ease[0] * omega * cos;
+            let rate = bend * sin + 2.0 * ease[1] * omega * cos - ease[0] * omega * omega * sin;
+            Rigid {
+                pole: [0, 1].map(|k| middle[k] + amplitude[k] * place),
+                angle,
+                velocity: amplitude.map(|a| a * speed),
+                acceleration: amplitude.map(|a| a * rate),
+                ..Rigid::default()
+            }
+        })
+    }
+
     fn rigid(&self) -> Rigid {
         (self.law)(self.state.time)
     }
@@ -143,5 +165,26 @@ impl WettedBody for PrescribedBody {
 
     fn prescribed(&self) -> bool {
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_oscillation_starts_at_rest_and_its_derivatives_are_its_own() {
+        let law = PrescribedBody::oscillating([0.3, -0.1], 0.0, [0.1, 0.02], 1.25);
+        assert_eq!((law(0.0).pole, law(0.0).velocity), ([0.3, -0.1], [0.0; 2]));
+        for t in [0.2, 0.9, 1.2, 1.7, 3.0] {
+            let (before, now, after) = (law(t - 1e-5), law(t), law(t + 1e-5));
+            for k in 0..2 {
+                let speed = (after.pole[k] - before.pole[k]) / 2e-5;
+                let rate = (after.velocity[k] - before.velocity[k]) / 2e-5;
+                assert!((speed - now.velocity[k]).abs() < 1e-7, "t = {t}: {speed} {:?}", now.velocity);
+                assert!((rate - now.acceleration[k]).abs() < 1e-6, "t = {t}: {rate} {:?}", now.acceleration);
+            }
+        }
+        assert!((law(1.25 * 2.25).pole[0] - 0.4).abs() < 1e-12, "the amplitude after the first period");
     }
 }

@@ -8,7 +8,7 @@ use sph_core::eos::Tait;
 use sph_core::images::Mirror;
 use sph_core::{Fluid, Parameters, Seed};
 
-use crate::scene::{Body, DiffusionForm, Motion, Scene, Symmetry};
+use crate::scene::{Body, DiffusionForm, Motion, Oscillation, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -78,6 +78,7 @@ fn parameters(scene: &Scene) -> Parameters {
         density_evolution: fluid.density_evolution,
         hydrostatic_diffusion: fluid.density_diffusion_form == DiffusionForm::Fourtakas,
         shift_surface: false,
+        periodic: None,
     }
 }
 
@@ -96,6 +97,9 @@ fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>
     Ok(match &body.motion {
         Motion::Fixed => follow(PrescribedBody::steady(start.pole, start.angle, [0.0; 2], 0.0)),
         Motion::ConstantVelocity => follow(PrescribedBody::steady(start.pole, start.angle, start.velocity, start.spin)),
+        Motion::Oscillating(Oscillation { amplitude, period }) => {
+            follow(PrescribedBody::oscillating(start.pole, start.angle, *amplitude, *period))
+        }
         Motion::Free(freedom) => Box::new(RigidBody2d::new(RigidSpec {
             name: body.name.clone(),
             outline: outline.clone(),

@@ -74,14 +74,31 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
         .map(|(_, v)| (compare.scale * v).abs())
         .fold(0.0, f64::max);
     let mean = |pick: fn(&(f64, f64)) -> f64| pairs.iter().map(pick).sum::<f64>() / n;
+    let common = [from.max(reference.t[0]), to.min(reference.t[reference.t.len() - 1])];
+    let arrival = |t: &[f64], y: &[f64]| first_above(t, y, compare.threshold, [from, to]);
     let (ours, theirs, error) = match compare.norm {
+        Norm::Arrival => {
+            let (ours, theirs) = (arrival(&times, &values)?, arrival(&reference.t, &reference.y)?);
+            (ours, theirs, ours / theirs - 1.0)
+        }
+        Norm::Impulse => {
+            let ours = compare.scale.abs() * impulse(&times, &values, common);
+            let theirs = impulse(&reference.t, &reference.y, common);
+            (ours, theirs, ours / theirs - 1.0)
+        }
         Norm::Rms => (mean(|p| p.0), mean(|p| p.1), rms),
         Norm::RmsOverFirst => (mean(|p| p.0), mean(|p| p.1), rms / first),
         Norm::RmsOverPeak => (mean(|p| p.0), mean(|p| p.1), rms / peak_theirs),
         Norm::Max => (mean(|p| p.0), mean(|p| p.1), largest(|p| p.0 - p.1)),
         Norm::Peak => (peak_ours, peak_theirs, (peak_ours - peak_theirs).abs() / peak_theirs),
     };
-    let (reference, quantity, tolerance) = (compare.reference.clone(), compare.quantity.clone(), compare.tolerance);
+    let (reference, tolerance) = (compare.reference.clone(), compare.tolerance);
+    let quantity = match compare.norm {
+        Norm::Arrival => format!("{}, arrival [s]", compare.quantity),
+        Norm::Impulse => format!("{}, impulse", compare.quantity),
+        Norm::Peak => format!("{}, peak", compare.quantity),
+        _ => compare.quantity.clone(),
+    };
     Some(Comparison { reference, quantity, ours, theirs, error, tolerance })
 }
 
@@ -112,6 +129,25 @@ pub fn similarity_of(scene: &Scene) -> Option<WedgeSimilarity> {
     }
 }
 
+/// V6: when |y| first exceeds a share of its largest value inside the window, interpolated linearly [s].
+fn first_above(t: &[f64], y: &[f64], share: f64, window: [f64; 2]) -> Option<f64> {
+    let inside: Vec<[f64; 2]> =
+        t.iter().zip(y).filter(|(t, _)| (window[0]..=window[1]).contains(*t)).map(|(t, y)| [*t, y.abs()]).collect();
+    let level = share * inside.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let k = inside.iter().position(|p| p[1] > level)?;
+    let Some([t0, y0]) = k.checked_sub(1).map(|k| inside[k]) else { return Some(inside[k][0]) };
+    let [t1, y1] = inside[k];
+    Some(t0 + (t1 - t0) * (level - y0) / (y1 - y0))
+}
+
+/// V6: ∫ y dt over a window by trapezoids between the curve's own points; cut linearly at the window's ends.
+fn impulse(t: &[f64], y: &[f64], window: [f64; 2]) -> f64 {
+    let ends = window.map(|at| [at, interpolate(t, y, at)]);
+    let inside = t.iter().zip(y).filter(|(t, _)| **t > window[0] && **t < window[1]).map(|(t, y)| [*t, *y]);
+    let points: Vec<[f64; 2]> = std::iter::once(ends[0]).chain(inside).chain([ends[1]]).collect();
+    points.windows(2).map(|p| 0.5 * (p[0][1] + p[1][1]) * (p[1][0] - p[0][0])).sum()
+}
+
 /// Linear interpolation of y(t) at `at`, constant beyond the ends.
 fn interpolate(t: &[f64], y: &[f64], at: f64) -> f64 {
     let k = t.partition_point(|x| *x < at);
@@ -128,6 +164,15 @@ fn interpolate(t: &[f64], y: &[f64], at: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ramp_arrives_at_half_its_height_and_its_impulse_is_its_area() {
+        let (t, y) = ([0.0, 1.0, 3.0, 4.0], [0.0, 0.0, 8.0, 2.0]);
+        assert_eq!(first_above(&t, &y, 0.5, [0.0, 4.0]), Some(2.0));
+        assert_eq!(first_above(&t, &y, 0.5, [3.5, 3.9]), None);
+        assert!((impulse(&t, &y, [0.0, 4.0]) - 13.0).abs() < 1e-12);
+        assert!((impulse(&t, &y, [2.0, 3.5]) - (6.0 + 3.25)).abs() < 1e-12);
+    }
 
     #[test]
     fn interpolation_is_linear_and_constant_outside() {

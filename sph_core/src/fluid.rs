@@ -51,8 +51,19 @@ const FILLING: [f64; 2] = [0.9, 1.12];
 const LONGEST_SHIFT: f64 = 0.02;
 
 impl Fluid {
-    /// A fluid from seeds; densities follow from the seeds' pressures.
+    /// A fluid from seeds; densities follow from the seeds' pressures. Panics on a period that is too short for the
+    /// kernel, or combined with a mirror (V1): both are errors of the caller, not of its data.
     pub fn new(parameters: Parameters, seeds: &[Seed]) -> Fluid {
+        if let Some(periodic) = parameters.periodic {
+            let two_supports =
+                4.0 * parameters.smoothing_ratio * seeds.iter().map(|s| s.area).fold(0.0, f64::max).sqrt();
+            assert!(parameters.mirror.is_none(), "a mirror and a period do not go together");
+            assert!(
+                periodic.shortest() > two_supports,
+                "a period of {} m needs to exceed two supports, {two_supports} m",
+                periodic.shortest()
+            );
+        }
         let mut particles = Particles::default();
         for seed in seeds {
             let (rho, energy) = parameters.state_at(seed.pressure);
@@ -244,7 +255,9 @@ impl Fluid {
             constants: self.parameters.constants(),
             out: &mut self.extrapolated,
         });
-        self.rows.dress_walls(&self.extrapolated, &self.search.wall_images, self.parameters.slip == Slip::None);
+        let image_side = if self.parameters.periodic.is_some() { 1.0 } else { -1.0 };
+        let stick = self.parameters.slip == Slip::None;
+        self.rows.dress_walls(&self.extrapolated, &self.search.wall_images, image_side, stick);
         for (pressure, found) in walls.pressure.iter_mut().zip(&self.extrapolated) {
             *pressure = found.pressure;
         }
@@ -277,10 +290,11 @@ impl Fluid {
     /// Make the lists if they no longer hold, then pack what the sweeps read.
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
         self.rows.place_walls(walls, offset);
-        let (mirror, kinematics) = (self.parameters.mirror, self.rows.kinematics(walls));
+        let Parameters { mirror, periodic, .. } = self.parameters;
+        let kinematics = self.rows.kinematics(walls);
         if !self.search.holds(&self.particles, &kinematics) {
             let life = LIST_LIFE * self.acoustic_limit();
-            self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, life);
+            self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
     }

@@ -21,9 +21,9 @@ impl Fluid {
         let (x, y, n) = (self.particles.x[k], self.particles.y[k], walls.len());
         let (mut least, mut height) = (f64::INFINITY, f64::INFINITY);
         for &j in self.search.walls_of_fluid.of(k) {
-            let (source, side) = self.wall_source(j as usize, n);
-            let wall_x = if side > 0.0 { walls.x[source] } else { self.reflect(walls.x[source]) };
-            let (dx, dy) = (x - wall_x, y - walls.y[source]);
+            let (source, side, [sx, sy]) = self.wall_source(j as usize, n);
+            let wall_x = if side > 0.0 { walls.x[source] + sx } else { self.reflect(walls.x[source]) };
+            let (dx, dy) = (x - wall_x, y - (walls.y[source] + sy));
             let r2 = dx * dx + dy * dy;
             if r2 < least {
                 least = r2;
@@ -33,9 +33,13 @@ impl Fluid {
         height * self.parameters.smoothing_ratio
     }
 
-    /// The wall particle behind a listed index, and −1 for an image.
-    fn wall_source(&self, j: usize, walls: usize) -> (usize, f64) {
-        if j < walls { (j, 1.0) } else { (self.search.wall_images[j - walls] as usize, -1.0) }
+    /// The wall particle behind a listed index, −1 for a reflection, and how far a repeated one is translated [m].
+    fn wall_source(&self, j: usize, walls: usize) -> (usize, f64, [f64; 2]) {
+        if j < walls {
+            return (j, 1.0, [0.0; 2]);
+        }
+        let source = self.search.wall_images[j - walls] as usize;
+        self.search.wall_shifts.get(j - walls).map_or((source, -1.0, [0.0; 2]), |&shift| (source, 1.0, shift))
     }
 
     fn reflect(&self, x: f64) -> f64 {

@@ -147,7 +147,7 @@ pub(crate) fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: 
     let approach = (du * ab.dx + dv * ab.dy).min(0.0);
     let weight = a.volume * b.volume * ab.slope;
     let normal = weight * (c.rho0 * alpha * c.c0 * ab.h * approach * inverse - (a.p + b.p));
-    let shear = weight * 2.0 * c.rho0 * nu * ab.r2 * inverse;
+    let shear = weight * 2.0 * c.rho0 * nu; // (r·∇W)/r² is the kernel's slope: nothing to regularise
     [normal * ab.dx + shear * du, normal * ab.dy + shear * dv]
 }
 

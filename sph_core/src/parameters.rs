@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::density_filter::DensityFilter;
 use crate::eos::Tait;
 use crate::ideal_gas::IdealGas;
-use crate::images::Mirror;
+use crate::images::{Mirror, Periodic};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::pair::Constants;
@@ -72,9 +72,41 @@ pub struct Parameters {
     pub hydrostatic_diffusion: bool,
     /// Shift free-surface particles too: the error that E13 avoids, for comparison.
     pub shift_surface: bool,
+    /// Periodic plane pairs (V1), if the fluid repeats itself.
+    pub periodic: Option<Periodic>,
 }
 
 impl Parameters {
+    /// The scheme as it is by default, without gravity and planes of symmetry.
+    pub fn usual(eos: Tait) -> Parameters {
+        Parameters {
+            eos,
+            kernel: Kernel::WendlandC2,
+            smoothing_ratio: 1.5,
+            gravity: [0.0; 2],
+            alpha: 0.02,
+            nu: 0.0,
+            delta: 0.3,
+            shifting: true,
+            volume_correction: false,
+            slip: Slip::Free,
+            wall_stretch: false,
+            integrator: Integrator::Symplectic,
+            cfl: 0.6,
+            mirror: None,
+            periodic: None,
+            verlet_correction_every: 40,
+            density_filter: DensityFilter::None,
+            density_filter_every: 20,
+            xsph: 0.0,
+            turbulence: Turbulence::None,
+            gas: None,
+            density_evolution: DensityEvolution::Continuity,
+            hydrostatic_diffusion: true,
+            shift_surface: false,
+        }
+    }
+
     /// The numbers that every pair shares.
     pub(crate) fn constants(&self) -> Constants {
         let Parameters { eos, gravity, alpha, nu, delta, .. } = *self;

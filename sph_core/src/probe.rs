@@ -19,6 +19,14 @@ impl<'a> Probe<'a> {
             let near: Vec<Point> = points.iter().filter(|q| q.x - mirror.at < 2.0 * q.reach).copied().collect();
             points.extend(near.iter().map(|q| Point { x: mirror.reflect(q.x), ..*q }));
         }
+        if let Some(periodic) = fluid.parameters.periodic {
+            let own = Cells::build(&points);
+            for [sx, sy] in periodic.shifts() {
+                let moved = (0..p.len()).map(|k| Point { x: p.x[k] + sx, y: p.y[k] + sy, ..points[k] });
+                let near: Vec<Point> = moved.filter(|q| own.any_within(q.x, q.y, q.reach)).collect();
+                points.extend(near);
+            }
+        }
         Probe { fluid, cells: Cells::build(&points) }
     }
 

@@ -69,6 +69,7 @@ impl Rows {
             let vt = near[1] * nx - near[0] * ny;
             self.faces.push(Face { x, y, nx, ny, vn: u * nx + v * ny, vt, volume, h });
         }
+        self.repeat(n, search);
         let Some(mirror) = mirror else { return };
         for (k, &source) in search.fluid_images.iter().enumerate() {
             let row = self.fluid[source as usize];
@@ -81,12 +82,25 @@ impl Rows {
         }
     }
 
+    /// V1: images that repeat their source somewhere else.
+    fn repeat(&mut self, n: usize, search: &Search) {
+        for (k, (&source, shift)) in search.fluid_images.iter().zip(&search.fluid_shifts).enumerate() {
+            let row = self.fluid[source as usize];
+            self.fluid[n + k] = Row { x: row.x + shift[0], y: row.y + shift[1], ..row };
+        }
+        for (&source, shift) in search.wall_images.iter().zip(&search.wall_shifts) {
+            let (row, face) = (self.walls[source as usize], self.faces[source as usize]);
+            self.walls.push(Row { x: row.x + shift[0], y: row.y + shift[1], ..row });
+            self.faces.push(Face { x: face.x + shift[0], y: face.y + shift[1], ..face });
+        }
+    }
+
     /// E9, E11: the walls show the fluid the pressure they extrapolate and, where it must `stick`, the
-    /// velocity 2V − ũ.
-    pub fn dress_walls(&mut self, found: &[Extrapolated], images: &[u32], stick: bool) {
+    /// velocity 2V − ũ. `image_side` is −1 where images reflect, 1 where they repeat.
+    pub fn dress_walls(&mut self, found: &[Extrapolated], images: &[u32], image_side: f64, stick: bool) {
         let n = found.len();
         for (k, row) in self.walls.iter_mut().enumerate() {
-            let (source, side) = if k < n { (k, 1.0) } else { (images[k - n] as usize, -1.0) };
+            let (source, side) = if k < n { (k, 1.0) } else { (images[k - n] as usize, image_side) };
             row.p = found[source].pressure;
             if stick {
                 row.u = 2.0 * row.u - side * found[source].velocity[0];

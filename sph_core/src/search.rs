@@ -1,7 +1,7 @@
 //! Who may meet whom: neighbour lists for fluid and walls, images included, remade when a skin is used up.
 
 use crate::cells::{Cells, Point};
-use crate::images::Mirror;
+use crate::images::{Mirror, Periodic};
 use crate::neighbours::{Lists, Skin};
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA};
 
@@ -37,6 +37,10 @@ pub struct Search {
     pub fluid_images: Vec<u32>,
     /// Sources of the walls' images.
     pub wall_images: Vec<u32>,
+    /// Translations of the fluid's images [m], where images repeat (V1); empty where they reflect.
+    pub fluid_shifts: Vec<[f64; 2]>,
+    /// Translations of the walls' images [m], likewise.
+    pub wall_shifts: Vec<[f64; 2]>,
     /// How often the lists were made.
     pub rebuilds: u64,
     skin: Skin,
@@ -57,8 +61,10 @@ impl Search {
         derived: &mut Derived,
         walls: &WallKinematics,
         mirror: Option<Mirror>,
+        periodic: Option<Periodic>,
         life: f64,
     ) {
+        wrap(particles, periodic);
         let allow = |h: f64, u: f64, v: f64| SKIN * h + (u * u + v * v).sqrt() * life;
         let n = particles.len();
         let mut allowance: Vec<f64> = (0..n).map(|k| allow(particles.h[k], particles.u[k], particles.v[k])).collect();
@@ -93,6 +99,10 @@ impl Search {
             append_images(&mut wall, &self.wall_images, mirror);
             (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
         }
+        if let Some(periodic) = periodic {
+            self.repeat(periodic, &mut fluid, &mut wall, [&fluid_cells, &wall_cells]);
+            (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
+        }
         let stranger = |p: Point| Point { index: u32::MAX, ..p };
         self.fluid.build(n, &fluid_cells, |k| fluid[k]);
         self.walls_of_fluid.build(n, &wall_cells, |k| stranger(fluid[k]));
@@ -109,6 +119,34 @@ impl Search {
         if (j as usize) < n { j as usize } else { self.fluid_images[j as usize - n] as usize }
     }
 
+    /// V1: append every translation of fluid and wall that meets somebody of the cell itself.
+    fn repeat(&mut self, periodic: Periodic, fluid: &mut Vec<Point>, wall: &mut Vec<Point>, own: [&Cells; 2]) {
+        self.fluid_shifts.clear();
+        self.wall_shifts.clear();
+        let [own_fluid, own_wall] = own;
+        let (fluids, walls) = (fluid.len(), wall.len());
+        for shift in periodic.shifts() {
+            let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
+            let meets = |cells: &Cells, p: &Point| cells.any_within(p.x, p.y, p.reach);
+            for k in 0..fluids {
+                let p = moved(fluid[k]);
+                if meets(own_fluid, &p) || meets(own_wall, &p) {
+                    fluid.push(Point { index: fluid.len() as u32, ..p });
+                    self.fluid_images.push(k as u32);
+                    self.fluid_shifts.push(shift);
+                }
+            }
+            for k in 0..walls {
+                let p = moved(wall[k]);
+                if meets(own_fluid, &p) {
+                    wall.push(Point { index: wall.len() as u32, ..p });
+                    self.wall_images.push(k as u32);
+                    self.wall_shifts.push(shift);
+                }
+            }
+        }
+    }
+
     /// Who is, or has within reach, a free-surface particle (by the λ of the last sweep).
     pub fn flag_surface(&self, derived: &mut Derived) {
         let n = derived.surroundings.len();
@@ -117,6 +155,14 @@ impl Search {
         crate::sweep::gather_into(&mut derived.near_surface, |k| {
             at_surface(k) || self.fluid.of(k).iter().any(|&j| at_surface(self.source(j, n)))
         });
+    }
+}
+
+/// V1: whoever has left the cell enters it through the opposite plane.
+fn wrap(particles: &mut Particles, periodic: Option<Periodic>) {
+    let Some(periodic) = periodic else { return };
+    for k in 0..particles.len() {
+        [particles.x[k], particles.y[k]] = periodic.wrap([particles.x[k], particles.y[k]]);
     }
 }
 

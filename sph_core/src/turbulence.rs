@@ -129,7 +129,8 @@ fn stress_force<'r, K: Shape>(
 }
 
 impl Fluid {
-    /// L7: stress of every particle and image [Pa], from the state of the last sweep. An image's shear has the other sign.
+    /// L7: stress of every particle and image [Pa], from the state of the last sweep. A reflection's shear has the
+    /// other sign.
     pub fn evaluate_stress(&mut self) -> &[Stress] {
         let n = self.particles.len();
         self.stress.resize(n + self.search.fluid_images.len(), [0.0; 3]);
@@ -142,7 +143,7 @@ impl Fluid {
         });
         for (k, &source) in self.search.fluid_images.iter().enumerate() {
             let [xx, xy, yy] = self.stress[source as usize];
-            self.stress[n + k] = [xx, -xy, yy];
+            self.stress[n + k] = if self.parameters.periodic.is_some() { [xx, xy, yy] } else { [xx, -xy, yy] };
         }
         &self.stress
     }

@@ -5,9 +5,7 @@ use evidence::systems::advance;
 use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
 use sph_core::eos::Tait;
-use sph_core::{
-    DensityEvolution, DensityFilter, Fluid, IdealGas, Integrator, Kernel, Parameters, Seed, Slip, Turbulence,
-};
+use sph_core::{Fluid, IdealGas, Parameters, Seed};
 
 const LENGTH: f64 = 1.0;
 const HEIGHT: f64 = 1.0;
@@ -17,31 +15,8 @@ const PRESSURE: [f64; 2] = [5000.0, 250.0];
 
 /// Water in which nothing dissipates.
 pub(crate) fn lossless() -> Parameters {
-    Parameters {
-        eos: Tait { rho0: 1000.0, c0: SOUND, gamma: 1.0 },
-        kernel: Kernel::WendlandC2,
-        smoothing_ratio: 1.5,
-        gravity: [0.0; 2],
-        alpha: 0.0,
-        nu: 0.0,
-        delta: 0.0,
-        shifting: false,
-        volume_correction: false,
-        slip: Slip::Free,
-        wall_stretch: false,
-        integrator: Integrator::Symplectic,
-        cfl: 0.6,
-        mirror: None,
-        verlet_correction_every: 40,
-        density_filter: DensityFilter::None,
-        density_filter_every: 20,
-        xsph: 0.0,
-        turbulence: Turbulence::None,
-        gas: None,
-        density_evolution: DensityEvolution::Continuity,
-        hydrostatic_diffusion: true,
-        shift_surface: false,
-    }
+    let eos = Tait { rho0: 1000.0, c0: SOUND, gamma: 1.0 };
+    Parameters { alpha: 0.0, delta: 0.0, shifting: false, ..Parameters::usual(eos) }
 }
 
 /// A box full of fluid under a fixed lid, with p = p₀ + A cos(π x/L); `prepare` may change the state that has it.

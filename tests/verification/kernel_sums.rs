@@ -3,7 +3,7 @@
 use evidence::statistics::Noise;
 use sph_core::eos::Tait;
 use sph_core::particles::{SPRAY_FILLING, SURFACE_LAMBDA, Surroundings};
-use sph_core::{DensityEvolution, DensityFilter, Fluid, Integrator, Kernel, Parameters, Seed, Slip, Turbulence, Walls};
+use sph_core::{Fluid, Kernel, Parameters, Seed, Walls};
 
 /// Spacing of the lattice [m].
 const SPACING: f64 = 0.1;
@@ -12,31 +12,8 @@ const SIDE: usize = 21;
 
 /// What the first sweep finds around each particle of a square block, by (column, row).
 fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
-    let parameters = Parameters {
-        eos: Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 },
-        kernel,
-        smoothing_ratio: 1.5,
-        gravity: [0.0; 2],
-        alpha: 0.0,
-        nu: 0.0,
-        delta: 0.0,
-        shifting: false,
-        volume_correction: false,
-        slip: Slip::Free,
-        wall_stretch: false,
-        integrator: Integrator::Symplectic,
-        cfl: 0.6,
-        mirror: None,
-        verlet_correction_every: 40,
-        density_filter: DensityFilter::None,
-        density_filter_every: 20,
-        xsph: 0.0,
-        turbulence: Turbulence::None,
-        gas: None,
-        density_evolution: DensityEvolution::Continuity,
-        hydrostatic_diffusion: true,
-        shift_surface: false,
-    };
+    let eos = Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 };
+    let parameters = Parameters { kernel, ..Parameters::usual(eos) };
     let mut noise = Noise::new(23);
     let seed = |k: usize, noise: &mut Noise| Seed {
         at: [k % SIDE, k / SIDE].map(|c| SPACING * (c as f64 + disorder * noise.draw())),

@@ -1,16 +1,21 @@
 //! Verification: what has an exact answer must meet it, and errors must fall at the order the theory says.
 
 mod acoustics;
+mod channel;
 mod conservation;
 mod echo;
+mod elliptic_drop;
 mod gas;
 mod gauges;
 mod integrators;
 mod kernel_sums;
 mod options;
 mod rigid_body;
+mod rotating_patch;
 mod standing_wave;
 mod still_water;
 mod study;
 mod symmetry;
+mod taylor_green;
 mod transfer;
+mod wave_maker;

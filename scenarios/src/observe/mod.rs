@@ -2,6 +2,7 @@
 
 mod face_profile;
 mod flow;
+mod front;
 mod gauge_record;
 mod gauges;
 mod ledger;
@@ -18,6 +19,7 @@ use fsi_coupling::{Coupled, Penetration};
 use crate::log::LogError;
 
 pub use flow::FlowPictures;
+pub use front::FRONT;
 pub use gauge_record::GaugeResult;
 pub use gauges::{GaugeReader, Reading};
 pub use ledger::EnergyLedger;

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use fsi_coupling::Motion;
 
+use super::front::{FRONT, front};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
 
@@ -13,6 +14,7 @@ use crate::scene::Scene;
 pub struct Series {
     columns: Vec<String>,
     rows: Vec<Vec<f64>>,
+    front: bool,
     file: Option<(String, BufWriter<File>)>,
 }
 
@@ -41,6 +43,7 @@ impl Series {
             columns.extend(BODY.iter().map(|(unit, _)| format!("{}.{unit}", body.name)));
         }
         columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));
+        columns.extend(scene.observe.front.then(|| FRONT.to_string()));
         let file = match path {
             None => None,
             Some(path) => {
@@ -51,7 +54,7 @@ impl Series {
                 Some((name, file))
             }
         };
-        Ok(Series { columns, rows: Vec::new(), file })
+        Ok(Series { columns, rows: Vec::new(), front: scene.observe.front, file })
     }
 
     /// Names of the columns; the first is `time_s`.
@@ -108,6 +111,7 @@ impl Observer for Series {
             row.extend(BODY.iter().map(|(_, read)| read(&motion)));
         }
         row.extend(frame.gauges);
+        row.extend(self.front.then(|| front(&frame.system.fluid)));
         if let Some((path, file)) = &mut self.file {
             let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
             writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;

@@ -2,6 +2,7 @@
 
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::problem::{Problem, significant};
+use crate::observe::FRONT;
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
@@ -194,7 +195,8 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
     };
     let bodies = scene.body.iter().flat_map(|body| columns(&body.name, &BODY_COLUMNS));
     let gauges = scene.gauges.iter().flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
-    let known: Vec<String> = bodies.chain(gauges).collect();
+    let front = scene.observe.front.then(|| FRONT.to_string());
+    let known: Vec<String> = bodies.chain(gauges).chain(front).collect();
     for (i, compare) in scene.compare.iter().enumerate() {
         if !known.contains(&compare.quantity) {
             let key = format!("compare[{i}].quantity");

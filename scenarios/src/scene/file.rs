@@ -29,6 +29,13 @@ pub struct SceneFile {
     pub body: Option<BodyFile>,
     pub gauges: Vec<GaugeFile>,
     pub compare: Vec<CompareFile>,
+    pub observe: ObserveFile,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ObserveFile {
+    pub front: Option<bool>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -113,6 +120,8 @@ pub struct BodyFile {
     #[serde(deserialize_with = "pair_or_touching")]
     pub position: Option<[f64; 2]>,
     pub angle_deg: Option<f64>,
+    pub amplitude: Option<[f64; 2]>,
+    pub period: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -132,6 +141,7 @@ pub enum MotionName {
     Free,
     ConstantVelocity,
     Fixed,
+    Oscillating,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -165,6 +175,7 @@ pub struct CompareFile {
     pub window: Option<[f64; 2]>,
     pub norm: Option<Norm>,
     pub tolerance: Option<f64>,
+    pub threshold: Option<f64>,
 }
 
 fn number_or_auto<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
@@ -280,6 +291,11 @@ impl BodyFile {
             }
             Motion::ConstantVelocity => MotionName::ConstantVelocity,
             Motion::Fixed => MotionName::Fixed,
+            Motion::Oscillating(oscillation) => {
+                self.amplitude = Some(oscillation.amplitude);
+                self.period = Some(oscillation.period);
+                MotionName::Oscillating
+            }
         };
         self.motion = Some(name);
     }

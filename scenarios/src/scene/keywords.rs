@@ -141,12 +141,14 @@ static KEYWORDS: &[Keyword] = &[
     key("body.mass", "kg/m", "required if free", "mass of the whole body, also with symmetry"),
     key("body.inertia", "kg m^2/m", "required if free to rotate", "moment of inertia of the whole body about its centre of mass"),
     key("body.center_of_mass", "m", "centroid of the outline", "[x, y] in the body's frame, whose origin is a wedge's keel, an arc's lowest point, a box's centre"),
-    key("body.motion", "", "free", "free | constant_velocity | fixed"),
+    key("body.motion", "", "free", "free | constant_velocity | fixed | oscillating (wave generator, thesis chapter 4)"),
     key("body.free", "", "all; [\"y\"] with symmetry", "directions a free body can move in: any of \"x\", \"y\", \"angle\""),
     key("body.velocity", "m/s", "[0.0, 0.0]", "velocity [x, y] of the centre of mass at t = 0"),
     key("body.angular_velocity_deg_per_s", "deg/s", "0.0", "angular velocity at t = 0, counter-clockwise"),
     key("body.position", "m", "touching", "[x, y] of the body frame's origin at t = 0; touching: x = 0 and the lowest point on the still water"),
     key("body.angle_deg", "deg", "0.0", "rotation of the body's frame about its origin at t = 0, counter-clockwise"),
+    key("body.amplitude", "m", "required if oscillating", "[x, y] of the prescribed motion A sin(2 pi t/T), eased in over its first period"),
+    key("body.period", "s", "required if oscillating", "period T of the prescribed motion"),
     key("gauges[].name", "", "required", "a word that starts its column in the series"),
     key("gauges[].on", "", "body", "body: fixed in the body's frame | fixed: fixed in the tank"),
     key("gauges[].at", "m", "required", "[x, y] in that frame"),
@@ -160,8 +162,10 @@ static KEYWORDS: &[Keyword] = &[
     key("compare[].y", "", "required", "the reference's column of values"),
     key("compare[].y_scale", "", "1.0", "factor that turns it into SI units"),
     key("compare[].window", "s", "[0.0, end]", "times compared [from, to], cut at the end of the run"),
-    key("compare[].norm", "", "rms_over_peak", "rms | max, in the quantity's unit; rms_over_first | rms_over_peak | peak (heights of the peaks), relative"),
+    key("compare[].norm", "", "rms_over_peak", "rms | max, in the quantity's unit; rms_over_first | rms_over_peak | peak (heights of the peaks) | arrival (times of arrival) | impulse (integrals over time), relative"),
     key("compare[].tolerance", "", "absent", "largest error that passes, in the norm's unit; absent: drawn, not judged"),
+    key("compare[].threshold", "-", "0.5", "norm arrival: share of its own peak in the window at which a curve has arrived"),
+    key("observe.front", "", "false", "column front_m: length of the connected water along the floor, from its left end: true | false"),
 ];
 
 #[cfg(test)]
@@ -188,7 +192,7 @@ mod tests {
     fn serde_fields(table: &str) -> Vec<String> {
         let text = format!("{}\nno_such_key = 1\n", if table.is_empty() { String::new() } else { table_header(table) });
         let error = toml::from_str::<SceneFile>(&text).expect_err("the key does not exist");
-        let (_, fields) = error.message().split_once("expected one of").expect("serde lists the fields");
+        let (_, fields) = error.message().split_once(", expected ").expect("serde lists the fields");
         fields.split('`').skip(1).step_by(2).map(String::from).collect()
     }
 
@@ -201,7 +205,7 @@ mod tests {
 
     #[test]
     fn keywords_and_serde_fields_are_the_same() {
-        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]"];
+        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]", "observe"];
         let top = serde_fields("");
         let mut fields: Vec<String> =
             top.iter().filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f)).cloned().collect();

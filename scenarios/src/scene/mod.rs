@@ -41,7 +41,7 @@ pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};
 pub use model::{
     Body, Compare, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm,
-    Resolution, Scene, Similarity, Symmetry, Tank, Time, WallSlip,
+    Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time, WallSlip,
 };
 pub use overrides::apply_set;
 pub use warnings::warnings;

@@ -43,6 +43,15 @@ pub struct Scene {
     /// Curves to compare with.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub compare: Vec<Compare>,
+    /// Curves that are sampled only where a scene asks for them.
+    pub observe: Observe,
+}
+
+/// Curves that are sampled only where a scene asks for them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Observe {
+    /// The column `front_m`: length of the connected water along the floor (V5).
+    pub front: bool,
 }
 
 /// Mirror plane of the flow.
@@ -218,6 +227,17 @@ pub enum Motion {
     ConstantVelocity,
     /// Not at all.
     Fixed,
+    /// To and fro (V4).
+    Oscillating(Oscillation),
+}
+
+/// A prescribed motion to and fro: x(t) = x₀ + A r(t) sin(2π t/T), eased in by r over the first period (V4).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Oscillation {
+    /// Amplitude A [m], shape (2).
+    pub amplitude: [f64; 2],
+    /// Period T [s].
+    pub period: f64,
 }
 
 /// Inertia and free directions of a free body.
@@ -283,6 +303,8 @@ pub struct Compare {
     pub norm: Norm,
     /// Largest error that passes; without it the curve is drawn and not judged.
     pub tolerance: Option<f64>,
+    /// Share of a curve's peak at which it has arrived, for the norm `arrival` [-].
+    pub threshold: f64,
 }
 
 /// The error of our curve y(t) against the reference's points (t_i, r_i) inside the window.
@@ -300,6 +322,10 @@ pub enum Norm {
     Max,
     /// |max |y| − max |r_i|| over max |r_i| [-]: heights of the peaks, whenever they come.
     Peak,
+    /// t/t_r − 1 [-]: the times at which each curve first exceeds a share of its own peak in the window (V6).
+    Arrival,
+    /// ∫y dt/∫r dt − 1 [-], over the part of the window that both curves cover (V6).
+    Impulse,
 }
 
 impl Scene {
@@ -359,13 +385,20 @@ impl Body {
         [x0 + x * cos - y * sin, y0 + x * sin + y * cos]
     }
 
-    /// Bound of the speed of its points at t = 0 [m/s]: |v| + |ω| r, with the farthest vertex at r from the centre of mass.
+    /// Bound of the speed of its points at t = 0 [m/s]: |v| + |ω| r, with the farthest vertex at r from the centre of mass;
+    /// of an oscillating body 2π A/T at any time.
     pub fn fastest_point(&self) -> f64 {
         let [cx, cy] = self.center_of_mass;
         let outline = self.shape.outline();
         let arms = outline.iter().map(|p| (p[0] - cx).hypot(p[1] - cy));
         let spin = self.angular_velocity_deg_per_s.to_radians().abs();
-        self.velocity[0].hypot(self.velocity[1]) + spin * arms.fold(0.0, f64::max)
+        let oscillation = match &self.motion {
+            Motion::Oscillating(Oscillation { amplitude: [x, y], period }) => {
+                std::f64::consts::TAU * x.hypot(*y) / period
+            }
+            _ => 0.0,
+        };
+        self.velocity[0].hypot(self.velocity[1]) + spin * arms.fold(0.0, f64::max) + oscillation
     }
 
     /// x midway between the body's left and right ends at t = 0 [m].

@@ -3,7 +3,9 @@
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
-use super::model::{Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Resolution, Scene, Tank, Time};
+use super::model::{
+    Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Observe, Resolution, Scene, Tank, Time,
+};
 use super::model::{IdealGas, Turbulence};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
@@ -64,6 +66,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         similarity: file.similarity,
         gauges: numbered("gauges", file.gauges, resolve_gauge)?,
         compare: numbered("compare", file.compare, |key, compare| resolve_compare(key, compare, time.end))?,
+        observe: Observe { front: file.observe.front.unwrap_or(false) },
         resolution: resolve_resolution(&file.resolution, spacing, fine_zone)?,
         time,
         fluid,
@@ -234,5 +237,6 @@ fn resolve_compare(table: &str, file: CompareFile, end: f64) -> Result<Compare, 
         window,
         norm: file.norm.unwrap_or_default(),
         tolerance: tolerance.transpose()?,
+        threshold: within(&key("threshold"), file.threshold.unwrap_or(0.5), 0.01..=0.99)?,
     })
 }

@@ -1,7 +1,7 @@
 //! The body of a scene, from as written to as run.
 
 use super::file::{Axis, BodyFile, MotionName, ShapeName};
-use super::model::{Body, Freedom, Motion, Symmetry};
+use super::model::{Body, Freedom, Motion, Oscillation, Symmetry};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
@@ -15,6 +15,7 @@ const SHARPEST_TURN: f64 = -0.5;
 pub(super) fn resolve_body(file: BodyFile, symmetry: Symmetry) -> Result<Body, Problem> {
     let shape = resolve_shape(&file)?;
     let motion = resolve_motion(&file, symmetry)?;
+    refuse_other_motions_keys(&file)?;
     let angle_deg = file.angle_deg.unwrap_or(0.0);
     let name = word("body.name", file.name.unwrap_or_else(|| "body".to_string()))?;
     let mut body = Body {
@@ -152,6 +153,15 @@ fn resolve_motion(file: &BodyFile, symmetry: Symmetry) -> Result<Motion, Problem
     match file.motion.unwrap_or_default() {
         MotionName::Fixed => Ok(Motion::Fixed),
         MotionName::ConstantVelocity => Ok(Motion::ConstantVelocity),
+        MotionName::Oscillating => {
+            let amplitude = required("body.amplitude", file.amplitude, "the amplitude [x, y] [m] of the motion")?;
+            if symmetry == Symmetry::X && amplitude[0] != 0.0 {
+                let expected = "[0, ...] with symmetry = \"x\"";
+                return Err(Problem::new("body.amplitude", format!("{amplitude:?}"), expected));
+            }
+            let period = required("body.period", file.period, "the period [s] of the motion")?;
+            Ok(Motion::Oscillating(Oscillation { amplitude, period: positive("body.period", period)? }))
+        }
         MotionName::Free => {
             let free = match (&file.free, symmetry) {
                 (Some(axes), _) => axes.clone(),
@@ -178,12 +188,24 @@ fn resolve_motion(file: &BodyFile, symmetry: Symmetry) -> Result<Motion, Problem
     }
 }
 
+/// A motion to and fro has an amplitude and a period, and no other motion has.
+fn refuse_other_motions_keys(file: &BodyFile) -> Result<(), Problem> {
+    if file.motion == Some(MotionName::Oscillating) {
+        return Ok(());
+    }
+    let given = [("amplitude", file.amplitude.is_some()), ("period", file.period.is_some())];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((key, _)) => Err(Problem::new(&format!("body.{key}"), "(given)", "only with motion = \"oscillating\"")),
+    }
+}
+
 /// A direction that cannot move has no velocity.
 fn check_locked_directions(body: &Body) -> Result<(), Problem> {
     let (x, y, angle) = match &body.motion {
         Motion::Free(freedom) => (freedom.x, freedom.y, freedom.inertia.is_some()),
         Motion::ConstantVelocity => (true, true, true),
-        Motion::Fixed => (false, false, false),
+        Motion::Fixed | Motion::Oscillating(_) => (false, false, false),
     };
     let [vx, vy] = body.velocity;
     if (!x && vx != 0.0) || (!y && vy != 0.0) {

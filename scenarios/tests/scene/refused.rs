@@ -71,6 +71,11 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("[time]", "[fluid]\nmolar_mass = 0\n[time]", 4, &["`fluid.molar_mass` = 0", "above 0"]),
         ("[time]", "[fluid]\ndensity_evolution = \"guess\"\n[time]", 4, &["`fluid.density_evolution`", "`guess`", "`summation`"]),
         ("[time]", "[fluid]\ndensity_diffusion_form = \"antuono\"\n[time]", 4, &["`fluid.density_diffusion_form`", "`antuono`", "`molteni`"]),
+        ("x = \"t_ms\"", "x = \"t_ms\"\nthreshold = 2", 22, &["`compare[0].threshold` = 2", "from 0.01 to 0.99"]),
+        ("mass = 100.0", "mass = 100.0\nperiod = 1.0", 13, &["`body.period`", "only with motion = \"oscillating\""]),
+        ("mass = 100.0", "motion = \"oscillating\"", 7, &["`body.amplitude` is missing", "[m]"]),
+        ("mass = 100.0", "motion = \"oscillating\"\namplitude = [0, 0.1]\nperiod = 0", 14, &["`body.period` = 0", "above 0"]),
+        ("[time]", "[observe]\nfront = 1\n[time]", 4, &["`observe.front`"]),
         ("end = 0.02", "end = ", 4, &["not valid TOML"]),
         ("end = 0.02", "end = 0.02\nend = 0.03", 5, &["not valid TOML", "duplicate key"]),
     ];
