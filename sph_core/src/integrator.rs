@@ -52,6 +52,7 @@ pub(crate) fn predictor_corrector(fluid: &mut Fluid, walls: &mut Walls, dt: f64)
     let half = 0.5 * dt;
     fluid.evaluate_density_rate(walls, -dt); //  dρ/dt at n
     let old = std::mem::take(&mut fluid.old).of(&fluid.particles);
+    fluid.dynamic_walls.keep();
     fluid.drift(half); //                        x½ = x + ½Δt v
     fluid.kick(half); //                         v½ = v + ½Δt a
     fluid.compress(half); //                     ρ½ = ρ + ½Δt dρ/dt
@@ -90,5 +91,6 @@ impl Old {
             p.y[k] = y + 0.5 * dt * (v + p.v[k]);
             p.rho[k] = rho + dt * fluid.density_rate[k];
         }
+        fluid.dynamic_walls.correct(dt);
     }
 }

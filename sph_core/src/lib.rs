@@ -10,23 +10,28 @@
 
 pub mod audit;
 pub mod cells;
+mod dynamic_walls;
 pub mod eos;
 pub mod error;
 pub mod fluid;
 pub mod images;
 pub mod integrator;
 pub mod kernel;
+mod mirror_point;
 mod nearest;
 pub mod neighbours;
 pub mod pair;
 pub mod parameters;
 pub mod particles;
 pub mod probe;
+mod repulsive;
 mod rows;
 pub mod search;
 pub mod step_limit;
 pub mod sweep;
 mod sweeps;
+pub mod wall_model;
+mod wall_sweeps;
 pub mod walls;
 
 pub use error::Breakdown;
@@ -35,4 +40,5 @@ pub use integrator::Integrator;
 pub use kernel::Kernel;
 pub use parameters::{Parameters, Slip};
 pub use particles::{Particles, Seed};
+pub use wall_model::{WallModel, WallTreatment};
 pub use walls::{WallForces, WallPoint, Walls, WallsMut};

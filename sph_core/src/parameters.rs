@@ -7,6 +7,8 @@ use crate::images::Mirror;
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::pair::Constants;
+use crate::repulsive::Repulsion;
+use crate::wall_model::WallTreatment;
 
 /// What the fluid does along a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,6 +50,8 @@ pub struct Parameters {
     pub cfl: f64,
     /// Plane of symmetry, if the scene has one.
     pub mirror: Option<Mirror>,
+    /// How walls keep the fluid out.
+    pub walls: WallTreatment,
 }
 
 impl Parameters {
@@ -55,6 +59,12 @@ impl Parameters {
     pub(crate) fn constants(&self) -> Constants {
         let Parameters { eos, gravity, alpha, nu, delta, .. } = *self;
         Constants { gravity, rho0: eos.rho0, c0: eos.c0, delta, alpha, nu }
+    }
+
+    /// The law of repulsive walls (W1).
+    pub(crate) fn repulsion(&self) -> Repulsion {
+        let (eos, water_depth) = (self.eos, self.walls.water_depth);
+        Repulsion { rho0: eos.rho0, c0: eos.c0, ratio: self.smoothing_ratio, water_depth }
     }
 
     /// ν between fluid and wall [m²/s].

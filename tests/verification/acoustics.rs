@@ -5,7 +5,7 @@ use evidence::systems::advance;
 use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
 use sph_core::eos::Tait;
-use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip};
+use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip, WallTreatment};
 
 const LENGTH: f64 = 1.0;
 const HEIGHT: f64 = 1.0;
@@ -29,6 +29,7 @@ fn box_of_sound(spacing: f64) -> Coupled {
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,
+        walls: WallTreatment::default(),
     };
     let (x, y) = ([0.0, LENGTH], [-HEIGHT, 0.0]);
     let tiling = Tiling::new(Basin { x, y, fine_x: x, fine_depth: HEIGHT, spacing, growth: 1.0 });

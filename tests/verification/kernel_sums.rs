@@ -3,7 +3,7 @@
 use evidence::statistics::Noise;
 use sph_core::eos::Tait;
 use sph_core::particles::{SPRAY_FILLING, SURFACE_LAMBDA, Surroundings};
-use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip, Walls};
+use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip, Walls, WallTreatment};
 
 /// Spacing of the lattice [m].
 const SPACING: f64 = 0.1;
@@ -26,6 +26,7 @@ fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
         integrator: Integrator::Symplectic,
         cfl: 0.6,
         mirror: None,
+        walls: WallTreatment::default(),
     };
     let mut noise = Noise::new(23);
     let seed = |k: usize, noise: &mut Noise| Seed {
