@@ -7,7 +7,9 @@ use serde::de::value::SeqAccessDeserializer;
 use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::model::{Body, GaugeFrame, Integrator, Kernel, Motion, Norm, Similarity, Symmetry, WallSlip};
+use super::model::{
+    Body, GaugeFrame, Integrator, Kernel, Lattice, Motion, Norm, Similarity, Symmetry, WallModel, WallSlip,
+};
 use fsi_coupling::Shape;
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -26,6 +28,13 @@ pub struct SceneFile {
     pub body: Option<BodyFile>,
     pub gauges: Vec<GaugeFile>,
     pub compare: Vec<CompareFile>,
+    pub report: ReportFile,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ReportFile {
+    pub force_rules: Option<bool>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -43,6 +52,7 @@ pub struct ResolutionFile {
     pub growth: Option<f64>,
     #[serde(deserialize_with = "pair_or_auto")]
     pub fine_zone: Option<[f64; 2]>,
+    pub lattice: Option<Lattice>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -63,6 +73,8 @@ pub struct FluidFile {
     pub wall_slip: Option<WallSlip>,
     pub integrator: Option<Integrator>,
     pub cfl: Option<f64>,
+    pub walls: Option<WallModel>,
+    pub limit_pressure: Option<i64>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -99,6 +99,7 @@ static KEYWORDS: &[Keyword] = &[
     key("resolution.spacing", "m", "required", "finest particle spacing dx"),
     key("resolution.growth", "-", "1.1", "ratio of successive rows outside the fine zone; 1 is uniform"),
     key("resolution.fine_zone", "m", "auto", "[half width from the body's middle, depth below still water]; auto: holds the spray root to the end, or the whole tank without an impact"),
+    key("resolution.lattice", "", "square", "square | staggered: body-centred squares of side sqrt(2) dx, growth 1 only (INDAT: lattice SC | BCC)"),
     key("fluid.density", "kg/m^3", "1000.0", "density of the undisturbed water"),
     key("fluid.sound_speed", "m/s", "auto", "speed of sound; auto: compressibility costs an impact fluid.compressibility_error of its force; at least 10 times the flow's fastest known speed"),
     key("fluid.compressibility_error", "-", "0.01", "share of the force that compressibility may cost"),
@@ -113,6 +114,8 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),
     key("fluid.integrator", "", "symplectic", "symplectic | predictor_corrector"),
     key("fluid.cfl", "-", "0.6", "step limit dt <= cfl h/(c0 + |v|); by default 0.3 for predictor_corrector"),
+    key("fluid.walls", "", "extrapolated", "extrapolated | repulsive (INDAT iBC: Monaghan) | dynamic (INDAT iBC: Dalrymple) | mirror_point: how walls keep the water out"),
+    key("fluid.limit_pressure", "-", "1", "dynamic walls at the start: 0: density rho0, no pressure | 1: the pressure of the water beside them (INDAT i_correct_pb)"),
     key("tank.width", "m", "auto", "full inner width, x from -width/2 to width/2; auto: outside acoustic reach of an impact"),
     key("tank.depth", "m", "auto", "depth of still water, whose surface is y = 0 and whose floor is y = -depth; auto: outside acoustic reach of an impact"),
     key("tank.height", "m", "1.25 depth, 3 depth for a dam break", "height of the side walls above the floor"),
@@ -148,6 +151,7 @@ static KEYWORDS: &[Keyword] = &[
     key("compare[].window", "s", "[0.0, end]", "times compared [from, to], cut at the end of the run"),
     key("compare[].norm", "", "rms_over_peak", "rms | max, in the quantity's unit; rms_over_first | rms_over_peak | peak (heights of the peaks), relative"),
     key("compare[].tolerance", "", "absent", "largest error that passes, in the norm's unit; absent: drawn, not judged"),
+    key("report.force_rules", "", "false", "compare the force on the body by four rules: true | false (INDAT fex: FEX_2D, FEX_2D2, FEX_2D3, FEX_2D4)"),
 ];
 
 #[cfg(test)]
@@ -187,7 +191,7 @@ mod tests {
 
     #[test]
     fn keywords_and_serde_fields_are_the_same() {
-        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]"];
+        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]", "report"];
         let top = serde_fields("");
         let mut fields: Vec<String> =
             top.iter().filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f)).cloned().collect();

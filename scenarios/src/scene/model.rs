@@ -1,7 +1,8 @@
 //! The resolved scene: plain data, every number known.
 
+pub use fsi_coupling::fill::Lattice;
 use serde::{Deserialize, Serialize};
-pub use sph_core::{Integrator, Kernel, Slip as WallSlip};
+pub use sph_core::{Integrator, Kernel, Slip as WallSlip, WallModel};
 
 use super::auto::fastest_speed;
 use super::file::BodyFile;
@@ -43,6 +44,15 @@ pub struct Scene {
     /// Curves to compare with.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub compare: Vec<Compare>,
+    /// What a run observes beside its curves.
+    pub report: Report,
+}
+
+/// What a run observes beside its curves.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct Report {
+    /// Compare the force on the body by four rules.
+    pub force_rules: bool,
 }
 
 /// Mirror plane of the flow.
@@ -84,6 +94,8 @@ pub struct Resolution {
     pub growth: f64,
     /// Half width, from the body's middle, and depth below still water of the fine zone [m], shape (2).
     pub fine_zone: [f64; 2],
+    /// How particles lie in uniform water.
+    pub lattice: Lattice,
 }
 
 /// The water and the numerical scheme.
@@ -117,6 +129,10 @@ pub struct Fluid {
     pub integrator: Integrator,
     /// Step limit: dt ≤ cfl·h/(c₀ + |v|) [-].
     pub cfl: f64,
+    /// How walls keep the water out.
+    pub walls: WallModel,
+    /// Dynamic walls' pressure at the start: 0 none, 1 that of the water beside them.
+    pub limit_pressure: i64,
 }
 
 /// The rectangle of water and its walls.

@@ -3,7 +3,7 @@
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
-use super::model::{Compare, Fluid, Gauge, GaugeFrame, Integrator, Resolution, Scene, Tank, Time};
+use super::model::{Compare, Fluid, Gauge, GaugeFrame, Integrator, Lattice, Report, Resolution, Scene, Tank, Time};
 use super::problem::{Problem, not_negative, positive, required, within, word};
 use super::resolve_body::resolve_body;
 
@@ -64,6 +64,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         fluid,
         tank,
         body,
+        report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
     })
 }
 
@@ -99,7 +100,12 @@ fn resolve_resolution(file: &ResolutionFile, spacing: f64, fine_zone: [f64; 2]) 
         positive("resolution.fine_zone", length)?;
     }
     let growth = within("resolution.growth", file.growth.unwrap_or(1.1), 1.0..=2.0)?;
-    Ok(Resolution { spacing, growth, fine_zone })
+    let lattice = file.lattice.unwrap_or_default();
+    if lattice == Lattice::Staggered && growth != 1.0 {
+        let expected = format!("\"square\" with resolution.growth = {growth}: a staggered lattice needs growth = 1");
+        return Err(Problem::new("resolution.lattice", "\"staggered\"", expected));
+    }
+    Ok(Resolution { spacing, growth, fine_zone, lattice })
 }
 
 fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: f64) -> Result<Fluid, Problem> {
@@ -132,6 +138,11 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         wall_slip: file.wall_slip.unwrap_or_default(),
         integrator,
         cfl: positive("fluid.cfl", file.cfl.unwrap_or(usual_cfl(integrator)))?,
+        walls: file.walls.unwrap_or_default(),
+        limit_pressure: match file.limit_pressure.unwrap_or(1) {
+            option @ (0 | 1) => option,
+            other => return Err(Problem::new("fluid.limit_pressure", other, "0 or 1")),
+        },
     })
 }
 
