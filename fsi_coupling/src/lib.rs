@@ -8,6 +8,8 @@ pub mod body;
 mod contact;
 pub mod coupled;
 pub mod fill;
+pub mod force_rules;
+pub mod nodal;
 pub mod outline;
 pub mod penetration;
 pub mod polygon;

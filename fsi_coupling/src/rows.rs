@@ -10,8 +10,6 @@ pub enum Arrangement {
     Filled,
     /// At the same depths, every other row half a spacing aside (THEORY W2).
     Staggered,
-    /// On the surface itself: one row of points (THEORY W1).
-    OnSurface,
 }
 
 impl Arrangement {
@@ -21,13 +19,8 @@ impl Arrangement {
         match parameters.walls.model {
             WallModel::Extrapolated | WallModel::MirrorPoint => (Arrangement::Filled, filling),
             WallModel::Dynamic => (Arrangement::Staggered, 2),
-            WallModel::Repulsive => (Arrangement::OnSurface, 1),
+            WallModel::Repulsive => (Arrangement::Filled, 1),
         }
-    }
-
-    /// Depth of row `layer` in spacings [-].
-    pub(crate) fn depth(self, layer: usize) -> f64 {
-        layer as f64 + if self == Arrangement::OnSurface { 0.0 } else { 0.5 }
     }
 
     /// True where row `layer` stands half a spacing aside.

@@ -23,7 +23,7 @@ pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool, arrang
     for part in outline.loops() {
         let faces = faces(part);
         for layer in 0..layers {
-            let depth = arrangement.depth(layer) * spacing;
+            let depth = (layer as f64 + 0.5) * spacing;
             for (k, face) in faces.iter().enumerate() {
                 let before = &faces[(k + faces.len() - 1) % faces.len()];
                 let after = &faces[(k + 1) % faces.len()];

@@ -66,7 +66,7 @@ impl WettedBody for Tank {
     fn sample(&mut self, _spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
         let mut points = Vec::new();
         let arrangement = self.arrangement;
-        let depth = |layer: usize, s: f64| arrangement.depth(layer) * s;
+        let depth = |layer: usize, s: f64| (layer as f64 + 0.5) * s;
         // rows aside: the floor's towards the plane of symmetry or to the right, the sides' upwards
         let aside = |layer: usize, s: f64| if arrangement.aside(layer) { 0.5 * s } else { 0.0 };
         let way = if self.half { -1.0 } else { 1.0 };
@@ -97,10 +97,8 @@ impl WettedBody for Tank {
                 }
             }
             let s = self.tiling.spacing_at([wall, self.floor]);
-            // a row on the surface ends at the corner: nothing lies beyond it
-            let block = if arrangement == Arrangement::OnSurface { 0 } else { layers };
-            for i in 0..block {
-                for j in 0..block {
+            for i in 0..layers {
+                for j in 0..layers {
                     let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
                     points.push(WallPoint {
                         at: [wall + out * depth(i, s) + way * aside(j, s), self.floor - depth(j, s) + aside(i, s)],

@@ -67,8 +67,8 @@ impl Parameters {
         Repulsion { rho0: eos.rho0, c0: eos.c0, ratio: self.smoothing_ratio, water_depth }
     }
 
-    /// ν between fluid and wall [m²/s].
-    pub(crate) fn wall_nu(&self) -> f64 {
+    /// ν between fluid and wall [m²/s]: 0 where walls slip.
+    pub fn wall_nu(&self) -> f64 {
         if self.slip == Slip::None { self.nu } else { 0.0 }
     }
 }

@@ -1,10 +1,10 @@
-//! Repulsive walls (THEORY W1): a row of points on the surface that push along their normals.
+//! Repulsive walls (THEORY W1): a row of points, half a spacing below the surface, that push along their normals.
 
 use crate::pair::{Face, Row};
 use crate::search::Search;
 use crate::sweep;
 
-/// Least ψ/2h at which the law is taken: it is singular on the surface itself.
+/// Least ψ/2h at which the law is taken: it is singular at the points themselves.
 const NEAREST: f64 = 0.01;
 /// Push of a wall above the still water, as a share of that at the floor.
 const ABOVE_WATER: f64 = 0.02;

@@ -10,7 +10,7 @@ pub enum WallModel {
     /// 2012), reflected velocity in continuity (E10).
     #[default]
     Extrapolated,
-    /// One row of points on the surface that push by a law of distance (W1, Monaghan 1994; Monaghan & Kos 1999).
+    /// One row of points half a spacing below the surface that push by a law of distance (W1, Monaghan 1994; Monaghan & Kos 1999).
     Repulsive,
     /// Two staggered rows of fluid particles that do not move: density by continuity (W2, Dalrymple & Knio 2001).
     Dynamic,

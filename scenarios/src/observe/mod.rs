@@ -1,6 +1,7 @@
 //! Observers: small, scheduled, borrowing immutably. They never change the system or shorten a step.
 
 mod flow;
+mod force_rules;
 mod gauges;
 mod ledger;
 mod log;
@@ -14,6 +15,7 @@ use fsi_coupling::{Coupled, Penetration};
 use crate::log::LogError;
 
 pub use flow::FlowPictures;
+pub use force_rules::{ForceRules, RuleResult};
 pub use gauges::{GaugeReader, Reading};
 pub use ledger::EnergyLedger;
 pub use log::LogObserver;
