@@ -3,7 +3,7 @@
 use evidence::statistics::Noise;
 use sph_core::eos::Tait;
 use sph_core::particles::{SPRAY_FILLING, SURFACE_LAMBDA, Surroundings};
-use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip, Walls, WallTreatment};
+use sph_core::{Fluid, Integrator, Kernel, Parameters, Seed, Slip, WallTreatment, Walls};
 
 /// Spacing of the lattice [m].
 const SPACING: f64 = 0.1;

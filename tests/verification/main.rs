@@ -2,6 +2,7 @@
 
 mod acoustics;
 mod conservation;
+mod force_rules;
 mod kernel_sums;
 mod rigid_body;
 mod standing_wave;

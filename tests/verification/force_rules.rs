@@ -1,0 +1,42 @@
+//! Four rules for the force on a body (THEORY W7): on water at rest they all find what it displaces.
+
+use evidence::systems::{advance, system};
+use fsi_coupling::force_rules::{RULES, force_rules};
+use fsi_coupling::nodal::resultant;
+
+/// Archimedes on a box half under water: every rule's force is ρ g A/2 within 1 %, in the lattice as filled (where the
+/// pressure is ρ g h exactly) and as the mean over a half second of settling. The loads on the corners add up to it.
+#[test]
+fn every_rule_finds_the_weight_of_the_water_displaced() {
+    let sets = ["resolution.spacing=0.0125", "body.motion=fixed", "tank.width=1.0", "tank.depth=0.3"];
+    let mut system = system("floating_box", &sets);
+    let weight = 1000.0 * 9.81 * 0.4 * 0.1;
+    let mut sums = [[0.0; 2]; 4];
+    let mut samples = 0;
+    let mut next = 0.0;
+    advance(&mut system, 0.4, |s| {
+        if s.fluid.time < next {
+            return;
+        }
+        next += 0.01;
+        samples += 1;
+        let loads = force_rules(s, 0, 0.0125).expect("a box");
+        for (sum, load) in sums.iter_mut().zip(&loads) {
+            sum[0] += load.resultant.force[1];
+            sum[1] += load.resultant.moment;
+        }
+        let corners = s.bodies().next().and_then(|b| b.outline()).expect("an outline").loops().concat();
+        for load in &loads {
+            let total = resultant(&corners, &load.corners, [0.0, 0.0]);
+            let gap = (total.force[1] - load.resultant.force[1]).abs() + (total.moment - load.resultant.moment).abs();
+            assert!(gap < 1e-9 * weight, "corners add up to {total:?}, not to {:?}", load.resultant);
+        }
+    })
+    .expect("a stable run");
+    for (rule, [lift, moment]) in RULES.iter().zip(sums) {
+        let (lift, moment) = (lift / f64::from(samples), moment / f64::from(samples));
+        println!("{} {} {}", rule.name(), lift / weight - 1.0, moment / weight);
+        assert!((lift / weight - 1.0).abs() < 0.01, "{}: {lift:.2} N/m, weight {weight:.2} N/m", rule.name());
+        assert!(moment.abs() < 0.01 * 0.2 * weight, "{}: a moment of {moment:.2} N on a level box", rule.name());
+    }
+}
