@@ -65,8 +65,8 @@ pub fn force_rules(system: &Coupled, k: usize, panel: f64) -> Option<[Load; 4]> 
     let body = system.bodies().nth(k)?;
     let scene = Placed::of(system, body)?;
     let reactions = scene.carried(&scene.reactions(k));
-    let first_row = scene.carried(&scene.first_row(k));
     let probe = Probe::new(&system.fluid);
+    let first_row = scene.carried(&scene.first_row(k, &probe));
     let gauss = scene.integrated(panel, |at, side| scene.gauged(&probe, at, side));
     let viscous = scene.integrated(panel, |at, side| scene.fitted(&probe, at, side));
     Some(
@@ -144,15 +144,15 @@ impl<'a> Placed<'a> {
     }
 
     /// FEX_2D2: −p n ℓ on the surface above the first row; ℓ reaches half way to the neighbours along the outline. The
-    /// pressure is the boundary particle's, carried to the surface by ρ₀(g − a_w)·n.
-    fn first_row(&self, k: usize) -> Vec<Pull> {
+    /// pressure is the boundary particle's, carried to the surface by ρ₀(g − a_w)·n, times the place's wetness.
+    fn first_row(&self, k: usize, probe: &Probe<'_>) -> Vec<Pull> {
         let (w, parameters) = (&self.system.walls, &self.system.fluid.parameters);
         let first = |j: &usize| w.depth[*j] < 0.75 * w.h[*j] / parameters.smoothing_ratio;
         let (rho, g) = (parameters.eos.rho0, parameters.gravity);
         let pressed = |j: usize| {
             let (n, at) = ([w.nx[j], w.ny[j]], self.above(j));
             let slope = rho * ((g[0] - w.ax[j]) * n[0] + (g[1] - w.ay[j]) * n[1]);
-            let p = if w.pressure[j] == 0.0 { 0.0 } else { w.pressure[j] + slope * w.depth[j] };
+            let p = probe.wetness(at) * (w.pressure[j] + slope * w.depth[j]);
             Pull { surface: at, at, force: [-p * n[0], -p * n[1]] }
         };
         let mut pulls = self.doubled(self.system.range(k).filter(first).map(pressed).collect());
@@ -261,6 +261,7 @@ impl<'a> Placed<'a> {
         let parameters = &self.system.fluid.parameters;
         let (mu, g) = (parameters.eos.rho0 * parameters.wall_nu(), found.gradient);
         let shear = [0, 1].map(|i| mu * ((g[i][0] + g[0][i]) * n[0] + (g[i][1] + g[1][i]) * n[1]));
-        [shear[0] - found.pressure * n[0], shear[1] - found.pressure * n[1]]
+        let wetness = probe.wetness(at);
+        [0, 1].map(|k| wetness * (shear[k] - found.pressure * n[k]))
     }
 }

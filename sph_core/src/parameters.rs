@@ -64,7 +64,8 @@ impl Parameters {
     /// The law of repulsive walls (W1).
     pub(crate) fn repulsion(&self) -> Repulsion {
         let (eos, water_depth) = (self.eos, self.walls.water_depth);
-        Repulsion { rho0: eos.rho0, c0: eos.c0, ratio: self.smoothing_ratio, water_depth }
+        let heavy = self.gravity != [0.0; 2];
+        Repulsion { rho0: eos.rho0, c0: eos.c0, ratio: self.smoothing_ratio, water_depth, heavy }
     }
 
     /// ν between fluid and wall [m²/s]: 0 where walls slip.

@@ -58,6 +58,13 @@ impl<'a> Probe<'a> {
         2.0 * sum
     }
 
+    /// W7: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.
+    pub fn wetness(&self, at: [f64; 2]) -> f64 {
+        let mut filling = 0.0;
+        self.around(at, |weight, _| filling += weight);
+        (2.0 * filling).min(1.0)
+    }
+
     /// W5: Shepard mean of the pressure carried to `at` by the field ρ(g − a) [Pa/m], as walls read it (E9); zero where
     /// less than an eighth of the kernel is filled. Exact for a hydrostatic field, at corners too.
     pub fn carried(&self, at: [f64; 2], field: [f64; 2]) -> f64 {

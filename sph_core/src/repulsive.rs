@@ -22,6 +22,8 @@ pub(crate) struct Repulsion {
     pub ratio: f64,
     /// Depth of the still water below y = 0 [m].
     pub water_depth: f64,
+    /// There is gravity, so walls carry weight at rest.
+    pub heavy: bool,
 }
 
 impl Repulsion {
@@ -47,6 +49,9 @@ impl Repulsion {
 
     /// ε(z) [-] of a particle at height z [m] above still water.
     fn at_height(&self, z: f64) -> f64 {
+        if !self.heavy {
+            return 0.0;
+        }
         if z >= 0.0 { ABOVE_WATER } else { (ABOVE_WATER - z / self.water_depth).min(1.0) }
     }
 }
@@ -103,7 +108,7 @@ mod tests {
 
     #[test]
     fn the_push_grows_towards_the_surface_with_depth_and_with_approach() {
-        let law = Repulsion { rho0: 1000.0, c0: 40.0, ratio: 1.5, water_depth: 1.0 };
+        let law = Repulsion { rho0: 1000.0, c0: 40.0, ratio: 1.5, water_depth: 1.0, heavy: true };
         let face = Face { nx: 0.0, ny: 1.0, h: 0.15, ..Face::default() };
         let at = |y: f64, v: f64| Row { y, v, fill: 0.01, h: 0.15, ..Row::default() };
         let below = |y: f64| law.push(&Row { y: y - 0.5, ..at(0.0, 0.0) }, &Face { y: -0.5, ..face });

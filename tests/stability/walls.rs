@@ -66,17 +66,56 @@ fn a_single_row_of_wall_particles_leaks() {
     assert_eq!(three, 0, "three rows let {three} of 400 particles out");
 }
 
+/// A dynamic wall of one row, hit by a tank of water at a Mach number U/c₀ = 0.2. Failure: it leaks (2 of 400 particles in
+/// 0.3 s, from 0.05 on; 42 at 0.3). Remedy: a second row, staggered, holds all of them; at 0.3 it too lets 2 through, at
+/// 0.4 there is no difference.
 #[test]
-#[ignore]
-fn probe_leaks() {
-    for mach in [0.0, 0.05, 0.1, 0.2, 0.3, 0.4] {
-        let c0 = system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid.parameters.eos.c0;
-        let n = [dynamic(1), dynamic(2)].map(|w| leaked(w, mach * c0, 0.3));
-        println!("c0 {c0} mach {mach}: {n:?}");
+fn a_single_row_of_a_dynamic_wall_leaks_at_mach_one_fifth() {
+    let c0 = system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid.parameters.eos.c0;
+    let hit = |layers: usize, mach: f64| leaked(dynamic(layers), mach * c0, 0.3);
+    let (one, two) = (hit(1, 0.2), hit(2, 0.2));
+    assert!(one > 0, "one row held all particles at Mach 0.2");
+    assert_eq!(two, 0, "two rows let {two} of 400 particles out at Mach 0.2");
+    let (one, two) = (hit(1, 0.3), hit(2, 0.3));
+    assert!(one > 5 * two.max(1), "at Mach 0.3 one row let {one} of 400 particles out, two let {two}");
+}
+
+/// Largest kinetic energy of a tank of still water within half a second [J/m].
+fn thrown(walls: &str) -> f64 {
+    let mut tank = system("hydrostatic_tank", &["resolution.spacing=0.05", walls]);
+    let mut peak = 0.0_f64;
+    advance(&mut tank, 0.5, |s| peak = peak.max(s.fluid_energy().kinetic)).expect("a stable run");
+    peak
+}
+
+/// A repulsive wall pushes by a law of distance that the weight of the water has no part in (THEORY W1). Failure: still
+/// water is thrown about (some 300 J/m of the 4905 J/m it holds). Remedy: walls with a pressure.
+#[test]
+fn a_repulsive_wall_throws_still_water_about() {
+    let law = thrown("fluid.walls=repulsive");
+    assert!(law > 10.0, "{law:.3e} J/m beside repulsive walls");
+    for model in ["extrapolated", "dynamic", "mirror_point"] {
+        let pressed = thrown(&format!("fluid.walls={model}"));
+        assert!(pressed < 1e-3 * law, "{model}: {pressed:.3e} J/m, {law:.3e} J/m beside repulsive walls");
     }
 }
 
-/// Every wall runs a coarse dam break to its end with nothing beyond a wall and momentum closed to 1e-10.
+/// A dynamic wall that starts without pressure (`fluid.limit_pressure` = 0) is first hit by the weight of the water.
+/// Remedy: the pressure of the water beside it.
+#[test]
+fn a_dynamic_wall_without_pressure_lets_still_water_fall() {
+    let start = |option: u8| {
+        let option = format!("fluid.limit_pressure={option}");
+        let mut tank = system("hydrostatic_tank", &["resolution.spacing=0.05", "fluid.walls=dynamic", &option]);
+        let mut peak = 0.0_f64;
+        advance(&mut tank, 0.2, |s| peak = peak.max(s.fluid_energy().kinetic)).expect("a stable run");
+        peak
+    };
+    let (without, with) = (start(0), start(1));
+    assert!(without > 10.0 * with, "{without:.3e} J/m from no pressure, {with:.3e} J/m from the water's");
+}
+
+/// Every wall, with contact (THEORY E25) behind it, runs a coarse dam break to its end with nothing beyond a wall and momentum closed to 1e-10.
 #[test]
 fn every_wall_holds_a_dam_break() {
     for model in ["extrapolated", "repulsive", "dynamic", "mirror_point"] {

@@ -4,8 +4,8 @@ use evidence::systems::{advance, system};
 use fsi_coupling::force_rules::{RULES, force_rules};
 use fsi_coupling::nodal::resultant;
 
-/// Archimedes on a box half under water: every rule's force is ρ g A/2 within 1 %, in the lattice as filled (where the
-/// pressure is ρ g h exactly) and as the mean over a half second of settling. The loads on the corners add up to it.
+/// Archimedes on a box half under water: every rule's force is ρ g A/2 within 1 %, as the mean over 0.4 s (measured: 0.18,
+/// 0.43, 0.23, 0.39 %), without a moment. The loads on the corners add up to it.
 #[test]
 fn every_rule_finds_the_weight_of_the_water_displaced() {
     let sets = ["resolution.spacing=0.0125", "body.motion=fixed", "tank.width=1.0", "tank.depth=0.3"];
@@ -35,7 +35,6 @@ fn every_rule_finds_the_weight_of_the_water_displaced() {
     .expect("a stable run");
     for (rule, [lift, moment]) in RULES.iter().zip(sums) {
         let (lift, moment) = (lift / f64::from(samples), moment / f64::from(samples));
-        println!("{} {} {}", rule.name(), lift / weight - 1.0, moment / weight);
         assert!((lift / weight - 1.0).abs() < 0.01, "{}: {lift:.2} N/m, weight {weight:.2} N/m", rule.name());
         assert!(moment.abs() < 0.01 * 0.2 * weight, "{}: a moment of {moment:.2} N on a level box", rule.name());
     }
