@@ -178,7 +178,7 @@ mod tests {
     fn serde_fields(table: &str) -> Vec<String> {
         let text = format!("{}\nno_such_key = 1\n", if table.is_empty() { String::new() } else { table_header(table) });
         let error = toml::from_str::<SceneFile>(&text).expect_err("the key does not exist");
-        let (_, fields) = error.message().split_once("expected one of").expect("serde lists the fields");
+        let (_, fields) = error.message().split_once(", expected ").expect("serde lists the fields");
         fields.split('`').skip(1).step_by(2).map(String::from).collect()
     }
 
