@@ -3,6 +3,7 @@
 use sph_core::{WallForces, WallPoint, WallsMut};
 
 use crate::outline::Outline;
+use crate::rows::Arrangement;
 
 /// A body that cannot be built or cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -86,6 +87,9 @@ pub struct Surface {
 pub trait WettedBody: Send {
     /// Name, as in output columns.
     fn name(&self) -> &str;
+
+    /// How the rows of boundary particles are to lie; before `sample`.
+    fn arrange(&mut self, arrangement: Arrangement);
 
     /// Boundary particles at the spacing [m] in `layers` rows; once, before time starts.
     /// After: `place` writes exactly as many, in this order.

@@ -9,6 +9,7 @@ use sph_core::{Breakdown, Fluid, Walls};
 use crate::body::{BodyError, WettedBody};
 use crate::contact::throw_back;
 use crate::penetration::{Penetration, run_into};
+use crate::rows::Arrangement;
 
 /// How fluid and bodies agree on a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -99,10 +100,11 @@ impl Coupled {
             return Err(CouplingError::NoFluid);
         }
         let ratio = fluid.parameters.smoothing_ratio;
-        let layers = (2.0 * ratio - 1e-9).ceil() as usize;
+        let (arrangement, layers) = Arrangement::of(&fluid.parameters);
         let mut walls = Walls::default();
         let mut members = Vec::new();
         for mut body in bodies {
+            body.arrange(arrangement);
             let range = walls.extend(&body.sample(spacing, layers)?, ratio);
             body.place(0.0, walls.slice_mut(range.clone()));
             members.push(Member { body, range });

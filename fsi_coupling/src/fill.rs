@@ -1,6 +1,8 @@
 //! Filling a rectangle of water: even cells in a fine zone at the surface, rows growing outward
 //! (THEORY E23). The cells tile the rectangle exactly, so volume and mass are exact from the start.
 
+use serde::{Deserialize, Serialize};
+
 /// Where the water is, and where it is resolved finely. The fine zone touches the still-water surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basin {
@@ -16,6 +18,18 @@ pub struct Basin {
     pub spacing: f64,
     /// Ratio of successive rows outside the fine zone [-]; 1 is uniform.
     pub growth: f64,
+}
+
+/// How particles lie in uniform water.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Lattice {
+    /// One particle in the middle of each square.
+    #[default]
+    Square,
+    /// Body-centred squares of side √2 Δx with two particles each, at a quarter and at three quarters of the
+    /// diagonal: the same number of particles, and the square lattice turned by 45° (THEORY W4).
+    Staggered,
 }
 
 /// One cell of the tiling: a particle to be.
@@ -38,6 +52,7 @@ impl Cell {
 #[derive(Clone, Debug)]
 pub struct Tiling {
     basin: Basin,
+    lattice: Lattice,
     fine: [f64; 4], // left, right, bottom, top
     left: Vec<f64>,
     right: Vec<f64>,
@@ -66,6 +81,7 @@ impl Tiling {
         };
         Tiling {
             basin,
+            lattice: Lattice::default(),
             fine,
             left: rows(fine[0] - x[0], spacing, growth),
             right: rows(x[1] - fine[1], spacing, growth),
@@ -73,10 +89,19 @@ impl Tiling {
         }
     }
 
+    /// The same rectangle on another lattice; a staggered one is uniform, whatever the growth.
+    pub fn on(self, lattice: Lattice) -> Tiling {
+        Tiling { lattice, ..self }
+    }
+
     /// Call `make` with every cell: the fine zone first, then ring after ring.
     pub fn for_each(&self, mut make: impl FnMut(Cell)) {
         let s = self.basin.spacing;
         let [mut left, mut right, mut bottom, top] = self.fine;
+        if self.lattice == Lattice::Staggered {
+            let side = std::f64::consts::SQRT_2 * s;
+            return block([left, right], [bottom, top], [side, side], &mut |cell| halves(cell, &mut make));
+        }
         block([left, right], [bottom, top], [s, s], &mut make);
         let rings = self.left.len().max(self.right.len()).max(self.down.len());
         for k in 0..rings {
@@ -143,6 +168,15 @@ fn block(x: [f64; 2], y: [f64; 2], wish: [f64; 2], make: &mut impl FnMut(Cell)) 
     }
 }
 
+/// W4: the two particles of a body-centred cell. Each has half its area and is taken for a square of that area.
+fn halves(cell: Cell, make: &mut impl FnMut(Cell)) {
+    let [width, height] = cell.size;
+    for side in [-0.25, 0.25] {
+        let at = [cell.at[0] + side * width, cell.at[1] + side * height];
+        make(Cell { at, size: cell.size.map(|length| std::f64::consts::FRAC_1_SQRT_2 * length) });
+    }
+}
+
 /// E23: thicknesses s g, s g², … that fill `distance` exactly, with a ratio g no larger than asked.
 fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     if distance <= 1e-9 * spacing {
@@ -182,6 +216,26 @@ mod tests {
             });
             let exact = (x[1] - x[0]) * depth;
             prop_assert!((area / exact - 1.0).abs() < 1e-9, "{area} against {exact}");
+        }
+    }
+
+    proptest! {
+        /// A staggered filling has the basin's area exactly, and about as many particles as the square one.
+        #[test]
+        fn staggered_particles_fill_the_basin(width in 0.5..5.0f64, depth in 0.5..3.0f64) {
+            let basin = Basin {
+                x: [0.0, width], y: [-depth, 0.0], fine_x: [0.0, width], fine_depth: depth, spacing: 0.05, growth: 1.0,
+            };
+            let (mut area, mut places) = (0.0, Vec::new());
+            Tiling::new(basin).on(Lattice::Staggered).for_each(|cell| {
+                area += cell.area();
+                places.push(cell.at);
+            });
+            prop_assert!((area / (width * depth) - 1.0).abs() < 1e-12);
+            prop_assert!((0.0025 * places.len() as f64 / (width * depth) - 1.0).abs() < 0.2);
+            // each particle's nearest neighbours are along the diagonals, half a diagonal away
+            let [a, b] = [places[0], places[1]];
+            prop_assert!(((a[0] - b[0]).hypot(a[1] - b[1]) / 0.05 - 1.0).abs() < 0.1);
         }
     }
 

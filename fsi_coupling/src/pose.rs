@@ -4,6 +4,7 @@ use sph_core::{WallPoint, WallsMut};
 
 use crate::body::Surface;
 use crate::outline::Outline;
+use crate::rows::Arrangement;
 
 /// State of a rigid motion about a pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -72,18 +73,20 @@ pub struct Shape {
     pub pole: [f64; 2],
     /// Only the half x > 0 is sampled.
     pub half: bool,
+    /// How the rows of boundary particles lie.
+    pub arrangement: Arrangement,
     points: Vec<WallPoint>,
 }
 
 impl Shape {
     /// A shape about a pole, not yet sampled.
     pub fn new(outline: Outline, pole: [f64; 2], half: bool) -> Shape {
-        Shape { outline, pole, half, points: Vec::new() }
+        Shape { outline, pole, half, arrangement: Arrangement::default(), points: Vec::new() }
     }
 
     /// Boundary particles where `motion` puts them; kept in the body's frame.
     pub fn sample(&mut self, motion: &Rigid, spacing: f64, layers: usize) -> Vec<WallPoint> {
-        self.points = crate::sampling::sample(&self.outline, spacing, layers, self.half);
+        self.points = crate::sampling::sample(&self.outline, spacing, layers, self.half, self.arrangement);
         for p in &mut self.points {
             p.at = [p.at[0] - self.pole[0], p.at[1] - self.pole[1]];
         }

@@ -6,6 +6,7 @@ use sph_core::{WallForces, WallPoint, WallsMut};
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
+use crate::rows::Arrangement;
 
 /// A motion law: time [s] → motion of the body's origin.
 pub type Law = Box<dyn Fn(f64) -> Rigid + Send>;
@@ -72,6 +73,10 @@ impl PrescribedBody {
 impl WettedBody for PrescribedBody {
     fn name(&self) -> &str {
         &self.name
+    }
+
+    fn arrange(&mut self, arrangement: Arrangement) {
+        self.shape.arrangement = arrangement;
     }
 
     fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {

@@ -14,6 +14,7 @@ use sph_core::{WallForces, WallPoint, WallsMut};
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
+use crate::rows::Arrangement;
 
 /// A rigid body to be built; everything per metre of span.
 #[derive(Clone)]
@@ -167,6 +168,10 @@ impl RigidBody2d {
 impl WettedBody for RigidBody2d {
     fn name(&self) -> &str {
         &self.spec.name
+    }
+
+    fn arrange(&mut self, arrangement: Arrangement) {
+        self.shape.arrangement = arrangement;
     }
 
     fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {

@@ -10,6 +10,7 @@ use sph_core::WallPoint;
 
 use crate::outline::Outline;
 use crate::polygon::normal;
+use crate::rows::Arrangement;
 
 /// Neighbouring sides that turn by more than this belong to different faces.
 const CORNER_DEG: f64 = 20.0;
@@ -17,7 +18,7 @@ const CORNER_DEG: f64 = 20.0;
 const TRIM: f64 = 0.02;
 
 /// Boundary particles of `layers` rows at the given spacing [m]; with `half`, of the part x ≥ 0 only.
-pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool) -> Vec<WallPoint> {
+pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool, arrangement: Arrangement) -> Vec<WallPoint> {
     let mut points = Vec::new();
     for part in outline.loops() {
         let faces = faces(part);
@@ -27,7 +28,7 @@ pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool) -> Vec
                 let before = &faces[(k + faces.len() - 1) % faces.len()];
                 let after = &faces[(k + 1) % faces.len()];
                 let convex = [turn(before, face), turn(face, after)].map(|turn| turn > CORNER_DEG.to_radians());
-                sample_row(outline, face, convex, depth, spacing, &mut points);
+                sample_row(outline, face, convex, arrangement.aside(layer), depth, spacing, &mut points);
                 sample_fan(face, after, depth, spacing, &mut points);
             }
         }
@@ -116,11 +117,12 @@ fn station(row: &[(f64, Station)], s: f64) -> Station {
     (mix(a, b), n)
 }
 
-/// A row of one face; `convex` says which of its ends are convex corners.
+/// A row of one face; `convex` says which of its ends are convex corners, `aside` that it stands half a part aside.
 fn sample_row(
     outline: &Outline,
     face: &Face,
     convex: [bool; 2],
+    aside: bool,
     depth: f64,
     spacing: f64,
     points: &mut Vec<WallPoint>,
@@ -129,7 +131,7 @@ fn sample_row(
     let intervals = visible(outline, &row, depth, spacing);
     for (k, interval) in intervals.iter().enumerate() {
         let at_corner = [convex[0] && k == 0, convex[1] && k + 1 == intervals.len()];
-        divide(&row, *interval, at_corner, spacing, points);
+        divide(&row, *interval, at_corner.map(|corner| corner != aside), depth, spacing, points);
     }
 }
 
@@ -168,9 +170,16 @@ fn visible(outline: &Outline, row: &[(f64, Station)], depth: f64, spacing: f64) 
     intervals
 }
 
-/// Points that divide [s0, s1] into equal parts. At a corner the first stands on the bisector, with half a part; at
+/// Points that divide [s0, s1] into equal parts. At a corner (`at_corner`) the first stands on the bisector, with half a part; at
 /// other ends it keeps half a part away.
-fn divide(row: &[(f64, Station)], [s0, s1]: [f64; 2], at_corner: [bool; 2], spacing: f64, points: &mut Vec<WallPoint>) {
+fn divide(
+    row: &[(f64, Station)],
+    [s0, s1]: [f64; 2],
+    at_corner: [bool; 2],
+    depth: f64,
+    spacing: f64,
+    points: &mut Vec<WallPoint>,
+) {
     let [first, last] = at_corner.map(|corner| if corner { 0.5 } else { 0.0 });
     // n points: s1 − s0 = (n − first − last) parts
     let fewest = if at_corner == [true; 2] { 2.0 } else { 1.0 };
@@ -181,7 +190,7 @@ fn divide(row: &[(f64, Station)], [s0, s1]: [f64; 2], at_corner: [bool; 2], spac
         let (at, normal) = station(row, s0 + (k as f64 + 0.5 - first) * part);
         let tip = (at_corner[0] && k == 0) || (at_corner[1] && k + 1 == count as usize);
         let share = if tip { 0.5 } else { 1.0 };
-        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced });
+        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced, depth });
     }
 }
 
@@ -200,7 +209,7 @@ fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, points: &mut V
         let angle = a[1].atan2(a[0]) + turn * (k as f64 + 0.5) / count as f64;
         let normal = [angle.cos(), angle.sin()];
         let at = [corner[0] - depth * normal[0], corner[1] - depth * normal[1]];
-        points.push(WallPoint { at, normal, area: part * spacing, spacing: (part * spacing).sqrt() });
+        points.push(WallPoint { at, normal, area: part * spacing, spacing: (part * spacing).sqrt(), depth });
     }
 }
 
@@ -215,7 +224,7 @@ mod tests {
         let [lo, hi] = crate::polygon::bounding_box(&wedge.outline());
         let wedge = Outline::of(&wedge).unwrap();
         let s = 0.02;
-        let points = sample(&wedge, s, 3, false);
+        let points = sample(&wedge, s, 3, false, Arrangement::Filled);
         for p in &points {
             let d = -wedge.signed_distance(p.at) / s;
             assert!([0.5, 1.5, 2.5].iter().any(|l| (d - l).abs() < 1e-3), "a point at depth {d} spacings");
@@ -247,7 +256,10 @@ mod tests {
     fn a_half_and_its_mirror_image_are_the_whole() {
         for shape in symmetric_bodies() {
             let outline = Outline::of(&shape).unwrap();
-            let (half, whole) = (sample(&outline, 0.05, 3, true), sample(&outline, 0.05, 3, false));
+            let (half, whole) = (
+                sample(&outline, 0.05, 3, true, Arrangement::Filled),
+                sample(&outline, 0.05, 3, false, Arrangement::Filled),
+            );
             let area = |points: &[WallPoint]| points.iter().map(|p| p.area).sum::<f64>();
             assert!((2.0 * area(&half) / area(&whole) - 1.0).abs() < 1e-9, "{shape:?}");
             for p in &half {
@@ -269,7 +281,7 @@ mod tests {
         let s = 0.05;
         for shape in symmetric_bodies() {
             let outline = Outline::of(&shape).unwrap();
-            let points = sample(&outline, s, 1, false);
+            let points = sample(&outline, s, 1, false, Arrangement::Filled);
             let v = &outline.loops()[0];
             let n = v.len();
             for k in 0..n {
@@ -290,7 +302,7 @@ mod tests {
         let hull =
             Outline::polygon(&[[-1.0, 0.5], [-0.5, 0.0], [0.0, 0.3], [0.5, 0.0], [1.0, 0.5], [1.0, 1.0], [-1.0, 1.0]])
                 .unwrap();
-        for p in sample(&hull, 0.03, 3, false) {
+        for p in sample(&hull, 0.03, 3, false, Arrangement::Filled) {
             let d = hull.signed_distance(p.at);
             let out = [p.at[0] + 1e-4 * p.normal[0], p.at[1] + 1e-4 * p.normal[1]];
             assert!(hull.signed_distance(out) > d, "at {:?}", p.at);

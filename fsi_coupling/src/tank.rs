@@ -5,6 +5,7 @@ use sph_core::{WallForces, WallPoint, WallsMut};
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::fill::Tiling;
 use crate::outline::Outline;
+use crate::rows::Arrangement;
 
 /// A rectangular open tank. Its particles never move.
 pub struct Tank {
@@ -13,6 +14,7 @@ pub struct Tank {
     floor: f64,
     rim: f64,
     half: bool,
+    arrangement: Arrangement,
     thickness: f64,
     points: Vec<WallPoint>,
     mean: [f64; 2],
@@ -25,7 +27,8 @@ impl Tank {
     /// plane of symmetry stands there.
     pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
         let (thickness, points, none) = (f64::INFINITY, Vec::new(), [0.0; 2]);
-        Tank { tiling, x, floor, rim, half, thickness, points, mean: none, external: none, saved: none }
+        let arrangement = Arrangement::default();
+        Tank { tiling, x, floor, rim, half, arrangement, thickness, points, mean: none, external: none, saved: none }
     }
 
     /// Stations (middle, length) that divide [a, b] at the spacing of the water beside it.
@@ -56,16 +59,27 @@ impl WettedBody for Tank {
         "tank"
     }
 
+    fn arrange(&mut self, arrangement: Arrangement) {
+        self.arrangement = arrangement;
+    }
+
     fn sample(&mut self, _spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
         let mut points = Vec::new();
+        let arrangement = self.arrangement;
         let depth = |layer: usize, s: f64| (layer as f64 + 0.5) * s;
+        // rows aside: the floor's towards the plane of symmetry or to the right, the sides' upwards
+        let aside = |layer: usize, s: f64| if arrangement.aside(layer) { 0.5 * s } else { 0.0 };
+        let way = if self.half { -1.0 } else { 1.0 };
         for (x, s) in self.divide(self.x[0], self.x[1], |x| [x, self.floor]) {
             for layer in 0..layers {
+                let x = x + way * aside(layer, s);
+                let on_plane = self.half && x - self.x[0] < 1e-6 * s;
                 points.push(WallPoint {
-                    at: [x, self.floor - depth(layer, s)],
+                    at: [if on_plane { self.x[0] } else { x }, self.floor - depth(layer, s)],
                     normal: [0.0, 1.0],
-                    area: s * s,
+                    area: if on_plane { 0.5 * s * s } else { s * s },
                     spacing: s,
+                    depth: depth(layer, s),
                 });
             }
         }
@@ -74,10 +88,11 @@ impl WettedBody for Tank {
             for (y, s) in self.divide(self.floor, self.rim, |y| [wall, y]) {
                 for layer in 0..layers {
                     points.push(WallPoint {
-                        at: [wall + out * depth(layer, s), y],
+                        at: [wall + out * depth(layer, s), y + aside(layer, s)],
                         normal: [-out, 0.0],
                         area: s * s,
                         spacing: s,
+                        depth: depth(layer, s),
                     });
                 }
             }
@@ -86,10 +101,12 @@ impl WettedBody for Tank {
                 for j in 0..layers {
                     let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
                     points.push(WallPoint {
-                        at: [wall + out * depth(i, s), self.floor - depth(j, s)],
+                        at: [wall + out * depth(i, s) + way * aside(j, s), self.floor - depth(j, s) + aside(i, s)],
                         normal,
                         area: s * s,
                         spacing: s,
+                        // its mirror point is then the corner's own diagonal opposite, in the water
+                        depth: std::f64::consts::FRAC_1_SQRT_2 * (depth(i, s) + depth(j, s)),
                     });
                 }
             }

@@ -6,7 +6,7 @@ use fsi_coupling::prescribed::Law;
 use fsi_coupling::{Coupled, CouplingError, Outline, PrescribedBody, RigidBody2d, RigidSpec, Scheme, Tank, WettedBody};
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;
-use sph_core::{Fluid, Parameters, Seed};
+use sph_core::{Fluid, Parameters, Seed, WallTreatment};
 
 use crate::scene::{Body, DiffusionForm, Motion, Oscillation, Scene, Symmetry};
 
@@ -37,6 +37,7 @@ pub fn tiling(scene: &Scene) -> Tiling {
         spacing: scene.resolution.spacing,
         growth: scene.resolution.growth,
     })
+    .on(scene.resolution.lattice)
 }
 
 /// Still water at rest under its own weight, without what the body displaces.
@@ -79,6 +80,11 @@ fn parameters(scene: &Scene) -> Parameters {
         hydrostatic_diffusion: fluid.density_diffusion_form == DiffusionForm::Fourtakas,
         shift_surface: false,
         periodic: None,
+        walls: WallTreatment {
+            model: fluid.walls,
+            hydrostatic_start: fluid.limit_pressure == 1,
+            water_depth: scene.tank.depth,
+        },
     }
 }
 

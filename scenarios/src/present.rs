@@ -1,7 +1,7 @@
 //! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
 
 use crate::compare::{self, Comparison};
-use crate::observe::GaugeResult;
+use crate::observe::{GaugeResult, RuleResult};
 use crate::report::{
     Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render,
 };
@@ -21,6 +21,9 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     }
     sections.push(("Flow".into(), pictures(scene, outcome.pictures.frames())));
     sections.push(("Curves".into(), charts(scene, outcome)));
+    if !summary.force_rules.is_empty() {
+        sections.push(("Force by four rules".into(), force_rules_section(summary)));
+    }
     sections.push(("Audit".into(), vec![audit_table(summary)]));
     sections.push((
         "Scene as run".into(),
@@ -133,6 +136,35 @@ fn comparison_table(comparisons: &[Comparison]) -> Block {
         head: row(&["reference", "quantity", "ours", "theirs", "error", "tolerance", "verdict"]),
         rows: comparisons.iter().map(line).collect(),
     })
+}
+
+fn force_rules_section(s: &Summary) -> Vec<Block> {
+    let text = "The check: the integral of p dA against the body's force. Reaction: sum of the pair forces, which moves \
+                the body. First row: pressure of the boundary particles. Gauss: pressure as a gauge reads it, at Gauss \
+                points. Gauss, viscous: pressure by moving least squares, with viscous traction. Means over the last \
+                fifth of the run; differences from the reaction.";
+    let line = |r: &RuleResult| {
+        let [fx, fy] = r.force_n_per_m;
+        let percent = |share: f64| format!("{:.2}", 100.0 * share);
+        let cells = [fx, fy, r.force_y_sd_n_per_m, r.moment_n, r.impulse_n_s_per_m[1]].map(|v| format!("{v:.5e}"));
+        let mut line = vec![r.rule.to_string()];
+        line.extend(cells);
+        line.extend([percent(r.force_difference), percent(r.impulse_difference)]);
+        line
+    };
+    let head = [
+        "rule",
+        "Fx [N/m]",
+        "Fy [N/m]",
+        "sd of Fy [N/m]",
+        "moment [N]",
+        "impulse y [N s/m]",
+        "force [%]",
+        "impulse [%]",
+    ];
+    let table =
+        Table { title: "Force by four rules".into(), head: row(&head), rows: s.force_rules.iter().map(line).collect() };
+    vec![Block::Text(text.into()), Block::Table(table)]
 }
 
 fn audit_table(s: &Summary) -> Block {

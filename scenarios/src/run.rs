@@ -11,7 +11,8 @@ use crate::build;
 use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::log::Level;
 use crate::observe::{
-    EnergyLedger, FlowPictures, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow,
+    EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
+    SimilarityWindow,
 };
 use crate::present;
 use crate::reference::ReferenceError;
@@ -164,6 +165,7 @@ struct Recorder {
     log: Option<LogObserver>,
     pictures: FlowPictures,
     similarity: Option<SimilarityWindow>,
+    force_rules: Option<ForceRules>,
     next_sample: f64,
     next_frame: f64,
     every: [f64; 2],
@@ -179,6 +181,7 @@ impl Recorder {
             log: log.map(|path| LogObserver::create(path, scene, system)).transpose()?,
             pictures: FlowPictures::new(scene),
             similarity: scene.similarity.and_then(|_| SimilarityWindow::new(scene)),
+            force_rules: ForceRules::new(scene),
             next_sample: 0.0,
             next_frame: 0.0,
             every: [scene.time.sample_every, scene.time.frame_every],
@@ -220,6 +223,9 @@ impl Recorder {
         self.pictures.observe(&frame)?;
         if let Some(window) = &mut self.similarity {
             window.observe(&frame)?;
+        }
+        if let Some(rules) = &mut self.force_rules {
+            rules.observe(&frame)?;
         }
         if let Some(log) = &mut self.log {
             log.observe(&frame)?;
@@ -294,6 +300,7 @@ impl Recorder {
                 force_corrected: compressible_share.map(|share| 1.0 / (1.0 - share)),
             },
             similarity,
+            force_rules: self.force_rules.as_ref().map_or(Vec::new(), |rules| rules.result(since)),
             comparison,
             gauges: self.gauges.results(),
         }

@@ -6,7 +6,7 @@ use fsi_coupling::Breach;
 use serde::Serialize;
 
 use crate::compare::Comparison;
-use crate::observe::{GaugeResult, SimilarityResult};
+use crate::observe::{GaugeResult, RuleResult, SimilarityResult};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -159,6 +159,9 @@ pub struct Summary {
     /// The similarity solution's numbers, for scenes that have one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SimilarityResult>,
+    /// The force on the body by four rules, where the scene asks (THEORY W7).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
     /// Gauges, by name.

@@ -1,17 +1,19 @@
 //! The fluid: its state, its step, and the verbs that the integrators are written in.
 
+use crate::dynamic_walls::DynamicWalls;
 use crate::error::Breakdown;
 use crate::ideal_gas::Heat;
 use crate::integrator::{self, Integrator, Old};
 use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
-use crate::parameters::{Parameters, Slip};
+use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, SPRAY_FILLING, SURFACE_LAMBDA, Seed};
 use crate::rows::Rows;
 use crate::search::Search;
 use crate::sweep;
-use crate::sweeps::{DensityRate, Momentum, WallForce, WallState};
+use crate::sweeps::{DensityRate, Momentum, WallForce};
 use crate::turbulence::Stress;
+use crate::wall_model::WallModel;
 use crate::walls::Walls;
 
 /// A weakly compressible fluid.
@@ -32,13 +34,15 @@ pub struct Fluid {
     pub(crate) old: Old,
     pub(crate) density_rate: Vec<f64>,
     pub(crate) gathered: Vec<Gathered>,
-    extrapolated: Vec<Extrapolated>,
-    wall_force: Vec<[f64; 2]>,
     pub(crate) history: History,
     pub(crate) heating: Vec<f64>,
     pub(crate) heat: Vec<Heat>,
     pub(crate) excess_velocity: Vec<[f64; 2]>,
     pub(crate) stress: Vec<Stress>,
+    pub(crate) extrapolated: Vec<Extrapolated>,
+    pub(crate) wall_force: Vec<[f64; 2]>,
+    pub(crate) scratch: Vec<f64>,
+    pub(crate) dynamic_walls: DynamicWalls,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -87,6 +91,8 @@ impl Fluid {
             heat: Vec::new(),
             excess_velocity: Vec::new(),
             stress: Vec::new(),
+            scratch: Vec::new(),
+            dynamic_walls: DynamicWalls::default(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
@@ -99,6 +105,7 @@ impl Fluid {
     /// Forces at the start: once, when the walls stand where they start.
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {
         self.sum_density(walls, 0.0);
+        self.start_dynamic_walls(walls);
         self.evaluate_forces(walls, 0.0);
         self.search.flag_surface(&mut self.derived);
         walls.mean_fx.clone_from(&walls.fx);
@@ -158,6 +165,7 @@ impl Fluid {
         for k in 0..p.x.len() {
             p.rho[k] += dt * self.density_rate[k];
         }
+        self.dynamic_walls.compress(dt);
     }
 
     /// ρ ← ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ with the rate about the step's middle: second order.
@@ -167,6 +175,7 @@ impl Fluid {
             let strain = dt * self.density_rate[k] / p.rho[k];
             p.rho[k] *= (2.0 + strain) / (2.0 - strain);
         }
+        self.dynamic_walls.compress_about_middle(dt);
     }
 
     /// E13: δr = −2h Δt |v| ∇C, at most 0.02 h, where the neighbourhood is full.
@@ -229,8 +238,12 @@ impl Fluid {
             rho: &self.particles.rho,
             search: &self.search,
             constants: self.parameters.diffusion_constants(),
+            reflecting: self.parameters.walls.model.reflects(),
             out: &mut self.density_rate,
         });
+        if self.parameters.walls.model == WallModel::Dynamic {
+            self.evaluate_dynamic_walls();
+        }
     }
 
     /// E3, E9, E6–E8: pressures, wall pressures, accelerations, forces on walls; walls taken `offset`
@@ -238,40 +251,30 @@ impl Fluid {
     pub(crate) fn evaluate_forces(&mut self, walls: &mut Walls, offset: f64) {
         self.equation_of_state();
         self.pack(walls, offset);
-        self.extrapolate_to_walls(walls);
+        match self.parameters.walls.model {
+            WallModel::Extrapolated | WallModel::Repulsive => self.extrapolate_to_walls(walls),
+            WallModel::MirrorPoint => self.read_mirror_points(walls),
+            WallModel::Dynamic => self.state_of_dynamic_walls(walls),
+        }
         self.gather_forces(walls);
         self.gather_turbulence(); //                 L8
         self.accelerate();
         self.correct_volumes();
     }
 
-    fn extrapolate_to_walls(&mut self, walls: &mut Walls) {
-        self.extrapolated.resize(walls.len(), Extrapolated::default());
-        self.parameters.kernel.run(WallState {
-            fluid: &self.rows.fluid,
-            walls: &self.rows.walls,
-            acceleration: (&walls.ax, &walls.ay),
-            search: &self.search,
-            constants: self.parameters.constants(),
-            out: &mut self.extrapolated,
-        });
-        let image_side = if self.parameters.periodic.is_some() { 1.0 } else { -1.0 };
-        let stick = self.parameters.slip == Slip::None;
-        self.rows.dress_walls(&self.extrapolated, &self.search.wall_images, image_side, stick);
-        for (pressure, found) in walls.pressure.iter_mut().zip(&self.extrapolated) {
-            *pressure = found.pressure;
-        }
-    }
-
     /// The same pairs twice, once for each side: action equals reaction to rounding.
     fn gather_forces(&mut self, walls: &mut Walls) {
         let (constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
-        let out = &mut self.gathered;
-        self.parameters.kernel.run(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, out });
+        let (out, pushing) = (&mut self.gathered, self.parameters.walls.model.has_pressure());
+        self.parameters.kernel.run(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing, out });
         self.wall_force.resize(walls.len(), [0.0; 2]);
-        let out = &mut self.wall_force;
-        self.parameters.kernel.run(WallForce { fluid, walls: wall_rows, search, constants, wall_nu, out });
+        if pushing {
+            let out = &mut self.wall_force;
+            self.parameters.kernel.run(WallForce { fluid, walls: wall_rows, search, constants, wall_nu, out });
+        } else {
+            self.repel();
+        }
         for (k, force) in self.wall_force.iter().enumerate() {
             [walls.fx[k], walls.fy[k]] = *force;
         }
@@ -291,6 +294,9 @@ impl Fluid {
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
         self.rows.place_walls(walls, offset);
         let Parameters { mirror, periodic, .. } = self.parameters;
+        if self.parameters.walls.model == WallModel::MirrorPoint {
+            self.rows.place_mirror_points(walls);
+        }
         let kinematics = self.rows.kinematics(walls);
         if !self.search.holds(&self.particles, &kinematics) {
             let life = LIST_LIFE * self.acoustic_limit();

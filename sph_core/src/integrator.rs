@@ -62,6 +62,7 @@ pub(crate) fn predictor_corrector(fluid: &mut Fluid, walls: &mut Walls, dt: f64)
     fluid.evaluate_density_rate(walls, -dt); //  dρ/dt at n
     fluid.evaluate_heating(); //                 de/dt at n (L10)
     let old = std::mem::take(&mut fluid.old).of(&fluid.particles);
+    fluid.dynamic_walls.keep();
     fluid.drift(half); //                        x½ = x + ½Δt v
     fluid.kick(half); //                         v½ = v + ½Δt a
     fluid.compress(half); //                     ρ½ = ρ + ½Δt dρ/dt
@@ -107,5 +108,6 @@ impl Old {
             p.rho[k] = rho + dt * fluid.density_rate[k];
             p.energy[k] = energy + dt * fluid.heating[k];
         }
+        fluid.dynamic_walls.correct(dt);
     }
 }

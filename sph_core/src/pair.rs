@@ -151,6 +151,12 @@ pub(crate) fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: 
     [normal * ab.dx + shear * du, normal * ab.dy + shear * dv]
 }
 
+/// W [1/m²] and slope [1/m⁴] (∇W = slope · d) of a distance d = (dx, dy) [m]; `None` outside the support.
+#[inline(always)]
+pub(crate) fn kernel_and_slope<K: Shape>(dx: f64, dy: f64, h: f64) -> Option<(f64, f64)> {
+    bond::<K>(dx, dy, h, 0.0, 0.0, h).map(|b| (b.w::<K>(), b.slope))
+}
+
 /// What the momentum sweep gathers for one target.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gathered {

@@ -9,8 +9,10 @@ use crate::images::{Mirror, Periodic};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::pair::Constants;
+use crate::repulsive::Repulsion;
 use crate::summation::DensityEvolution;
 use crate::turbulence::Turbulence;
+use crate::wall_model::WallTreatment;
 
 /// What the fluid does along a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -74,6 +76,8 @@ pub struct Parameters {
     pub shift_surface: bool,
     /// Periodic plane pairs (V1), if the fluid repeats itself.
     pub periodic: Option<Periodic>,
+    /// How walls keep the fluid out.
+    pub walls: WallTreatment,
 }
 
 impl Parameters {
@@ -104,6 +108,7 @@ impl Parameters {
             density_evolution: DensityEvolution::Continuity,
             hydrostatic_diffusion: true,
             shift_surface: false,
+            walls: WallTreatment::default(),
         }
     }
 
@@ -135,8 +140,15 @@ impl Parameters {
         if self.hydrostatic_diffusion { constants } else { Constants { gravity: [0.0; 2], ..constants } }
     }
 
-    /// ν between fluid and wall [m²/s].
-    pub(crate) fn wall_nu(&self) -> f64 {
+    /// The law of repulsive walls (W1).
+    pub(crate) fn repulsion(&self) -> Repulsion {
+        let (eos, water_depth) = (self.eos, self.walls.water_depth);
+        let heavy = self.gravity != [0.0; 2];
+        Repulsion { rho0: eos.rho0, c0: eos.c0, ratio: self.smoothing_ratio, water_depth, heavy }
+    }
+
+    /// ν between fluid and wall [m²/s]: 0 where walls slip.
+    pub fn wall_nu(&self) -> f64 {
         if self.slip == Slip::None { self.nu } else { 0.0 }
     }
 }

@@ -3,6 +3,20 @@
 use crate::cells::{Cells, Point};
 use crate::fluid::Fluid;
 
+/// A place with less of its kernel filled is dry.
+const LEAST_FILLING: f64 = 0.125;
+/// Least determinant of the particles' second moments, over that of a ring of radius h.
+const LEAST_SPREAD: f64 = 1e-3;
+
+/// What moving least squares find at a point (W6).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstOrder {
+    /// Pressure [Pa].
+    pub pressure: f64,
+    /// Velocity gradient [1/s]: [[∂u/∂x, ∂u/∂y], [∂v/∂x, ∂v/∂y]].
+    pub gradient: [[f64; 2]; 2],
+}
+
 /// A reader of the fluid as it stands now; make one per moment, read many points.
 pub struct Probe<'a> {
     fluid: &'a Fluid,
@@ -52,6 +66,62 @@ impl<'a> Probe<'a> {
         2.0 * sum
     }
 
+    /// W7: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.
+    pub fn wetness(&self, at: [f64; 2]) -> f64 {
+        let mut filling = 0.0;
+        self.around(at, |weight, _| filling += weight);
+        (2.0 * filling).min(1.0)
+    }
+
+    /// W5: Shepard mean of the pressure carried to `at` by the field ρ(g − a) [Pa/m], as walls read it (E9); zero where
+    /// less than an eighth of the kernel is filled. Exact for a hydrostatic field, at corners too.
+    pub fn carried(&self, at: [f64; 2], field: [f64; 2]) -> f64 {
+        let (mut pressure, mut filling) = (0.0, 0.0);
+        self.around(at, |weight, q| {
+            let carry = field[0] * (at[0] - q.x) + field[1] * (at[1] - q.y);
+            pressure += weight * (self.fluid.derived.pressure[q.index as usize] + carry);
+            filling += weight;
+        });
+        if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
+    }
+
+    /// W6: pressure and velocity gradient by first-order moving least squares; `None` where less than an eighth of the
+    /// kernel is filled, or where the particles lie in a line.
+    pub fn least_squares(&self, at: [f64; 2]) -> Option<FirstOrder> {
+        let (mut m, mut moments) = ([0.0; 6], [[0.0; 3]; 3]);
+        let (p, d) = (&self.fluid.particles, &self.fluid.derived);
+        let mut reach = 0.0_f64;
+        self.around(at, |weight, q| {
+            let k = q.index as usize;
+            let (dx, dy) = (q.x - at[0], q.y - at[1]);
+            let side = if (q.x - p.x[k]).abs() > 0.0 { -1.0 } else { 1.0 }; // an image goes the other way
+            let terms = [1.0, dx, dy, dx * dx, dx * dy, dy * dy];
+            for (sum, term) in m.iter_mut().zip(terms) {
+                *sum += weight * term;
+            }
+            for (row, value) in moments.iter_mut().zip([d.pressure[k], side * p.u[k], p.v[k]]) {
+                for (sum, term) in row.iter_mut().zip([1.0, dx, dy]) {
+                    *sum += weight * value * term;
+                }
+            }
+            reach = reach.max(p.h[k]);
+        });
+        let [m0, mx, my, mxx, mxy, myy] = m;
+        // second moments about the mean place
+        let (x, y) = (mx / m0, my / m0);
+        let (xx, xy, yy) = (mxx - m0 * x * x, mxy - m0 * x * y, myy - m0 * y * y);
+        let determinant = xx * yy - xy * xy;
+        if m0 < LEAST_FILLING || determinant < LEAST_SPREAD * (m0 * reach * reach).powi(2) {
+            return None;
+        }
+        let [pressure, u, v] = moments.map(|[value, along_x, along_y]| {
+            let (bx, by) = (along_x - value * x, along_y - value * y);
+            let gradient = [(yy * bx - xy * by) / determinant, (xx * by - xy * bx) / determinant];
+            (value / m0 - gradient[0] * x - gradient[1] * y, gradient)
+        });
+        Some(FirstOrder { pressure: pressure.0, gradient: [u.1, v.1] })
+    }
+
     /// E18: Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
     /// eighth of the kernel is filled.
     pub fn shepard(&self, at: [f64; 2]) -> f64 {
@@ -60,6 +130,6 @@ impl<'a> Probe<'a> {
             pressure += weight * self.fluid.derived.pressure[q.index as usize];
             filling += weight;
         });
-        if filling < 0.125 { 0.0 } else { pressure / filling }
+        if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
     }
 }

@@ -16,6 +16,8 @@ pub(crate) struct Rows {
     pub walls: Vec<Row>,
     /// Walls, for the continuity equation.
     pub faces: Vec<Face>,
+    /// Mirror points of the walls (W3); empty where no wall asks.
+    pub mirror_points: (Vec<f64>, Vec<f64>),
     wall_x: Vec<f64>,
     wall_y: Vec<f64>,
 }
@@ -32,9 +34,22 @@ impl Rows {
         }
     }
 
+    /// W3: mirror points of the walls that [`Rows::place_walls`] placed.
+    pub fn place_mirror_points(&mut self, walls: &Walls) {
+        let (x, y) = &mut self.mirror_points;
+        x.clear();
+        y.clear();
+        for k in 0..walls.len() {
+            x.push(self.wall_x[k] + 2.0 * walls.depth[k] * walls.nx[k]);
+            y.push(self.wall_y[k] + 2.0 * walls.depth[k] * walls.ny[k]);
+        }
+    }
+
     /// The walls as the search sees them.
     pub fn kinematics<'a>(&'a self, walls: &'a Walls) -> WallKinematics<'a> {
-        WallKinematics { x: &self.wall_x, y: &self.wall_y, u: &walls.u, v: &walls.v, h: &walls.h }
+        let (mirror_x, mirror_y) = (&self.mirror_points.0, &self.mirror_points.1);
+        let (x, y) = (&self.wall_x, &self.wall_y);
+        WallKinematics { x, y, u: &walls.u, v: &walls.v, h: &walls.h, mirror_x, mirror_y }
     }
 
     /// Pack everything as it is now.

@@ -21,6 +21,10 @@ pub struct WallKinematics<'a> {
     pub v: &'a [f64],
     /// Smoothing length [m].
     pub h: &'a [f64],
+    /// Mirror point in the fluid [m] (W3); empty where no wall asks.
+    pub mirror_x: &'a [f64],
+    /// Mirror point in the fluid [m].
+    pub mirror_y: &'a [f64],
 }
 
 /// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
@@ -33,6 +37,8 @@ pub struct Search {
     pub walls_of_fluid: Lists,
     /// Fluid (and images) around each wall particle.
     pub fluid_of_wall: Lists,
+    /// Fluid (and images) around each wall particle's mirror point (W3); empty where no wall asks.
+    pub fluid_of_mirror: Lists,
     /// Sources of the fluid's images.
     pub fluid_images: Vec<u32>,
     /// Sources of the walls' images.
@@ -45,13 +51,16 @@ pub struct Search {
     pub rebuilds: u64,
     skin: Skin,
     wall_skin: Skin,
+    mirror_skin: Skin,
     scratch: Vec<f64>,
 }
 
 impl Search {
     /// True while every pair that can meet is listed.
     pub fn holds(&self, particles: &Particles, walls: &WallKinematics) -> bool {
-        self.skin.holds(&particles.x, &particles.y) && self.wall_skin.holds(walls.x, walls.y)
+        self.skin.holds(&particles.x, &particles.y)
+            && self.wall_skin.holds(walls.x, walls.y)
+            && self.mirror_skin.holds(walls.mirror_x, walls.mirror_y)
     }
 
     /// Sort the fluid by cell and list all pairs, to last about `life` seconds.
@@ -86,13 +95,15 @@ impl Search {
         let wall_reach: Vec<f64> = (0..walls.x.len()).map(|k| walls.h[k] + wall_allowance[k]).collect();
         let mut fluid = own(&particles.x, &particles.y, &reach);
         let mut wall = own(walls.x, walls.y, &wall_reach);
+        let mirrored = own(walls.mirror_x, walls.mirror_y, &wall_reach);
         let mut wall_cells = Cells::build(&wall);
         self.fluid_images.clear();
         self.wall_images.clear();
         if let Some(mirror) = mirror {
             // an image is needed where it meets somebody in front of the plane
             let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
-            let needed = |p: &&Point| meets(&fluid_cells, p) || meets(&wall_cells, p);
+            let mirrored_cells = Cells::build(&mirrored);
+            let needed = |p: &&Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
             self.fluid_images.extend(fluid.iter().filter(needed).map(|p| p.index));
             self.wall_images.extend(wall.iter().filter(|p| meets(&fluid_cells, p)).map(|p| p.index));
             append_images(&mut fluid, &self.fluid_images, mirror);
@@ -107,7 +118,9 @@ impl Search {
         self.fluid.build(n, &fluid_cells, |k| fluid[k]);
         self.walls_of_fluid.build(n, &wall_cells, |k| stranger(fluid[k]));
         self.fluid_of_wall.build(walls.x.len(), &fluid_cells, |k| stranger(wall[k]));
+        self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| stranger(mirrored[k]));
         self.skin.reset(&particles.x, &particles.y, allowance);
+        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, wall_allowance.clone());
         self.wall_skin.reset(walls.x, walls.y, wall_allowance);
         self.rebuilds += 1;
         self.flag_surface(derived);

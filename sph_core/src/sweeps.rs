@@ -12,16 +12,19 @@ pub(crate) struct DensityRate<'a> {
     pub rho: &'a [f64],
     pub search: &'a Search,
     pub constants: Constants,
+    /// Walls reflect the velocity (E10).
+    pub reflecting: bool,
     pub out: &'a mut [f64],
 }
 
 impl WithKernel for DensityRate<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let DensityRate { fluid, faces, rho, search, constants, out } = self;
+        let DensityRate { fluid, faces, rho, search, constants, reflecting, out } = self;
         sweep::gather_into(out, |k| {
             let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
-            let walls = search.walls_of_fluid.of(k).iter().map(|&j| &faces[j as usize]);
+            let listed = if reflecting { search.walls_of_fluid.of(k) } else { &[] };
+            let walls = listed.iter().map(|&j| &faces[j as usize]);
             pair::density_rate::<K>(&fluid[k], rho[k], near, walls, &constants)
         });
     }
@@ -55,16 +58,19 @@ pub(crate) struct Momentum<'a> {
     pub search: &'a Search,
     pub constants: Constants,
     pub wall_nu: f64,
+    /// Walls push by their pressure (E6).
+    pub pushing: bool,
     pub out: &'a mut [Gathered],
 }
 
 impl WithKernel for Momentum<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Momentum { fluid, walls, search, constants, wall_nu, out } = self;
+        let Momentum { fluid, walls, search, constants, wall_nu, pushing, out } = self;
         sweep::gather_into(out, |k| {
             let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
-            let near_walls = search.walls_of_fluid.of(k).iter().map(|&j| &walls[j as usize]);
+            let listed = if pushing { search.walls_of_fluid.of(k) } else { &[] };
+            let near_walls = listed.iter().map(|&j| &walls[j as usize]);
             pair::momentum::<K>(&fluid[k], near, near_walls, &constants, wall_nu)
         });
     }

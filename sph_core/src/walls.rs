@@ -14,6 +14,8 @@ pub struct WallPoint {
     pub area: f64,
     /// Distance to its neighbours [m].
     pub spacing: f64,
+    /// Depth below the surface, along the normal [m].
+    pub depth: f64,
 }
 
 /// All boundary particles. One entry per particle in every array.
@@ -41,6 +43,8 @@ pub struct Walls {
     pub volume: Vec<f64>,
     /// Smoothing length [m].
     pub h: Vec<f64>,
+    /// Depth below the surface, along the normal [m].
+    pub depth: Vec<f64>,
     /// Pressure extrapolated from the fluid [Pa] (THEORY E9); written by the fluid.
     pub pressure: Vec<f64>,
     /// Force of the fluid on the particle at the end of the step, per metre of span [N/m]; written by the fluid.
@@ -77,6 +81,7 @@ impl Walls {
             self.ny.push(point.normal[1]);
             self.volume.push(point.area);
             self.h.push(ratio * point.spacing);
+            self.depth.push(point.depth);
         }
         let n = self.len();
         for array in [

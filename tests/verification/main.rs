@@ -5,6 +5,7 @@ mod channel;
 mod conservation;
 mod echo;
 mod elliptic_drop;
+mod force_rules;
 mod gas;
 mod gauges;
 mod integrators;

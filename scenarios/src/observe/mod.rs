@@ -2,6 +2,7 @@
 
 mod face_profile;
 mod flow;
+mod force_rules;
 mod front;
 mod gauge_record;
 mod gauges;
@@ -19,6 +20,7 @@ use fsi_coupling::{Coupled, Penetration};
 use crate::log::LogError;
 
 pub use flow::FlowPictures;
+pub use force_rules::{ForceRules, RuleResult};
 pub use front::FRONT;
 pub use gauge_record::GaugeResult;
 pub use gauges::{GaugeReader, Reading};

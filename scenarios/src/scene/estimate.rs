@@ -1,6 +1,6 @@
 //! The size of the work, before any particle exists.
 
-use super::model::{Scene, Symmetry};
+use super::model::{Scene, Symmetry, WallModel};
 use fsi_coupling::polygon;
 
 /// Memory per particle: state, scratch and neighbour lists [bytes].
@@ -54,7 +54,11 @@ fn fluid_particles(scene: &Scene) -> f64 {
 }
 
 fn wall_particles(scene: &Scene) -> f64 {
-    let rows = (2.0 * scene.fluid.smoothing_ratio).ceil();
+    let rows = match scene.fluid.walls {
+        WallModel::Extrapolated | WallModel::MirrorPoint => (2.0 * scene.fluid.smoothing_ratio).ceil(),
+        WallModel::Dynamic => 2.0,
+        WallModel::Repulsive => 1.0,
+    };
     let half = 0.5 * scene.tank.width;
     let (floor, top) = (-scene.tank.depth, scene.tank.height - scene.tank.depth);
     let right = particles_along(scene, [half, floor], [half, top]);

@@ -8,8 +8,8 @@ use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::model::{
-    Body, DensityEvolution, DensityFilter, DiffusionForm, EquationOfState, GaugeFrame, Integrator, Kernel, Motion,
-    Norm, Similarity, Symmetry, Turbulence, WallSlip,
+    Body, DensityEvolution, DensityFilter, DiffusionForm, EquationOfState, GaugeFrame, Integrator, Kernel, Lattice,
+    Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
 };
 use fsi_coupling::Shape;
 
@@ -30,12 +30,19 @@ pub struct SceneFile {
     pub gauges: Vec<GaugeFile>,
     pub compare: Vec<CompareFile>,
     pub observe: ObserveFile,
+    pub report: ReportFile,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ObserveFile {
     pub front: Option<bool>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ReportFile {
+    pub force_rules: Option<bool>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -54,6 +61,7 @@ pub struct ResolutionFile {
     pub growth: Option<f64>,
     #[serde(deserialize_with = "pair_or_auto")]
     pub fine_zone: Option<[f64; 2]>,
+    pub lattice: Option<Lattice>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -85,6 +93,8 @@ pub struct FluidFile {
     pub molar_mass: Option<f64>,
     pub density_evolution: Option<DensityEvolution>,
     pub density_diffusion_form: Option<DiffusionForm>,
+    pub walls: Option<WallModel>,
+    pub limit_pressure: Option<i64>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

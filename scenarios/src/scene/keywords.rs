@@ -100,6 +100,7 @@ static KEYWORDS: &[Keyword] = &[
     key("resolution.spacing", "m", "required", "finest particle spacing dx"),
     key("resolution.growth", "-", "1.1", "ratio of successive rows outside the fine zone; 1 is uniform"),
     key("resolution.fine_zone", "m", "auto", "[half width from the body's middle, depth below still water]; auto: holds the spray root to the end, or the whole tank without an impact"),
+    key("resolution.lattice", "", "square", "square | staggered: body-centred squares of side sqrt(2) dx, growth 1 only (INDAT: lattice SC | BCC)"),
     key("fluid.density", "kg/m^3", "1000.0", "density of the undisturbed water"),
     key("fluid.sound_speed", "m/s", "auto", "speed of sound; ideal_gas: of its temperature; auto: compressibility costs an impact fluid.compressibility_error of its force; at least 10 times the flow's fastest known speed"),
     key("fluid.compressibility_error", "-", "0.01", "share of the force that compressibility may cost"),
@@ -125,6 +126,8 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.molar_mass", "kg/mol", "0.0289644", "ideal_gas: molar mass; the default is dry air's"),
     key("fluid.density_evolution", "", "continuity", "continuity | summation: densities counted from masses, which fails at a free surface"),
     key("fluid.density_diffusion_form", "", "fourtakas", "fourtakas: the hydrostatic pressure does not diffuse | molteni: it does"),
+    key("fluid.walls", "", "extrapolated", "extrapolated | repulsive (INDAT iBC: Monaghan) | dynamic (INDAT iBC: Dalrymple) | mirror_point: how walls keep the water out"),
+    key("fluid.limit_pressure", "-", "1", "dynamic walls at the start: 0: density rho0, no pressure | 1: the pressure of the water beside them (INDAT i_correct_pb)"),
     key("tank.width", "m", "auto", "full inner width, x from -width/2 to width/2; auto: outside acoustic reach of an impact"),
     key("tank.depth", "m", "auto", "depth of still water, whose surface is y = 0 and whose floor is y = -depth; auto: outside acoustic reach of an impact"),
     key("tank.height", "m", "1.25 depth, 3 depth for a dam break", "height of the side walls above the floor"),
@@ -166,6 +169,7 @@ static KEYWORDS: &[Keyword] = &[
     key("compare[].tolerance", "", "absent", "largest error that passes, in the norm's unit; absent: drawn, not judged"),
     key("compare[].threshold", "-", "0.5", "norm arrival: share of its own peak in the window at which a curve has arrived"),
     key("observe.front", "", "false", "column front_m: length of the connected water along the floor, from its left end: true | false"),
+    key("report.force_rules", "", "false", "compare the force on the body by four rules: true | false (INDAT fex: FEX_2D, FEX_2D2, FEX_2D3, FEX_2D4)"),
 ];
 
 #[cfg(test)]
@@ -205,7 +209,7 @@ mod tests {
 
     #[test]
     fn keywords_and_serde_fields_are_the_same() {
-        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]", "observe"];
+        let tables = ["time", "resolution", "fluid", "tank", "body", "gauges[]", "compare[]", "observe", "report"];
         let top = serde_fields("");
         let mut fields: Vec<String> =
             top.iter().filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f)).cloned().collect();

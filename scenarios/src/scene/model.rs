@@ -1,7 +1,10 @@
 //! The resolved scene: plain data, every number known.
 
+pub use fsi_coupling::fill::Lattice;
 use serde::{Deserialize, Serialize};
-pub use sph_core::{DensityEvolution, DensityFilter, IdealGas, Integrator, Kernel, Slip as WallSlip, Turbulence};
+pub use sph_core::{
+    DensityEvolution, DensityFilter, IdealGas, Integrator, Kernel, Slip as WallSlip, Turbulence, WallModel,
+};
 
 use super::auto::fastest_speed;
 use super::file::BodyFile;
@@ -45,6 +48,8 @@ pub struct Scene {
     pub compare: Vec<Compare>,
     /// Curves that are sampled only where a scene asks for them.
     pub observe: Observe,
+    /// What a run observes beside its curves.
+    pub report: Report,
 }
 
 /// Curves that are sampled only where a scene asks for them.
@@ -52,6 +57,13 @@ pub struct Scene {
 pub struct Observe {
     /// The column `front_m`: length of the connected water along the floor (V5).
     pub front: bool,
+}
+
+/// What a run observes beside its curves.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct Report {
+    /// Compare the force on the body by four rules.
+    pub force_rules: bool,
 }
 
 /// Mirror plane of the flow.
@@ -95,6 +107,8 @@ pub struct Resolution {
     pub growth: f64,
     /// Half width, from the body's middle, and depth below still water of the fine zone [m], shape (2).
     pub fine_zone: [f64; 2],
+    /// How particles lie in uniform water.
+    pub lattice: Lattice,
 }
 
 /// The water and the numerical scheme.
@@ -150,6 +164,10 @@ pub struct Fluid {
     pub density_evolution: DensityEvolution,
     /// What density diffusion diffuses.
     pub density_diffusion_form: DiffusionForm,
+    /// How walls keep the water out.
+    pub walls: WallModel,
+    /// Dynamic walls' pressure at the start: 0 none, 1 that of the water beside them.
+    pub limit_pressure: i64,
 }
 
 /// What gives the pressure.

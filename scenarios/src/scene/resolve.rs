@@ -4,7 +4,8 @@ use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{
-    Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Observe, Resolution, Scene, Tank, Time,
+    Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice, Observe, Report, Resolution, Scene, Tank,
+    Time,
 };
 use super::model::{IdealGas, Turbulence};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
@@ -72,6 +73,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         fluid,
         tank,
         body,
+        report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
     })
 }
 
@@ -108,7 +110,12 @@ fn resolve_resolution(file: &ResolutionFile, spacing: f64, fine_zone: [f64; 2]) 
         positive("resolution.fine_zone", length)?;
     }
     let growth = within("resolution.growth", file.growth.unwrap_or(1.1), 1.0..=2.0)?;
-    Ok(Resolution { spacing, growth, fine_zone })
+    let lattice = file.lattice.unwrap_or_default();
+    if lattice == Lattice::Staggered && growth != 1.0 {
+        let expected = format!("\"square\" with resolution.growth = {growth}: a staggered lattice needs growth = 1");
+        return Err(Problem::new("resolution.lattice", "\"staggered\"", expected));
+    }
+    Ok(Resolution { spacing, growth, fine_zone, lattice })
 }
 
 fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: f64) -> Result<Fluid, Problem> {
@@ -155,6 +162,11 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         molar_mass: positive("fluid.molar_mass", file.molar_mass.unwrap_or(0.028_964_4))?,
         density_evolution: file.density_evolution.unwrap_or_default(),
         density_diffusion_form: file.density_diffusion_form.unwrap_or_default(),
+        walls: file.walls.unwrap_or_default(),
+        limit_pressure: match file.limit_pressure.unwrap_or(1) {
+            option @ (0 | 1) => option,
+            other => return Err(Problem::new("fluid.limit_pressure", other, "0 or 1")),
+        },
     };
     if fluid.density_filter_every == 0 {
         return Err(Problem::new("fluid.density_filter_every", 0, "a number of steps of at least 1"));

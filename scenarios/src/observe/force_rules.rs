@@ -1,0 +1,90 @@
+//! Four rules for the force on the body, compared over a run (THEORY W7): the check ∫ p dA = the body's force.
+
+use fsi_coupling::force_rules::{RULES, force_rules};
+use serde::Serialize;
+
+use super::{Frame, ObserveError, Observer};
+use crate::scene::Scene;
+
+/// A rule's numbers over a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct RuleResult {
+    /// The rule: `reaction`, `first_row`, `gauss`, `gauss_viscous`.
+    pub rule: &'static str,
+    /// Mean force over the last fifth of the run [N/m].
+    pub force_n_per_m: [f64; 2],
+    /// Standard deviation of the vertical force over the last fifth [N/m].
+    pub force_y_sd_n_per_m: f64,
+    /// Mean moment about the body frame's origin over the last fifth [N].
+    pub moment_n: f64,
+    /// ∫F dt over the run [N s/m].
+    pub impulse_n_s_per_m: [f64; 2],
+    /// |mean force − that of the reactions| over the latter [-].
+    pub force_difference: f64,
+    /// |impulse − that of the reactions| over the latter [-].
+    pub impulse_difference: f64,
+}
+
+/// Gathers the rules' resultants at the samples.
+pub struct ForceRules {
+    panel: f64,
+    times: Vec<f64>,
+    /// Fx [N/m], Fy [N/m], moment [N] of each rule.
+    loads: Vec<[[f64; 3]; 4]>,
+}
+
+impl ForceRules {
+    /// For a scene that asks and has a body.
+    pub fn new(scene: &Scene) -> Option<ForceRules> {
+        let asked = scene.report.force_rules && scene.body.is_some();
+        asked.then(|| ForceRules { panel: scene.resolution.spacing, times: Vec::new(), loads: Vec::new() })
+    }
+
+    /// The numbers of each rule, means from `since` [s] on; empty before the first sample.
+    pub fn result(&self, since: f64) -> Vec<RuleResult> {
+        let late: Vec<usize> = (0..self.times.len()).filter(|&k| self.times[k] >= since).collect();
+        if late.is_empty() {
+            return Vec::new();
+        }
+        let mean =
+            |rule: usize, c: usize| late.iter().map(|&k| self.loads[k][rule][c]).sum::<f64>() / late.len() as f64;
+        let impulse = |rule: usize, c: usize| {
+            let step = |k: usize| {
+                0.5 * (self.times[k + 1] - self.times[k]) * (self.loads[k][rule][c] + self.loads[k + 1][rule][c])
+            };
+            (0..self.times.len() - 1).map(step).sum::<f64>()
+        };
+        let difference = |of: &dyn Fn(usize, usize) -> f64, rule: usize| {
+            let [dx, dy] = [0, 1].map(|c| of(rule, c) - of(0, c));
+            dx.hypot(dy) / of(0, 0).hypot(of(0, 1))
+        };
+        let result = |rule: usize| RuleResult {
+            rule: RULES[rule].name(),
+            force_n_per_m: [mean(rule, 0), mean(rule, 1)],
+            force_y_sd_n_per_m: {
+                let middle = mean(rule, 1);
+                let squares = late.iter().map(|&k| (self.loads[k][rule][1] - middle).powi(2));
+                (squares.sum::<f64>() / late.len() as f64).sqrt()
+            },
+            moment_n: mean(rule, 2),
+            impulse_n_s_per_m: [impulse(rule, 0), impulse(rule, 1)],
+            force_difference: difference(&mean, rule),
+            impulse_difference: difference(&impulse, rule),
+        };
+        (0..RULES.len()).map(result).collect()
+    }
+}
+
+impl Observer for ForceRules {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        let body = frame.system.bodies().position(|b| b.motion().is_some() && b.outline().is_some());
+        if let Some(loads) = body.and_then(|k| force_rules(frame.system, k, self.panel)) {
+            self.times.push(frame.time());
+            self.loads.push(loads.map(|load| {
+                let r = load.resultant;
+                [r.force[0], r.force[1], r.moment]
+            }));
+        }
+        Ok(())
+    }
+}
