@@ -7,7 +7,7 @@ use super::model::{
     Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice, Observe, Report, Resolution, Scene, Tank,
     Time,
 };
-use super::model::{IdealGas, Turbulence};
+use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
 
@@ -174,6 +174,15 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
     if fluid.turbulence == Turbulence::Sps && fluid.kinematic_viscosity == 0.0 {
         let expected = "none, or a fluid.kinematic_viscosity above 0";
         return Err(Problem::new("fluid.turbulence", "\"sps\"", expected));
+    }
+    let steps_density_itself = matches!(fluid.integrator, Integrator::Verlet | Integrator::Beeman);
+    if fluid.walls == WallModel::Dynamic && steps_density_itself {
+        let expected = "symplectic or predictor_corrector, which advance the density of dynamic walls too";
+        return Err(Problem::new(
+            "fluid.integrator",
+            "\"verlet\" or \"beeman\" with fluid.walls = \"dynamic\"",
+            expected,
+        ));
     }
     if let Some(gas) = fluid.gas() {
         fluid.sound_speed = gas_sound_speed(&gas, file.sound_speed)?;
