@@ -40,6 +40,7 @@ fn channel(cells: usize, push: f64, speed: f64) -> (Fluid, Walls) {
                 normal: [0.0, normal],
                 area: spacing * spacing,
                 spacing,
+                depth: (layer as f64 + 0.5) * spacing,
             })
         };
         let points: Vec<WallPoint> = (0..3).flat_map(row).collect();

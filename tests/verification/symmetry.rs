@@ -31,8 +31,9 @@ fn states(system: &Coupled) -> HashMap<u32, [f64; 5]> {
     (0..p.len()).map(|k| (p.id[k], [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k]])).collect()
 }
 
-/// Half a tank with a mirror is the right half of the whole one: same particles, same force on the body, to the growth
-/// of rounding over 50 steps (1e-9 of each quantity's scale).
+/// Half a tank with a mirror is the right half of the whole one: same particles, same force on the body, over 50 steps to
+/// 1e-8 of each quantity's scale. (The two sides of the whole wedge carry wall particles that mirror each other to 1e-9
+/// of a spacing: places along a face are found by bisection.)
 #[test]
 fn half_a_tank_with_a_mirror_is_half_of_the_whole() {
     let mut half = system("wedge_constant", &EVEN);
@@ -45,7 +46,7 @@ fn half_a_tank_with_a_mirror_is_half_of_the_whole() {
         half.step(dt).expect("a stable run");
         whole.step(dt).expect("a stable run");
         let (one, other) = (lift(&half), lift(&whole));
-        assert!((one - other).abs() <= 1e-9 * other.abs().max(1.0), "t = {}: {one} and {other} N/m", half.fluid.time);
+        assert!((one - other).abs() <= 1e-8 * other.abs().max(1.0), "t = {}: {one} and {other} N/m", half.fluid.time);
     }
     assert!(lift(&half) > 1.0, "the wedge does not feel the water: {} N/m", lift(&half));
     let (ours, theirs) = (states(&half), states(&whole));
@@ -53,7 +54,7 @@ fn half_a_tank_with_a_mirror_is_half_of_the_whole() {
     for (place, id) in &right {
         let (a, b) = (ours[id], theirs[&all[place]]);
         for k in 0..5 {
-            assert!((a[k] - b[k]).abs() < 1e-9 * scale[k], "particle from {place:?} µm: {a:?} against {b:?}");
+            assert!((a[k] - b[k]).abs() < 1e-8 * scale[k], "particle from {place:?} µm: {a:?} against {b:?}");
         }
     }
 }
