@@ -13,12 +13,8 @@ struct Noise {
     pressure: f64,
 }
 
-/// The fluid's defaults, at coarse spacing; the scene itself chooses a smoother kernel.
-const PLAIN: [&str; 4] =
-    ["resolution.spacing=0.05", "fluid.kernel=wendland_c2", "fluid.smoothing_ratio=1.5", "fluid.wall_stretch=false"];
-
 fn entry(sets: &[&str]) -> Noise {
-    let mut system = system("wedge_constant", &[&PLAIN, sets].concat());
+    let mut system = system("wedge_constant", &[sets, &["resolution.spacing=0.05"]].concat());
     let mut coefficients = Vec::new();
     advance(&mut system, 1.0, |s| {
         if s.fluid.time > 0.5 {
