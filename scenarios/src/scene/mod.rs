@@ -22,6 +22,7 @@ mod impact;
 mod keywords;
 mod load;
 mod model;
+mod model_fluid;
 mod overrides;
 mod problem;
 mod resolve;
