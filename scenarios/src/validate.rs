@@ -180,7 +180,7 @@ fn judge(case: &Case, expect: &Expect, json: &Value, core_seconds: f64) -> Line 
     };
     let bounded = expect.at_most.is_none_or(|bound| ours.abs() <= bound);
     let mut allowed = Vec::new();
-    allowed.extend(expect.tolerance.map(|t| format!("{} %", 100.0 * t)));
+    allowed.extend(expect.tolerance.map(|t| format!("{} %", number(100.0 * t))));
     allowed.extend(expect.at_most.map(|b| format!("at most {}", number(b))));
     Line {
         case: case.name.clone(),
