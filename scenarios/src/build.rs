@@ -67,6 +67,7 @@ fn parameters(scene: &Scene) -> Parameters {
         volume_correction: fluid.volume_correction,
         slip: fluid.wall_slip,
         wall_stretch: fluid.wall_stretch,
+        ventilation: fluid.ventilation,
         integrator: fluid.integrator,
         cfl: fluid.cfl,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),

@@ -7,7 +7,7 @@ use crate::integrator::{self, Integrator, Old};
 use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::Parameters;
-use crate::particles::{Derived, Particles, SPRAY_FILLING, SURFACE_LAMBDA, Seed};
+use crate::particles::{Derived, Particles, SURFACE_LAMBDA, Seed};
 use crate::rows::Rows;
 use crate::search::Search;
 use crate::sweep;
@@ -214,14 +214,15 @@ impl Fluid {
         }
     }
 
-    /// E3: pressures and volumes from densities. Spray is never thinner than water at rest, so it holds no tension.
+    /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
         if let Some(gas) = self.parameters.gas {
             return self.gas_state(gas); //           L9
         }
-        let (eos, p, d) = (self.parameters.eos, &mut self.particles, &mut self.derived);
+        let (eos, ventilation) = (self.parameters.eos, self.parameters.ventilation);
+        let (p, d) = (&mut self.particles, &mut self.derived);
         for k in 0..p.x.len() {
-            if d.surroundings[k].fluid_filling < SPRAY_FILLING {
+            if d.slack(k, ventilation) {
                 p.rho[k] = p.rho[k].max(eos.rho0);
             }
             d.pressure[k] = eos.pressure(p.rho[k]);

@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
 use crate::pair::{self, Constants, Face, Row};
-use crate::particles::SPRAY_FILLING;
 use crate::search::Search;
 use crate::sweep;
 
@@ -178,12 +177,13 @@ impl Fluid {
         }
     }
 
-    /// L9: pressures and volumes from densities and energies. Spray holds no tension, as in water (E3): it is compressed
+    /// L9: pressures and volumes from densities and energies. Slack fluid holds no tension, as in water (E3): it is compressed
     /// along its isentrope to p₀, or it would lose p₀ times the volume each time and grow ever colder.
     pub(crate) fn gas_state(&mut self, gas: IdealGas) {
+        let ventilation = self.parameters.ventilation;
         let (p, d) = (&mut self.particles, &mut self.derived);
         for k in 0..p.x.len() {
-            if d.surroundings[k].fluid_filling < SPRAY_FILLING {
+            if d.slack(k, ventilation) {
                 let relief = gas.isentropic_relief(p.rho[k], p.energy[k]);
                 p.rho[k] *= relief;
                 p.energy[k] *= relief.powf(gas.gamma - 1.0);

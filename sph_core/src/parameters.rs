@@ -50,6 +50,8 @@ pub struct Parameters {
     pub slip: Slip,
     /// Walls feel the fluid stretch along them (E10).
     pub wall_stretch: bool,
+    /// Air comes in between a wall and water under tension where both touch it (E3).
+    pub ventilation: bool,
     /// Time integration.
     pub integrator: Integrator,
     /// Courant number of the acoustic step limit (E17).
@@ -95,6 +97,7 @@ impl Parameters {
             volume_correction: false,
             slip: Slip::Free,
             wall_stretch: false,
+            ventilation: true,
             integrator: Integrator::Symplectic,
             cfl: 0.6,
             mirror: None,

@@ -125,6 +125,14 @@ impl Derived {
         gather(&mut self.surroundings, order);
         gather(&mut self.near_surface, order);
     }
+
+    /// E3: does the fluid here hold no tension? Spray does not; nor, with `ventilation`, does what touches both a wall and
+    /// the air, which comes in between.
+    pub(crate) fn slack(&self, k: usize, ventilation: bool) -> bool {
+        let around = &self.surroundings[k];
+        let at_waterline = self.near_surface[k] && around.filling > around.fluid_filling;
+        around.fluid_filling < SPRAY_FILLING || (ventilation && at_waterline)
+    }
 }
 
 /// How the neighbours lie around a particle (THEORY E12–E14), summed with the uncorrected volumes.

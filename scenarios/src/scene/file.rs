@@ -81,6 +81,7 @@ pub struct FluidFile {
     pub volume_correction: Option<bool>,
     pub wall_slip: Option<WallSlip>,
     pub wall_stretch: Option<bool>,
+    pub ventilation: Option<bool>,
     pub integrator: Option<Integrator>,
     pub cfl: Option<f64>,
     pub verlet_correction_every: Option<u32>,

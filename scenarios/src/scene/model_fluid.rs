@@ -34,6 +34,8 @@ pub struct Fluid {
     pub wall_slip: WallSlip,
     /// Walls feel the water stretch along them.
     pub wall_stretch: bool,
+    /// Air comes in between a wall and water under tension where both touch it (THEORY E3).
+    pub ventilation: bool,
     /// Time integration.
     pub integrator: Integrator,
     /// Step limit: dt ≤ cfl·h/(c₀ + |v|) [-].
