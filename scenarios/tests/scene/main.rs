@@ -1,5 +1,6 @@
 //! Scene files: what loads, what is refused and how, what is left to the program.
 
+mod legacy;
 mod refused;
 
 use scenarios::forecast::forecast;
