@@ -4,8 +4,7 @@ use evidence::systems::{advance, scene};
 use scenarios::build;
 use scenarios::scene;
 
-/// A coarse dam break for 0.9 s, or a coarse wedge at constant speed for 0.6 s, with a Courant number that no scene may
-/// ask for; the change of energy, over the largest kinetic energy, where it runs.
+/// Whether a scene runs to `end` [s] with a Courant number that no scene may ask for.
 fn ran(name: &str, spacing: &str, end: f64, integrator: &str, cfl: f64) -> bool {
     let mut scene = scene(name, &[spacing, integrator, "fluid.verlet_correction_every=2"]);
     scene.fluid.cfl = cfl;
