@@ -21,6 +21,18 @@ pub enum Integrator {
     Beeman,
 }
 
+impl Integrator {
+    /// Its name in a scene.
+    pub fn name(self) -> &'static str {
+        match self {
+            Integrator::Symplectic => "symplectic",
+            Integrator::PredictorCorrector => "predictor_corrector",
+            Integrator::Verlet => "verlet",
+            Integrator::Beeman => "beeman",
+        }
+    }
+}
+
 /// E15. The step of the modern scheme.
 pub(crate) fn symplectic(fluid: &mut Fluid, walls: &mut Walls, dt: f64) {
     let half = 0.5 * dt;

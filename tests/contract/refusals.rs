@@ -62,6 +62,65 @@ fn a_wrong_file_is_refused_with_line_key_given_and_expected() {
     }
 }
 
+/// The same for the newest keys, each with a value that it cannot have.
+#[test]
+fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
+    const OSCILLATING: &str = "motion = \"oscillating\"\namplitude = [0.0, 0.01]\nperiod = 0.1\n";
+    let fluid = |line: &str| DROP.replace("[body]", &format!("[fluid]\n{line}\n[body]"));
+    let time = |line: &str| DROP.replace("end = 0.001", &format!("end = 0.001\n{line}"));
+    let swing = |from: &str, to: &str| {
+        let free = "mass = 100.0\nfree = [\"y\"]\nvelocity = [0.0, -5.0]\n";
+        assert!(DROP.contains(free) && OSCILLATING.contains(from));
+        let water = "[tank]\nwidth = 2.0\ndepth = 1.0\n[body]";
+        DROP.replace(free, &OSCILLATING.replace(from, to)).replace("[body]", water)
+    };
+    let gauge = |line: &str| format!("{DROP}[[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n{line}\n");
+    let whole = "expected a whole number from 0 to 4294967295";
+    #[rustfmt::skip]
+    let mistakes: &[(String, u32, &[&str])] = &[
+        (fluid("density_filter_every = 0"), 7, &["`fluid.density_filter_every` = 0", "expected a number of steps of at least 1"]),
+        (fluid("density_filter_every = -5"), 7, &["`fluid.density_filter_every`", "-5", whole]),
+        (fluid("density_filter_every = 2.5"), 7, &["`fluid.density_filter_every`", "2.5", whole]),
+        (fluid("verlet_correction_every = -1"), 7, &["`fluid.verlet_correction_every`", "-1", whole]),
+        (fluid("verlet_correction_every = \"often\""), 7, &["`fluid.verlet_correction_every`", "often", whole]),
+        (fluid("xsph = -0.1"), 7, &["`fluid.xsph` = -0.1", "expected a number from 0 to 1"]),
+        (fluid("xsph = 1.5"), 7, &["`fluid.xsph` = 1.5", "expected a number from 0 to 1"]),
+        (fluid("temperature = 0"), 7, &["`fluid.temperature` = 0", "expected a finite number above 0"]),
+        (fluid("molar_mass = -0.03"), 7, &["`fluid.molar_mass` = -0.03", "expected a finite number above 0"]),
+        (fluid("cfl = 0"), 7, &["`fluid.cfl` = 0", "expected a finite number above 0"]),
+        (fluid("cfl = 1.2"), 7, &["`fluid.cfl` = 1.2", "expected a number above 0 and below 1.2, where symplectic breaks down"]),
+        (fluid("cfl = 1.2\nintegrator = \"predictor_corrector\""), 7, &["`fluid.cfl` = 1.2", "below 1.2, where predictor_corrector"]),
+        (fluid("cfl = 1.4\nintegrator = \"beeman\""), 7, &["`fluid.cfl` = 1.4", "below 1.4, where beeman"]),
+        (fluid("cfl = 0.7\nintegrator = \"verlet\""), 7, &["`fluid.cfl` = 0.7", "below 0.7, where verlet"]),
+        (time("step = 0"), 4, &["`time.step` = 0", "expected an interval above 0"]),
+        (time("step = 0.01"), 4, &["`time.step` = 0.01", "up to time.end = 0.001"]),
+        (time("step = 5e-4"), 4, &["`time.step` = 0.0005", "expected an interval below", "1.2 h/c0, where symplectic breaks down"]),
+        (swing("amplitude = [0.0, 0.01]\n", ""), 9, &["`body.amplitude` is missing", "[m]"]),
+        (swing("[0.0, 0.01]", "0.01"), 15, &["`body.amplitude`", "0.01", "expected an array of length 2"]),
+        (swing("[0.0, 0.01]", "[0.0, 0.0]"), 15, &["`body.amplitude` = [0.0, 0.0]", "expected other than [0, 0]", "fixed"]),
+        (swing("[0.0, 0.01]", "[0.9, 0.0]"), 15, &["`body.amplitude` = [0.9, 0.0]", "expected less than 0.75 m along x"]),
+        (swing("[0.0, 0.01]", "[0.0, -1.5]"), 15, &["`body.amplitude` = [0.0, -1.5]", "expected less than 1 m along y"]),
+        (swing("period = 0.1", "period = 0"), 16, &["`body.period` = 0", "expected a finite number above 0"]),
+        (swing("period = 0.1", "period = -2"), 16, &["`body.period` = -2", "expected a finite number above 0"]),
+        (gauge("length = -0.1"), 17, &["`gauges[0].length` = -0.1", "expected a number of at least 0"]),
+        (gauge("length = \"wide\""), 17, &["`gauges[0].length`", "wide", "expected a number"]),
+        (gauge("bandwidth = 0"), 17, &["`gauges[0].bandwidth` = 0", "expected a finite number above 0"]),
+        (gauge("bandwidth = -50"), 17, &["`gauges[0].bandwidth` = -50", "expected a finite number above 0"]),
+    ];
+    let place = Workplace::new();
+    for (text, line, fragments) in mistakes {
+        fs::write(place.path("drop.toml"), text).expect("a file");
+        for verb in [&["run", "drop.toml", "--out", "out"][..], &["check", "drop.toml"]] {
+            let ended = place.run(verb);
+            assert_eq!(ended.code, Some(2), "{fragments:?}: {}", ended.message);
+            ended.says(&[&format!("drop.toml:{line}:")]);
+            ended.says(fragments);
+            assert!(ended.stdout.is_empty(), "{fragments:?} printed {:?}", ended.stdout);
+        }
+        assert!(!place.path("out").exists(), "{fragments:?} made an output folder");
+    }
+}
+
 /// A mistake on the command line is told with the argument that makes it.
 #[test]
 fn a_wrong_argument_is_refused_and_named() {

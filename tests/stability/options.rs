@@ -2,6 +2,7 @@
 
 use evidence::systems::scene;
 use scenarios::run::{self, RunOptions};
+use scenarios::scene;
 use scenarios::summary::{Status, Summary};
 
 /// A coarse dam break to its end, 1.8 s.
@@ -97,10 +98,17 @@ fn summed_densities_break_down_at_a_free_surface() {
     completes(&["fluid.density_evolution=continuity"]);
 }
 
-/// Failure: a fixed step of 1.5 h/c₀. Remedy: one of half of that, or none, so that the limit (E17) rules.
+/// Failure: a fixed step of 1.5 h/c₀, which a scene is refused for (THEORY H4). Remedy: one of a third of that, or none, so
+/// that the limit (E17) rules.
 #[test]
 fn a_fixed_step_above_the_acoustic_limit_breaks_down() {
     let limit = 1.5 * 0.06 / 34.3; // h/c₀ of the scene [s]
-    breaks_down(&[&format!("time.step={}", 1.5 * limit)]);
+    let set = |step: f64| vec!["resolution.spacing=0.06".to_string(), format!("time.step={step}")];
+    let message = scene::load("dam_break", &set(1.5 * limit)).expect_err("a step that breaks down").to_string();
+    assert!(message.contains("`time.step`") && message.contains("1.2 h/c0"), "{message}");
+    let mut scene = scene("dam_break", &["resolution.spacing=0.06"]);
+    scene.time.step = Some(1.5 * limit);
+    let summary = run::run(&scene, &RunOptions::default()).expect("a scene that can be built").summary;
+    assert_eq!(summary.status, Status::Failed, "1.5 h/c0 ran");
     completes(&[&format!("time.step={}", 0.5 * limit)]);
 }

@@ -8,6 +8,7 @@ mod elliptic_drop;
 mod force_rules;
 mod gas;
 mod gauges;
+mod heaving_box;
 mod integrators;
 mod kernel_sums;
 mod options;

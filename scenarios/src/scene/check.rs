@@ -1,5 +1,6 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
+use super::limits::check_step;
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::problem::{Problem, significant};
 use crate::observe::FRONT;
@@ -29,6 +30,7 @@ const BODY_COLUMNS: [&str; 10] = [
 const GAUGE_COLUMNS: [&str; 1] = ["p_Pa"];
 
 pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
+    check_step(scene)?;
     check_water(scene)?;
     if let Some(body) = &scene.body {
         check_body_in_tank(scene, body)?;
@@ -87,7 +89,24 @@ fn check_body_in_tank(scene: &Scene, body: &Body) -> Result<(), Problem> {
         let expected = format!("a body above the floor at y = {} m", significant(-scene.tank.depth));
         return Err(Problem::new("body.position", given, expected));
     }
-    Ok(())
+    match &body.motion {
+        Motion::Oscillating(oscillation) => check_swing(scene, oscillation.amplitude, [min, max]),
+        _ => Ok(()),
+    }
+}
+
+/// A body that swings does so between the walls and above the floor, and moves at all.
+fn check_swing(scene: &Scene, amplitude: [f64; 2], [min, max]: [[f64; 2]; 2]) -> Result<(), Problem> {
+    let [x, y] = amplitude.map(f64::abs);
+    let half = 0.5 * scene.tank.width;
+    let room = [(half - max[0]).min(min[0] + half), min[1] + scene.tank.depth];
+    let expected = match () {
+        _ if x == 0.0 && y == 0.0 => "other than [0, 0]: a body at rest has motion = \"fixed\"".to_string(),
+        _ if x >= room[0] => format!("less than {} m along x, which is the way to a wall", significant(room[0])),
+        _ if y >= room[1] => format!("less than {} m along y, which is the way to the floor", significant(room[1])),
+        _ => return Ok(()),
+    };
+    Err(Problem::new("body.amplitude", format!("{amplitude:?}"), expected))
 }
 
 fn check_thickness(scene: &Scene, body: &Body) -> Result<(), Problem> {

@@ -114,6 +114,8 @@ fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
 /// Serde's names of types in a user's words.
 fn plain(complaint: &str) -> String {
     let said = complaint.replace("expected f64", "expected a number");
+    let said = said.replace("expected u32", &format!("expected a whole number from 0 to {}", u32::MAX));
+    let said = said.replace("expected i64", "expected a whole number");
     let said =
         said.replace("expected a sequence", "expected a list (of tables: a heading in double brackets, [[...]])");
     let said = said.replace("expected fewer elements in array", "expected two numbers");

@@ -15,11 +15,13 @@
 mod auto;
 mod builtin;
 mod check;
+mod chine;
 mod error;
 mod estimate;
 mod file;
 mod impact;
 mod keywords;
+mod limits;
 mod load;
 mod model;
 mod model_fluid;
@@ -32,6 +34,7 @@ mod warnings;
 
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use builtin::builtin;
+pub use chine::jet_reach;
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use fsi_coupling::Shape;

@@ -3,8 +3,9 @@
 use fsi_coupling::polygon;
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
-use super::impact::{Bottom, Entry, compressibility_error};
-use super::model::{DensityEvolution, Gauge, Integrator, Kernel, Motion, Scene, Similarity};
+use super::chine::past_the_chine;
+use super::impact::{Entry, compressibility_error};
+use super::model::{DensityEvolution, Gauge, Integrator, Kernel, Motion, Scene};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -192,7 +193,7 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     }
 
     warnings.extend(echo(scene));
-    warnings.extend(root_past_chine(scene, entry));
+    warnings.extend(past_the_chine(scene, entry));
     warnings
 }
 
@@ -207,20 +208,6 @@ fn echo(scene: &Scene) -> Option<String> {
             significant(reach),
             significant(scene.time.end * reach / needed),
             significant(needed)
-        )
-    })
-}
-
-fn root_past_chine(scene: &Scene, entry: &Entry) -> Option<String> {
-    let (Some(Similarity::Wedge), Bottom::Wedge { .. }) = (scene.similarity, entry.bottom) else {
-        return None;
-    };
-    let root = entry.bottom.wetted_half_width(entry.final_draught);
-    (root > entry.half_breadth).then(|| {
-        format!(
-            "the spray root would be at {} m at the end, past the chine at {} m, where the similarity solution ends",
-            significant(root),
-            significant(entry.half_breadth)
         )
     })
 }

@@ -60,7 +60,7 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("end = 0.02", "end = 0.02\nstep = 0.5", 5, &["`time.step` = 0.5", "up to time.end = 0.02"]),
         ("end = 0.02", "end = 0.02\nstep = 0", 5, &["`time.step` = 0", "above 0"]),
         ("[time]", "[fluid]\nintegrator = \"euler\"\n[time]", 4, &["`fluid.integrator`", "`euler`", "`verlet`", "`beeman`"]),
-        ("[time]", "[fluid]\nverlet_correction_every = -1\n[time]", 4, &["`fluid.verlet_correction_every`", "-1", "u32"]),
+        ("[time]", "[fluid]\nverlet_correction_every = -1\n[time]", 4, &["`fluid.verlet_correction_every`", "-1", "a whole number from 0"]),
         ("[time]", "[fluid]\ndensity_filter = \"median\"\n[time]", 4, &["`fluid.density_filter`", "`median`", "`mls`"]),
         ("[time]", "[fluid]\ndensity_filter_every = 0\n[time]", 4, &["`fluid.density_filter_every` = 0", "at least 1"]),
         ("[time]", "[fluid]\nxsph = 2\n[time]", 4, &["`fluid.xsph` = 2", "from 0 to 1"]),
