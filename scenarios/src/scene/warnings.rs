@@ -4,7 +4,7 @@ use fsi_coupling::polygon;
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::impact::{Bottom, Entry, compressibility_error};
-use super::model::{DensityEvolution, Gauge, Integrator, Kernel, Motion, Scene, Similarity};
+use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Motion, Scene, Similarity};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -20,6 +20,9 @@ const LIGHTEST_BODY: f64 = 0.6;
 
 /// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
 const LARGEST_VERLET_GROWTH: f64 = 10.0;
+/// δ that damps a single particle's density as the Riemann form does [-], with Wendland C2 (R1).
+const RIEMANN_DELTA: f64 = 1.0 / 3.0;
+
 /// Samples in a period of a gauge's bandwidth.
 const SAMPLES_PER_PERIOD: f64 = 5.0;
 
@@ -80,14 +83,19 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
 fn loose_verlet(scene: &Scene) -> Option<String> {
     let fluid = &scene.fluid;
     let every = f64::from(fluid.verlet_correction_every);
-    let damping = 7.0 * fluid.density_diffusion * fluid.cfl;
+    let delta = match fluid.dissipation {
+        Dissipation::Diffusion => fluid.density_diffusion,
+        Dissipation::Riemann => RIEMANN_DELTA,
+    };
+    let damping = 7.0 * delta * fluid.cfl;
     let growth = 0.5 * damping * damping * (damping * every).exp();
     let loose = every == 0.0 || growth > LARGEST_VERLET_GROWTH;
     (fluid.integrator == Integrator::Verlet && loose).then(|| {
         format!(
             "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and fluid.density_diffusion = {} the two time \
              levels of verlet drift apart; correct more often, or lower either",
-            fluid.cfl, fluid.density_diffusion
+            fluid.cfl,
+            significant(delta)
         )
     })
 }
