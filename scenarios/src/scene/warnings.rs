@@ -83,19 +83,20 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
 fn loose_verlet(scene: &Scene) -> Option<String> {
     let fluid = &scene.fluid;
     let every = f64::from(fluid.verlet_correction_every);
-    let delta = match fluid.dissipation {
-        Dissipation::Diffusion => fluid.density_diffusion,
-        Dissipation::Riemann => RIEMANN_DELTA,
+    let (delta, diffusion) = match fluid.dissipation {
+        Dissipation::Diffusion => {
+            (fluid.density_diffusion, format!("fluid.density_diffusion = {}", fluid.density_diffusion))
+        }
+        Dissipation::Riemann => (RIEMANN_DELTA, "fluid.dissipation = \"riemann\"".to_string()),
     };
     let damping = 7.0 * delta * fluid.cfl;
     let growth = 0.5 * damping * damping * (damping * every).exp();
     let loose = every == 0.0 || growth > LARGEST_VERLET_GROWTH;
     (fluid.integrator == Integrator::Verlet && loose).then(|| {
         format!(
-            "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and fluid.density_diffusion = {} the two time \
+            "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and {diffusion} the two time \
              levels of verlet drift apart; correct more often, or lower either",
-            fluid.cfl,
-            significant(delta)
+            fluid.cfl
         )
     })
 }
