@@ -82,13 +82,19 @@ fn vortices_decay_as_viscosity_says_at_first_order_or_better() {
     assert!((runs[2][1] / kinetic - 1.0).abs() < 0.06, "energy {:.4}, exact {kinetic:.4}", runs[2][1]);
 }
 
-/// With the Riemann form (R1, R2), which adds to ν what it takes for itself: TODO.
+/// With the Riemann form (R1, R2) the error is half again to twice that of density diffusion without artificial viscosity,
+/// and falls at least as fast: to 6 %, with 10 % of the energy.
 #[test]
 fn vortices_decay_with_the_riemann_form_too() {
     let [umax, kinetic] = tabulated();
     let runs = [16, 32, 64].map(|cells| error_and_energy(relaxed(cells, Dissipation::Riemann), umax));
     let errors = runs.map(|[error, _]| error);
-    println!("riemann: velocity errors {errors:.4?}; energies {:.4?}, exact {kinetic:.4}", runs.map(|r| r[1]));
+    let order = 0.5 * (errors[0] / errors[2]).log2();
+    println!("riemann: errors {errors:.4?}, order {order:.2}; energies {:.4?}, exact {kinetic:.4}", runs.map(|r| r[1]));
+    assert!(errors[0] > errors[1] && errors[1] > errors[2], "errors {errors:.4?}");
+    assert!(order >= 1.0, "errors {errors:.4?}: observed order {order:.2}");
+    assert!(errors[2] < 0.06, "error {:.4}", errors[2]);
+    assert!((runs[2][1] / kinetic - 1.0).abs() < 0.1, "energy {:.4}, exact {kinetic:.4}", runs[2][1]);
 }
 
 /// From a square lattice the vortices lose their energy twice too fast. The remedy is the test before.
