@@ -20,6 +20,12 @@ const LIGHTEST_BODY: f64 = 0.6;
 
 /// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
 const LARGEST_VERLET_GROWTH: f64 = 10.0;
+/// Courant number up to which the Riemann form runs with every kernel tried (R3).
+const RIEMANN_CFL: f64 = 0.7;
+
+/// Courant number at which stretched walls run without artificial viscosity.
+const STRETCHED_CFL: f64 = 0.4;
+
 /// δ that damps a single particle's density as the Riemann form does [-], with Wendland C2 (R1).
 const RIEMANN_DELTA: f64 = 1.0 / 3.0;
 
@@ -44,6 +50,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.fluid.cfl > LARGEST_CFL {
         warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.2 blew up", scene.fluid.cfl));
     }
+    warnings.extend(strained_riemann(scene));
     let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
     let acoustic = h / (scene.fluid.sound_speed + scene.fastest_speed());
     if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * acoustic) {
@@ -75,6 +82,26 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             compare.quantity, compare.window[0], scene.time.end
         )
     }));
+    warnings
+}
+
+/// The Riemann form's limits of the step (R3), and of stretched walls without a linear viscosity.
+fn strained_riemann(scene: &Scene) -> Vec<String> {
+    let (fluid, mut warnings) = (&scene.fluid, Vec::new());
+    if fluid.dissipation == Dissipation::Riemann && fluid.cfl > RIEMANN_CFL {
+        warnings.push(format!(
+            "fluid.cfl = {} with fluid.dissipation = \"riemann\": 0.7 ran and 0.75 did not with wendland_c4, 0.85 ran and \
+             0.9 did not with wendland_c2",
+            fluid.cfl
+        ));
+    }
+    if fluid.wall_stretch && fluid.artificial_viscosity == 0.0 && fluid.cfl > STRETCHED_CFL {
+        warnings.push(format!(
+            "fluid.wall_stretch without artificial viscosity at fluid.cfl = {}: the force on a wedge broke into \
+             oscillation late in a run; at 0.4, or with fluid.artificial_viscosity = 0.02, it did not",
+            fluid.cfl
+        ));
+    }
     warnings
 }
 
