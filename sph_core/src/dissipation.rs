@@ -176,6 +176,27 @@ mod tests {
         assert!((ours / theirs - 1.0).abs() < 1e-13, "{ours}, {theirs}");
     }
 
+    #[test]
+    fn a_riemann_pair_acts_as_it_reacts_and_does_not_diffuse_where_it_is_hydrostatic() {
+        let (a, mut b) = (row(0.0, 0.0, 1.0, -2.0, 0.0), row(0.1, 0.07, -0.5, 0.2, 0.0));
+        b.h = 0.21;
+        b.p = WATER.rho0 * (WATER.gravity[0] * b.x + WATER.gravity[1] * b.y);
+        let on_a = momentum::<WendlandC2, RiemannPair>(&a, [b].iter(), [].iter(), &WATER, 0.0).force;
+        let on_b = momentum::<WendlandC2, RiemannPair>(&b, [a].iter(), [].iter(), &WATER, 0.0).force;
+        for k in 0..2 {
+            assert!(on_a[k] != 0.0 && (on_a[k] + on_b[k]).abs() <= 1e-15 * on_a[k].abs());
+        }
+        let still = Row { u: 0.0, v: 0.0, ..a };
+        let rate = density_rate::<WendlandC2, RiemannPair>(
+            &still,
+            1000.0,
+            [Row { u: 0.0, v: 0.0, ..b }].iter(),
+            [].iter(),
+            &WATER,
+        );
+        assert!(rate.abs() < 1e-12, "{rate}");
+    }
+
     /// No push from nowhere: two particles in one place have no closing speed, and the force stays a number.
     #[test]
     fn particles_in_one_place_do_not_divide_by_nothing() {
