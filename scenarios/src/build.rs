@@ -86,6 +86,7 @@ fn parameters(scene: &Scene) -> Parameters {
             hydrostatic_start: fluid.limit_pressure == 1,
             water_depth: scene.tank.depth,
         },
+        dissipation: fluid.dissipation,
     }
 }
 

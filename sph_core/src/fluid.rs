@@ -233,7 +233,7 @@ impl Fluid {
     /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
-        self.parameters.kernel.run(DensityRate {
+        self.parameters.sweep(DensityRate {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,
             rho: &self.particles.rho,
@@ -268,7 +268,7 @@ impl Fluid {
         let (constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let (out, pushing) = (&mut self.gathered, self.parameters.walls.model.has_pressure());
-        self.parameters.kernel.run(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing, out });
+        self.parameters.sweep(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing, out });
         self.wall_force.resize(walls.len(), [0.0; 2]);
         if pushing {
             let out = &mut self.wall_force;

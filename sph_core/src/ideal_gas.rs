@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::dissipation::{PairDissipation, WithPairs};
 use crate::fluid::Fluid;
-use crate::kernel::{Shape, WithKernel};
+use crate::kernel::Shape;
 use crate::pair::{self, Constants, Face, Row};
 use crate::search::Search;
 use crate::sweep;
@@ -80,14 +81,13 @@ struct Heating<'a> {
     out: &'a mut [Heat],
 }
 
-impl WithKernel for Heating<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
+impl WithPairs for Heating<'_> {
+    fn with<K: Shape, D: PairDissipation>(self) {
         let Heating { fluid, walls, faces, search, constants, ambient, out } = self;
         sweep::gather_into(out, |k| {
             let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
             let pressed = search.walls_of_fluid.of(k).iter().map(|&j| (&walls[j as usize], &faces[j as usize]));
-            heating::<K>(&fluid[k], near, pressed, &constants, ambient)
+            heating::<K, D>(&fluid[k], near, pressed, &constants, ambient)
         });
     }
 }
@@ -103,7 +103,7 @@ pub(crate) struct Heat {
 
 /// L10: half of the power that the pair's absolute pressures and viscosity take from its motion; all of what a wall gives.
 #[inline(always)]
-fn heating<'r, K: Shape>(
+fn heating<'r, K: Shape, D: PairDissipation>(
     a: &Row,
     fluid: impl Iterator<Item = &'r Row>,
     walls: impl Iterator<Item = (&'r Row, &'r Face)>,
@@ -116,7 +116,7 @@ fn heating<'r, K: Shape>(
             continue;
         };
         let (du, dv) = (a.u - b.u, a.v - b.v);
-        let f = pair::force(a, b, &ab, c, c.alpha, c.nu);
+        let f = pair::force::<D>(a, b, &ab, c, c.nu);
         let closing = (du * ab.dx + dv * ab.dy) * ab.slope;
         heat.compression += b.volume * closing;
         heat.power += a.volume * b.volume * ambient * closing - 0.5 * (f[0] * du + f[1] * dv);
@@ -138,7 +138,7 @@ impl Fluid {
     pub(crate) fn evaluate_heating(&mut self) {
         let Some(gas) = self.parameters.gas else { return };
         self.heat.resize(self.particles.len(), Heat::default());
-        self.parameters.kernel.run(Heating {
+        self.parameters.sweep(Heating {
             fluid: &self.rows.fluid,
             walls: &self.rows.walls,
             faces: &self.rows.faces,

@@ -11,6 +11,7 @@
 pub mod audit;
 pub mod cells;
 pub mod density_filter;
+pub mod dissipation;
 mod dynamic_walls;
 pub mod eos;
 pub mod error;
@@ -41,6 +42,7 @@ pub mod walls;
 mod xsph;
 
 pub use density_filter::DensityFilter;
+pub use dissipation::Dissipation;
 pub use error::Breakdown;
 pub use fluid::Fluid;
 pub use ideal_gas::IdealGas;

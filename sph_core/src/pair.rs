@@ -3,6 +3,7 @@
 //! Each function gathers one target's sum over its neighbours. Forces between fluid and wall come from
 //! one function with the roles swapped, so that action equals reaction to rounding.
 
+use crate::dissipation::{ElasticPair, PairDissipation};
 use crate::kernel::Shape;
 use crate::particles::Surroundings;
 
@@ -71,14 +72,14 @@ pub struct Constants {
 }
 
 /// Geometry of a pair whose supports overlap: r_ab, h̄ = (h_a + h_b)/2 and ∇_a W_ab = `slope` r_ab.
-pub(crate) struct Bond {
-    pub dx: f64,
-    pub dy: f64,
-    r2: f64,
-    h: f64,
-    q: f64,
+pub struct Bond {
+    pub(crate) dx: f64,
+    pub(crate) dy: f64,
+    pub(crate) r2: f64,
+    pub(crate) h: f64,
+    pub(crate) q: f64,
     peak: f64, // α/h²
-    pub slope: f64,
+    pub(crate) slope: f64,
 }
 
 /// E2: the pair's kernel is taken at the mean smoothing length, so ∇_a W_ab = −∇_b W_ab exactly.
@@ -104,9 +105,9 @@ impl Bond {
     }
 }
 
-/// E4 + E5: dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
+/// E4 + E5 (R1): dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
 #[inline(always)]
-pub fn density_rate<'r, K: Shape>(
+pub fn density_rate<'r, K: Shape, D: PairDissipation>(
     a: &Row,
     rho_a: f64,
     fluid: impl Iterator<Item = &'r Row>,
@@ -123,7 +124,7 @@ pub fn density_rate<'r, K: Shape>(
         let hydrostatic = -c.rho0 * (c.gravity[0] * ab.dx + c.gravity[1] * ab.dy);
         let excess = b.p - a.p - hydrostatic;
         compression += b.volume * closing;
-        diffusion -= b.volume * ab.h * excess * ab.slope;
+        diffusion -= b.volume * D::length(&ab) * excess * ab.slope;
     }
     for w in walls {
         let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
@@ -136,17 +137,15 @@ pub fn density_rate<'r, K: Shape>(
         let closing = (2.0 * (un - w.vn) * rn + c.stretch * (ut - w.vt) * rt) * aw.slope;
         compression += w.volume * closing;
     }
-    rho_a * compression + 2.0 * c.delta / c.c0 * diffusion
+    rho_a * compression + D::rate(c) * diffusion
 }
 
-/// E6 + E7 + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
+/// E6 + E7 (R2) + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
 #[inline(always)]
-pub(crate) fn force(a: &Row, b: &Row, ab: &Bond, c: &Constants, alpha: f64, nu: f64) -> [f64; 2] {
+pub(crate) fn force<D: PairDissipation>(a: &Row, b: &Row, ab: &Bond, c: &Constants, nu: f64) -> [f64; 2] {
     let (du, dv) = (a.u - b.u, a.v - b.v);
-    let inverse = 1.0 / (ab.r2 + 0.01 * ab.h * ab.h);
-    let approach = (du * ab.dx + dv * ab.dy).min(0.0);
     let weight = a.volume * b.volume * ab.slope;
-    let normal = weight * (c.rho0 * alpha * c.c0 * ab.h * approach * inverse - (a.p + b.p));
+    let normal = weight * (D::pressure(ab, du * ab.dx + dv * ab.dy, c) - (a.p + b.p));
     let shear = weight * 2.0 * c.rho0 * nu; // (r·∇W)/r² is the kernel's slope: nothing to regularise
     [normal * ab.dx + shear * du, normal * ab.dy + shear * dv]
 }
@@ -168,7 +167,7 @@ pub struct Gathered {
 
 /// Forces on a fluid particle, and how its neighbours lie. `wall_nu` is ν where walls do not slip, else 0.
 #[inline(always)]
-pub fn momentum<'r, K: Shape>(
+pub fn momentum<'r, K: Shape, D: PairDissipation>(
     a: &Row,
     fluid: impl Iterator<Item = &'r Row>,
     walls: impl Iterator<Item = &'r Row>,
@@ -177,11 +176,11 @@ pub fn momentum<'r, K: Shape>(
 ) -> Gathered {
     let mut sum = MomentumSum { filling: a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h), ..MomentumSum::default() };
     for b in fluid {
-        sum.take::<K>(a, b, c, c.alpha, c.nu);
+        sum.take::<K, D>(a, b, c, c.nu);
     }
     let fluid_filling = sum.filling;
     for w in walls {
-        sum.take::<K>(a, w, c, 0.0, wall_nu);
+        sum.take::<K, ElasticPair>(a, w, c, wall_nu);
     }
     let lambda = smallest_eigenvalue(sum.spread);
     Gathered {
@@ -201,11 +200,11 @@ struct MomentumSum {
 
 impl MomentumSum {
     #[inline(always)]
-    fn take<K: Shape>(&mut self, a: &Row, b: &Row, c: &Constants, alpha: f64, nu: f64) {
+    fn take<K: Shape, D: PairDissipation>(&mut self, a: &Row, b: &Row, c: &Constants, nu: f64) {
         let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             return;
         };
-        let f = force(a, b, &ab, c, alpha, nu);
+        let f = force::<D>(a, b, &ab, c, nu);
         self.force[0] += f[0];
         self.force[1] += f[1];
         self.filling += b.fill * ab.w::<K>();
@@ -231,7 +230,7 @@ pub fn wall_force<'r, K: Shape>(
         let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, a.x, a.y, a.h) else {
             continue;
         };
-        let f = force(wall, a, &ab, c, 0.0, wall_nu);
+        let f = force::<ElasticPair>(wall, a, &ab, c, wall_nu);
         sum[0] += f[0];
         sum[1] += f[1];
     }
@@ -289,6 +288,7 @@ fn smallest_eigenvalue(m: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dissipation::DiffusivePair;
     use crate::kernel::WendlandC2;
 
     fn constants() -> Constants {
@@ -304,12 +304,12 @@ mod tests {
         let (a, mut b) = (row(0.0, 0.0, 1.0, -2.0, 350.0), row(0.1, 0.07, -0.5, 0.2, -80.0));
         b.h = 0.21;
         let c = constants();
-        let on_a = momentum::<WendlandC2>(&a, [b].iter(), [].iter(), &c, 0.0).force;
-        let on_b = momentum::<WendlandC2>(&b, [a].iter(), [].iter(), &c, 0.0).force;
+        let on_a = momentum::<WendlandC2, DiffusivePair>(&a, [b].iter(), [].iter(), &c, 0.0).force;
+        let on_b = momentum::<WendlandC2, DiffusivePair>(&b, [a].iter(), [].iter(), &c, 0.0).force;
         for k in 0..2 {
             assert!(on_a[k] != 0.0 && (on_a[k] + on_b[k]).abs() <= 1e-15 * on_a[k].abs());
         }
-        let on_fluid = momentum::<WendlandC2>(&a, [].iter(), [b].iter(), &c, c.nu).force;
+        let on_fluid = momentum::<WendlandC2, DiffusivePair>(&a, [].iter(), [b].iter(), &c, c.nu).force;
         let on_wall = wall_force::<WendlandC2>(&b, [a].iter(), &c, c.nu);
         for k in 0..2 {
             assert!(on_fluid[k] != 0.0 && (on_fluid[k] + on_wall[k]).abs() <= 1e-15 * on_fluid[k].abs());
@@ -321,7 +321,8 @@ mod tests {
         let c = constants();
         let mut b = row(0.1, 0.07, 0.0, 0.0, 0.0);
         b.p = c.rho0 * (c.gravity[0] * b.x + c.gravity[1] * b.y);
-        let rate = density_rate::<WendlandC2>(&row(0.0, 0.0, 0.0, 0.0, 0.0), 1000.0, [b].iter(), [].iter(), &c);
+        let a = row(0.0, 0.0, 0.0, 0.0, 0.0);
+        let rate = density_rate::<WendlandC2, DiffusivePair>(&a, 1000.0, [b].iter(), [].iter(), &c);
         assert!(rate.abs() < 1e-12, "{rate}");
     }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::density_filter::DensityFilter;
+use crate::dissipation::Dissipation;
 use crate::eos::Tait;
 use crate::ideal_gas::IdealGas;
 use crate::images::{Mirror, Periodic};
@@ -80,6 +81,8 @@ pub struct Parameters {
     pub periodic: Option<Periodic>,
     /// How walls keep the fluid out.
     pub walls: WallTreatment,
+    /// What smooths pressures and velocities between fluid particles: E5 and E7, or R1 and R2.
+    pub dissipation: Dissipation,
 }
 
 impl Parameters {
@@ -112,6 +115,7 @@ impl Parameters {
             hydrostatic_diffusion: true,
             shift_surface: false,
             walls: WallTreatment::default(),
+            dissipation: Dissipation::Diffusion,
         }
     }
 

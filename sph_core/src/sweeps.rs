@@ -1,11 +1,12 @@
-//! The four sweeps of a step: which rows meet in which sum. One dispatch on the kernel each.
+//! The four sweeps of a step: which rows meet in which sum. One dispatch on kernel and dissipation each.
 
+use crate::dissipation::{PairDissipation, WithPairs};
 use crate::kernel::{Shape, WithKernel};
 use crate::pair::{self, Constants, Extrapolated, Face, Gathered, Row};
 use crate::search::Search;
 use crate::sweep;
 
-/// E4 + E5: dρ/dt of every fluid particle.
+/// E4 + E5 (R1): dρ/dt of every fluid particle.
 pub(crate) struct DensityRate<'a> {
     pub fluid: &'a [Row],
     pub faces: &'a [Face],
@@ -17,15 +18,14 @@ pub(crate) struct DensityRate<'a> {
     pub out: &'a mut [f64],
 }
 
-impl WithKernel for DensityRate<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
+impl WithPairs for DensityRate<'_> {
+    fn with<K: Shape, D: PairDissipation>(self) {
         let DensityRate { fluid, faces, rho, search, constants, reflecting, out } = self;
         sweep::gather_into(out, |k| {
             let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
             let listed = if reflecting { search.walls_of_fluid.of(k) } else { &[] };
             let walls = listed.iter().map(|&j| &faces[j as usize]);
-            pair::density_rate::<K>(&fluid[k], rho[k], near, walls, &constants)
+            pair::density_rate::<K, D>(&fluid[k], rho[k], near, walls, &constants)
         });
     }
 }
@@ -51,7 +51,7 @@ impl WithKernel for WallState<'_> {
     }
 }
 
-/// E6–E8, E12–E14: force on every fluid particle, and how its neighbours lie.
+/// E6–E8 (R2), E12–E14: force on every fluid particle, and how its neighbours lie.
 pub(crate) struct Momentum<'a> {
     pub fluid: &'a [Row],
     pub walls: &'a [Row],
@@ -63,15 +63,14 @@ pub(crate) struct Momentum<'a> {
     pub out: &'a mut [Gathered],
 }
 
-impl WithKernel for Momentum<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
+impl WithPairs for Momentum<'_> {
+    fn with<K: Shape, D: PairDissipation>(self) {
         let Momentum { fluid, walls, search, constants, wall_nu, pushing, out } = self;
         sweep::gather_into(out, |k| {
             let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
             let listed = if pushing { search.walls_of_fluid.of(k) } else { &[] };
             let near_walls = listed.iter().map(|&j| &walls[j as usize]);
-            pair::momentum::<K>(&fluid[k], near, near_walls, &constants, wall_nu)
+            pair::momentum::<K, D>(&fluid[k], near, near_walls, &constants, wall_nu)
         });
     }
 }

@@ -63,6 +63,7 @@ fn the_options_bits_do_not_depend_on_threads() {
         [&eddies[..], &[coarse, "fluid.xsph=0.5", "fluid.integrator=beeman"]].concat(),
         vec![coarse, "fluid.equation_of_state=ideal_gas", "fluid.molar_mass=2.1", "fluid.integrator=verlet"],
         vec![coarse, "fluid.density_filter=shepard", "fluid.density_filter_every=5"],
+        vec![coarse, "fluid.dissipation=riemann"],
     ] {
         let with = |threads: usize| {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");

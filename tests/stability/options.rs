@@ -57,6 +57,16 @@ fn every_filter_viscosity_and_law_runs_a_dam_break() {
     completes(&HEAVY_GAS);
 }
 
+/// The Riemann form (THEORY R1, R2) in place of density diffusion and artificial viscosity.
+#[test]
+fn the_riemann_form_runs_a_dam_break_with_every_integrator_and_in_gas() {
+    let riemann = "fluid.dissipation=riemann";
+    for integrator in ["symplectic", "predictor_corrector", "verlet", "beeman"] {
+        completes(&[riemann, &format!("fluid.integrator={integrator}")]);
+    }
+    completes(&[&HEAVY_GAS[..], &[riemann]].concat());
+}
+
 #[test]
 fn options_run_together_and_as_the_thesis_had_them() {
     let all = ["fluid.density_filter=mls", "fluid.xsph=0.5", "fluid.kinematic_viscosity=1e-6", "fluid.turbulence=sps"];

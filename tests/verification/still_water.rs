@@ -24,6 +24,7 @@ fn pressure_error(system: &Coupled, depth: f64) -> f64 {
 fn still_water_carries_its_weight() {
     for (what, tolerance, sets) in [
         ("even", 0.01, vec!["resolution.spacing=0.05"]),
+        ("riemann", 0.01, vec!["resolution.spacing=0.05", "fluid.dissipation=riemann"]),
         ("staggered", 0.02, vec!["resolution.spacing=0.05", "resolution.lattice=staggered"]),
         ("graded", 0.02, vec!["resolution.spacing=0.025", "resolution.growth=1.05", "resolution.fine_zone=[0.3, 0.3]"]),
     ] {

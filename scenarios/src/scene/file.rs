@@ -8,8 +8,8 @@ use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::model::{
-    Body, DensityEvolution, DensityFilter, DiffusionForm, EquationOfState, GaugeFrame, Integrator, Kernel, Lattice,
-    Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
+    Body, DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, GaugeFrame, Integrator, Kernel,
+    Lattice, Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
 };
 use fsi_coupling::Shape;
 
@@ -96,6 +96,7 @@ pub struct FluidFile {
     pub density_diffusion_form: Option<DiffusionForm>,
     pub walls: Option<WallModel>,
     pub limit_pressure: Option<i64>,
+    pub dissipation: Option<Dissipation>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -4,8 +4,8 @@ pub use fsi_coupling::fill::Lattice;
 use serde::{Deserialize, Serialize};
 
 pub use super::model_fluid::{
-    DensityEvolution, DensityFilter, DiffusionForm, EquationOfState, Fluid, IdealGas, Integrator, Kernel, Turbulence,
-    WallModel, WallSlip,
+    DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, Fluid, IdealGas, Integrator, Kernel,
+    Turbulence, WallModel, WallSlip,
 };
 
 use super::auto::fastest_speed;

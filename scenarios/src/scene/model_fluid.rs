@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 pub use sph_core::{
-    DensityEvolution, DensityFilter, IdealGas, Integrator, Kernel, Slip as WallSlip, Turbulence, WallModel,
+    DensityEvolution, DensityFilter, Dissipation, IdealGas, Integrator, Kernel, Slip as WallSlip, Turbulence, WallModel,
 };
 
 /// The water and the numerical scheme.
@@ -64,6 +64,8 @@ pub struct Fluid {
     pub walls: WallModel,
     /// Dynamic walls' pressure at the start: 0 none, 1 that of the water beside them.
     pub limit_pressure: i64,
+    /// What smooths pressures and velocities between particles of water.
+    pub dissipation: Dissipation,
 }
 
 /// What gives the pressure.

@@ -4,8 +4,8 @@ use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{
-    Compare, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice, Observe, Report, Resolution, Scene, Tank,
-    Time,
+    Compare, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice, Observe, Report, Resolution,
+    Scene, Tank, Time,
 };
 use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
@@ -135,6 +135,7 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         return Err(Problem::missing("fluid.sound_speed", why));
     }
     let integrator = file.integrator.unwrap_or_default();
+    let dissipation = file.dissipation.unwrap_or_default();
     let usual_exponent = if gaseous { AIR_EXPONENT } else { TAIT_EXPONENT };
     let mut fluid = Fluid {
         density,
@@ -143,9 +144,9 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         eos_exponent: within("fluid.eos_exponent", file.eos_exponent.unwrap_or(usual_exponent), 1.0..=10.0)?,
         kernel: file.kernel.unwrap_or_default(),
         smoothing_ratio: within("fluid.smoothing_ratio", file.smoothing_ratio.unwrap_or(1.5), 1.0..=3.0)?,
-        artificial_viscosity: not_negative("fluid.artificial_viscosity", file.artificial_viscosity.unwrap_or(0.02))?,
+        artificial_viscosity: coefficient("fluid.artificial_viscosity", file.artificial_viscosity, 0.02, dissipation)?,
         kinematic_viscosity: not_negative("fluid.kinematic_viscosity", file.kinematic_viscosity.unwrap_or(0.0))?,
-        density_diffusion: not_negative("fluid.density_diffusion", file.density_diffusion.unwrap_or(0.3))?,
+        density_diffusion: coefficient("fluid.density_diffusion", file.density_diffusion, 0.3, dissipation)?,
         shifting: file.shifting.unwrap_or(true),
         volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
@@ -168,6 +169,7 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
             option @ (0 | 1) => option,
             other => return Err(Problem::new("fluid.limit_pressure", other, "0 or 1")),
         },
+        dissipation,
     };
     if fluid.density_filter_every == 0 {
         return Err(Problem::new("fluid.density_filter_every", 0, "a number of steps of at least 1"));
@@ -189,6 +191,18 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         fluid.sound_speed = gas_sound_speed(&gas, file.sound_speed)?;
     }
     Ok(fluid)
+}
+
+/// A coefficient of the diffusive dissipation [-]: of the Riemann form, which takes its place, 0.
+fn coefficient(key: &str, given: Option<f64>, usual: f64, dissipation: Dissipation) -> Result<f64, Problem> {
+    match (dissipation, given) {
+        (Dissipation::Diffusion, given) => not_negative(key, given.unwrap_or(usual)),
+        (Dissipation::Riemann, None | Some(0.0)) => Ok(0.0),
+        (Dissipation::Riemann, Some(value)) => {
+            let expected = "none, or 0, with fluid.dissipation = \"riemann\", which has no coefficients";
+            Err(Problem::new(key, value, expected))
+        }
+    }
 }
 
 /// Speed of sound of a gas at rest [m/s]: its temperature's; a scene that says another contradicts itself.

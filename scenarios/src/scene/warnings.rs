@@ -5,7 +5,7 @@ use fsi_coupling::polygon;
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
 use super::impact::{Entry, compressibility_error};
-use super::model::{DensityEvolution, Gauge, Integrator, Kernel, Motion, Scene};
+use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Motion, Scene};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -21,6 +21,15 @@ const LIGHTEST_BODY: f64 = 0.6;
 
 /// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
 const LARGEST_VERLET_GROWTH: f64 = 10.0;
+/// Courant number up to which the Riemann form runs with every kernel tried (R3).
+const RIEMANN_CFL: f64 = 0.7;
+
+/// Courant number at which stretched walls run without artificial viscosity.
+const STRETCHED_CFL: f64 = 0.4;
+
+/// δ that damps a single particle's density as the Riemann form does [-], with Wendland C2 (R1).
+const RIEMANN_DELTA: f64 = 1.0 / 3.0;
+
 /// Samples in a period of a gauge's bandwidth.
 const SAMPLES_PER_PERIOD: f64 = 5.0;
 
@@ -42,6 +51,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.fluid.cfl > LARGEST_CFL {
         warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.2 blew up", scene.fluid.cfl));
     }
+    warnings.extend(strained_riemann(scene));
     let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
     let acoustic = h / (scene.fluid.sound_speed + scene.fastest_speed());
     if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * acoustic) {
@@ -76,19 +86,45 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     warnings
 }
 
+/// The Riemann form's limits of the step (R3), and of stretched walls without a linear viscosity.
+fn strained_riemann(scene: &Scene) -> Vec<String> {
+    let (fluid, mut warnings) = (&scene.fluid, Vec::new());
+    if fluid.dissipation == Dissipation::Riemann && fluid.cfl > RIEMANN_CFL {
+        warnings.push(format!(
+            "fluid.cfl = {} with fluid.dissipation = \"riemann\": 0.7 ran and 0.75 did not with wendland_c4, 0.85 ran and \
+             0.9 did not with wendland_c2",
+            fluid.cfl
+        ));
+    }
+    if fluid.wall_stretch && fluid.artificial_viscosity == 0.0 && fluid.cfl > STRETCHED_CFL {
+        warnings.push(format!(
+            "fluid.wall_stretch without artificial viscosity at fluid.cfl = {}: the force on a wedge broke into \
+             oscillation late in a run; at 0.4, or with fluid.artificial_viscosity = 0.02, it did not",
+            fluid.cfl
+        ));
+    }
+    warnings
+}
+
 /// Between two Euler steps, dissipation damps the flow by about e^(−d) a step, d = 7 δ C, and grows the difference of
 /// Verlet's two time levels by as much (L1); an Euler step leaves about ½d² of it.
 fn loose_verlet(scene: &Scene) -> Option<String> {
     let fluid = &scene.fluid;
     let every = f64::from(fluid.verlet_correction_every);
-    let damping = 7.0 * fluid.density_diffusion * fluid.cfl;
+    let (delta, diffusion) = match fluid.dissipation {
+        Dissipation::Diffusion => {
+            (fluid.density_diffusion, format!("fluid.density_diffusion = {}", fluid.density_diffusion))
+        }
+        Dissipation::Riemann => (RIEMANN_DELTA, "fluid.dissipation = \"riemann\"".to_string()),
+    };
+    let damping = 7.0 * delta * fluid.cfl;
     let growth = 0.5 * damping * damping * (damping * every).exp();
     let loose = every == 0.0 || growth > LARGEST_VERLET_GROWTH;
     (fluid.integrator == Integrator::Verlet && loose).then(|| {
         format!(
-            "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and fluid.density_diffusion = {} the two time \
+            "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and {diffusion} the two time \
              levels of verlet drift apart; correct more often, or lower either",
-            fluid.cfl, fluid.density_diffusion
+            fluid.cfl
         )
     })
 }

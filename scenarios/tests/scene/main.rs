@@ -68,7 +68,9 @@ fn resolved_scene_loads_again_to_itself() {
         "gauges=[]",
     ];
     let gas = drop_with(&["fluid.equation_of_state=ideal_gas", "time.step=1e-5"]);
-    let mut scenes = vec![drop_with(&[]), drop_with(&plate), gas];
+    let riemann = drop_with(&["fluid.dissipation=riemann"]);
+    assert_eq!([riemann.fluid.density_diffusion, riemann.fluid.artificial_viscosity], [0.0; 2], "no coefficients");
+    let mut scenes = vec![drop_with(&[]), drop_with(&plate), gas, riemann];
     for (name, _) in builtin() {
         scenes.push(load(name, &[]).expect("a built-in scene loads").scene);
     }
@@ -201,6 +203,10 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
         (&["time.step=2.5e-5"], &["time.step=1e-5"], "time.step = 0.000025 s is"),
         (&["fluid.integrator=verlet", "fluid.verlet_correction_every=0"], &["fluid.integrator=verlet"], "drift apart"),
         (&["fluid.integrator=verlet", "fluid.cfl=0.1"], &["fluid.integrator=verlet", "fluid.cfl=0.1", "fluid.verlet_correction_every=10"], "drift apart"),
+        (&["fluid.integrator=verlet", "fluid.dissipation=riemann", "fluid.cfl=0.1"], &["fluid.integrator=verlet", "fluid.dissipation=riemann"], "drift apart"),
+        (&["fluid.dissipation=riemann", "fluid.cfl=0.75"], &["fluid.dissipation=riemann"], "0.75 did not"),
+        (&["fluid.dissipation=riemann", "fluid.wall_stretch=true"], &["fluid.wall_stretch=true"], "broke into oscillation"),
+        (&["fluid.dissipation=riemann", "fluid.wall_stretch=true"], &["fluid.dissipation=riemann", "fluid.wall_stretch=true", "fluid.cfl=0.4"], "broke into oscillation"),
         (&["fluid.density_evolution=summation"], &[], "fails at a free surface"),
         (&["body.mass=0.5"], &[], "light for weak coupling"),
         (&["resolution.growth=1.5"], &[], "9 % of the force"),
