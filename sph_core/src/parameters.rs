@@ -100,7 +100,7 @@ impl Parameters {
             volume_correction: false,
             slip: Slip::Free,
             wall_stretch: false,
-            ventilation: true,
+            ventilation: false,
             integrator: Integrator::Symplectic,
             cfl: 0.6,
             mirror: None,

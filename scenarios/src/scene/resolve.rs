@@ -151,7 +151,7 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
         wall_stretch: file.wall_stretch.unwrap_or(false),
-        ventilation: file.ventilation.unwrap_or(true),
+        ventilation: file.ventilation.unwrap_or(false),
         integrator,
         cfl: positive("fluid.cfl", file.cfl.unwrap_or(usual_cfl(integrator)))?,
         verlet_correction_every: file.verlet_correction_every.unwrap_or(40),
