@@ -4,19 +4,43 @@
 const SMOOTHED: f64 = 4.0;
 /// Noise is told up to this share of the way to the pressure peak, where the profile turns sharply.
 const UP_TO: f64 = 0.9;
+/// Points of at least this share of the largest value tell the peak's place.
+const NEAR_PEAK: f64 = 0.97;
 
-/// Place of the largest value of a profile (x, value): the parabola through its largest point and the two beside it;
-/// the point itself at an end of the profile.
+/// Place of the largest value of a profile (x, value): the top of the parabola that fits, by least squares, the points
+/// about the largest that reach 97 % of it; the largest point itself at an end of the profile, or where fewer than three
+/// points reach that far or they have no top. So noise moves it little; the exact profiles at 10, 20 and 30 degrees give it within 0.2 %.
 pub fn peak_place(profile: &[[f64; 2]]) -> Option<f64> {
     let top = (0..profile.len()).max_by(|a, b| profile[*a][1].total_cmp(&profile[*b][1]))?;
-    let [x, at_top] = profile[top];
-    if top == 0 || top + 1 == profile.len() {
-        return Some(x);
+    let [at, largest] = profile[top];
+    let high = |k: &usize| profile[*k][1] >= NEAR_PEAK * largest;
+    let from = (0..top).rev().take_while(high).last().unwrap_or(top);
+    let to = (top..profile.len()).take_while(high).last().unwrap_or(top);
+    if from == 0 || to + 1 == profile.len() || to - from < 2 {
+        return Some(at);
     }
-    let (before, after) = (profile[top - 1], profile[top + 1]);
-    let (fall, rise) = (at_top - before[1], at_top - after[1]);
-    let step = 0.5 * (after[0] - before[0]);
-    Some(if fall + rise > 0.0 { x + 0.5 * step * (fall - rise) / (fall + rise) } else { x })
+    let near = profile[from..=to].iter().map(|[x, value]| [x - at, value - largest]);
+    Some(at + summit(near).unwrap_or(0.0))
+}
+
+/// Where the least-squares parabola through points (x, value) is highest; `None` where it has no top.
+fn summit(points: impl Iterator<Item = [f64; 2]> + Clone) -> Option<f64> {
+    let (n, sum) = points.clone().fold((0.0, 0.0), |(n, sum), [x, _]| (n + 1.0, sum + x));
+    let middle = sum / n;
+    let (mut power, mut moment) = ([0.0; 5], [0.0; 3]);
+    for [x, value] in points {
+        let d = x - middle;
+        let powers = [1.0, d, d * d, d.powi(3), d.powi(4)];
+        power.iter_mut().zip(powers).for_each(|(sum, term)| *sum += term);
+        moment.iter_mut().zip(powers).for_each(|(sum, term)| *sum += term * value);
+    }
+    // value = a + b d + c d²; the first moment of d is zero
+    let [m0, _, m2, m3, m4] = power;
+    let [v0, v1, v2] = moment;
+    let determinant = m0 * (m2 * m4 - m3 * m3) - m2.powi(3);
+    let bend = (m0 * (m2 * v2 - m3 * v1) - m2 * m2 * v0) / determinant;
+    let slope = (v1 - bend * m3) / m2;
+    (bend < 0.0).then(|| middle - 0.5 * slope / bend)
 }
 
 /// RMS of what a running mean over four spacings leaves of a profile (x, Cp), sampled evenly, from two spacings
@@ -47,6 +71,8 @@ mod tests {
     fn the_peak_of_a_parabola_is_found_between_samples() {
         let profile = sampled(|x| 3.0 - (x - 0.47123).powi(2));
         assert!((peak_place(&profile).expect("a profile") - 0.47123).abs() < 1e-9);
+        let waves = sampled(|x| 3.0 - (x - 0.47123).powi(2) + 0.001 * (600.0 * x).sin());
+        assert!((peak_place(&waves).expect("a profile") - 0.47123).abs() < 0.003, "noise moves it by as much");
         assert_eq!(peak_place(&sampled(|x| -x)), Some(0.0005));
         assert_eq!(peak_place(&[]), None);
     }

@@ -35,7 +35,8 @@ pub struct SimilarityResult {
     pub cp_max_sd: f64,
     /// Largest value of the window's mean profile [-].
     pub cp_max_of_mean: f64,
-    /// Height of that largest value above still water over Vt [-].
+    /// Height of the mean profile's peak above still water over Vt [-]: the top of the parabola that fits what is within 3 %
+    /// of its largest value.
     pub z_max_over_vt: f64,
     /// RMS difference of the mean profile from the exact one, from the keel to the pressure peak (to four fifths
     /// of the wetted width where the peak is at the keel), over the exact largest Cp [-]; `null` where no exact
@@ -47,7 +48,7 @@ pub struct SimilarityResult {
     /// from two spacings beside the keel to 0.9 of the way to the pressure peak (to four fifths of the wetted width
     /// where the peak is at the keel), over `cp_max_of_mean` [-] (THEORY G5); `null` on a face too short to tell.
     pub cp_noise: Option<f64>,
-    /// Relative error of the height z of the mean profile's peak, interpolated between its points [-]; `null` where no
+    /// Relative error of `z_max_over_vt` [-]; `null` where no
     /// exact solution is tabulated.
     pub z_max_error: Option<f64>,
     /// Impulse of the force since first contact, 2∫F dt/(ρV³t²), at the window's end [-] (THEORY G5): the same number as
@@ -119,6 +120,7 @@ impl SimilarityWindow {
         let ((force, force_sd), (peak, peak_sd)) = (moments(&self.forces), moments(&self.peaks));
         let least = 0.8 * std::f64::consts::FRAC_PI_2 / self.tan;
         let z = |x: f64| x * self.tan - 1.0;
+        let place = peak_place(&profile)?;
         // Where the peak is at the keel there is no way to it.
         let at_keel = exact.map_or(top[0] < 0.5 * least, |e| e.z_max_over_vt <= -1.0);
         let end = if at_keel { least / 0.9 } else { top[0] };
@@ -132,12 +134,12 @@ impl SimilarityWindow {
             cp_max: peak,
             cp_max_sd: peak_sd,
             cp_max_of_mean: top[1],
-            z_max_over_vt: top[0] * self.tan - 1.0,
+            z_max_over_vt: z(place),
             profile_error: exact.map(|e| e.profile_error(&profile, least)),
             impulse_coefficient: 2.0 * self.impulse / (self.rho * self.speed.powi(3) * last * last),
             profile_error_snapshot: exact.map(|e| e.profile_error(&self.snapshot, least)),
             cp_noise: noise(&self.snapshot, spacing, end, top[1]),
-            z_max_error: exact.and_then(|e| Some((z(peak_place(&profile)?) - e.z_max_over_vt) / e.z_max_over_vt.abs())),
+            z_max_error: exact.map(|e| (z(place) - e.z_max_over_vt) / e.z_max_over_vt.abs()),
             profile,
         })
     }
