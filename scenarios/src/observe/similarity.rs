@@ -45,7 +45,7 @@ pub struct SimilarityResult {
     /// As `profile_error`, of one snapshot: the last [-].
     pub profile_error_snapshot: Option<f64>,
     /// Pressure noise along the face of the last snapshot: RMS of the profile less its running mean over four spacings,
-    /// from two spacings beside the keel to 0.9 of the way to the pressure peak (to four fifths of the wetted width
+    /// from two spacings beside the keel to 0.9 of the way to the exact pressure peak (to four fifths of the wetted width
     /// where the peak is at the keel), over `cp_max_of_mean` [-] (THEORY G5); `null` on a face too short to tell.
     pub cp_noise: Option<f64>,
     /// Relative error of `z_max_over_vt` [-]; `null` where no
@@ -122,8 +122,8 @@ impl SimilarityWindow {
         let z = |x: f64| x * self.tan - 1.0;
         let place = peak_place(&profile)?;
         // Where the peak is at the keel there is no way to it.
-        let at_keel = exact.map_or(top[0] < 0.5 * least, |e| e.z_max_over_vt <= -1.0);
-        let end = if at_keel { least / 0.9 } else { top[0] };
+        let peak_at = exact.map_or(top[0], |e| (1.0 + e.z_max_over_vt) / self.tan);
+        let end = if peak_at < 0.5 * least { least / 0.9 } else { peak_at };
         let cos = 1.0 / self.tan.hypot(1.0);
         let spacing = self.spacing * cos / (self.speed * last);
         Some(SimilarityResult {
