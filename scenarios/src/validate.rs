@@ -150,6 +150,8 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
             source: c.reference.clone(),
             core_seconds: cost,
         }));
+        let judged = summary.comparison.iter().filter(|c| c.tolerance.is_some()).count();
+        lines.extend(missing(case, judged, cost)?);
     }
     if let Some(coarser) = &case.coarser {
         let coarse = serde_json::to_value(run_with(case, &coarser.set, None)?).unwrap_or_default();
@@ -158,6 +160,23 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
     let finished = summary.status == crate::summary::Status::Completed;
     lines.iter_mut().for_each(|l| l.holds &= finished);
     Ok(lines)
+}
+
+/// The line that says so when a run gave nothing to judge some of its scene's comparisons by.
+fn missing(case: &Case, judged: usize, core_seconds: f64) -> Result<Option<Line>, ValidateError> {
+    let scene = scene::load(&case.scene, &case.set)?.scene;
+    let asked = scene.compare.iter().filter(|c| c.tolerance.is_some()).count();
+    Ok((judged < asked).then(|| Line {
+        case: case.name.clone(),
+        quantity: "comparisons that the run could be judged by".into(),
+        ours: judged as f64,
+        theirs: number(asked as f64),
+        error: None,
+        allowed: "all".into(),
+        holds: false,
+        source: case.scene.clone(),
+        core_seconds,
+    }))
 }
 
 fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<Summary, ValidateError> {
@@ -176,7 +195,7 @@ fn judge(case: &Case, expect: &Expect, json: &Value, core_seconds: f64) -> Line 
     let error = expect.reference.map(|r| ours / r - 1.0);
     let near = match (error, expect.tolerance) {
         (Some(error), Some(tolerance)) => error.abs() <= tolerance,
-        _ => true,
+        _ => expect.at_most.is_some(), // a number that nothing bounds is not judged: it does not hold
     };
     let bounded = expect.at_most.is_none_or(|bound| ours.abs() <= bound);
     let mut allowed = Vec::new();
