@@ -73,7 +73,7 @@ pub struct Coupled {
     pub walls: Walls,
     members: Vec<Member>,
     exchange: Exchange,
-    saved: Option<(Walls, MomentumAudit)>,
+    saved: Option<(Walls, Exchange, MomentumAudit)>,
     play: f64,
     audit: MomentumAudit,
     energy_at_start: f64,
@@ -159,19 +159,21 @@ impl Coupled {
         self.refuse_collision()
     }
 
-    /// Remember the present state, of fluid, walls, bodies and audit; replaces the one remembered before. An iterated
-    /// scheme remembers the start of each step in the fluid's place: with one, go back before the next step is begun.
+    /// Remember the present state, of fluid, walls, bodies, exchange and audit; replaces the one remembered before.
     pub fn save(&mut self) {
+        if self.saved.is_some() {
+            self.fluid.forget();
+        }
         self.fluid.save();
-        self.saved = Some((self.walls.clone(), self.audit));
+        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit));
         self.members.iter_mut().for_each(|m| m.body.save());
     }
 
     /// Return to the state last saved; without one nothing happens.
     pub fn restore(&mut self) {
-        let Some((walls, audit)) = &self.saved else { return };
+        let Some((walls, exchange, audit)) = &self.saved else { return };
         self.fluid.restore();
-        (self.walls, self.audit) = (walls.clone(), *audit);
+        (self.walls, self.exchange, self.audit) = (walls.clone(), exchange.clone(), *audit);
         self.members.iter_mut().for_each(|m| m.body.restore());
     }
 

@@ -42,6 +42,7 @@ pub struct Agreement {
 }
 
 /// The exchange of a step, by a scheme.
+#[derive(Clone)]
 pub(crate) struct Exchange {
     scheme: Scheme,
     relaxation: Relaxation,
@@ -78,7 +79,10 @@ impl Exchange {
                 }
             }
             Scheme::Aitken(iteration) | Scheme::IqnIls(iteration) => {
-                return self.iterate(fluid, walls, owners, attempt, iteration);
+                fluid.save();
+                let ended = self.iterate(fluid, walls, owners, attempt, iteration);
+                fluid.forget();
+                return ended;
             }
         }
         let residual = Residual::of(&owners, walls).relative;
@@ -86,7 +90,7 @@ impl Exchange {
         Ok(())
     }
 
-    /// C5–C7: repeat the step with better and better accelerations.
+    /// C5–C7: repeat the step, from the state that the fluid remembers, with better and better accelerations.
     fn iterate(
         &mut self,
         fluid: &mut Fluid,
@@ -95,7 +99,6 @@ impl Exchange {
         mut attempt: impl FnMut(&mut Fluid, &mut Walls) -> Result<(), Breakdown>,
         Iteration { tolerance, max_iterations }: Iteration,
     ) -> Result<(), CouplingError> {
-        fluid.save();
         let (start, first) = (walls.clone(), owners.clone());
         self.relaxation.begin();
         let time = fluid.time;

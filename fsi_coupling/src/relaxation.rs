@@ -12,18 +12,21 @@ const NEW: f64 = 1e-3;
 const MEMORY: usize = 2;
 
 /// A relaxation, with what it has learnt.
+#[derive(Clone)]
 pub(crate) struct Relaxation {
     method: Method,
     /// Unknowns and residuals of the iteration before, in the same step.
     last: Option<[Vec<f64>; 2]>,
 }
 
+#[derive(Clone)]
 enum Method {
     Aitken { factor: f64 },
     QuasiNewton { columns: VecDeque<Column> },
 }
 
 /// Between two iterations: change of the residual, and of what the step made of the unknowns.
+#[derive(Clone)]
 struct Column {
     residual: Vec<f64>,
     outcome: Vec<f64>,

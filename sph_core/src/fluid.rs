@@ -44,7 +44,7 @@ pub struct Fluid {
     pub(crate) wall_force: Vec<[f64; 2]>,
     pub(crate) scratch: Vec<f64>,
     pub(crate) dynamic_walls: DynamicWalls,
-    pub(crate) saved: Option<Box<Saved>>,
+    pub(crate) saved: Vec<Saved>,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -95,7 +95,7 @@ impl Fluid {
             stress: Vec::new(),
             scratch: Vec::new(),
             dynamic_walls: DynamicWalls::default(),
-            saved: None,
+            saved: Vec::new(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
