@@ -57,12 +57,11 @@ fn weak_coupling_fails_where_the_estimate_says_and_the_others_nowhere() {
 }
 
 /// A box of a twentieth of the water's density, released under water at two spacings: weak coupling breaks down at once;
-/// with the others it floats up, leaves the water, falls back and comes to rest, and what it was thrown about by stays below
-/// a few hundred m/s² (its own weight over its mass and half the added mass is 70 m/s²).
+/// with the others it floats up, leaves the water and falls back, and never meets more than a few hundred m/s².
 #[test]
 fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
     let (depth, thick) = (0.5, "fluid.kinematic_viscosity=0.02");
-    for spacing in [0.02, 0.0125] {
+    for spacing in [1.0 / 60.0, 0.0125] {
         let mut weak = light_box(-0.25, depth, spacing, &[thick]);
         let ended = advance(&mut weak, 0.05, |_| ());
         let spin = weak.bodies().find_map(|body| body.motion()).expect("a box").acceleration;
@@ -73,7 +72,7 @@ fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
             let mut top = f64::NEG_INFINITY;
             let up = settle(&mut system, depth, spacing, [0.0, 0.6]);
             top = top.max(-up.least);
-            let rest = settle(&mut system, depth, spacing, [1.6, 2.0]);
+            let rest = settle(&mut system, depth, spacing, [1.0, 1.2]);
             let (momentum, lost) = (system.momentum_audit().worst, system.energy_drift());
             println!(
                 "{spacing} {scheme}: {:?}, {:.0} m/s^2, bottom up to {top:.3} m over the water, draught {:.2} +- {:.2} of exact, \
