@@ -112,8 +112,8 @@ impl Forecast {
         let radius = ratios.into_iter().fold(0.0, f64::max);
         let [x, y, turn] = ratios;
         let verdict = match self.coupling_scheme {
-            CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts by {radius:.2} a step"),
-            CouplingScheme::Weak => format!("exchange grows by {radius:.2} a step: take added_mass"),
+            CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
+            CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
             CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
             CouplingScheme::Aitken | CouplingScheme::IqnIls => "iterated until it agrees".into(),
         };
