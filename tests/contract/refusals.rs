@@ -109,6 +109,7 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         (gauge("bandwidth = -50"), 17, &["`gauges[0].bandwidth` = -50", "expected a finite number above 0"]),
         (coupling("scheme = \"strong\""), 7, &["`coupling.scheme`", "strong", "iqn_ils"]),
         (coupling("scheme = \"aitken\"\n[fluid]\nwalls = \"mirror_point\""), 7, &["`coupling.scheme` = \"aitken\"", "expected \"weak\" with these fluid.walls"]),
+        (coupling("scheme = \"iqn_ils\"\n[fluid]\nintegrator = \"predictor_corrector\""), 7, &["`coupling.scheme` = \"iqn_ils\"", "expected \"added_mass\" with fluid.integrator"]),
         (coupling("tolerance = 0"), 7, &["`coupling.tolerance` = 0", "expected a number from"]),
         (coupling("max_iterations = 0"), 7, &["`coupling.max_iterations` = 0", "expected a number of iterations of at least 1"]),
         (coupling("max_iterations = -3"), 7, &["`coupling.max_iterations`", "-3", whole]),

@@ -39,7 +39,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         }
     };
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
-    let coupling = resolve_coupling(&file.coupling, fluid.walls)?;
+    let coupling = resolve_coupling(&file.coupling, &fluid)?;
     let spacing = required("resolution.spacing", file.resolution.spacing, "the finest spacing [m]")?;
     let spacing = positive("resolution.spacing", spacing)?;
     let (tank, fine_zone) = match &entry {
@@ -79,10 +79,16 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     })
 }
 
-fn resolve_coupling(file: &CouplingFile, walls: WallModel) -> Result<Coupling, Problem> {
+fn resolve_coupling(file: &CouplingFile, fluid: &Fluid) -> Result<Coupling, Problem> {
     let scheme = file.scheme.unwrap_or_default();
-    if scheme != CouplingScheme::Weak && walls != WallModel::Extrapolated {
+    if scheme != CouplingScheme::Weak && fluid.walls != WallModel::Extrapolated {
         let expected = "\"weak\" with these fluid.walls: only \"extrapolated\" walls feel a body's acceleration";
+        return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
+    }
+    let iterated = matches!(scheme, CouplingScheme::Aitken | CouplingScheme::IqnIls);
+    if iterated && fluid.integrator == Integrator::PredictorCorrector {
+        // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY C5)
+        let expected = "\"added_mass\" with fluid.integrator = \"predictor_corrector\", or another integrator";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
     }
     let max_iterations = file.max_iterations.unwrap_or(50);
