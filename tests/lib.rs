@@ -6,13 +6,15 @@
 //! - `stability`: known failures of the method, each asserted, with its remedy beside it.
 //!
 //! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
-//! coarse [`systems`] to step, [`bare`] fluids without bodies, a hand-made [`load`] to push bodies with, linear theory of
+//! coarse [`systems`] to step, [`bare`] fluids without bodies, a hand-made [`load`] to push bodies with, a [`light`] box, linear theory of
 //! [`heave`], and small [`statistics`].
 
 #[path = "support/bare.rs"]
 pub mod bare;
 #[path = "support/heave.rs"]
 pub mod heave;
+#[path = "support/light.rs"]
+pub mod light;
 #[path = "support/load.rs"]
 pub mod load;
 #[path = "support/statistics.rs"]

@@ -1,6 +1,6 @@
 //! What a wetted body is: three verbs (place, load, advance) with contracts, and what observers may ask.
 
-use sph_core::{WallForces, WallPoint, WallsMut};
+use sph_core::{WallForces, WallPoint, WallsMut, Yielding};
 
 use crate::outline::Outline;
 use crate::rows::Arrangement;
@@ -98,6 +98,13 @@ pub trait WettedBody: Send {
     /// H: write where the boundary particles will be `ahead` [s] from now, their mean velocity until
     /// then, and their acceleration. After `advance(ahead)` the body is there, to second order.
     fn place(&self, ahead: f64, out: WallsMut<'_>);
+
+    /// How a force at the end of a step of `ahead` [s] accelerates the body (THEORY C2): its motion as `place` writes it,
+    /// inertia, and acceleration without a fluid; `range` and `mirrored` are the caller's. `None` for a body whose motion
+    /// is given, or is not rigid.
+    fn yielding(&self, _ahead: f64) -> Option<Yielding> {
+        None
+    }
 
     /// Hᵀ: take the fluid's force; replaces the previous load. The mean force is what momentum obeys,
     /// the force now is what the next acceleration is predicted from.

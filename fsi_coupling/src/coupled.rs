@@ -2,25 +2,14 @@
 
 use std::ops::Range;
 
-use serde::{Deserialize, Serialize};
 use sph_core::audit::FluidEnergy;
-use sph_core::{Breakdown, Fluid, Walls};
+use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::body::{BodyError, WettedBody};
 use crate::contact::throw_back;
+use crate::exchange::{Agreement, Exchange, Scheme};
 use crate::penetration::{Penetration, run_into};
 use crate::rows::Arrangement;
-
-/// How fluid and bodies agree on a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Scheme {
-    /// Each body moves once a step, under the fluid's force at its predicted place.
-    #[default]
-    Weak,
-    /// Repeat the step until the interface agrees. Not available yet: choosing it is an error.
-    Iterated,
-}
 
 /// A coupled run cannot be set up or cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -51,9 +40,21 @@ pub enum CouplingError {
     /// The bodies leave no room for water.
     #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
     NoFluid,
-    /// A scheme that is named but not built.
-    #[error("coupling scheme `iterated` is not available in this version: use `weak`")]
-    SchemeNotAvailable,
+    /// The iteration of a step did not agree.
+    #[error(
+        "coupling: after {iterations} iterations at t = {time:.6e} s fluid and bodies disagree by {residual:.3e} of the \
+         acceleration, tolerance {tolerance:.1e}: try coupling.scheme = \"added_mass\", or more iterations"
+    )]
+    NotConverged {
+        /// Iterations made.
+        iterations: u32,
+        /// Residual (THEORY C5) [-].
+        residual: f64,
+        /// Residual that was asked for [-].
+        tolerance: f64,
+        /// Start of the step [s].
+        time: f64,
+    },
 }
 
 /// Bodies may touch: this share of a spacing beyond each other is no collision.
@@ -71,6 +72,8 @@ pub struct Coupled {
     /// All boundary particles.
     pub walls: Walls,
     members: Vec<Member>,
+    exchange: Exchange,
+    saved: Option<(Walls, Exchange, MomentumAudit)>,
     play: f64,
     audit: MomentumAudit,
     energy_at_start: f64,
@@ -85,6 +88,12 @@ pub struct MomentumAudit {
     pub worst: f64,
 }
 
+/// C2: the bodies that a force accelerates, as the fluid sees them at the end of a step of `ahead` [s].
+fn yielding(members: &[Member], ahead: f64, mirrored: bool) -> Vec<Yielding> {
+    let of = |m: &Member| m.body.yielding(ahead).map(|y| Yielding { range: m.range.clone(), mirrored, ..y });
+    members.iter().filter_map(of).collect()
+}
+
 impl Coupled {
     /// Sample the bodies at `spacing` [m], put everything in place, evaluate the forces at the start.
     pub fn new(
@@ -93,9 +102,6 @@ impl Coupled {
         scheme: Scheme,
         spacing: f64,
     ) -> Result<Coupled, CouplingError> {
-        if scheme == Scheme::Iterated {
-            return Err(CouplingError::SchemeNotAvailable);
-        }
         if fluid.particles.is_empty() {
             return Err(CouplingError::NoFluid);
         }
@@ -109,11 +115,16 @@ impl Coupled {
             body.place(0.0, walls.slice_mut(range.clone()));
             members.push(Member { body, range });
         }
-        fluid.initialise(&mut walls)?;
+        let mut exchange = Exchange::new(scheme);
+        let mirrored = fluid.parameters.mirror.is_some();
+        exchange.agree(&mut fluid, &mut walls, yielding(&members, 0.0, mirrored), Fluid::initialise)?;
+        exchange.report = Agreement::default();
         let mut coupled = Coupled {
             fluid,
             walls,
             members,
+            exchange,
+            saved: None,
             play: PLAY * spacing,
             audit: MomentumAudit::default(),
             energy_at_start: 0.0,
@@ -137,7 +148,8 @@ impl Coupled {
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
         }
-        self.fluid.step(&mut self.walls, dt)?;
+        let owners = yielding(&self.members, dt, self.fluid.parameters.mirror.is_some());
+        self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
         for m in &mut self.members {
             m.body.advance(dt)?;
@@ -145,6 +157,29 @@ impl Coupled {
         self.throw_back(); //                                           contact of single particles
         self.close_momentum(dt);
         self.refuse_collision()
+    }
+
+    /// Remember the present state, of fluid, walls, bodies, exchange and audit; replaces the one remembered before.
+    pub fn save(&mut self) {
+        if self.saved.is_some() {
+            self.fluid.forget();
+        }
+        self.fluid.save();
+        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit));
+        self.members.iter_mut().for_each(|m| m.body.save());
+    }
+
+    /// Return to the state last saved; without one nothing happens.
+    pub fn restore(&mut self) {
+        let Some((walls, exchange, audit)) = &self.saved else { return };
+        self.fluid.restore();
+        (self.walls, self.exchange, self.audit) = (walls.clone(), exchange.clone(), *audit);
+        self.members.iter_mut().for_each(|m| m.body.restore());
+    }
+
+    /// How well fluid and bodies agreed, over all steps so far.
+    pub fn agreement(&self) -> Agreement {
+        self.exchange.report
     }
 
     /// E25: particles beyond a body's surface return to it.

@@ -7,6 +7,7 @@
 pub mod body;
 mod contact;
 pub mod coupled;
+pub mod exchange;
 pub mod fill;
 pub mod force_rules;
 pub mod nodal;
@@ -15,6 +16,7 @@ pub mod penetration;
 pub mod polygon;
 pub mod pose;
 pub mod prescribed;
+pub mod relaxation;
 pub mod rigid;
 pub mod rows;
 pub mod sampling;
@@ -22,7 +24,8 @@ pub mod shape;
 pub mod tank;
 
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
-pub use coupled::{Coupled, CouplingError, Scheme};
+pub use coupled::{Coupled, CouplingError};
+pub use exchange::{Agreement, Iteration, Scheme};
 pub use outline::Outline;
 pub use penetration::{Breach, Penetration};
 pub use prescribed::PrescribedBody;

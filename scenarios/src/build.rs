@@ -3,7 +3,7 @@
 use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::prescribed::Law;
-use fsi_coupling::{Coupled, CouplingError, Outline, PrescribedBody, RigidBody2d, RigidSpec, Scheme, Tank, WettedBody};
+use fsi_coupling::{Coupled, CouplingError, Outline, PrescribedBody, RigidBody2d, RigidSpec, Tank, WettedBody};
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;
 use sph_core::{Fluid, Parameters, Seed, WallTreatment};
@@ -21,7 +21,7 @@ pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let floor = -scene.tank.depth;
     let tank = Tank::new(tiling, x, floor, floor + scene.tank.height, half);
     let bodies = body.into_iter().chain([Box::new(tank) as Box<dyn WettedBody>]).collect();
-    Coupled::new(fluid, bodies, Scheme::Weak, scene.resolution.spacing)
+    Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)
 }
 
 /// How the water is divided into particles.

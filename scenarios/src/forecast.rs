@@ -3,7 +3,9 @@
 use serde::Serialize;
 
 use crate::build::tiling;
-use crate::scene::{Scene, Symmetry, compressibility_error, memory_estimate, particle_estimate};
+use crate::scene::{
+    CouplingScheme, ExchangeRatio, Scene, Symmetry, compressibility_error, memory_estimate, particle_estimate,
+};
 
 /// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
 /// order of magnitude of an estimate, not a promise.
@@ -36,6 +38,11 @@ pub struct Forecast {
     pub spacings_across_wetted_width: Option<f64>,
     /// Spacings across the length with 90 % of the peak pressure at the end [-].
     pub spacings_across_pressure_peak: Option<f64>,
+    /// The scheme of the coupling.
+    pub coupling_scheme: CouplingScheme,
+    /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY C8) [-]. The
+    /// largest is the spectral radius of the weak exchange: stable below 1.
+    pub added_mass_ratios: Option<[f64; 3]>,
     /// Doubts, in plain words.
     pub warnings: Vec<String>,
 }
@@ -65,6 +72,8 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
         compressibility_error: entry.map(|e| compressibility_error(e.root_speed(), fluid.sound_speed)),
         spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
         spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
+        coupling_scheme: scene.coupling.scheme,
+        added_mass_ratios: ExchangeRatio::of(scene).map(|exchange| exchange.ratios),
         warnings: warnings.to_vec(),
     }
 }
@@ -92,7 +101,25 @@ impl Forecast {
         if let Some(n) = self.spacings_across_pressure_peak {
             lines.push(format!("             {n:.1} across the pressure peak"));
         }
+        lines.extend(self.exchange());
         lines.extend(self.warnings.iter().map(|w| format!("warning      {w}")));
         lines.join("\n")
+    }
+
+    /// The coupling's stability in a line.
+    fn exchange(&self) -> Option<String> {
+        let ratios = self.added_mass_ratios?;
+        let radius = ratios.into_iter().fold(0.0, f64::max);
+        let [x, y, turn] = ratios;
+        let verdict = match self.coupling_scheme {
+            CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
+            CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
+            CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
+            CouplingScheme::Aitken | CouplingScheme::IqnIls => "iterated until it agrees".into(),
+        };
+        Some(format!(
+            "coupling     {}: added mass of half a row over the body's {x:.3} (x), {y:.3} (y), {turn:.3} (angle); {verdict}",
+            self.coupling_scheme.name()
+        ))
     }
 }

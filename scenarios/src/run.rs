@@ -17,7 +17,7 @@ use crate::observe::{
 use crate::present;
 use crate::reference::ReferenceError;
 use crate::scene::{Scene, compressibility_error};
-use crate::summary::{Audit, Compressibility, Particles, Peak, Status, Summary, WorstPenetration};
+use crate::summary::{Audit, Compressibility, Coupling, Particles, Peak, Status, Summary, WorstPenetration};
 
 /// Files of a run, by the contract of the command line.
 pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
@@ -262,6 +262,7 @@ impl Recorder {
     ) -> Summary {
         let fluid = &system.fluid;
         let since = LATE * fluid.time;
+        let agreement = system.agreement();
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
         let curves = scene.compare.iter().zip(references);
@@ -286,6 +287,12 @@ impl Recorder {
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: self.ledger.rest(since),
+            coupling: Coupling {
+                scheme: scene.coupling.scheme,
+                iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,
+                iterations_max: agreement.most_iterations,
+                residual_worst: agreement.worst_residual,
+            },
             audit: Audit {
                 momentum: system.momentum_audit().worst,
                 energy: system.energy_drift() / self.ledger.scale(),

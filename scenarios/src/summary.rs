@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::compare::Comparison;
 use crate::observe::{GaugeResult, RuleResult, SimilarityResult};
+use crate::scene::CouplingScheme;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -106,6 +107,20 @@ pub struct Audit {
     pub worst_penetration: Option<WorstPenetration>,
 }
 
+/// How well water and body agreed on the body's acceleration.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Coupling {
+    /// The scheme, as in the scene.
+    pub scheme: CouplingScheme,
+    /// Times that the fluid took a step, mean over the steps [-].
+    pub iterations_mean: f64,
+    /// Most of these in a step.
+    pub iterations_max: u32,
+    /// Largest mismatch of a step between the acceleration that the water saw and the one it caused, relative
+    /// (THEORY C5) [-].
+    pub residual_worst: f64,
+}
+
 /// Weak compressibility: what the sound speed cost.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Compressibility {
@@ -152,6 +167,8 @@ pub struct Summary {
     pub means: BTreeMap<String, f64>,
     /// Conservation.
     pub audit: Audit,
+    /// How well water and body agreed.
+    pub coupling: Coupling,
     /// Coming to rest.
     pub rest: Rest,
     /// Weak compressibility.

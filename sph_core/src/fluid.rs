@@ -8,6 +8,7 @@ use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA, Seed};
+use crate::restart::{Saved, set_lists_aside};
 use crate::rows::Rows;
 use crate::search::Search;
 use crate::sweep;
@@ -43,6 +44,7 @@ pub struct Fluid {
     pub(crate) wall_force: Vec<[f64; 2]>,
     pub(crate) scratch: Vec<f64>,
     pub(crate) dynamic_walls: DynamicWalls,
+    pub(crate) saved: Vec<Saved>,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -93,6 +95,7 @@ impl Fluid {
             stress: Vec::new(),
             scratch: Vec::new(),
             dynamic_walls: DynamicWalls::default(),
+            saved: Vec::new(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
@@ -259,6 +262,7 @@ impl Fluid {
         }
         self.gather_forces(walls);
         self.gather_turbulence(); //                 L8
+        self.yield_walls(walls, offset); //          C1–C3: where owners of walls yield
         self.accelerate();
         self.correct_volumes();
     }
@@ -301,6 +305,7 @@ impl Fluid {
         let kinematics = self.rows.kinematics(walls);
         if !self.search.holds(&self.particles, &kinematics) {
             let life = LIST_LIFE * self.acoustic_limit();
+            set_lists_aside(&mut self.saved, &mut self.search);
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);

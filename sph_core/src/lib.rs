@@ -8,6 +8,7 @@
 //!
 //! Units are SI, per metre of span; equations are numbered in `THEORY.md`.
 
+pub mod added_mass;
 pub mod audit;
 pub mod cells;
 pub mod density_filter;
@@ -29,6 +30,7 @@ pub mod parameters;
 pub mod particles;
 pub mod probe;
 mod repulsive;
+mod restart;
 mod rows;
 pub mod search;
 pub mod step_limit;
@@ -41,6 +43,7 @@ mod wall_sweeps;
 pub mod walls;
 mod xsph;
 
+pub use added_mass::Yielding;
 pub use density_filter::DensityFilter;
 pub use dissipation::Dissipation;
 pub use error::Breakdown;

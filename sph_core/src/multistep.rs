@@ -4,7 +4,7 @@ use crate::fluid::Fluid;
 use crate::walls::Walls;
 
 /// What the step before left: by identity, since the particles may be sorted anew in between; walls in their own order.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct History {
     /// Length of that step [s]; 0 before the first.
     dt: f64,

@@ -102,6 +102,8 @@ fn the_summary_has_the_keys_of_the_contract() {
         "/similarity/profile_error_snapshot",
         "/similarity/cp_noise",
         "/similarity/z_max_error",
+        "/coupling/iterations_mean",
+        "/coupling/residual_worst",
         "/compressibility/mach_reached",
         "/compressibility/force_error_estimate",
         "/compressibility/force_corrected",
@@ -115,6 +117,8 @@ fn the_summary_has_the_keys_of_the_contract() {
     has(&summary, "/similarity/window_s", |v| {
         v.as_array().is_some_and(|a| a.len() == 2 && a.iter().all(Value::is_f64))
     });
+    has(&summary, "/coupling/scheme", |v| v == "weak");
+    has(&summary, "/coupling/iterations_max", Value::is_u64);
     has(&summary, "/comparison/0/reference", Value::is_string);
     has(&summary, "/comparison/0/quantity", Value::is_string);
     assert_eq!([&summary["scene"], &summary["status"], &summary["model"]], ["wedge_constant", "completed", "wcsph"]);

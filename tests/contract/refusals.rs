@@ -75,6 +75,7 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         DROP.replace(free, &OSCILLATING.replace(from, to)).replace("[body]", water)
     };
     let gauge = |line: &str| format!("{DROP}[[gauges]]\nname = \"keel\"\nat = [0.0, 0.0]\n{line}\n");
+    let coupling = |line: &str| DROP.replace("[body]", &format!("[coupling]\n{line}\n[body]"));
     let whole = "expected a whole number from 0 to 4294967295";
     #[rustfmt::skip]
     let mistakes: &[(String, u32, &[&str])] = &[
@@ -106,6 +107,12 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         (gauge("length = \"wide\""), 17, &["`gauges[0].length`", "wide", "expected a number"]),
         (gauge("bandwidth = 0"), 17, &["`gauges[0].bandwidth` = 0", "expected a finite number above 0"]),
         (gauge("bandwidth = -50"), 17, &["`gauges[0].bandwidth` = -50", "expected a finite number above 0"]),
+        (coupling("scheme = \"strong\""), 7, &["`coupling.scheme`", "strong", "iqn_ils"]),
+        (coupling("scheme = \"aitken\"\n[fluid]\nwalls = \"mirror_point\""), 7, &["`coupling.scheme` = \"aitken\"", "expected \"weak\" with these fluid.walls"]),
+        (coupling("scheme = \"iqn_ils\"\n[fluid]\nintegrator = \"predictor_corrector\""), 7, &["`coupling.scheme` = \"iqn_ils\"", "expected \"added_mass\" with fluid.integrator"]),
+        (coupling("tolerance = 0"), 7, &["`coupling.tolerance` = 0", "expected a number from"]),
+        (coupling("max_iterations = 0"), 7, &["`coupling.max_iterations` = 0", "expected a number of iterations of at least 1"]),
+        (coupling("max_iterations = -3"), 7, &["`coupling.max_iterations`", "-3", whole]),
     ];
     let place = Workplace::new();
     for (text, line, fragments) in mistakes {

@@ -2,6 +2,7 @@
 //! failing is news, and its test is then to be turned round.
 
 mod bodies;
+mod coupling;
 mod courant;
 mod noise;
 mod options;

@@ -3,6 +3,7 @@
 mod acoustics;
 mod channel;
 mod conservation;
+mod coupling;
 mod dissipation;
 mod echo;
 mod elliptic_drop;

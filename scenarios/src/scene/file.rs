@@ -8,8 +8,8 @@ use serde::de::{IntoDeserializer, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::model::{
-    Body, DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, GaugeFrame, Integrator, Kernel,
-    Lattice, Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
+    Body, CouplingScheme, DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, GaugeFrame,
+    Integrator, Kernel, Lattice, Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
 };
 use fsi_coupling::Shape;
 
@@ -31,6 +31,7 @@ pub struct SceneFile {
     pub compare: Vec<CompareFile>,
     pub observe: ObserveFile,
     pub report: ReportFile,
+    pub coupling: CouplingFile,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -43,6 +44,14 @@ pub struct ObserveFile {
 #[serde(default, deny_unknown_fields)]
 pub struct ReportFile {
     pub force_rules: Option<bool>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct CouplingFile {
+    pub scheme: Option<CouplingScheme>,
+    pub tolerance: Option<f64>,
+    pub max_iterations: Option<u32>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -18,12 +18,14 @@ mod check;
 mod chine;
 mod error;
 mod estimate;
+mod exchange;
 mod file;
 mod impact;
 mod keywords;
 mod limits;
 mod load;
 mod model;
+mod model_coupling;
 mod model_fluid;
 mod overrides;
 mod problem;
@@ -37,6 +39,7 @@ pub use builtin::builtin;
 pub use chine::jet_reach;
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+pub use exchange::ExchangeRatio;
 pub use fsi_coupling::Shape;
 pub use impact::{
     Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error, sound_speed_for,
@@ -44,8 +47,9 @@ pub use impact::{
 pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};
 pub use model::{
-    Body, Compare, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame, Integrator, Kernel, Motion, Norm,
-    Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time, WallSlip,
+    Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
+    Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time,
+    WallSlip,
 };
 pub use overrides::apply_set;
 pub use warnings::warnings;

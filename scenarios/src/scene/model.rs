@@ -3,6 +3,7 @@
 pub use fsi_coupling::fill::Lattice;
 use serde::{Deserialize, Serialize};
 
+pub use super::model_coupling::{Coupling, CouplingScheme};
 pub use super::model_fluid::{
     DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, Fluid, IdealGas, Integrator, Kernel,
     Turbulence, WallModel, WallSlip,
@@ -52,6 +53,8 @@ pub struct Scene {
     pub observe: Observe,
     /// What a run observes beside its curves.
     pub report: Report,
+    /// How water and body agree on a step.
+    pub coupling: Coupling,
 }
 
 /// Curves that are sampled only where a scene asks for them.

@@ -1,11 +1,11 @@
 //! From a scene as written to a scene as run: defaults, ranges, and the values left to the program.
 
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
-use super::file::{CompareFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
+use super::file::{CompareFile, CouplingFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{
-    Compare, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice, Observe, Report, Resolution,
-    Scene, Tank, Time,
+    Compare, Coupling, CouplingScheme, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice,
+    Observe, Report, Resolution, Scene, Tank, Time,
 };
 use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
@@ -39,6 +39,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         }
     };
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
+    let coupling = resolve_coupling(&file.coupling, &fluid)?;
     let spacing = required("resolution.spacing", file.resolution.spacing, "the finest spacing [m]")?;
     let spacing = positive("resolution.spacing", spacing)?;
     let (tank, fine_zone) = match &entry {
@@ -74,7 +75,28 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         tank,
         body,
         report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
+        coupling,
     })
+}
+
+fn resolve_coupling(file: &CouplingFile, fluid: &Fluid) -> Result<Coupling, Problem> {
+    let scheme = file.scheme.unwrap_or_default();
+    if scheme != CouplingScheme::Weak && fluid.walls != WallModel::Extrapolated {
+        let expected = "\"weak\" with these fluid.walls: only \"extrapolated\" walls feel a body's acceleration";
+        return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
+    }
+    let iterated = matches!(scheme, CouplingScheme::Aitken | CouplingScheme::IqnIls);
+    if iterated && fluid.integrator == Integrator::PredictorCorrector {
+        // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY C5)
+        let expected = "\"added_mass\" with fluid.integrator = \"predictor_corrector\", or another integrator";
+        return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
+    }
+    let max_iterations = file.max_iterations.unwrap_or(50);
+    if max_iterations == 0 {
+        return Err(Problem::new("coupling.max_iterations", 0, "a number of iterations of at least 1"));
+    }
+    let tolerance = within("coupling.tolerance", file.tolerance.unwrap_or(1e-6), 1e-12..=0.1)?;
+    Ok(Coupling { scheme, tolerance, max_iterations })
 }
 
 fn still_water(key: &str, value: Option<f64>) -> Result<f64, Problem> {

@@ -1,11 +1,10 @@
 //! What a scene may be run with, but not relied on for; in plain words.
 
-use fsi_coupling::polygon;
-
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
+use super::exchange::light_body;
 use super::impact::{Entry, compressibility_error};
-use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Motion, Scene};
+use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -15,9 +14,6 @@ const PEAK_SPACINGS: f64 = 17.0;
 const STARTING_DRAUGHT: f64 = 16.0;
 
 const LARGEST_CFL: f64 = 0.8;
-
-/// Mass of a free body over that of a row of water under it, from which weak coupling is stable.
-const LIGHTEST_BODY: f64 = 0.6;
 
 /// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
 const LARGEST_VERLET_GROWTH: f64 = 10.0;
@@ -125,24 +121,6 @@ fn loose_verlet(scene: &Scene) -> Option<String> {
             "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and {diffusion} the two time \
              levels of verlet drift apart; correct more often, or lower either",
             fluid.cfl
-        )
-    })
-}
-
-/// One exchange a step is unstable for a body lighter than about 0.55 ρ b Δx (measured on floating boxes: 0.50 shakes,
-/// 0.60 is smooth): the water of half a row under it answers a step too late.
-fn light_body(scene: &Scene) -> Option<String> {
-    let body = scene.body.as_ref()?;
-    let Motion::Free(freedom) = &body.motion else { return None };
-    let [min, max] = polygon::bounding_box(&body.placed_outline());
-    let row = scene.fluid.density * (max[0] - min[0]) * scene.resolution.spacing;
-    (freedom.mass < LIGHTEST_BODY * row).then(|| {
-        format!(
-            "body.mass = {} kg/m is light for weak coupling: below about {} kg/m, 0.6 times a row of water under it, body \
-             and water shake each other; {} m would do for resolution.spacing",
-            significant(freedom.mass),
-            significant(LIGHTEST_BODY * row),
-            significant(scene.resolution.spacing * freedom.mass / (LIGHTEST_BODY * row))
         )
     })
 }

@@ -207,7 +207,7 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
         (&["fluid.dissipation=riemann", "fluid.cfl=0.75"], &["fluid.dissipation=riemann"], "0.75 did not"),
         (&["fluid.wall_stretch=true", "fluid.cfl=0.6"], &["fluid.wall_stretch=true"], "broke into oscillation"),
         (&["fluid.density_evolution=summation"], &[], "fails at a free surface"),
-        (&["body.mass=0.5"], &[], "light for weak coupling"),
+        (&["body.mass=0.5"], &[], "the body is light for coupling.scheme"),
         (&["resolution.growth=1.5"], &[], "9 % of the force"),
         (&["resolution.spacing=0.009"], &["resolution.spacing=0.002"], "peak pressure unreliable"),
         (&["time.end=0.005"], &[], "the draught at the end is 4."),

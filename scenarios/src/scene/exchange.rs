@@ -1,0 +1,120 @@
+//! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY C8).
+
+use fsi_coupling::polygon;
+
+use super::model::{Body, CouplingScheme, Freedom, Motion, Scene, Symmetry};
+use super::problem::significant;
+
+/// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
+const SMOOTH: f64 = 0.84;
+
+/// C8: the added mass that half a row of water beside a free body carries, over the body's own inertia; the largest over
+/// its free directions is the spectral radius of the weak exchange. `None` without a free body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExchangeRatio {
+    /// Along x, y, and about the centre of mass [-]; 0 where the body is held.
+    pub ratios: [f64; 3],
+}
+
+impl ExchangeRatio {
+    /// Of a scene's body at t = 0.
+    pub fn of(scene: &Scene) -> Option<ExchangeRatio> {
+        let body = scene.body.as_ref()?;
+        let Motion::Free(freedom) = &body.motion else { return None };
+        let along = row_of_water(scene, body);
+        let inertia = inertia(scene, freedom);
+        Some(ExchangeRatio { ratios: [0, 1, 2].map(|k| inertia[k].map_or(0.0, |inertia| along[k] / inertia)) })
+    }
+
+    /// The largest [-].
+    pub fn spectral_radius(&self) -> f64 {
+        self.ratios.into_iter().fold(0.0, f64::max)
+    }
+}
+
+/// Mass, mass and moment of inertia [kg/m, kg/m, kg m]; `None` where the body is held.
+fn inertia(scene: &Scene, freedom: &Freedom) -> [Option<f64>; 3] {
+    let whole = scene.symmetry == Symmetry::None;
+    let x = (freedom.x && whole).then_some(freedom.mass);
+    [x, freedom.y.then_some(freedom.mass), freedom.inertia.filter(|_| whole)]
+}
+
+/// ½ ρ Δx ∮ (n_x², n_y², (r×n)²) ds over the faces that may be wet from the start: all of a body under water, else those
+/// that do not look up.
+fn row_of_water(scene: &Scene, body: &Body) -> [f64; 3] {
+    let outline = body.placed_outline();
+    let centre = body.to_tank(body.center_of_mass);
+    let [_, top] = polygon::bounding_box(&outline);
+    let submerged = top[1] < 0.0;
+    let row = 0.5 * scene.fluid.density * scene.resolution.spacing;
+    let mut sum = [0.0; 3];
+    for (a, b) in polygon::edges(&outline) {
+        let n = polygon::normal(a, b);
+        if !submerged && n[1] > 1e-9 {
+            continue;
+        }
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let arm = |t: f64| {
+            let r = [0, 1].map(|k| a[k] + t * (b[k] - a[k]) - centre[k]);
+            (r[0] * n[1] - r[1] * n[0]).powi(2)
+        };
+        let arms = (arm(0.0) + 4.0 * arm(0.5) + arm(1.0)) / 6.0; // Simpson, exact for a square
+        for (sum, share) in sum.iter_mut().zip([n[0] * n[0], n[1] * n[1], arms]) {
+            *sum += row * length * share;
+        }
+    }
+    sum
+}
+
+/// A body too light for one exchange a step.
+pub(super) fn light_body(scene: &Scene) -> Option<String> {
+    let exchange = ExchangeRatio::of(scene)?;
+    let radius = exchange.spectral_radius();
+    (scene.coupling.scheme == CouplingScheme::Weak && radius > SMOOTH).then(|| {
+        let which = exchange.ratios.iter().position(|r| *r == radius).unwrap_or(1);
+        let direction = ["moves along x", "moves along y", "turns"][which];
+        format!(
+            "the body is light for coupling.scheme = \"weak\": half a row of water that {direction} with it has {} times its \
+             inertia, from about 0.84 on body and water shake each other; take coupling.scheme = \"added_mass\", or {} m for \
+             resolution.spacing",
+            significant(radius),
+            significant(scene.resolution.spacing * SMOOTH / radius)
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::load;
+    use super::*;
+
+    fn exchange(sets: &[&str]) -> [f64; 3] {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        ExchangeRatio::of(&load("floating_box", &sets).expect("a sound scene").scene).expect("a free body").ratios
+    }
+
+    /// A box of breadth b and height h, 40 kg/m: ½ρΔx (2h, b, b³/12 + 2 (h³/12)) afloat; twice the bottom's share under water.
+    #[test]
+    fn a_box_has_its_rows_of_water() {
+        let (b, h, row): (f64, f64, f64) = (0.4, 0.2, 0.5 * 1000.0 * 0.02);
+        let inertia = 40.0 * (b * b + h * h) / 12.0;
+        let afloat = [row * 2.0 * h / 40.0, row * b / 40.0, row * (b.powi(3) + 2.0 * h.powi(3)) / 12.0 / inertia];
+        let sunk = [afloat[0], 2.0 * afloat[1], row * 2.0 * (b.powi(3) + h.powi(3)) / 12.0 / inertia];
+        for (found, exact) in [
+            (exchange(&[]), afloat),
+            (exchange(&["body.position=[0.0, -0.3]", "body.center_of_mass=[0.0, 0.0]"]), sunk),
+        ] {
+            (0..3).for_each(|k| assert!((found[k] / exact[k] - 1.0).abs() < 1e-12, "{found:?} {exact:?}"));
+        }
+    }
+
+    #[test]
+    fn a_light_body_is_warned_of_with_the_scheme_that_helps() {
+        let warned = |set: &str| {
+            let sets: Vec<String> = ["body.mass=4", set].map(String::from).to_vec();
+            let warnings = load("floating_box", &sets).expect("a sound scene").warnings;
+            warnings.iter().any(|w| w.contains("coupling.scheme = \"added_mass\""))
+        };
+        assert!(warned("coupling.scheme=weak") && !warned("coupling.scheme=added_mass"));
+    }
+}

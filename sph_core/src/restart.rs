@@ -1,0 +1,75 @@
+//! Save and restore: a step can be taken back, and comes again to the same bits.
+//!
+//! Kept is what the next step reads: state, derived quantities, what walls extrapolated, the history of a multistep
+//! integrator, and the neighbour lists. The lists are not copied: they are set aside if they are remade meanwhile.
+
+use std::sync::Arc;
+
+use crate::dynamic_walls::DynamicWalls;
+use crate::fluid::Fluid;
+use crate::multistep::History;
+use crate::pair::Extrapolated;
+use crate::particles::{Derived, Particles};
+use crate::search::Search;
+
+/// A state to return to.
+pub(crate) struct Saved {
+    particles: Particles,
+    derived: Derived,
+    time: f64,
+    steps: u64,
+    history: History,
+    extrapolated: Vec<Extrapolated>,
+    dynamic_walls: DynamicWalls,
+    /// The lists of that moment, once others have taken their place.
+    search: Option<Arc<Search>>,
+}
+
+impl Fluid {
+    /// Remember the present state, above those remembered before. The walls are their owners' to remember: all of
+    /// [`Walls`](crate::Walls).
+    pub fn save(&mut self) {
+        self.saved.push(Saved {
+            particles: self.particles.clone(),
+            derived: self.derived.clone(),
+            time: self.time,
+            steps: self.steps,
+            history: self.history.clone(),
+            extrapolated: self.extrapolated.clone(),
+            dynamic_walls: self.dynamic_walls.clone(),
+            search: None,
+        });
+    }
+
+    /// Return to the state last saved, as often as needed; without one nothing happens.
+    pub fn restore(&mut self) {
+        let Some(saved) = self.saved.last_mut() else { return };
+        self.particles.clone_from(&saved.particles);
+        self.derived.clone_from(&saved.derived);
+        (self.time, self.steps) = (saved.time, saved.steps);
+        self.history.clone_from(&saved.history);
+        self.extrapolated.clone_from(&saved.extrapolated);
+        self.dynamic_walls.clone_from(&saved.dynamic_walls);
+        if let Some(search) = saved.search.take() {
+            self.search = Arc::unwrap_or_clone(search);
+        }
+    }
+
+    /// Forget the state last saved.
+    pub fn forget(&mut self) {
+        self.saved.pop();
+    }
+}
+
+/// The lists are about to be remade: set them aside for the saved states that need them.
+pub(crate) fn set_lists_aside(saved: &mut [Saved], search: &mut Search) {
+    if saved.iter().all(|s| s.search.is_some()) {
+        return;
+    }
+    let rebuilds = search.rebuilds;
+    let aside = Arc::new(std::mem::take(search));
+    search.rebuilds = rebuilds;
+    for state in saved.iter_mut().filter(|s| s.search.is_none()) {
+        state.search = Some(aside.clone());
+    }
+}
