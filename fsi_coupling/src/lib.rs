@@ -4,6 +4,7 @@
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
 //! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
 
+pub mod beam_surface;
 pub mod body;
 mod contact;
 pub mod coupled;
