@@ -39,21 +39,29 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
+mod banded;
 mod beam;
+mod corotational;
+mod element;
+mod element_mass;
 mod equations;
 mod error;
-mod euler_bernoulli;
+mod inertia;
 mod loads;
 mod material;
 mod mechanism;
 mod modes;
+mod ordering;
 mod section;
 mod section_forces;
 mod statics;
 mod supports;
+mod system;
+mod theory;
 
 pub use beam::{Beam, Element};
 pub use error::Error;
+pub use inertia::Damping;
 pub use loads::Loads;
 pub use material::Material;
 pub use modes::{Mode, natural_modes};
@@ -61,3 +69,4 @@ pub use section::Section;
 pub use section_forces::SectionForces;
 pub use statics::{StaticSolution, Statics};
 pub use supports::{Dof, Supports};
+pub use theory::Theory;

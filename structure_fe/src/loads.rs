@@ -1,8 +1,8 @@
 //! Loads: forces at the nodes and along the elements.
 
 use crate::beam::{Beam, add_ends};
+use crate::element::Ends;
 use crate::error::{Error, existing_node, finite};
-use crate::euler_bernoulli::Ends;
 
 /// A load along an element, varying linearly, per length of the element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +41,7 @@ impl Loads {
         let elements = beam.elements().len();
         for (index, load) in self.distributed.iter().enumerate() {
             if load.element >= elements {
-                return Err(Error::NoSuchElement { index, element: load.element, elements });
+                return Err(Error::NoSuchElement { item: "distributed load", index, element: load.element, elements });
             }
             finite("distributed load [N/m]", index, &load.start)?;
             finite("distributed load [N/m]", index, &load.end)?;
