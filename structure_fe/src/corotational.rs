@@ -28,7 +28,8 @@ impl Chord {
         let original = element.length;
         let (du, dw) = (q[3] - q[0], q[4] - q[1]);
         // Of the end-to-end vector, along and across the element as it was.
-        let (along, across) = (original + (c * du + s * dw), c * dw - s * du);
+        let (stretch, across) = (c * du + s * dw, c * dw - s * du);
+        let along = original + stretch;
         let length = (along * along + across * across).sqrt();
         let turn = across.atan2(along);
         let psi = [q[2], q[5]].map(|theta| {
@@ -36,7 +37,7 @@ impl Chord {
             psi - TAU * (psi / TAU).round()
         });
         // l - L as (l^2 - L^2)/(l + L), which keeps the digits of small strains.
-        let squares = 2.0 * original * (along - original) + du * du + dw * dw;
+        let squares = 2.0 * original * stretch + du * du + dw * dw;
         Self {
             direction: [(c * along - s * across) / length, (s * along + c * across) / length],
             length,

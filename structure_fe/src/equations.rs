@@ -91,6 +91,11 @@ impl Equations {
         values
     }
 
+    /// The free entries of a field of displacements, in the order of the equations.
+    pub fn pick(&self, field: &[f64]) -> Vec<f64> {
+        self.place.iter().map(|&(node, dof)| field[3 * node + dof as usize]).collect()
+    }
+
     /// The field whose free entries are `value(equation)` and whose fixed entries are zero.
     pub fn extend(&self, value: impl Fn(usize) -> f64) -> Vec<[f64; 3]> {
         self.number.iter().map(|numbers| numbers.map(|number| number.map_or(0.0, &value))).collect()

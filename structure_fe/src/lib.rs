@@ -39,6 +39,7 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
+mod arc_length;
 mod banded;
 mod beam;
 mod corotational;
@@ -51,6 +52,7 @@ mod loads;
 mod material;
 mod mechanism;
 mod modes;
+mod nonlinear_statics;
 mod ordering;
 mod section;
 mod section_forces;
@@ -59,12 +61,14 @@ mod supports;
 mod system;
 mod theory;
 
+pub use arc_length::PathPoint;
 pub use beam::{Beam, Element};
 pub use error::Error;
 pub use inertia::Damping;
 pub use loads::Loads;
 pub use material::Material;
 pub use modes::{Mode, natural_modes};
+pub use nonlinear_statics::NonlinearStatics;
 pub use section::Section;
 pub use section_forces::SectionForces;
 pub use statics::{StaticSolution, Statics};
