@@ -284,6 +284,7 @@ fn formulate(
         bending_stiffness,
         shear_parameter,
         mass_per_length,
+        radius_squared,
         mass: ElementMass::new(mass_per_length * length, length, shear_parameter, radius_squared),
     })
 }

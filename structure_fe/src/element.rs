@@ -32,6 +32,8 @@ pub(crate) struct ElementConstants {
     pub shear_parameter: f64,
     /// Mass per length rho A \[kg/m\].
     pub mass_per_length: f64,
+    /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
+    pub radius_squared: f64,
     /// Its consistent mass.
     pub mass: ElementMass,
 }

@@ -91,6 +91,15 @@ impl Equations {
         values
     }
 
+    /// Takes the free entries of a field of forces from `values`.
+    pub fn subtract(&self, field: &[[f64; 3]], values: &mut [f64]) {
+        for (number, value) in self.number.as_flattened().iter().zip(field.as_flattened()) {
+            if let Some(number) = *number {
+                values[number] -= value;
+            }
+        }
+    }
+
     /// The free entries of a field of displacements, in the order of the equations.
     pub fn pick(&self, field: &[f64]) -> Vec<f64> {
         self.place.iter().map(|&(node, dof)| field[3 * node + dof as usize]).collect()

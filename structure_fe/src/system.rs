@@ -168,6 +168,15 @@ impl System {
         })
     }
 
+    /// Size of the difference of two displacements \[-\], as above.
+    pub fn size_of_difference(&self, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+        let scale = self.beam.extent().recip();
+        a.iter().zip(b).fold(0.0, |largest: f64, (a, b)| {
+            let moved = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+            largest.max(moved * scale).max((a[2] - b[2]).abs())
+        })
+    }
+
     /// The largest entry of a residual, lengths making moments comparable, and where it is.
     pub fn worst(&self, residual: &[f64]) -> (f64, usize, Dof) {
         let extent = self.beam.extent();

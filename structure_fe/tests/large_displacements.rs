@@ -206,7 +206,9 @@ fn a_load_beyond_all_bounds_is_refused_with_its_numbers() {
     let error = model.solve(&loads, 1).unwrap_err();
     println!("{error}");
     let Error::NotConverged { step: 1, load_factor, residual, iteration, node, .. } = error else { panic!("{error}") };
-    assert!(load_factor > 0.0 && load_factor <= 1.0 && (residual > 0.0 || residual.is_nan()) && iteration > 0 && node <= 4);
+    assert!(
+        load_factor > 0.0 && load_factor <= 1.0 && (residual > 0.0 || residual.is_nan()) && iteration > 0 && node <= 4
+    );
 }
 
 #[test]
