@@ -39,25 +39,45 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
+mod arc_length;
+mod banded;
 mod beam;
+mod central_difference;
+mod corotational;
+mod dynamics;
+mod element;
+mod element_mass;
 mod equations;
 mod error;
-mod euler_bernoulli;
+mod generalised_alpha;
+mod inertia;
 mod loads;
+mod lumped;
 mod material;
 mod mechanism;
 mod modes;
+mod nonlinear_statics;
+mod ordering;
 mod section;
 mod section_forces;
+mod state;
 mod statics;
 mod supports;
+mod system;
+mod theory;
 
+pub use arc_length::PathPoint;
 pub use beam::{Beam, Element};
+pub use dynamics::Dynamics;
 pub use error::Error;
+pub use inertia::Damping;
 pub use loads::Loads;
 pub use material::Material;
 pub use modes::{Mode, natural_modes};
+pub use nonlinear_statics::NonlinearStatics;
 pub use section::Section;
 pub use section_forces::SectionForces;
+pub use state::{Integration, State, StepReport, SupportMotion};
 pub use statics::{StaticSolution, Statics};
 pub use supports::{Dof, Supports};
+pub use theory::Theory;
