@@ -8,8 +8,10 @@ use std::f64::consts::TAU;
 pub struct Perch {
     /// Element it rides on.
     pub element: usize,
-    /// Share of the way from the element's first node to its second [-].
+    /// Share of the way from the element's first node to its second, 0 to 1 [-].
     pub t: f64,
+    /// Distance beyond that along the middle line's tangent [m]: past an end of the structure, else 0.
+    pub beyond: f64,
     /// Distance from the middle line to the left of the element [m]; negative to its right.
     pub offset: f64,
     /// Its normal along and across the middle line, turning with it [-].
@@ -59,7 +61,7 @@ impl BeamSurface {
     /// The perch of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
     /// extension.
     pub fn perch(&self, at: [f64; 2], normal: [f64; 2]) -> Perch {
-        let mut best = (f64::INFINITY, Perch { element: 0, t: 0.0, offset: 0.0, normal });
+        let mut best = (f64::INFINITY, Perch { element: 0, t: 0.0, beyond: 0.0, offset: 0.0, normal });
         for (element, [first, second]) in self.elements.iter().enumerate() {
             let (a, b) = (self.nodes[*first], self.nodes[*second]);
             let way = [b[0] - a[0], b[1] - a[1]];
@@ -73,7 +75,7 @@ impl BeamSurface {
             if distance < best.0 - 1e-12 * length {
                 let across = |v: [f64; 2]| v[1] * along[0] - v[0] * along[1];
                 let normal = [dot2(normal, along), across(normal)];
-                best = (distance, Perch { element, t: free, offset: across(r), normal });
+                best = (distance, Perch { element, t, beyond: (free - t) * length, offset: across(r), normal });
             }
         }
         best.1
@@ -114,8 +116,8 @@ impl BeamSurface {
         let [tx, ty] = [cos * (c - tan * s), cos * (s + tan * c)];
         let along = perch.t * length;
         let at = [
-            start[0] + along * c - deflection * s - perch.offset * ty,
-            start[1] + along * s + deflection * c + perch.offset * tx,
+            start[0] + along * c - deflection * s + perch.beyond * tx - perch.offset * ty,
+            start[1] + along * s + deflection * c + perch.beyond * ty + perch.offset * tx,
         ];
         let [n_along, n_across] = perch.normal;
         Place { at, normal: [n_along * tx - n_across * ty, n_along * ty + n_across * tx] }
@@ -137,8 +139,8 @@ impl BeamSurface {
             let across = shape * stretch[k] + length * dot2(h, own);
             let turn = spin[k] + cos * cos * dot2(slope, own);
             let back = length * shape * spin[k];
-            rows[0][k] = -across * s - back * c - perch.offset * turn * tx;
-            rows[1][k] = across * c - back * s - perch.offset * turn * ty;
+            rows[0][k] = -across * s - back * c - turn * (perch.beyond * ty + perch.offset * tx);
+            rows[1][k] = across * c - back * s + turn * (perch.beyond * tx - perch.offset * ty);
         }
         for (axis, row) in rows.iter_mut().enumerate() {
             row[axis] += 1.0 - t;
@@ -171,8 +173,10 @@ mod tests {
     fn bent() -> (BeamSurface, Vec<[f64; 3]>, Vec<Perch>) {
         let surface = BeamSurface::new(vec![[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]], vec![[0, 1], [1, 2]]);
         let q = vec![[0.3, -0.2, 0.5], [0.1, 0.15, 0.9], [-0.3, 0.4, 1.1]];
-        let perches = [(0, 0.3, 0.05), (0, 1.0, -0.1), (1, 0.0, 0.2), (1, 0.62, -0.03), (1, 1.1, 0.02)];
-        let perches = perches.map(|(element, t, offset)| Perch { element, t, offset, normal: [0.6, 0.8] }).to_vec();
+        let perches =
+            [(0, 0.3, 0.0, 0.05), (0, 1.0, 0.0, -0.1), (1, 0.0, -0.3, 0.2), (1, 0.62, 0.0, -0.03), (1, 1.0, 0.1, 0.02)];
+        let perch = |(element, t, beyond, offset)| Perch { element, t, beyond, offset, normal: [0.6, 0.8] };
+        let perches = perches.map(perch).to_vec();
         (surface, q, perches)
     }
 
