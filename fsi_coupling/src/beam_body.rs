@@ -151,6 +151,15 @@ fn own_weight(dynamics: &Dynamics, gravity: [f64; 2]) -> Vec<[f64; 3]> {
     weight
 }
 
+/// The corners of a polygon, with places between them no farther apart than `longest` [m].
+fn divided(corners: &[[f64; 2]], longest: f64) -> impl Iterator<Item = [f64; 2]> {
+    (0..corners.len()).flat_map(move |k| {
+        let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
+        let parts = ((b[0] - a[0]).hypot(b[1] - a[1]) / longest).ceil().max(1.0) as usize;
+        (0..parts).map(move |i| [0, 1].map(|axis| a[axis] + i as f64 / parts as f64 * (b[axis] - a[axis])))
+    })
+}
+
 fn pairing(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
 }
