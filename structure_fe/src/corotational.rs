@@ -156,18 +156,36 @@ pub(crate) fn add_elastic_tangent(
 }
 
 /// Adds weight B^T D B to `sum`; D symmetric, in the order 11, 12, 13, 22, 23, 33.
+///
+/// Written out: the rows of B are (-1, 0, 0, 1, 0, 0), (0, 0, 1/2, 0, 0, -1/2), (0, y, 1/2, 0, -y, 1/2), y = 1/l.
 #[inline]
 pub(crate) fn add_deformation_matrix(chord: &Chord, d: &[f64; 6], weight: f64, sum: &mut EndsMatrix) {
+    let [d11, d12, d13, d22, d23, d33] = d.map(|value| weight * value);
     let y = 1.0 / chord.length;
-    let b = [[-1.0, 0.0, 0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.5, 0.0, 0.0, -0.5], [0.0, y, 0.5, 0.0, -y, 0.5]];
-    let full = [[d[0], d[1], d[2]], [d[1], d[3], d[4]], [d[2], d[4], d[5]]];
-    let forces: [Ends; 3] =
-        full.map(|row| std::array::from_fn(|j| weight * (row[0] * b[0][j] + row[1] * b[1][j] + row[2] * b[2][j])));
-    for i in 0..6 {
-        for j in 0..6 {
-            sum[i][j] += b[0][i] * forces[0][j] + b[1][i] * forces[1][j] + b[2][i] * forces[2][j];
+    let (u_w, w_w) = (-y * d13, y * y * d33);
+    let u_theta = [0.5 * (d13 + d12), 0.5 * (d13 - d12)];
+    let w_theta = [-0.5 * y * (d33 + d23), -0.5 * y * (d33 - d23)];
+    for (i, sign_i) in [(0, -1.0), (3, 1.0)] {
+        for (j, sign_j) in [(0, -1.0), (3, 1.0)] {
+            let sign = sign_i * sign_j;
+            sum[i][j] += sign * d11;
+            sum[i][j + 1] += sign * u_w;
+            sum[i + 1][j] += sign * u_w;
+            sum[i + 1][j + 1] += sign * w_w;
+        }
+        for (end, (u, w)) in u_theta.into_iter().zip(w_theta).enumerate() {
+            let theta = 3 * end + 2;
+            sum[i][theta] += sign_i * u;
+            sum[theta][i] += sign_i * u;
+            sum[i + 1][theta] += sign_i * w;
+            sum[theta][i + 1] += sign_i * w;
         }
     }
+    sum[2][2] += 0.25 * (d22 + d33) + 0.5 * d23;
+    sum[5][5] += 0.25 * (d22 + d33) - 0.5 * d23;
+    let both = 0.25 * (d33 - d22);
+    sum[2][5] += both;
+    sum[5][2] += both;
 }
 
 /// Adds the change of B under constant forces: weight (N z z^T/l + M_a (r z^T + z r^T)/l^2), r along
