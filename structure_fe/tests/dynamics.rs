@@ -207,8 +207,9 @@ fn a_thrown_beam_keeps_its_momentum() {
 #[test]
 fn supports_move_as_told() {
     let elements = 8;
-    for integration in [TRAPEZOIDAL, DAMPED, Integration::CentralDifference] {
-        let damping = Damping { mass: 0.0, stiffness: 1e-5 };
+    // The explicit damping force lags by half a step, so its reactions are told to that order only.
+    for (integration, stiffness) in [(TRAPEZOIDAL, 1e-5), (DAMPED, 1e-5), (Integration::CentralDifference, 0.0)] {
+        let damping = Damping { mass: 0.0, stiffness };
         let mut dynamics =
             Dynamics::new(beam(elements), supports("cantilever", elements), integration, damping).unwrap();
         let mass = dynamics.beam().mass();
