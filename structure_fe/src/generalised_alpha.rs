@@ -15,8 +15,11 @@ const ROUNDING: f64 = 1e-15;
 /// The tangent is kept while each correction is less than this of the one before \[-\].
 const CONTRACTING: f64 = 0.03;
 
-/// Corrections at most, from the first and from the second guess.
-const ITERATIONS: [usize; 2] = [8, 40];
+/// A correction of more than this of the one before gives the first guess up \[-\].
+const HOPELESS: f64 = 0.3;
+
+/// Corrections of a guess, at most.
+const ITERATIONS: usize = 40;
 
 /// The coefficients of Chung & Hulbert (1993) of a spectral radius rho, optimal in damping what is slow
 /// least (THEORY S17).
@@ -63,9 +66,9 @@ impl Dynamics {
     ) -> Result<StepReport, Error> {
         let mut report = StepReport { iterations: 0, tangents: 0, last_correction: f64::INFINITY };
         let mut new = self.predict_acceleration(rule, state, dt);
-        if !self.iterate(rule, state, load, dt, ITERATIONS[0], &mut new, &mut report)? {
+        if !self.iterate(rule, state, load, dt, true, &mut new, &mut report)? {
             new = self.predict_displacement(rule, state, dt);
-            if !self.iterate(rule, state, load, dt, ITERATIONS[1], &mut new, &mut report)? {
+            if !self.iterate(rule, state, load, dt, false, &mut new, &mut report)? {
                 let at = Kinematics { q: &new.displacement, v: &new.velocity, a: &new.acceleration };
                 self.system.forces(at, &self.damping, &mut self.internal);
                 let (residual, node, dof) = self.system.worst(&self.residual(load));
@@ -77,7 +80,8 @@ impl Dynamics {
         Ok(report)
     }
 
-    /// Newton's method; says whether it converged. The tangent of the first guess serves all corrections
+    /// Newton's method; says whether it converged. Where `hopeful` it gives up as soon as corrections do
+    /// not shrink: a sudden load's accelerations may be a bad guess. The tangent of the first guess serves all corrections
     /// while they shrink fast.
     fn iterate(
         &mut self,
@@ -85,7 +89,7 @@ impl Dynamics {
         state: &State,
         load: &[[f64; 3]],
         dt: f64,
-        iterations: usize,
+        hopeful: bool,
         new: &mut State,
         report: &mut StepReport,
     ) -> Result<bool, Error> {
@@ -93,7 +97,7 @@ impl Dynamics {
         let (mut last, mut fresh) = (f64::INFINITY, true);
         let external = self.system.equations.restrict(load);
         let mut correction = external.clone();
-        for _ in 0..iterations {
+        for _ in 0..ITERATIONS {
             let at = Kinematics { q: &new.displacement, v: &new.velocity, a: &new.acceleration };
             if fresh {
                 self.system.forces_and_tangent(at, &self.damping, weights, &mut self.internal, &mut self.matrix);
@@ -121,6 +125,9 @@ impl Dynamics {
             report.last_correction = if motion > 0.0 { size / motion } else { 0.0 };
             if size * ratio.min(1.0) <= CONVERGED * motion + ROUNDING {
                 return Ok(true);
+            }
+            if hopeful && last.is_finite() && ratio > HOPELESS {
+                return Ok(false);
             }
             fresh = ratio > CONTRACTING && last.is_finite();
             last = size;

@@ -4,15 +4,18 @@ mod common;
 
 use common::{MATERIAL, supports};
 use std::time::Instant;
-use structure_fe::{Beam, Damping, Dynamics, Integration, Section};
+use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Section};
 
 /// Seconds a step and element, the best of many short runs; and the corrections a step.
 fn cost(elements: usize) -> (f64, f64) {
     let beam = Beam::straight([0.0, 0.0], [1.0, 0.0], elements, MATERIAL, Section::strip(0.005)).unwrap();
     let rule = Integration::GeneralisedAlpha { spectral_radius: 0.8 };
     let mut dynamics = Dynamics::new(beam, supports("cantilever", elements), rule, Damping::default()).unwrap();
-    let mut load = vec![[0.0; 3]; elements + 1];
-    load[elements] = [0.0, 100.0, 0.0];
+    let mut loads = Loads::default();
+    for element in 0..elements {
+        loads.along_element(element, [0.0, -1000.0], [0.0, -1000.0]);
+    }
+    let load = loads.at_nodes(dynamics.beam(), &vec![[0.0; 3]; elements + 1]).unwrap();
     let mut state = dynamics.at_rest();
     dynamics.equilibrate(&mut state, &load).unwrap();
     let (mut best, mut corrections) = (f64::INFINITY, 0);
