@@ -88,18 +88,11 @@ impl Chord {
     }
 }
 
-/// What bending does to the mean strain of an element: its shape is longer than its chord.
-///
-/// The mean of w'^2/2 over the element's shapes is psi_s^2/6 + psi_a^2/(10 (1 + Phi)^2) (THEORY S10).
-fn curvature_factors(element: &ElementConstants) -> [f64; 2] {
-    [1.0 / 3.0, 0.2 / (1.0 + element.shear_parameter).powi(2)]
-}
-
 /// Forces (N \[N\], M_s, M_a \[N m\]) conjugate to the deformations (THEORY S10).
 #[inline]
 pub(crate) fn deformation_forces(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> [f64; 3] {
-    let [axial, for_arc, for_ess] = element.deformation_stiffness();
-    let [g_arc, g_ess] = curvature_factors(element);
+    let [axial, for_arc, for_ess] = element.stiffness;
+    let [g_arc, g_ess] = element.curvature_strain;
     let length = element.length;
     let normal = axial * (e + 0.5 * length * (g_arc * arc * arc + g_ess * ess * ess));
     [normal, (for_arc + normal * length * g_arc) * arc, (for_ess + normal * length * g_ess) * ess]
@@ -108,9 +101,9 @@ pub(crate) fn deformation_forces(element: &ElementConstants, [e, arc, ess]: &[f6
 /// Derivatives of the forces by the deformations, symmetric: 11, 12, 13, 22, 23, 33.
 #[inline]
 fn deformation_tangent(element: &ElementConstants, [_, arc, ess]: &[f64; 3], normal: f64) -> [f64; 6] {
-    let [axial, for_arc, for_ess] = element.deformation_stiffness();
+    let [axial, for_arc, for_ess] = element.stiffness;
     let length = element.length;
-    let [g_arc, g_ess] = curvature_factors(element).map(|factor| factor * length);
+    let [g_arc, g_ess] = element.curvature_strain.map(|factor| factor * length);
     let (slope_arc, slope_ess) = (g_arc * arc, g_ess * ess);
     [
         axial,
@@ -125,8 +118,8 @@ fn deformation_tangent(element: &ElementConstants, [_, arc, ess]: &[f64; 3], nor
 /// Elastic energy \[J\]: (EA L/2) strain^2 + bending, a sum of squares (THEORY S10).
 pub(crate) fn strain_energy(element: &ElementConstants, q: &Ends) -> f64 {
     let [e, arc, ess] = Chord::new(element, q).deformation;
-    let [axial, for_arc, for_ess] = element.deformation_stiffness();
-    let [g_arc, g_ess] = curvature_factors(element);
+    let [axial, for_arc, for_ess] = element.stiffness;
+    let [g_arc, g_ess] = element.curvature_strain;
     let elongation = e + 0.5 * element.length * (g_arc * arc * arc + g_ess * ess * ess);
     0.5 * (axial * elongation.powi(2) + for_arc * arc.powi(2) + for_ess * ess.powi(2))
 }

@@ -77,7 +77,7 @@ pub(crate) fn response(
     let turned = turned_mass(mass, &v);
     let gradient = turn_gradient(&chord);
     let by_turn = 0.5 * dot(&v, &turned);
-    let stiffness = element.deformation_stiffness();
+    let stiffness = element.stiffness;
     let rates = chord.deformation_rates(&v);
     let viscous = [0, 1, 2].map(|i| damping.stiffness * stiffness[i] * rates[i]);
 
@@ -105,7 +105,7 @@ pub(crate) fn restoring(element: &ElementConstants, q: &Ends, v: &Ends, damping:
     let chord = Chord::new(element, q);
     let mut forces = deformation_forces(element, &chord.deformation);
     if damping.stiffness > 0.0 {
-        let stiffness = element.deformation_stiffness();
+        let stiffness = element.stiffness;
         let rates = chord.deformation_rates(&chord.to_local(v));
         for i in 0..3 {
             forces[i] += damping.stiffness * stiffness[i] * rates[i];

@@ -76,11 +76,12 @@ impl System {
             add_ends(forces, nodes, &force);
             if let (Some((_, matrix)), Some(local)) = (&mut tangent, local) {
                 let numbers = self.equations.of_element(nodes);
-                for (i, row) in numbers.iter().enumerate() {
+                for (row, values) in numbers.iter().zip(&local) {
                     let Some(row) = *row else { continue };
-                    for (j, column) in numbers.iter().enumerate() {
-                        let Some(column) = *column else { continue };
-                        matrix.add(row, column, local[i][j]);
+                    for (column, value) in numbers.iter().zip(values) {
+                        if let Some(column) = *column {
+                            matrix.add(row, column, *value);
+                        }
                     }
                 }
             }
