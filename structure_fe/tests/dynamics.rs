@@ -165,6 +165,37 @@ fn a_free_swinging_beam_keeps_its_energy() {
     assert!(explicit < 1e-3, "{explicit:e}");
 }
 
+/// Two bars, pinned and hinged to each other: a double pendulum keeps its energy, and its hinge holds.
+#[test]
+fn a_double_pendulum_keeps_its_energy_and_its_hinge() {
+    let rubber = Material { youngs_modulus: 5e6, poissons_ratio: 0.45, density: 1100.0 };
+    let nodes: Vec<[f64; 2]> = [0.0, 0.25, 0.5, 0.5, 0.75, 1.0].map(|x| [x, 0.0]).to_vec();
+    let beam = Beam::uniform(nodes, &[[0, 1], [1, 2], [3, 4], [4, 5]], rubber, Section::strip(0.05)).unwrap();
+    let mut loads = Loads::default();
+    let weight = -9.81 * beam.mass();
+    for element in 0..4 {
+        loads.along_element(element, [0.0, weight], [0.0, weight]);
+    }
+    let load = loads.at_nodes(&beam, &free_of_load(6)).unwrap();
+    let mut held = Supports::default();
+    held.pin(0).hinge(2, 3);
+    let mut dynamics = Dynamics::new(beam, held, TRAPEZOIDAL, Damping::default()).unwrap();
+    let mut state = dynamics.at_rest();
+    dynamics.equilibrate(&mut state, &load).unwrap();
+    let (mut worst, mut most, mut bend): (f64, f64, f64) = (0.0, 0.0, 0.0);
+    for _ in 0..2000 {
+        dynamics.step(&mut state, &load, 5e-4).unwrap();
+        let kinetic = dynamics.kinetic_energy(&state);
+        worst = worst.max((kinetic + dynamics.strain_energy(&state) - work(&load, &state)).abs());
+        most = most.max(kinetic);
+        bend = bend.max((state.displacement[2][2] - state.displacement[3][2]).abs());
+        assert_eq!(state.displacement[2][..2], state.displacement[3][..2]);
+    }
+    println!("double pendulum: energy {:e}, hinge opened by {bend} rad", worst / most);
+    assert!(worst < 2e-3 * most, "{worst} of {most}");
+    assert!(bend > 0.5, "the hinge turns: {bend}");
+}
+
 /// A free beam thrown with spin and bent: nothing from outside, momenta stay.
 #[test]
 fn a_thrown_beam_keeps_its_momentum() {
