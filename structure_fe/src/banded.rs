@@ -43,7 +43,7 @@ impl Banded {
         let diagonal: Vec<f64> = (0..self.unknowns).map(|i| self.values[i * width + half].abs()).collect();
         for k in 0..self.unknowns {
             let (above, below) = self.values.split_at_mut((k + 1) * width);
-            let row = &above[k * width + half..];
+            let row = &mut above[k * width + half..];
             let pivot = row[0];
             // Written so that a pivot that is not a number is caught too.
             let regular = pivot.abs() > SMALLEST_PIVOT * diagonal[k];
@@ -51,13 +51,16 @@ impl Banded {
                 return Err(ZeroPivot { equation: k });
             }
             negative += usize::from(pivot < 0.0);
+            // The factors keep the inverse of the pivot: dividing costs more than all the rest.
+            row[0] = pivot.recip();
+            let (inverse, row) = (row[0], &row[1..]);
             for (offset, other) in below.chunks_exact_mut(width).take(half).enumerate() {
                 // The entry of column k in row k + 1 + offset, and those to its right.
                 let other = &mut other[half - 1 - offset..];
                 if other[0] != 0.0 {
-                    let factor = other[0] / pivot;
+                    let factor = other[0] * inverse;
                     other[0] = factor;
-                    for (entry, upper) in other[1..=half].iter_mut().zip(&row[1..=half]) {
+                    for (entry, upper) in other[1..=half].iter_mut().zip(row) {
                         *entry -= factor * upper;
                     }
                 }
@@ -79,7 +82,7 @@ impl Banded {
             let last = (i + half + 1).min(self.unknowns);
             let row = &self.values[i * width + half..];
             let sum: f64 = row[1..].iter().zip(&x[i + 1..last]).map(|(u, x)| u * x).sum();
-            x[i] = (x[i] - sum) / row[0];
+            x[i] = (x[i] - sum) * row[0];
         }
     }
 }

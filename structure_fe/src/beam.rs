@@ -1,7 +1,6 @@
 //! The model: nodes, elements and what they are made of.
 
-use crate::element::{ElementConstants, Ends};
-use crate::element_mass::ElementMass;
+use crate::element::{ElementConstants, Ends, Properties};
 use crate::error::{Error, existing_node, finite, positive};
 use crate::material::Material;
 use crate::section::Section;
@@ -267,24 +266,19 @@ fn formulate(
     if length <= SHORTEST_ELEMENT * extent {
         return Err(Error::ZeroLengthElement { element: index, nodes: element.nodes, length, extent });
     }
-    let bending_stiffness = section.bending_stiffness(material);
-    let shear_parameter = match theory {
-        Theory::EulerBernoulli => 0.0,
+    let shear_stiffness = match theory {
+        Theory::EulerBernoulli => f64::INFINITY,
         Theory::Timoshenko { shear_correction } => {
             positive("shear correction [-]", "element", index, shear_correction)?;
-            12.0 * bending_stiffness / (section.shear_stiffness(material, shear_correction) * length.powi(2))
+            section.shear_stiffness(material, shear_correction)
         }
     };
-    let mass_per_length = section.mass_per_length(material);
-    let radius_squared = if rotatory_inertia { section.second_moment() / section.area() } else { 0.0 };
-    Ok(ElementConstants {
-        length,
-        tangent: [dx / length, dy / length],
+    let properties = Properties {
         axial_stiffness: section.axial_stiffness(material),
-        bending_stiffness,
-        shear_parameter,
-        mass_per_length,
-        radius_squared,
-        mass: ElementMass::new(mass_per_length * length, length, shear_parameter, radius_squared),
-    })
+        bending_stiffness: section.bending_stiffness(material),
+        shear_stiffness,
+        mass_per_length: section.mass_per_length(material),
+        radius_squared: if rotatory_inertia { section.second_moment() / section.area() } else { 0.0 },
+    };
+    Ok(ElementConstants::new(&properties, [dx, dy]))
 }

@@ -88,18 +88,11 @@ impl Chord {
     }
 }
 
-/// What bending does to the mean strain of an element: its shape is longer than its chord.
-///
-/// The mean of w'^2/2 over the element's shapes is psi_s^2/6 + psi_a^2/(10 (1 + Phi)^2) (THEORY S10).
-fn curvature_factors(element: &ElementConstants) -> [f64; 2] {
-    [1.0 / 3.0, 0.2 / (1.0 + element.shear_parameter).powi(2)]
-}
-
 /// Forces (N \[N\], M_s, M_a \[N m\]) conjugate to the deformations (THEORY S10).
 #[inline]
 pub(crate) fn deformation_forces(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> [f64; 3] {
-    let [axial, for_arc, for_ess] = element.deformation_stiffness();
-    let [g_arc, g_ess] = curvature_factors(element);
+    let [axial, for_arc, for_ess] = element.stiffness;
+    let [g_arc, g_ess] = element.curvature_strain;
     let length = element.length;
     let normal = axial * (e + 0.5 * length * (g_arc * arc * arc + g_ess * ess * ess));
     [normal, (for_arc + normal * length * g_arc) * arc, (for_ess + normal * length * g_ess) * ess]
@@ -108,9 +101,9 @@ pub(crate) fn deformation_forces(element: &ElementConstants, [e, arc, ess]: &[f6
 /// Derivatives of the forces by the deformations, symmetric: 11, 12, 13, 22, 23, 33.
 #[inline]
 fn deformation_tangent(element: &ElementConstants, [_, arc, ess]: &[f64; 3], normal: f64) -> [f64; 6] {
-    let [axial, for_arc, for_ess] = element.deformation_stiffness();
+    let [axial, for_arc, for_ess] = element.stiffness;
     let length = element.length;
-    let [g_arc, g_ess] = curvature_factors(element).map(|factor| factor * length);
+    let [g_arc, g_ess] = element.curvature_strain.map(|factor| factor * length);
     let (slope_arc, slope_ess) = (g_arc * arc, g_ess * ess);
     [
         axial,
@@ -125,8 +118,8 @@ fn deformation_tangent(element: &ElementConstants, [_, arc, ess]: &[f64; 3], nor
 /// Elastic energy \[J\]: (EA L/2) strain^2 + bending, a sum of squares (THEORY S10).
 pub(crate) fn strain_energy(element: &ElementConstants, q: &Ends) -> f64 {
     let [e, arc, ess] = Chord::new(element, q).deformation;
-    let [axial, for_arc, for_ess] = element.deformation_stiffness();
-    let [g_arc, g_ess] = curvature_factors(element);
+    let [axial, for_arc, for_ess] = element.stiffness;
+    let [g_arc, g_ess] = element.curvature_strain;
     let elongation = e + 0.5 * element.length * (g_arc * arc * arc + g_ess * ess * ess);
     0.5 * (axial * elongation.powi(2) + for_arc * arc.powi(2) + for_ess * ess.powi(2))
 }
@@ -156,18 +149,36 @@ pub(crate) fn add_elastic_tangent(
 }
 
 /// Adds weight B^T D B to `sum`; D symmetric, in the order 11, 12, 13, 22, 23, 33.
+///
+/// Written out: the rows of B are (-1, 0, 0, 1, 0, 0), (0, 0, 1/2, 0, 0, -1/2), (0, y, 1/2, 0, -y, 1/2), y = 1/l.
 #[inline]
 pub(crate) fn add_deformation_matrix(chord: &Chord, d: &[f64; 6], weight: f64, sum: &mut EndsMatrix) {
+    let [d11, d12, d13, d22, d23, d33] = d.map(|value| weight * value);
     let y = 1.0 / chord.length;
-    let b = [[-1.0, 0.0, 0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.5, 0.0, 0.0, -0.5], [0.0, y, 0.5, 0.0, -y, 0.5]];
-    let full = [[d[0], d[1], d[2]], [d[1], d[3], d[4]], [d[2], d[4], d[5]]];
-    let forces: [Ends; 3] =
-        full.map(|row| std::array::from_fn(|j| weight * (row[0] * b[0][j] + row[1] * b[1][j] + row[2] * b[2][j])));
-    for i in 0..6 {
-        for j in 0..6 {
-            sum[i][j] += b[0][i] * forces[0][j] + b[1][i] * forces[1][j] + b[2][i] * forces[2][j];
+    let (u_w, w_w) = (-y * d13, y * y * d33);
+    let u_theta = [0.5 * (d13 + d12), 0.5 * (d13 - d12)];
+    let w_theta = [-0.5 * y * (d33 + d23), -0.5 * y * (d33 - d23)];
+    for (i, sign_i) in [(0, -1.0), (3, 1.0)] {
+        for (j, sign_j) in [(0, -1.0), (3, 1.0)] {
+            let sign = sign_i * sign_j;
+            sum[i][j] += sign * d11;
+            sum[i][j + 1] += sign * u_w;
+            sum[i + 1][j] += sign * u_w;
+            sum[i + 1][j + 1] += sign * w_w;
+        }
+        for (end, (u, w)) in u_theta.into_iter().zip(w_theta).enumerate() {
+            let theta = 3 * end + 2;
+            sum[i][theta] += sign_i * u;
+            sum[theta][i] += sign_i * u;
+            sum[i + 1][theta] += sign_i * w;
+            sum[theta][i + 1] += sign_i * w;
         }
     }
+    sum[2][2] += 0.25 * (d22 + d33) + 0.5 * d23;
+    sum[5][5] += 0.25 * (d22 + d33) - 0.5 * d23;
+    let both = 0.25 * (d33 - d22);
+    sum[2][5] += both;
+    sum[5][2] += both;
 }
 
 /// Adds the change of B under constant forces: weight (N z z^T/l + M_a (r z^T + z r^T)/l^2), r along

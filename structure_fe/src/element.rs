@@ -24,10 +24,10 @@ pub(crate) struct ElementConstants {
     pub length: f64,
     /// Unit vector (cos, sin) from the first node to the second \[-\].
     pub tangent: [f64; 2],
-    /// Axial stiffness EA \[N\].
-    pub axial_stiffness: f64,
-    /// Bending stiffness EI \[N m^2\].
-    pub bending_stiffness: f64,
+    /// The diagonal of D: stiffness against elongation \[N/m\], arc and S \[N m\] (THEORY S3).
+    pub stiffness: [f64; 3],
+    /// What arc and S add to the mean strain: factors of psi_s^2/2 and psi_a^2/2 (THEORY S10).
+    pub curvature_strain: [f64; 2],
     /// Shear parameter Phi = 12 EI/(kappa G A L^2) \[-\]; 0 without shear deformation.
     pub shear_parameter: f64,
     /// Mass per length rho A \[kg/m\].
@@ -38,7 +38,40 @@ pub(crate) struct ElementConstants {
     pub mass: ElementMass,
 }
 
+/// What an element is made of, per length.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Properties {
+    /// Axial stiffness EA \[N\].
+    pub axial_stiffness: f64,
+    /// Bending stiffness EI \[N m^2\].
+    pub bending_stiffness: f64,
+    /// Shear stiffness kappa G A \[N\], infinite without shear deformation.
+    pub shear_stiffness: f64,
+    /// Mass per length rho A \[kg/m\].
+    pub mass_per_length: f64,
+    /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
+    pub radius_squared: f64,
+}
+
 impl ElementConstants {
+    /// Of an element of these properties from one node along `[dx, dy]` \[m\] to the other.
+    pub fn new(properties: &Properties, [dx, dy]: [f64; 2]) -> Self {
+        let length = dx.hypot(dy);
+        let phi = 12.0 * properties.bending_stiffness / (properties.shear_stiffness * length.powi(2));
+        let bending = 4.0 * properties.bending_stiffness / length;
+        let Properties { mass_per_length, radius_squared, .. } = *properties;
+        Self {
+            length,
+            tangent: [dx / length, dy / length],
+            stiffness: [properties.axial_stiffness / length, bending, 3.0 * bending / (1.0 + phi)],
+            curvature_strain: [1.0 / 3.0, 0.2 / (1.0 + phi).powi(2)],
+            shear_parameter: phi,
+            mass_per_length,
+            radius_squared,
+            mass: ElementMass::new(mass_per_length * length, length, phi, radius_squared),
+        }
+    }
+
     /// Deformations d = (e \[m\], psi_s \[rad\], psi_a \[rad\]) of the end values.
     ///
     /// Differences are taken first, so that a rigid translation gives exactly zero.
@@ -50,22 +83,16 @@ impl ElementConstants {
         [c * du + s * dw, 0.5 * (psi_1 - psi_2), 0.5 * (psi_1 + psi_2)]
     }
 
-    /// The diagonal of D: stiffness against elongation \[N/m\], arc and S \[N m\] (THEORY S3).
-    pub fn deformation_stiffness(&self) -> [f64; 3] {
-        let bending = 4.0 * self.bending_stiffness / self.length;
-        [self.axial_stiffness / self.length, bending, 3.0 * bending / (1.0 + self.shear_parameter)]
-    }
-
     /// Elastic end forces K q, in the global axes \[N, N, N m, ...\].
     pub fn elastic_forces(&self, q: &Ends) -> Ends {
-        let stiffness = self.deformation_stiffness();
+        let stiffness = &self.stiffness;
         let d = self.deformations(q);
         self.to_global(&end_forces(&[0, 1, 2].map(|i| stiffness[i] * d[i]), self.length))
     }
 
     /// Elastic energy d^T D d/2 \[J\]: a sum of squares, so never negative.
     pub fn strain_energy(&self, q: &Ends) -> f64 {
-        let stiffness = self.deformation_stiffness();
+        let stiffness = &self.stiffness;
         let d = self.deformations(q);
         0.5 * (0..3).map(|i| stiffness[i] * d[i].powi(2)).sum::<f64>()
     }

@@ -169,6 +169,19 @@ pub enum Error {
         /// Number of nodes in the model.
         nodes: usize,
     },
+    /// An element's end has turned against its chord beyond what its shapes describe.
+    #[error(
+        "element {element} is bent by {rotation:.2} rad against its chord, more than {limit} rad: take more elements, \
+         or a smaller load"
+    )]
+    BentTooFar {
+        /// The element.
+        element: usize,
+        /// The larger of its ends' rotations against the chord \[rad\].
+        rotation: f64,
+        /// The limit \[rad\].
+        limit: f64,
+    },
     /// The tangent stiffness has no inverse: a mechanism, or exactly a limit or bifurcation point.
     #[error(
         "the tangent stiffness is singular at {dof} of node {node}: the model is a mechanism there, \

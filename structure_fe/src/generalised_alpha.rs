@@ -15,8 +15,11 @@ const ROUNDING: f64 = 1e-15;
 /// The tangent is kept while each correction is less than this of the one before \[-\].
 const CONTRACTING: f64 = 0.03;
 
-/// Corrections, at most.
-const ITERATIONS: usize = 30;
+/// A correction of more than this of the one before gives the first guess up \[-\].
+const HOPELESS: f64 = 0.3;
+
+/// Corrections of a guess, at most.
+const ITERATIONS: usize = 40;
 
 /// The coefficients of Chung & Hulbert (1993) of a spectral radius rho, optimal in damping what is slow
 /// least (THEORY S17).
@@ -52,9 +55,8 @@ impl Coefficients {
 }
 
 impl Dynamics {
-    /// Equilibrium at the step's end, found by Newton's method from the old acceleration kept.
-    ///
-    /// The tangent of the first guess serves all corrections while they shrink fast.
+    /// Equilibrium at the step's end by Newton's method, from the old acceleration kept; where that does
+    /// not settle, from the old displacement kept.
     pub(crate) fn implicit_step(
         &mut self,
         rule: &Coefficients,
@@ -62,13 +64,40 @@ impl Dynamics {
         load: &[[f64; 3]],
         dt: f64,
     ) -> Result<StepReport, Error> {
-        let weights = rule.weights(dt);
-        let mut new = self.predict(rule, state, dt);
         let mut report = StepReport { iterations: 0, tangents: 0, last_correction: f64::INFINITY };
+        let mut new = self.predict_acceleration(rule, state, dt);
+        if !self.iterate(rule, state, load, dt, true, &mut new, &mut report)? {
+            new = self.predict_displacement(rule, state, dt);
+            if !self.iterate(rule, state, load, dt, false, &mut new, &mut report)? {
+                let at = Kinematics { q: &new.displacement, v: &new.velocity, a: &new.acceleration };
+                self.system.forces(at, &self.damping, &mut self.internal);
+                let (residual, node, dof) = self.system.worst(&self.residual(load));
+                let (time, iteration) = (state.time, report.iterations);
+                return Err(Error::StepNotConverged { time, dt, iteration, residual, node, dof });
+            }
+        }
+        self.finish(rule, state, new, dt);
+        Ok(report)
+    }
+
+    /// Newton's method; says whether it converged. Where `hopeful` it gives up as soon as corrections do
+    /// not shrink: a sudden load's accelerations may be a bad guess. The tangent of the first guess serves all corrections
+    /// while they shrink fast.
+    fn iterate(
+        &mut self,
+        rule: &Coefficients,
+        state: &State,
+        load: &[[f64; 3]],
+        dt: f64,
+        hopeful: bool,
+        new: &mut State,
+        report: &mut StepReport,
+    ) -> Result<bool, Error> {
+        let weights = rule.weights(dt);
         let (mut last, mut fresh) = (f64::INFINITY, true);
         let external = self.system.equations.restrict(load);
         let mut correction = external.clone();
-        while report.iterations < ITERATIONS {
+        for _ in 0..ITERATIONS {
             let at = Kinematics { q: &new.displacement, v: &new.velocity, a: &new.acceleration };
             if fresh {
                 self.system.forces_and_tangent(at, &self.damping, weights, &mut self.internal, &mut self.matrix);
@@ -95,20 +124,19 @@ impl Dynamics {
             let motion = self.system.size_of_difference(&new.displacement, &state.displacement);
             report.last_correction = if motion > 0.0 { size / motion } else { 0.0 };
             if size * ratio.min(1.0) <= CONVERGED * motion + ROUNDING {
-                self.finish(rule, state, new, dt);
-                return Ok(report);
+                return Ok(true);
+            }
+            if hopeful && last.is_finite() && ratio > HOPELESS {
+                return Ok(false);
             }
             fresh = ratio > CONTRACTING && last.is_finite();
             last = size;
         }
-        let at = Kinematics { q: &new.displacement, v: &new.velocity, a: &new.acceleration };
-        self.system.forces(at, &self.damping, &mut self.internal);
-        let (residual, node, dof) = self.system.worst(&self.residual(load));
-        Err(Error::StepNotConverged { time: state.time, dt, iteration: report.iterations, residual, node, dof })
+        Ok(false)
     }
 
     /// The motion if the acceleration stays what it is; supports where they are told to be.
-    fn predict(&self, rule: &Coefficients, state: &State, dt: f64) -> State {
+    fn predict_acceleration(&self, rule: &Coefficients, state: &State, dt: f64) -> State {
         let mut new = state.clone();
         for node in 0..state.displacement.len() {
             for dof in 0..3 {
@@ -116,6 +144,24 @@ impl Dynamics {
                 let end = rule.integrated(state, &state.acceleration, node, dof);
                 new.displacement[node][dof] += dt * v + dt * dt * ((0.5 - rule.beta) * a + rule.beta * end);
                 new.velocity[node][dof] += dt * ((1.0 - rule.gamma) * a + rule.gamma * end);
+            }
+        }
+        self.move_supports(&mut new);
+        new
+    }
+
+    /// The motion that ends where it began, but for the supports: no strain is guessed, so that stiff
+    /// models do not start from large forces.
+    fn predict_displacement(&self, rule: &Coefficients, state: &State, dt: f64) -> State {
+        let mut new = state.clone();
+        for node in 0..state.displacement.len() {
+            for dof in 0..3 {
+                let (v, a) = (state.velocity[node][dof], state.integrated_acceleration[node][dof]);
+                let end = -(v / dt + (0.5 - rule.beta) * a) / rule.beta;
+                new.velocity[node][dof] += dt * ((1.0 - rule.gamma) * a + rule.gamma * end);
+                let mean = (1.0 - rule.alpha_m) * end + rule.alpha_m * a;
+                new.acceleration[node][dof] =
+                    (mean - rule.alpha_f * state.acceleration[node][dof]) / (1.0 - rule.alpha_f);
             }
         }
         self.move_supports(&mut new);

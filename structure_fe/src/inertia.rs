@@ -77,7 +77,7 @@ pub(crate) fn response(
     let turned = turned_mass(mass, &v);
     let gradient = turn_gradient(&chord);
     let by_turn = 0.5 * dot(&v, &turned);
-    let stiffness = element.deformation_stiffness();
+    let stiffness = element.stiffness;
     let rates = chord.deformation_rates(&v);
     let viscous = [0, 1, 2].map(|i| damping.stiffness * stiffness[i] * rates[i]);
 
@@ -105,7 +105,7 @@ pub(crate) fn restoring(element: &ElementConstants, q: &Ends, v: &Ends, damping:
     let chord = Chord::new(element, q);
     let mut forces = deformation_forces(element, &chord.deformation);
     if damping.stiffness > 0.0 {
-        let stiffness = element.deformation_stiffness();
+        let stiffness = element.stiffness;
         let rates = chord.deformation_rates(&chord.to_local(v));
         for i in 0..3 {
             forces[i] += damping.stiffness * stiffness[i] * rates[i];
@@ -146,14 +146,20 @@ fn inertia_tangent(
     // The change of a_z: G = -(r z^T + z r^T)/l^2, and G v.
     let l2 = chord.length.powi(2);
     let (stretch, across) = ((v[3] - v[0]) / l2, (v[4] - v[1]) / l2);
-    let change = [across, stretch, 0.0, -across, -stretch, 0.0];
+    // a_z has entries for w1 and w2 only, G v for the displacements.
+    let y = gradient[4];
     for i in 0..6 {
-        let by_gradient = weights.velocity * turned[i] + weights.displacement * displaced[i];
+        let by_gradient = y * (weights.velocity * turned[i] + weights.displacement * displaced[i]);
         let by_change = weights.displacement * turned[i];
-        let by_turned = -weights.velocity * gradient[i];
-        for j in 0..6 {
-            sum[i][j] += by_gradient * gradient[j] + by_turned * turned[j] + by_change * change[j];
-        }
+        sum[i][0] += by_change * across;
+        sum[i][1] += by_change * stretch - by_gradient;
+        sum[i][3] -= by_change * across;
+        sum[i][4] += by_gradient - by_change * stretch;
+    }
+    for j in 0..6 {
+        let by_turned = y * weights.velocity * turned[j];
+        sum[1][j] += by_turned;
+        sum[4][j] -= by_turned;
     }
     let couple = weights.displacement * by_turn / l2;
     for (i, sign_i) in [(0, -1.0), (3, 1.0)] {

@@ -32,7 +32,7 @@ fn of_element(element: &ElementConstants) -> [f64; 2] {
 /// Square of the highest frequency of an element with its lumped mass \[1/s^2\]: of stretching, arc and S.
 fn highest_squared(element: &ElementConstants) -> f64 {
     let [mass, inertia] = of_element(element);
-    let [axial, arc, ess] = element.deformation_stiffness();
+    let [axial, arc, ess] = element.stiffness;
     let stretching = 2.0 * axial / mass;
     // psi_s = (theta_1 - theta_2)/2; psi_a = (theta_1 + theta_2)/2 - (w_2 - w_1)/L.
     let bending = 0.5 * arc / inertia;

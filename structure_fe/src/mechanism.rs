@@ -2,7 +2,8 @@
 //!
 //! Joints are rigid, so a displacement costs no elastic energy exactly when every connected part
 //! moves as a rigid body: K is positive definite if and only if the supports of every part stop its
-//! three rigid motions; parts that hinges join are asked together. That is three numbers per part, asked of the geometry. A Cholesky
+//! three rigid motions; parts that hinges join are asked together. That is three numbers per part,
+//! asked of the geometry. A Cholesky
 //! factorisation cannot be asked: its last pivot is rounding noise, as often positive as not.
 
 use crate::beam::Beam;

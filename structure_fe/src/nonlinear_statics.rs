@@ -76,6 +76,7 @@ impl NonlinearStatics {
                 }
             }
         }
+        self.system.require_bent_little(&u)?;
         Ok(self.solution(loads, 1.0, u))
     }
 

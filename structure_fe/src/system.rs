@@ -11,6 +11,9 @@ use crate::ordering::narrow_band;
 use crate::section_forces::{SectionForces, at_ends};
 use crate::supports::{Dof, Supports};
 
+/// Ends may turn by this much against their chord \[rad\]: at 1 rad the shortening of an arc's chord is 5 % off.
+const MOST_BENT: f64 = 1.0;
+
 /// A supported model at large displacements. The numbering and the band are laid out once.
 #[derive(Debug, Clone)]
 pub(crate) struct System {
@@ -76,11 +79,12 @@ impl System {
             add_ends(forces, nodes, &force);
             if let (Some((_, matrix)), Some(local)) = (&mut tangent, local) {
                 let numbers = self.equations.of_element(nodes);
-                for (i, row) in numbers.iter().enumerate() {
+                for (row, values) in numbers.iter().zip(&local) {
                     let Some(row) = *row else { continue };
-                    for (j, column) in numbers.iter().enumerate() {
-                        let Some(column) = *column else { continue };
-                        matrix.add(row, column, local[i][j]);
+                    for (column, value) in numbers.iter().zip(values) {
+                        if let Some(column) = *column {
+                            matrix.add(row, column, *value);
+                        }
                     }
                 }
             }
@@ -139,6 +143,18 @@ impl System {
             at_ends(&std::array::from_fn(|i| elastic[i] - load[i]))
         });
         sections.collect()
+    }
+
+    /// The error that names the first element bent beyond what its shapes describe, if there is one.
+    pub fn require_bent_little(&self, q: &[[f64; 3]]) -> Result<(), Error> {
+        for (index, (nodes, element)) in self.beam.formulated().enumerate() {
+            let [_, arc, ess] = Chord::new(element, &self.beam.ends(nodes, q)).deformation;
+            let rotation = arc.abs() + ess.abs();
+            if rotation > MOST_BENT {
+                return Err(Error::BentTooFar { element: index, rotation, limit: MOST_BENT });
+            }
+        }
+        Ok(())
     }
 
     /// Forces of the supports: what the internal forces lack of the load where a degree of freedom is

@@ -211,6 +211,16 @@ fn a_load_beyond_all_bounds_is_refused_with_its_numbers() {
     );
 }
 
+/// An equilibrium that small strains do not cover, or that the mesh cannot describe, is no answer.
+#[test]
+fn elements_bent_too_far_are_named() {
+    let (model, ei) = inextensible(4);
+    let mut loads = Loads::default();
+    loads.at_node(4, [0.0, 0.0, 10.0 * ei / LENGTH]);
+    let error = model.solve(&loads, 20).unwrap_err();
+    assert!(matches!(error, Error::BentTooFar { element: 0..4, rotation, .. } if rotation > 1.0), "{error}");
+}
+
 #[test]
 fn hinges_release_rotations_in_linear_statics_too() {
     // A cantilever with a hinge in the middle is a mechanism; propped at its tip it is not.
