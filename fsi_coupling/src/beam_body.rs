@@ -67,8 +67,10 @@ impl BeamBody {
         let weight = own_weight(&dynamics, gravity);
         let mass = dynamics.beam().mass();
         let nodes = surface.nodes();
-        let corners =
-            outline.loops().iter().map(|l| l.iter().map(|at| surface.perch(*at, [0.0; 2])).collect()).collect();
+        let lengths = (0..dynamics.beam().elements().len()).map(|element| dynamics.beam().length(element));
+        let longest = lengths.fold(f64::INFINITY, f64::min);
+        let perches = |part: &Vec<[f64; 2]>| divided(part, longest).map(|at| surface.perch(at, [0.0; 2])).collect();
+        let corners = outline.loops().iter().map(perches).collect();
         let mut state = Moving {
             nodes: dynamics.at_rest(),
             load: vec![[0.0; 3]; nodes],

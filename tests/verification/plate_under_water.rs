@@ -46,6 +46,8 @@ fn deflections(spacing: f64, end: f64) -> (Vec<[f64; 2]>, Coupled) {
     (middle, system)
 }
 
+/// Loaded at once, the plate swings about the exact deflection (with its own weight, without shear) and comes to rest there:
+/// 0.3 % off, by 40 rows of water; of the first swing of 49 μm 0.6 μm is left after a second.
 #[test]
 fn a_plate_under_water_sinks_as_plate_theory_says() {
     let (middle, system) = deflections(0.05, 1.0);
@@ -55,11 +57,10 @@ fn a_plate_under_water_sinks_as_plate_theory_says() {
         let swing = part.iter().map(|y| (y - mean).abs()).fold(0.0, f64::max);
         (mean, swing)
     };
-    let ((early, first), (late, last)) = (mean(0.0, 0.2), mean(0.8, 1.0));
-    println!("{early:.3e} {first:.3e} {late:.3e} {last:.3e} {:?} {}", system.momentum_audit(), system.energy_drift());
+    let ((_, first), (late, last)) = (mean(0.0, 0.2), mean(0.8, 1.0));
     let exact = -6.860_438_2e-5;
     assert!((late / exact - 1.0).abs() < 0.03, "{late:.4e} m, exact {exact:.4e} m");
-    assert!(last < 0.2 * first, "still swings by {last:.2e} m, at first {first:.2e} m");
+    assert!(last < 0.05 * first, "still swings by {last:.2e} m, at first {first:.2e} m");
     assert_eq!(system.penetration().count, 0);
     assert!(system.momentum_audit().worst < 1e-10);
 }
