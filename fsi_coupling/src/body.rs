@@ -21,6 +21,14 @@ pub enum BodyError {
         /// What was given, in SI units.
         given: f64,
     },
+    /// The structure's equations cannot be set up or solved.
+    #[error("body `{name}`: {reason}")]
+    Structure {
+        /// The body.
+        name: String,
+        /// What its finite elements say.
+        reason: String,
+    },
     /// The rigid-body engine met a number that is not finite.
     #[error("body `{name}`: its motion is no longer finite at t = {time:.6e} s")]
     NotFinite {

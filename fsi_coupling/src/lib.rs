@@ -4,6 +4,8 @@
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
 //! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
 
+pub mod beam_body;
+pub mod beam_surface;
 pub mod body;
 mod contact;
 pub mod coupled;
@@ -23,6 +25,7 @@ pub mod sampling;
 pub mod shape;
 pub mod tank;
 
+pub use beam_body::{BeamBody, BeamSpec};
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 pub use coupled::{Coupled, CouplingError};
 pub use exchange::{Agreement, Iteration, Scheme};

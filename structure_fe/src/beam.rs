@@ -1,9 +1,10 @@
 //! The model: nodes, elements and what they are made of.
 
-use crate::error::{Error, existing_node, finite};
-use crate::euler_bernoulli::{Ends, EulerBernoulli};
+use crate::element::{ElementConstants, Ends, Properties};
+use crate::error::{Error, existing_node, finite, positive};
 use crate::material::Material;
 use crate::section::Section;
+use crate::theory::Theory;
 
 /// Elements shorter than this fraction of the model's extent count as having no length.
 const SHORTEST_ELEMENT: f64 = 1e-12;
@@ -29,7 +30,12 @@ pub struct Element {
 pub struct Beam {
     nodes: Vec<[f64; 2]>,
     elements: Vec<Element>,
-    formulation: Vec<EulerBernoulli>,
+    extent: f64,
+    theory: Vec<Theory>,
+    rotatory_inertia: bool,
+    /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
+    points: Vec<[f64; 3]>,
+    formulation: Vec<ElementConstants>,
 }
 
 impl Beam {
@@ -45,7 +51,7 @@ impl Beam {
         let formulation = elements
             .iter()
             .enumerate()
-            .map(|(index, element)| formulate(&nodes, extent, index, element))
+            .map(|(index, element)| formulate(&nodes, extent, index, element, Theory::default(), false))
             .collect::<Result<_, _>>()?;
         let mut attached = vec![false; nodes.len()];
         for node in elements.iter().flat_map(|element| element.nodes) {
@@ -54,7 +60,9 @@ impl Beam {
         if let Some(node) = attached.iter().position(|attached| !attached) {
             return Err(Error::UnattachedNode { node });
         }
-        Ok(Self { nodes, elements, formulation })
+        let theory = vec![Theory::default(); elements.len()];
+        let points = vec![[0.0; 3]; nodes.len()];
+        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, formulation })
     }
 
     /// A model with one material and one section throughout.
@@ -86,6 +94,48 @@ impl Beam {
         Self::uniform(nodes, &connectivity, material, section)
     }
 
+    /// The same model with every element of this theory (Euler-Bernoulli until told).
+    pub fn with_theory(mut self, theory: Theory) -> Result<Self, Error> {
+        self.theory = vec![theory; self.elements.len()];
+        self.reformulate()
+    }
+
+    /// The same model with one element of this theory.
+    pub fn with_theory_of(mut self, element: usize, theory: Theory) -> Result<Self, Error> {
+        existing_element("theory", 0, element, self.elements.len())?;
+        self.theory[element] = theory;
+        self.reformulate()
+    }
+
+    /// The same model with rotatory inertia rho I per length (Rayleigh 1877), which is left out until told.
+    pub fn with_rotatory_inertia(mut self) -> Result<Self, Error> {
+        self.rotatory_inertia = true;
+        self.reformulate()
+    }
+
+    /// The same model with a point mass \[kg\] and its moment of inertia \[kg m^2\] added to a node.
+    pub fn with_point_mass(mut self, node: usize, mass: f64, inertia: f64) -> Result<Self, Error> {
+        existing_node("point mass", node, node, self.nodes.len())?;
+        positive("mass [kg]", "node", node, mass)?;
+        if !(inertia >= 0.0 && inertia.is_finite()) {
+            let quantity = "moment of inertia [kg m^2] of the point mass at node";
+            return Err(Error::NotPositive { quantity, item: "node", index: node, value: inertia });
+        }
+        for (sum, value) in self.points[node].iter_mut().zip([mass, mass, inertia]) {
+            *sum += value;
+        }
+        Ok(self)
+    }
+
+    fn reformulate(mut self) -> Result<Self, Error> {
+        let extent = self.extent;
+        for (index, element) in self.elements.iter().enumerate() {
+            self.formulation[index] =
+                formulate(&self.nodes, extent, index, element, self.theory[index], self.rotatory_inertia)?;
+        }
+        Ok(self)
+    }
+
     /// Node coordinates `[x, y]` \[m\].
     pub fn nodes(&self) -> &[[f64; 2]] {
         &self.nodes
@@ -108,7 +158,8 @@ impl Beam {
 
     /// Mass of the whole model \[kg\].
     pub fn mass(&self) -> f64 {
-        self.formulation.iter().map(|element| element.mass_per_length * element.length).sum()
+        let elements: f64 = self.formulation.iter().map(|element| element.mass_per_length * element.length).sum();
+        elements + self.points.iter().map(|[mass, ..]| mass).sum::<f64>()
     }
 
     /// Elastic forces K u at the nodes, `[nodes][F_x, F_y, M]`, of a displacement `[nodes][u, w, theta]`.
@@ -137,11 +188,29 @@ impl Beam {
     /// # Panics
     /// If `velocity` has not one entry per node.
     pub fn kinetic_energy(&self, velocity: &[[f64; 3]]) -> f64 {
-        self.formulated().map(|(nodes, element)| element.kinetic_energy(&self.ends(nodes, velocity))).sum()
+        let elements: f64 =
+            self.formulated().map(|(nodes, element)| element.kinetic_energy(&self.ends(nodes, velocity))).sum();
+        elements + self.kinetic_energy_of_points(velocity)
+    }
+
+    /// Kinetic energy of the point masses \[J\].
+    pub(crate) fn kinetic_energy_of_points(&self, velocity: &[[f64; 3]]) -> f64 {
+        let points = self.points.as_flattened().iter().zip(velocity.as_flattened());
+        points.map(|(mass, v)| 0.5 * mass * v.powi(2)).sum()
+    }
+
+    /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
+    pub(crate) fn points(&self) -> &[[f64; 3]] {
+        &self.points
+    }
+
+    /// Diagonal of the bounding box of the nodes \[m\].
+    pub(crate) fn extent(&self) -> f64 {
+        self.extent
     }
 
     /// The elements' formulations with the nodes they join.
-    pub(crate) fn formulated(&self) -> impl Iterator<Item = ([usize; 2], &EulerBernoulli)> {
+    pub(crate) fn formulated(&self) -> impl Iterator<Item = ([usize; 2], &ElementConstants)> {
         let nodes = self.elements.iter().map(|element| element.nodes);
         nodes.zip(&self.formulation)
     }
@@ -163,6 +232,11 @@ pub(crate) fn add_ends(field: &mut [[f64; 3]], nodes: [usize; 2], ends: &Ends) {
     }
 }
 
+/// Ok if `element` is one of `elements` elements.
+fn existing_element(item: &'static str, index: usize, element: usize, elements: usize) -> Result<(), Error> {
+    if element < elements { Ok(()) } else { Err(Error::NoSuchElement { item, index, element, elements }) }
+}
+
 /// Diagonal of the bounding box of the nodes \[m\].
 fn extent(nodes: &[[f64; 2]]) -> f64 {
     let side = |axis: usize| {
@@ -172,23 +246,39 @@ fn extent(nodes: &[[f64; 2]]) -> f64 {
     side(0).hypot(side(1))
 }
 
-fn formulate(nodes: &[[f64; 2]], extent: f64, index: usize, element: &Element) -> Result<EulerBernoulli, Error> {
+fn formulate(
+    nodes: &[[f64; 2]],
+    extent: f64,
+    index: usize,
+    element: &Element,
+    theory: Theory,
+    rotatory_inertia: bool,
+) -> Result<ElementConstants, Error> {
     for node in element.nodes {
         existing_node("element", index, node, nodes.len())?;
     }
-    element.material.check(index)?;
-    element.section.check(index)?;
+    let (material, section) = (&element.material, &element.section);
+    material.check(index)?;
+    section.check(index)?;
     let [first, second] = element.nodes.map(|node| nodes[node]);
     let (dx, dy) = (second[0] - first[0], second[1] - first[1]);
     let length = dx.hypot(dy);
     if length <= SHORTEST_ELEMENT * extent {
         return Err(Error::ZeroLengthElement { element: index, nodes: element.nodes, length, extent });
     }
-    Ok(EulerBernoulli {
-        length,
-        tangent: [dx / length, dy / length],
-        axial_stiffness: element.section.axial_stiffness(&element.material),
-        bending_stiffness: element.section.bending_stiffness(&element.material),
-        mass_per_length: element.section.mass_per_length(&element.material),
-    })
+    let shear_stiffness = match theory {
+        Theory::EulerBernoulli => f64::INFINITY,
+        Theory::Timoshenko { shear_correction } => {
+            positive("shear correction [-]", "element", index, shear_correction)?;
+            section.shear_stiffness(material, shear_correction)
+        }
+    };
+    let properties = Properties {
+        axial_stiffness: section.axial_stiffness(material),
+        bending_stiffness: section.bending_stiffness(material),
+        shear_stiffness,
+        mass_per_length: section.mass_per_length(material),
+        radius_squared: if rotatory_inertia { section.second_moment() / section.area() } else { 0.0 },
+    };
+    Ok(ElementConstants::new(&properties, [dx, dy]))
 }

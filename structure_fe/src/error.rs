@@ -1,5 +1,6 @@
 //! What can be wrong with a model, a support set or a load.
 
+use crate::supports::Dof;
 use thiserror::Error;
 
 /// Why a model cannot be built, factorised or solved. Every variant carries the numbers.
@@ -24,9 +25,11 @@ pub enum Error {
         /// Number of nodes in the model.
         nodes: usize,
     },
-    /// A distributed load names an element that does not exist.
-    #[error("distributed load {index} is on element {element}, but the model has {elements}")]
+    /// A distributed load, or a theory, names an element that does not exist.
+    #[error("{item} {index} is on element {element}, but the model has {elements}")]
     NoSuchElement {
+        /// What refers to the element: "distributed load", "pressure" or "theory".
+        item: &'static str,
         /// Index of the load, in the order given.
         index: usize,
         /// The element asked for.
@@ -127,6 +130,106 @@ pub enum Error {
     OtherConnectivity {
         /// First element that differs, or the smaller number of elements if one model has more.
         element: usize,
+    },
+    /// The two nodes of a hinge are not at the same place.
+    #[error("hinge {hinge} ties nodes {} and {}, which are {gap} m apart; they must be at the same place", nodes[0], nodes[1])]
+    HingeGap {
+        /// Index of the hinge, in the order given.
+        hinge: usize,
+        /// Its two nodes.
+        nodes: [usize; 2],
+        /// Their distance \[m\].
+        gap: f64,
+    },
+    /// A number outside the range in which it makes sense.
+    #[error("{quantity} is {value}; it must lie in {expected}")]
+    OutOfRange {
+        /// Name of the quantity, with its unit.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// The range, in words.
+        expected: &'static str,
+    },
+    /// A motion is prescribed where there is no support.
+    #[error("a motion is prescribed for {dof} of node {node}, which is not fixed; fix it first")]
+    NotSupported {
+        /// The node.
+        node: usize,
+        /// The degree of freedom.
+        dof: Dof,
+    },
+    /// A field over the nodes has not one entry per node.
+    #[error("{quantity} has {given} entries, but the model has {nodes} nodes")]
+    WrongLength {
+        /// The field.
+        quantity: &'static str,
+        /// Its number of entries.
+        given: usize,
+        /// Number of nodes in the model.
+        nodes: usize,
+    },
+    /// An element's end has turned against its chord beyond what its shapes describe.
+    #[error(
+        "element {element} is bent by {rotation:.2} rad against its chord, more than {limit} rad: take more elements, \
+         or a smaller load"
+    )]
+    BentTooFar {
+        /// The element.
+        element: usize,
+        /// The larger of its ends' rotations against the chord \[rad\].
+        rotation: f64,
+        /// The limit \[rad\].
+        limit: f64,
+    },
+    /// The tangent stiffness has no inverse: a mechanism, or exactly a limit or bifurcation point.
+    #[error(
+        "the tangent stiffness is singular at {dof} of node {node}: the model is a mechanism there, \
+         or stands at a limit point"
+    )]
+    SingularTangent {
+        /// The node.
+        node: usize,
+        /// The degree of freedom.
+        dof: Dof,
+    },
+    /// Newton's iteration of a load step did not converge.
+    #[error(
+        "load step {step}, factor {load_factor}: not converged after {iteration} iterations, residual \
+         {residual:.3e} N at {dof} of node {node}; take more load steps, or the arc length where a load has a peak"
+    )]
+    NotConverged {
+        /// The load step, from 1.
+        step: usize,
+        /// Iterations made.
+        iteration: usize,
+        /// Largest residual, moments over the model's extent \[N\].
+        residual: f64,
+        /// The load as a fraction of the whole \[-\].
+        load_factor: f64,
+        /// Where it is.
+        node: usize,
+        /// Its degree of freedom.
+        dof: Dof,
+    },
+    /// Newton's iteration of a time step did not converge.
+    #[error(
+        "time step {dt:e} s from t = {time} s: not converged after {iteration} iterations, residual {residual:.3e} N \
+         at {dof} of node {node}; take a smaller step"
+    )]
+    StepNotConverged {
+        /// Time at the start of the step \[s\].
+        time: f64,
+        /// The step \[s\].
+        dt: f64,
+        /// Iterations made.
+        iteration: usize,
+        /// Largest residual, moments over the model's extent \[N\].
+        residual: f64,
+        /// Where it is.
+        node: usize,
+        /// Its degree of freedom.
+        dof: Dof,
     },
     /// The linear algebra failed for a reason that is not the model's.
     #[error("linear algebra with {unknowns} unknowns failed: {reason}")]

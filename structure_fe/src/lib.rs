@@ -1,14 +1,16 @@
-//! Plane frames of beam finite elements: statics and natural modes. Double precision, SI units.
+//! Plane frames of beam finite elements: statics, natural modes, motion in time. Double precision, SI units.
 //!
-//! The element is the linear Euler-Bernoulli beam with axial stiffness, three degrees of freedom per
-//! node, at any orientation. Its section is a bar, or a one metre wide strip of a plate in
-//! cylindrical bending, in which case everything is per metre of span. Displacements and rotations
-//! are small; shear deformation and rotatory inertia are neglected.
+//! Elements are Euler-Bernoulli's or Timoshenko's ([`Theory`]), with axial stiffness, three degrees of
+//! freedom per node, at any orientation. The section is a bar, or a one metre wide strip of a plate in
+//! cylindrical bending, in which case everything is per metre of span. Materials are linearly elastic.
 //!
-//! The crate knows nothing of fluids, of time stepping or of files: it is useful alone. Whoever has
-//! loads hands them over as forces at nodes or along elements. Co-rotational elements for large
-//! displacements and time integration are to come; the element is already written in deformations
-//! that no rigid motion changes, which is what they build on.
+//! | | small displacements | any displacements and rotations, small strains |
+//! |---|---|---|
+//! | at rest | [`Statics`] | [`NonlinearStatics`]: load steps, or paths through peaks of the load |
+//! | in motion | [`natural_modes`] | [`Dynamics`]: generalised-alpha or central differences |
+//!
+//! The crate knows nothing of fluids or files: it is useful alone. Whoever has loads hands them over as
+//! forces at nodes, or as [`Loads`] along elements.
 //!
 //! A steel plate strip, clamped at one end, under one pascal:
 //!
@@ -38,26 +40,77 @@
 //! assert!((first.angular_frequency / exact - 1.0).abs() < 1e-5);
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
+//!
+//! The same strip let go under a hundred pascals, for half a second:
+//!
+//! ```
+//! use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Material, Section, Supports};
+//!
+//! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3, density: 7850.0 };
+//! let beam = Beam::straight([0.0, 0.0], [0.5, 0.0], 8, steel, Section::strip(0.001))?;
+//! let mut supports = Supports::default();
+//! supports.clamp(0);
+//! let mut loads = Loads::default();
+//! for element in 0..8 {
+//!     loads.pressure_on_element(element, 100.0, 100.0);
+//! }
+//!
+//! let rule = Integration::GeneralisedAlpha { spectral_radius: 0.8 };
+//! let mut dynamics = Dynamics::new(beam, supports, rule, Damping { mass: 1.0, stiffness: 1e-4 })?;
+//! let mut state = dynamics.at_rest();
+//! let load = loads.at_nodes(dynamics.beam(), &state.displacement)?;
+//! dynamics.equilibrate(&mut state, &load)?;
+//! for _ in 0..500 {
+//!     // The pressure follows the strip: here with where it was at the start of the step.
+//!     let load = loads.at_nodes(dynamics.beam(), &state.displacement)?;
+//!     dynamics.step(&mut state, &load, 1e-3)?;
+//! }
+//! assert!((state.time - 0.5).abs() < 1e-9 && state.displacement[8][1] < 0.0);
+//! let root = &dynamics.section_forces(&state)[0];
+//! let stress = root.fibre_stress(&Section::strip(0.001), 0.0005);
+//! assert!(root.moment < 0.0 && stress > 0.0, "the pressed side is in tension at the clamp");
+//! # Ok::<(), structure_fe::Error>(())
+//! ```
 
+mod arc_length;
+mod banded;
 mod beam;
+mod central_difference;
+mod corotational;
+mod dynamics;
+mod element;
+mod element_mass;
 mod equations;
 mod error;
-mod euler_bernoulli;
+mod generalised_alpha;
+mod inertia;
 mod loads;
+mod lumped;
 mod material;
 mod mechanism;
 mod modes;
+mod nonlinear_statics;
+mod ordering;
 mod section;
 mod section_forces;
+mod state;
 mod statics;
 mod supports;
+mod system;
+mod theory;
 
+pub use arc_length::PathPoint;
 pub use beam::{Beam, Element};
+pub use dynamics::Dynamics;
 pub use error::Error;
+pub use inertia::Damping;
 pub use loads::Loads;
 pub use material::Material;
 pub use modes::{Mode, natural_modes};
+pub use nonlinear_statics::NonlinearStatics;
 pub use section::Section;
 pub use section_forces::SectionForces;
+pub use state::{Integration, State, StepReport, SupportMotion};
 pub use statics::{StaticSolution, Statics};
 pub use supports::{Dof, Supports};
+pub use theory::Theory;

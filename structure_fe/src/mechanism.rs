@@ -2,7 +2,8 @@
 //!
 //! Joints are rigid, so a displacement costs no elastic energy exactly when every connected part
 //! moves as a rigid body: K is positive definite if and only if the supports of every part stop its
-//! three rigid motions. That is three numbers per part, asked of the geometry. A Cholesky
+//! three rigid motions; parts that hinges join are asked together. That is three numbers per part,
+//! asked of the geometry. A Cholesky
 //! factorisation cannot be asked: its last pivot is rounding noise, as often positive as not.
 
 use crate::beam::Beam;
@@ -17,29 +18,35 @@ const FREE: f64 = 1e-12;
 
 /// The error that names a free rigid motion, if the supports leave one.
 pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result<(), Error> {
-    let part = connected_parts(beam);
+    supports.check(beam)?;
+    let part = connected_parts(beam.nodes().len(), beam.elements().iter().map(|element| element.nodes));
     let restraint = restraint_of_degrees_of_freedom(beam, supports);
-    // A part is known by its first node.
-    for first in (0..part.len()).filter(|&node| part[node] == node) {
-        let members: Vec<usize> = (first..part.len()).filter(|&n| part[n] == first).collect();
-        if let Some(motion) = free_motion(beam, &members, &restraint)? {
-            return Err(Error::UnderSupported { node: first, motion });
+    // Parts that hinges join stand or fall together. A group is known by its first node.
+    let links = beam.elements().iter().map(|element| element.nodes).chain(supports.hinges().iter().copied());
+    let group = connected_parts(beam.nodes().len(), links);
+    for first in (0..group.len()).filter(|&node| group[node] == node) {
+        let parts: Vec<Part> = (first..group.len())
+            .filter(|&node| group[node] == first && part[node] == node)
+            .map(|known_by| Part::new(beam, (known_by..part.len()).filter(|&n| part[n] == known_by).collect()))
+            .collect();
+        if let Some((node, motion)) = free_motion(&parts, supports, &restraint)? {
+            return Err(Error::UnderSupported { node, motion });
         }
     }
     Ok(())
 }
 
 /// For each node the first node of the connected part it belongs to.
-fn connected_parts(beam: &Beam) -> Vec<usize> {
-    let mut part: Vec<usize> = (0..beam.nodes().len()).collect();
+fn connected_parts(nodes: usize, links: impl Iterator<Item = [usize; 2]>) -> Vec<usize> {
+    let mut part: Vec<usize> = (0..nodes).collect();
     let root = |part: &[usize], mut node: usize| {
         while part[node] != node {
             node = part[node];
         }
         node
     };
-    for element in beam.elements() {
-        let [a, b] = element.nodes.map(|node| root(&part, node));
+    for link in links {
+        let [a, b] = link.map(|node| root(&part, node));
         part[a.max(b)] = a.min(b);
     }
     (0..part.len()).map(|node| root(&part, node)).collect()
@@ -69,34 +76,74 @@ fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64
     restraint
 }
 
-/// A rigid motion of the part that its supports do not stop, as `[u, w, theta]` of its first node.
-fn free_motion(beam: &Beam, members: &[usize], restraint: &[[f64; 3]]) -> Result<Option<[f64; 3]>, Error> {
-    let nodes = beam.nodes();
-    let centre = [0, 1].map(|axis| members.iter().map(|&node| nodes[node][axis]).sum::<f64>() / members.len() as f64);
-    let arm = |node: usize| [0, 1].map(|axis| nodes[node][axis] - centre[axis]);
-    let radius = members.iter().map(|&node| arm(node)[0].hypot(arm(node)[1])).fold(0.0, f64::max);
-    // Unit motions: along x, along y, and the rotation that moves the farthest node by one.
-    let unit_motions = |node: usize| {
-        let [x, y] = arm(node).map(|component| component / radius);
+/// A connected part: its nodes, and its unit motions as displacements of a node.
+struct Part {
+    members: Vec<usize>,
+    centre: [f64; 2],
+    radius: f64,
+    nodes: Vec<[f64; 2]>,
+}
+
+impl Part {
+    fn new(beam: &Beam, members: Vec<usize>) -> Self {
+        let nodes: Vec<[f64; 2]> = members.iter().map(|&node| beam.nodes()[node]).collect();
+        let centre = [0, 1].map(|axis| nodes.iter().map(|node| node[axis]).sum::<f64>() / nodes.len() as f64);
+        let radius = nodes.iter().map(|node| (node[0] - centre[0]).hypot(node[1] - centre[1])).fold(0.0, f64::max);
+        Self { members, centre, radius, nodes }
+    }
+
+    /// Unit motions of a member: along x, along y, and the rotation that moves the farthest node by one.
+    fn unit_motions(&self, member: usize) -> [[f64; 3]; 3] {
+        let [x, y] = [0, 1].map(|axis| (self.nodes[member][axis] - self.centre[axis]) / self.radius);
         [[1.0, 0.0, -y], [0.0, 1.0, x], [0.0, 0.0, 1.0]]
+    }
+}
+
+/// A rigid motion of the parts that supports and hinges do not stop: a node, and its `[u, w, theta]`.
+fn free_motion(
+    parts: &[Part],
+    supports: &Supports,
+    restraint: &[[f64; 3]],
+) -> Result<Option<(usize, [f64; 3])>, Error> {
+    let unknowns = 3 * parts.len();
+    let mut stopped = Mat::<f64>::zeros(unknowns, unknowns);
+    let mut stop = |row: &[(usize, f64)], held: f64| {
+        for &(i, a) in row {
+            for &(j, b) in row {
+                stopped[(i, j)] += held * a * b;
+            }
+        }
     };
-    let mut stopped = Mat::<f64>::zeros(3, 3);
-    for &node in members {
-        for (row, held) in unit_motions(node).iter().zip(restraint[node]) {
-            for i in 0..3 {
-                for j in 0..3 {
-                    stopped[(i, j)] += held * row[i] * row[j];
-                }
+    let row_of = |index: usize, row: [f64; 3], sign: f64| [0, 1, 2].map(|k| (3 * index + k, sign * row[k]));
+    for (index, part) in parts.iter().enumerate() {
+        for (member, &node) in part.members.iter().enumerate() {
+            for (row, held) in part.unit_motions(member).into_iter().zip(restraint[node]) {
+                stop(&row_of(index, row, 1.0), held);
+            }
+        }
+    }
+    let place = |node: usize| {
+        parts.iter().enumerate().find_map(|(index, part)| Some((index, part.members.binary_search(&node).ok()?)))
+    };
+    for hinge in supports.hinges() {
+        if let [Some((one, here)), Some((other, there))] = hinge.map(place) {
+            for dof in 0..2 {
+                let ours = row_of(one, parts[one].unit_motions(here)[dof], 1.0);
+                let theirs = row_of(other, parts[other].unit_motions(there)[dof], -1.0);
+                stop(&[ours, theirs].concat(), 1.0);
             }
         }
     }
     let eigen = stopped
         .self_adjoint_eigen(Side::Lower)
-        .map_err(|error| Error::LinearAlgebra { unknowns: 3, reason: format!("{error:?}") })?;
+        .map_err(|error| Error::LinearAlgebra { unknowns, reason: format!("{error:?}") })?;
     if eigen.S()[0] > FREE {
         return Ok(None);
     }
     let free = eigen.U().col(0);
-    let [u, w, turn] = unit_motions(members[0]).map(|row| (0..3).map(|k| row[k] * free[k]).sum::<f64>());
-    Ok(Some([u, w, turn / radius]))
+    let share = |index: usize| (0..3).map(|k| free[3 * index + k].powi(2)).sum::<f64>();
+    let moving = (0..parts.len()).fold(0, |most, index| if share(index) > share(most) { index } else { most });
+    let part = &parts[moving];
+    let [u, w, turn] = part.unit_motions(0).map(|row| (0..3).map(|k| row[k] * free[3 * moving + k]).sum::<f64>());
+    Ok(Some((part.members[0], [u, w, turn / part.radius])))
 }

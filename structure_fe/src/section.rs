@@ -70,6 +70,11 @@ impl Section {
         self.modulus(material) * self.second_moment()
     }
 
+    /// Shear stiffness kappa G A with G = E/(2 (1 + nu)) and the `shear_correction` kappa \[N\].
+    pub fn shear_stiffness(&self, material: &Material, shear_correction: f64) -> f64 {
+        shear_correction * material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio)) * self.area()
+    }
+
     /// Mass per length rho A \[kg/m\].
     pub fn mass_per_length(&self, material: &Material) -> f64 {
         material.density * self.area()

@@ -1,7 +1,7 @@
 //! Section forces: what one side of a cut does to the other.
 
 use crate::beam::Beam;
-use crate::euler_bernoulli::Ends;
+use crate::element::Ends;
 use crate::section::Section;
 
 /// Normal force, shear force and bending moment in a section of an element.
@@ -40,8 +40,12 @@ pub(crate) fn section_forces(
         .map(|((nodes, element), load)| {
             let elastic = element.elastic_forces(&beam.ends(nodes, displacement));
             let total = std::array::from_fn(|i| elastic[i] - load[i]);
-            let [x1, y1, m1, x2, y2, m2] = element.to_local(&total);
-            [[-x1, -y1, -m1], [x2, y2, m2]].map(|[normal, shear, moment]| SectionForces { normal, shear, moment })
+            at_ends(&element.to_local(&total))
         })
         .collect()
+}
+
+/// Section forces at the two ends, of the end forces in the element's axes.
+pub(crate) fn at_ends(&[x1, y1, m1, x2, y2, m2]: &Ends) -> [SectionForces; 2] {
+    [[-x1, -y1, -m1], [x2, y2, m2]].map(|[normal, shear, moment]| SectionForces { normal, shear, moment })
 }

@@ -4,7 +4,7 @@ use crate::beam::Beam;
 use crate::error::{Error, existing_node, positive};
 
 /// A degree of freedom of a node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Dof {
     /// Displacement u along x \[m\].
     U = 0,
@@ -12,6 +12,16 @@ pub enum Dof {
     W = 1,
     /// Rotation theta from x towards y \[rad\].
     Theta = 2,
+}
+
+impl std::fmt::Display for Dof {
+    fn fmt(&self, out: &mut std::fmt::Formatter) -> std::fmt::Result {
+        out.write_str(match self {
+            Dof::U => "u",
+            Dof::W => "w",
+            Dof::Theta => "theta",
+        })
+    }
 }
 
 /// A linear spring between one degree of freedom and the ground.
@@ -28,6 +38,7 @@ pub(crate) struct Spring {
 pub struct Supports {
     fixed: Vec<(usize, Dof)>,
     springs: Vec<Spring>,
+    hinges: Vec<[usize; 2]>,
 }
 
 impl Supports {
@@ -53,6 +64,39 @@ impl Supports {
     pub fn spring(&mut self, node: usize, dof: Dof, stiffness: f64) -> &mut Self {
         self.springs.push(Spring { node, dof, stiffness });
         self
+    }
+
+    /// Ties the displacements of two nodes to each other and leaves their rotations free: a hinge between
+    /// the elements that end at either. The nodes must be at the same place, and belong to elements of
+    /// their own.
+    pub fn hinge(&mut self, first: usize, second: usize) -> &mut Self {
+        self.hinges.push([first, second]);
+        self
+    }
+
+    pub(crate) fn hinges(&self) -> &[[usize; 2]] {
+        &self.hinges
+    }
+
+    /// For each node the first of those that hinges tie it to; itself where there is none.
+    pub(crate) fn leaders(&self, nodes: usize) -> Vec<usize> {
+        let mut leader: Vec<usize> = (0..nodes).collect();
+        let root = |leader: &[usize], mut node: usize| {
+            while leader[node] != node {
+                node = leader[node];
+            }
+            node
+        };
+        for hinge in &self.hinges {
+            let [a, b] = hinge.map(|node| root(&leader, node));
+            leader[a.max(b)] = a.min(b);
+        }
+        (0..nodes).map(|node| root(&leader, node)).collect()
+    }
+
+    /// Whether a degree of freedom is fixed, by itself or through a hinge.
+    pub(crate) fn is_fixed(&self, node: usize, dof: Dof) -> bool {
+        self.fixed.contains(&(node, dof))
     }
 
     pub(crate) fn fixed(&self) -> &[(usize, Dof)] {
@@ -90,6 +134,16 @@ impl Supports {
         for (index, spring) in self.springs.iter().enumerate() {
             existing_node("spring", index, spring.node, nodes)?;
             positive("stiffness [N/m, N m/rad]", "spring", index, spring.stiffness)?;
+        }
+        for (index, &hinge) in self.hinges.iter().enumerate() {
+            for node in hinge {
+                existing_node("hinge", index, node, nodes)?;
+            }
+            let [a, b] = hinge.map(|node| beam.nodes()[node]);
+            let gap = (a[0] - b[0]).hypot(a[1] - b[1]);
+            if gap > 1e-9 * beam.extent() {
+                return Err(Error::HingeGap { hinge: index, nodes: hinge, gap });
+            }
         }
         Ok(())
     }

@@ -75,7 +75,7 @@ fn supports_and_loads_must_be_on_the_model() {
     );
     assert_eq!(
         solve(|loads| _ = loads.along_element(2, [0.0; 2], [0.0; 2])),
-        Error::NoSuchElement { index: 2, element: 2, elements: 2 }
+        Error::NoSuchElement { item: "distributed load", index: 2, element: 2, elements: 2 }
     );
     for error in [
         solve(|loads| _ = loads.at_node(1, [0.0, f64::NAN, 0.0])),

@@ -1,0 +1,180 @@
+//! The element: a straight beam with two nodes in the plane, and its constants.
+//!
+//! Everything elastic is written in the three *deformations* of the element, which no rigid motion
+//! changes (Argyris 1964): its elongation e and the rotations psi_1, psi_2 of its ends against its
+//! chord; half their difference psi_s bends it to an arc, half their sum psi_a to an S. Only the
+//! latter shears it, so that the shear parameter Phi = 12 EI/(kappa G A L^2) divides its stiffness
+//! by 1 + Phi and Euler-Bernoulli's element is that of Phi = 0 (THEORY S3). With the end values
+//! q = (u1, w1, theta1, u2, w2, theta2) the deformations are d = B q, the conjugate forces D d, and
+//! K = B^T D B: exact for linear loads and uniform stiffness (Przemieniecki 1968, ch. 5), hence
+//! without locking. Here for small displacements; `corotational.rs` puts any rotation on top.
+
+use crate::element_mass::ElementMass;
+
+/// Values at the two ends of an element, `[u1, w1, theta1, u2, w2, theta2]`, or forces conjugate to them.
+pub(crate) type Ends = [f64; 6];
+
+/// A square matrix over the end values.
+pub(crate) type EndsMatrix = [[f64; 6]; 6];
+
+/// Geometry, stiffness and mass of one element.
+#[derive(Debug, Clone)]
+pub(crate) struct ElementConstants {
+    /// Length L \[m\].
+    pub length: f64,
+    /// Unit vector (cos, sin) from the first node to the second \[-\].
+    pub tangent: [f64; 2],
+    /// The diagonal of D: stiffness against elongation \[N/m\], arc and S \[N m\] (THEORY S3).
+    pub stiffness: [f64; 3],
+    /// What arc and S add to the mean strain: factors of psi_s^2/2 and psi_a^2/2 (THEORY S10).
+    pub curvature_strain: [f64; 2],
+    /// Shear parameter Phi = 12 EI/(kappa G A L^2) \[-\]; 0 without shear deformation.
+    pub shear_parameter: f64,
+    /// Mass per length rho A \[kg/m\].
+    pub mass_per_length: f64,
+    /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
+    pub radius_squared: f64,
+    /// Its consistent mass.
+    pub mass: ElementMass,
+}
+
+/// What an element is made of, per length.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Properties {
+    /// Axial stiffness EA \[N\].
+    pub axial_stiffness: f64,
+    /// Bending stiffness EI \[N m^2\].
+    pub bending_stiffness: f64,
+    /// Shear stiffness kappa G A \[N\], infinite without shear deformation.
+    pub shear_stiffness: f64,
+    /// Mass per length rho A \[kg/m\].
+    pub mass_per_length: f64,
+    /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
+    pub radius_squared: f64,
+}
+
+impl ElementConstants {
+    /// Of an element of these properties from one node along `[dx, dy]` \[m\] to the other.
+    pub fn new(properties: &Properties, [dx, dy]: [f64; 2]) -> Self {
+        let length = dx.hypot(dy);
+        let phi = 12.0 * properties.bending_stiffness / (properties.shear_stiffness * length.powi(2));
+        let bending = 4.0 * properties.bending_stiffness / length;
+        let Properties { mass_per_length, radius_squared, .. } = *properties;
+        Self {
+            length,
+            tangent: [dx / length, dy / length],
+            stiffness: [properties.axial_stiffness / length, bending, 3.0 * bending / (1.0 + phi)],
+            curvature_strain: [1.0 / 3.0, 0.2 / (1.0 + phi).powi(2)],
+            shear_parameter: phi,
+            mass_per_length,
+            radius_squared,
+            mass: ElementMass::new(mass_per_length * length, length, phi, radius_squared),
+        }
+    }
+
+    /// Deformations d = (e \[m\], psi_s \[rad\], psi_a \[rad\]) of the end values.
+    ///
+    /// Differences are taken first, so that a rigid translation gives exactly zero.
+    fn deformations(&self, q: &Ends) -> [f64; 3] {
+        let [c, s] = self.tangent;
+        let (du, dw) = (q[3] - q[0], q[4] - q[1]);
+        let chord_rotation = (c * dw - s * du) / self.length;
+        let (psi_1, psi_2) = (q[2] - chord_rotation, q[5] - chord_rotation);
+        [c * du + s * dw, 0.5 * (psi_1 - psi_2), 0.5 * (psi_1 + psi_2)]
+    }
+
+    /// Elastic end forces K q, in the global axes \[N, N, N m, ...\].
+    pub fn elastic_forces(&self, q: &Ends) -> Ends {
+        let stiffness = &self.stiffness;
+        let d = self.deformations(q);
+        self.to_global(&end_forces(&[0, 1, 2].map(|i| stiffness[i] * d[i]), self.length))
+    }
+
+    /// Elastic energy d^T D d/2 \[J\]: a sum of squares, so never negative.
+    pub fn strain_energy(&self, q: &Ends) -> f64 {
+        let stiffness = &self.stiffness;
+        let d = self.deformations(q);
+        0.5 * (0..3).map(|i| stiffness[i] * d[i].powi(2)).sum::<f64>()
+    }
+
+    /// Stiffness matrix K = B^T D B in the global axes.
+    pub fn stiffness(&self) -> EndsMatrix {
+        columns(|unit| self.elastic_forces(unit))
+    }
+
+    /// Consistent mass matrix in the global axes (THEORY S4).
+    pub fn mass(&self) -> EndsMatrix {
+        columns(|unit| self.to_global(&self.mass.times(&self.to_local(unit))))
+    }
+
+    /// Kinetic energy v^T M v/2 \[J\] of the end velocities.
+    pub fn kinetic_energy(&self, v: &Ends) -> f64 {
+        let local = self.to_local(v);
+        0.5 * dot(&local, &self.mass.times(&local))
+    }
+
+    /// Consistent end forces of a load that varies linearly from `start` to `end`, both in the
+    /// global axes and per length of the element \[N/m\] (THEORY S5; Przemieniecki 1968, ch. 5).
+    ///
+    /// Minus these are the forces of the fixed ends.
+    pub fn load_forces(&self, start: [f64; 2], end: [f64; 2]) -> Ends {
+        let [n1, q1, _, n2, q2, _] = self.to_local(&[start[0], start[1], 0.0, end[0], end[1], 0.0]);
+        self.to_global(&self.local_load_forces([n1, q1], [n2, q2]))
+    }
+
+    /// The same in the element's axes, of loads (along it, to its left) \[N/m\].
+    pub fn local_load_forces(&self, [n1, q1]: [f64; 2], [n2, q2]: [f64; 2]) -> Ends {
+        let (length, phi) = (self.length, self.shear_parameter);
+        let force = |near: f64, far: f64| {
+            length * ((7.0 * near + 3.0 * far) / 20.0 + phi * (2.0 * near + far) / 6.0) / (1.0 + phi)
+        };
+        let moment = |near: f64, far: f64| {
+            length.powi(2) * ((3.0 * near + 2.0 * far) / 60.0 + phi * (near + far) / 24.0) / (1.0 + phi)
+        };
+        [
+            length / 6.0 * (2.0 * n1 + n2),
+            force(q1, q2),
+            moment(q1, q2),
+            length / 6.0 * (n1 + 2.0 * n2),
+            force(q2, q1),
+            -moment(q2, q1),
+        ]
+    }
+
+    /// End values of the global axes in the element's axes: along it, and across it to the left.
+    pub fn to_local(&self, global: &Ends) -> Ends {
+        let [c, s] = self.tangent;
+        rotate(global, c, -s)
+    }
+
+    /// End values of the element's axes in the global axes.
+    fn to_global(&self, local: &Ends) -> Ends {
+        let [c, s] = self.tangent;
+        rotate(local, c, s)
+    }
+}
+
+/// End forces B^T (N, M_s, M_a) in the element's axes: M_s, M_a are conjugate to psi_s and psi_a.
+pub(crate) fn end_forces([normal, arc, ess]: &[f64; 3], length: f64) -> Ends {
+    let shear = ess / length;
+    [-normal, shear, 0.5 * (ess + arc), *normal, -shear, 0.5 * (ess - arc)]
+}
+
+/// The scalar product of two vectors over the end values.
+pub(crate) fn dot(a: &Ends, b: &Ends) -> f64 {
+    (0..6).map(|i| a[i] * b[i]).sum()
+}
+
+/// The two vectors of `q` turned by the angle of cosine `c` and sine `s`, the rotations untouched.
+pub(crate) fn rotate(q: &Ends, c: f64, s: f64) -> Ends {
+    [c * q[0] - s * q[1], s * q[0] + c * q[1], q[2], c * q[3] - s * q[4], s * q[3] + c * q[4], q[5]]
+}
+
+/// The matrix of a symmetric linear map: its columns, hence rows, are the images of the unit vectors.
+fn columns(map: impl Fn(&Ends) -> Ends) -> EndsMatrix {
+    std::array::from_fn(|j| {
+        let mut unit = [0.0; 6];
+        unit[j] = 1.0;
+        map(&unit)
+    })
+}

@@ -1,0 +1,56 @@
+//! The state of a moving model, how it is integrated, and what a step reports.
+
+/// Where the model is and how it moves: fields over the nodes, `[nodes][u, w, theta]`.
+///
+/// It is the whole memory of the motion: a copy of it is all a host needs to reject a step and redo it,
+/// to the same bits. Begin with [`Dynamics::at_rest`](crate::Dynamics::at_rest).
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Displacement `[u, w, theta]` \[m, m, rad\].
+    pub displacement: Vec<[f64; 3]>,
+    /// Velocity \[m/s, m/s, rad/s\].
+    pub velocity: Vec<[f64; 3]>,
+    /// Acceleration \[m/s^2, m/s^2, rad/s^2\], in equilibrium with the load at `time`.
+    pub acceleration: Vec<[f64; 3]>,
+    /// Time t \[s\].
+    pub time: f64,
+    /// The acceleration that generalised-alpha integrates (Arnold & Bruels 2007), between that of the last
+    /// step and of this one: the same as `acceleration` at the start, and always for a spectral radius of 1.
+    pub integrated_acceleration: Vec<[f64; 3]>,
+}
+
+/// How time is stepped.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Integration {
+    /// Implicit, second order, stable for linear models at any step (Chung & Hulbert 1993; THEORY S17).
+    GeneralisedAlpha {
+        /// What a step leaves of the fastest vibrations: rho in [0, 1]. 1 is the trapezoidal rule, without
+        /// damping, which may blow up in stiff rotation; 0.8 damps what the step cannot resolve anyway.
+        spectral_radius: f64,
+    },
+    /// Explicit, second order, with a lumped mass; steps up to
+    /// [`Dynamics::stable_dt`](crate::Dynamics::stable_dt) (THEORY S18).
+    CentralDifference,
+}
+
+/// The motion of a support at the end of the next step, of one degree of freedom.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SupportMotion {
+    /// Displacement \[m, rad\].
+    pub displacement: f64,
+    /// Velocity \[m/s, rad/s\].
+    pub velocity: f64,
+    /// Acceleration \[m/s^2, rad/s^2\].
+    pub acceleration: f64,
+}
+
+/// What a step took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepReport {
+    /// Newton's corrections; 0 where the step is explicit.
+    pub iterations: usize,
+    /// Tangents made and factorised.
+    pub tangents: usize,
+    /// The last correction as a fraction of the step's motion \[-\].
+    pub last_correction: f64,
+}

@@ -1,0 +1,218 @@
+//! The equations of the moving model: internal forces and their tangent, assembled.
+
+use crate::banded::{Banded, ZeroPivot};
+use crate::beam::{Beam, add_ends};
+use crate::corotational::{Chord, elastic_forces, strain_energy};
+use crate::element::Ends;
+use crate::equations::Equations;
+use crate::error::Error;
+use crate::inertia::{Damping, Motion, Weights, response, restoring};
+use crate::ordering::narrow_band;
+use crate::section_forces::{SectionForces, at_ends};
+use crate::supports::{Dof, Supports};
+
+/// Ends may turn by this much against their chord \[rad\]: at 1 rad the shortening of an arc's chord is 5 % off.
+const MOST_BENT: f64 = 1.0;
+
+/// A supported model at large displacements. The numbering and the band are laid out once.
+#[derive(Debug, Clone)]
+pub(crate) struct System {
+    pub beam: Beam,
+    pub supports: Supports,
+    pub equations: Equations,
+    half_band: usize,
+}
+
+/// Displacement, velocity and acceleration of the model, `[nodes][u, w, theta]`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kinematics<'a> {
+    pub q: &'a [[f64; 3]],
+    pub v: &'a [[f64; 3]],
+    pub a: &'a [[f64; 3]],
+}
+
+impl System {
+    pub fn new(beam: Beam, supports: Supports) -> Result<Self, Error> {
+        supports.check(&beam)?;
+        let links = beam.elements().iter().map(|element| element.nodes).chain(supports.hinges().iter().copied());
+        let order = narrow_band(beam.nodes().len(), links);
+        let equations = Equations::in_order(&order, &supports);
+        let half_band = beam.elements().iter().map(|element| equations.band(element.nodes)).max().unwrap_or(0);
+        Ok(Self { beam, supports, equations, half_band })
+    }
+
+    pub fn matrix(&self) -> Banded {
+        Banded::new(self.equations.count(), self.half_band)
+    }
+
+    /// Inertia, damping and elastic forces at the nodes (the left-hand side of the equations of motion).
+    pub fn forces(&self, at: Kinematics, damping: &Damping, forces: &mut [[f64; 3]]) {
+        self.sweep(at, damping, forces, None);
+    }
+
+    /// The same forces, and their tangent into `matrix`.
+    pub fn forces_and_tangent(
+        &self,
+        at: Kinematics,
+        damping: &Damping,
+        weights: Weights,
+        forces: &mut [[f64; 3]],
+        matrix: &mut Banded,
+    ) {
+        matrix.clear();
+        self.sweep(at, damping, forces, Some((weights, matrix)));
+    }
+
+    fn sweep(
+        &self,
+        at: Kinematics,
+        damping: &Damping,
+        forces: &mut [[f64; 3]],
+        mut tangent: Option<(Weights, &mut Banded)>,
+    ) {
+        let weights = tangent.as_ref().map(|(weights, _)| *weights);
+        forces.fill([0.0; 3]);
+        for (nodes, element) in self.beam.formulated() {
+            let ends = |field| self.beam.ends(nodes, field);
+            let motion = Motion { q: ends(at.q), v: ends(at.v), a: ends(at.a) };
+            let (force, local) = response(element, &motion, damping, weights);
+            add_ends(forces, nodes, &force);
+            if let (Some((_, matrix)), Some(local)) = (&mut tangent, local) {
+                let numbers = self.equations.of_element(nodes);
+                for (row, values) in numbers.iter().zip(&local) {
+                    let Some(row) = *row else { continue };
+                    for (column, value) in numbers.iter().zip(values) {
+                        if let Some(column) = *column {
+                            matrix.add(row, column, *value);
+                        }
+                    }
+                }
+            }
+        }
+        for (node, mass) in self.beam.points().iter().enumerate().filter(|(_, mass)| mass[0] > 0.0) {
+            for dof in 0..3 {
+                forces[node][dof] += mass[dof] * (at.a[node][dof] + damping.mass * at.v[node][dof]);
+                if let (Some((weights, matrix)), Some(row)) = (&mut tangent, self.equations.number(node, dof)) {
+                    matrix.add(row, row, mass[dof] * (weights.acceleration + damping.mass * weights.velocity));
+                }
+            }
+        }
+        self.add_springs(at, damping, forces);
+        if let Some((weights, matrix)) = tangent {
+            for spring in self.supports.springs() {
+                if let Some(row) = self.equations.number(spring.node, spring.dof as usize) {
+                    let factor = weights.displacement + damping.stiffness * weights.velocity;
+                    matrix.add(row, row, spring.stiffness * factor);
+                }
+            }
+        }
+    }
+
+    fn add_springs(&self, at: Kinematics, damping: &Damping, forces: &mut [[f64; 3]]) {
+        for spring in self.supports.springs() {
+            let (node, dof) = (spring.node, spring.dof as usize);
+            forces[node][dof] += spring.stiffness * (at.q[node][dof] + damping.stiffness * at.v[node][dof]);
+        }
+    }
+
+    /// Elastic and damping forces alone, with the damping on the diagonal of a lumped `mass`.
+    pub fn restoring_forces(&self, at: Kinematics, damping: &Damping, mass: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+        for ((force, mass), v) in forces.iter_mut().zip(mass).zip(at.v) {
+            *force = [0, 1, 2].map(|dof| damping.mass * mass[dof] * v[dof]);
+        }
+        for (nodes, element) in self.beam.formulated() {
+            let force = restoring(element, &self.beam.ends(nodes, at.q), &self.beam.ends(nodes, at.v), damping);
+            add_ends(forces, nodes, &force);
+        }
+        self.add_springs(at, damping, forces);
+    }
+
+    /// Elastic energy of beams and springs \[J\].
+    pub fn strain_energy(&self, q: &[[f64; 3]]) -> f64 {
+        let elements = self.beam.formulated();
+        let beams: f64 = elements.map(|(nodes, element)| strain_energy(element, &self.beam.ends(nodes, q))).sum();
+        beams + self.supports.spring_energy(q)
+    }
+
+    /// Section forces at the ends of the elements: elastic forces less the element's own loads.
+    pub fn section_forces(&self, q: &[[f64; 3]], own_loads: Option<&[Ends]>) -> Vec<[SectionForces; 2]> {
+        let sections = self.beam.formulated().enumerate().map(|(index, (nodes, element))| {
+            let chord = Chord::new(element, &self.beam.ends(nodes, q));
+            let elastic = elastic_forces(element, &chord);
+            let load = own_loads.map_or([0.0; 6], |loads| chord.to_local(&loads[index]));
+            at_ends(&std::array::from_fn(|i| elastic[i] - load[i]))
+        });
+        sections.collect()
+    }
+
+    /// The error that names the first element bent beyond what its shapes describe, if there is one.
+    pub fn require_bent_little(&self, q: &[[f64; 3]]) -> Result<(), Error> {
+        for (index, (nodes, element)) in self.beam.formulated().enumerate() {
+            let [_, arc, ess] = Chord::new(element, &self.beam.ends(nodes, q)).deformation;
+            let rotation = arc.abs() + ess.abs();
+            if rotation > MOST_BENT {
+                return Err(Error::BentTooFar { element: index, rotation, limit: MOST_BENT });
+            }
+        }
+        Ok(())
+    }
+
+    /// Forces of the supports: what the internal forces lack of the load where a degree of freedom is
+    /// fixed, and minus the springs' forces.
+    pub fn reactions(&self, q: &[[f64; 3]], internal: &[[f64; 3]], load: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let mut reactions = vec![[0.0; 3]; load.len()];
+        self.supports.add_spring_forces(q, &mut reactions);
+        for reaction in reactions.as_flattened_mut() {
+            *reaction = -*reaction;
+        }
+        for &(node, dof) in self.supports.fixed() {
+            let dof = dof as usize;
+            reactions[node][dof] = internal[node][dof] - load[node][dof];
+        }
+        reactions
+    }
+
+    /// Size of a change of the displacements \[-\]: its largest entry, lengths over the model's extent.
+    pub fn size(&self, change: &[f64]) -> f64 {
+        let extent = self.beam.extent();
+        let entries = change.iter().enumerate();
+        entries.fold(0.0, |largest: f64, (equation, change)| {
+            let (_, dof) = self.equations.place(equation);
+            let scaled = if dof == Dof::Theta { change.abs() } else { change.abs() / extent };
+            // A value that is not a number must not hide behind `max`.
+            if scaled.is_nan() { f64::NAN } else { largest.max(scaled) }
+        })
+    }
+
+    /// Size of the difference of two displacements \[-\], as above.
+    pub fn size_of_difference(&self, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+        let scale = self.beam.extent().recip();
+        a.iter().zip(b).fold(0.0, |largest: f64, (a, b)| {
+            let moved = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+            largest.max(moved * scale).max((a[2] - b[2]).abs())
+        })
+    }
+
+    /// The largest entry of a residual, lengths making moments comparable, and where it is.
+    pub fn worst(&self, residual: &[f64]) -> (f64, usize, Dof) {
+        let extent = self.beam.extent();
+        let mut worst = (0.0, 0, Dof::U);
+        for (equation, value) in residual.iter().enumerate() {
+            let (node, dof) = self.equations.place(equation);
+            let size = if dof == Dof::Theta { value.abs() / extent } else { value.abs() };
+            if size.is_nan() || size >= worst.0 {
+                worst = (size, node, dof);
+                if size.is_nan() {
+                    break;
+                }
+            }
+        }
+        worst
+    }
+
+    /// The error of a tangent that has no inverse.
+    pub fn singular(&self, pivot: ZeroPivot) -> Error {
+        let (node, dof) = self.equations.place(pivot.equation);
+        Error::SingularTangent { node, dof }
+    }
+}

@@ -1,0 +1,38 @@
+//! The cost of a step grows with the number of elements, not faster. (Absolute times: the example `step_cost`.)
+
+mod common;
+
+use common::{MATERIAL, supports};
+use std::time::Instant;
+use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Section};
+
+/// Seconds a step and element, the best of many short runs; and the corrections a step.
+fn cost(elements: usize) -> (f64, f64) {
+    let beam = Beam::straight([0.0, 0.0], [1.0, 0.0], elements, MATERIAL, Section::strip(0.005)).unwrap();
+    let rule = Integration::GeneralisedAlpha { spectral_radius: 0.8 };
+    let mut dynamics = Dynamics::new(beam, supports("cantilever", elements), rule, Damping::default()).unwrap();
+    let mut loads = Loads::default();
+    for element in 0..elements {
+        loads.along_element(element, [0.0, -1000.0], [0.0, -1000.0]);
+    }
+    let load = loads.at_nodes(dynamics.beam(), &vec![[0.0; 3]; elements + 1]).unwrap();
+    let mut state = dynamics.at_rest();
+    dynamics.equilibrate(&mut state, &load).unwrap();
+    let (mut best, mut corrections) = (f64::INFINITY, 0);
+    for _ in 0..20 {
+        let start = Instant::now();
+        for _ in 0..5 {
+            corrections += dynamics.step(&mut state, &load, 5e-4).unwrap().iterations;
+        }
+        best = best.min(start.elapsed().as_secs_f64() / 5.0);
+    }
+    (best / elements as f64, corrections as f64 / 100.0)
+}
+
+#[test]
+fn a_step_costs_in_proportion_to_the_elements() {
+    let [few, many] = [100, 1000].map(cost);
+    println!("100 and 1000 elements: {:.3} and {:.3} us an element", 1e6 * few.0, 1e6 * many.0);
+    assert!(many.0 < 3.0 * few.0, "{few:?} and {many:?}: a dense factor would make it a hundred times");
+    assert!(many.1 < 4.0 && few.1 < 4.0, "{few:?} and {many:?}");
+}
