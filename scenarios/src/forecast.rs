@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::build::tiling;
 use crate::scene::{
-    CouplingScheme, ExchangeRatio, Scene, Symmetry, compressibility_error, memory_estimate, particle_estimate,
+    CouplingScheme, ExchangeRatio, Scene, Symmetry, known_compressibility_error, memory_estimate, particle_estimate,
 };
 
 /// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
@@ -69,7 +69,7 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
         core_seconds: COST * fluid_particles as f64 * steps,
         sound_speed_m_per_s: fluid.sound_speed,
         mach: fastest / fluid.sound_speed,
-        compressibility_error: entry.map(|e| compressibility_error(e.root_speed(), fluid.sound_speed)),
+        compressibility_error: entry.and_then(|e| known_compressibility_error(e.root_speed(), fluid.sound_speed)),
         spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
         spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
         coupling_scheme: scene.coupling.scheme,

@@ -16,7 +16,7 @@ use crate::observe::{
 };
 use crate::present;
 use crate::reference::ReferenceError;
-use crate::scene::{Scene, compressibility_error};
+use crate::scene::{Scene, known_compressibility_error};
 use crate::summary::{Audit, Compressibility, Coupling, Particles, Peak, Status, Summary, WorstPenetration};
 
 /// Files of a run, by the contract of the command line.
@@ -270,7 +270,8 @@ impl Recorder {
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
         let root_speed = scene.entry().map(|entry| entry.root_speed());
-        let compressible_share = root_speed.map(|speed| compressibility_error(speed, scene.fluid.sound_speed));
+        let compressible_share =
+            root_speed.and_then(|speed| known_compressibility_error(speed, scene.fluid.sound_speed));
         let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
         Summary {
             scene: scene.name.clone(),

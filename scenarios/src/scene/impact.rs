@@ -182,6 +182,15 @@ pub fn compressibility_error(root_speed: f64, sound_speed: f64) -> f64 {
     }
 }
 
+/// [`compressibility_error`] where the fit holds: `None` for a spray root faster than Mach 0.3, as a round bottom's is at
+/// first contact.
+pub fn known_compressibility_error(root_speed: f64, sound_speed: f64) -> Option<f64> {
+    (root_speed <= FITTED_MACH * sound_speed).then(|| compressibility_error(root_speed, sound_speed))
+}
+
+/// Largest Mach number of the spray root in the runs that the error is fitted to [-].
+const FITTED_MACH: f64 = 0.3;
+
 /// Mach number at which the fitted error is largest, e^(−1/2) [-].
 const LARGEST_MACH: f64 = 0.606_530_659_712_633_4;
 

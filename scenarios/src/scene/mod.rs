@@ -42,7 +42,8 @@ pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::ExchangeRatio;
 pub use fsi_coupling::Shape;
 pub use impact::{
-    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error, sound_speed_for,
+    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,
+    known_compressibility_error, sound_speed_for,
 };
 pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};

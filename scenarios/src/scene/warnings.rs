@@ -3,7 +3,7 @@
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
 use super::exchange::light_body;
-use super::impact::{Entry, compressibility_error};
+use super::impact::{Entry, compressibility_error, known_compressibility_error};
 use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
 use super::problem::significant;
 
@@ -161,7 +161,13 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     let mut warnings = Vec::new();
 
     let error = compressibility_error(entry.root_speed(), scene.fluid.sound_speed);
-    if error > scene.fluid.compressibility_error * (1.0 + 1e-9) {
+    if known_compressibility_error(entry.root_speed(), scene.fluid.sound_speed).is_none() {
+        warnings.push(format!(
+            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; compare with a \
+             larger fluid.sound_speed",
+            significant(entry.root_speed() / scene.fluid.sound_speed)
+        ));
+    } else if error > scene.fluid.compressibility_error * (1.0 + 1e-9) {
         warnings.push(format!(
             "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
              admits {} %: raise fluid.sound_speed",
