@@ -1,6 +1,6 @@
 //! A wetted beam structure: a surface that rides on finite elements, and loads that go back to their nodes.
 
-use structure_fe::{Dynamics, State};
+use structure_fe::{Beam, Dynamics, Loads, State};
 
 use sph_core::{WallForces, WallPoint, WallsMut};
 
@@ -64,7 +64,7 @@ impl BeamBody {
         let beam = dynamics.beam();
         let elements = beam.elements().iter().map(|element| element.nodes).collect();
         let surface = BeamSurface::new(beam.nodes().to_vec(), elements);
-        let weight = own_weight(&dynamics, gravity);
+        let weight = own_weight(dynamics.beam(), gravity).map_err(|error| failed(&name, &error))?;
         let mass = dynamics.beam().mass();
         let nodes = surface.nodes();
         let lengths = (0..dynamics.beam().elements().len()).map(|element| dynamics.beam().length(element));
@@ -136,21 +136,14 @@ impl BeamBody {
     }
 }
 
-/// Consistent loads of gravity [m/s²] on the undeformed elements: q L/2 at each end, and ± q L²/12 across.
-fn own_weight(dynamics: &Dynamics, gravity: [f64; 2]) -> Vec<[f64; 3]> {
-    let beam = dynamics.beam();
-    let mut weight = vec![[0.0; 3]; beam.nodes().len()];
+/// Loads of gravity [m/s²] on the undeformed elements.
+fn own_weight(beam: &Beam, gravity: [f64; 2]) -> Result<Vec<[f64; 3]>, structure_fe::Error> {
+    let mut weight = Loads::default();
     for (index, element) in beam.elements().iter().enumerate() {
-        let (length, [c, s]) = (beam.length(index), beam.tangent(index));
         let q = gravity.map(|g| g * element.section.mass_per_length(&element.material));
-        let couple = (q[1] * c - q[0] * s) * length * length / 12.0;
-        for (node, sign) in element.nodes.into_iter().zip([1.0, -1.0]) {
-            weight[node][0] += 0.5 * q[0] * length;
-            weight[node][1] += 0.5 * q[1] * length;
-            weight[node][2] += sign * couple;
-        }
+        weight.along_element(index, q, q);
     }
-    weight
+    weight.at_nodes(beam, &vec![[0.0; 3]; beam.nodes().len()])
 }
 
 /// The corners of a polygon, with places between them no farther apart than `longest` [m].

@@ -3,6 +3,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::nodal::hermite;
+
 /// Where a boundary particle sits on a beam structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Perch {
@@ -45,7 +47,8 @@ struct Bend {
 
 /// Cubic shapes of the end rotations at t, over the length; and their slopes.
 fn shapes(t: f64) -> ([f64; 2], [f64; 2]) {
-    ([t * (1.0 - t) * (1.0 - t), t * t * (t - 1.0)], [1.0 + t * (3.0 * t - 4.0), t * (3.0 * t - 2.0)])
+    let [_, first, _, second] = hermite(t, 1.0);
+    ([first, second], [1.0 + t * (3.0 * t - 4.0), t * (3.0 * t - 2.0)])
 }
 
 fn dot2(a: [f64; 2], b: [f64; 2]) -> f64 {

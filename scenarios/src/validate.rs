@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::run::{self, RunError, RunOptions};
-use crate::scene::{self, SceneError};
+use crate::scene::{self, Scene, SceneError};
 use crate::summary::Summary;
 
 static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/validation");
@@ -134,7 +134,7 @@ pub fn select(names: &[String]) -> Result<Vec<Case>, ValidateError> {
 
 /// Run a case; its files go to a folder of its name under `out`, if one is given.
 pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, ValidateError> {
-    let summary = run_with(case, &[], out.map(|dir| dir.join(&case.name)))?;
+    let (scene, summary) = run_with(case, &[], out.map(|dir| dir.join(&case.name)))?;
     let cost = summary.wall_time_s * summary.threads as f64;
     let json = serde_json::to_value(&summary).unwrap_or_default();
     let mut lines: Vec<Line> = case.expect.iter().map(|e| judge(case, e, &json, cost)).collect();
@@ -151,10 +151,10 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
             core_seconds: cost,
         }));
         let judged = summary.comparison.iter().filter(|c| c.tolerance.is_some()).count();
-        lines.extend(missing(case, judged, cost)?);
+        lines.extend(missing(case, &scene, judged, cost));
     }
     if let Some(coarser) = &case.coarser {
-        let coarse = serde_json::to_value(run_with(case, &coarser.set, None)?).unwrap_or_default();
+        let coarse = serde_json::to_value(run_with(case, &coarser.set, None)?.1).unwrap_or_default();
         lines.extend(coarser.error_falls.iter().map(|path| falls(case, coarser, path, &json, &coarse, cost)));
     }
     let finished = summary.status == crate::summary::Status::Completed;
@@ -163,10 +163,9 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
 }
 
 /// The line that says so when a run gave nothing to judge some of its scene's comparisons by.
-fn missing(case: &Case, judged: usize, core_seconds: f64) -> Result<Option<Line>, ValidateError> {
-    let scene = scene::load(&case.scene, &case.set)?.scene;
+fn missing(case: &Case, scene: &Scene, judged: usize, core_seconds: f64) -> Option<Line> {
     let asked = scene.compare.iter().filter(|c| c.tolerance.is_some()).count();
-    Ok((judged < asked).then(|| Line {
+    (judged < asked).then(|| Line {
         case: case.name.clone(),
         quantity: "comparisons that the run could be judged by".into(),
         ours: judged as f64,
@@ -176,14 +175,15 @@ fn missing(case: &Case, judged: usize, core_seconds: f64) -> Result<Option<Line>
         holds: false,
         source: case.scene.clone(),
         core_seconds,
-    }))
+    })
 }
 
-fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<Summary, ValidateError> {
+fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Scene, Summary), ValidateError> {
     let sets: Vec<String> = case.set.iter().chain(further).cloned().collect();
     let loaded = scene::load(&case.scene, &sets)?;
     let options = RunOptions { out, force: true, warnings: loaded.warnings, ..RunOptions::default() };
-    Ok(run::run(&loaded.scene, &options)?.summary)
+    let summary = run::run(&loaded.scene, &options)?.summary;
+    Ok((loaded.scene, summary))
 }
 
 fn read(json: &Value, path: &str) -> f64 {

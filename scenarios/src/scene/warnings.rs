@@ -3,7 +3,7 @@
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
 use super::exchange::light_body;
-use super::impact::{Entry, compressibility_error, known_compressibility_error};
+use super::impact::{Entry, known_compressibility_error};
 use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
 use super::problem::significant;
 
@@ -47,7 +47,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.fluid.cfl > LARGEST_CFL {
         warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.2 blew up", scene.fluid.cfl));
     }
-    warnings.extend(strained_riemann(scene));
+    warnings.extend(strained_step(scene));
     let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
     let acoustic = h / (scene.fluid.sound_speed + scene.fastest_speed());
     if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * acoustic) {
@@ -82,8 +82,8 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     warnings
 }
 
-/// The Riemann form's limits of the step (R3), and of stretched walls without a linear viscosity.
-fn strained_riemann(scene: &Scene) -> Vec<String> {
+/// Limits of the step of the Riemann form (R3) and of stretched walls (E10).
+fn strained_step(scene: &Scene) -> Vec<String> {
     let (fluid, mut warnings) = (&scene.fluid, Vec::new());
     if fluid.dissipation == Dissipation::Riemann && fluid.cfl > RIEMANN_CFL {
         warnings.push(format!(
@@ -160,21 +160,21 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     let spacing = scene.resolution.spacing;
     let mut warnings = Vec::new();
 
-    let error = compressibility_error(entry.root_speed(), scene.fluid.sound_speed);
-    if known_compressibility_error(entry.root_speed(), scene.fluid.sound_speed).is_none() {
-        warnings.push(format!(
+    let (root, sound) = (entry.root_speed(), scene.fluid.sound_speed);
+    match known_compressibility_error(root, sound) {
+        None => warnings.push(format!(
             "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; compare with a \
              larger fluid.sound_speed",
-            significant(entry.root_speed() / scene.fluid.sound_speed)
-        ));
-    } else if error > scene.fluid.compressibility_error * (1.0 + 1e-9) {
-        warnings.push(format!(
+            significant(root / sound)
+        )),
+        Some(error) if error > scene.fluid.compressibility_error * (1.0 + 1e-9) => warnings.push(format!(
             "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
              admits {} %: raise fluid.sound_speed",
             significant(100.0 * error),
-            significant(entry.root_speed() / scene.fluid.sound_speed),
+            significant(root / sound),
             significant(100.0 * scene.fluid.compressibility_error)
-        ));
+        )),
+        Some(_) => {}
     }
 
     let draught = entry.final_draught;
