@@ -20,6 +20,9 @@ pub struct Element {
     pub section: Section,
 }
 
+/// Axial stiffness left to an element that slides along itself [-].
+const RELEASED: f64 = 1e-7;
+
 /// A plane frame of straight beam elements, rigidly joined at the nodes.
 ///
 /// Nodes lie in a plane with axes x, y. A node has three degrees of freedom, `[u, w, theta]`:
@@ -37,6 +40,8 @@ pub struct Beam {
     points: Vec<[f64; 3]>,
     /// Nodes that are rigid bodies.
     bodies: Vec<usize>,
+    /// Elements that slide along themselves.
+    sliding: Vec<usize>,
     formulation: Vec<ElementConstants>,
 }
 
@@ -64,7 +69,7 @@ impl Beam {
         }
         let theory = vec![Theory::default(); elements.len()];
         let points = vec![[0.0; 3]; nodes.len()];
-        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, bodies: Vec::new(), formulation })
+        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, bodies: Vec::new(), sliding: Vec::new(), formulation })
     }
 
     /// A model with one material and one section throughout.
@@ -106,6 +111,14 @@ impl Beam {
     pub fn with_theory_of(mut self, element: usize, theory: Theory) -> Result<Self, Error> {
         existing_element("theory", 0, element, self.elements.len())?;
         self.theory[element] = theory;
+        self.reformulate()
+    }
+
+    /// The same model with an element that slides along itself: a roller at its end. It keeps a ten millionth of its axial
+    /// stiffness, for an end that slides less than its own length.
+    pub fn with_axial_release(mut self, element: usize) -> Result<Self, Error> {
+        existing_element("axial release", 0, element, self.elements.len())?;
+        self.sliding.push(element);
         self.reformulate()
     }
 
@@ -170,6 +183,9 @@ impl Beam {
         for (index, element) in self.elements.iter().enumerate() {
             self.formulation[index] =
                 formulate(&self.nodes, extent, index, element, self.theory[index], self.rotatory_inertia)?;
+            if self.sliding.contains(&index) {
+                self.formulation[index].stiffness[0] *= RELEASED;
+            }
         }
         Ok(self)
     }
