@@ -6,7 +6,7 @@ use sph_core::audit::FluidEnergy;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::body::{BodyError, WettedBody};
-use crate::contact::throw_back;
+use crate::contact::{take_back, throw_back};
 use crate::exchange::{Agreement, Exchange, Scheme};
 use crate::penetration::{Penetration, run_into};
 use crate::rows::Arrangement;
@@ -63,6 +63,7 @@ const PLAY: f64 = 0.01;
 struct Member {
     body: Box<dyn WettedBody>,
     range: Range<usize>,
+    screens: Range<usize>,
 }
 
 /// See the module's text.
@@ -73,8 +74,9 @@ pub struct Coupled {
     pub walls: Walls,
     members: Vec<Member>,
     exchange: Exchange,
-    saved: Option<(Walls, Exchange, MomentumAudit)>,
+    saved: Option<(Walls, Exchange, MomentumAudit, u64)>,
     play: f64,
+    stopped: u64,
     audit: MomentumAudit,
     energy_at_start: f64,
     fluid_at_start: FluidEnergy,
@@ -113,7 +115,9 @@ impl Coupled {
             body.arrange(arrangement);
             let range = walls.extend(&body.sample(spacing, layers)?, ratio);
             body.place(0.0, walls.slice_mut(range.clone()));
-            members.push(Member { body, range });
+            let first = walls.screens.len();
+            walls.screens.extend(body.screens(0.0));
+            members.push(Member { body, range, screens: first..walls.screens.len() });
         }
         let mut exchange = Exchange::new(scheme);
         let mirrored = fluid.parameters.mirror.is_some();
@@ -125,6 +129,7 @@ impl Coupled {
             members,
             exchange,
             saved: None,
+            stopped: 0,
             play: PLAY * spacing,
             audit: MomentumAudit::default(),
             energy_at_start: 0.0,
@@ -148,12 +153,15 @@ impl Coupled {
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
         }
+        self.walls.screens.clear();
+        self.walls.screens.extend(self.members.iter().flat_map(|m| m.body.screens(dt)));
         let owners = yielding(&self.members, dt, self.fluid.parameters.mirror.is_some());
         self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
+        self.take_back(); //                                            contact with thin plates
         self.throw_back(); //                                           contact of single particles
         self.close_momentum(dt);
         self.refuse_collision()
@@ -165,21 +173,37 @@ impl Coupled {
             self.fluid.forget();
         }
         self.fluid.save();
-        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit));
+        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit, self.stopped));
         self.members.iter_mut().for_each(|m| m.body.save());
     }
 
     /// Return to the state last saved; without one nothing happens.
     pub fn restore(&mut self) {
-        let Some((walls, exchange, audit)) = &self.saved else { return };
+        let Some((walls, exchange, audit, stopped)) = &self.saved else { return };
         self.fluid.restore();
-        (self.walls, self.exchange, self.audit) = (walls.clone(), exchange.clone(), *audit);
+        (self.walls, self.exchange, self.audit, self.stopped) = (walls.clone(), exchange.clone(), *audit, *stopped);
         self.members.iter_mut().for_each(|m| m.body.restore());
     }
 
     /// How well fluid and bodies agreed, over all steps so far.
     pub fn agreement(&self) -> Agreement {
         self.exchange.report
+    }
+
+    /// T5: particles that went through a thin plate return to the face they met.
+    fn take_back(&mut self) {
+        for passage in self.fluid.passages(&self.walls) {
+            let half = self.walls.screens[passage.screen].half_thickness;
+            if let Some(m) = self.members.iter_mut().find(|m| m.screens.contains(&passage.screen)) {
+                take_back(&mut self.fluid, &passage, half, m.body.as_mut());
+                self.stopped += 1;
+            }
+        }
+    }
+
+    /// How often a particle was stopped that would have gone through a thin plate (THEORY T5).
+    pub fn stopped(&self) -> u64 {
+        self.stopped
     }
 
     /// E25: particles beyond a body's surface return to it.

@@ -24,6 +24,7 @@ pub mod rows;
 pub mod sampling;
 pub mod shape;
 pub mod tank;
+pub mod thin;
 
 pub use beam_body::{BeamBody, BeamSpec};
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
@@ -36,3 +37,4 @@ pub use rigid::{RigidBody2d, RigidSpec};
 pub use rows::Arrangement;
 pub use shape::Shape;
 pub use tank::Tank;
+pub use thin::Plate;
