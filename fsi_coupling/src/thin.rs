@@ -107,6 +107,31 @@ pub fn right_half(points: Vec<WallPoint>, spacing: f64) -> Vec<WallPoint> {
     points.into_iter().filter_map(right).collect()
 }
 
+/// T3: the particles of a wall on which a plate stands: each cell is cut by the plate's faces, and what is left of it on
+/// either side is a particle of its own, so that each side's water finds its own wall up to the plate's face.
+pub fn cut(points: Vec<WallPoint>, plate: &Plate) -> Vec<WallPoint> {
+    let (line, half) = (plate.line(), 0.5 * plate.thickness);
+    line.windows(2).fold(points, |points, side| points.into_iter().flat_map(|p| cut_one(p, side, half)).collect())
+}
+
+/// The parts of a cell left and right of a side with faces at distance `half` [m].
+fn cut_one(p: WallPoint, side: &[[f64; 2]], half: f64) -> Vec<WallPoint> {
+    let (out, r) = (normal(side[0], side[1]), [p.at[0] - side[0][0], p.at[1] - side[0][1]]);
+    let (across, along) = (r[0] * out[0] + r[1] * out[1], r[1] * out[0] - r[0] * out[1]);
+    let (width, length) = (p.spacing, (side[1][0] - side[0][0]).hypot(side[1][1] - side[0][1]));
+    if along < 0.0 || along > length || across.abs() > half + 0.5 * width {
+        return vec![p];
+    }
+    let part = |sign: f64| {
+        let to = sign * across + 0.5 * width;
+        let from = (to - width).max(half);
+        let shift = sign * 0.5 * (from + to) - across;
+        let at = [p.at[0] + shift * out[0], p.at[1] + shift * out[1]];
+        (to - from > LEAST_SHARE * width).then(|| WallPoint { at, area: (to - from) / width * p.area, ..p })
+    };
+    [1.0, -1.0].into_iter().filter_map(part).collect()
+}
+
 /// The number of a side of the middle line that is too short for the rows of the outer face of its bends, which turn inside
 /// out there; `reach` [m] is how far the deepest row lies beyond the line.
 pub fn too_tight(middle: &[[f64; 2]], reach: f64) -> Option<usize> {
@@ -231,6 +256,30 @@ mod tests {
         let points = sample(&[[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], 0.01, 0.02, 3);
         let whole = area(&points, |_| true);
         assert!((2.0 * area(&right_half(points, 0.02), |_| true) / whole - 1.0).abs() < 1e-9);
+    }
+
+    /// Floor cells beside a plate that stands on it: what is left of them is the floor outside the plate, on each side.
+    #[test]
+    fn a_wall_ends_at_the_faces_of_a_plate_that_stands_on_it() {
+        let cell = |k: i32| WallPoint {
+            at: [0.01 * f64::from(k), -0.005],
+            normal: [0.0, 1.0],
+            area: 1e-4,
+            spacing: 0.01,
+            depth: 0.005,
+            share: None,
+        };
+        for thickness in [0.002, 0.01, 0.024] {
+            let plate = Plate { roots: [0.04, 0.0], ..Plate::new(&[[0.001, 0.0], [0.001, 0.3]], thickness) };
+            let cells = cut((-5..=5).map(cell).collect(), &plate);
+            for sign in [1.0, -1.0] {
+                let side: Vec<&WallPoint> = cells.iter().filter(|p| sign * (p.at[0] - 0.001) > 0.0).collect();
+                let (area, moment) = side.iter().fold((0.0, 0.0), |(a, m), p| (a + p.area, m + p.area * p.at[0]));
+                let [from, to] = [0.001 + sign * 0.5 * thickness, sign * 0.055];
+                assert!((area - 0.01 * (to - from).abs()).abs() < 1e-15, "thickness {thickness}, area {area}");
+                assert!((moment / area - 0.5 * (from + to)).abs() < 1e-12, "thickness {thickness}");
+            }
+        }
     }
 
     #[test]

@@ -21,7 +21,8 @@ pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let fluid = Fluid::new(parameters(scene), &seeds);
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
-    let tank = Tank::new(tiling, x, floor, floor + scene.tank.height, half);
+    let standing = scene.body.as_ref().and_then(|body| standing(scene, body)).into_iter().collect();
+    let tank = Tank::new(tiling, x, floor, floor + scene.tank.height, half).carrying(standing);
     let bodies = body.into_iter().chain([Box::new(tank) as Box<dyn WettedBody>]).collect();
     Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)
 }
@@ -68,6 +69,14 @@ fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
         if away < STANDS * spacing { (layers(scene) as f64 + 1.0) * spacing } else { 0.0 }
     };
     [root(&points[0]), root(&points[points.len() - 1])]
+}
+
+/// A thin plate that stands on the tank's walls, where it stands.
+fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
+    let roots = roots(scene, body);
+    let Shape::Polyline { points, thickness } = &body.shape else { return None };
+    let middle: Vec<[f64; 2]> = points.iter().map(|p| body.to_tank(*p)).collect();
+    (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
 /// Still water at rest under its own weight, without what the body displaces.

@@ -23,4 +23,5 @@ mod study;
 mod symmetry;
 mod taylor_green;
 mod transfer;
+mod thin_walls;
 mod wave_maker;
