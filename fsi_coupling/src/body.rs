@@ -1,6 +1,6 @@
 //! What a wetted body is: three verbs (place, load, advance) with contracts, and what observers may ask.
 
-use sph_core::{WallForces, WallPoint, WallsMut, Yielding};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yielding};
 
 use crate::outline::Outline;
 use crate::panel::PanelState;
@@ -118,6 +118,12 @@ pub trait WettedBody: Send {
     /// H: write where the boundary particles will be `ahead` [s] from now, their mean velocity until
     /// then, and their acceleration. After `advance(ahead)` the body is there, to second order.
     fn place(&self, ahead: f64, out: WallsMut<'_>);
+
+    /// Middle lines of the body's thin walls (THEORY T1) `ahead` [s] from now and now, as many and in the same order every
+    /// time; after `sample`, whose particles say which screen they belong to.
+    fn screens(&self, _ahead: f64) -> Vec<Screen> {
+        Vec::new()
+    }
 
     /// How a force at the end of a step of `ahead` [s] accelerates the body (THEORY C2): its motion as `place` writes it,
     /// inertia, and acceleration without a fluid; `range` and `mirrored` are the caller's. `None` for a body whose motion
