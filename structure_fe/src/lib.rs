@@ -91,6 +91,7 @@ mod inertia;
 mod loads;
 mod lumped;
 mod material;
+mod mean_forces;
 mod mechanism;
 mod modes;
 mod nonlinear_statics;

@@ -5,6 +5,7 @@ use crate::bordered::Bordered;
 use crate::corotational::{Chord, add_deformation_matrix, add_elastic_tangent, elastic_forces};
 use crate::element::end_forces;
 use crate::inertia::Damping;
+use crate::mean_forces::{mean_forces, mean_forces_and_tangent};
 use crate::system::System;
 
 impl System {
@@ -33,6 +34,51 @@ impl System {
             self.add_matrix(nodes, &chord.matrix_to_global(&local), arms, matrix);
         }
         self.add_stiffness_of_springs(factor, arms, matrix);
+    }
+
+    /// The chords of the elements.
+    pub fn chords(&self, q: &[[f64; 3]]) -> Vec<Chord> {
+        self.beam.formulated().map(|(nodes, element)| Chord::new(element, &self.beam.ends(nodes, q))).collect()
+    }
+
+    /// Elastic forces of beams and springs over a step that leads from the chords `from` and the displacement `before`
+    /// to `q`, with the `weight` of its end (THEORY S22); returns what they take beyond the change of the elastic energy
+    /// \[J\]. `tangent` as above, with the derivative by `q`.
+    pub fn mean_elastic_forces(
+        &self,
+        (from, before): (&[Chord], &[[f64; 3]]),
+        q: &[[f64; 3]],
+        weight: f64,
+        forces: &mut [[f64; 3]],
+        tangent: Option<([&[[f64; 2]]; 2], &mut Bordered)>,
+    ) -> f64 {
+        forces.fill([0.0; 3]);
+        let mut dissipated = 0.0;
+        for spring in self.supports.springs() {
+            let (node, dof) = (spring.node, spring.dof as usize);
+            let (start, end) = (before[node][dof], q[node][dof]);
+            forces[node][dof] += spring.stiffness * ((1.0 - weight) * start + weight * end);
+            dissipated += (weight - 0.5) * spring.stiffness * (end - start).powi(2);
+        }
+        let elements = self.beam.formulated().zip(from);
+        let Some((arms, matrix)) = tangent else {
+            for ((nodes, element), &from) in elements {
+                let to = Chord::new(element, &self.beam.ends(nodes, q));
+                let mean = mean_forces(element, from, to, weight);
+                add_ends(forces, nodes, &mean.forces);
+                dissipated += mean.dissipated;
+            }
+            return dissipated;
+        };
+        for ((nodes, element), &from) in elements {
+            let to = Chord::new(element, &self.beam.ends(nodes, q));
+            let (mean, local) = mean_forces_and_tangent(element, from, to, weight, 1.0);
+            add_ends(forces, nodes, &mean.forces);
+            dissipated += mean.dissipated;
+            self.add_matrix(nodes, &local, arms, matrix);
+        }
+        self.add_stiffness_of_springs(weight, arms, matrix);
+        dissipated
     }
 
     /// Forces of the damping (THEORY S13), with a lumped `mass`, of velocities `v` where the model is at `q`.
