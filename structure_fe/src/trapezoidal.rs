@@ -18,8 +18,11 @@ const ROUNDED: [f64; 2] = [1e-8, 1e-13];
 /// The tangent is kept while each correction is less than this of the one before \[-\].
 const CONTRACTING: f64 = 0.03;
 
-/// A correction of more than this of the one before gives the first guess up \[-\].
-const HOPELESS: f64 = 0.3;
+/// Corrections that shrink by less than this do not shrink \[-\].
+const STANDING: f64 = 0.3;
+
+/// A correction of more than this times the smallest so far gives the first guess up \[-\].
+const FAR: f64 = 100.0;
 
 /// Corrections of a guess, at most.
 const ITERATIONS: usize = 40;
@@ -103,7 +106,7 @@ impl Dynamics {
     }
 
     /// Newton's method for the displacement at the end; says whether it converged. Where `hopeful` it gives
-    /// up as soon as corrections do not shrink.
+    /// up when corrections grow.
     fn settle(
         &mut self,
         rule: &Trapezoidal,
@@ -115,7 +118,7 @@ impl Dynamics {
         new: &mut State,
         report: &mut StepReport,
     ) -> Result<bool, Error> {
-        let (mut last, mut fresh) = (f64::INFINITY, true);
+        let (mut last, mut smallest, mut fresh) = (f64::INFINITY, f64::INFINITY, true);
         for _ in 0..ITERATIONS {
             if fresh {
                 self.lay_tangent(rule, state, start, new, dt);
@@ -143,10 +146,11 @@ impl Dynamics {
             report.last_correction = if motion > 0.0 { size / motion } else { 0.0 };
             let below =
                 |[of_motion, of_whole]: [f64; 2]| size * ratio.min(1.0) <= of_motion * motion + of_whole * whole;
-            if below(CONVERGED) || (ratio > HOPELESS && last.is_finite() && below(ROUNDED)) {
+            if below(CONVERGED) || (ratio > STANDING && last.is_finite() && below(ROUNDED)) {
                 return Ok(true);
             }
-            if hopeful && last.is_finite() && ratio > HOPELESS {
+            smallest = smallest.min(size);
+            if hopeful && size > FAR * smallest {
                 return Ok(false);
             }
             fresh = ratio > CONTRACTING && last.is_finite();

