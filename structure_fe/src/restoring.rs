@@ -4,6 +4,7 @@ use crate::beam::add_ends;
 use crate::bordered::Bordered;
 use crate::corotational::{Chord, add_deformation_matrix, add_elastic_tangent, elastic_forces};
 use crate::element::end_forces;
+use crate::equations::Arms;
 use crate::inertia::Damping;
 use crate::mean_forces::{mean_forces, mean_forces_and_tangent};
 use crate::system::System;
@@ -11,12 +12,7 @@ use crate::system::System;
 impl System {
     /// Elastic forces of beams and springs (THEORY S10); `tangent`: adds that many times the tangent (S11) to the
     /// matrix, forces taken to the bodies with the first arms, displacements with the second.
-    pub fn elastic_forces(
-        &self,
-        q: &[[f64; 3]],
-        forces: &mut [[f64; 3]],
-        tangent: Option<(f64, [&[[f64; 2]]; 2], &mut Bordered)>,
-    ) {
+    pub fn elastic_forces(&self, q: &[[f64; 3]], forces: &mut [[f64; 3]], tangent: Option<(f64, Arms, &mut Bordered)>) {
         forces.fill([0.0; 3]);
         self.supports.add_spring_forces(q, forces);
         let Some((factor, arms, matrix)) = tangent else {
@@ -50,7 +46,7 @@ impl System {
         q: &[[f64; 3]],
         weight: f64,
         forces: &mut [[f64; 3]],
-        tangent: Option<([&[[f64; 2]]; 2], &mut Bordered)>,
+        tangent: Option<(Arms, &mut Bordered)>,
     ) -> f64 {
         forces.fill([0.0; 3]);
         let mut dissipated = 0.0;
@@ -108,14 +104,7 @@ impl System {
     }
 
     /// Adds `factor` times the damping's derivative by velocity, but for the part of the mass.
-    pub fn add_viscosity(
-        &self,
-        q: &[[f64; 3]],
-        damping: &Damping,
-        factor: f64,
-        arms: [&[[f64; 2]]; 2],
-        matrix: &mut Bordered,
-    ) {
+    pub fn add_viscosity(&self, q: &[[f64; 3]], damping: &Damping, factor: f64, arms: Arms, matrix: &mut Bordered) {
         if damping.stiffness > 0.0 {
             let factor = factor * damping.stiffness;
             for (nodes, element) in self.beam.formulated() {
