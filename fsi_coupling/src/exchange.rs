@@ -1,5 +1,6 @@
 //! How fluid and bodies agree on a step: on the bodies' accelerations, which the wall pressures contain (THEORY C1–C7).
 
+use sph_core::yielding::Lack;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::coupled::CouplingError;
@@ -11,7 +12,7 @@ pub enum Scheme {
     /// Not at all: the fluid sees the bodies' accelerations of the step before (E9).
     #[default]
     Weak,
-    /// Accelerations and wall pressures are found together (C2), without iterations. Rigid bodies, extrapolated walls.
+    /// Accelerations and wall pressures are found together (C2), without iterations. Extrapolated walls.
     AddedMass,
     /// Repeat the step under Aitken's relaxation (C6; Küttler & Wall 2008) until both agree.
     Aitken(Iteration),
@@ -70,13 +71,10 @@ impl Exchange {
         match self.scheme {
             Scheme::Weak => attempt(fluid, walls)?,
             Scheme::AddedMass => {
-                walls.yielding = owners;
+                fluid.yielding = owners;
                 let ended = attempt(fluid, walls);
-                owners = std::mem::take(&mut walls.yielding);
+                owners = std::mem::take(&mut fluid.yielding);
                 ended?;
-                for owner in &mut owners {
-                    (0..3).for_each(|k| owner.acceleration[k] += owner.change[k]);
-                }
             }
             Scheme::Aitken(iteration) | Scheme::IqnIls(iteration) => {
                 fluid.save();
@@ -99,7 +97,7 @@ impl Exchange {
         mut attempt: impl FnMut(&mut Fluid, &mut Walls) -> Result<(), Breakdown>,
         Iteration { tolerance, max_iterations }: Iteration,
     ) -> Result<(), CouplingError> {
-        let (start, first) = (walls.clone(), owners.clone());
+        let start = walls.clone();
         self.relaxation.begin();
         let time = fluid.time;
         for iterations in 1..=max_iterations.max(1) {
@@ -116,10 +114,11 @@ impl Exchange {
             let better = self.relaxation.next(&unknowns(&owners), &residual.of_unknowns);
             fluid.restore();
             walls.clone_from(&start);
-            for ((owner, first), better) in owners.iter_mut().zip(&first).zip(better.chunks(3)) {
-                owner.acceleration = [0, 1, 2].map(|k| better[k] / scales(owner)[k]);
-                let change = [0, 1, 2].map(|k| owner.acceleration[k] - first.acceleration[k]);
-                walls.accelerate(owner.range.clone(), owner.pole, change);
+            let mut rest = &better[..];
+            for Yielding { range, owner, .. } in &mut owners {
+                let (own, others) = rest.split_at(owner.unknowns().len());
+                owner.accelerate(own, walls.slice_mut(range.clone()));
+                rest = others;
             }
         }
         Ok(())
@@ -134,16 +133,9 @@ impl Exchange {
     }
 }
 
-/// C5: angular accelerations count by the radius of gyration [m], so that all unknowns are in m/s².
-fn scales(owner: &Yielding) -> [f64; 3] {
-    let [x, y, angle] = owner.mobility;
-    let gyration = if angle > 0.0 && x.max(y) > 0.0 { (x.max(y) / angle).sqrt() } else { 1.0 };
-    [1.0, 1.0, gyration]
-}
-
-/// The accelerations that the walls' kinematics were written with [m/s²], three an owner.
+/// The accelerations that the walls' kinematics were written with [m/s²], of all owners.
 fn unknowns(owners: &[Yielding]) -> Vec<f64> {
-    owners.iter().flat_map(|owner| [0, 1, 2].map(|k| scales(owner)[k] * owner.acceleration[k])).collect()
+    owners.iter().flat_map(|member| member.owner.unknowns()).collect()
 }
 
 /// C5: what the accelerations lack of those that the forces cause.
@@ -156,20 +148,16 @@ struct Residual {
 impl Residual {
     fn of(owners: &[Yielding], walls: &Walls) -> Residual {
         let (mut of_unknowns, mut squares) = (Vec::new(), [0.0; 3]);
-        for owner in owners {
-            let mut forces = walls.forces(owner.range.clone());
-            forces.mirrored = owner.mirrored;
-            let total = forces.resultant(owner.pole);
-            let force = [total.force[0], total.force[1], total.moment];
-            let (lack, scale) = (owner.lack(force), scales(owner));
-            for k in 0..3 {
-                let (lack, caused) = (scale[k] * lack[k], scale[k] * owner.mobility[k] * force[k]);
-                let found = lack + scale[k] * owner.acceleration[k];
-                for (sum, value) in squares.iter_mut().zip([lack, caused, found]) {
+        for Yielding { range, mirrored, owner } in owners {
+            let mut forces = walls.forces(range.clone());
+            forces.mirrored = *mirrored;
+            let Lack { lack, caused } = owner.lack(&forces);
+            for ((lack, caused), unknown) in lack.iter().zip(caused).zip(owner.unknowns()) {
+                for (sum, value) in squares.iter_mut().zip([*lack, caused, lack + unknown]) {
                     *sum += value * value;
                 }
-                of_unknowns.push(lack);
             }
+            of_unknowns.extend(lack);
         }
         let [lack, caused, found] = squares.map(f64::sqrt);
         let relative = if lack == 0.0 { 0.0 } else { lack / (caused + found) };

@@ -20,6 +20,7 @@ pub mod pose;
 pub mod prescribed;
 pub mod relaxation;
 pub mod rigid;
+pub mod rigid_yield;
 pub mod rows;
 pub mod sampling;
 pub mod shape;
