@@ -78,7 +78,16 @@ impl Exchange {
             }
             Scheme::Aitken(iteration) | Scheme::IqnIls(iteration) => {
                 fluid.save();
-                let ended = self.iterate(fluid, walls, owners, attempt, iteration);
+                let (start, time) = (walls.clone(), fluid.time);
+                let ended = self.converge(iteration, time, unknowns(&owners), |accelerations, again| {
+                    if again {
+                        fluid.restore();
+                        walls.clone_from(&start);
+                        accelerate(&mut owners, walls, accelerations);
+                    }
+                    attempt(fluid, walls)?;
+                    Ok(Residual::of(&owners, walls))
+                });
                 fluid.forget();
                 return ended;
             }
@@ -88,38 +97,25 @@ impl Exchange {
         Ok(())
     }
 
-    /// C5–C7: repeat the step, from the state that the fluid remembers, with better and better accelerations.
-    fn iterate(
+    /// C5–C7: better and better unknowns, from `x` on, until a `trial` of them leaves a residual that is small enough.
+    pub fn converge(
         &mut self,
-        fluid: &mut Fluid,
-        walls: &mut Walls,
-        mut owners: Vec<Yielding>,
-        mut attempt: impl FnMut(&mut Fluid, &mut Walls) -> Result<(), Breakdown>,
         Iteration { tolerance, max_iterations }: Iteration,
+        time: f64,
+        mut x: Vec<f64>,
+        mut trial: impl FnMut(&[f64], bool) -> Result<Residual, CouplingError>,
     ) -> Result<(), CouplingError> {
-        let start = walls.clone();
         self.relaxation.begin();
-        let time = fluid.time;
-        for iterations in 1..=max_iterations.max(1) {
-            attempt(fluid, walls)?;
-            let residual = Residual::of(&owners, walls);
-            if residual.relative <= tolerance {
-                self.note(iterations, residual.relative);
-                return Ok(());
+        for iterations in 1.. {
+            let Residual { of_unknowns, relative: residual } = trial(&x, iterations > 1)?;
+            if residual <= tolerance {
+                self.note(iterations, residual);
+                break;
             }
             if iterations >= max_iterations {
-                let residual = residual.relative;
                 return Err(CouplingError::NotConverged { iterations, residual, tolerance, time });
             }
-            let better = self.relaxation.next(&unknowns(&owners), &residual.of_unknowns);
-            fluid.restore();
-            walls.clone_from(&start);
-            let mut rest = &better[..];
-            for Yielding { range, owner, .. } in &mut owners {
-                let (own, others) = rest.split_at(owner.unknowns().len());
-                owner.accelerate(own, walls.slice_mut(range.clone()));
-                rest = others;
-            }
+            x = self.relaxation.next(&x, &of_unknowns);
         }
         Ok(())
     }
@@ -134,19 +130,28 @@ impl Exchange {
 }
 
 /// The accelerations that the walls' kinematics were written with [m/s²], of all owners.
-fn unknowns(owners: &[Yielding]) -> Vec<f64> {
+pub(crate) fn unknowns(owners: &[Yielding]) -> Vec<f64> {
     owners.iter().flat_map(|member| member.owner.unknowns()).collect()
 }
 
+/// Give the owners' particles other accelerations [m/s²], of all owners, than their kinematics were written with.
+pub(crate) fn accelerate(owners: &mut [Yielding], walls: &mut Walls, mut unknowns: &[f64]) {
+    for Yielding { range, owner, .. } in owners {
+        let (own, others) = unknowns.split_at(owner.unknowns().len());
+        owner.accelerate(own, walls.slice_mut(range.clone()));
+        unknowns = others;
+    }
+}
+
 /// C5: what the accelerations lack of those that the forces cause.
-struct Residual {
-    of_unknowns: Vec<f64>,
+pub(crate) struct Residual {
+    pub of_unknowns: Vec<f64>,
     /// Over the accelerations that forces cause and that result, summed [-].
-    relative: f64,
+    pub relative: f64,
 }
 
 impl Residual {
-    fn of(owners: &[Yielding], walls: &Walls) -> Residual {
+    pub fn of(owners: &[Yielding], walls: &Walls) -> Residual {
         let (mut of_unknowns, mut squares) = (Vec::new(), [0.0; 3]);
         for Yielding { range, mirrored, owner } in owners {
             let mut forces = walls.forces(range.clone());

@@ -7,6 +7,8 @@
 pub mod beam_body;
 pub mod beam_surface;
 pub mod body;
+#[cfg(test)]
+mod column_tests;
 mod contact;
 pub mod coupled;
 pub mod exchange;

@@ -9,7 +9,7 @@ const FACTOR: [f64; 2] = [1e-3, 1.0];
 /// A column whose part across the newer ones is a smaller share of it says nothing new (C7).
 const NEW: f64 = 1e-3;
 /// Columns of C7 that are kept, in unknowns, and at most.
-const MEMORY: [usize; 2] = [2, 20];
+const MEMORY: [usize; 2] = [2, 40];
 
 /// A relaxation, with what it has learnt.
 #[derive(Clone)]

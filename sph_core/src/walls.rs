@@ -2,6 +2,7 @@
 //!
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
+
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallPoint {
