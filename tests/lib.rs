@@ -19,5 +19,7 @@ pub mod light;
 pub mod load;
 #[path = "support/statistics.rs"]
 pub mod statistics;
+#[path = "support/strip.rs"]
+pub mod strip;
 #[path = "support/systems.rs"]
 pub mod systems;
