@@ -64,9 +64,15 @@ impl BeamSurface {
     /// The perch of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
     /// extension.
     pub fn perch(&self, at: [f64; 2], normal: [f64; 2]) -> Perch {
-        let mut best = (f64::INFINITY, Perch { element: 0, t: 0.0, beyond: 0.0, offset: 0.0, normal });
-        for (element, [first, second]) in self.elements.iter().enumerate() {
-            let (a, b) = (self.nodes[*first], self.nodes[*second]);
+        self.perch_among(0..self.elements.len(), at, normal)
+    }
+
+    /// The same on the nearest of some elements.
+    pub fn perch_among(&self, elements: std::ops::Range<usize>, at: [f64; 2], normal: [f64; 2]) -> Perch {
+        let mut best = (f64::INFINITY, Perch { element: elements.start, t: 0.0, beyond: 0.0, offset: 0.0, normal });
+        for element in elements {
+            let [first, second] = self.elements[element];
+            let (a, b) = (self.nodes[first], self.nodes[second]);
             let way = [b[0] - a[0], b[1] - a[1]];
             let length = way[0].hypot(way[1]);
             let along = way.map(|w| w / length);
@@ -82,6 +88,17 @@ impl BeamSurface {
             }
         }
         best.1
+    }
+
+    /// The perch on an element's middle line, a share t of the way along it, with its normal to the left.
+    pub fn on_element(&self, element: usize, t: f64) -> Perch {
+        Perch { element, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
+    }
+
+    /// Length of an element at rest [m].
+    pub fn length(&self, element: usize) -> f64 {
+        let [a, b] = self.elements[element].map(|node| self.nodes[node]);
+        (b[0] - a[0]).hypot(b[1] - a[1])
     }
 
     /// Number of nodes.

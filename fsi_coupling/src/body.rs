@@ -3,6 +3,7 @@
 use sph_core::{WallForces, WallPoint, WallsMut, Yields};
 
 use crate::outline::Outline;
+use crate::panel::PanelState;
 use crate::rows::Arrangement;
 
 /// A body that cannot be built or cannot go on.
@@ -39,6 +40,13 @@ pub enum BodyError {
     },
 }
 
+impl BodyError {
+    /// What finite elements say of a body.
+    pub(crate) fn structure(name: &str, error: &structure_fe::Error) -> BodyError {
+        BodyError::Structure { name: name.into(), reason: error.to_string() }
+    }
+}
+
 /// Energies of a body per metre of span [J/m].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
@@ -50,6 +58,10 @@ pub struct Energy {
     pub elastic: f64,
     /// Work that the fluid's load has done on the body since the start.
     pub work: f64,
+    /// Work that supports whose motion is given have done on it since the start.
+    pub support: f64,
+    /// What damping, yielding and its time steps have taken from it since the start.
+    pub dissipated: f64,
 }
 
 /// Rigid motion of the body's frame, and the fluid's load on it.
@@ -138,6 +150,11 @@ pub trait WettedBody: Send {
     /// Momentum and impulses, for the audit.
     fn ledger(&self) -> Ledger;
 
+    /// What its panels do, of a body that bends.
+    fn panels(&self) -> Vec<PanelState> {
+        Vec::new()
+    }
+
     /// Rigid motion for output; `None` for a body that only holds water (a tank).
     fn motion(&self) -> Option<Motion>;
 
@@ -150,8 +167,19 @@ pub trait WettedBody: Send {
     /// The place of the surface that is nearest to a point in space.
     fn surface(&self, at: [f64; 2]) -> Surface;
 
+    /// Where a place of the undeformed surface [m, body's frame] is now, and its acceleration [m/s²]; `None` for a rigid body,
+    /// whose motion says it.
+    fn ride(&self, _at: [f64; 2]) -> Option<(Surface, [f64; 2])> {
+        None
+    }
+
     /// A blow: an impulse [N s/m] at a place in space, at once, besides the load.
     fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]);
+
+    /// A blow and its image in the plane of symmetry x = 0.
+    fn strike_both(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        self.strike([0.0, at[1]], [0.0, 2.0 * impulse[1]]);
+    }
 
     /// True for a body whose motion is given: the load's work on it leaves the system.
     fn prescribed(&self) -> bool;

@@ -11,27 +11,30 @@ use crate::body::WettedBody;
 /// How far above the surface a particle is put back, in smoothing lengths: enough for rounding.
 const ABOVE: f64 = 1e-6;
 
-/// Throw particle `k` back if it is beyond the surface of `body`.
-pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody) {
+/// Throw particle `k` back if it is beyond the surface of `body`; the work of the blow on the body [J/m].
+pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody) -> f64 {
     let mirrored = fluid.parameters.mirror.is_some();
     let p = &mut fluid.particles;
     let at = [p.x[k], p.y[k]];
     if body.clearance(at) >= 0.0 {
-        return;
+        return 0.0;
     }
     let surface = body.surface(at);
     let n = surface.normal;
     let above = ABOVE * p.h[k];
     [p.x[k], p.y[k]] = [surface.at[0] + above * n[0], surface.at[1] + above * n[1]];
     let approach = (p.u[k] - surface.velocity[0]) * n[0] + (p.v[k] - surface.velocity[1]) * n[1];
-    if approach < 0.0 {
-        p.u[k] -= approach * n[0];
-        p.v[k] -= approach * n[1];
-        let blow = [p.mass[k] * approach * n[0], p.mass[k] * approach * n[1]];
-        if mirrored {
-            body.strike([0.0, surface.at[1]], [0.0, 2.0 * blow[1]]);
-        } else {
-            body.strike(surface.at, blow);
-        }
+    if approach >= 0.0 {
+        return 0.0;
     }
+    p.u[k] -= approach * n[0];
+    p.v[k] -= approach * n[1];
+    let blow = [p.mass[k] * approach * n[0], p.mass[k] * approach * n[1]];
+    let work = blow[0] * surface.velocity[0] + blow[1] * surface.velocity[1];
+    if mirrored {
+        body.strike_both(surface.at, blow);
+        return 2.0 * work;
+    }
+    body.strike(surface.at, blow);
+    work
 }

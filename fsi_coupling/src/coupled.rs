@@ -10,6 +10,7 @@ use crate::contact::throw_back;
 use crate::exchange::{Agreement, Exchange, Scheme};
 use crate::penetration::{Penetration, run_into};
 use crate::rows::Arrangement;
+use crate::work_audit::WorkAudit;
 
 /// A coupled run cannot be set up or cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -63,6 +64,7 @@ const PLAY: f64 = 0.01;
 struct Member {
     body: Box<dyn WettedBody>,
     range: Range<usize>,
+    work: WorkAudit,
 }
 
 /// See the module's text.
@@ -73,7 +75,7 @@ pub struct Coupled {
     pub walls: Walls,
     members: Vec<Member>,
     exchange: Exchange,
-    saved: Option<(Walls, Exchange, MomentumAudit)>,
+    saved: Option<(Walls, Exchange, MomentumAudit, Vec<WorkAudit>)>,
     play: f64,
     audit: MomentumAudit,
     energy_at_start: f64,
@@ -91,7 +93,7 @@ pub struct MomentumAudit {
 /// C2: the bodies that a force accelerates, as the fluid sees them at the end of a step of `ahead` [s].
 fn yielding(members: &mut [Member], ahead: f64, mirrored: bool) -> Result<Vec<Yielding>, BodyError> {
     let mut owners = Vec::new();
-    for Member { body, range } in members {
+    for Member { body, range, .. } in members {
         if let Some(owner) = body.yielding(ahead)? {
             owners.push(Yielding { range: range.clone(), mirrored, owner });
         }
@@ -118,7 +120,7 @@ impl Coupled {
             body.arrange(arrangement);
             let range = walls.extend(&body.sample(spacing, layers)?, ratio);
             body.place(0.0, walls.slice_mut(range.clone()));
-            members.push(Member { body, range });
+            members.push(Member { body, range, work: WorkAudit::default() });
         }
         let mut exchange = Exchange::new(scheme);
         let mirrored = fluid.parameters.mirror.is_some();
@@ -160,7 +162,7 @@ impl Coupled {
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
-        self.throw_back(); //                                           contact of single particles
+        self.throw_back(dt); //                                         contact of single particles
         self.close_momentum(dt);
         self.refuse_collision()
     }
@@ -171,14 +173,16 @@ impl Coupled {
             self.fluid.forget();
         }
         self.fluid.save();
-        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit));
+        let work = self.members.iter().map(|m| m.work).collect();
+        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit, work));
         self.members.iter_mut().for_each(|m| m.body.save());
     }
 
     /// Return to the state last saved; without one nothing happens.
     pub fn restore(&mut self) {
-        let Some((walls, exchange, audit)) = &self.saved else { return };
+        let Some((walls, exchange, audit, work)) = &self.saved else { return };
         self.fluid.restore();
+        self.members.iter_mut().zip(work).for_each(|(m, work)| m.work = *work);
         (self.walls, self.exchange, self.audit) = (walls.clone(), exchange.clone(), *audit);
         self.members.iter_mut().for_each(|m| m.body.restore());
     }
@@ -188,13 +192,24 @@ impl Coupled {
         self.exchange.report
     }
 
-    /// E25: particles beyond a body's surface return to it.
-    fn throw_back(&mut self) {
+    /// E25: particles beyond a body's surface return to it. And K6: the work of the step.
+    fn throw_back(&mut self, dt: f64) {
+        let mut blows = vec![0.0; self.members.len()];
         for particle in self.fluid.suspects(&self.walls) {
-            for m in &mut self.members {
-                throw_back(&mut self.fluid, particle, m.body.as_mut());
+            for (m, work) in self.members.iter_mut().zip(&mut blows) {
+                *work += throw_back(&mut self.fluid, particle, m.body.as_mut());
             }
         }
+        let halves = if self.fluid.parameters.mirror.is_some() { 2.0 } else { 1.0 };
+        for (m, blows) in self.members.iter_mut().zip(blows) {
+            m.work.note(&self.walls, m.range.clone(), dt, halves, blows);
+        }
+    }
+
+    /// K6: the work of the fluid on a body, as given and as taken.
+    pub fn work_audit(&self, k: usize) -> WorkAudit {
+        let member = &self.members[k];
+        WorkAudit { received: member.body.energy().work, ..member.work }
     }
 
     fn refuse_collision(&self) -> Result<(), CouplingError> {
@@ -269,7 +284,7 @@ impl Coupled {
     fn energy(&self) -> f64 {
         let of = |m: &Member| {
             let e = m.body.energy();
-            if m.body.prescribed() { e.work } else { e.kinetic + e.potential + e.elastic }
+            if m.body.prescribed() { e.work } else { e.kinetic + e.potential + e.elastic - e.support }
         };
         self.fluid.energy().total() + self.members.iter().map(of).sum::<f64>()
     }

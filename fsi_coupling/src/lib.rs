@@ -4,18 +4,23 @@
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
 //! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
 
-pub mod beam_body;
 pub mod beam_surface;
 pub mod body;
+pub mod carrier;
 #[cfg(test)]
 mod column_tests;
 mod contact;
 pub mod coupled;
+pub mod course;
 pub mod exchange;
 pub mod fill;
+pub mod flexible;
+pub mod flexible_body;
+pub mod flexible_yield;
 pub mod force_rules;
 pub mod nodal;
 pub mod outline;
+pub mod panel;
 pub mod penetration;
 pub mod polygon;
 pub mod pose;
@@ -26,16 +31,21 @@ pub mod rigid_yield;
 pub mod rows;
 pub mod sampling;
 pub mod shape;
+mod skin;
 pub mod tank;
+pub mod work_audit;
 
-pub use beam_body::{BeamBody, BeamSpec};
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 pub use coupled::{Coupled, CouplingError};
 pub use exchange::{Agreement, Iteration, Scheme};
+pub use flexible::{FlexibleSpec, Frame};
+pub use flexible_body::FlexibleBody;
 pub use outline::Outline;
+pub use panel::{PanelEnd, PanelSpec, PanelState, Watched};
 pub use penetration::{Breach, Penetration};
 pub use prescribed::PrescribedBody;
 pub use rigid::{RigidBody2d, RigidSpec};
 pub use rows::Arrangement;
 pub use shape::Shape;
 pub use tank::Tank;
+pub use work_audit::WorkAudit;

@@ -261,8 +261,8 @@ impl WettedBody for RigidBody2d {
         Energy {
             kinetic: 0.5 * (s.mass * v2 + if s.free[2] { s.inertia * r.spin * r.spin } else { 0.0 }),
             potential: -s.mass * (s.gravity[0] * r.pole[0] + s.gravity[1] * r.pole[1]),
-            elastic: 0.0,
             work: self.work,
+            ..Energy::default()
         }
     }
 

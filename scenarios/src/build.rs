@@ -3,9 +3,13 @@
 use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::prescribed::Law;
-use fsi_coupling::{Coupled, CouplingError, Outline, PrescribedBody, RigidBody2d, RigidSpec, Tank, WettedBody};
+use fsi_coupling::{
+    Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank,
+    WettedBody,
+};
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;
+use structure_fe::Damping;
 use sph_core::{Fluid, Parameters, Seed, WallTreatment};
 
 use crate::scene::{Body, DiffusionForm, Motion, Oscillation, Scene, Symmetry};
@@ -100,27 +104,70 @@ fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>
         spin: body.angular_velocity_deg_per_s.to_radians(),
         ..Rigid::default()
     };
+    if !body.panels.is_empty() {
+        return flexible(scene, body, outline, start);
+    }
     let follow =
         |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn WettedBody>;
-    Ok(match &body.motion {
-        Motion::Fixed => follow(PrescribedBody::steady(start.pole, start.angle, [0.0; 2], 0.0)),
-        Motion::ConstantVelocity => follow(PrescribedBody::steady(start.pole, start.angle, start.velocity, start.spin)),
+    let Motion::Free(freedom) = &body.motion else {
+        return Ok(follow(law(&body.motion, &start)));
+    };
+    Ok(Box::new(RigidBody2d::new(RigidSpec {
+        name: body.name.clone(),
+        outline: outline.clone(),
+        mass: freedom.mass,
+        inertia: freedom.inertia.unwrap_or(0.0),
+        center_of_mass: body.center_of_mass,
+        free: [freedom.x, freedom.y, freedom.inertia.is_some()],
+        position: body.position,
+        angle: start.angle,
+        velocity: body.velocity,
+        spin: start.spin,
+        gravity: scene.gravity,
+        half,
+    })?))
+}
+
+/// The law of a motion that is given.
+fn law(motion: &Motion, start: &Rigid) -> Law {
+    match motion {
         Motion::Oscillating(Oscillation { amplitude, period }) => {
-            follow(PrescribedBody::oscillating(start.pole, start.angle, *amplitude, *period))
+            PrescribedBody::oscillating(start.pole, start.angle, *amplitude, *period)
         }
-        Motion::Free(freedom) => Box::new(RigidBody2d::new(RigidSpec {
-            name: body.name.clone(),
-            outline: outline.clone(),
+        Motion::ConstantVelocity => PrescribedBody::steady(start.pole, start.angle, start.velocity, start.spin),
+        Motion::Fixed | Motion::Free(_) => PrescribedBody::steady(start.pole, start.angle, [0.0; 2], 0.0),
+    }
+}
+
+/// A body with panels.
+fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Result<Box<dyn WettedBody>, CouplingError> {
+    let middle = match &body.shape {
+        Shape::Polyline { points, .. } => Some(points.clone()),
+        _ => None,
+    };
+    let frame = match &body.motion {
+        Motion::Free(freedom) => Frame::Free {
             mass: freedom.mass,
-            inertia: freedom.inertia.unwrap_or(0.0),
+            // a frame that does not turn needs some inertia, which nothing feels
+            inertia: freedom.inertia.unwrap_or(freedom.mass),
             center_of_mass: body.center_of_mass,
             free: [freedom.x, freedom.y, freedom.inertia.is_some()],
-            position: body.position,
-            angle: start.angle,
-            velocity: body.velocity,
-            spin: start.spin,
-            gravity: scene.gravity,
-            half,
-        })?),
-    })
+        },
+        motion => Frame::Given(law(motion, &start)),
+    };
+    // the body's velocity is that of its centre of mass; its frame's origin moves with it
+    let arm = body.center_of_mass.map(|c| -c);
+    let about = Rigid { pole: [0.0; 2], ..start };
+    let start = Rigid { velocity: about.point_velocity(arm), ..start };
+    Ok(Box::new(FlexibleBody::new(FlexibleSpec {
+        name: body.name.clone(),
+        outline,
+        middle,
+        panels: body.panels.iter().map(|panel| panel.spec()).collect(),
+        frame,
+        start,
+        gravity: scene.gravity,
+        damping: Damping { mass: body.damping[0], stiffness: body.damping[1] },
+        half: scene.symmetry == Symmetry::X,
+    })?))
 }

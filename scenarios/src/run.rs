@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use fsi_coupling::{Coupled, CouplingError};
+use fsi_coupling::{Coupled, CouplingError, Energy};
 use tracing::{debug, info, warn};
 
 use crate::build;
@@ -171,14 +171,16 @@ struct Recorder {
     every: [f64; 2],
     end: f64,
     ledger: EnergyLedger,
+    energy_of_body: f64,
 }
 
 impl Recorder {
     fn new(scene: &Scene, series: Option<&Path>, log: Option<&Path>, system: &Coupled) -> Result<Recorder, RunError> {
+        let body = system.bodies().find(|b| b.motion().is_some());
         Ok(Recorder {
             gauges: GaugeReader::new(scene),
             series: Series::new(scene, series)?,
-            log: log.map(|path| LogObserver::create(path, scene, system)).transpose()?,
+            log: log.map(|path| LogObserver::create(path, scene)).transpose()?,
             pictures: FlowPictures::new(scene),
             similarity: scene.similarity.and_then(|_| SimilarityWindow::new(scene)),
             force_rules: ForceRules::new(scene),
@@ -187,6 +189,7 @@ impl Recorder {
             every: [scene.time.sample_every, scene.time.frame_every],
             end: scene.time.end,
             ledger: EnergyLedger::new(scene),
+            energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
         })
     }
 
@@ -263,6 +266,7 @@ impl Recorder {
         let fluid = &system.fluid;
         let since = LATE * fluid.time;
         let agreement = system.agreement();
+        let body = system.bodies().position(|b| b.motion().is_some());
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
         let curves = scene.compare.iter().zip(references);
@@ -297,6 +301,8 @@ impl Recorder {
             audit: Audit {
                 momentum: system.momentum_audit().worst,
                 energy: system.energy_drift() / self.ledger.scale(),
+                work: body.map_or(0.0, |k| system.work_audit(k).residual()),
+                structure: body.map_or(0.0, |k| structure_gap(system, k, self.energy_of_body)),
                 volume: fluid.volume() / volume - 1.0,
                 penetrated: self.ledger.penetrated(),
                 worst_penetration: self.ledger.worst_penetration().cloned(),
@@ -313,6 +319,19 @@ impl Recorder {
             gauges: self.gauges.results(),
         }
     }
+}
+
+/// Change of a body's energies, and what it dissipated, less the work done on it; over the work exchanged (THEORY K6).
+fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
+    let Some(body) = system.bodies().nth(k).filter(|body| !body.prescribed()) else { return 0.0 };
+    let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);
+    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support;
+    if exchanged > 0.0 { gap.abs() / exchanged } else { 0.0 }
+}
+
+/// Energy that a body holds [J/m].
+fn held(energy: &Energy) -> f64 {
+    energy.kinetic + energy.potential + energy.elastic
 }
 
 fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {

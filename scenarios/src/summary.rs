@@ -98,6 +98,10 @@ pub struct Audit {
     pub momentum: f64,
     /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
     pub energy: f64,
+    /// Of the work that the water did on the body, what did not arrive, over the work exchanged (THEORY K6) [-].
+    pub work: f64,
+    /// What the body's own energies lack of the work done on it, over the work exchanged [-]: elastic bodies.
+    pub structure: f64,
     /// Change of the fluid's volume Σm/ρ over its start value [-].
     pub volume: f64,
     /// Most fluid particles found beyond a wall's surface at any sample.

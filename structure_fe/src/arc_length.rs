@@ -80,7 +80,7 @@ impl NonlinearStatics {
                 let (step, iteration) = (path.len() + 1, ITERATIONS);
                 return Err(Error::NotConverged { step, iteration, residual, load_factor: factor, node, dof });
             };
-            equations.add(1.0, &arrival.increment, &mut u);
+            self.system.displace(1.0, &arrival.increment, &mut u);
             factor += arrival.factor;
             before = arrival.increment;
             arc = (arc * (WANTED / arrival.iterations as f64).sqrt().clamp(0.5, 2.0)).min(limit);
@@ -106,13 +106,13 @@ impl NonlinearStatics {
         let mut matrix = self.system.matrix();
         for iterations in 1..=ITERATIONS {
             let mut here = u.to_vec();
-            equations.add(1.0, &increment, &mut here);
+            self.system.displace(1.0, &increment, &mut here);
             let mut correction = self.residual_and_tangent(loads, factor + added, &here, &mut matrix)?;
             if matrix.factorise().is_err() {
                 return Ok(None);
             }
             matrix.solve(&mut correction);
-            let mut along = equations.restrict(&self.load(loads, &here));
+            let mut along = equations.reduce(&self.load(loads, &here), &equations.ties.arms_at(&here));
             matrix.solve(&mut along);
             // On the sphere: |increment + correction + x along| = arc.
             let moved: Vec<f64> = increment.iter().zip(&correction).map(|(a, b)| a + b).collect();
@@ -142,7 +142,8 @@ impl NonlinearStatics {
         let mut matrix = self.system.matrix();
         self.residual_and_tangent(loads, factor, u, &mut matrix)?;
         let negative = matrix.factorise().map_err(|pivot| self.system.singular(pivot))?;
-        let mut along = self.system.equations.restrict(&self.load(loads, u));
+        let equations = &self.system.equations;
+        let mut along = equations.reduce(&self.load(loads, u), &equations.ties.arms_at(u));
         matrix.solve(&mut along);
         Ok((along, negative))
     }

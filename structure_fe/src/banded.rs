@@ -30,6 +30,11 @@ impl Banded {
         self.values.fill(0.0);
     }
 
+    /// Whether an entry lies within the band.
+    pub fn holds(&self, row: usize, column: usize) -> bool {
+        row.abs_diff(column) <= self.half
+    }
+
     #[inline]
     pub fn add(&mut self, row: usize, column: usize, value: f64) {
         self.values[row * (2 * self.half + 1) + self.half + column - row] += value;

@@ -20,6 +20,9 @@ pub struct Element {
     pub section: Section,
 }
 
+/// Axial stiffness left to an element that slides along itself [-].
+const RELEASED: f64 = 1e-7;
+
 /// A plane frame of straight beam elements, rigidly joined at the nodes.
 ///
 /// Nodes lie in a plane with axes x, y. A node has three degrees of freedom, `[u, w, theta]`:
@@ -35,6 +38,10 @@ pub struct Beam {
     rotatory_inertia: bool,
     /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
     points: Vec<[f64; 3]>,
+    /// Nodes that are rigid bodies.
+    bodies: Vec<usize>,
+    /// Elements that slide along themselves.
+    sliding: Vec<usize>,
     formulation: Vec<ElementConstants>,
 }
 
@@ -62,7 +69,7 @@ impl Beam {
         }
         let theory = vec![Theory::default(); elements.len()];
         let points = vec![[0.0; 3]; nodes.len()];
-        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, formulation })
+        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, bodies: Vec::new(), sliding: Vec::new(), formulation })
     }
 
     /// A model with one material and one section throughout.
@@ -107,6 +114,14 @@ impl Beam {
         self.reformulate()
     }
 
+    /// The same model with an element that slides along itself: a roller at its end. It keeps a ten millionth of its axial
+    /// stiffness, for an end that slides less than its own length.
+    pub fn with_axial_release(mut self, element: usize) -> Result<Self, Error> {
+        existing_element("axial release", 0, element, self.elements.len())?;
+        self.sliding.push(element);
+        self.reformulate()
+    }
+
     /// The same model with rotatory inertia rho I per length (Rayleigh 1877), which is left out until told.
     pub fn with_rotatory_inertia(mut self) -> Result<Self, Error> {
         self.rotatory_inertia = true;
@@ -127,11 +142,50 @@ impl Beam {
         Ok(self)
     }
 
+    /// The same model with a rigid body, a node of its own that is returned with it: `mass` \[kg\] at `at`
+    /// \[m\], moment of inertia about it \[kg m^2\]. [`Supports::tie`](crate::Supports::tie) makes nodes follow it.
+    ///
+    /// Without mass it must be supported in all that moves in time. Where u and w of a body are not both
+    /// supported, [`Dynamics`](crate::Dynamics) puts its node at the common centre of mass of the body and of
+    /// what is lumped at the nodes tied to it: read the place there, from the model it holds.
+    pub fn with_rigid_body(mut self, at: [f64; 2], mass: f64, inertia: f64) -> Result<(Self, usize), Error> {
+        let node = self.nodes.len();
+        finite("coordinate [m] of node", node, &at)?;
+        for (quantity, value) in
+            [("mass [kg] of a rigid body", mass), ("moment of inertia [kg m^2] of a rigid body", inertia)]
+        {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(Error::OutOfRange { quantity, value, expected: "[0, infinity)" });
+            }
+        }
+        self.nodes.push(at);
+        self.points.push([mass, mass, inertia]);
+        self.bodies.push(node);
+        Ok((self, node))
+    }
+
+    /// Nodes that are rigid bodies.
+    pub fn rigid_bodies(&self) -> &[usize] {
+        &self.bodies
+    }
+
+    pub(crate) fn is_rigid_body(&self, node: usize) -> bool {
+        self.bodies.contains(&node)
+    }
+
+    /// The same model with a body's node elsewhere \[m\].
+    pub(crate) fn move_body(&mut self, node: usize, to: [f64; 2]) {
+        self.nodes[node] = to;
+    }
+
     fn reformulate(mut self) -> Result<Self, Error> {
         let extent = self.extent;
         for (index, element) in self.elements.iter().enumerate() {
             self.formulation[index] =
                 formulate(&self.nodes, extent, index, element, self.theory[index], self.rotatory_inertia)?;
+            if self.sliding.contains(&index) {
+                self.formulation[index].stiffness[0] *= RELEASED;
+            }
         }
         Ok(self)
     }

@@ -33,6 +33,6 @@ impl Dynamics {
         new.integrated_acceleration.clone_from(&new.acceleration);
         new.time = state.time + dt;
         *state = new;
-        Ok(StepReport { iterations: 0, tangents: 0, last_correction: 0.0 })
+        Ok(StepReport { last_correction: 0.0, ..StepReport::begun() })
     }
 }

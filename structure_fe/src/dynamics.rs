@@ -1,17 +1,20 @@
 //! Motion in time, at large displacements.
 
-use crate::banded::Banded;
 use crate::beam::Beam;
+use crate::bordered::Bordered;
 use crate::corotational::Chord;
 use crate::element::Ends;
 use crate::error::{Error, finite, positive};
+use crate::gathered::gather;
 use crate::generalised_alpha::Coefficients;
 use crate::inertia::{Damping, Weights, momentum};
-use crate::lumped::{LumpedMass, lumped_mass};
+use crate::lumped::{LumpedMass, gathered_mass, lumped_mass};
 use crate::section_forces::SectionForces;
 use crate::state::{Integration, State, StepReport, SupportMotion};
 use crate::supports::{Dof, Supports};
 use crate::system::{Kinematics, System};
+use crate::trapezoidal::Trapezoidal;
+use std::sync::Arc;
 
 /// A supported model that moves under loads at its nodes.
 ///
@@ -23,7 +26,7 @@ pub struct Dynamics {
     pub(crate) system: System,
     pub(crate) damping: Damping,
     pub(crate) method: Method,
-    pub(crate) matrix: Banded,
+    pub(crate) matrix: Bordered,
     pub(crate) internal: Vec<[f64; 3]>,
     motionless: Vec<[f64; 3]>,
     supports: Vec<(usize, Dof, SupportMotion)>,
@@ -34,6 +37,7 @@ pub struct Dynamics {
 pub(crate) enum Method {
     Implicit(Coefficients),
     Explicit(LumpedMass),
+    Momentum(Arc<Trapezoidal>),
 }
 
 impl Dynamics {
@@ -47,16 +51,36 @@ impl Dynamics {
                 return Err(Error::OutOfRange { quantity, value, expected: "[0, infinity)" });
             }
         }
+        let (beam, gathered) = match integration {
+            Integration::Trapezoidal { .. } => gather(beam, &supports)?,
+            _ => (beam, Vec::new()),
+        };
         let system = System::new(beam, supports)?;
+        let without_bodies = |integration: &'static str| match system.beam.rigid_bodies().first() {
+            Some(&node) => Err(Error::NoRigidBodies { integration, node }),
+            None => Ok(()),
+        };
         let method = match integration {
             Integration::GeneralisedAlpha { spectral_radius: value } => {
                 if !(0.0..=1.0).contains(&value) {
                     let quantity = "spectral radius of generalised-alpha [-]";
                     return Err(Error::OutOfRange { quantity, value, expected: "[0, 1]" });
                 }
+                without_bodies("generalised-alpha")?;
                 Method::Implicit(Coefficients::new(value))
             }
-            Integration::CentralDifference => Method::Explicit(lumped_mass(&system, &damping)),
+            Integration::CentralDifference => {
+                without_bodies("the central difference")?;
+                Method::Explicit(lumped_mass(&system, &damping))
+            }
+            Integration::Trapezoidal { spectral_radius: value } => {
+                if !(value > 0.0 && value <= 1.0) {
+                    let quantity = "spectral radius of the trapezoidal rule [-]";
+                    return Err(Error::OutOfRange { quantity, value, expected: "(0, 1]" });
+                }
+                let mass = gathered_mass(&system, gathered);
+                Method::Momentum(Arc::new(Trapezoidal { weight: (1.0 + value).recip(), mass }))
+            }
         };
         let motionless = vec![[0.0; 3]; system.beam.nodes().len()];
         let supports =
@@ -85,6 +109,7 @@ impl Dynamics {
             acceleration: self.motionless.clone(),
             time: 0.0,
             integrated_acceleration: self.motionless.clone(),
+            mean_reaction: self.motionless.clone(),
         }
     }
 
@@ -128,39 +153,48 @@ impl Dynamics {
                 let free = mass.accelerations(&self.residual(load));
                 self.system.equations.add(1.0, &free, &mut acceleration);
             }
+            Method::Momentum(rule) => {
+                let rule = Arc::clone(rule);
+                let free = rule.mass.accelerations(&self.lack_at_known_acceleration(&rule, state, load));
+                acceleration.clone_from(&state.acceleration);
+                let ties = &self.system.equations.ties;
+                self.system.equations.add(1.0, &free, &mut acceleration);
+                ties.follow_acceleration(&ties.arms_at(&state.displacement), &state.velocity, &mut acceleration);
+            }
         }
         state.integrated_acceleration.clone_from(&acceleration);
         state.acceleration = acceleration;
         Ok(())
     }
 
-    /// One step of `dt` \[s\] under the `load` at its end. After an error the state is what it was.
+    /// One step of `dt` \[s\] under the `load` at its end; of the trapezoidal rule under its mean `load`. After an error the state is what it was.
     pub fn step(&mut self, state: &mut State, load: &[[f64; 3]], dt: f64) -> Result<StepReport, Error> {
         self.check(load)?;
         positive("time step [s]", "step", 0, dt)?;
-        match self.method {
-            Method::Implicit(coefficients) => self.implicit_step(&coefficients, state, load, dt),
+        match &self.method {
+            &Method::Implicit(coefficients) => self.implicit_step(&coefficients, state, load, dt),
             Method::Explicit(_) => self.explicit_step(state, load, dt),
+            Method::Momentum(rule) => {
+                let rule = Arc::clone(rule);
+                self.momentum_step(&rule, state, load, dt)
+            }
         }
     }
 
     /// The longest stable step \[s\]: infinite where implicit. Explicit: of the undeformed model, damping
     /// included; tension raises the frequencies of bending beyond it, so stay some percent below.
     pub fn stable_dt(&self) -> f64 {
-        match &self.method {
-            Method::Implicit(_) => f64::INFINITY,
-            Method::Explicit(mass) => mass.stable_dt,
-        }
+        self.lumped().map_or(f64::INFINITY, |mass| mass.stable_dt)
     }
 
     /// Kinetic energy \[J\], with the mass that the integration uses.
     pub fn kinetic_energy(&self, state: &State) -> f64 {
-        match &self.method {
-            Method::Implicit(_) => {
+        match self.lumped() {
+            None => {
                 let elements: f64 = self.momenta_of_elements(state).map(|(_, (energy, _))| energy).sum();
                 elements + self.system.beam.kinetic_energy_of_points(&state.velocity)
             }
-            Method::Explicit(mass) => {
+            Some(mass) => {
                 let masses = mass.nodal.as_flattened().iter().zip(state.velocity.as_flattened());
                 masses.map(|(mass, v)| 0.5 * mass * v.powi(2)).sum()
             }
@@ -174,10 +208,7 @@ impl Dynamics {
 
     /// Linear momentum along x and y \[kg m/s\], and angular momentum about the origin \[kg m^2/s\].
     pub fn momentum(&self, state: &State) -> [f64; 3] {
-        let masses = match &self.method {
-            Method::Implicit(_) => self.system.beam.points(),
-            Method::Explicit(mass) => &mass.nodal,
-        };
+        let masses = self.lumped().map_or(self.system.beam.points(), |mass| &mass.nodal);
         let mut nodal: Vec<[f64; 3]> =
             masses.iter().zip(&state.velocity).map(|(mass, v)| [0, 1, 2].map(|dof| mass[dof] * v[dof])).collect();
         if let Method::Implicit(_) = self.method {
@@ -197,9 +228,9 @@ impl Dynamics {
     pub fn reactions(&self, state: &State, load: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let at = Kinematics { q: &state.displacement, v: &state.velocity, a: &state.acceleration };
         let mut internal = self.motionless.clone();
-        match &self.method {
-            Method::Implicit(_) => self.system.forces(at, &self.damping, &mut internal),
-            Method::Explicit(mass) => {
+        match self.lumped() {
+            None => self.system.forces(at, &self.damping, &mut internal),
+            Some(mass) => {
                 self.system.restoring_forces(at, &self.damping, &mass.nodal, &mut internal);
                 for ((force, mass), a) in internal.iter_mut().zip(&mass.nodal).zip(&state.acceleration) {
                     *force = [0, 1, 2].map(|dof| force[dof] + mass[dof] * a[dof]);
@@ -237,6 +268,20 @@ impl Dynamics {
         })
     }
 
+    /// The lumped mass, where the integration has one.
+    pub(crate) fn lumped(&self) -> Option<&LumpedMass> {
+        match &self.method {
+            Method::Implicit(_) => None,
+            Method::Explicit(mass) => Some(mass),
+            Method::Momentum(rule) => Some(&rule.mass),
+        }
+    }
+
+    /// The motions of the supports.
+    pub(crate) fn prescribed(&self) -> &[(usize, Dof, SupportMotion)] {
+        &self.supports
+    }
+
     /// Load less internal forces, where free.
     pub(crate) fn residual(&self, load: &[[f64; 3]]) -> Vec<f64> {
         let mut residual = self.system.equations.restrict(load);
@@ -254,7 +299,7 @@ impl Dynamics {
         }
     }
 
-    fn check(&self, load: &[[f64; 3]]) -> Result<(), Error> {
+    pub(crate) fn check(&self, load: &[[f64; 3]]) -> Result<(), Error> {
         let (given, nodes) = (load.len(), self.motionless.len());
         if given != nodes {
             return Err(Error::WrongLength { quantity: "the load", given, nodes });

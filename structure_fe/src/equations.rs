@@ -3,6 +3,7 @@
 use crate::beam::Beam;
 use crate::element::{ElementConstants, EndsMatrix};
 use crate::supports::{Dof, Supports};
+use crate::ties::Ties;
 
 /// One term of a matrix over the free degrees of freedom; terms of the same place add up.
 #[derive(Debug, Clone, Copy)]
@@ -18,16 +19,25 @@ pub(crate) struct Equations {
     number: Vec<[Option<usize>; 3]>,
     /// Node and degree of freedom of each equation.
     place: Vec<(usize, Dof)>,
+    /// Which nodes follow rigid bodies.
+    pub ties: Ties,
+    /// Equations before those of the rigid bodies, if these were put last.
+    inner: usize,
 }
 
+/// The equations of a degree of freedom with their factors: two where it follows a rigid body.
+pub(crate) type Terms = [(Option<usize>, f64); 2];
+
 impl Equations {
-    pub fn new(nodes: usize, supports: &Supports) -> Self {
-        let order: Vec<usize> = (0..nodes).collect();
-        Self::in_order(&order, supports)
+    pub fn new(beam: &Beam, supports: &Supports) -> Self {
+        let order: Vec<usize> = (0..beam.nodes().len()).collect();
+        Self::in_order(&order, beam, supports)
     }
 
-    /// Numbered node by node as they come in `order`. Hinged nodes share their displacements' numbers.
-    pub fn in_order(order: &[usize], supports: &Supports) -> Self {
+    /// Numbered node by node as they come in `order`, rigid bodies last. Hinged nodes share their displacements'
+    /// numbers, tied ones have none.
+    pub fn in_order(order: &[usize], beam: &Beam, supports: &Supports) -> Self {
+        let ties = Ties::new(beam, supports);
         // The first node of each group of hinged ones carries the displacements of all.
         let leader = supports.leaders(order.len());
         let mut free = vec![[true; 3]; order.len()];
@@ -35,9 +45,16 @@ impl Equations {
             let node = if dof == Dof::Theta { node } else { leader[node] };
             free[node][dof as usize] = false;
         }
+        for tie in &ties.all {
+            for dof in 0..3 {
+                free[tie.node][dof] &= !ties.follows(tie.node, dof);
+            }
+        }
         let mut place = Vec::new();
         let mut number = vec![[None; 3]; order.len()];
-        for &node in order {
+        let mut inner = 0;
+        let bodies = order.iter().filter(|&&node| beam.is_rigid_body(node));
+        for &node in order.iter().filter(|&&node| !beam.is_rigid_body(node)).chain(bodies) {
             for dof in [Dof::U, Dof::W, Dof::Theta] {
                 let owner = if dof == Dof::Theta { node } else { leader[node] };
                 let index = dof as usize;
@@ -47,8 +64,67 @@ impl Equations {
                 }
                 number[node][index] = number[owner][index];
             }
+            if !beam.is_rigid_body(node) {
+                inner = place.len();
+            }
         }
-        Self { number, place }
+        Self { number, place, ties, inner }
+    }
+
+    /// Number of equations before those of the rigid bodies.
+    pub fn inner(&self) -> usize {
+        self.inner
+    }
+
+    /// The equations of a degree of freedom, through its tie if it has one, with the ties' `arms`.
+    #[inline]
+    pub fn terms(&self, node: usize, dof: usize, arms: &[[f64; 2]]) -> Terms {
+        match self.ties.of(node) {
+            Some(tie) if self.ties.follows(node, dof) => {
+                let [u, w, theta] = self.number[self.ties.all[tie].body];
+                let [x, y] = arms[tie];
+                match dof {
+                    0 => [(u, 1.0), (theta, -y)],
+                    1 => [(w, 1.0), (theta, x)],
+                    _ => [(theta, 1.0), (None, 0.0)],
+                }
+            }
+            _ => [(self.number[node][dof], 1.0), (None, 0.0)],
+        }
+    }
+
+    /// Calls `add(row, column, value)` for what `value` between two degrees of freedom is between equations:
+    /// forces are taken to the bodies with the arms `left`, displacements from them with the arms `right`.
+    pub fn spread(
+        &self,
+        (row, column): ((usize, usize), (usize, usize)),
+        value: f64,
+        [left, right]: [&[[f64; 2]]; 2],
+        mut add: impl FnMut(usize, usize, f64),
+    ) {
+        for (row, by_row) in self.terms(row.0, row.1, left) {
+            for (column, by_column) in self.terms(column.0, column.1, right) {
+                if let (Some(row), Some(column)) = (row, column) {
+                    add(row, column, by_row * by_column * value);
+                }
+            }
+        }
+    }
+
+    /// Whether an end of an element follows a body.
+    #[inline]
+    pub fn tied(&self, [first, second]: [usize; 2]) -> bool {
+        !self.ties.all.is_empty() && (self.ties.of(first).is_some() || self.ties.of(second).is_some())
+    }
+
+    /// The free entries of a field of forces, those on tied nodes taken to their bodies with these `arms`.
+    pub fn reduce(&self, field: &[[f64; 3]], arms: &[[f64; 2]]) -> Vec<f64> {
+        if self.ties.all.is_empty() {
+            return self.restrict(field);
+        }
+        let mut folded = field.to_vec();
+        self.ties.fold(arms, &mut folded);
+        self.restrict(&folded)
     }
 
     /// Number of free degrees of freedom.
@@ -74,9 +150,9 @@ impl Equations {
         [u1, w1, theta1, u2, w2, theta2]
     }
 
-    /// How far apart the equations of an element are.
+    /// How far apart the equations of an element are, without those of rigid bodies.
     pub fn band(&self, nodes: [usize; 2]) -> usize {
-        let numbers = self.of_element(nodes).into_iter().flatten();
+        let numbers = self.of_element(nodes).into_iter().flatten().filter(|&number| number < self.inner);
         numbers.clone().max().zip(numbers.min()).map_or(0, |(last, first)| last - first)
     }
 
@@ -124,39 +200,45 @@ impl Equations {
     /// The order of the entries depends on connectivity and supports only, not on the values.
     pub fn stiffness(&self, beam: &Beam, supports: &Supports) -> Vec<Entry> {
         let mut entries = self.lower_triangle(beam, ElementConstants::stiffness);
-        entries.extend(supports.springs().iter().filter_map(|spring| {
-            self.number[spring.node][spring.dof as usize].map(|number| Entry {
-                row: number,
-                column: number,
-                value: spring.stiffness,
-            })
-        }));
+        for spring in supports.springs() {
+            self.on_diagonal((spring.node, spring.dof as usize), spring.stiffness, &mut entries);
+        }
         entries
     }
 
     /// Lower triangle of the mass matrix.
     pub fn mass(&self, beam: &Beam) -> Vec<Entry> {
         let mut entries = self.lower_triangle(beam, ElementConstants::mass);
-        let points = self.number.as_flattened().iter().zip(beam.points().as_flattened());
-        entries.extend(
-            points.filter_map(|(number, &value)| number.map(|number| Entry { row: number, column: number, value })),
-        );
+        for (node, point) in beam.points().iter().enumerate() {
+            for (dof, &value) in point.iter().enumerate() {
+                self.on_diagonal((node, dof), value, &mut entries);
+            }
+        }
         entries
+    }
+
+    fn on_diagonal(&self, place: (usize, usize), value: f64, entries: &mut Vec<Entry>) {
+        let arms = self.ties.arms();
+        self.spread((place, place), value, [&arms, &arms], |row, column, value| {
+            if row >= column {
+                entries.push(Entry { row, column, value });
+            }
+        });
     }
 
     fn lower_triangle(&self, beam: &Beam, matrix: impl Fn(&ElementConstants) -> EndsMatrix) -> Vec<Entry> {
         let mut entries = Vec::with_capacity(21 * beam.elements().len());
+        let arms = self.ties.arms();
         for (nodes, element) in beam.formulated() {
-            let numbers = self.of_element(nodes);
             let matrix = matrix(element);
             for i in 0..6 {
                 for j in 0..6 {
-                    if let (Some(row), Some(column)) = (numbers[i], numbers[j])
-                        && row >= column
-                    {
-                        let value = matrix[i][j];
-                        entries.push(Entry { row, column, value });
-                    }
+                    let places = ((nodes[i / 3], i % 3), (nodes[j / 3], j % 3));
+                    self.spread(places, matrix[i][j], [&arms, &arms], |row, column, value| {
+                        if row >= column {
+                            entries.push(Entry { row, column, value });
+                        }
+                    });
                 }
             }
         }

@@ -231,6 +231,48 @@ pub enum Error {
         /// Its degree of freedom.
         dof: Dof,
     },
+    /// A tie between a node and a rigid body contradicts something else.
+    #[error("tie {tie} of node {node} to body {body}: {reason}")]
+    BadTie {
+        /// Index of the tie, in the order given.
+        tie: usize,
+        /// The body's node.
+        body: usize,
+        /// The node that should follow it.
+        node: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A hinge at the node of a rigid body.
+    #[error("hinge {hinge} joins nodes {} and {}, of which one is a rigid body; tie the other to it, pinned", nodes[0], nodes[1])]
+    HingedBody {
+        /// Index of the hinge, in the order given.
+        hinge: usize,
+        /// Its two nodes.
+        nodes: [usize; 2],
+    },
+    /// A rigid body without mass, or moment of inertia, that is free to move.
+    #[error(
+        "the rigid body at node {node} has {quantity} = {value} in {dof}, in which it is free to move; give it some, or fix it"
+    )]
+    MasslessBody {
+        /// The body's node.
+        node: usize,
+        /// The degree of freedom.
+        dof: Dof,
+        /// What it lacks, with its unit.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// Rigid bodies are given to an integration that does not know them.
+    #[error("{integration} does not move rigid bodies (node {node} is one); take Integration::Trapezoidal")]
+    NoRigidBodies {
+        /// The integration.
+        integration: &'static str,
+        /// The first body's node.
+        node: usize,
+    },
     /// The linear algebra failed for a reason that is not the model's.
     #[error("linear algebra with {unknowns} unknowns failed: {reason}")]
     LinearAlgebra {

@@ -64,7 +64,7 @@ impl Dynamics {
         load: &[[f64; 3]],
         dt: f64,
     ) -> Result<StepReport, Error> {
-        let mut report = StepReport { iterations: 0, tangents: 0, last_correction: f64::INFINITY };
+        let mut report = StepReport::begun();
         let mut new = self.predict_acceleration(rule, state, dt);
         if !self.iterate(rule, state, load, dt, true, &mut new, &mut report)? {
             new = self.predict_displacement(rule, state, dt);

@@ -1,7 +1,7 @@
 //! Loads: forces at the nodes and along the elements.
 
-use crate::banded::Banded;
 use crate::beam::{Beam, add_ends};
+use crate::bordered::Bordered;
 use crate::corotational::Chord;
 use crate::element::Ends;
 use crate::error::{Error, existing_node, finite};
@@ -124,14 +124,15 @@ impl Loads {
         system: &System,
         displacement: &[[f64; 3]],
         factor: f64,
-        matrix: &mut Banded,
+        matrix: &mut Bordered,
     ) {
         let formulation: Vec<_> = system.beam.formulated().collect();
+        let arms = system.equations.ties.arms_at(displacement);
         for load in &self.pressures {
             let (nodes, element) = formulation[load.element];
             let chord = Chord::new(element, &system.beam.ends(nodes, displacement));
             let local = element.local_load_forces([0.0, -load.start], [0.0, -load.end]);
-            let numbers = system.equations.of_element(nodes);
+            let mut slopes = [[0.0; 6]; 6];
             let [c, s] = chord.direction;
             for end in [0, 3] {
                 // F = f (-Y, X)/L of the chord's vector (X, Y), M = m (X^2 + Y^2)/L^2.
@@ -140,14 +141,12 @@ impl Loads {
                 let by_x = [0.0, force, moment * c];
                 let by_y = [-force, 0.0, moment * s];
                 for dof in 0..3 {
-                    let Some(row) = numbers[end + dof] else { continue };
                     for (column, slope) in [(0, -by_x[dof]), (1, -by_y[dof]), (3, by_x[dof]), (4, by_y[dof])] {
-                        if let Some(column) = numbers[column] {
-                            matrix.add(row, column, -slope);
-                        }
+                        slopes[end + dof][column] = -slope;
                     }
                 }
             }
+            system.add_matrix(nodes, &slopes, [&arms, &arms], matrix);
         }
     }
 

@@ -1,5 +1,6 @@
 //! Lumped mass, and the explicit step's limit.
 
+use crate::beam::Beam;
 use crate::element::ElementConstants;
 use crate::inertia::Damping;
 use crate::system::System;
@@ -9,7 +10,9 @@ use crate::system::System;
 pub(crate) struct LumpedMass {
     /// `[nodes][m, m, J]` \[kg, kg, kg m^2\].
     pub nodal: Vec<[f64; 3]>,
-    /// The same by equation, inverted.
+    /// The same by equation, tied nodes with their bodies.
+    pub by_equation: Vec<f64>,
+    /// That inverted.
     inverse: Vec<f64>,
     /// The longest stable step \[s\].
     pub stable_dt: f64,
@@ -40,19 +43,40 @@ fn highest_squared(element: &ElementConstants) -> f64 {
     stretching.max(bending).max(shearing)
 }
 
-/// The lumped mass of a model and its step limit: no frequency of the whole is above the highest of its
-/// elements (Irons 1970), springs added; dt = (2/omega) (sqrt(1 + xi^2) - xi) with the damping ratio xi at
-/// that frequency, whose force lags by half a step (Belytschko, Liu & Moran 2000, ch. 6; THEORY S18).
-pub(crate) fn lumped_mass(system: &System, damping: &Damping) -> LumpedMass {
-    let mut nodal = system.beam.points().to_vec();
-    let mut highest: f64 = 0.0;
-    for (nodes, element) in system.beam.formulated() {
+/// Masses lumped at the nodes, points included, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
+pub(crate) fn nodal_masses(beam: &Beam) -> Vec<[f64; 3]> {
+    let mut nodal = beam.points().to_vec();
+    for (nodes, element) in beam.formulated() {
         let [mass, inertia] = of_element(element);
         for node in nodes {
             nodal[node] = [nodal[node][0] + mass, nodal[node][1] + mass, nodal[node][2] + inertia];
         }
-        highest = highest.max(highest_squared(element));
     }
+    nodal
+}
+
+/// Of masses that are `gathered` at the bodies, for a rule without a limit of its step.
+pub(crate) fn gathered_mass(system: &System, nodal: Vec<[f64; 3]>) -> LumpedMass {
+    let equations = &system.equations;
+    let mut by_equation = equations.restrict(&nodal);
+    for tie in &equations.ties.all {
+        // What a body that is held at its node carries: its u and w have no equation.
+        if let Some(equation) = equations.number(tie.body, 2) {
+            let [mass, _, inertia] = nodal[tie.node];
+            let own = if tie.turns { inertia } else { 0.0 };
+            by_equation[equation] += own + mass * (tie.arm[0].powi(2) + tie.arm[1].powi(2));
+        }
+    }
+    let inverse = by_equation.iter().map(|mass| mass.recip()).collect();
+    LumpedMass { nodal, by_equation, inverse, stable_dt: f64::INFINITY }
+}
+
+/// The lumped mass of a model and its step limit: no frequency of the whole is above the highest of its
+/// elements (Irons 1970), springs added; dt = (2/omega) (sqrt(1 + xi^2) - xi) with the damping ratio xi at
+/// that frequency, whose force lags by half a step (Belytschko, Liu & Moran 2000, ch. 6; THEORY S18).
+pub(crate) fn lumped_mass(system: &System, damping: &Damping) -> LumpedMass {
+    let nodal = nodal_masses(&system.beam);
+    let highest = system.beam.formulated().fold(0.0, |most: f64, (_, element)| most.max(highest_squared(element)));
     let by_equation = system.equations.restrict(&nodal);
     let mut springs = vec![0.0; by_equation.len()];
     for spring in system.supports.springs() {
@@ -64,5 +88,6 @@ pub(crate) fn lumped_mass(system: &System, damping: &Damping) -> LumpedMass {
     let omega = (highest + of_springs).sqrt();
     let ratio = 0.5 * (damping.mass / omega + damping.stiffness * omega);
     let stable_dt = 2.0 / omega * ((1.0 + ratio * ratio).sqrt() - ratio);
-    LumpedMass { nodal, inverse: by_equation.iter().map(|mass| mass.recip()).collect(), stable_dt }
+    let inverse = by_equation.iter().map(|mass| mass.recip()).collect();
+    LumpedMass { nodal, by_equation, inverse, stable_dt }
 }

@@ -19,10 +19,13 @@ const FREE: f64 = 1e-12;
 /// The error that names a free rigid motion, if the supports leave one.
 pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result<(), Error> {
     supports.check(beam)?;
-    let part = connected_parts(beam.nodes().len(), beam.elements().iter().map(|element| element.nodes));
+    let clamped = supports.ties().iter().filter(|(.., turns)| *turns).map(|&(body, node, _)| [body, node]);
+    let rigid = beam.elements().iter().map(|element| element.nodes).chain(clamped);
+    let part = connected_parts(beam.nodes().len(), rigid.clone());
     let restraint = restraint_of_degrees_of_freedom(beam, supports);
     // Parts that hinges join stand or fall together. A group is known by its first node.
-    let links = beam.elements().iter().map(|element| element.nodes).chain(supports.hinges().iter().copied());
+    let pinned = supports.ties().iter().filter(|(.., turns)| !turns).map(|&(body, node, _)| [body, node]);
+    let links = rigid.chain(supports.hinges().iter().copied()).chain(pinned);
     let group = connected_parts(beam.nodes().len(), links);
     for first in (0..group.len()).filter(|&node| group[node] == node) {
         let parts: Vec<Part> = (first..group.len())
@@ -67,7 +70,10 @@ fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64
     let mut restraint = spring_stiffness;
     for (held, elastic) in restraint.iter_mut().zip(&elastic) {
         for dof in 0..3 {
-            held[dof] /= held[dof] + elastic[dof];
+            // A rigid body has no elements of its own.
+            if held[dof] > 0.0 {
+                held[dof] /= held[dof] + elastic[dof];
+            }
         }
     }
     for &(node, dof) in supports.fixed() {
@@ -89,12 +95,19 @@ impl Part {
         let nodes: Vec<[f64; 2]> = members.iter().map(|&node| beam.nodes()[node]).collect();
         let centre = [0, 1].map(|axis| nodes.iter().map(|node| node[axis]).sum::<f64>() / nodes.len() as f64);
         let radius = nodes.iter().map(|node| (node[0] - centre[0]).hypot(node[1] - centre[1])).fold(0.0, f64::max);
+        // A rigid body alone is one node.
+        let radius = if radius > 0.0 { radius } else { beam.extent() };
         Self { members, centre, radius, nodes }
     }
 
     /// Unit motions of a member: along x, along y, and the rotation that moves the farthest node by one.
     fn unit_motions(&self, member: usize) -> [[f64; 3]; 3] {
-        let [x, y] = [0, 1].map(|axis| (self.nodes[member][axis] - self.centre[axis]) / self.radius);
+        self.unit_motions_at(self.nodes[member])
+    }
+
+    /// The same of any place that moves with the part.
+    fn unit_motions_at(&self, place: [f64; 2]) -> [[f64; 3]; 3] {
+        let [x, y] = [0, 1].map(|axis| (place[axis] - self.centre[axis]) / self.radius);
         [[1.0, 0.0, -y], [0.0, 1.0, x], [0.0, 0.0, 1.0]]
     }
 }
@@ -129,6 +142,16 @@ fn free_motion(
         if let [Some((one, here)), Some((other, there))] = hinge.map(place) {
             for dof in 0..2 {
                 let ours = row_of(one, parts[one].unit_motions(here)[dof], 1.0);
+                let theirs = row_of(other, parts[other].unit_motions(there)[dof], -1.0);
+                stop(&[ours, theirs].concat(), 1.0);
+            }
+        }
+    }
+    for &(body, node, turns) in supports.ties() {
+        if let (false, [Some((one, _)), Some((other, there))]) = (turns, [body, node].map(place)) {
+            let at = parts[other].nodes[there];
+            for dof in 0..2 {
+                let ours = row_of(one, parts[one].unit_motions_at(at)[dof], 1.0);
                 let theirs = row_of(other, parts[other].unit_motions(there)[dof], -1.0);
                 stop(&[ours, theirs].concat(), 1.0);
             }

@@ -3,7 +3,7 @@
 use crate::beam::Beam;
 use crate::equations::{Entry, Equations};
 use crate::error::Error;
-use crate::supports::Supports;
+use crate::supports::{Dof, Supports};
 use faer::{Mat, Scale, Side};
 
 /// The shift sigma as a fraction of the largest K_ii/M_ii, which estimates omega_max^2: the root of
@@ -33,7 +33,17 @@ pub struct Mode {
 /// for a few hundred of them.
 pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<Vec<Mode>, Error> {
     supports.check(beam)?;
-    let equations = Equations::new(beam.nodes().len(), supports);
+    let equations = Equations::new(beam, supports);
+    for &node in beam.rigid_bodies() {
+        for (dof, quantity) in
+            [(Dof::U, "mass [kg]"), (Dof::W, "mass [kg]"), (Dof::Theta, "moment of inertia [kg m^2]")]
+        {
+            let value = beam.points()[node][dof as usize];
+            if equations.number(node, dof as usize).is_some() && value == 0.0 {
+                return Err(Error::MasslessBody { node, dof, quantity, value });
+            }
+        }
+    }
     let unknowns = equations.count();
     let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
 
@@ -52,8 +62,13 @@ pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<V
     let mut shapes = eigen.U().subcols(unknowns - count, count).to_owned();
     lower.transpose().solve_upper_triangular_in_place(shapes.as_mut());
 
-    let mut modes: Vec<Mode> =
-        shapes.col_iter().map(|shape| mode(beam, supports, equations.extend(|equation| shape[equation]))).collect();
+    let arms = equations.ties.arms();
+    let shape_of = |column: faer::ColRef<f64>| {
+        let mut shape = equations.extend(|equation| column[equation]);
+        equations.ties.follow_linearly(&arms, &mut shape);
+        shape
+    };
+    let mut modes: Vec<Mode> = shapes.col_iter().map(|shape| mode(beam, supports, shape_of(shape))).collect();
     modes.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
     Ok(modes)
 }

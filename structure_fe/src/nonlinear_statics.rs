@@ -1,7 +1,7 @@
 //! Statics at large displacements: load steps, Newton's method with a line search.
 
-use crate::banded::Banded;
 use crate::beam::Beam;
+use crate::bordered::Bordered;
 use crate::error::Error;
 use crate::inertia::{Damping, Weights};
 use crate::loads::Loads;
@@ -90,7 +90,7 @@ impl NonlinearStatics {
         load_factor: f64,
         step: usize,
         u: &mut Vec<[f64; 3]>,
-        matrix: &mut Banded,
+        matrix: &mut Bordered,
     ) -> Result<(), Error> {
         let start = u.clone();
         let mut outcome = Ok(());
@@ -111,7 +111,7 @@ impl NonlinearStatics {
         step: usize,
         search: bool,
         u: &mut [[f64; 3]],
-        matrix: &mut Banded,
+        matrix: &mut Bordered,
     ) -> Result<(), Error> {
         let system = &self.system;
         let iterations = ITERATIONS[usize::from(search)];
@@ -122,7 +122,7 @@ impl NonlinearStatics {
             let mut correction = residual.clone();
             matrix.solve(&mut correction);
             let share = if search { self.line_search(loads, load_factor, u, &residual, &correction)? } else { 1.0 };
-            system.equations.add(share, &correction, u);
+            system.displace(share, &correction, u);
             let size = system.size(&correction);
             let whole = system.size(&system.equations.pick(u.as_flattened()));
             if size <= CONVERGED * whole.min(1.0) + ROUNDING {
@@ -149,7 +149,7 @@ impl NonlinearStatics {
         let mut share = 1.0;
         for _ in 0..HALVINGS {
             let mut trial = u.to_vec();
-            self.system.equations.add(share, correction, &mut trial);
+            self.system.displace(share, correction, &mut trial);
             let slope = work(&self.residual(loads, load_factor, &trial)?);
             if slope.abs() <= SLACK * at_start.abs() {
                 break;
@@ -171,20 +171,26 @@ impl NonlinearStatics {
         loads: &Loads,
         load_factor: f64,
         u: &[[f64; 3]],
-        matrix: &mut Banded,
+        matrix: &mut Bordered,
     ) -> Result<Vec<f64>, Error> {
         let mut internal = self.motionless.clone();
         let weights = Weights { acceleration: 0.0, velocity: 0.0, displacement: 1.0 };
         self.system.forces_and_tangent(self.at(u), &Damping::default(), weights, &mut internal, matrix);
         loads.subtract_tangent(&self.system, u, load_factor, matrix);
+        if !self.system.equations.ties.all.is_empty() {
+            let arms = self.system.equations.ties.arms_at(u);
+            self.system.subtract_turning(&self.load(loads, u), &arms, load_factor, matrix);
+            self.system.subtract_turning(&internal, &arms, -1.0, matrix);
+        }
         Ok(self.less(loads, load_factor, u, &internal))
     }
 
     /// Load less internal forces.
     fn less(&self, loads: &Loads, load_factor: f64, u: &[[f64; 3]], internal: &[[f64; 3]]) -> Vec<f64> {
         let equations = &self.system.equations;
-        let mut residual = equations.restrict(&self.load(loads, u));
-        for (residual, internal) in residual.iter_mut().zip(equations.restrict(internal)) {
+        let arms = equations.ties.arms_at(u);
+        let mut residual = equations.reduce(&self.load(loads, u), &arms);
+        for (residual, internal) in residual.iter_mut().zip(equations.reduce(internal, &arms)) {
             *residual = load_factor * *residual - internal;
         }
         residual

@@ -17,6 +17,8 @@ pub struct State {
     /// The acceleration that generalised-alpha integrates (Arnold & Bruels 2007), between that of the last
     /// step and of this one: the same as `acceleration` at the start, and always for a spectral radius of 1.
     pub integrated_acceleration: Vec<[f64; 3]>,
+    /// Mean force of the supports over the last step, springs included \[N, N, N m\]; of the trapezoidal rule only.
+    pub mean_reaction: Vec<[f64; 3]>,
 }
 
 /// How time is stepped.
@@ -31,6 +33,12 @@ pub enum Integration {
     /// Explicit, second order, with a lumped mass; steps up to
     /// [`Dynamics::stable_dt`](crate::Dynamics::stable_dt) (THEORY S18).
     CentralDifference,
+    /// Implicit, in momentum: what the mean load gives, the lumped masses have, to rounding (THEORY S22). The only
+    /// one that knows rigid bodies. Second order for a spectral radius of 1, first order below it.
+    Trapezoidal {
+        /// What a step leaves of the fastest vibrations: rho in (0, 1]. 1 conserves the energy of linear models.
+        spectral_radius: f64,
+    },
 }
 
 /// The motion of a support at the end of the next step, of one degree of freedom.
@@ -53,4 +61,20 @@ pub struct StepReport {
     pub tangents: usize,
     /// The last correction as a fraction of the step's motion \[-\].
     pub last_correction: f64,
+    /// What damping and the rule took of the energy \[J\] (THEORY S23); NaN under rules that do not tell.
+    pub dissipated: f64,
+    /// Work of the supports on the model \[J\], where they move; NaN under rules that do not tell.
+    pub support_work: f64,
+}
+
+impl StepReport {
+    pub(crate) fn begun() -> Self {
+        Self {
+            iterations: 0,
+            tangents: 0,
+            last_correction: f64::INFINITY,
+            dissipated: f64::NAN,
+            support_work: f64::NAN,
+        }
+    }
 }

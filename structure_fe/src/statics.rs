@@ -50,7 +50,7 @@ impl Statics {
     pub fn new(beam: Beam, supports: Supports) -> Result<Self, Error> {
         supports.check(&beam)?;
         require_no_free_motion(&beam, &supports)?;
-        let equations = Equations::new(beam.nodes().len(), &supports);
+        let equations = Equations::new(&beam, &supports);
         let entries = equations.stiffness(&beam, &supports);
         let pattern = Pattern::new(equations.count(), &entries)?;
         let factor = pattern.factorise(&entries)?;
@@ -98,14 +98,15 @@ impl Statics {
 
     /// K^-1 f by iterative refinement (Wilkinson 1963): u += K^-1 (f - K u).
     fn displacement(&self, load: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Error> {
-        let load = self.equations.restrict(load);
+        let arms = self.equations.ties.arms();
+        let load = self.equations.reduce(load, &arms);
         let mut u = Col::<f64>::zeros(load.len());
         let mut change = f64::NAN;
         for _ in 0..REFINEMENTS {
-            let displacement = self.equations.extend(|equation| u[equation]);
+            let displacement = self.displaced(&u);
             let mut internal = self.beam.elastic_forces(&displacement);
             self.supports.add_spring_forces(&displacement, &mut internal);
-            let internal = self.equations.restrict(&internal);
+            let internal = self.equations.reduce(&internal, &arms);
             let residual = Col::from_fn(load.len(), |i| load[i] - internal[i]);
             let correction = self.factor.solve(&residual);
             u += &correction;
@@ -115,16 +116,28 @@ impl Statics {
             let of_correction = energy(&|i| residual[i], &correction);
             let of_solution = energy(&|i| load[i], &u);
             if of_correction <= CONVERGED.powi(2) * of_solution {
-                return Ok(self.equations.extend(|equation| u[equation]));
+                return Ok(self.displaced(&u));
             }
             change = (of_correction / of_solution).sqrt();
         }
         Err(Error::IllConditioned { unknowns: load.len(), refinements: REFINEMENTS, change })
     }
 
+    /// The displacement of all nodes, tied ones as their bodies' small rotations have them.
+    fn displaced(&self, u: &Col<f64>) -> Vec<[f64; 3]> {
+        let mut displacement = self.equations.extend(|equation| u[equation]);
+        self.equations.ties.follow_linearly(&self.equations.ties.arms(), &mut displacement);
+        displacement
+    }
+
     fn reactions(&self, displacement: &[[f64; 3]], load: &[[f64; 3]]) -> Vec<[f64; 3]> {
-        let elastic = self.beam.elastic_forces(displacement);
-        let mut on_springs = vec![[0.0; 3]; elastic.len()];
+        let mut lack = self.beam.elastic_forces(displacement);
+        self.supports.add_spring_forces(displacement, &mut lack);
+        for (lack, load) in lack.as_flattened_mut().iter_mut().zip(load.as_flattened()) {
+            *lack -= load;
+        }
+        self.equations.ties.fold(&self.equations.ties.arms(), &mut lack);
+        let mut on_springs = vec![[0.0; 3]; lack.len()];
         self.supports.add_spring_forces(displacement, &mut on_springs);
         let mut reactions = on_springs;
         for reaction in reactions.as_flattened_mut() {
@@ -132,7 +145,7 @@ impl Statics {
         }
         for &(node, dof) in self.supports.fixed() {
             let dof = dof as usize;
-            reactions[node][dof] = elastic[node][dof] - load[node][dof];
+            reactions[node][dof] = lack[node][dof];
         }
         reactions
     }

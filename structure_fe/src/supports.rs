@@ -39,6 +39,8 @@ pub struct Supports {
     fixed: Vec<(usize, Dof)>,
     springs: Vec<Spring>,
     hinges: Vec<[usize; 2]>,
+    /// Body, node, and whether the node turns with the body.
+    ties: Vec<(usize, usize, bool)>,
 }
 
 impl Supports {
@@ -72,6 +74,24 @@ impl Supports {
     pub fn hinge(&mut self, first: usize, second: usize) -> &mut Self {
         self.hinges.push([first, second]);
         self
+    }
+
+    /// Makes a node follow a [rigid body](Beam::with_rigid_body) at any rotation: u, w and theta.
+    pub fn tie(&mut self, body: usize, node: usize) -> &mut Self {
+        self.ties.push((body, node, true));
+        self
+    }
+
+    /// Makes a node follow a [rigid body](Beam::with_rigid_body) at any rotation, but turn freely against it:
+    /// u and w only.
+    pub fn tie_pinned(&mut self, body: usize, node: usize) -> &mut Self {
+        self.ties.push((body, node, false));
+        self
+    }
+
+    /// Body, node, and whether the node turns with the body.
+    pub(crate) fn ties(&self) -> &[(usize, usize, bool)] {
+        &self.ties
     }
 
     pub(crate) fn hinges(&self) -> &[[usize; 2]] {
@@ -144,6 +164,34 @@ impl Supports {
             if gap > 1e-9 * beam.extent() {
                 return Err(Error::HingeGap { hinge: index, nodes: hinge, gap });
             }
+        }
+        self.check_ties(beam)
+    }
+
+    fn check_ties(&self, beam: &Beam) -> Result<(), Error> {
+        for (index, &(body, node, turns)) in self.ties.iter().enumerate() {
+            existing_node("tie", index, body, beam.nodes().len())?;
+            existing_node("tie", index, node, beam.nodes().len())?;
+            let own = |&(other, dof): &(usize, Dof)| other == node && (turns || dof != Dof::Theta);
+            let reason = if !beam.is_rigid_body(body) {
+                Some("the first of the two is not a rigid body")
+            } else if beam.is_rigid_body(node) {
+                Some("the node is a rigid body itself")
+            } else if self.ties[..index].iter().any(|&(_, other, _)| other == node) {
+                Some("the node is tied already")
+            } else if self.fixed.iter().any(own) {
+                Some("the node has a support of its own; support the body")
+            } else if self.hinges.iter().flatten().any(|&other| other == node) {
+                Some("the node is part of a hinge; tie it pinned")
+            } else {
+                None
+            };
+            if let Some(reason) = reason {
+                return Err(Error::BadTie { tie: index, body, node, reason });
+            }
+        }
+        if let Some(index) = self.hinges.iter().position(|hinge| hinge.iter().any(|&node| beam.is_rigid_body(node))) {
+            return Err(Error::HingedBody { hinge: index, nodes: self.hinges[index] });
         }
         Ok(())
     }

@@ -1,9 +1,10 @@
 //! The equations of the moving model: internal forces and their tangent, assembled.
 
-use crate::banded::{Banded, ZeroPivot};
+use crate::banded::ZeroPivot;
 use crate::beam::{Beam, add_ends};
+use crate::bordered::Bordered;
 use crate::corotational::{Chord, elastic_forces, strain_energy};
-use crate::element::Ends;
+use crate::element::{Ends, EndsMatrix};
 use crate::equations::Equations;
 use crate::error::Error;
 use crate::inertia::{Damping, Motion, Weights, response, restoring};
@@ -36,13 +37,14 @@ impl System {
         supports.check(&beam)?;
         let links = beam.elements().iter().map(|element| element.nodes).chain(supports.hinges().iter().copied());
         let order = narrow_band(beam.nodes().len(), links);
-        let equations = Equations::in_order(&order, &supports);
+        let equations = Equations::in_order(&order, &beam, &supports);
         let half_band = beam.elements().iter().map(|element| equations.band(element.nodes)).max().unwrap_or(0);
         Ok(Self { beam, supports, equations, half_band })
     }
 
-    pub fn matrix(&self) -> Banded {
-        Banded::new(self.equations.count(), self.half_band)
+    pub fn matrix(&self) -> Bordered {
+        let inner = self.equations.inner();
+        Bordered::new(inner, self.half_band, self.equations.count() - inner)
     }
 
     /// Inertia, damping and elastic forces at the nodes (the left-hand side of the equations of motion).
@@ -57,7 +59,7 @@ impl System {
         damping: &Damping,
         weights: Weights,
         forces: &mut [[f64; 3]],
-        matrix: &mut Banded,
+        matrix: &mut Bordered,
     ) {
         matrix.clear();
         self.sweep(at, damping, forces, Some((weights, matrix)));
@@ -68,25 +70,18 @@ impl System {
         at: Kinematics,
         damping: &Damping,
         forces: &mut [[f64; 3]],
-        mut tangent: Option<(Weights, &mut Banded)>,
+        mut tangent: Option<(Weights, &mut Bordered)>,
     ) {
         let weights = tangent.as_ref().map(|(weights, _)| *weights);
         forces.fill([0.0; 3]);
+        let arms = if weights.is_some() { self.equations.ties.arms_at(at.q) } else { Vec::new() };
         for (nodes, element) in self.beam.formulated() {
             let ends = |field| self.beam.ends(nodes, field);
             let motion = Motion { q: ends(at.q), v: ends(at.v), a: ends(at.a) };
             let (force, local) = response(element, &motion, damping, weights);
             add_ends(forces, nodes, &force);
             if let (Some((_, matrix)), Some(local)) = (&mut tangent, local) {
-                let numbers = self.equations.of_element(nodes);
-                for (row, values) in numbers.iter().zip(&local) {
-                    let Some(row) = *row else { continue };
-                    for (column, value) in numbers.iter().zip(values) {
-                        if let Some(column) = *column {
-                            matrix.add(row, column, *value);
-                        }
-                    }
-                }
+                self.add_matrix(nodes, &local, [&arms, &arms], matrix);
             }
         }
         for (node, mass) in self.beam.points().iter().enumerate().filter(|(_, mass)| mass[0] > 0.0) {
@@ -99,16 +94,64 @@ impl System {
         }
         self.add_springs(at, damping, forces);
         if let Some((weights, matrix)) = tangent {
-            for spring in self.supports.springs() {
-                if let Some(row) = self.equations.number(spring.node, spring.dof as usize) {
-                    let factor = weights.displacement + damping.stiffness * weights.velocity;
-                    matrix.add(row, row, spring.stiffness * factor);
+            let factor = weights.displacement + damping.stiffness * weights.velocity;
+            self.add_stiffness_of_springs(factor, [&arms, &arms], matrix);
+        }
+    }
+
+    /// Adds an element's matrix: forces taken to the bodies with the arms `left`, displacements with `right`.
+    #[inline]
+    pub fn add_matrix(&self, nodes: [usize; 2], local: &EndsMatrix, arms: [&[[f64; 2]]; 2], matrix: &mut Bordered) {
+        if self.equations.tied(nodes) {
+            for i in 0..6 {
+                for j in 0..6 {
+                    let places = ((nodes[i / 3], i % 3), (nodes[j / 3], j % 3));
+                    self.equations.spread(places, local[i][j], arms, |row, column, value| {
+                        matrix.add(row, column, value);
+                    });
+                }
+            }
+            return;
+        }
+        let numbers = self.equations.of_element(nodes);
+        for (row, values) in numbers.iter().zip(local) {
+            let Some(row) = *row else { continue };
+            for (column, value) in numbers.iter().zip(values) {
+                if let Some(column) = *column {
+                    matrix.add(row, column, *value);
                 }
             }
         }
     }
 
-    fn add_springs(&self, at: Kinematics, damping: &Damping, forces: &mut [[f64; 3]]) {
+    /// Adds `factor` times the springs' stiffness.
+    pub fn add_stiffness_of_springs(&self, factor: f64, arms: [&[[f64; 2]]; 2], matrix: &mut Bordered) {
+        for spring in self.supports.springs() {
+            let place = (spring.node, spring.dof as usize);
+            self.equations.spread((place, place), factor * spring.stiffness, arms, |row, column, value| {
+                matrix.add(row, column, value);
+            });
+        }
+    }
+
+    /// Adds what the turning of the arms takes from the moments of `forces` on tied nodes, -factor a . F on
+    /// the body's rotation (THEORY S21).
+    pub fn subtract_turning(&self, forces: &[[f64; 3]], arms: &[[f64; 2]], factor: f64, matrix: &mut Bordered) {
+        for (tie, arm) in self.equations.ties.all.iter().zip(arms) {
+            if let Some(row) = self.equations.number(tie.body, 2) {
+                let force = forces[tie.node];
+                matrix.add(row, row, factor * (arm[0] * force[0] + arm[1] * force[1]));
+            }
+        }
+    }
+
+    /// Adds `factor * values` to the free entries of a displacement; tied nodes follow.
+    pub fn displace(&self, factor: f64, values: &[f64], q: &mut [[f64; 3]]) {
+        self.equations.add(factor, values, q);
+        self.equations.ties.follow(q);
+    }
+
+    pub fn add_springs(&self, at: Kinematics, damping: &Damping, forces: &mut [[f64; 3]]) {
         for spring in self.supports.springs() {
             let (node, dof) = (spring.node, spring.dof as usize);
             forces[node][dof] += spring.stiffness * (at.q[node][dof] + damping.stiffness * at.v[node][dof]);
@@ -160,6 +203,9 @@ impl System {
     /// Forces of the supports: what the internal forces lack of the load where a degree of freedom is
     /// fixed, and minus the springs' forces.
     pub fn reactions(&self, q: &[[f64; 3]], internal: &[[f64; 3]], load: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let mut lack: Vec<[f64; 3]> =
+            internal.iter().zip(load).map(|(f, load)| [0, 1, 2].map(|dof| f[dof] - load[dof])).collect();
+        self.equations.ties.fold(&self.equations.ties.arms_at(q), &mut lack);
         let mut reactions = vec![[0.0; 3]; load.len()];
         self.supports.add_spring_forces(q, &mut reactions);
         for reaction in reactions.as_flattened_mut() {
@@ -167,7 +213,7 @@ impl System {
         }
         for &(node, dof) in self.supports.fixed() {
             let dof = dof as usize;
-            reactions[node][dof] = internal[node][dof] - load[node][dof];
+            reactions[node][dof] = lack[node][dof];
         }
         reactions
     }

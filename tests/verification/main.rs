@@ -14,7 +14,6 @@ mod heaving_box;
 mod integrators;
 mod kernel_sums;
 mod options;
-mod plate_under_water;
 mod rigid_body;
 mod rotating_patch;
 mod standing_wave;

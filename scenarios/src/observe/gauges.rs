@@ -104,12 +104,20 @@ impl GaugeReader {
         }
         let time = system.fluid.time;
         let probe = Probe::new(&system.fluid);
-        let body = system.bodies().find_map(|b| b.motion()).unwrap_or_default();
+        let body = system.bodies().find(|b| b.motion().is_some());
+        let motion = body.and_then(|b| b.motion()).unwrap_or_default();
         let (rho, gravity) = (self.rho, self.gravity);
         for instrument in self.instruments.iter_mut().filter(|i| which(i)) {
             let still = Motion::default();
-            let frame = if instrument.on == GaugeFrame::Body { &body } else { &still };
-            let read = |place: &Place| place.weight * read_one(&probe, frame, place, rho, gravity);
+            let frame = if instrument.on == GaugeFrame::Body { &motion } else { &still };
+            let riding = body.filter(|_| instrument.on == GaugeFrame::Body);
+            let read = |place: &Place| {
+                let spot = riding.and_then(|b| b.ride(place.at)).map_or_else(
+                    || Spot::rigid(frame, place),
+                    |(surface, acceleration)| Spot { at: surface.at, normal: surface.normal, acceleration },
+                );
+                place.weight * read_one(&probe, &spot, place.reading, rho, gravity)
+            };
             let raw = instrument.places.iter().map(read).sum();
             let shown = match &mut instrument.filter {
                 None => raw,
@@ -123,15 +131,31 @@ impl GaugeReader {
     }
 }
 
-/// Pressure at a place of a frame that moves as `frame` does [Pa].
-fn read_one(probe: &Probe<'_>, frame: &Motion, place: &Place, rho: f64, gravity: [f64; 2]) -> f64 {
-    let at = on(frame, place.at);
-    match place.reading {
-        Reading::Point => probe.shepard(at),
-        Reading::Face(normal) => {
-            let n = rotate(normal, frame.angle);
-            let field = [0, 1].map(|k| gravity[k] - frame.acceleration[k]);
-            probe.on_flat_face(at, n, rho * (field[0] * n[0] + field[1] * n[1]))
+/// A place of a surface now.
+struct Spot {
+    at: [f64; 2],
+    normal: [f64; 2],
+    acceleration: [f64; 2],
+}
+
+impl Spot {
+    /// Of a frame that moves as `frame` does.
+    fn rigid(frame: &Motion, place: &Place) -> Spot {
+        let normal = match place.reading {
+            Reading::Point => [0.0; 2],
+            Reading::Face(normal) => rotate(normal, frame.angle),
+        };
+        Spot { at: on(frame, place.at), normal, acceleration: frame.acceleration }
+    }
+}
+
+/// Pressure at a place [Pa].
+fn read_one(probe: &Probe<'_>, spot: &Spot, reading: Reading, rho: f64, gravity: [f64; 2]) -> f64 {
+    match reading {
+        Reading::Point => probe.shepard(spot.at),
+        Reading::Face(_) => {
+            let (n, field) = (spot.normal, [0, 1].map(|k| gravity[k] - spot.acceleration[k]));
+            probe.on_flat_face(spot.at, n, rho * (field[0] * n[0] + field[1] * n[1]))
         }
     }
 }

@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use fsi_coupling::Outline;
-
 use super::{Frame, ObserveError, Observer};
 use crate::log::{BodyView, Level, LogMetadata, LogWriter, ParticleView};
 use crate::scene::Scene;
@@ -11,21 +9,19 @@ use crate::scene::Scene;
 /// Writes the log.
 pub struct LogObserver {
     writer: LogWriter,
-    outlines: Vec<(String, Vec<[f64; 2]>)>,
+    panels: Vec<(String, Vec<String>)>,
     gauges: Vec<String>,
 }
 
 impl LogObserver {
     /// Create the file.
-    pub fn create(path: &Path, scene: &Scene, system: &fsi_coupling::Coupled) -> Result<LogObserver, ObserveError> {
+    pub fn create(path: &Path, scene: &Scene) -> Result<LogObserver, ObserveError> {
         let toml = scene.to_toml();
         let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-        // one closed line per body: the loops of a compound body are joined by the way back to the first corner
-        let outline = |o: &Outline| join(o.loops());
-        let outlines =
-            system.bodies().filter_map(|b| b.outline().map(|o| (b.name().to_string(), outline(o)))).collect();
+        let panels = scene.body.iter().flat_map(|body| &body.panels);
+        let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        Ok(LogObserver { writer: LogWriter::create(path, &metadata)?, outlines, gauges })
+        Ok(LogObserver { writer: LogWriter::create(path, &metadata)?, panels, gauges })
     }
 
     /// Note what went wrong, or why a run stopped.
@@ -44,6 +40,12 @@ impl LogObserver {
             let Some(m) = body.motion() else { continue };
             let values = super::series::BODY.map(|(unit, read)| (unit, read(&m)));
             self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
+            for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
+                // of the columns' names what follows the panel's own
+                let units = columns.iter().map(|column| &column[name.len() + 1..]);
+                let values: Vec<(&str, f64)> = units.zip(super::series::panel_values(&panel)).collect();
+                self.writer.sample(t, &format!("panel/{name}"), &values)?;
+            }
         }
         if !self.gauges.is_empty() {
             let named: Vec<(&str, f64)> =
@@ -108,10 +110,12 @@ impl Observer for LogObserver {
             spacing: &wall_spacing,
             id: &wall_id,
         };
-        let motions = frame.system.bodies().filter_map(|b| b.motion());
-        let bodies: Vec<BodyView<'_>> = motions
-            .zip(&self.outlines)
-            .map(|(m, (name, outline))| BodyView { name, position: m.position, angle: m.angle, outline })
+        // one closed line per body: the loops of a compound body are joined by the way back to the first corner
+        let shown = frame.system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
+        let shown: Vec<_> = shown.collect();
+        let bodies: Vec<BodyView<'_>> = shown
+            .iter()
+            .map(|(name, m, outline)| BodyView { name, position: m.position, angle: m.angle, outline })
             .collect();
         Ok(self.writer.frame(frame.time(), &fluid, &walls, &bodies)?)
     }

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use fsi_coupling::Motion;
+use fsi_coupling::{Motion, PanelState};
 
 use super::front::{FRONT, front};
 use super::{Frame, ObserveError, Observer};
@@ -41,6 +41,7 @@ impl Series {
         let mut columns = vec!["time_s".to_string()];
         for body in scene.body.iter() {
             columns.extend(BODY.iter().map(|(unit, _)| format!("{}.{unit}", body.name)));
+            columns.extend(body.panels.iter().flat_map(|panel| panel.columns()));
         }
         columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));
         columns.extend(scene.observe.front.then(|| FRONT.to_string()));
@@ -104,11 +105,20 @@ impl Series {
     }
 }
 
+/// Values of a panel's columns, in the order of [`crate::scene::Panel::columns`].
+pub(super) fn panel_values(panel: &PanelState) -> Vec<f64> {
+    let watched = panel.watched.iter().flat_map(|w| {
+        [w.displacement[0], w.displacement[1], w.deflection, w.section.moment, w.strain[0], w.strain[1]]
+    });
+    watched.chain([panel.stress]).collect()
+}
+
 impl Observer for Series {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let mut row = vec![frame.time()];
-        for motion in frame.system.bodies().filter_map(|b| b.motion()) {
+        for (body, motion) in frame.system.bodies().filter_map(|b| Some((b, b.motion()?))) {
             row.extend(BODY.iter().map(|(_, read)| read(&motion)));
+            row.extend(body.panels().iter().flat_map(panel_values));
         }
         row.extend(frame.gauges);
         row.extend(self.front.then(|| front(&frame.system.fluid)));

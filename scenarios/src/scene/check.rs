@@ -78,13 +78,15 @@ fn check_body_in_tank(scene: &Scene, body: &Body) -> Result<(), Problem> {
     let half = 0.5 * scene.tank.width;
     let reach = format!("a body from x = {} to {} m", significant(min[0]), significant(max[0]));
     let inside = format!("a body between the walls at x = {} and {} m", significant(-half), significant(half));
+    // what does not move may touch the tank
+    let play = if body.motion == Motion::Fixed { 1e-9 * (scene.tank.width + scene.tank.depth) } else { 0.0 };
     if min[0] >= half || max[0] <= -half {
         return Err(Problem::new("body.position", format!("{reach}, off the tank"), inside));
     }
-    if min[0] <= -half || max[0] >= half {
+    if min[0] <= -half - play || max[0] >= half + play {
         return Err(Problem::new("body.position", format!("{reach}, overlapping a tank wall"), inside));
     }
-    if min[1] <= -scene.tank.depth {
+    if min[1] <= -scene.tank.depth - play {
         let given = format!("a body down to y = {} m, overlapping the floor", significant(min[1]));
         let expected = format!("a body above the floor at y = {} m", significant(-scene.tank.depth));
         return Err(Problem::new("body.position", given, expected));
@@ -152,6 +154,13 @@ fn check_symmetric(body: &Body) -> Result<(), Problem> {
 
 fn check_gauges(scene: &Scene) -> Result<(), Problem> {
     let mut names: Vec<&str> = scene.body.iter().map(|body| body.name.as_str()).collect();
+    for (i, panel) in scene.body.iter().flat_map(|body| &body.panels).enumerate() {
+        if names.contains(&panel.name.as_str()) {
+            let expected = "a name that no other panel or body has";
+            return Err(Problem::new(&format!("body.panels[{i}].name"), format!("{:?}", panel.name), expected));
+        }
+        names.push(&panel.name);
+    }
     for (i, gauge) in scene.gauges.iter().enumerate() {
         let key = |name: &str| format!("gauges[{i}].{name}");
         if names.contains(&gauge.name.as_str()) {
@@ -215,7 +224,8 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
     let bodies = scene.body.iter().flat_map(|body| columns(&body.name, &BODY_COLUMNS));
     let gauges = scene.gauges.iter().flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
     let front = scene.observe.front.then(|| FRONT.to_string());
-    let known: Vec<String> = bodies.chain(gauges).chain(front).collect();
+    let panels = scene.body.iter().flat_map(|body| body.panels.iter().flat_map(|panel| panel.columns()));
+    let known: Vec<String> = bodies.chain(panels).chain(gauges).chain(front).collect();
     for (i, compare) in scene.compare.iter().enumerate() {
         if !known.contains(&compare.quantity) {
             let key = format!("compare[{i}].quantity");

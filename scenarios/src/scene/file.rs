@@ -11,6 +11,7 @@ use super::model::{
     Body, CouplingScheme, DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, GaugeFrame,
     Integrator, Kernel, Lattice, Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
 };
+use super::model_panel::{EndName, Panel, TheoryName};
 use fsi_coupling::Shape;
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -143,6 +144,25 @@ pub struct BodyFile {
     pub angle_deg: Option<f64>,
     pub amplitude: Option<[f64; 2]>,
     pub period: Option<f64>,
+    pub damping: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub panels: Vec<PanelFile>,
+}
+
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PanelFile {
+    pub name: Option<String>,
+    pub from: Option<[f64; 2]>,
+    pub to: Option<[f64; 2]>,
+    pub elements: Option<usize>,
+    pub thickness: Option<f64>,
+    pub youngs_modulus: Option<f64>,
+    pub poissons_ratio: Option<f64>,
+    pub density: Option<f64>,
+    pub ends: Option<[EndName; 2]>,
+    pub theory: Option<TheoryName>,
+    pub watch: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -260,11 +280,31 @@ impl From<Body> for BodyFile {
             angular_velocity_deg_per_s: Some(body.angular_velocity_deg_per_s),
             position: Some(body.position),
             angle_deg: Some(body.angle_deg),
+            damping: (!body.panels.is_empty()).then_some(body.damping),
+            panels: body.panels.into_iter().map(PanelFile::from).collect(),
             ..BodyFile::default()
         };
         file.write_shape(body.shape);
         file.write_motion(body.motion);
         file
+    }
+}
+
+impl From<Panel> for PanelFile {
+    fn from(panel: Panel) -> Self {
+        PanelFile {
+            name: Some(panel.name),
+            from: Some(panel.from),
+            to: Some(panel.to),
+            elements: Some(panel.elements),
+            thickness: Some(panel.thickness),
+            youngs_modulus: Some(panel.youngs_modulus),
+            poissons_ratio: Some(panel.poissons_ratio),
+            density: Some(panel.density),
+            ends: Some(panel.ends),
+            theory: Some(panel.theory),
+            watch: Some(panel.watch),
+        }
     }
 }
 

@@ -27,10 +27,12 @@ mod load;
 mod model;
 mod model_coupling;
 mod model_fluid;
+mod model_panel;
 mod overrides;
 mod problem;
 mod resolve;
 mod resolve_body;
+mod resolve_panel;
 mod source;
 mod warnings;
 
@@ -52,5 +54,6 @@ pub use model::{
     Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time,
     WallSlip,
 };
+pub use model_panel::{EndName, Panel, TheoryName};
 pub use overrides::apply_set;
 pub use warnings::warnings;

@@ -12,6 +12,7 @@ pub use super::model_fluid::{
 use super::auto::fastest_speed;
 use super::file::BodyFile;
 use super::impact::Entry;
+pub use super::model_panel::Panel;
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
 
@@ -129,7 +130,7 @@ pub struct Tank {
     pub water_width: f64,
 }
 
-/// A rigid body.
+/// A body: rigid but for its panels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(into = "BodyFile")]
 pub struct Body {
@@ -149,6 +150,10 @@ pub struct Body {
     pub position: [f64; 2],
     /// Rotation of the body's frame at t = 0, counter-clockwise [deg].
     pub angle_deg: f64,
+    /// Rayleigh damping of its panels by mass [1/s] and by stiffness [s], shape (2).
+    pub damping: [f64; 2],
+    /// The parts of its surface that bend.
+    pub panels: Vec<Panel>,
 }
 
 /// How a body moves.

@@ -3,6 +3,7 @@
 use super::file::{Axis, BodyFile, MotionName, ShapeName};
 use super::model::{Body, Freedom, Motion, Oscillation, Symmetry};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
+use super::resolve_panel::resolve_panels;
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
 
@@ -12,7 +13,8 @@ const SIDE_OVER_BREADTH: f64 = 0.25;
 /// Smallest cosine of the angle by which a plate's middle line turns: sharper corners have no sensible mitre.
 const SHARPEST_TURN: f64 = -0.5;
 
-pub(super) fn resolve_body(file: BodyFile, symmetry: Symmetry) -> Result<Body, Problem> {
+pub(super) fn resolve_body(mut file: BodyFile, symmetry: Symmetry) -> Result<Body, Problem> {
+    let panels = std::mem::take(&mut file.panels);
     let shape = resolve_shape(&file)?;
     let motion = resolve_motion(&file, symmetry)?;
     refuse_other_motions_keys(&file)?;
@@ -27,12 +29,24 @@ pub(super) fn resolve_body(file: BodyFile, symmetry: Symmetry) -> Result<Body, P
         position: [0.0, 0.0],
         angle_deg,
         shape,
+        damping: [0.0; 2],
+        panels: Vec::new(),
     };
     body.position = file.position.unwrap_or_else(|| {
         let [lowest, _] = polygon::bounding_box(&body.placed_outline());
         [0.0, 0.0 - lowest[1]]
     });
     check_locked_directions(&body)?;
+    body.panels = resolve_panels(panels, &body, symmetry)?;
+    if let Some(damping) = file.damping {
+        if body.panels.is_empty() {
+            return Err(Problem::new("body.damping", format!("{damping:?}"), "only with [[body.panels]]"));
+        }
+        for (k, value) in damping.iter().enumerate() {
+            not_negative(&format!("body.damping[{k}]"), *value)?;
+        }
+        body.damping = damping;
+    }
     Ok(body)
 }
 

@@ -1,0 +1,363 @@
+//! A body whose surface bends: panels of beam elements on a rigid frame, one set of equations (THEORY K1–K6).
+
+use structure_fe::{Dof, Dynamics, State, SupportMotion};
+
+use sph_core::{WallForces, WallPoint, WallsMut, Yields};
+
+use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
+use crate::carrier::Carrier;
+use crate::flexible::{FlexibleSpec, Frame, Model};
+use crate::flexible_yield::FlexibleYield;
+use crate::outline::Outline;
+use crate::panel::{PanelState, Watched};
+use crate::pose::{Rigid, rotate};
+use crate::prescribed::Law;
+use crate::rows::Arrangement;
+use crate::skin::Skin;
+
+/// See the module's text. The load of a step is the mean force of the fluid, carried to the nodes by the transpose of
+/// what places the boundary particles; the structure's step changes momentum by exactly that (THEORY S21).
+pub struct FlexibleBody {
+    name: String,
+    model: Model,
+    arrangement: Arrangement,
+    rest: Outline,
+    half: bool,
+    law: Option<Law>,
+    free: [bool; 3],
+    carriers: Vec<Carrier>,
+    skin: Skin,
+    weight: Vec<[f64; 3]>,
+    outline: Outline,
+    state: Moving,
+    saved: Option<(Moving, Outline)>,
+}
+
+/// What a step changes.
+#[derive(Clone)]
+struct Moving {
+    nodes: State,
+    /// Load of the fluid on the nodes: the mean over the step, and now.
+    mean: Vec<[f64; 3]>,
+    now: Vec<[f64; 3]>,
+    /// Where the fluid last saw the boundary particles [m]: where they were expected. What the expectation missed is made
+    /// up in the next step's velocity, so that the fluid sees a path without jumps (K5).
+    shown: Vec<[f64; 2]>,
+    /// Impulses of blows that the next step takes up.
+    struck: Vec<[f64; 3]>,
+    /// Resultant force of the fluid now [N/m], and its moment about the tank's origin [N].
+    force: [f64; 3],
+    external: [f64; 2],
+    work: f64,
+    support: f64,
+    dissipated: f64,
+}
+
+impl FlexibleBody {
+    /// The body at the start, its panels undeformed, under its own weight alone.
+    pub fn new(spec: FlexibleSpec) -> Result<FlexibleBody, BodyError> {
+        let (mut model, mut nodes) = Model::new(&spec)?;
+        let FlexibleSpec { name, outline, frame, gravity, half, .. } = spec;
+        let weight = model.dynamics.weight(gravity);
+        let (law, free) = match frame {
+            Frame::Given(law) => (Some(law), [false; 3]),
+            Frame::Free { free, .. } => (None, free),
+        };
+        if let Some(law) = &law {
+            prescribe(&mut model, &law(0.0)).map_err(|error| BodyError::structure(&name, &error))?;
+        }
+        model.dynamics.equilibrate(&mut nodes, &weight).map_err(|error| BodyError::structure(&name, &error))?;
+        let still = vec![[0.0; 3]; weight.len()];
+        let skin = Skin::new(&outline, &model, half);
+        let state = Moving {
+            nodes,
+            mean: still.clone(),
+            shown: Vec::new(),
+            now: still.clone(),
+            struck: still,
+            force: [0.0; 3],
+            external: [0.0; 2],
+            work: 0.0,
+            support: 0.0,
+            dissipated: 0.0,
+        };
+        let (arrangement, carriers) = (Arrangement::default(), Vec::new());
+        let rest = outline.clone();
+        Ok(FlexibleBody {
+            name, model, arrangement, rest, half, law, free, carriers, skin, weight, outline, state, saved: None,
+        })
+    }
+
+    /// The structure's motion: displacements, velocities and accelerations of its nodes.
+    pub fn nodes(&self) -> &State {
+        &self.state.nodes
+    }
+
+    /// The structure.
+    pub fn dynamics(&self) -> &Dynamics {
+        &self.model.dynamics
+    }
+
+    /// Mean load of the fluid over the last step, `[nodes][F_x, F_y, M]` [N/m, N/m, N].
+    pub fn load_of_fluid(&self) -> &[[f64; 3]] {
+        &self.state.mean
+    }
+
+    /// Displacements `ahead` [s] from now, at constant acceleration; of a frame that moves as told, where it is told to be.
+    fn ahead(&self, ahead: f64) -> Vec<[f64; 3]> {
+        let State { displacement, velocity, acceleration, .. } = &self.state.nodes;
+        let each = displacement.iter().zip(velocity).zip(acceleration);
+        each.map(|((q, v), a)| [0, 1, 2].map(|k| q[k] + ahead * (v[k] + 0.5 * ahead * a[k]))).collect()
+    }
+
+    fn frame(&self) -> Rigid {
+        self.model.frame(&self.state.nodes)
+    }
+
+    /// The outline where the structure is now.
+    fn follow(&mut self) -> Result<(), BodyError> {
+        let frame = self.frame();
+        self.outline = self.skin.outline(&self.model.carriage, &self.state.nodes.displacement, &frame)?;
+        Ok(())
+    }
+
+    /// A point in space, in the body's frame.
+    fn to_frame(&self, at: [f64; 2]) -> [f64; 2] {
+        let frame = self.frame();
+        rotate([at[0] - frame.pole[0], at[1] - frame.pole[1]], -frame.angle)
+    }
+
+    /// Of a half that is simulated, both count: what acts along y twice, what acts along x not at all.
+    fn both(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        if self.half { [0.0, 2.0 * y] } else { [x, y] }
+    }
+}
+
+/// Tell the frame's node how to move.
+fn prescribe(model: &mut Model, told: &Rigid) -> Result<(), structure_fe::Error> {
+    let [displacement, velocity, acceleration] = model.node_of(told);
+    for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
+        let motion = SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
+        model.dynamics.prescribe(model.carriage.frame, dof, motion)?;
+    }
+    Ok(())
+}
+
+fn pairing(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
+}
+
+impl WettedBody for FlexibleBody {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn arrange(&mut self, arrangement: Arrangement) {
+        self.arrangement = arrangement;
+    }
+
+    fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
+        let mut points = crate::sampling::sample(&self.rest, spacing, layers, self.half, self.arrangement);
+        let start = self.model.start;
+        for point in &mut points {
+            let foot = [0, 1].map(|k| point.at[k] + point.depth * point.normal[k]);
+            self.carriers.push(self.model.carrier(foot, point.at, point.normal));
+            (point.at, point.normal) = (start.point(point.at), rotate(point.normal, start.angle));
+        }
+        Ok(points)
+    }
+
+    fn place(&self, ahead: f64, out: WallsMut<'_>) {
+        let State { displacement: now, velocity, acceleration, .. } = &self.state.nodes;
+        let then = self.ahead(ahead);
+        let carriage = &self.model.carriage;
+        for (k, carrier) in self.carriers.iter().enumerate() {
+            let from = self.state.shown.get(k).copied().unwrap_or_else(|| carriage.place(carrier, now).at);
+            let to = carriage.place(carrier, &then);
+            [out.x[k], out.y[k]] = to.at;
+            [out.nx[k], out.ny[k]] = to.normal;
+            [out.u[k], out.v[k]] = if ahead > 0.0 {
+                [0, 1].map(|axis| (to.at[axis] - from[axis]) / ahead)
+            } else {
+                carriage.velocity(carrier, now, velocity)
+            };
+            [out.ax[k], out.ay[k]] = carriage.acceleration(carrier, &then, velocity, acceleration);
+        }
+    }
+
+    fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+        let now = &self.state.nodes;
+        let each = now.velocity.iter().zip(&now.acceleration);
+        let velocity = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + ahead * a[k])).collect();
+        let then = State { displacement: self.ahead(ahead), velocity, ..now.clone() };
+        let (dynamics, riders) = (&mut self.model.dynamics, (&self.model.carriage, &self.carriers[..]));
+        let owner = FlexibleYield::new(&self.name, dynamics, riders, &then, &self.weight, ahead)?;
+        Ok(Some(Box::new(owner)))
+    }
+
+    fn load(&mut self, force: WallForces<'_>) {
+        let (m, carriage) = (&mut self.state, &self.model.carriage);
+        m.mean.fill([0.0; 3]);
+        m.now.fill([0.0; 3]);
+        m.force = [0.0; 3];
+        m.shown.clear();
+        m.shown.extend(force.x.iter().zip(force.y).map(|(x, y)| [*x, *y]));
+        for (k, carrier) in self.carriers.iter().enumerate() {
+            let (q, now) = (&m.nodes.displacement, [force.fx[k], force.fy[k]]);
+            carriage.carry(carrier, q, [force.mean_fx[k], force.mean_fy[k]], &mut m.mean);
+            carriage.carry(carrier, q, now, &mut m.now);
+            let moment = force.x[k] * now[1] - force.y[k] * now[0];
+            m.force = [m.force[0] + now[0], m.force[1] + now[1], m.force[2] + moment];
+        }
+    }
+
+    fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
+        if let Some(law) = &self.law {
+            let told = law(self.state.nodes.time + dt);
+            prescribe(&mut self.model, &told).map_err(|error| BodyError::structure(&self.name, &error))?;
+        }
+        let (m, dynamics) = (&mut self.state, &mut self.model.dynamics);
+        let before = (m.nodes.displacement.clone(), dynamics.momentum(&m.nodes));
+        let all: Vec<[f64; 3]> = (0..self.weight.len())
+            .map(|n| [0, 1, 2].map(|k| m.mean[n][k] + self.weight[n][k] + m.struck[n][k] / dt))
+            .collect();
+        let stepped = dynamics.step(&mut m.nodes, &all, dt);
+        let report = stepped.map_err(|error| BodyError::structure(&self.name, &error))?;
+        let moved: Vec<[f64; 3]> =
+            m.nodes.displacement.iter().zip(&before.0).map(|(q, p)| [0, 1, 2].map(|k| q[k] - p[k])).collect();
+        let after = dynamics.momentum(&m.nodes);
+        for k in 0..2 {
+            let sum = |loads: &[[f64; 3]]| loads.iter().map(|load| load[k]).sum::<f64>();
+            let fluid = dt * sum(&m.mean) + sum(&m.struck);
+            // a guide gives what weight and fluid do not
+            m.external[k] += if self.free[k] { dt * sum(&self.weight) } else { after[k] - before.1[k] - fluid };
+        }
+        let work = pairing(&m.mean, &moved) + pairing(&m.struck, &moved) / dt;
+        m.work += work;
+        m.dissipated += report.dissipated;
+        m.support += report.support_work;
+        m.struck.fill([0.0; 3]);
+        let now: Vec<[f64; 3]> =
+            m.now.iter().zip(&self.weight).map(|(load, weight)| [0, 1, 2].map(|k| load[k] + weight[k])).collect();
+        dynamics.equilibrate(&mut m.nodes, &now).map_err(|error| BodyError::structure(&self.name, &error))?;
+        self.follow()
+    }
+
+    fn stable_dt(&self) -> f64 {
+        self.model.dynamics.stable_dt()
+    }
+
+    fn save(&mut self) {
+        self.saved = Some((self.state.clone(), self.outline.clone()));
+    }
+
+    fn restore(&mut self) {
+        if let Some((state, outline)) = &self.saved {
+            (self.state, self.outline) = (state.clone(), outline.clone());
+        }
+    }
+
+    fn energy(&self) -> Energy {
+        let (nodes, whole) = (&self.state.nodes, 1.0 / self.model.share);
+        Energy {
+            kinetic: whole * self.model.dynamics.kinetic_energy(nodes),
+            potential: -whole * pairing(&self.weight, &nodes.displacement),
+            elastic: whole * self.model.dynamics.strain_energy(nodes),
+            work: whole * self.state.work,
+            support: whole * self.state.support,
+            dissipated: whole * self.state.dissipated,
+        }
+    }
+
+    fn ledger(&self) -> Ledger {
+        let [px, py, _] = self.model.dynamics.momentum(&self.state.nodes);
+        let struck = |k: usize| self.state.struck.iter().map(|node| node[k]).sum::<f64>();
+        let momentum = self.both([px + struck(0), py + struck(1)]);
+        Ledger { momentum, external: self.both(self.state.external) }
+    }
+
+    /// Motion of the rigid frame.
+    fn motion(&self) -> Option<Motion> {
+        let (frame, [fx, fy, about]) = (self.frame(), self.state.force);
+        let force = self.both([fx, fy]);
+        let moment = if self.half { 0.0 } else { about };
+        Some(Motion {
+            position: frame.pole,
+            angle: frame.angle,
+            velocity: frame.velocity,
+            spin: frame.spin,
+            acceleration: frame.acceleration,
+            force,
+            moment: moment - frame.pole[0] * force[1] + frame.pole[1] * force[0],
+        })
+    }
+
+    fn panels(&self) -> Vec<PanelState> {
+        let (q, frame, model) = (&self.state.nodes.displacement, self.frame(), &self.model);
+        let (beam, sections) = (model.dynamics.beam(), model.dynamics.section_forces(&self.state.nodes));
+        let one = |panel: &crate::panel::Panel| {
+            let watched = panel.spec.watch.iter().map(|&share| {
+                let (element, t) = panel.element_at(share);
+                let perch = model.carriage.surface.on_element(element, t);
+                let still = vec![[0.0; 3]; q.len()];
+                let (at, rest) = (model.carriage.surface.place(&perch, q), model.carriage.surface.place(&perch, &still));
+                // the place as the frame alone would have carried it
+                let carried = model.carriage.place(&model.carriage.on_frame(rest.at, rest.normal), q);
+                let moved = [0, 1].map(|k| at.at[k] - carried.at[k]);
+                let ends = &sections[2 * element..2 * element + 2];
+                let section = crate::panel::between(&ends[0], &ends[1], t);
+                let left = carried.normal;
+                Watched {
+                    share,
+                    displacement: rotate(moved, -frame.angle),
+                    deflection: moved[0] * left[0] + moved[1] * left[1],
+                    strain: panel.strain(beam, element, &section),
+                    section,
+                }
+            });
+            PanelState { name: panel.spec.name.clone(), watched: watched.collect(), stress: panel.stress(beam, &sections) }
+        };
+        model.panels.iter().map(one).collect()
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        Some(&self.outline)
+    }
+
+    fn clearance(&self, at: [f64; 2]) -> f64 {
+        self.outline.signed_distance(self.to_frame(at))
+    }
+
+    fn surface(&self, at: [f64; 2]) -> Surface {
+        let (frame, nodes) = (self.frame(), &self.state.nodes);
+        let (found, normal) = self.outline.nearest(self.to_frame(at));
+        let at = rotate(found, frame.angle);
+        let velocity = self.skin.velocity(&self.model.carriage, &self.outline, found, nodes);
+        Surface { at: [0, 1].map(|k| frame.pole[k] + at[k]), normal: rotate(normal, frame.angle), velocity }
+    }
+
+    fn ride(&self, at: [f64; 2]) -> Option<(Surface, [f64; 2])> {
+        let (_, normal) = self.rest.nearest(at);
+        let (carriage, carrier) = (&self.model.carriage, self.model.carrier(at, at, normal));
+        let State { displacement, velocity, acceleration, .. } = &self.state.nodes;
+        let place = carriage.place(&carrier, displacement);
+        let surface =
+            Surface { at: place.at, normal: place.normal, velocity: carriage.velocity(&carrier, displacement, velocity) };
+        Some((surface, carriage.acceleration(&carrier, displacement, velocity, acceleration)))
+    }
+
+    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        let found = self.to_frame(at);
+        let m = &mut self.state;
+        self.skin.carry(&self.model.carriage, &self.outline, found, &m.nodes.displacement, impulse, &mut m.struck);
+    }
+
+    /// The half that is simulated feels its own blow; its image is the other half's.
+    fn strike_both(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        self.strike(at, impulse);
+    }
+
+    fn prescribed(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,85 @@
+//! Elastic and viscous forces apart from inertia, and their tangents: for rules with a lumped mass.
+
+use crate::beam::add_ends;
+use crate::bordered::Bordered;
+use crate::corotational::{Chord, add_deformation_matrix, add_elastic_tangent, elastic_forces};
+use crate::element::end_forces;
+use crate::inertia::Damping;
+use crate::system::System;
+
+impl System {
+    /// Elastic forces of beams and springs (THEORY S10); `tangent`: adds that many times the tangent (S11) to the
+    /// matrix, forces taken to the bodies with the first arms, displacements with the second.
+    pub fn elastic_forces(
+        &self,
+        q: &[[f64; 3]],
+        forces: &mut [[f64; 3]],
+        tangent: Option<(f64, [&[[f64; 2]]; 2], &mut Bordered)>,
+    ) {
+        forces.fill([0.0; 3]);
+        self.supports.add_spring_forces(q, forces);
+        let Some((factor, arms, matrix)) = tangent else {
+            for (nodes, element) in self.beam.formulated() {
+                let chord = Chord::new(element, &self.beam.ends(nodes, q));
+                add_ends(forces, nodes, &chord.to_global(&elastic_forces(element, &chord)));
+            }
+            return;
+        };
+        for (nodes, element) in self.beam.formulated() {
+            let chord = Chord::new(element, &self.beam.ends(nodes, q));
+            add_ends(forces, nodes, &chord.to_global(&elastic_forces(element, &chord)));
+            let mut local = [[0.0; 6]; 6];
+            add_elastic_tangent(element, &chord, &[0.0; 3], factor, &mut local);
+            self.add_matrix(nodes, &chord.matrix_to_global(&local), arms, matrix);
+        }
+        self.add_stiffness_of_springs(factor, arms, matrix);
+    }
+
+    /// Forces of the damping (THEORY S13), with a lumped `mass`, of velocities `v` where the model is at `q`.
+    pub fn viscous_forces(
+        &self,
+        q: &[[f64; 3]],
+        v: &[[f64; 3]],
+        damping: &Damping,
+        mass: &[[f64; 3]],
+    ) -> Vec<[f64; 3]> {
+        let each = mass.iter().zip(v);
+        let mut forces: Vec<[f64; 3]> =
+            each.map(|(mass, v)| [0, 1, 2].map(|dof| damping.mass * mass[dof] * v[dof])).collect();
+        if damping.stiffness > 0.0 {
+            for (nodes, element) in self.beam.formulated() {
+                let chord = Chord::new(element, &self.beam.ends(nodes, q));
+                let rates = chord.deformation_rates(&chord.to_local(&self.beam.ends(nodes, v)));
+                let viscous = [0, 1, 2].map(|i| damping.stiffness * element.stiffness[i] * rates[i]);
+                add_ends(&mut forces, nodes, &chord.to_global(&end_forces(&viscous, chord.length)));
+            }
+            for spring in self.supports.springs() {
+                let dof = spring.dof as usize;
+                forces[spring.node][dof] += damping.stiffness * spring.stiffness * v[spring.node][dof];
+            }
+        }
+        forces
+    }
+
+    /// Adds `factor` times the damping's derivative by velocity, but for the part of the mass.
+    pub fn add_viscosity(
+        &self,
+        q: &[[f64; 3]],
+        damping: &Damping,
+        factor: f64,
+        arms: [&[[f64; 2]]; 2],
+        matrix: &mut Bordered,
+    ) {
+        if damping.stiffness > 0.0 {
+            let factor = factor * damping.stiffness;
+            for (nodes, element) in self.beam.formulated() {
+                let chord = Chord::new(element, &self.beam.ends(nodes, q));
+                let [axial, arc, ess] = element.stiffness;
+                let mut local = [[0.0; 6]; 6];
+                add_deformation_matrix(&chord, &[axial, 0.0, 0.0, arc, 0.0, ess], factor, &mut local);
+                self.add_matrix(nodes, &chord.matrix_to_global(&local), arms, matrix);
+            }
+            self.add_stiffness_of_springs(factor, arms, matrix);
+        }
+    }
+}
