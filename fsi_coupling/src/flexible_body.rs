@@ -239,7 +239,7 @@ impl WettedBody for FlexibleBody {
         m.struck.fill([0.0; 3]);
         let now: Vec<[f64; 3]> =
             m.now.iter().zip(&self.weight).map(|(load, weight)| [0, 1, 2].map(|k| load[k] + weight[k])).collect();
-        dynamics.equilibrate(&mut m.nodes, &now).map_err(|error| BodyError::structure(&self.name, &error))?;
+        dynamics.equilibrate_over(&mut m.nodes, &now, dt).map_err(|error| BodyError::structure(&self.name, &error))?;
         self.follow()
     }
 

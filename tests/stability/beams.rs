@@ -59,18 +59,44 @@ fn show(floor: &Floor, schemes: &[Scheme], periods: f64) {
 }
 
 #[test]
+fn mismatch() {
+    for ratio in [1.0, 0.1, 0.01, 0.001] {
+        for fall in [0.0, 1.0] {
+            let mut system = Floor { fall, ..Floor::still(ratio, 20) }.build(STRONG[2]).expect("a start");
+            let range = system.range(0);
+            let (mut worst, mut mean, mut n) = (0.0_f64, 0.0, 0.0);
+            for step in 0..150 {
+                let dt = system.stable_dt().expect("dt");
+                system.step(dt).expect("step");
+                let seen = system.walls.slice_mut(range.clone());
+                let seen: Vec<f64> = seen.ay.to_vec();
+                let mut copy = system.walls.clone();
+                system.bodies().next().expect("strip").place(0.0, copy.slice_mut(range.clone()));
+                let now = &copy.ay[range.clone()];
+                let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
+                let gap = norm(&mut seen.iter().zip(now).map(|(a, b)| a - b));
+                let size = norm(&mut now.iter().copied());
+                if step < 10 { println!("   {step} {gap:.3e} {size:.3e}"); }
+                worst = worst.max(gap / size);
+                mean += gap / size;
+                n += 1.0;
+            }
+            println!("ratio {ratio}, fall {fall}: worst {worst:.3e} mean {:.3e}", mean / n);
+        }
+    }
+}
+#[test]
 fn beams_map() {
     let all = [Scheme::Weak, STRONG[0], STRONG[1], STRONG[2]];
-    for ratio in [0.003, 0.001] {
+    for ratio in [1.0, 0.1, 0.01, 0.003, 0.001, 0.0001] {
         show(&Floor::still(ratio, 20), &all, 1.5);
     }
-    show(&Floor::still(0.01, 40), &all[1..], 1.5);
     for ratio in [1.0, 0.1, 0.01, 0.001] {
         show(&Floor { fall: 1.0, ..Floor::still(ratio, 20) }, &all, 0.5);
     }
-    for courant in [0.6, 0.3, 0.15] {
+    for courant in [0.6, 0.15] {
         for rows in [20, 40] {
-            for radius in [0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1] {
+            for radius in [0.4, 0.5, 0.6, 0.7, 0.8] {
                 show(&Floor { courant, ..Floor::still(0.5 / f64::from(rows) / radius, rows) }, &all[..1], 0.75);
             }
         }
