@@ -21,5 +21,7 @@ pub mod load;
 pub mod plates;
 #[path = "support/statistics.rs"]
 pub mod statistics;
+#[path = "support/strip.rs"]
+pub mod strip;
 #[path = "support/systems.rs"]
 pub mod systems;

@@ -1,6 +1,6 @@
 //! What a wetted body is: three verbs (place, load, advance) with contracts, and what observers may ask.
 
-use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yielding};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::outline::Outline;
 use crate::panel::PanelState;
@@ -125,11 +125,11 @@ pub trait WettedBody: Send {
         Vec::new()
     }
 
-    /// How a force at the end of a step of `ahead` [s] accelerates the body (THEORY C2): its motion as `place` writes it,
-    /// inertia, and acceleration without a fluid; `range` and `mirrored` are the caller's. `None` for a body whose motion
-    /// is given, or is not rigid.
-    fn yielding(&self, _ahead: f64) -> Option<Yielding> {
-        None
+    /// How a force at the end of a step of `ahead` [s] accelerates the body (THEORY C2): as `place` writes its motion.
+    /// `None` for a body whose motion is given. After `load` and `advance` the body's acceleration is the one that the owner
+    /// returned here finds under the same forces: the body itself need not be told.
+    fn yielding(&mut self, _ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+        Ok(None)
     }
 
     /// Hᵀ: take the fluid's force; replaces the previous load. The mean force is what momentum obeys,

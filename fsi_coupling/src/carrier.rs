@@ -83,12 +83,7 @@ impl Carriage {
 
     /// Hᵀ f: add a force [N/m] at a place to the nodes' loads [N/m, N/m, N].
     pub fn carry(&self, carrier: &Carrier, q: Nodal, force: [f64; 2], loads: &mut [[f64; 3]]) {
-        let Influence { nodes, count, rows } = self.influence(carrier, q);
-        for (end, node) in nodes.iter().enumerate().take(count) {
-            for k in 0..3 {
-                loads[*node][k] += rows[0][3 * end + k] * force[0] + rows[1][3 * end + k] * force[1];
-            }
-        }
+        self.influence(carrier, q).carry(force, loads);
     }
 }
 
@@ -104,6 +99,16 @@ pub struct Influence {
 }
 
 impl Influence {
+    /// Transposed rows times a force [N/m], added to the nodes' loads.
+    pub fn carry(&self, force: [f64; 2], loads: &mut [[f64; 3]]) {
+        let rows = &self.rows;
+        for (end, node) in self.nodes.iter().enumerate().take(self.count) {
+            for k in 0..3 {
+                loads[*node][k] += rows[0][3 * end + k] * force[0] + rows[1][3 * end + k] * force[1];
+            }
+        }
+    }
+
     /// Rows times a field.
     pub fn of(&self, field: Nodal) -> [f64; 2] {
         self.rows.map(|row| {

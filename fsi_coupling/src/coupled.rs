@@ -102,9 +102,14 @@ pub struct MomentumAudit {
 }
 
 /// C2: the bodies that a force accelerates, as the fluid sees them at the end of a step of `ahead` [s].
-fn yielding(members: &[Member], ahead: f64, mirrored: bool) -> Vec<Yielding> {
-    let of = |m: &Member| m.body.yielding(ahead).map(|y| Yielding { range: m.range.clone(), mirrored, ..y });
-    members.iter().filter_map(of).collect()
+fn yielding(members: &mut [Member], ahead: f64, mirrored: bool) -> Result<Vec<Yielding>, BodyError> {
+    let mut owners = Vec::new();
+    for Member { body, range, .. } in members {
+        if let Some(owner) = body.yielding(ahead)? {
+            owners.push(Yielding { range: range.clone(), mirrored, owner });
+        }
+    }
+    Ok(owners)
 }
 
 impl Coupled {
@@ -132,7 +137,8 @@ impl Coupled {
         }
         let mut exchange = Exchange::new(scheme);
         let mirrored = fluid.parameters.mirror.is_some();
-        exchange.agree(&mut fluid, &mut walls, yielding(&members, 0.0, mirrored), Fluid::initialise)?;
+        let owners = yielding(&mut members, 0.0, mirrored)?;
+        exchange.agree(&mut fluid, &mut walls, owners, Fluid::initialise)?;
         exchange.report = Agreement::default();
         let mut coupled = Coupled {
             fluid,
@@ -166,7 +172,7 @@ impl Coupled {
         }
         self.walls.screens.clear();
         self.walls.screens.extend(self.members.iter().flat_map(|m| m.body.screens(dt)));
-        let owners = yielding(&self.members, dt, self.fluid.parameters.mirror.is_some());
+        let owners = yielding(&mut self.members, dt, self.fluid.parameters.mirror.is_some())?;
         self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
         for m in &mut self.members {

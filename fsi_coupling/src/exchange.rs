@@ -1,5 +1,6 @@
 //! How fluid and bodies agree on a step: on the bodies' accelerations, which the wall pressures contain (THEORY C1–C7).
 
+use sph_core::yielding::Lack;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::coupled::CouplingError;
@@ -11,7 +12,7 @@ pub enum Scheme {
     /// Not at all: the fluid sees the bodies' accelerations of the step before (E9).
     #[default]
     Weak,
-    /// Accelerations and wall pressures are found together (C2), without iterations. Rigid bodies, extrapolated walls.
+    /// Accelerations and wall pressures are found together (C2), without iterations. Extrapolated walls.
     AddedMass,
     /// Repeat the step under Aitken's relaxation (C6; Küttler & Wall 2008) until both agree.
     Aitken(Iteration),
@@ -70,17 +71,23 @@ impl Exchange {
         match self.scheme {
             Scheme::Weak => attempt(fluid, walls)?,
             Scheme::AddedMass => {
-                walls.yielding = owners;
+                fluid.yielding = owners;
                 let ended = attempt(fluid, walls);
-                owners = std::mem::take(&mut walls.yielding);
+                owners = std::mem::take(&mut fluid.yielding);
                 ended?;
-                for owner in &mut owners {
-                    (0..3).for_each(|k| owner.acceleration[k] += owner.change[k]);
-                }
             }
             Scheme::Aitken(iteration) | Scheme::IqnIls(iteration) => {
                 fluid.save();
-                let ended = self.iterate(fluid, walls, owners, attempt, iteration);
+                let (start, time) = (walls.clone(), fluid.time);
+                let ended = self.converge(iteration, time, unknowns(&owners), |accelerations, again| {
+                    if again {
+                        fluid.restore();
+                        walls.clone_from(&start);
+                        accelerate(&mut owners, walls, accelerations);
+                    }
+                    attempt(fluid, walls)?;
+                    Ok(Residual::of(&owners, walls))
+                });
                 fluid.forget();
                 return ended;
             }
@@ -90,37 +97,25 @@ impl Exchange {
         Ok(())
     }
 
-    /// C5–C7: repeat the step, from the state that the fluid remembers, with better and better accelerations.
-    fn iterate(
+    /// C5–C7: better and better unknowns, from `x` on, until a `trial` of them leaves a residual that is small enough.
+    pub fn converge(
         &mut self,
-        fluid: &mut Fluid,
-        walls: &mut Walls,
-        mut owners: Vec<Yielding>,
-        mut attempt: impl FnMut(&mut Fluid, &mut Walls) -> Result<(), Breakdown>,
         Iteration { tolerance, max_iterations }: Iteration,
+        time: f64,
+        mut x: Vec<f64>,
+        mut trial: impl FnMut(&[f64], bool) -> Result<Residual, CouplingError>,
     ) -> Result<(), CouplingError> {
-        let (start, first) = (walls.clone(), owners.clone());
         self.relaxation.begin();
-        let time = fluid.time;
-        for iterations in 1..=max_iterations.max(1) {
-            attempt(fluid, walls)?;
-            let residual = Residual::of(&owners, walls);
-            if residual.relative <= tolerance {
-                self.note(iterations, residual.relative);
-                return Ok(());
+        for iterations in 1.. {
+            let Residual { of_unknowns, relative: residual } = trial(&x, iterations > 1)?;
+            if residual <= tolerance {
+                self.note(iterations, residual);
+                break;
             }
             if iterations >= max_iterations {
-                let residual = residual.relative;
                 return Err(CouplingError::NotConverged { iterations, residual, tolerance, time });
             }
-            let better = self.relaxation.next(&unknowns(&owners), &residual.of_unknowns);
-            fluid.restore();
-            walls.clone_from(&start);
-            for ((owner, first), better) in owners.iter_mut().zip(&first).zip(better.chunks(3)) {
-                owner.acceleration = [0, 1, 2].map(|k| better[k] / scales(owner)[k]);
-                let change = [0, 1, 2].map(|k| owner.acceleration[k] - first.acceleration[k]);
-                walls.accelerate(owner.range.clone(), owner.pole, change);
-            }
+            x = self.relaxation.next(&x, &of_unknowns);
         }
         Ok(())
     }
@@ -134,42 +129,40 @@ impl Exchange {
     }
 }
 
-/// C5: angular accelerations count by the radius of gyration [m], so that all unknowns are in m/s².
-fn scales(owner: &Yielding) -> [f64; 3] {
-    let [x, y, angle] = owner.mobility;
-    let gyration = if angle > 0.0 && x.max(y) > 0.0 { (x.max(y) / angle).sqrt() } else { 1.0 };
-    [1.0, 1.0, gyration]
+/// The accelerations that the walls' kinematics were written with [m/s²], of all owners.
+pub(crate) fn unknowns(owners: &[Yielding]) -> Vec<f64> {
+    owners.iter().flat_map(|member| member.owner.unknowns()).collect()
 }
 
-/// The accelerations that the walls' kinematics were written with [m/s²], three an owner.
-fn unknowns(owners: &[Yielding]) -> Vec<f64> {
-    owners.iter().flat_map(|owner| [0, 1, 2].map(|k| scales(owner)[k] * owner.acceleration[k])).collect()
+/// Give the owners' particles other accelerations [m/s²], of all owners, than their kinematics were written with.
+pub(crate) fn accelerate(owners: &mut [Yielding], walls: &mut Walls, mut unknowns: &[f64]) {
+    for Yielding { range, owner, .. } in owners {
+        let (own, others) = unknowns.split_at(owner.unknowns().len());
+        owner.accelerate(own, walls.slice_mut(range.clone()));
+        unknowns = others;
+    }
 }
 
 /// C5: what the accelerations lack of those that the forces cause.
-struct Residual {
-    of_unknowns: Vec<f64>,
+pub(crate) struct Residual {
+    pub of_unknowns: Vec<f64>,
     /// Over the accelerations that forces cause and that result, summed [-].
-    relative: f64,
+    pub relative: f64,
 }
 
 impl Residual {
-    fn of(owners: &[Yielding], walls: &Walls) -> Residual {
+    pub fn of(owners: &[Yielding], walls: &Walls) -> Residual {
         let (mut of_unknowns, mut squares) = (Vec::new(), [0.0; 3]);
-        for owner in owners {
-            let mut forces = walls.forces(owner.range.clone());
-            forces.mirrored = owner.mirrored;
-            let total = forces.resultant(owner.pole);
-            let force = [total.force[0], total.force[1], total.moment];
-            let (lack, scale) = (owner.lack(force), scales(owner));
-            for k in 0..3 {
-                let (lack, caused) = (scale[k] * lack[k], scale[k] * owner.mobility[k] * force[k]);
-                let found = lack + scale[k] * owner.acceleration[k];
-                for (sum, value) in squares.iter_mut().zip([lack, caused, found]) {
+        for Yielding { range, mirrored, owner } in owners {
+            let mut forces = walls.forces(range.clone());
+            forces.mirrored = *mirrored;
+            let Lack { lack, caused } = owner.lack(&forces);
+            for ((lack, caused), unknown) in lack.iter().zip(caused).zip(owner.unknowns()) {
+                for (sum, value) in squares.iter_mut().zip([*lack, caused, lack + unknown]) {
                     *sum += value * value;
                 }
-                of_unknowns.push(lack);
             }
+            of_unknowns.extend(lack);
         }
         let [lack, caused, found] = squares.map(f64::sqrt);
         let relative = if lack == 0.0 { 0.0 } else { lack / (caused + found) };

@@ -2,11 +2,12 @@
 
 use structure_fe::{Dof, Dynamics, State, SupportMotion};
 
-use sph_core::{Screen, WallForces, WallPoint, WallsMut};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::carrier::Carrier;
 use crate::flexible::{FlexibleSpec, Frame, Model};
+use crate::flexible_yield::FlexibleYield;
 use crate::outline::Outline;
 use crate::panel::{PanelState, Watched};
 use crate::pose::{Rigid, rotate};
@@ -221,6 +222,16 @@ impl WettedBody for FlexibleBody {
         vec![Screen { points: placed(&then), start: placed(now), half_thickness, own_image: self.half }]
     }
 
+    fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+        let now = &self.state.nodes;
+        let each = now.velocity.iter().zip(&now.acceleration);
+        let velocity = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + ahead * a[k])).collect();
+        let then = State { displacement: self.ahead(ahead), velocity, ..now.clone() };
+        let (dynamics, riders) = (&mut self.model.dynamics, (&self.model.carriage, &self.carriers[..]));
+        let owner = FlexibleYield::new(&self.name, dynamics, riders, &then, &self.weight, ahead)?;
+        Ok(Some(Box::new(owner)))
+    }
+
     fn load(&mut self, force: WallForces<'_>) {
         let (m, carriage) = (&mut self.state, &self.model.carriage);
         m.mean.fill([0.0; 3]);
@@ -265,7 +276,7 @@ impl WettedBody for FlexibleBody {
         m.struck.fill([0.0; 3]);
         let now: Vec<[f64; 3]> =
             m.now.iter().zip(&self.weight).map(|(load, weight)| [0, 1, 2].map(|k| load[k] + weight[k])).collect();
-        dynamics.equilibrate(&mut m.nodes, &now).map_err(|error| BodyError::structure(&self.name, &error))?;
+        dynamics.equilibrate_over(&mut m.nodes, &now, dt).map_err(|error| BodyError::structure(&self.name, &error))?;
         self.follow()
     }
 

@@ -7,6 +7,8 @@
 pub mod beam_surface;
 pub mod body;
 pub mod carrier;
+#[cfg(test)]
+mod column_tests;
 mod contact;
 pub mod coupled;
 pub mod course;
@@ -14,6 +16,7 @@ pub mod exchange;
 pub mod fill;
 pub mod flexible;
 pub mod flexible_body;
+pub mod flexible_yield;
 pub mod force_rules;
 pub mod nodal;
 pub mod outline;
@@ -24,6 +27,7 @@ pub mod pose;
 pub mod prescribed;
 pub mod relaxation;
 pub mod rigid;
+pub mod rigid_yield;
 pub mod rows;
 pub mod sampling;
 pub mod shape;

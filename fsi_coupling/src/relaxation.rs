@@ -8,8 +8,8 @@ const CAUTIOUS: f64 = 0.5;
 const FACTOR: [f64; 2] = [1e-3, 1.0];
 /// A column whose part across the newer ones is a smaller share of it says nothing new (C7).
 const NEW: f64 = 1e-3;
-/// Columns of C7 that are kept, in unknowns.
-const MEMORY: usize = 2;
+/// Columns of C7 that are kept, in unknowns, and at most.
+const MEMORY: [usize; 2] = [2, 40];
 
 /// A relaxation, with what it has learnt.
 #[derive(Clone)]
@@ -68,7 +68,7 @@ impl Relaxation {
                     let residual = difference(r, &before);
                     let outcome = difference(x, &x_before).iter().zip(&residual).map(|(x, r)| x + r).collect();
                     columns.push_front(Column { residual, outcome });
-                    columns.truncate(MEMORY * r.len());
+                    columns.truncate((MEMORY[0] * r.len()).min(MEMORY[1]));
                 }
                 quasi_newton(columns, x, r)
             }

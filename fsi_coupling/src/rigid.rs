@@ -9,11 +9,12 @@ use std::f64::consts::{PI, TAU};
 
 use rapier2d::prelude::*;
 use sph_core::walls::Resultant;
-use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yielding};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
 use crate::pose::{Rigid, Shape};
+use crate::rigid_yield::RigidYield;
 use crate::rows::Arrangement;
 
 /// A rigid body to be built; everything per metre of span.
@@ -188,18 +189,19 @@ impl WettedBody for RigidBody2d {
         self.shape.screens(&now, &now.ahead(ahead))
     }
 
-    fn yielding(&self, ahead: f64) -> Option<Yielding> {
+    fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
         let (now, spec) = (self.rigid(), &self.spec);
         let ([x, y], inverse) = (now.acceleration, [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia));
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
-        Some(Yielding {
+        Ok(Some(Box::new(RigidYield {
             pole: now.ahead(ahead).pole,
             velocity: now.ahead(0.5 * ahead).velocity,
-            acceleration: [x, y, now.spin_rate],
+            dt: ahead,
+            predicted: [x, y, now.spin_rate],
+            change: [0.0; 3],
             mobility: [0, 1, 2].map(|k| free(k, inverse[k])),
             free_fall: [free(0, spec.gravity[0]), free(1, spec.gravity[1]), 0.0],
-            ..Yielding::default()
-        })
+        })))
     }
 
     fn load(&mut self, force: WallForces<'_>) {

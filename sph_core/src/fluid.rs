@@ -16,6 +16,7 @@ use crate::sweeps::{DensityRate, Momentum, WallForce};
 use crate::turbulence::Stress;
 use crate::wall_model::WallModel;
 use crate::walls::Walls;
+use crate::yielding::Yielding;
 
 /// A weakly compressible fluid.
 pub struct Fluid {
@@ -31,6 +32,8 @@ pub struct Fluid {
     pub steps: u64,
     /// Neighbour lists.
     pub search: Search,
+    /// Owners of walls whose acceleration is found together with their pressures (THEORY C2); the others' is given.
+    pub yielding: Vec<Yielding>,
     pub(crate) rows: Rows,
     pub(crate) old: Old,
     pub(crate) density_rate: Vec<f64>,
@@ -86,6 +89,7 @@ impl Fluid {
             time: 0.0,
             steps: 0,
             search: Search::default(),
+            yielding: Vec::new(),
             rows: Rows::default(),
             old: Old::default(),
             density_rate: Vec::new(),

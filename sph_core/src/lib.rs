@@ -8,7 +8,7 @@
 //!
 //! Units are SI, per metre of span; equations are numbered in `THEORY.md`.
 
-pub mod added_mass;
+mod added_mass;
 pub mod audit;
 pub mod cells;
 pub mod density_filter;
@@ -44,8 +44,8 @@ pub mod wall_model;
 mod wall_sweeps;
 pub mod walls;
 mod xsph;
+pub mod yielding;
 
-pub use added_mass::Yielding;
 pub use density_filter::DensityFilter;
 pub use dissipation::Dissipation;
 pub use error::Breakdown;
@@ -60,3 +60,4 @@ pub use summation::DensityEvolution;
 pub use turbulence::Turbulence;
 pub use wall_model::{WallModel, WallTreatment};
 pub use walls::{WallForces, WallPoint, Walls, WallsMut};
+pub use yielding::{Yielding, Yields};

@@ -3,7 +3,6 @@
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
 
-use crate::added_mass::Yielding;
 use crate::screen::{Screen, ThinShare};
 
 /// One boundary particle as its owner samples it.
@@ -63,8 +62,6 @@ pub struct Walls {
     /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
     /// ends, lacks of the mean moment.
     pub mean_swing: Vec<f64>,
-    /// Owners whose acceleration is found together with their pressures (THEORY C2); the others' is given.
-    pub yielding: Vec<Yielding>,
     /// Middle lines of thin walls (THEORY T1), in the order of their owners.
     pub screens: Vec<Screen>,
     /// What part of a thin wall each particle is; `None` for ordinary walls.
@@ -120,15 +117,6 @@ impl Walls {
     pub fn displacement(&self, k: usize, offset: f64) -> [f64; 2] {
         let bend = 0.5 * offset * (offset + self.dt);
         [offset * self.u[k] + bend * self.ax[k], offset * self.v[k] + bend * self.ay[k]]
-    }
-
-    /// Change the acceleration of an owner's particles by that of a rigid motion about `pole` [m]: x, y [m/s²], angle
-    /// [rad/s²]. Positions and velocities stay.
-    pub fn accelerate(&mut self, range: std::ops::Range<usize>, pole: [f64; 2], change: [f64; 3]) {
-        for k in range {
-            self.ax[k] += change[0] - change[2] * (self.y[k] - pole[1]);
-            self.ay[k] += change[1] + change[2] * (self.x[k] - pole[0]);
-        }
     }
 
     /// (r − r_end)×F [N] for a force [N/m] on particle `k` at `offset` [s] from the step's end.
