@@ -226,7 +226,17 @@ fn a_hosts_wedge_falls_like_the_scenes() {
     }
     let reference = judged(&of_scene);
     println!("scene: {} steps, force {:.1} N/m, velocity {:.5} m/s", of_scene.len(), reference[0], reference[1]);
-    for (times, tries, tolerance) in [(1.0, 1, 1e-3), (3.0, 1, 9.0), (10.0, 1, 9.0), (10.0, 2, 9.0), (10.0, 3, 9.0), (10.0, 6, 9.0), (30.0, 1, 9.0), (30.0, 4, 9.0), (30.0, 8, 9.0)] {
+    for (times, tries, tolerance) in [
+        (1.0, 1, 1e-3),
+        (3.0, 1, 9.0),
+        (10.0, 1, 9.0),
+        (10.0, 2, 9.0),
+        (10.0, 3, 9.0),
+        (10.0, 6, 9.0),
+        (30.0, 1, 9.0),
+        (30.0, 4, 9.0),
+        (30.0, 8, 9.0),
+    ] {
         let of_host = drop_by_host(times, tries, end);
         let found = judged(&of_host);
         let gaps = [found[0] / reference[0] - 1.0, (found[1] - reference[1]) / (reference[1] + 6.15)];
