@@ -86,6 +86,27 @@ fn mismatch() {
     }
 }
 #[test]
+fn in_time() {
+    for (ratio, fall) in [(0.1, 0.0), (0.01, 0.0), (0.001, 0.0), (0.1, 1.0), (0.01, 1.0), (0.001, 1.0)] {
+        for scheme in [Scheme::Weak, STRONG[0]] {
+            for courant in [0.6, 0.3, 0.15, 0.075] {
+                let mut system = Floor { fall, courant, ..Floor::still(ratio, 20) }.build(scheme).expect("a start");
+                print!("ratio {ratio} fall {fall} C {courant} {scheme:?}: ");
+                'run: for k in 1..9 {
+                    let end = 0.025 * f64::from(k);
+                    while end - system.fluid.time > 1e-12 {
+                        let left = end - system.fluid.time;
+                        let stepped = system.stable_dt().and_then(|dt| system.step(left / (left / dt).ceil()));
+                        if stepped.is_err() { print!("broke"); break 'run; }
+                    }
+                    print!("{:.5} ", deflection(&system));
+                }
+                println!();
+            }
+        }
+    }
+}
+#[test]
 fn beams_map() {
     let all = [Scheme::Weak, STRONG[0], STRONG[1], STRONG[2]];
     for ratio in [1.0, 0.1, 0.01, 0.003, 0.001, 0.0001] {
