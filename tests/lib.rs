@@ -17,6 +17,8 @@ pub mod heave;
 pub mod light;
 #[path = "support/load.rs"]
 pub mod load;
+#[path = "support/plates.rs"]
+pub mod plates;
 #[path = "support/statistics.rs"]
 pub mod statistics;
 #[path = "support/strip.rs"]

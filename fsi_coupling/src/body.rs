@@ -1,6 +1,6 @@
 //! What a wetted body is: three verbs (place, load, advance) with contracts, and what observers may ask.
 
-use sph_core::{WallForces, WallPoint, WallsMut, Yields};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::outline::Outline;
 use crate::panel::PanelState;
@@ -119,9 +119,15 @@ pub trait WettedBody: Send {
     /// then, and their acceleration. After `advance(ahead)` the body is there, to second order.
     fn place(&self, ahead: f64, out: WallsMut<'_>);
 
+    /// Middle lines of the body's thin walls (THEORY T1) `ahead` [s] from now and now, as many and in the same order every
+    /// time; after `sample`, whose particles say which screen they belong to.
+    fn screens(&self, _ahead: f64) -> Vec<Screen> {
+        Vec::new()
+    }
+
     /// How a force at the end of a step of `ahead` [s] accelerates the body (THEORY C2): as `place` writes its motion.
-    /// `None` for a body whose motion is given. After `load` and `advance` the body's acceleration is the one that the owner
-    /// returned here finds under the same forces: the body itself need not be told.
+    /// `None` for a body whose motion is given. The body itself need not be told what is found: after `load` and `advance` it
+    /// has the acceleration that the owner returned here finds under the same forces, as far as the step resolves it.
     fn yielding(&mut self, _ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
         Ok(None)
     }

@@ -4,12 +4,24 @@
 //! corner cuts through, meets the outline itself: it is put back on the surface and its approach is stopped, an
 //! inelastic blow that the body feels as the same impulse.
 
-use sph_core::Fluid;
+use sph_core::{Fluid, Passage};
 
 use crate::body::WettedBody;
 
 /// How far above the surface a particle is put back, in smoothing lengths: enough for rounding.
 const ABOVE: f64 = 1e-6;
+
+/// How deep below its face a particle that went through a plate is put before it is thrown back, of half the thickness.
+const BELOW_FACE: f64 = 0.5;
+
+/// T5: take a particle that went through a screen of `body`, of the given half thickness [m], back to the face it met; the work
+/// of the blow on the body [J/m].
+pub(crate) fn take_back(fluid: &mut Fluid, passage: &Passage, half_thickness: f64, body: &mut dyn WettedBody) -> f64 {
+    let below = BELOW_FACE * half_thickness;
+    let Passage { particle, at, normal, .. } = *passage;
+    fluid.put(particle, [at[0] + below * normal[0], at[1] + below * normal[1]]);
+    throw_back(fluid, particle, body)
+}
 
 /// Throw particle `k` back if it is beyond the surface of `body`; the work of the blow on the body [J/m].
 pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody) -> f64 {

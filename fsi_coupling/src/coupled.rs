@@ -6,7 +6,7 @@ use sph_core::audit::FluidEnergy;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::body::{BodyError, WettedBody};
-use crate::contact::throw_back;
+use crate::contact::{take_back, throw_back};
 use crate::exchange::{Agreement, Exchange, Scheme};
 use crate::penetration::{Penetration, run_into};
 use crate::rows::Arrangement;
@@ -65,6 +65,7 @@ struct Member {
     body: Box<dyn WettedBody>,
     range: Range<usize>,
     work: WorkAudit,
+    screens: Range<usize>,
 }
 
 /// See the module's text.
@@ -75,11 +76,21 @@ pub struct Coupled {
     pub walls: Walls,
     members: Vec<Member>,
     exchange: Exchange,
-    saved: Option<(Walls, Exchange, MomentumAudit, Vec<WorkAudit>)>,
+    saved: Option<Saved>,
     play: f64,
+    stopped: u64,
     audit: MomentumAudit,
     energy_at_start: f64,
     fluid_at_start: FluidEnergy,
+}
+
+/// What [`Coupled::restore`] returns to, besides fluid and bodies.
+struct Saved {
+    walls: Walls,
+    exchange: Exchange,
+    audit: MomentumAudit,
+    stopped: u64,
+    work: Vec<WorkAudit>,
 }
 
 /// Momentum closure (THEORY E21): what the fluid and the bodies hold, less what came from outside.
@@ -120,7 +131,9 @@ impl Coupled {
             body.arrange(arrangement);
             let range = walls.extend(&body.sample(spacing, layers)?, ratio);
             body.place(0.0, walls.slice_mut(range.clone()));
-            members.push(Member { body, range, work: WorkAudit::default() });
+            let first = walls.screens.len();
+            walls.screens.extend(body.screens(0.0));
+            members.push(Member { body, range, screens: first..walls.screens.len(), work: WorkAudit::default() });
         }
         let mut exchange = Exchange::new(scheme);
         let mirrored = fluid.parameters.mirror.is_some();
@@ -133,6 +146,7 @@ impl Coupled {
             members,
             exchange,
             saved: None,
+            stopped: 0,
             play: PLAY * spacing,
             audit: MomentumAudit::default(),
             energy_at_start: 0.0,
@@ -156,13 +170,17 @@ impl Coupled {
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
         }
+        self.walls.screens.clear();
+        self.walls.screens.extend(self.members.iter().flat_map(|m| m.body.screens(dt)));
         let owners = yielding(&mut self.members, dt, self.fluid.parameters.mirror.is_some())?;
         self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
-        self.throw_back(dt); //                                         contact of single particles
+        let taken_back = self.take_back(); //                           contact with thin plates
+        let thrown_back = self.throw_back(); //                         contact of single particles
+        self.note_work(dt, taken_back.iter().zip(&thrown_back).map(|(a, b)| a + b));
         self.close_momentum(dt);
         self.refuse_collision()
     }
@@ -173,17 +191,18 @@ impl Coupled {
             self.fluid.forget();
         }
         self.fluid.save();
-        let work = self.members.iter().map(|m| m.work).collect();
-        self.saved = Some((self.walls.clone(), self.exchange.clone(), self.audit, work));
+        let (walls, exchange, audit, stopped) = (self.walls.clone(), self.exchange.clone(), self.audit, self.stopped);
+        self.saved =
+            Some(Saved { walls, exchange, audit, stopped, work: self.members.iter().map(|m| m.work).collect() });
         self.members.iter_mut().for_each(|m| m.body.save());
     }
 
     /// Return to the state last saved; without one nothing happens.
     pub fn restore(&mut self) {
-        let Some((walls, exchange, audit, work)) = &self.saved else { return };
+        let Some(Saved { walls, exchange, audit, stopped, work }) = &self.saved else { return };
         self.fluid.restore();
         self.members.iter_mut().zip(work).for_each(|(m, work)| m.work = *work);
-        (self.walls, self.exchange, self.audit) = (walls.clone(), exchange.clone(), *audit);
+        (self.walls, self.exchange, self.audit, self.stopped) = (walls.clone(), exchange.clone(), *audit, *stopped);
         self.members.iter_mut().for_each(|m| m.body.restore());
     }
 
@@ -192,14 +211,38 @@ impl Coupled {
         self.exchange.report
     }
 
-    /// E25: particles beyond a body's surface return to it. And K6: the work of the step.
-    fn throw_back(&mut self, dt: f64) {
+    /// T5: particles that went through a thin plate return to the face they met; the work of the blows on each body [J/m].
+    fn take_back(&mut self) -> Vec<f64> {
+        let mut blows = vec![0.0; self.members.len()];
+        for passage in self.fluid.passages(&self.walls) {
+            let half = self.walls.screens[passage.screen].half_thickness;
+            let owner = self.members.iter_mut().zip(&mut blows).find(|(m, _)| m.screens.contains(&passage.screen));
+            if let Some((m, work)) = owner {
+                *work += take_back(&mut self.fluid, &passage, half, m.body.as_mut());
+                self.stopped += 1;
+            }
+        }
+        blows
+    }
+
+    /// How often a particle was stopped that would have gone through a thin plate (THEORY T5).
+    pub fn stopped(&self) -> u64 {
+        self.stopped
+    }
+
+    /// E25: particles beyond a body's surface return to it; likewise.
+    fn throw_back(&mut self) -> Vec<f64> {
         let mut blows = vec![0.0; self.members.len()];
         for particle in self.fluid.suspects(&self.walls) {
             for (m, work) in self.members.iter_mut().zip(&mut blows) {
                 *work += throw_back(&mut self.fluid, particle, m.body.as_mut());
             }
         }
+        blows
+    }
+
+    /// K6: the work of a step on each body, and that of blows.
+    fn note_work(&mut self, dt: f64, blows: impl Iterator<Item = f64>) {
         let halves = if self.fluid.parameters.mirror.is_some() { 2.0 } else { 1.0 };
         for (m, blows) in self.members.iter_mut().zip(blows) {
             m.work.note(&self.walls, m.range.clone(), dt, halves, blows);

@@ -120,7 +120,9 @@ mod tests {
         let part = course.part(3.5, 0.25);
         assert_eq!(part.points, vec![[0.0, 0.5], [0.0, 0.0], [0.25, 0.0]]);
         assert!((part.length() - 0.75).abs() < 1e-15);
-        assert!(course.between(3.9, [3.5, 0.25]) && course.between(0.1, [3.5, 0.25]) && !course.between(1.0, [3.5, 0.25]));
+        assert!(
+            course.between(3.9, [3.5, 0.25]) && course.between(0.1, [3.5, 0.25]) && !course.between(1.0, [3.5, 0.25])
+        );
     }
 
     #[test]

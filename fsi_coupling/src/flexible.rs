@@ -122,14 +122,26 @@ impl Model {
         }
     }
 
+    /// What carries an open line [m, body's frame], with places between its points that show the panels' bending.
+    pub fn divided(&self, line: &[[f64; 2]]) -> Vec<Carrier> {
+        let course = Course::open(line.to_vec());
+        let lengths = self.panels.iter().flat_map(|p| p.elements.clone()).map(|e| self.carriage.surface.length(e));
+        let step = lengths.fold(course.length(), f64::min);
+        let mut stops: Vec<f64> = line.iter().map(|p| course.nearest(*p).0).collect();
+        let parts = (course.length() / step).ceil() as usize;
+        stops.extend((0..=parts).map(|k| course.length() * k as f64 / parts as f64));
+        stops.sort_by(f64::total_cmp);
+        stops.dedup_by(|a, b| (*a - *b).abs() < 1e-6 * course.length());
+        stops.iter().map(|s| course.at(*s)).map(|at| self.carrier(at, at, [0.0; 2])).collect()
+    }
+
     /// Motion of the body's frame, its origin for a pole.
     pub fn frame(&self, state: &State) -> Rigid {
         let node = self.carriage.frame;
         let ([x, y, turn], [u, v, spin], [ax, ay, spin_rate]) =
             (state.displacement[node], state.velocity[node], state.acceleration[node]);
         let pole = [self.carriage.pole[0] + x, self.carriage.pole[1] + y];
-        let about_node =
-            Rigid { pole, angle: turn, velocity: [u, v], spin, acceleration: [ax, ay], spin_rate };
+        let about_node = Rigid { pole, angle: turn, velocity: [u, v], spin, acceleration: [ax, ay], spin_rate };
         let arm = [0, 1].map(|k| self.start.pole[k] - self.carriage.pole[k]);
         Rigid {
             pole: about_node.point(arm),

@@ -2,7 +2,7 @@
 
 use structure_fe::{Dof, Dynamics, State, SupportMotion};
 
-use sph_core::{WallForces, WallPoint, WallsMut, Yields};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::carrier::Carrier;
@@ -14,6 +14,7 @@ use crate::pose::{Rigid, rotate};
 use crate::prescribed::Law;
 use crate::rows::Arrangement;
 use crate::skin::Skin;
+use crate::thin::{self, Plate};
 
 /// See the module's text. The load of a step is the mean force of the fluid, carried to the nodes by the transpose of
 /// what places the boundary particles; the structure's step changes momentum by exactly that (THEORY S21).
@@ -26,6 +27,9 @@ pub struct FlexibleBody {
     law: Option<Law>,
     free: [bool; 3],
     carriers: Vec<Carrier>,
+    /// The plate that it is sampled as, where it is a thin one, and what carries its middle line (THEORY T1, T2).
+    plate: Option<Plate>,
+    screen: Vec<Carrier>,
     skin: Skin,
     weight: Vec<[f64; 3]>,
     outline: Outline,
@@ -84,7 +88,21 @@ impl FlexibleBody {
         let (arrangement, carriers) = (Arrangement::default(), Vec::new());
         let rest = outline.clone();
         Ok(FlexibleBody {
-            name, model, arrangement, rest, half, law, free, carriers, skin, weight, outline, state, saved: None,
+            name,
+            model,
+            arrangement,
+            rest,
+            half,
+            law,
+            free,
+            carriers,
+            plate: None,
+            screen: Vec::new(),
+            skin,
+            weight,
+            outline,
+            state,
+            saved: None,
         })
     }
 
@@ -137,7 +155,8 @@ impl FlexibleBody {
 fn prescribe(model: &mut Model, told: &Rigid) -> Result<(), structure_fe::Error> {
     let [displacement, velocity, acceleration] = model.node_of(told);
     for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
-        let motion = SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
+        let motion =
+            SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
         model.dynamics.prescribe(model.carriage.frame, dof, motion)?;
     }
     Ok(())
@@ -157,8 +176,18 @@ impl WettedBody for FlexibleBody {
     }
 
     fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
-        let mut points = crate::sampling::sample(&self.rest, spacing, layers, self.half, self.arrangement);
+        self.plate = self.rest.plate().filter(|plate| plate.is_thin(spacing, layers)).cloned();
+        let mut points = match &self.plate {
+            None => crate::sampling::sample(&self.rest, spacing, layers, self.half, self.arrangement),
+            Some(plate) => {
+                let points = thin::sample(&plate.line(), plate.thickness, spacing, layers);
+                if self.half { thin::right_half(points, spacing) } else { points }
+            }
+        };
         let start = self.model.start;
+        if let Some(plate) = &self.plate {
+            self.screen = self.model.divided(&plate.line());
+        }
         for point in &mut points {
             let foot = [0, 1].map(|k| point.at[k] + point.depth * point.normal[k]);
             self.carriers.push(self.model.carrier(foot, point.at, point.normal));
@@ -183,6 +212,14 @@ impl WettedBody for FlexibleBody {
             };
             [out.ax[k], out.ay[k]] = carriage.acceleration(carrier, &then, velocity, acceleration);
         }
+    }
+
+    fn screens(&self, ahead: f64) -> Vec<Screen> {
+        let Some(plate) = &self.plate else { return Vec::new() };
+        let (now, then) = (&self.state.nodes.displacement, self.ahead(ahead));
+        let placed = |q: &[[f64; 3]]| self.screen.iter().map(|c| self.model.carriage.place(c, q).at).collect();
+        let half_thickness = 0.5 * plate.thickness;
+        vec![Screen { points: placed(&then), start: placed(now), half_thickness, own_image: self.half }]
     }
 
     fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
@@ -300,7 +337,8 @@ impl WettedBody for FlexibleBody {
                 let (element, t) = panel.element_at(share);
                 let perch = model.carriage.surface.on_element(element, t);
                 let still = vec![[0.0; 3]; q.len()];
-                let (at, rest) = (model.carriage.surface.place(&perch, q), model.carriage.surface.place(&perch, &still));
+                let (at, rest) =
+                    (model.carriage.surface.place(&perch, q), model.carriage.surface.place(&perch, &still));
                 // the place as the frame alone would have carried it
                 let carried = model.carriage.place(&model.carriage.on_frame(rest.at, rest.normal), q);
                 let moved = [0, 1].map(|k| at.at[k] - carried.at[k]);
@@ -315,7 +353,11 @@ impl WettedBody for FlexibleBody {
                     section,
                 }
             });
-            PanelState { name: panel.spec.name.clone(), watched: watched.collect(), stress: panel.stress(beam, &sections) }
+            PanelState {
+                name: panel.spec.name.clone(),
+                watched: watched.collect(),
+                stress: panel.stress(beam, &sections),
+            }
         };
         model.panels.iter().map(one).collect()
     }
@@ -341,8 +383,11 @@ impl WettedBody for FlexibleBody {
         let (carriage, carrier) = (&self.model.carriage, self.model.carrier(at, at, normal));
         let State { displacement, velocity, acceleration, .. } = &self.state.nodes;
         let place = carriage.place(&carrier, displacement);
-        let surface =
-            Surface { at: place.at, normal: place.normal, velocity: carriage.velocity(&carrier, displacement, velocity) };
+        let surface = Surface {
+            at: place.at,
+            normal: place.normal,
+            velocity: carriage.velocity(&carrier, displacement, velocity),
+        };
         Some((surface, carriage.acceleration(&carrier, displacement, velocity, acceleration)))
     }
 

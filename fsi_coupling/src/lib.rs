@@ -33,6 +33,7 @@ pub mod sampling;
 pub mod shape;
 mod skin;
 pub mod tank;
+pub mod thin;
 pub mod work_audit;
 
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
@@ -48,4 +49,5 @@ pub use rigid::{RigidBody2d, RigidSpec};
 pub use rows::Arrangement;
 pub use shape::Shape;
 pub use tank::Tank;
+pub use thin::Plate;
 pub use work_audit::WorkAudit;

@@ -7,6 +7,7 @@ use parry2d::shape::{Polyline, PolylineFlags};
 use crate::body::BodyError;
 use crate::polygon;
 use crate::shape::Shape;
+use crate::thin::Plate;
 
 /// Below this distance [m] the way to the nearest point has no direction.
 const ON_SURFACE: f64 = 1e-9;
@@ -19,12 +20,31 @@ const ON_SURFACE: f64 = 1e-9;
 pub struct Outline {
     loops: Vec<Vec<[f64; 2]>>,
     polyline: Polyline,
+    plate: Option<Plate>,
 }
 
 impl Outline {
     /// The outline of a shape.
     pub fn of(shape: &Shape) -> Result<Outline, BodyError> {
-        Outline::polygon(&shape.outline())
+        let outline = Outline::polygon(&shape.outline())?;
+        Ok(match shape {
+            Shape::Polyline { points, thickness } => Outline { plate: Some(Plate::new(points, *thickness)), ..outline },
+            _ => outline,
+        })
+    }
+
+    /// The plate whose outline this is, if it is one's.
+    pub fn plate(&self) -> Option<&Plate> {
+        self.plate.as_ref()
+    }
+
+    /// The same plate, standing on other walls: its middle line goes on for these lengths [m] beyond its first and its last
+    /// corner (THEORY T3). Nothing happens to what is not a plate.
+    pub fn rooted(mut self, roots: [f64; 2]) -> Outline {
+        if let Some(plate) = &mut self.plate {
+            plate.roots = roots;
+        }
+        self
     }
 
     /// A polygon from its corners [m], in either sense of rotation.
@@ -44,7 +64,8 @@ impl Outline {
             points.extend(part.iter().map(|v| Vector::new(v[0], v[1])));
             sides.extend((0..n).map(|k| [first + k, first + (k + 1) % n]));
         }
-        let outline = Outline { polyline: Polyline::with_flags(points, Some(sides), PolylineFlags::ORIENTED), loops };
+        let polyline = Polyline::with_flags(points, Some(sides), PolylineFlags::ORIENTED);
+        let outline = Outline { polyline, loops, plate: None };
         let inside = |k: usize, v: &[f64; 2]| {
             let others = Outline::compound(&[outline.loops[k].clone()]);
             others.is_ok_and(|o| o.signed_distance(*v) <= 0.0)

@@ -146,7 +146,10 @@ impl Panel {
             let ends = &sections[2 * element..2 * element + 2];
             ends.iter().flat_map(move |end| [half, -half].map(|eta| end.fibre_stress(&section, eta)))
         };
-        self.elements.clone().flat_map(of).fold(0.0, |most, stress| if stress.abs() > f64::abs(most) { stress } else { most })
+        self.elements
+            .clone()
+            .flat_map(of)
+            .fold(0.0, |most, stress| if stress.abs() > f64::abs(most) { stress } else { most })
     }
 }
 

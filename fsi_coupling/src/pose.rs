@@ -1,10 +1,11 @@
 //! Rigid kinematics of boundary particles.
 
-use sph_core::{WallPoint, WallsMut};
+use sph_core::{Screen, WallPoint, WallsMut};
 
 use crate::body::Surface;
 use crate::outline::Outline;
 use crate::rows::Arrangement;
+use crate::thin::{self, Plate};
 
 /// State of a rigid motion about a pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -76,17 +77,26 @@ pub struct Shape {
     /// How the rows of boundary particles lie.
     pub arrangement: Arrangement,
     points: Vec<WallPoint>,
+    /// The plate that it is sampled as, where it is a thin one (THEORY T2).
+    plate: Option<Plate>,
 }
 
 impl Shape {
     /// A shape about a pole, not yet sampled.
     pub fn new(outline: Outline, pole: [f64; 2], half: bool) -> Shape {
-        Shape { outline, pole, half, arrangement: Arrangement::default(), points: Vec::new() }
+        Shape { outline, pole, half, arrangement: Arrangement::default(), points: Vec::new(), plate: None }
     }
 
     /// Boundary particles where `motion` puts them; kept in the body's frame.
     pub fn sample(&mut self, motion: &Rigid, spacing: f64, layers: usize) -> Vec<WallPoint> {
-        self.points = crate::sampling::sample(&self.outline, spacing, layers, self.half, self.arrangement);
+        self.plate = self.outline.plate().filter(|plate| plate.is_thin(spacing, layers)).cloned();
+        self.points = match &self.plate {
+            None => crate::sampling::sample(&self.outline, spacing, layers, self.half, self.arrangement),
+            Some(plate) => {
+                let points = thin::sample(&plate.line(), plate.thickness, spacing, layers);
+                if self.half { thin::right_half(points, spacing) } else { points }
+            }
+        };
         for p in &mut self.points {
             p.at = [p.at[0] - self.pole[0], p.at[1] - self.pole[1]];
         }
@@ -103,6 +113,13 @@ impl Shape {
             [out.ax[k], out.ay[k]] = then.point_acceleration(p.at);
             [out.nx[k], out.ny[k]] = rotate(p.normal, then.angle);
         }
+    }
+
+    /// The middle line of a thin plate (THEORY T1), which moves from `now` to `then`; nothing for other shapes.
+    pub fn screens(&self, now: &Rigid, then: &Rigid) -> Vec<Screen> {
+        let place = |motion: &Rigid, p: [f64; 2]| motion.point([p[0] - self.pole[0], p[1] - self.pole[1]]);
+        let screen = |plate: &Plate| plate.screen(|p| place(then, p), |p| place(now, p), self.half);
+        self.plate.iter().map(screen).collect()
     }
 
     /// Distance of a point in space from the surface [m], positive outside the body.

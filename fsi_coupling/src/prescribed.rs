@@ -1,7 +1,7 @@
 //! A body whose motion is given as a function of time.
 
 use sph_core::walls::Resultant;
-use sph_core::{WallForces, WallPoint, WallsMut};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
@@ -98,6 +98,10 @@ impl WettedBody for PrescribedBody {
             ..now
         };
         self.shape.place(&fitted, ahead, out);
+    }
+
+    fn screens(&self, ahead: f64) -> Vec<Screen> {
+        self.shape.screens(&self.rigid(), &(self.law)(self.state.time + ahead))
     }
 
     fn load(&mut self, force: WallForces<'_>) {

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use rapier2d::prelude::*;
 use sph_core::walls::Resultant;
-use sph_core::{WallForces, WallPoint, WallsMut, Yields};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::outline::Outline;
@@ -182,6 +182,11 @@ impl WettedBody for RigidBody2d {
 
     fn place(&self, ahead: f64, out: WallsMut<'_>) {
         self.shape.place(&self.rigid(), ahead, out);
+    }
+
+    fn screens(&self, ahead: f64) -> Vec<Screen> {
+        let now = self.rigid();
+        self.shape.screens(&now, &now.ahead(ahead))
     }
 
     fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {

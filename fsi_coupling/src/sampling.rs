@@ -13,7 +13,7 @@ use crate::polygon::normal;
 use crate::rows::Arrangement;
 
 /// Neighbouring sides that turn by more than this belong to different faces.
-const CORNER_DEG: f64 = 20.0;
+pub(crate) const CORNER_DEG: f64 = 20.0;
 /// Rows are walked in steps of this share of the spacing when trimming.
 const TRIM: f64 = 0.02;
 
@@ -74,12 +74,12 @@ fn turn(face: &Face, next: &Face) -> f64 {
     turn_of(normal(face[face.len() - 2], face[face.len() - 1]), normal(next[0], next[1]))
 }
 
-fn turn_of(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn turn_of(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }
 
 /// A place on a row: position and the face's outward normal there.
-type Station = ([f64; 2], [f64; 2]);
+pub(crate) type Station = ([f64; 2], [f64; 2]);
 
 /// The offset of a face at a depth, as a polyline with normals and running length.
 fn offset(face: &Face, depth: f64) -> Vec<(f64, Station)> {
@@ -172,7 +172,7 @@ fn visible(outline: &Outline, row: &[(f64, Station)], depth: f64, spacing: f64) 
 
 /// Points that divide [s0, s1] into equal parts. At a corner (`at_corner`) the first stands on the bisector, with half a part; at
 /// other ends it keeps half a part away.
-fn divide(
+pub(crate) fn divide(
     row: &[(f64, Station)],
     [s0, s1]: [f64; 2],
     at_corner: [bool; 2],
@@ -190,7 +190,7 @@ fn divide(
         let (at, normal) = station(row, s0 + (k as f64 + 0.5 - first) * part);
         let tip = (at_corner[0] && k == 0) || (at_corner[1] && k + 1 == count as usize);
         let share = if tip { 0.5 } else { 1.0 };
-        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced, depth });
+        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced, depth, share: None });
     }
 }
 
@@ -209,7 +209,14 @@ fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, points: &mut V
         let angle = a[1].atan2(a[0]) + turn * (k as f64 + 0.5) / count as f64;
         let normal = [angle.cos(), angle.sin()];
         let at = [corner[0] - depth * normal[0], corner[1] - depth * normal[1]];
-        points.push(WallPoint { at, normal, area: part * spacing, spacing: (part * spacing).sqrt(), depth });
+        points.push(WallPoint {
+            at,
+            normal,
+            area: part * spacing,
+            spacing: (part * spacing).sqrt(),
+            depth,
+            share: None,
+        });
     }
 }
 

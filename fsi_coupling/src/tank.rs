@@ -6,6 +6,7 @@ use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::fill::Tiling;
 use crate::outline::Outline;
 use crate::rows::Arrangement;
+use crate::thin::{self, Plate};
 
 /// A rectangular open tank. Its particles never move.
 pub struct Tank {
@@ -20,6 +21,7 @@ pub struct Tank {
     mean: [f64; 2],
     external: [f64; 2],
     saved: [f64; 2],
+    plates: Vec<Plate>,
 }
 
 impl Tank {
@@ -28,7 +30,26 @@ impl Tank {
     pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
         let (thickness, points, none) = (f64::INFINITY, Vec::new(), [0.0; 2]);
         let arrangement = Arrangement::default();
-        Tank { tiling, x, floor, rim, half, arrangement, thickness, points, mean: none, external: none, saved: none }
+        let plates = Vec::new();
+        Tank {
+            tiling,
+            x,
+            floor,
+            rim,
+            half,
+            arrangement,
+            thickness,
+            points,
+            mean: none,
+            external: none,
+            saved: none,
+            plates,
+        }
+    }
+
+    /// The same tank with fixed plates, where they stand [m], whose roots are in its walls (THEORY T3).
+    pub fn carrying(self, plates: Vec<Plate>) -> Tank {
+        Tank { plates, ..self }
     }
 
     /// Stations (middle, length) that divide [a, b] at the spacing of the water beside it.
@@ -80,6 +101,7 @@ impl WettedBody for Tank {
                     area: if on_plane { 0.5 * s * s } else { s * s },
                     spacing: s,
                     depth: depth(layer, s),
+                    share: None,
                 });
             }
         }
@@ -93,6 +115,7 @@ impl WettedBody for Tank {
                         area: s * s,
                         spacing: s,
                         depth: depth(layer, s),
+                        share: None,
                     });
                 }
             }
@@ -107,12 +130,14 @@ impl WettedBody for Tank {
                         spacing: s,
                         // its mirror point is then the corner's own diagonal opposite, in the water
                         depth: std::f64::consts::FRAC_1_SQRT_2 * (depth(i, s) + depth(j, s)),
+                        share: None,
                     });
                 }
             }
         }
         let spacing = sides.iter().map(|&(_, wall)| self.tiling.spacing_at([wall, self.rim])).fold(0.0, f64::max);
         self.thickness = layers as f64 * spacing;
+        points = self.plates.iter().fold(points, thin::cut);
         self.points = points.clone();
         Ok(points)
     }

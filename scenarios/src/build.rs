@@ -4,15 +4,15 @@ use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::prescribed::Law;
 use fsi_coupling::{
-    Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank,
-    WettedBody,
+    Arrangement, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, Plate, PrescribedBody,
+    RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
 };
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;
-use structure_fe::Damping;
 use sph_core::{Fluid, Parameters, Seed, WallTreatment};
+use structure_fe::Damping;
 
-use crate::scene::{Body, DiffusionForm, Motion, Oscillation, Scene, Symmetry};
+use crate::scene::{Body, DiffusionForm, EndName, Motion, Oscillation, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -23,7 +23,8 @@ pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let fluid = Fluid::new(parameters(scene), &seeds);
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
-    let tank = Tank::new(tiling, x, floor, floor + scene.tank.height, half);
+    let standing = scene.body.as_ref().and_then(|body| standing(scene, body)).into_iter().collect();
+    let tank = Tank::new(tiling, x, floor, floor + scene.tank.height, half).carrying(standing);
     let bodies = body.into_iter().chain([Box::new(tank) as Box<dyn WettedBody>]).collect();
     Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)
 }
@@ -44,13 +45,57 @@ pub fn tiling(scene: &Scene) -> Tiling {
     .on(scene.resolution.lattice)
 }
 
+/// Water is filled in up to this share of half a cell beside a thin plate: a plate amid the cells' edges then displaces none.
+const BESIDE_PLATE: f64 = 0.5;
+/// An end of a plate stands on a wall that is nearer than this share of a spacing.
+const STANDS: f64 = 0.5;
+
+/// Rows of wall particles below each face.
+fn layers(scene: &Scene) -> usize {
+    Arrangement::of(&parameters(scene)).1
+}
+
+/// True for a plate whose faces' rows do not fit between them (THEORY T2).
+fn is_thin(scene: &Scene, body: &Body) -> bool {
+    matches!(&body.shape, Shape::Polyline { points, thickness }
+        if Plate::new(points, *thickness).is_thin(scene.resolution.spacing, layers(scene)))
+}
+
+/// T3: how far a fixed plate goes on into the tank's walls that its middle line's ends stand on [m].
+fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
+    let (Shape::Polyline { points, .. }, Motion::Fixed) = (&body.shape, &body.motion) else { return [0.0; 2] };
+    let loose = |end: &[f64; 2]| {
+        let ends = body.panels.iter().flat_map(|panel| [panel.from, panel.to].into_iter().zip(panel.ends));
+        ends.into_iter().any(|(at, how)| how == EndName::Free && (at[0] - end[0]).hypot(at[1] - end[1]) < 1e-9)
+    };
+    let root = |end: &[f64; 2]| {
+        if loose(end) {
+            return 0.0;
+        }
+        let at = body.to_tank(*end);
+        let spacing = tiling(scene).spacing_at(at);
+        let away = (0.5 * scene.tank.width - at[0].abs()).min(at[1] + scene.tank.depth);
+        if away < STANDS * spacing { (layers(scene) as f64 + 1.0) * spacing } else { 0.0 }
+    };
+    [root(&points[0]), root(&points[points.len() - 1])]
+}
+
+/// A thin plate that stands on the tank's walls, where it stands.
+fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
+    let roots = roots(scene, body);
+    let Shape::Polyline { points, thickness } = &body.shape else { return None };
+    let middle: Vec<[f64; 2]> = points.iter().map(|p| body.to_tank(*p)).collect();
+    (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
+}
+
 /// Still water at rest under its own weight, without what the body displaces.
 fn fill(scene: &Scene, tiling: &Tiling, body: Option<&dyn WettedBody>) -> Vec<Seed> {
     let mut seeds = Vec::new();
     let weight = scene.fluid.density * scene.gravity[1];
+    let share = if scene.body.as_ref().is_some_and(|b| is_thin(scene, b)) { BESIDE_PLATE } else { 1.0 };
     tiling.for_each(|cell| {
         let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
-        if body.is_none_or(|b| b.clearance(cell.at) >= room) {
+        if body.is_none_or(|b| b.clearance(cell.at) >= share * room) {
             seeds.push(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure: weight * cell.at[1] });
         }
     });
@@ -96,7 +141,7 @@ fn parameters(scene: &Scene) -> Parameters {
 
 fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
-    let outline = Outline::of(&body.shape)?;
+    let outline = Outline::of(&body.shape)?.rooted(roots(scene, body));
     let start = Rigid {
         pole: body.position,
         angle: body.angle_deg.to_radians(),

@@ -48,6 +48,10 @@ pub struct Fluid {
     pub(crate) scratch: Vec<f64>,
     pub(crate) dynamic_walls: DynamicWalls,
     pub(crate) saved: Vec<Saved>,
+    /// Where each particle began the step, by identity; empty without screens (T5).
+    pub(crate) beginning: Vec<[f64; 2]>,
+    /// A particle was put elsewhere: lists are to be made anew.
+    pub(crate) displaced: bool,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -100,6 +104,8 @@ impl Fluid {
             scratch: Vec::new(),
             dynamic_walls: DynamicWalls::default(),
             saved: Vec::new(),
+            beginning: Vec::new(),
+            displaced: false,
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
@@ -109,8 +115,11 @@ impl Fluid {
         fluid
     }
 
-    /// Forces at the start: once, when the walls stand where they start.
+    /// Forces at the start: once, when the walls stand where they start. Panics on a period with screens (T1), an error of
+    /// the caller.
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {
+        let unbounded = self.parameters.periodic.is_none();
+        assert!(unbounded || walls.screens.is_empty(), "a period and screens do not go together");
         self.sum_density(walls, 0.0);
         self.start_dynamic_walls(walls);
         self.evaluate_forces(walls, 0.0);
@@ -124,6 +133,7 @@ impl Fluid {
     /// carry the force now and the mean force of the step.
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
+        self.note_beginning(walls);
         sweep::within_pool(|| match self.parameters.integrator {
             Integrator::Symplectic => integrator::symplectic(self, walls, dt),
             Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
@@ -307,7 +317,8 @@ impl Fluid {
             self.rows.place_mirror_points(walls);
         }
         let kinematics = self.rows.kinematics(walls);
-        if !self.search.holds(&self.particles, &kinematics) {
+        if self.displaced || !self.search.holds(&self.particles, &kinematics) {
+            self.displaced = false;
             let life = LIST_LIFE * self.acoustic_limit();
             set_lists_aside(&mut self.saved, &mut self.search);
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);

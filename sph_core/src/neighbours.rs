@@ -40,6 +40,32 @@ impl Lists {
         });
     }
 
+    /// Keep in the list of each target k that `look(k)` has something to say of those j that `keep(k, it, j)` wants.
+    pub fn retain<L>(
+        &mut self,
+        look: impl Fn(usize) -> Option<Vec<L>> + Sync,
+        keep: impl Fn(usize, &[L], u32) -> bool + Sync,
+    ) {
+        let n = self.chunks.len() * CHUNK;
+        sweep::for_each_chunk(&mut self.chunks, n, |targets, list| {
+            let (mut from, mut kept) = (0, 0);
+            for i in 0..list.start.len().saturating_sub(1) {
+                let (k, to) = (targets.start + i, list.start[i + 1] as usize);
+                let seen = if from < to { look(k) } else { None };
+                for read in from..to {
+                    let j = list.index[read];
+                    if seen.as_ref().is_none_or(|it| keep(k, it, j)) {
+                        list.index[kept] = j;
+                        kept += 1;
+                    }
+                }
+                from = to;
+                list.start[i + 1] = kept as u32;
+            }
+            list.index.truncate(kept);
+        });
+    }
+
     /// Neighbours of target `k`, in a fixed order.
     #[inline(always)]
     pub fn of(&self, k: usize) -> &[u32] {

@@ -2,6 +2,7 @@
 
 use crate::cells::{Cells, Point};
 use crate::fluid::Fluid;
+use crate::sight::Sight;
 
 /// A place with less of its kernel filled is dry.
 const LEAST_FILLING: f64 = 0.125;
@@ -21,6 +22,7 @@ pub struct FirstOrder {
 pub struct Probe<'a> {
     fluid: &'a Fluid,
     cells: Cells,
+    sight: Sight,
 }
 
 impl<'a> Probe<'a> {
@@ -41,13 +43,18 @@ impl<'a> Probe<'a> {
                 points.extend(near);
             }
         }
-        Probe { fluid, cells: Cells::build(&points) }
+        let sight = Sight::new(&fluid.rows.screens, fluid.parameters.mirror);
+        Probe { fluid, cells: Cells::build(&points), sight }
     }
 
-    /// Call `take` with weight V W and index of every particle around `at` [m], each with its own kernel.
+    /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (T1), each with its
+    /// own kernel.
     fn around(&self, at: [f64; 2], mut take: impl FnMut(f64, &Point)) {
         let (p, d, kernel) = (&self.fluid.particles, &self.fluid.derived, self.fluid.parameters.kernel);
         self.cells.for_each_within(at[0], at[1], 0.0, |q| {
+            if !self.sight.free(at, [q.x, q.y]) {
+                return;
+            }
             let k = q.index as usize;
             let w = kernel.value((at[0] - q.x).hypot(at[1] - q.y), p.h[k]);
             take(d.volume[k] * w, q);

@@ -21,6 +21,7 @@ pub(crate) struct Saved {
     history: History,
     extrapolated: Vec<Extrapolated>,
     dynamic_walls: DynamicWalls,
+    displaced: bool,
     /// The lists of that moment, once others have taken their place.
     search: Option<Arc<Search>>,
 }
@@ -37,6 +38,7 @@ impl Fluid {
             history: self.history.clone(),
             extrapolated: self.extrapolated.clone(),
             dynamic_walls: self.dynamic_walls.clone(),
+            displaced: self.displaced,
             search: None,
         });
     }
@@ -46,7 +48,7 @@ impl Fluid {
         let Some(saved) = self.saved.last_mut() else { return };
         self.particles.clone_from(&saved.particles);
         self.derived.clone_from(&saved.derived);
-        (self.time, self.steps) = (saved.time, saved.steps);
+        (self.time, self.steps, self.displaced) = (saved.time, saved.steps, saved.displaced);
         self.history.clone_from(&saved.history);
         self.extrapolated.clone_from(&saved.extrapolated);
         self.dynamic_walls.clone_from(&saved.dynamic_walls);

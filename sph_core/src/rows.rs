@@ -3,7 +3,9 @@
 use crate::images::Mirror;
 use crate::pair::{Extrapolated, Face, Row};
 use crate::particles::{Derived, Particles};
+use crate::screen::Screen;
 use crate::search::{Search, WallKinematics};
+use crate::sight::ThinWalls;
 use crate::sweep;
 use crate::walls::Walls;
 
@@ -18,6 +20,8 @@ pub(crate) struct Rows {
     pub faces: Vec<Face>,
     /// Mirror points of the walls (W3); empty where no wall asks.
     pub mirror_points: (Vec<f64>, Vec<f64>),
+    /// Screens where the walls are now (T1).
+    pub screens: Vec<Screen>,
     wall_x: Vec<f64>,
     wall_y: Vec<f64>,
 }
@@ -32,6 +36,8 @@ impl Rows {
             self.wall_x.push(walls.x[k] + dx);
             self.wall_y.push(walls.y[k] + dy);
         }
+        self.screens.clear();
+        self.screens.extend(walls.screens.iter().map(|screen| screen.at(offset, walls.dt)));
     }
 
     /// W3: mirror points of the walls that [`Rows::place_walls`] placed.
@@ -49,7 +55,8 @@ impl Rows {
     pub fn kinematics<'a>(&'a self, walls: &'a Walls) -> WallKinematics<'a> {
         let (mirror_x, mirror_y) = (&self.mirror_points.0, &self.mirror_points.1);
         let (x, y) = (&self.wall_x, &self.wall_y);
-        WallKinematics { x, y, u: &walls.u, v: &walls.v, h: &walls.h, mirror_x, mirror_y }
+        let thin = (!self.screens.is_empty()).then_some(ThinWalls { screens: &self.screens, walls });
+        WallKinematics { x, y, u: &walls.u, v: &walls.v, h: &walls.h, mirror_x, mirror_y, thin }
     }
 
     /// Pack everything as it is now.

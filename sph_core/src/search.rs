@@ -4,6 +4,7 @@ use crate::cells::{Cells, Point};
 use crate::images::{Mirror, Periodic};
 use crate::neighbours::{Lists, Skin};
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA};
+use crate::sight::{Listed, ThinWalls};
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
 const SKIN: f64 = 0.06;
@@ -25,6 +26,8 @@ pub struct WallKinematics<'a> {
     pub mirror_x: &'a [f64],
     /// Mirror point in the fluid [m].
     pub mirror_y: &'a [f64],
+    /// Thin walls (T1), where there are any.
+    pub thin: Option<ThinWalls<'a>>,
 }
 
 /// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
@@ -77,6 +80,9 @@ impl Search {
         let allow = |h: f64, u: f64, v: f64| SKIN * h + (u * u + v * v).sqrt() * life;
         let n = particles.len();
         let mut allowance: Vec<f64> = (0..n).map(|k| allow(particles.h[k], particles.u[k], particles.v[k])).collect();
+        if let Some(thin) = walls.thin {
+            thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // T4
+        }
         let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
         let own = |x: &[f64], y: &[f64], reach: &[f64]| -> Vec<Point> {
             (0..x.len()).map(|k| Point { x: x[k], y: y[k], reach: reach[k], index: k as u32 }).collect()
@@ -91,7 +97,11 @@ impl Search {
         reach = order.iter().map(|&k| reach[k as usize]).collect();
         fluid_cells.name_by_order();
 
-        let wall_allowance: Vec<f64> = (0..walls.x.len()).map(|k| allow(walls.h[k], walls.u[k], walls.v[k])).collect();
+        let mut wall_allowance: Vec<f64> =
+            (0..walls.x.len()).map(|k| allow(walls.h[k], walls.u[k], walls.v[k])).collect();
+        if let Some(thin) = walls.thin {
+            thin.hold_ends(walls.x, walls.y, walls.h, &mut wall_allowance);
+        }
         let wall_reach: Vec<f64> = (0..walls.x.len()).map(|k| walls.h[k] + wall_allowance[k]).collect();
         let mut fluid = own(&particles.x, &particles.y, &reach);
         let mut wall = own(walls.x, walls.y, &wall_reach);
@@ -119,6 +129,12 @@ impl Search {
         self.walls_of_fluid.build(n, &wall_cells, |k| stranger(fluid[k]));
         self.fluid_of_wall.build(walls.x.len(), &fluid_cells, |k| stranger(wall[k]));
         self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| stranger(mirrored[k]));
+        if let Some(thin) = walls.thin {
+            let images = &self.wall_images;
+            let listed = Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: images, mirror };
+            let Search { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
+            thin.strike(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
+        }
         self.skin.reset(&particles.x, &particles.y, allowance);
         self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, wall_allowance.clone());
         self.wall_skin.reset(walls.x, walls.y, wall_allowance);

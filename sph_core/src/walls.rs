@@ -3,6 +3,8 @@
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
 
+use crate::screen::{Screen, ThinShare};
+
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallPoint {
@@ -16,6 +18,8 @@ pub struct WallPoint {
     pub spacing: f64,
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
+    /// What part of a thin wall it is (THEORY T2); `None` for ordinary walls.
+    pub share: Option<ThinShare>,
 }
 
 /// All boundary particles. One entry per particle in every array.
@@ -58,6 +62,10 @@ pub struct Walls {
     /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
     /// ends, lacks of the mean moment.
     pub mean_swing: Vec<f64>,
+    /// Middle lines of thin walls (THEORY T1), in the order of their owners.
+    pub screens: Vec<Screen>,
+    /// What part of a thin wall each particle is; `None` for ordinary walls.
+    pub share: Vec<Option<ThinShare>>,
 }
 
 impl Walls {
@@ -71,9 +79,11 @@ impl Walls {
         self.x.is_empty()
     }
 
-    /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing.
+    /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing. The owner's screens,
+    /// which its particles count from 0, are to be appended next.
     pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> std::ops::Range<usize> {
         let start = self.len();
+        let screens = self.screens.len() as u32;
         for point in points {
             self.x.push(point.at[0]);
             self.y.push(point.at[1]);
@@ -82,6 +92,7 @@ impl Walls {
             self.volume.push(point.area);
             self.h.push(ratio * point.spacing);
             self.depth.push(point.depth);
+            self.share.push(point.share.map(|s| ThinShare { screen: screens + s.screen, ..s }));
         }
         let n = self.len();
         for array in [

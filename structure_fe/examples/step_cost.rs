@@ -7,16 +7,18 @@ use std::time::Instant;
 use structure_fe::{Beam, Damping, Dynamics, Error, Integration, Loads, Material, Section, Supports};
 
 fn main() -> Result<(), Error> {
-    println!("elements  implicit us/step  corrections  tangents  us/element | explicit us/step");
+    println!("elements  implicit us/step  corrections  tangents  us/element | explicit us/step | trapezoidal us/step");
     for elements in [50, 100, 200, 400, 800, 1600, 3200] {
         let (time, corrections, tangents) =
             measure(elements, Integration::GeneralisedAlpha { spectral_radius: 0.8 }, 5e-4, 20)?;
+        let (momentum, ..) = measure(elements, Integration::Trapezoidal { spectral_radius: 1.0 }, 5e-4, 20)?;
         let (explicit, ..) = measure(elements, Integration::CentralDifference, f64::NAN, 40)?;
         println!(
-            "{elements:8}  {:16.1}  {corrections:11.2}  {tangents:8.2}  {:10.3} | {:8.1}",
+            "{elements:8}  {:16.1}  {corrections:11.2}  {tangents:8.2}  {:10.3} | {:16.1} | {:8.1}",
             1e6 * time,
             1e6 * time / elements as f64,
-            1e6 * explicit
+            1e6 * explicit,
+            1e6 * momentum
         );
     }
     Ok(())

@@ -69,7 +69,17 @@ impl Beam {
         }
         let theory = vec![Theory::default(); elements.len()];
         let points = vec![[0.0; 3]; nodes.len()];
-        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, bodies: Vec::new(), sliding: Vec::new(), formulation })
+        Ok(Self {
+            nodes,
+            elements,
+            extent,
+            theory,
+            rotatory_inertia: false,
+            points,
+            bodies: Vec::new(),
+            sliding: Vec::new(),
+            formulation,
+        })
     }
 
     /// A model with one material and one section throughout.

@@ -52,7 +52,13 @@ impl Dynamics {
             }
         }
         let (beam, gathered) = match integration {
-            Integration::Trapezoidal { .. } => gather(beam, &supports)?,
+            Integration::Trapezoidal { spectral_radius: value } => {
+                if !(value > 0.0 && value <= 1.0) {
+                    let quantity = "spectral radius of the trapezoidal rule [-]";
+                    return Err(Error::OutOfRange { quantity, value, expected: "(0, 1]" });
+                }
+                gather(beam, &supports)?
+            }
             _ => (beam, Vec::new()),
         };
         let system = System::new(beam, supports)?;
@@ -74,10 +80,6 @@ impl Dynamics {
                 Method::Explicit(lumped_mass(&system, &damping))
             }
             Integration::Trapezoidal { spectral_radius: value } => {
-                if !(value > 0.0 && value <= 1.0) {
-                    let quantity = "spectral radius of the trapezoidal rule [-]";
-                    return Err(Error::OutOfRange { quantity, value, expected: "(0, 1]" });
-                }
                 let mass = gathered_mass(&system, gathered);
                 Method::Momentum(Arc::new(Trapezoidal { weight: (1.0 + value).recip(), mass }))
             }

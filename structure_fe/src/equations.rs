@@ -25,6 +25,9 @@ pub(crate) struct Equations {
     inner: usize,
 }
 
+/// Arms of the ties, in their order: what takes forces to the bodies, and what takes displacements from them.
+pub(crate) type Arms<'a> = [&'a [[f64; 2]]; 2];
+
 /// The equations of a degree of freedom with their factors: two where it follows a rigid body.
 pub(crate) type Terms = [(Option<usize>, f64); 2];
 
@@ -99,7 +102,7 @@ impl Equations {
         &self,
         (row, column): ((usize, usize), (usize, usize)),
         value: f64,
-        [left, right]: [&[[f64; 2]]; 2],
+        [left, right]: Arms,
         mut add: impl FnMut(usize, usize, f64),
     ) {
         for (row, by_row) in self.terms(row.0, row.1, left) {

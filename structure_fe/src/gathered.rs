@@ -2,7 +2,7 @@
 
 use crate::beam::Beam;
 use crate::error::Error;
-use crate::lumped::nodal_masses;
+use crate::lumped::{correct_ends, nodal_masses};
 use crate::supports::{Dof, Supports};
 
 /// Masses of the nodes `[nodes][m, m, J]` \[kg, kg, kg m^2\], and the model with its bodies' nodes moved.
@@ -13,6 +13,7 @@ use crate::supports::{Dof, Supports};
 pub(crate) fn gather(mut beam: Beam, supports: &Supports) -> Result<(Beam, Vec<[f64; 3]>), Error> {
     supports.check(&beam)?;
     let mut nodal = nodal_masses(&beam);
+    correct_ends(&beam, &mut nodal);
     for body in beam.rigid_bodies().to_vec() {
         let own = beam.points()[body];
         let fixed = [Dof::U, Dof::W, Dof::Theta].map(|dof| supports.is_fixed(body, dof));

@@ -7,7 +7,10 @@
 //! | | small displacements | any displacements and rotations, small strains |
 //! |---|---|---|
 //! | at rest | [`Statics`] | [`NonlinearStatics`]: load steps, or paths through peaks of the load |
-//! | in motion | [`natural_modes`] | [`Dynamics`]: generalised-alpha or central differences |
+//! | in motion | [`natural_modes`] | [`Dynamics`]: generalised-alpha, central differences, trapezoidal rule in momenta |
+//!
+//! Nodes may be tied to rigid bodies ([`Beam::with_rigid_body`], [`Supports::tie`]), free, guided or driven, which move
+//! with the trapezoidal rule: panel and body are one set of equations.
 //!
 //! The crate knows nothing of fluids or files: it is useful alone. Whoever has loads hands them over as
 //! forces at nodes, or as [`Loads`] along elements.
@@ -91,6 +94,7 @@ mod inertia;
 mod loads;
 mod lumped;
 mod material;
+mod mean_forces;
 mod mechanism;
 mod modes;
 mod nonlinear_statics;

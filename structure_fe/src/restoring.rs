@@ -4,18 +4,15 @@ use crate::beam::add_ends;
 use crate::bordered::Bordered;
 use crate::corotational::{Chord, add_deformation_matrix, add_elastic_tangent, elastic_forces};
 use crate::element::end_forces;
+use crate::equations::Arms;
 use crate::inertia::Damping;
+use crate::mean_forces::{mean_forces, mean_forces_and_tangent};
 use crate::system::System;
 
 impl System {
     /// Elastic forces of beams and springs (THEORY S10); `tangent`: adds that many times the tangent (S11) to the
     /// matrix, forces taken to the bodies with the first arms, displacements with the second.
-    pub fn elastic_forces(
-        &self,
-        q: &[[f64; 3]],
-        forces: &mut [[f64; 3]],
-        tangent: Option<(f64, [&[[f64; 2]]; 2], &mut Bordered)>,
-    ) {
+    pub fn elastic_forces(&self, q: &[[f64; 3]], forces: &mut [[f64; 3]], tangent: Option<(f64, Arms, &mut Bordered)>) {
         forces.fill([0.0; 3]);
         self.supports.add_spring_forces(q, forces);
         let Some((factor, arms, matrix)) = tangent else {
@@ -33,6 +30,51 @@ impl System {
             self.add_matrix(nodes, &chord.matrix_to_global(&local), arms, matrix);
         }
         self.add_stiffness_of_springs(factor, arms, matrix);
+    }
+
+    /// The chords of the elements.
+    pub fn chords(&self, q: &[[f64; 3]]) -> Vec<Chord> {
+        self.beam.formulated().map(|(nodes, element)| Chord::new(element, &self.beam.ends(nodes, q))).collect()
+    }
+
+    /// Elastic forces of beams and springs over a step that leads from the chords `from` and the displacement `before`
+    /// to `q`, with the `weight` of its end (THEORY S22); returns what they take beyond the change of the elastic energy
+    /// \[J\]. `tangent` as above, with the derivative by `q`.
+    pub fn mean_elastic_forces(
+        &self,
+        (from, before): (&[Chord], &[[f64; 3]]),
+        q: &[[f64; 3]],
+        weight: f64,
+        forces: &mut [[f64; 3]],
+        tangent: Option<(Arms, &mut Bordered)>,
+    ) -> f64 {
+        forces.fill([0.0; 3]);
+        let mut dissipated = 0.0;
+        for spring in self.supports.springs() {
+            let (node, dof) = (spring.node, spring.dof as usize);
+            let (start, end) = (before[node][dof], q[node][dof]);
+            forces[node][dof] += spring.stiffness * ((1.0 - weight) * start + weight * end);
+            dissipated += (weight - 0.5) * spring.stiffness * (end - start).powi(2);
+        }
+        let elements = self.beam.formulated().zip(from);
+        let Some((arms, matrix)) = tangent else {
+            for ((nodes, element), &from) in elements {
+                let to = Chord::new(element, &self.beam.ends(nodes, q));
+                let mean = mean_forces(element, from, to, weight);
+                add_ends(forces, nodes, &mean.forces);
+                dissipated += mean.dissipated;
+            }
+            return dissipated;
+        };
+        for ((nodes, element), &from) in elements {
+            let to = Chord::new(element, &self.beam.ends(nodes, q));
+            let (mean, local) = mean_forces_and_tangent(element, from, to, weight, 1.0);
+            add_ends(forces, nodes, &mean.forces);
+            dissipated += mean.dissipated;
+            self.add_matrix(nodes, &local, arms, matrix);
+        }
+        self.add_stiffness_of_springs(weight, arms, matrix);
+        dissipated
     }
 
     /// Forces of the damping (THEORY S13), with a lumped `mass`, of velocities `v` where the model is at `q`.
@@ -62,14 +104,7 @@ impl System {
     }
 
     /// Adds `factor` times the damping's derivative by velocity, but for the part of the mass.
-    pub fn add_viscosity(
-        &self,
-        q: &[[f64; 3]],
-        damping: &Damping,
-        factor: f64,
-        arms: [&[[f64; 2]]; 2],
-        matrix: &mut Bordered,
-    ) {
+    pub fn add_viscosity(&self, q: &[[f64; 3]], damping: &Damping, factor: f64, arms: Arms, matrix: &mut Bordered) {
         if damping.stiffness > 0.0 {
             let factor = factor * damping.stiffness;
             for (nodes, element) in self.beam.formulated() {

@@ -5,7 +5,7 @@ use crate::beam::{Beam, add_ends};
 use crate::bordered::Bordered;
 use crate::corotational::{Chord, elastic_forces, strain_energy};
 use crate::element::{Ends, EndsMatrix};
-use crate::equations::Equations;
+use crate::equations::{Arms, Equations};
 use crate::error::Error;
 use crate::inertia::{Damping, Motion, Weights, response, restoring};
 use crate::ordering::narrow_band;
@@ -101,7 +101,7 @@ impl System {
 
     /// Adds an element's matrix: forces taken to the bodies with the arms `left`, displacements with `right`.
     #[inline]
-    pub fn add_matrix(&self, nodes: [usize; 2], local: &EndsMatrix, arms: [&[[f64; 2]]; 2], matrix: &mut Bordered) {
+    pub fn add_matrix(&self, nodes: [usize; 2], local: &EndsMatrix, arms: Arms, matrix: &mut Bordered) {
         if self.equations.tied(nodes) {
             for i in 0..6 {
                 for j in 0..6 {
@@ -125,7 +125,7 @@ impl System {
     }
 
     /// Adds `factor` times the springs' stiffness.
-    pub fn add_stiffness_of_springs(&self, factor: f64, arms: [&[[f64; 2]]; 2], matrix: &mut Bordered) {
+    pub fn add_stiffness_of_springs(&self, factor: f64, arms: Arms, matrix: &mut Bordered) {
         for spring in self.supports.springs() {
             let place = (spring.node, spring.dof as usize);
             self.equations.spread((place, place), factor * spring.stiffness, arms, |row, column, value| {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::corotational::Chord;
 use crate::dynamics::{Dynamics, Method};
 use crate::error::Error;
 use crate::lumped::LumpedMass;
@@ -17,8 +18,11 @@ const ROUNDED: [f64; 2] = [1e-8, 1e-13];
 /// The tangent is kept while each correction is less than this of the one before \[-\].
 const CONTRACTING: f64 = 0.03;
 
-/// A correction of more than this of the one before gives the first guess up \[-\].
-const HOPELESS: f64 = 0.3;
+/// Corrections that shrink by less than this do not shrink \[-\].
+const STANDING: f64 = 0.3;
+
+/// A correction of more than this times the smallest so far gives the first guess up \[-\].
+const FAR: f64 = 100.0;
 
 /// Corrections of a guess, at most.
 const ITERATIONS: usize = 40;
@@ -51,7 +55,8 @@ impl Dynamics {
         if let Method::Momentum(rule) = &self.method { Some(Arc::clone(rule)) } else { None }
     }
 
-    /// M (v1 - v0)/dt = mean load - theta f(q1) - (1 - theta) f(q0) - C (q1 - q0)/dt with
+    /// M (v1 - v0)/dt = mean load - mean elastic force - C (q1 - q0)/dt, the elastic force weighed between both
+    /// ends so that it does the work of the elastic energy (for small rotations theta f(q1) + (1 - theta) f(q0)), with
     /// q1 = q0 + dt (theta v1 + (1 - theta) v0), for q1 by Newton's method; v1 then from the momenta.
     pub(crate) fn momentum_step(
         &mut self,
@@ -61,24 +66,23 @@ impl Dynamics {
         dt: f64,
     ) -> Result<StepReport, Error> {
         let mut report = StepReport::begun();
-        let mut start = vec![[0.0; 3]; load.len()];
-        self.system.elastic_forces(&state.displacement, &mut start, None);
+        let start = self.system.chords(&state.displacement);
         let mut new = self.guess(state, dt);
         if !self.settle(rule, state, &start, load, dt, true, &mut new, &mut report)? {
             new = self.guess(state, 0.0);
             if !self.settle(rule, state, &start, load, dt, false, &mut new, &mut report)? {
-                self.system.elastic_forces(&new.displacement, &mut self.internal, None);
-                let mean = self.mean(rule, state, &start, load, dt, &new);
+                self.elastic_over_the_step(rule, state, &start, &new);
+                let mean = self.mean(rule, state, load, dt, &new);
                 let residual = self.lack_of_motion(rule, state, &new, &mean, dt);
                 let (residual, node, dof) = self.system.worst(&residual);
                 let (time, iteration) = (state.time, report.iterations);
                 return Err(Error::StepNotConverged { time, dt, iteration, residual, node, dof });
             }
         }
-        self.system.elastic_forces(&new.displacement, &mut self.internal, None);
-        let mean = self.mean(rule, state, &start, load, dt, &new);
+        let by_elements = self.elastic_over_the_step(rule, state, &start, &new);
+        let mean = self.mean(rule, state, load, dt, &new);
         self.give_velocities(rule, state, &mut new, &mean, dt);
-        self.account(rule, state, &mut new, &mean, &start, dt, &mut report);
+        self.account(rule, state, &mut new, &mean, by_elements, dt, &mut report);
         let mut lack = self.lack_at_known_acceleration(rule, &mut new, load);
         self.matrix.solve(&mut lack);
         let factor = (rule.weight * dt * dt).recip();
@@ -102,26 +106,26 @@ impl Dynamics {
     }
 
     /// Newton's method for the displacement at the end; says whether it converged. Where `hopeful` it gives
-    /// up as soon as corrections do not shrink.
+    /// up when corrections grow.
     fn settle(
         &mut self,
         rule: &Trapezoidal,
         state: &State,
-        start: &[[f64; 3]],
+        start: &[Chord],
         load: &[[f64; 3]],
         dt: f64,
         hopeful: bool,
         new: &mut State,
         report: &mut StepReport,
     ) -> Result<bool, Error> {
-        let (mut last, mut fresh) = (f64::INFINITY, true);
+        let (mut last, mut smallest, mut fresh) = (f64::INFINITY, f64::INFINITY, true);
         for _ in 0..ITERATIONS {
             if fresh {
-                self.lay_tangent(rule, state, new, dt);
+                self.lay_tangent(rule, state, start, new, dt);
             } else {
-                self.system.elastic_forces(&new.displacement, &mut self.internal, None);
+                self.elastic_over_the_step(rule, state, start, new);
             }
-            let mean = self.mean(rule, state, start, load, dt, new);
+            let mean = self.mean(rule, state, load, dt, new);
             let mut correction = self.lack_of_motion(rule, state, new, &mean, dt);
             if fresh {
                 self.system.subtract_turning(&mean.force, &mean.arms, 0.5, &mut self.matrix);
@@ -142,10 +146,11 @@ impl Dynamics {
             report.last_correction = if motion > 0.0 { size / motion } else { 0.0 };
             let below =
                 |[of_motion, of_whole]: [f64; 2]| size * ratio.min(1.0) <= of_motion * motion + of_whole * whole;
-            if below(CONVERGED) || (ratio > HOPELESS && last.is_finite() && below(ROUNDED)) {
+            if below(CONVERGED) || (ratio > STANDING && last.is_finite() && below(ROUNDED)) {
                 return Ok(true);
             }
-            if hopeful && last.is_finite() && ratio > HOPELESS {
+            smallest = smallest.min(size);
+            if hopeful && size > FAR * smallest {
                 return Ok(false);
             }
             fresh = ratio > CONTRACTING && last.is_finite();
@@ -155,15 +160,16 @@ impl Dynamics {
     }
 
     /// M/(theta dt^2) + theta K + C/dt, and the elastic forces at the end.
-    fn lay_tangent(&mut self, rule: &Trapezoidal, state: &State, new: &State, dt: f64) {
+    fn lay_tangent(&mut self, rule: &Trapezoidal, state: &State, start: &[Chord], new: &State, dt: f64) {
         let system = &self.system;
         let ties = &system.equations.ties;
         let between = ties.arms_between(&state.displacement, &new.displacement);
         let at_end = ties.arms_at(&new.displacement);
         let arms = [&between[..], &at_end[..]];
         self.matrix.clear();
-        let tangent = Some((rule.weight, arms, &mut self.matrix));
-        system.elastic_forces(&new.displacement, &mut self.internal, tangent);
+        let tangent = Some((arms, &mut self.matrix));
+        let from = (start, &state.displacement[..]);
+        system.mean_elastic_forces(from, &new.displacement, rule.weight, &mut self.internal, tangent);
         let middle = each(&state.displacement, &new.displacement, |from, to| 0.5 * (from + to));
         system.add_viscosity(&middle, &self.damping, dt.recip(), arms, &mut self.matrix);
         let of_mass = (rule.weight * dt * dt).recip() + self.damping.mass / dt;
@@ -172,21 +178,18 @@ impl Dynamics {
         }
     }
 
+    /// Elastic forces over the step, into `self.internal`; returns what they take beyond the energy's change \[J\].
+    fn elastic_over_the_step(&mut self, rule: &Trapezoidal, state: &State, start: &[Chord], new: &State) -> f64 {
+        let from = (start, &state.displacement[..]);
+        self.system.mean_elastic_forces(from, &new.displacement, rule.weight, &mut self.internal, None)
+    }
+
     /// What acts over the step that leads to `new`, whose elastic forces are in `self.internal`.
-    fn mean(
-        &self,
-        rule: &Trapezoidal,
-        state: &State,
-        start: &[[f64; 3]],
-        load: &[[f64; 3]],
-        dt: f64,
-        new: &State,
-    ) -> Mean {
+    fn mean(&self, rule: &Trapezoidal, state: &State, load: &[[f64; 3]], dt: f64, new: &State) -> Mean {
         let rate = each(&new.displacement, &state.displacement, |to, from| (to - from) / dt);
         let middle = each(&state.displacement, &new.displacement, |from, to| 0.5 * (from + to));
         let viscous = self.system.viscous_forces(&middle, &rate, &self.damping, &rule.mass.nodal);
-        let elastic = each(start, &self.internal, |from, to| (1.0 - rule.weight) * from + rule.weight * to);
-        let mut force = each(load, &each(&elastic, &viscous, |a, b| a + b), |load, internal| load - internal);
+        let mut force = each(load, &each(&self.internal, &viscous, |a, b| a + b), |load, taken| load - taken);
         let ties = &self.system.equations.ties;
         for tie in &ties.all {
             // Masses that stay at tied nodes, of bodies held at their node, are carried along by it.
@@ -229,18 +232,17 @@ impl Dynamics {
         state: &State,
         new: &mut State,
         mean: &Mean,
-        start: &[[f64; 3]],
+        by_elements: f64,
         dt: f64,
         report: &mut StepReport,
     ) {
         let system = &self.system;
         let moved = each(&new.displacement, &state.displacement, |to, from| to - from);
         let gained = each(&new.velocity, &state.velocity, |to, from| to - from);
-        let stiffened = each(&self.internal, start, |to, from| to - from);
         let speeds = system.equations.pick(gained.as_flattened());
         let kinetic: f64 = speeds.iter().zip(&rule.mass.by_equation).map(|(v, mass)| mass * v * v).sum();
-        let of_rule = (rule.weight - 0.5) * (kinetic + pairing(&moved, &stiffened));
-        report.dissipated = of_rule + pairing(&mean.viscous, &moved);
+        let of_rule = (rule.weight - 0.5) * kinetic;
+        report.dissipated = of_rule + by_elements + pairing(&mean.viscous, &moved);
 
         // The forces without what `mean` took for carried masses: these are in the velocities.
         let mut lack = mean.force.clone();

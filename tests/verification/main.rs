@@ -21,5 +21,6 @@ mod still_water;
 mod study;
 mod symmetry;
 mod taylor_green;
+mod thin_walls;
 mod transfer;
 mod wave_maker;

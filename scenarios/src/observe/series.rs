@@ -107,9 +107,10 @@ impl Series {
 
 /// Values of a panel's columns, in the order of [`crate::scene::Panel::columns`].
 pub(super) fn panel_values(panel: &PanelState) -> Vec<f64> {
-    let watched = panel.watched.iter().flat_map(|w| {
-        [w.displacement[0], w.displacement[1], w.deflection, w.section.moment, w.strain[0], w.strain[1]]
-    });
+    let watched = panel
+        .watched
+        .iter()
+        .flat_map(|w| [w.displacement[0], w.displacement[1], w.deflection, w.section.moment, w.strain[0], w.strain[1]]);
     watched.chain([panel.stress]).collect()
 }
 

@@ -226,8 +226,19 @@ mod tests {
 
     #[test]
     fn keywords_and_serde_fields_are_the_same() {
-        let tables =
-            ["time", "resolution", "fluid", "tank", "body", "body.panels[]", "gauges[]", "compare[]", "observe", "report", "coupling"];
+        let tables = [
+            "time",
+            "resolution",
+            "fluid",
+            "tank",
+            "body",
+            "body.panels[]",
+            "gauges[]",
+            "compare[]",
+            "observe",
+            "report",
+            "coupling",
+        ];
         let top = serde_fields("");
         let mut fields: Vec<String> =
             top.iter().filter(|f| !tables.iter().any(|t| t.trim_end_matches("[]") == *f)).cloned().collect();

@@ -21,13 +21,22 @@ pub(super) fn line(shape: &Shape) -> Course {
 }
 
 pub(super) fn resolve_panels(files: Vec<PanelFile>, body: &Body, symmetry: Symmetry) -> Result<Vec<Panel>, Problem> {
-    let panels: Vec<Panel> =
-        files.into_iter().enumerate().map(|(i, file)| resolve_panel(i, file, body, symmetry)).collect::<Result<_, _>>()?;
+    let panels: Vec<Panel> = files
+        .into_iter()
+        .enumerate()
+        .map(|(i, file)| resolve_panel(i, file, body, symmetry))
+        .collect::<Result<_, _>>()?;
     let line = line(&body.shape);
     let reach = |panel: &Panel| [panel.from, panel.to].map(|end| line.nearest(end).0);
     for (i, panel) in panels.iter().enumerate() {
-        let middle = line.nearest(line.part(reach(panel)[0], reach(panel)[1]).at(0.5 * line.part(reach(panel)[0], reach(panel)[1]).length())).0;
-        if let Some(other) = panels.iter().enumerate().find(|(j, other)| *j != i && line.between(middle, reach(other))) {
+        let middle = line
+            .nearest(
+                line.part(reach(panel)[0], reach(panel)[1])
+                    .at(0.5 * line.part(reach(panel)[0], reach(panel)[1]).length()),
+            )
+            .0;
+        if let Some(other) = panels.iter().enumerate().find(|(j, other)| *j != i && line.between(middle, reach(other)))
+        {
             let expected = format!("a part of the line that body.panels[{}] does not take", other.0);
             return Err(Problem::new(&format!("body.panels[{i}].from"), format!("{:?}", panel.from), expected));
         }
@@ -45,18 +54,28 @@ fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> 
         let (s, distance) = line.nearest(at);
         if distance > 1e-3 * line.length() {
             let place = line.at(s).map(significant);
-            let expected = format!("a point on the body's line: the nearest, [{}, {}], is {} m away", place[0], place[1], significant(distance));
+            let expected = format!(
+                "a point on the body's line: the nearest, [{}, {}], is {} m away",
+                place[0],
+                place[1],
+                significant(distance)
+            );
             return Err(Problem::new(&key(name), format!("{at:?}"), expected));
         }
         if symmetry == Symmetry::X && at[0] < 0.0 {
-            return Err(Problem::new(&key(name), format!("{at:?}"), "x >= 0 with symmetry = \"x\": the other half is its image"));
+            return Err(Problem::new(
+                &key(name),
+                format!("{at:?}"),
+                "x >= 0 with symmetry = \"x\": the other half is its image",
+            ));
         }
         Ok(at)
     };
     let (from, to) = (end("from", file.from)?, end("to", file.to)?);
     let reach = [from, to].map(|at| line.nearest(at).0);
     if reach[0] == reach[1] || (!line.is_closed() && reach[1] < reach[0]) {
-        let expected = if line.is_closed() { "another point than from" } else { "a point after from along body.points" };
+        let expected =
+            if line.is_closed() { "another point than from" } else { "a point after from along body.points" };
         return Err(Problem::new(&key("to"), format!("{to:?}"), expected));
     }
     let length = line.part(reach[0], reach[1]).length();

@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test binary uses its own part
 
 use std::collections::HashMap;
-use structure_fe::{Beam, Loads, Material, Section, Supports};
+use structure_fe::{Beam, Integration, Loads, Material, Section, State, Supports};
 
 /// Aluminium, about.
 pub const MATERIAL: Material = Material { youngs_modulus: 70e9, poissons_ratio: 0.33, density: 2700.0 };
@@ -71,4 +71,35 @@ pub fn table(name: &str) -> Vec<HashMap<String, String>> {
 /// A cell of a table as a number.
 pub fn number(row: &HashMap<String, String>, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|error| panic!("{column} = {}: {error}", row[column]))
+}
+
+/// The trapezoidal rule without dissipation.
+pub const CONSERVING: Integration = Integration::Trapezoidal { spectral_radius: 1.0 };
+
+/// No load.
+pub fn none(nodes: usize) -> Vec<[f64; 3]> {
+    vec![[0.0; 3]; nodes]
+}
+
+/// A body with a panel clamped to it that begins beside its centre of mass.
+pub fn body_with_panel(material: Material, thickness: f64, elements: usize) -> (Beam, Supports, usize) {
+    let panel = Beam::straight([0.1, 0.05], [0.6, 0.05], elements, material, Section::strip(thickness)).unwrap();
+    let (model, body) = panel.with_rigid_body([-0.05, 0.0], 20.0, 0.3).unwrap();
+    let mut held = Supports::default();
+    held.tie(body, 0);
+    (model, held, body)
+}
+
+/// Rubber, about.
+pub const RUBBER: Material = Material { youngs_modulus: 5e6, poissons_ratio: 0.45, density: 1100.0 };
+
+/// The scalar product of two fields over the nodes.
+pub fn pairing(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
+}
+
+/// What moved between two states.
+pub fn moved(from: &State, to: &State) -> Vec<[f64; 3]> {
+    let each = to.displacement.iter().zip(&from.displacement);
+    each.map(|(to, from)| [0, 1, 2].map(|dof| to[dof] - from[dof])).collect()
 }

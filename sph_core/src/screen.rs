@@ -1,0 +1,178 @@
+//! Screens: the middle lines of thin walls, which nothing sees through (THEORY T1), and who has passed one (T5).
+
+use crate::fluid::Fluid;
+use crate::walls::Walls;
+
+/// The middle line of a thin wall, moving; its owner gives it anew for every step.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Screen {
+    /// Corners of the line at the end of the step [m].
+    pub points: Vec<[f64; 2]>,
+    /// The same corners at the start of the step [m]; empty: they did not move.
+    pub start: Vec<[f64; 2]>,
+    /// Half the wall's thickness [m].
+    pub half_thickness: f64,
+    /// True for a line that is its own image in the plane of symmetry.
+    pub own_image: bool,
+}
+
+/// What part of a thin wall a boundary particle is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ThinShare {
+    /// Which of its owner's screens; among [`Walls`], which of all screens.
+    pub screen: u32,
+    /// Its area lies deeper than half the thickness: it is seen through the screen, other particles up to it.
+    pub beyond: bool,
+}
+
+/// A fluid particle that went through a screen in the step just taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passage {
+    /// Index of the particle.
+    pub particle: usize,
+    /// Which screen.
+    pub screen: usize,
+    /// The place of the screen where it went through, at the step's end [m].
+    pub at: [f64; 2],
+    /// Unit normal of the screen there, to the side that the particle came from [-].
+    pub normal: [f64; 2],
+}
+
+/// Inner corners of a line overlap by this share of a side, so that nothing slips through while they turn.
+const LAP: f64 = 1e-3;
+
+impl Screen {
+    /// The screen `offset` [s] from the end of a step of `dt` [s], between its start and its end.
+    pub fn at(&self, offset: f64, dt: f64) -> Screen {
+        let back = if dt > 0.0 { -offset / dt } else { 0.0 };
+        if self.start.len() != self.points.len() || back == 0.0 {
+            return Screen { start: Vec::new(), ..self.clone() };
+        }
+        let between = |(end, start): (&[f64; 2], &[f64; 2])| mix(*end, *start, back);
+        Screen { points: self.points.iter().zip(&self.start).map(between).collect(), start: Vec::new(), ..*self }
+    }
+
+    /// T5: where a particle that moved from `from` to `to` [m] in the step went through the screen, and the normal to
+    /// the side it came from; `None` if it is on the same side, or went round an end.
+    pub fn passed(&self, from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
+        let start = if self.start.len() == self.points.len() { &self.start } else { &self.points };
+        let (mut found, mut times) = (None, 0);
+        let sides = self.points.len().saturating_sub(1);
+        for k in 0..sides {
+            let (before, after) = ([start[k], start[k + 1]], [self.points[k], self.points[k + 1]]);
+            let (s0, s1) = (height(before, from), height(after, to));
+            if s0 * s1 >= 0.0 {
+                continue;
+            }
+            let t = s0 / (s0 - s1);
+            let [a, b] = [0, 1].map(|end| mix(before[end], after[end], t));
+            let (way, r) = (minus(b, a), minus(mix(from, to, t), a));
+            let along = (r[0] * way[0] + r[1] * way[1]) / (way[0] * way[0] + way[1] * way[1]);
+            let lap = |end: bool| if end { 0.0 } else { LAP };
+            if along < -lap(k == 0) || along > 1.0 + lap(k + 1 == sides) {
+                continue;
+            }
+            times += 1;
+            let way = minus(after[1], after[0]);
+            let to_left = s0.signum() / way[0].hypot(way[1]);
+            found.get_or_insert((mix(after[0], after[1], along), [-way[1] * to_left, way[0] * to_left]));
+        }
+        found.filter(|_| times % 2 == 1)
+    }
+
+    /// Corners [least, largest] of an upright rectangle about the line, at both ends of the step [m].
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        bounds(self.points.iter().chain(&self.start))
+    }
+}
+
+/// Corners [least, largest] of an upright rectangle about points [m].
+pub(crate) fn bounds<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> [[f64; 2]; 2] {
+    points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[lo, hi], p| {
+        [[lo[0].min(p[0]), lo[1].min(p[1])], [hi[0].max(p[0]), hi[1].max(p[1])]]
+    })
+}
+
+fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn mix(a: [f64; 2], b: [f64; 2], t: f64) -> [f64; 2] {
+    [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]
+}
+
+/// Height of `p` above a side, to its left, times the side's length [m²].
+fn height([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+}
+
+impl Fluid {
+    /// T5: note where every particle begins the step, where there are screens.
+    pub(crate) fn note_beginning(&mut self, walls: &Walls) {
+        if walls.screens.is_empty() {
+            return;
+        }
+        let p = &self.particles;
+        self.beginning.resize(p.len(), [0.0; 2]);
+        for k in 0..p.len() {
+            self.beginning[p.id[k] as usize] = [p.x[k], p.y[k]];
+        }
+    }
+
+    /// T5: the fluid particles that went through a screen in the step just taken, in the particles' order.
+    pub fn passages(&self, walls: &Walls) -> Vec<Passage> {
+        let (p, mut found) = (&self.particles, Vec::new());
+        if self.beginning.len() != p.len() {
+            return found;
+        }
+        for (screen, line) in walls.screens.iter().enumerate() {
+            let [lo, hi] = line.bounds();
+            for particle in 0..p.len() {
+                let (from, to) = (self.beginning[p.id[particle] as usize], [p.x[particle], p.y[particle]]);
+                let beside = |c: usize| from[c].max(to[c]) < lo[c] || from[c].min(to[c]) > hi[c];
+                if beside(0) || beside(1) {
+                    continue;
+                }
+                if let Some((at, normal)) = line.passed(from, to) {
+                    found.push(Passage { particle, screen, at, normal });
+                }
+            }
+        }
+        found
+    }
+
+    /// Put a particle somewhere else [m]; its neighbours are looked for anew before they are next needed.
+    pub fn put(&mut self, particle: usize, at: [f64; 2]) {
+        [self.particles.x[particle], self.particles.y[particle]] = at;
+        self.displaced = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn upright(x: f64) -> Vec<[f64; 2]> {
+        vec![[x, 0.0], [x, 0.5], [x, 1.0]]
+    }
+
+    #[test]
+    fn who_goes_through_is_told_from_who_goes_round() {
+        let still = Screen { points: upright(0.0), ..Screen::default() };
+        let (at, normal) = still.passed([0.1, 0.2], [-0.1, 0.4]).expect("through the middle");
+        assert!(at[0].abs() < 1e-15 && (at[1] - 0.3).abs() < 1e-15 && normal == [1.0, 0.0], "{at:?} {normal:?}");
+        assert!(still.passed([-0.1, 0.5], [0.1, 0.5]).is_some(), "through a corner");
+        assert_eq!(still.passed([0.1, 0.95], [-0.1, 1.06]), None, "round the end");
+        assert_eq!(still.passed([0.1, 0.2], [0.001, 0.4]), None);
+    }
+
+    /// A plate that sweeps past a particle at rest has been gone through; one that is followed has not.
+    #[test]
+    fn the_screens_own_motion_counts() {
+        let moved = Screen { points: upright(0.2), start: upright(0.0), ..Screen::default() };
+        let (at, normal) = moved.passed([0.1, 0.3], [0.1, 0.3]).expect("swept over");
+        assert!((at[0] - 0.2).abs() < 1e-15 && normal == [1.0, 0.0], "put before the plate: {at:?} {normal:?}");
+        assert_eq!(moved.passed([-0.1, 0.3], [0.1, 0.3]), None);
+        assert_eq!(moved.at(-0.05, 0.1).points[1][0], 0.1);
+    }
+}

@@ -1,0 +1,221 @@
+//! Elastic forces over a step: their work is the change of the elastic energy, exactly, at any rotation.
+//!
+//! A discrete gradient (Gonzalez 1996) of the energy of S10: elongation and turn of the chord have, between
+//! two places, derivatives along the mean chord whose products with the motion are their changes; normal force
+//! and moments are weighed between both ends of the step (THEORY S22).
+
+use crate::corotational::Chord;
+use crate::element::{ElementConstants, Ends, EndsMatrix};
+use crate::ties::sinc;
+
+/// Forces of an element between two places.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeanForces {
+    /// Forces at the ends, in the global axes.
+    pub forces: Ends,
+    /// What they take beyond the change of the elastic energy \[J\]: none where the weight is one half.
+    pub dissipated: f64,
+}
+
+/// What force and tangent share.
+struct Between<'a> {
+    element: &'a ElementConstants,
+    weight: f64,
+    from: Chord,
+    to: Chord,
+    /// Derivatives of elongation \[-\] and turn \[1/m\] by the chord's vector, between both places.
+    elongating: [f64; 2],
+    turning: [f64; 2],
+    /// Turn between both places \[rad\], and how much longer the turning is than 1/l^2 times the mean chord.
+    turn: f64,
+    arm: f64,
+    mean: [f64; 3],
+    /// N \[N\], M_s, M_a \[N m\].
+    forces: [f64; 3],
+}
+
+/// Mean strain of the axis \[-\] (THEORY S10).
+fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
+    let [g_arc, g_ess] = element.curvature_strain;
+    e / element.length + 0.5 * (g_arc * arc * arc + g_ess * ess * ess)
+}
+
+impl<'a> Between<'a> {
+    #[inline]
+    fn new(element: &'a ElementConstants, from: Chord, to: Chord, weight: f64) -> Self {
+        let [start, end] = [from, to].map(|chord| chord.direction.map(|x| chord.length * x));
+        let middle = [0, 1].map(|axis| 0.5 * (start[axis] + end[axis]));
+        let both = from.length + to.length;
+        let cross = start[0] * end[1] - start[1] * end[0];
+        let turn = cross.atan2(start[0] * end[0] + start[1] * end[1]);
+        let arm = (from.length * to.length * sinc(turn)).recip();
+        let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (from.deformation[i] + to.deformation[i]));
+        let weighed = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
+        let [axial, for_arc, for_ess] = element.stiffness;
+        let [g_arc, g_ess] = element.curvature_strain.map(|factor| factor * element.length);
+        let [before, after] = [&from, &to].map(|chord| strain(element, &chord.deformation));
+        let normal = axial * element.length * weighed(before, after);
+        let of = |i: usize| weighed(from.deformation[i], to.deformation[i]);
+        let forces = [normal, for_arc * of(1) + normal * g_arc * mean[1], for_ess * of(2) + normal * g_ess * mean[2]];
+        let elongating = middle.map(|x| 2.0 * x / both);
+        let turning = [-arm * middle[1], arm * middle[0]];
+        Self { element, weight, from, to, elongating, turning, turn, arm, mean, forces }
+    }
+
+    fn forces(&self) -> MeanForces {
+        let [normal, arc, ess] = self.forces;
+        let [x, y] = [0, 1].map(|k| normal * self.elongating[k] - ess * self.turning[k]);
+        let element = self.element;
+        let change: [f64; 3] = std::array::from_fn(|i| self.to.deformation[i] - self.from.deformation[i]);
+        let [before, after] = [&self.from, &self.to].map(|chord| strain(element, &chord.deformation));
+        let [axial, for_arc, for_ess] = element.stiffness;
+        let squares = axial * (element.length * (after - before)).powi(2)
+            + for_arc * change[1].powi(2)
+            + for_ess * change[2].powi(2);
+        MeanForces {
+            forces: [-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)],
+            dissipated: (self.weight - 0.5) * squares,
+        }
+    }
+
+    /// Derivative of the forces by the end values at the second place; not symmetric.
+    #[inline]
+    fn tangent(&self, factor: f64) -> EndsMatrix {
+        let (element, weight) = (self.element, self.weight);
+        let [normal, _, ess] = self.forces;
+        let [axial, for_arc, for_ess] = element.stiffness;
+        let [g_arc, g_ess] = element.curvature_strain.map(|g| g * element.length);
+        let [c, s] = self.to.direction;
+        let y = 1.0 / self.to.length;
+        // Over the chord's vector and both rotations.
+        let by_e = [c, s, 0.0, 0.0];
+        let by_arc = [0.0, 0.0, 0.5, -0.5];
+        let by_turn = [-y * s, y * c, 0.0, 0.0];
+        let by_ess = [y * s, -y * c, 0.5, 0.5];
+        let [_, arc_end, ess_end] = self.to.deformation;
+        let [_, arc_mean, ess_mean] = self.mean;
+        let by = |k: usize| {
+            let n = weight * axial * (by_e[k] + g_arc * arc_end * by_arc[k] + g_ess * ess_end * by_ess[k]);
+            let m_arc = (weight * for_arc + 0.5 * normal * g_arc) * by_arc[k] + g_arc * arc_mean * n;
+            let m_ess = (weight * for_ess + 0.5 * normal * g_ess) * by_ess[k] + g_ess * ess_mean * n;
+            [n, m_arc, m_ess]
+        };
+        let both = self.from.length + self.to.length;
+        let x = self.turn;
+        let slope = if x.abs() < 1e-3 { -x / 3.0 } else { (x.cos() - sinc(x)) / (x * sinc(x)) };
+        let quarter = 0.5 * self.arm;
+        let mut rows = [[0.0; 4]; 4];
+        for k in 0..4 {
+            let [n, m_arc, m_ess] = by(k);
+            let (along, turned) = (by_e[k] / both, y * by_e[k] + slope * by_turn[k]);
+            let unit = [f64::from(u8::from(k == 0)), f64::from(u8::from(k == 1))];
+            let crossed = [-quarter * unit[1], quarter * unit[0]];
+            for axis in 0..2 {
+                let elongating = unit[axis] / both - along * self.elongating[axis];
+                let turning = crossed[axis] - turned * self.turning[axis];
+                rows[axis][k] = factor
+                    * (n * self.elongating[axis] + normal * elongating - m_ess * self.turning[axis] - ess * turning);
+            }
+            rows[2][k] = factor * 0.5 * (m_ess + m_arc);
+            rows[3][k] = factor * 0.5 * (m_ess - m_arc);
+        }
+        let mut matrix = [[0.0; 6]; 6];
+        // The chord's vector is the second end's place less the first's.
+        let places = [[(0, -1.0), (3, 1.0)], [(1, -1.0), (4, 1.0)], [(2, 1.0), (2, 0.0)], [(5, 1.0), (5, 0.0)]];
+        for i in 0..4 {
+            for j in 0..4 {
+                for (row, sign_i) in places[i] {
+                    for (column, sign_j) in places[j] {
+                        matrix[row][column] += sign_i * sign_j * rows[i][j];
+                    }
+                }
+            }
+        }
+        matrix
+    }
+}
+
+/// Forces between two places, `weight` of the second.
+#[inline]
+pub(crate) fn mean_forces(element: &ElementConstants, from: Chord, to: Chord, weight: f64) -> MeanForces {
+    Between::new(element, from, to, weight).forces()
+}
+
+/// The same with `factor` times their derivative by the second place.
+#[inline]
+pub(crate) fn mean_forces_and_tangent(
+    element: &ElementConstants,
+    from: Chord,
+    to: Chord,
+    weight: f64,
+    factor: f64,
+) -> (MeanForces, EndsMatrix) {
+    let between = Between::new(element, from, to, weight);
+    (between.forces(), between.tangent(factor))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::corotational::{elastic_forces, strain_energy};
+    use crate::element::{Properties, dot};
+
+    fn element(shear_stiffness: f64) -> ElementConstants {
+        let properties = Properties {
+            axial_stiffness: 3e4,
+            bending_stiffness: 20.0,
+            shear_stiffness,
+            mass_per_length: 2.0,
+            radius_squared: 0.0,
+        };
+        ElementConstants::new(&properties, [0.4, 0.3])
+    }
+
+    const FROM: Ends = [0.1, -0.2, 0.3, 0.12, -0.1, -0.1];
+    const TO: Ends = [0.5, 0.3, 1.1, 0.2, 0.4, 0.6];
+
+    #[test]
+    fn their_work_is_the_change_of_the_elastic_energy() {
+        for shear in [f64::INFINITY, 500.0] {
+            let element = element(shear);
+            let chord = |q: &Ends| Chord::new(&element, q);
+            let moved: Ends = std::array::from_fn(|i| TO[i] - FROM[i]);
+            let change = strain_energy(&element, &TO) - strain_energy(&element, &FROM);
+            for weight in [0.5, 0.7] {
+                let mean = mean_forces(&element, chord(&FROM), chord(&TO), weight);
+                let error = dot(&mean.forces, &moved) - mean.dissipated - change;
+                assert!(error.abs() < 1e-10 * change.abs(), "{weight}: {error:e} of {change}");
+                assert!((mean.dissipated > 0.0) == (weight > 0.5));
+            }
+            // And at one place they are the forces there.
+            let there = chord(&TO);
+            let mean = mean_forces(&element, there, there, 0.5).forces;
+            let exact = there.to_global(&elastic_forces(&element, &there));
+            for (mean, exact) in mean.iter().zip(exact) {
+                assert!((mean - exact).abs() < 1e-10 * exact.abs().max(1.0));
+            }
+        }
+    }
+
+    #[test]
+    fn the_tangent_is_their_derivative() {
+        let element = element(500.0);
+        let chord = |q: &Ends| Chord::new(&element, q);
+        for to in [TO, std::array::from_fn(|i| FROM[i] + 1e-5 * TO[i])] {
+            let (_, tangent) = mean_forces_and_tangent(&element, chord(&FROM), chord(&to), 0.6, 2.0);
+            for j in 0..6 {
+                let step = 1e-6;
+                let [low, high] = [-step, step].map(|change| {
+                    let mut q = to;
+                    q[j] += change;
+                    mean_forces(&element, chord(&FROM), chord(&q), 0.6).forces
+                });
+                for i in 0..6 {
+                    let slope = 2.0 * (high[i] - low[i]) / (2.0 * step);
+                    let error = tangent[i][j] - slope;
+                    assert!(error.abs() < 1e-2, "{i}{j}: {} against {slope}", tangent[i][j]);
+                }
+            }
+        }
+    }
+}

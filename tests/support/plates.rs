@@ -1,0 +1,67 @@
+//! Thin plates in small tanks: systems to step, and the force on each face.
+
+use fsi_coupling::fill::{Basin, Tiling};
+use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
+use sph_core::{Fluid, Parameters, Seed};
+
+use crate::bare;
+
+/// Gravity [m/s²].
+pub const GRAVITY: f64 = 9.81;
+/// Density [kg/m³].
+pub const DENSITY: f64 = 1000.0;
+
+/// Parameters of water under gravity with a sound speed [m/s].
+pub fn parameters(c0: f64) -> Parameters {
+    Parameters { gravity: [0.0, -GRAVITY], ..bare::parameters(c0) }
+}
+
+/// Particles of still water, cells of `spacing` [m] from `from` up to `to` [m], at rest under a surface at height `to[1]`.
+pub fn still(from: [f64; 2], to: [f64; 2], spacing: f64) -> Vec<Seed> {
+    bare::lattice(from, to, spacing, |at| Some(([0.0; 2], DENSITY * GRAVITY * (to[1] - at[1]))))
+}
+
+/// A tank with a floor at y = 0 and walls at `x` up to `rim` [m].
+pub fn tank(x: [f64; 2], rim: f64, spacing: f64) -> Tank {
+    let tiling = Tiling::new(Basin { x, y: [0.0, rim], fine_x: x, fine_depth: rim, spacing, growth: 1.0 });
+    Tank::new(tiling, x, 0.0, rim, false)
+}
+
+/// The outline of a plate about a middle line [m].
+pub fn plate(middle: &[[f64; 2]], thickness: f64) -> Outline {
+    Outline::of(&Shape::Polyline { points: middle.to_vec(), thickness }).expect("a sound plate")
+}
+
+/// A plate that does not move.
+pub fn fixed(outline: Outline) -> Box<dyn WettedBody> {
+    Box::new(PrescribedBody::new("plate", outline, false, PrescribedBody::steady([0.0; 2], 0.0, [0.0; 2], 0.0)))
+}
+
+/// Bodies (the plate first) and seeds, ready to step.
+pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn WettedBody>>, spacing: f64) -> Coupled {
+    Coupled::new(Fluid::new(parameters, seeds), bodies, Scheme::Weak, spacing).expect("a sound system")
+}
+
+/// A plate of `thickness` spacings that parts a tank of 2 × `columns` cells into two waters of `rows` [left, right] cells;
+/// it stands on the floor and ends above both.
+pub fn parted(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) -> Coupled {
+    let (half, width) = (0.5 * thickness * spacing, columns as f64 * spacing);
+    let [left, right] = rows.map(|n| n as f64 * spacing);
+    let high = left.max(right) + 4.0 * spacing;
+    let mut seeds = still([-half - width, 0.0], [-half, left], spacing);
+    seeds.extend(still([half, 0.0], [half + width, right], spacing));
+    let outline = plate(&[[0.0, 0.0], [0.0, high]], 2.0 * half).rooted([4.0 * spacing, 0.0]);
+    let c0 = 10.0 * (2.0 * GRAVITY * left.max(right)).sqrt();
+    let tank = tank([-half - width, half + width], high, spacing);
+    let tank = tank.carrying(outline.plate().cloned().into_iter().collect());
+    coupled(parameters(c0), &seeds, vec![fixed(outline), Box::new(tank)], spacing)
+}
+
+/// Force of the water along x on the left face and on the right face of body 0 [N/m].
+pub fn face_forces(system: &Coupled) -> [f64; 2] {
+    let (w, mut sum) = (&system.walls, [0.0; 2]);
+    for k in system.range(0) {
+        sum[usize::from(w.nx[k] > 0.0)] += w.fx[k];
+    }
+    sum
+}
