@@ -6,11 +6,13 @@
 //! - `stability`: known failures of the method, each asserted, with its remedy beside it.
 //!
 //! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
-//! coarse [`systems`] to step, [`bare`] fluids without bodies, a hand-made [`load`] to push bodies with, a [`light`] box, linear theory of
-//! [`heave`], and small [`statistics`].
+//! coarse [`systems`] to step, a wedge at the host's [`door`], [`bare`] fluids without bodies, a hand-made [`load`] to push
+//! bodies with, a [`light`] box, linear theory of [`heave`], and small [`statistics`].
 
 #[path = "support/bare.rs"]
 pub mod bare;
+#[path = "support/door.rs"]
+pub mod door;
 #[path = "support/heave.rs"]
 pub mod heave;
 #[path = "support/light.rs"]

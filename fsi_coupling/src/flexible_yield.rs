@@ -94,7 +94,9 @@ fn lengths(dynamics: &Dynamics) -> Vec<f64> {
         }
         all = [all[0] + length, 2.0];
     }
-    sums.iter().map(|sum| if sum[1] > 0.0 { 0.5 * sum[0] / sum[1] } else { 0.5 * all[0].max(f64::MIN_POSITIVE) }).collect()
+    sums.iter()
+        .map(|sum| if sum[1] > 0.0 { 0.5 * sum[0] / sum[1] } else { 0.5 * all[0].max(f64::MIN_POSITIVE) })
+        .collect()
 }
 
 impl Yields for FlexibleYield {

@@ -2,7 +2,8 @@
 //! how the fluid's forces go back to it.
 //!
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
-//! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
+//! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles. [`host`] is the door for programs
+//! that keep their own loop.
 
 pub mod beam_surface;
 pub mod body;
@@ -19,6 +20,7 @@ pub mod flexible;
 pub mod flexible_body;
 pub mod flexible_yield;
 pub mod force_rules;
+pub mod host;
 pub mod nodal;
 pub mod outline;
 pub mod panel;

@@ -101,7 +101,7 @@ impl WettedBody for Tank {
                     area: if on_plane { 0.5 * s * s } else { s * s },
                     spacing: s,
                     depth: depth(layer, s),
-                    share: None,
+                    screen: None,
                 });
             }
         }
@@ -115,7 +115,7 @@ impl WettedBody for Tank {
                         area: s * s,
                         spacing: s,
                         depth: depth(layer, s),
-                        share: None,
+                        screen: None,
                     });
                 }
             }
@@ -130,7 +130,7 @@ impl WettedBody for Tank {
                         spacing: s,
                         // its mirror point is then the corner's own diagonal opposite, in the water
                         depth: std::f64::consts::FRAC_1_SQRT_2 * (depth(i, s) + depth(j, s)),
-                        share: None,
+                        screen: None,
                     });
                 }
             }

@@ -1,12 +1,10 @@
 //! Boundary particles of thin walls: plates wet on both sides, of any thickness (THEORY T2, T3).
 //!
-//! Each face carries rows at depths ½Δx, 1½Δx, … below it, however thin the plate is. What of a row lies deeper than
-//! half the thickness is beyond the middle line, maybe in the water of the other side, and is seen through the plate's
-//! screen only; what lies less deep is seen up to the screen only. A row that the middle line cuts is two particles at one
-//! place, with their shares of its area: so water beyond a free edge, which sees the near shares of both faces, finds
-//! just the plate's own thickness.
+//! Each face carries rows at depths ½Δx, 1½Δx, … below it, however thin the plate is: deep rows may lie in the water of
+//! the other side, which does not see them. So do the ends: their rows lie along the plate, as wide as it is thick. Which
+//! water a particle faces is told by its normal (T2).
 
-use sph_core::{Screen, ThinShare, WallPoint};
+use sph_core::{Screen, WallPoint};
 
 use crate::polygon::normal;
 use crate::sampling::{CORNER_DEG, Station, divide, turn_of};
@@ -70,31 +68,35 @@ fn beyond(a: [f64; 2], b: [f64; 2], length: f64) -> [f64; 2] {
 /// Least share of a row's area that is worth a particle.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// Boundary particles of a plate about the open line `middle` [m], `layers` rows below each face at the given spacing [m],
-/// mitred at bends, ending where the line ends. Their screen is number 0. Bends must be wider than the rows reach: see [`too_tight`].
+/// Boundary particles of a plate about the open line `middle` [m], `layers` rows below each face and each end at the given
+/// spacing [m], mitred at bends. Their screen is number 0. Bends must be wider than the rows reach: see [`too_tight`].
 pub fn sample(middle: &[[f64; 2]], thickness: f64, spacing: f64, layers: usize) -> Vec<WallPoint> {
     let back: Vec<[f64; 2]> = middle.iter().rev().copied().collect();
     let mut points = Vec::new();
     for line in [middle, &back] {
         for layer in 0..layers {
             let depth = (layer as f64 + 0.5) * spacing;
-            // how much of the row lies before the middle line
-            let before = (0.5 * thickness / spacing - layer as f64).clamp(0.0, 1.0);
             for face in rows(line, 0.5 * thickness - depth) {
-                let mut row = Vec::new();
-                divide(&face.row, [0.0, face.row[face.row.len() - 1].0], face.convex, depth, spacing, &mut row);
-                for point in row {
-                    for (share, beyond) in [(before, false), (1.0 - before, true)] {
-                        if share > LEAST_SHARE {
-                            let part = Some(ThinShare { screen: 0, beyond });
-                            points.push(WallPoint { area: share * point.area, share: part, ..point });
-                        }
-                    }
-                }
+                divide(&face.row, [0.0, face.row[face.row.len() - 1].0], face.convex, depth, spacing, &mut points);
             }
+            end_row(line, thickness, depth, spacing, &mut points);
         }
     }
-    points
+    points.into_iter().map(|p| WallPoint { screen: Some(0), ..p }).collect()
+}
+
+/// A row behind the last end of a line, as wide as the plate is thick.
+fn end_row(line: &[[f64; 2]], thickness: f64, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
+    let (from, end) = (line[line.len() - 2], line[line.len() - 1]);
+    let out = normal(from, end);
+    let along = [-out[1], out[0]];
+    let count = (thickness / spacing).round().max(1.0);
+    let part = thickness / count;
+    for k in 0..count as usize {
+        let across = (k as f64 + 0.5) * part - 0.5 * thickness;
+        let at = [0, 1].map(|c| end[c] - depth * along[c] + across * out[c]);
+        points.push(WallPoint { at, normal: along, area: part * spacing, spacing, depth, screen: None });
+    }
 }
 
 /// The part x ≥ 0 of a plate that is its own image in x = 0: particles whose place on the surface lies there.
@@ -211,41 +213,39 @@ mod tests {
         points.iter().filter(|p| wanted(p)).map(|p| p.area).sum()
     }
 
-    fn beyond(p: &WallPoint) -> bool {
-        p.share.expect("a thin wall").beyond
-    }
-
-    /// Whatever the thickness: each face has three full rows; the near shares of both faces fill the plate, once.
+    /// Whatever the thickness: each face has three full rows, each end three rows as wide as the plate.
     #[test]
-    fn the_near_shares_of_both_faces_fill_the_plate() {
-        let middle = [[0.0, 0.0], [0.0, 1.0]];
+    fn every_face_has_its_full_rows() {
         for t in [0.002, 0.01, 0.013, 0.025, 0.05] {
-            let points = sample(&middle, t, 0.01, 3);
-            let left = |p: &WallPoint| p.normal[0] < 0.0;
-            assert!((area(&points, left) - 0.03).abs() < 1e-12 && (area(&points, |_| true) - 0.06).abs() < 1e-12);
-            assert!((area(&points, |p| !beyond(p)) - t).abs() < 1e-12, "thickness {t}");
+            let points = sample(&[[0.0, 0.0], [0.0, 1.0]], t, 0.01, 3);
+            for sign in [1.0, -1.0] {
+                assert!((area(&points, |p| sign * p.normal[0] > 0.5) - 0.03).abs() < 1e-12);
+                assert!((area(&points, |p| sign * p.normal[1] > 0.5) - 0.03 * t).abs() < 1e-15);
+            }
             for p in &points {
-                let face = p.at[0] + p.depth * p.normal[0];
-                assert!((face - 0.5 * t * p.normal[0]).abs() < 1e-14, "{p:?}: its depth is to its own face");
-                assert!(p.at[1] > 0.004 && p.at[1] < 0.996, "rows end where the line ends");
+                let [x, y] = [0, 1].map(|c| p.at[c] + p.depth * p.normal[c]);
+                let face = if p.normal[0] != 0.0 { x.abs() - 0.5 * t } else { (y - 0.5).abs() - 0.5 };
+                assert!(face.abs() < 1e-14 && p.screen == Some(0), "{p:?}: its depth is to its own face");
             }
         }
     }
 
-    /// A plate with a right angle: rows are mitred, so both faces' rows have the area of their strip; each face keeps
-    /// half a particle on the bisector of its convex corner.
+    /// A plate with a right angle: rows are mitred, so both faces' rows have the area of their strip; a convex corner has
+    /// two halves of a particle on its bisector.
     #[test]
     fn rows_follow_a_bend() {
         let middle = [[0.0, 0.3], [0.0, 0.0], [0.4, 0.0]];
-        let (s, points) = (0.02, sample(&[[0.0, 0.3], [0.0, 0.0], [0.4, 0.0]], 0.004, 0.02, 3));
-        let below = |p: &WallPoint| p.at[0] + p.depth * p.normal[0] < 0.0 || p.at[1] + p.depth * p.normal[1] < 0.0;
+        let (s, points) = (0.02, sample(&middle, 0.004, 0.02, 3));
+        let foot = |p: &WallPoint| [0, 1].map(|c| p.at[c] + p.depth * p.normal[c]);
+        let end = |p: &WallPoint| foot(p)[0] > 0.399 || foot(p)[1] > 0.299;
+        let below = |p: &WallPoint| foot(p)[0] < 0.0 || foot(p)[1] < 0.0;
         // strips of depth 3s behind the face outside (shorter by their depth) and inside the bend
         let length = |offset: f64| 0.7 + 2.0 * offset;
         let strip = |sign: f64| 0.5 * 3.0 * s * (length(sign * 0.002) + length(sign * (0.002 - 3.0 * s)));
-        assert!((area(&points, below) / strip(1.0) - 1.0).abs() < 1e-9, "{} {}", area(&points, below), strip(1.0));
-        let inside = area(&points, |p| !below(p)) / strip(-1.0);
-        assert!((inside - 1.0).abs() < 1e-9, "{inside}");
-        let on_bisector = |p: &&WallPoint| (p.at[0] - p.at[1]).abs() < 1e-12 && p.depth < s && beyond(p);
+        let [outside, inside] = [area(&points, |p| !end(p) && below(p)), area(&points, |p| !end(p) && !below(p))];
+        assert!((outside / strip(1.0) - 1.0).abs() < 1e-9, "{outside} {}", strip(1.0));
+        assert!((inside / strip(-1.0) - 1.0).abs() < 1e-9, "{inside} {}", strip(-1.0));
+        let on_bisector = |p: &&WallPoint| !end(p) && (p.at[0] - p.at[1]).abs() < 1e-12 && p.depth < s;
         assert_eq!(points.iter().filter(on_bisector).count(), 2);
         assert_eq!(too_tight(&middle, 0.06), None);
         assert_eq!(too_tight(&middle, 0.31), Some(0));
@@ -267,7 +267,7 @@ mod tests {
             area: 1e-4,
             spacing: 0.01,
             depth: 0.005,
-            share: None,
+            screen: None,
         };
         for thickness in [0.002, 0.01, 0.024] {
             let plate = Plate { roots: [0.04, 0.0], ..Plate::new(&[[0.001, 0.0], [0.001, 0.3]], thickness) };

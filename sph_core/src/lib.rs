@@ -55,7 +55,7 @@ pub use integrator::Integrator;
 pub use kernel::Kernel;
 pub use parameters::{Parameters, Slip};
 pub use particles::{Particles, Seed};
-pub use screen::{Passage, Screen, ThinShare};
+pub use screen::{Passage, Screen};
 pub use summation::DensityEvolution;
 pub use turbulence::Turbulence;
 pub use wall_model::{WallModel, WallTreatment};

@@ -40,21 +40,16 @@ impl Lists {
         });
     }
 
-    /// Keep in the list of each target k that `look(k)` has something to say of those j that `keep(k, it, j)` wants.
-    pub fn retain<L>(
-        &mut self,
-        look: impl Fn(usize) -> Option<Vec<L>> + Sync,
-        keep: impl Fn(usize, &[L], u32) -> bool + Sync,
-    ) {
+    /// Of the list of each target k, keep those j that `keep(k, j)` wants.
+    pub fn retain(&mut self, keep: impl Fn(usize, u32) -> bool + Sync) {
         let n = self.chunks.len() * CHUNK;
         sweep::for_each_chunk(&mut self.chunks, n, |targets, list| {
             let (mut from, mut kept) = (0, 0);
             for i in 0..list.start.len().saturating_sub(1) {
-                let (k, to) = (targets.start + i, list.start[i + 1] as usize);
-                let seen = if from < to { look(k) } else { None };
+                let to = list.start[i + 1] as usize;
                 for read in from..to {
                     let j = list.index[read];
-                    if seen.as_ref().is_none_or(|it| keep(k, it, j)) {
+                    if keep(targets.start + i, j) {
                         list.index[kept] = j;
                         kept += 1;
                     }

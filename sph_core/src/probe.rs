@@ -23,6 +23,7 @@ pub struct Probe<'a> {
     fluid: &'a Fluid,
     cells: Cells,
     sight: Sight,
+    reach: f64,
 }
 
 impl<'a> Probe<'a> {
@@ -43,16 +44,18 @@ impl<'a> Probe<'a> {
                 points.extend(near);
             }
         }
+        let widest = points.iter().map(|q| q.reach).fold(0.0, f64::max);
         let sight = Sight::new(&fluid.rows.screens, fluid.parameters.mirror);
-        Probe { fluid, cells: Cells::build(&points), sight }
+        Probe { fluid, cells: Cells::build(&points), sight, reach: 2.0 * widest }
     }
 
     /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (T1), each with its
     /// own kernel.
     fn around(&self, at: [f64; 2], mut take: impl FnMut(f64, &Point)) {
         let (p, d, kernel) = (&self.fluid.particles, &self.fluid.derived, self.fluid.parameters.kernel);
+        let view = self.sight.from(at, self.reach);
         self.cells.for_each_within(at[0], at[1], 0.0, |q| {
-            if !self.sight.free(at, [q.x, q.y]) {
+            if !view.shows([q.x, q.y]) {
                 return;
             }
             let k = q.index as usize;

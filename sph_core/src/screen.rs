@@ -16,15 +16,6 @@ pub struct Screen {
     pub own_image: bool,
 }
 
-/// What part of a thin wall a boundary particle is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ThinShare {
-    /// Which of its owner's screens; among [`Walls`], which of all screens.
-    pub screen: u32,
-    /// Its area lies deeper than half the thickness: it is seen through the screen, other particles up to it.
-    pub beyond: bool,
-}
-
 /// A fluid particle that went through a screen in the step just taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {

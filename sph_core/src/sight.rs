@@ -3,119 +3,170 @@
 use crate::cells::Point;
 use crate::images::Mirror;
 use crate::neighbours::Lists;
-use crate::screen::{Screen, bounds};
+use crate::screen::Screen;
+use crate::sweep;
 use crate::walls::Walls;
 
-/// A thin wall's particle is looked at this far to its own side of the middle line at least, in its smoothing lengths.
-const ASIDE: f64 = 0.05;
-/// Around a free end lists last until somebody has moved this many smoothing lengths (T4).
+/// A thin wall's particle faces the water this far above its surface, in its smoothing lengths.
+const ABOVE: f64 = 0.3;
+/// Around an end lists last until somebody has moved this many smoothing lengths (T4).
 const END_SKIN: f64 = 0.25;
-/// What counts as around a free end, in smoothing lengths.
+/// What counts as around an end, in smoothing lengths.
 const END_REACH: f64 = 2.5;
+/// A screen parts water whose nearest places of it are no farther apart along it than this many times the reach of the
+/// two: the turns of a coil do not part what lies between them.
+const ALONG: f64 = 4.0;
 
-/// A straight piece of a screen.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    from: [f64; 2],
-    way: [f64; 2],
-    square: f64,
-    screen: u32,
+/// Where somebody is, seen from a screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Zone {
+    /// On its left, as it runs from its first corner to its last.
+    Left,
+    /// On its right.
+    Right,
+    /// Before its first corner.
+    First,
+    /// Past its last corner.
+    Last,
 }
 
-impl Piece {
-    /// Coordinates across and along the piece, each times its length [m²].
-    fn place(&self, p: [f64; 2]) -> (f64, f64) {
-        let r = [p[0] - self.from[0], p[1] - self.from[1]];
-        (self.way[0] * r[1] - self.way[1] * r[0], self.way[0] * r[0] + self.way[1] * r[1])
+/// Where somebody is, seen from a screen near by.
+#[derive(Clone, Copy, Debug)]
+struct Standing {
+    screen: u32,
+    zone: Zone,
+    /// Length of the screen up to the place of it that is nearest [m].
+    along: f64,
+}
+
+/// A screen as it stands at one moment, or its image.
+struct Line {
+    screen: u32,
+    corners: Vec<[f64; 2]>,
+    box_: [[f64; 2]; 2],
+}
+
+impl Line {
+    fn is_near(&self, p: [f64; 2], radius: f64) -> bool {
+        let [lo, hi] = self.box_;
+        (0..2).all(|c| p[c] > lo[c] - radius && p[c] < hi[c] + radius)
     }
 
-    fn holds(&self, along: f64) -> bool {
-        (-1e-9 * self.square..=(1.0 + 1e-9) * self.square).contains(&along)
+    /// T1: the zone of p [m], by the nearest place of the line; `None` beyond `radius` [m].
+    fn standing(&self, p: [f64; 2], radius: f64) -> Option<Standing> {
+        if !self.is_near(p, radius) {
+            return None;
+        }
+        let (sides, mut least, mut length) = (self.corners.len() - 1, radius * radius, 0.0);
+        let mut found = None;
+        for k in 0..sides {
+            let (way, size) = self.way(k);
+            let r = [p[0] - self.corners[k][0], p[1] - self.corners[k][1]];
+            let free = r[0] * way[0] + r[1] * way[1];
+            let along = free.clamp(0.0, size);
+            let off = [r[0] - along * way[0], r[1] - along * way[1]];
+            let square = off[0] * off[0] + off[1] * off[1];
+            if square < least {
+                // at a corner the bisector's normal tells the side
+                let other = match free {
+                    f if f < 0.0 && k > 0 => self.way(k - 1).0,
+                    f if f > size && k + 1 < sides => self.way(k + 1).0,
+                    _ => way,
+                };
+                let height = (way[0] + other[0]) * off[1] - (way[1] + other[1]) * off[0];
+                let zone = match free {
+                    f if f < 0.0 && k == 0 => Zone::First,
+                    f if f > size && k + 1 == sides => Zone::Last,
+                    _ if height > 0.0 => Zone::Left,
+                    _ => Zone::Right,
+                };
+                (least, found) = (square, Some(Standing { screen: self.screen, zone, along: length + along }));
+            }
+            length += size;
+        }
+        found
     }
 
-    /// True where the piece parts p from q [m]; the same in both directions, to the bit.
-    fn parts(&self, p: [f64; 2], q: [f64; 2]) -> bool {
-        let ((sp, tp), (sq, tq)) = (self.place(p), self.place(q));
-        sp * sq < 0.0 && self.holds((sp * tq - sq * tp) / (sp - sq))
-    }
-
-    /// True where q lies on the piece.
-    fn bears(&self, q: [f64; 2]) -> bool {
-        let (across, along) = self.place(q);
-        across == 0.0 && self.holds(along)
+    /// Direction and length of side k.
+    fn way(&self, k: usize) -> ([f64; 2], f64) {
+        let way = [self.corners[k + 1][0] - self.corners[k][0], self.corners[k + 1][1] - self.corners[k][1]];
+        let size = way[0].hypot(way[1]);
+        (way.map(|w| w / size), size)
     }
 }
 
 /// Screens as they stand at one moment, with their images.
 #[derive(Default)]
 pub(crate) struct Sight {
-    pieces: Vec<Piece>,
-    box_: [[f64; 2]; 2],
+    lines: Vec<Line>,
 }
 
 impl Sight {
     /// Of screens where they are now. Images count after the screens themselves.
     pub fn new(screens: &[Screen], mirror: Option<Mirror>) -> Sight {
-        let mut pieces = Vec::new();
-        let mut add = |screen: u32, line: &[[f64; 2]]| {
-            for side in line.windows(2) {
-                let way = [side[1][0] - side[0][0], side[1][1] - side[0][1]];
-                pieces.push(Piece { from: side[0], way, square: way[0] * way[0] + way[1] * way[1], screen });
-            }
+        let line = |screen: usize, corners: Vec<[f64; 2]>| {
+            let box_ = crate::screen::bounds(corners.iter());
+            Line { screen: screen as u32, corners, box_ }
         };
-        for (k, screen) in screens.iter().enumerate() {
-            add(k as u32, &screen.points);
-            if let Some(mirror) = mirror.filter(|_| !screen.own_image) {
-                let image: Vec<[f64; 2]> = screen.points.iter().map(|p| [mirror.reflect(p[0]), p[1]]).collect();
-                add((screens.len() + k) as u32, &image);
-            }
+        let mut lines: Vec<Line> = screens.iter().enumerate().map(|(k, s)| line(k, s.points.clone())).collect();
+        if let Some(mirror) = mirror {
+            let reflected = |s: &Screen| s.points.iter().map(|p| [mirror.reflect(p[0]), p[1]]).collect();
+            let strangers = screens.iter().enumerate().filter(|(_, s)| !s.own_image);
+            lines.extend(strangers.map(|(k, s)| line(screens.len() + k, reflected(s))));
         }
-        let end = |p: &Piece| [p.from[0] + p.way[0], p.from[1] + p.way[1]];
-        let ends: Vec<[f64; 2]> = pieces.iter().flat_map(|p| [p.from, end(p)]).collect();
-        Sight { box_: bounds(ends.iter()), pieces }
+        Sight { lines }
     }
 
-    /// True within `radius` of the rectangle about all screens.
-    fn is_near(&self, p: [f64; 2], radius: f64) -> bool {
-        let [lo, hi] = self.box_;
-        (0..2).all(|c| p[c] > lo[c] - radius && p[c] < hi[c] + radius)
+    fn standings(&self, p: [f64; 2], radius: f64) -> Vec<Standing> {
+        self.lines.iter().filter_map(|line| line.standing(p, radius)).collect()
     }
 
-    /// The pieces that may part p [m] from anybody within `radius` [m].
-    fn near(&self, p: [f64; 2], radius: f64) -> Vec<Piece> {
-        let meets = |piece: &&Piece| {
-            (0..2).all(|c| {
-                let (a, b) = (piece.from[c], piece.from[c] + piece.way[c]);
-                p[c] > a.min(b) - radius && p[c] < a.max(b) + radius
-            })
-        };
-        self.pieces.iter().filter(meets).copied().collect()
-    }
-
-    /// T1: true where no screen stands between p and q [m].
-    pub fn free(&self, p: [f64; 2], q: [f64; 2]) -> bool {
-        !self.pieces.iter().any(|piece| piece.parts(p, q))
+    /// What p [m] sees within `reach` [m].
+    pub fn from(&self, p: [f64; 2], reach: f64) -> View<'_> {
+        View { sight: self, standings: self.standings(p, reach), reach }
     }
 }
 
-/// A boundary particle as it is looked at.
-#[derive(Clone, Copy, Debug)]
+/// What is seen from one place.
+pub(crate) struct View<'a> {
+    sight: &'a Sight,
+    standings: Vec<Standing>,
+    reach: f64,
+}
+
+impl View<'_> {
+    /// T1: true where no screen stands between the place and q [m].
+    pub fn shows(&self, q: [f64; 2]) -> bool {
+        self.standings.is_empty() || !parted(&self.standings, &self.sight.standings(q, self.reach), self.reach)
+    }
+}
+
+/// T1: true where some screen has one on its left and the other on its right.
+fn parted(a: &[Standing], b: &[Standing], reach: f64) -> bool {
+    a.iter().any(|a| {
+        b.iter().any(|b| {
+            let opposite = matches!((a.zone, b.zone), (Zone::Left, Zone::Right) | (Zone::Right, Zone::Left));
+            a.screen == b.screen && opposite && (a.along - b.along).abs() < ALONG * reach
+        })
+    })
+}
+
+/// A boundary particle as it is looked at: where the water stands that it faces.
+#[derive(Clone, Debug, Default)]
 struct Seen {
-    /// Where: for a thin wall's particle on the side of the middle line that its area is counted to [m].
-    at: [f64; 2],
-    /// Its own screen, and whether it is seen through it.
-    own: Option<(u32, bool)>,
+    /// Its own screen and zone, if it is a thin wall's.
+    own: Option<(u32, Option<Zone>)>,
+    standings: Vec<Standing>,
 }
 
 impl Seen {
-    /// T2: does the fluid at p [m] see it? `near`: the pieces around p.
-    fn from(&self, p: [f64; 2], near: &[Piece]) -> bool {
-        let Some((own, beyond)) = self.own else {
-            return !near.iter().any(|piece| piece.parts(p, self.at) || piece.bears(self.at));
+    /// T2: does fluid that stands so see it?
+    fn from(&self, fluid: &[Standing], reach: f64) -> bool {
+        let Some((own, zone)) = self.own else {
+            return !parted(fluid, &self.standings, reach);
         };
-        let through = |piece: &&Piece| piece.parts(p, self.at);
-        near.iter().filter(|piece| piece.screen == own).any(|piece| through(&piece)) == beyond
-            && !near.iter().filter(|piece| piece.screen != own).any(|piece| through(&piece))
+        let faced = fluid.iter().any(|f| f.screen == own && Some(f.zone) == zone);
+        faced && !parted(fluid, &self.standings, reach)
     }
 }
 
@@ -139,62 +190,54 @@ pub(crate) struct Listed<'a> {
 }
 
 impl ThinWalls<'_> {
-    /// T4: how far particles around free ends may go, of what each is `allowed` [m].
+    /// T4: how far particles around ends may go, of what each is `allowed` [m].
     pub fn hold_ends(&self, x: &[f64], y: &[f64], h: &[f64], allowed: &mut [f64]) {
         let ends: Vec<[f64; 2]> =
             self.screens.iter().flat_map(|s| s.points.first().into_iter().chain(s.points.last())).copied().collect();
-        for (k, allowed) in allowed.iter_mut().enumerate() {
+        sweep::update(allowed, |k, allowed| {
             if ends.iter().any(|end| (x[k] - end[0]).hypot(y[k] - end[1]) < END_REACH * h[k]) {
                 *allowed = allowed.min(END_SKIN * h[k]);
             }
-        }
+        });
     }
 
     /// T1, T2: strike out of the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around
     /// mirror points who does not see the other.
     pub(crate) fn strike(&self, listed: &Listed<'_>, [fluid, walls_of_fluid, of_wall, of_mirror]: [&mut Lists; 4]) {
         let sight = Sight::new(self.screens, listed.mirror);
-        let seen = self.seen(listed);
-        let at = |p: &Point| [p.x, p.y];
         let widest = |points: &[Point]| points.iter().map(|p| p.reach).fold(0.0, f64::max);
-        // a particle beyond a screen lies as deep behind it at most, at a mitre twice as deep
-        let deepest = self.walls.depth.iter().zip(&self.walls.share).filter(|(_, share)| share.is_some());
-        let deepest = deepest.map(|(depth, _)| 2.0 * depth).fold(0.0, f64::max);
-        let (widest_fluid, widest_wall) = (widest(listed.fluid), widest(listed.wall) + deepest);
-        let look = |p: &Point, others: f64| {
-            let radius = p.reach + others;
-            sight.is_near(at(p), radius).then(|| sight.near(at(p), radius))
+        // a thin wall's particle lies as deep behind its screen at most, at a mitre twice as deep
+        let thin = self.walls.depth.iter().zip(&self.walls.screen).filter(|(_, screen)| screen.is_some());
+        let deepest = thin.map(|(depth, _)| 2.0 * depth).fold(0.0, f64::max);
+        let reach = 2.0 * widest(listed.fluid).max(widest(listed.wall)) + deepest;
+        let stand = |points: &[Point]| {
+            let mut found = vec![Vec::new(); points.len()];
+            sweep::gather_into(&mut found, |k| sight.standings([points[k].x, points[k].y], reach));
+            found
         };
-        let free = |p: &Point, near: &[Piece], j: u32| {
-            !near.iter().any(|piece| piece.parts(at(p), at(&listed.fluid[j as usize])))
-        };
-        let points = listed.fluid;
-        fluid.retain(|k| look(&points[k], widest_fluid), |k, near, j| free(&points[k], near, j));
-        walls_of_fluid
-            .retain(|k| look(&points[k], widest_wall), |k, near, j| seen[j as usize].from(at(&points[k]), near));
-        of_wall.retain(
-            |k| look(&Point { reach: listed.wall[k].reach + deepest, ..listed.wall[k] }, widest_fluid + deepest),
-            |k, near, j| seen[k].from(at(&points[j as usize]), near),
-        );
-        of_mirror.retain(|k| look(&listed.mirrored[k], widest_fluid), |k, near, j| free(&listed.mirrored[k], near, j));
+        let (standing, of_mirrors) = (stand(listed.fluid), stand(listed.mirrored));
+        let mut seen = vec![Seen::default(); listed.wall.len()];
+        sweep::gather_into(&mut seen, |j| self.seen(j, listed, &sight, reach));
+        fluid.retain(|k, j| !parted(&standing[k], &standing[j as usize], reach));
+        walls_of_fluid.retain(|k, j| seen[j as usize].from(&standing[k], reach));
+        of_wall.retain(|k, j| seen[k].from(&standing[j as usize], reach));
+        of_mirror.retain(|k, j| !parted(&of_mirrors[k], &standing[j as usize], reach));
     }
 
-    /// Every boundary particle, images last, as it is looked at.
-    fn seen(&self, listed: &Listed<'_>) -> Vec<Seen> {
-        let (w, screens) = (self.walls, self.screens.len() as u32);
-        let one = |(j, p): (usize, &Point)| {
-            let (k, image) = if j < w.len() { (j, false) } else { (listed.wall_images[j - w.len()] as usize, true) };
-            let Some(share) = w.share[k] else { return Seen { at: [p.x, p.y], own: None } };
-            let screen = &self.screens[share.screen as usize];
-            let (half, aside) = (screen.half_thickness, ASIDE * w.h[k]);
-            let looked_at =
-                if share.beyond { w.depth[k].max(half + aside) } else { w.depth[k].min(half - aside.min(0.5 * half)) };
-            let out = w.depth[k] - looked_at;
-            let (nx, ny) = (if image { -w.nx[k] } else { w.nx[k] }, w.ny[k]);
-            let own = if image && !screen.own_image { screens + share.screen } else { share.screen };
-            Seen { at: [p.x + out * nx, p.y + out * ny], own: Some((own, share.beyond)) }
+    /// Boundary particle j, or image, as it is looked at.
+    fn seen(&self, j: usize, listed: &Listed<'_>, sight: &Sight, reach: f64) -> Seen {
+        let (w, p) = (self.walls, &listed.wall[j]);
+        let (k, image) = if j < w.len() { (j, false) } else { (listed.wall_images[j - w.len()] as usize, true) };
+        let Some(screen) = w.screen[k] else {
+            return Seen { own: None, standings: sight.standings([p.x, p.y], reach) };
         };
-        listed.wall.iter().enumerate().map(one).collect()
+        let (out, nx) = (w.depth[k] + ABOVE * w.h[k], if image { -w.nx[k] } else { w.nx[k] });
+        let own_image = self.screens[screen as usize].own_image;
+        let own = if image && !own_image { self.screens.len() as u32 + screen } else { screen };
+        let mut standings = sight.standings([p.x + out * nx, p.y + out * w.ny[k]], reach);
+        let zone = standings.iter().find(|s| s.screen == own).map(|s| s.zone);
+        standings.retain(|s| s.screen != own);
+        Seen { own: Some((own, zone)), standings }
     }
 }
 
@@ -203,34 +246,39 @@ mod tests {
     use super::*;
 
     fn wall() -> Sight {
-        let points = vec![[0.0, 0.0], [0.0, 1.0]];
+        let points = vec![[0.0, 0.0], [0.0, 0.4], [0.0, 1.0]];
         Sight::new(&[Screen { points, ..Screen::default() }], Some(Mirror { at: -2.0 }))
     }
 
-    #[test]
-    fn a_screen_hides_what_is_behind_it_and_nothing_beyond_its_ends() {
-        let sight = wall();
-        assert!(!sight.free([-0.1, 0.5], [0.1, 0.5]) && !sight.free([0.1, 0.5], [-0.1, 0.5]));
-        assert!(sight.free([0.1, 0.1], [0.1, 0.9]));
-        assert!(sight.free([-0.1, 0.95], [0.1, 1.15]), "past the end");
-        assert!(sight.free([0.0, 1.1], [0.0, 1.3]), "along its extension");
-        assert!(!sight.free([-4.1, 0.5], [-3.9, 0.5]), "its image");
+    fn free(p: [f64; 2], q: [f64; 2]) -> bool {
+        let (there, back) = (wall().from(p, 1.0).shows(q), wall().from(q, 1.0).shows(p));
+        assert_eq!(there, back, "{p:?} {q:?}");
+        there
     }
 
-    /// Around an end a particle sees each place once: fluid where it looks past the end, the face's own rows where it looks
-    /// through the screen.
     #[test]
-    fn a_face_is_seen_through_or_up_to_its_screen() {
-        let sight = wall();
-        let (p, beyond) = ([0.2, 0.8], |at| Seen { at, own: Some((0, true)) });
-        let before = |at| Seen { at, own: Some((0, false)) };
-        let near = sight.near(p, 1.0);
-        for at in [[-0.2, 0.7], [-0.2, 1.1], [-0.2, 1.3], [0.1, 0.9]] {
-            let free = sight.free(p, at);
-            assert_ne!(beyond(at).from(p, &near), free, "{at:?}");
-            assert_eq!(before(at).from(p, &near), free, "{at:?}");
-        }
-        let ordinary = Seen { at: [0.0, 0.9], own: None };
-        assert!(!ordinary.from(p, &near), "an ordinary wall on the screen belongs to neither side");
+    fn a_screen_parts_its_left_from_its_right_and_neither_from_what_is_past_its_ends() {
+        assert!(!free([-0.1, 0.5], [0.1, 0.5]) && !free([-0.1, 0.99], [0.1, 0.98]));
+        assert!(free([0.1, 0.1], [0.1, 0.9]));
+        assert!(free([-0.1, 0.95], [0.1, 1.05]) && free([0.1, -0.05], [-0.1, 0.05]));
+        assert!(!free([-4.1, 0.5], [-3.9, 0.5]), "its image");
+    }
+
+    /// Between the turns of a coil the nearer turn is on one side or the other: nothing parts the water there.
+    #[test]
+    fn the_turns_of_a_coil_do_not_part_the_water_between_them() {
+        let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-0.2, 1.0], [-0.2, -0.2], [1.0, -0.2]];
+        let coil = Sight::new(&[Screen { points, ..Screen::default() }], None);
+        let from = |p| coil.from(p, 0.2);
+        assert!(from([0.5, -0.11]).shows([0.5, -0.09]), "outside one turn, inside the other");
+        assert!(!from([0.5, -0.01]).shows([0.5, 0.01]) && !from([0.5, -0.19]).shows([0.5, -0.21]));
+    }
+
+    #[test]
+    fn a_bend_has_two_sides() {
+        let points = vec![[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]];
+        let bend = Sight::new(&[Screen { points, ..Screen::default() }], None);
+        assert!(!bend.from([0.0, 0.02], 0.3).shows([0.0, -0.02]));
+        assert!(bend.from([0.05, -0.02], 0.3).shows([-0.05, -0.02]), "both below the corner");
     }
 }

@@ -3,7 +3,7 @@
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
 
-use crate::screen::{Screen, ThinShare};
+use crate::screen::Screen;
 
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,8 +18,8 @@ pub struct WallPoint {
     pub spacing: f64,
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
-    /// What part of a thin wall it is (THEORY T2); `None` for ordinary walls.
-    pub share: Option<ThinShare>,
+    /// The screen, of its owner's, that it is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
+    pub screen: Option<u32>,
 }
 
 /// All boundary particles. One entry per particle in every array.
@@ -64,8 +64,8 @@ pub struct Walls {
     pub mean_swing: Vec<f64>,
     /// Middle lines of thin walls (THEORY T1), in the order of their owners.
     pub screens: Vec<Screen>,
-    /// What part of a thin wall each particle is; `None` for ordinary walls.
-    pub share: Vec<Option<ThinShare>>,
+    /// The screen that each is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
+    pub screen: Vec<Option<u32>>,
 }
 
 impl Walls {
@@ -92,7 +92,7 @@ impl Walls {
             self.volume.push(point.area);
             self.h.push(ratio * point.spacing);
             self.depth.push(point.depth);
-            self.share.push(point.share.map(|s| ThinShare { screen: screens + s.screen, ..s }));
+            self.screen.push(point.screen.map(|screen| screens + screen));
         }
         let n = self.len();
         for array in [

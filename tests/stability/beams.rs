@@ -18,10 +18,20 @@ struct Run {
 }
 
 fn run(floor: &Floor, scheme: Scheme, periods: f64) -> Run {
-    let mut run = Run { deepest: f64::INFINITY, when: 0.0, smallest: f64::INFINITY, drift: 0.0, momentum: 0.0, agreement: Agreement::default() };
+    let mut run = Run {
+        deepest: f64::INFINITY,
+        when: 0.0,
+        smallest: f64::INFINITY,
+        drift: 0.0,
+        momentum: 0.0,
+        agreement: Agreement::default(),
+    };
     let mut system = match floor.build(scheme) {
         Ok(system) => system,
-        Err(error) => { println!("{error}"); return run; }
+        Err(error) => {
+            println!("{error}");
+            return run;
+        }
     };
     let mut deepest = (0.0_f64, 0.0);
     while system.fluid.time < periods * PERIOD {
@@ -53,7 +63,10 @@ fn show(floor: &Floor, schemes: &[Scheme], periods: f64) {
         let each = agreement.iterations as f64 / agreement.steps as f64;
         println!(
             "    {deepest:.5} at {when:.3}, {} steps, least {smallest:.1e}, {each:.2} each, most {}, residual {:.0e}, energy {drift:.2}, momentum {momentum:.0e}, {:.1} s",
-            agreement.steps, agreement.most_iterations, agreement.worst_residual, start.elapsed().as_secs_f64()
+            agreement.steps,
+            agreement.most_iterations,
+            agreement.worst_residual,
+            start.elapsed().as_secs_f64()
         );
     }
 }
@@ -76,7 +89,9 @@ fn mismatch() {
                 let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
                 let gap = norm(&mut seen.iter().zip(now).map(|(a, b)| a - b));
                 let size = norm(&mut now.iter().copied());
-                if step < 10 { println!("   {step} {gap:.3e} {size:.3e}"); }
+                if step < 10 {
+                    println!("   {step} {gap:.3e} {size:.3e}");
+                }
                 worst = worst.max(gap / size);
                 mean += gap / size;
                 n += 1.0;

@@ -65,3 +65,39 @@ pub fn face_forces(system: &Coupled) -> [f64; 2] {
     }
     sum
 }
+
+/// A straight plate of `cells` cells' length under water, `turned` [rad] from upright, in a tank of 32 by 24 cells.
+pub struct Submerged {
+    /// Thickness over spacing.
+    pub thickness: f64,
+    /// Length over spacing.
+    pub cells: f64,
+    /// Angle of the plate from upright [rad].
+    pub turned: f64,
+    /// Spacing [m].
+    pub spacing: f64,
+}
+
+impl Submerged {
+    /// The plate's outline about its middle [m].
+    pub fn outline(&self) -> Outline {
+        let (sin, cos) = self.turned.sin_cos();
+        let half = 0.5 * self.cells * self.spacing;
+        plate(&[[half * sin, -half * cos], [-half * sin, half * cos]], self.thickness * self.spacing)
+    }
+
+    /// Middle of the plate [m].
+    pub fn middle(&self) -> [f64; 2] {
+        [0.0, 12.0 * self.spacing]
+    }
+
+    /// The water, with `body` in it (the plate, at the middle) before the tank.
+    pub fn with(&self, body: Box<dyn WettedBody>, c0: f64) -> Coupled {
+        let s = self.spacing;
+        let seeds = still([-16.0 * s, 0.0], [16.0 * s, 24.0 * s], s);
+        let outside = |seed: &Seed| body.clearance(seed.at) > 0.25 * s;
+        let seeds: Vec<Seed> = seeds.into_iter().filter(outside).collect();
+        let tank = tank([-16.0 * s, 16.0 * s], 30.0 * s, s);
+        coupled(parameters(c0), &seeds, vec![body, Box::new(tank)], s)
+    }
+}

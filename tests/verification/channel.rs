@@ -41,7 +41,7 @@ fn channel(cells: usize, push: f64, speed: f64) -> (Fluid, Walls) {
                 area: spacing * spacing,
                 spacing,
                 depth: (layer as f64 + 0.5) * spacing,
-                share: None,
+                screen: None,
             })
         };
         let points: Vec<WallPoint> = (0..3).flat_map(row).collect();

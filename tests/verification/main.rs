@@ -11,6 +11,7 @@ mod force_rules;
 mod gas;
 mod gauges;
 mod heaving_box;
+mod host;
 mod integrators;
 mod kernel_sums;
 mod options;

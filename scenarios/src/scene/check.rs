@@ -1,12 +1,13 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
 use super::limits::check_step;
-use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
+use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
 use super::problem::{Problem, significant};
 use crate::observe::FRONT;
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
+use fsi_coupling::thin::too_tight;
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;
@@ -34,6 +35,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_water(scene)?;
     if let Some(body) = &scene.body {
         check_body_in_tank(scene, body)?;
+        check_plate(scene, body)?;
         check_thickness(scene, body)?;
         if scene.symmetry == Symmetry::X {
             check_symmetric(body)?;
@@ -75,6 +77,9 @@ fn check_water(scene: &Scene) -> Result<(), Problem> {
 
 fn check_body_in_tank(scene: &Scene, body: &Body) -> Result<(), Problem> {
     let [min, max] = polygon::bounding_box(&body.placed_outline());
+    if stands(body) {
+        return check_standing_plate(scene, [min, max]);
+    }
     let half = 0.5 * scene.tank.width;
     let reach = format!("a body from x = {} to {} m", significant(min[0]), significant(max[0]));
     let inside = format!("a body between the walls at x = {} and {} m", significant(-half), significant(half));
@@ -111,7 +116,59 @@ fn check_swing(scene: &Scene, amplitude: [f64; 2], [min, max]: [[f64; 2]; 2]) ->
     Err(Problem::new("body.amplitude", format!("{amplitude:?}"), expected))
 }
 
+/// A fixed plate may stand on the tank's walls.
+fn stands(body: &Body) -> bool {
+    matches!((&body.shape, &body.motion), (Shape::Polyline { .. }, Motion::Fixed))
+}
+
+/// It may touch them, and is not beyond them.
+fn check_standing_plate(scene: &Scene, [min, max]: [[f64; 2]; 2]) -> Result<(), Problem> {
+    let (half, floor) = (0.5 * scene.tank.width, -scene.tank.depth);
+    let beyond = 1e-9 * scene.tank.width;
+    if min[0] >= -half - beyond && max[0] <= half + beyond && min[1] >= floor - beyond {
+        return Ok(());
+    }
+    let given = format!("a plate that reaches from {:?} to {:?} m", min.map(significant), max.map(significant));
+    let [half, floor] = [half, floor].map(significant);
+    let expected = format!(
+        "a plate between the walls at x = -{half} and {half} m that ends at the floor, y = {floor} m, or above"
+    );
+    Err(Problem::new("body.position", given, expected))
+}
+
+/// A thin plate (THEORY T2) wants walls that fill it, and bends wider than its rows are deep.
+fn check_plate(scene: &Scene, body: &Body) -> Result<(), Problem> {
+    let Shape::Polyline { points, thickness } = &body.shape else { return Ok(()) };
+    let fluid = &scene.fluid;
+    let spacing = scene.resolution.spacing;
+    let rows = (2.0 * fluid.smoothing_ratio - 1e-9).ceil();
+    if *thickness >= 2.0 * rows * spacing {
+        return Ok(());
+    }
+    if !matches!(fluid.walls, WallModel::Extrapolated | WallModel::MirrorPoint) {
+        let expected = format!(
+            "extrapolated or mirror_point: the body is a plate {} m thin, thinner than {} spacings",
+            significant(*thickness),
+            2.0 * rows
+        );
+        return Err(Problem::new("fluid.walls", format!("{:?}", fluid.walls), expected));
+    }
+    match too_tight(points, rows * spacing - 0.5 * thickness) {
+        None => Ok(()),
+        Some(side) => {
+            let expected = format!(
+                "longer sides or gentler bends beside side {side}: {rows} rows of wall particles, {} m, turn with them",
+                significant(rows * spacing)
+            );
+            Err(Problem::new("body.points", format!("{:?} to {:?}", points[side], points[side + 1]), expected))
+        }
+    }
+}
+
 fn check_thickness(scene: &Scene, body: &Body) -> Result<(), Problem> {
+    if matches!(body.shape, Shape::Polyline { .. }) {
+        return Ok(()); // thin where it must be (THEORY T2)
+    }
     let (spacing, thickness) = (scene.resolution.spacing, body.shape.thickness());
     let largest = thickness / THINNEST_BODY;
     match spacing <= largest || matches!(body.shape, Shape::Polyline { .. }) {
