@@ -126,8 +126,8 @@ pub trait WettedBody: Send {
     }
 
     /// How a force at the end of a step of `ahead` [s] accelerates the body (THEORY C2): as `place` writes its motion.
-    /// `None` for a body whose motion is given. After `load` and `advance` the body's acceleration is the one that the owner
-    /// returned here finds under the same forces: the body itself need not be told.
+    /// `None` for a body whose motion is given. The body itself need not be told what is found: after `load` and `advance` it
+    /// has the acceleration that the owner returned here finds under the same forces, as far as the step resolves it.
     fn yielding(&mut self, _ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
         Ok(None)
     }

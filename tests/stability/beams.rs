@@ -101,6 +101,62 @@ fn mismatch() {
     }
 }
 #[test]
+fn in_time() {
+    for (ratio, fall) in [(0.1, 0.0), (0.01, 0.0), (0.001, 0.0), (0.1, 1.0), (0.01, 1.0), (0.001, 1.0)] {
+        for scheme in [Scheme::Weak, STRONG[0]] {
+            for courant in [0.6, 0.3, 0.15, 0.075] {
+                let mut system = Floor { fall, courant, ..Floor::still(ratio, 20) }.build(scheme).expect("a start");
+                print!("ratio {ratio} fall {fall} C {courant} {scheme:?}: ");
+                'run: for k in 1..9 {
+                    let end = 0.025 * f64::from(k);
+                    while end - system.fluid.time > 1e-12 {
+                        let left = end - system.fluid.time;
+                        let stepped = system.stable_dt().and_then(|dt| system.step(left / (left / dt).ceil()));
+                        if stepped.is_err() { print!("broke"); break 'run; }
+                    }
+                    print!("{:.5} ", deflection(&system));
+                }
+                println!();
+            }
+        }
+    }
+}
+#[test]
+fn thresholds() {
+    for courant in [0.6, 0.45, 0.3, 0.15, 0.075] {
+        for rows in [20, 40] {
+            let mut last = 0.0;
+            for k in 0..14 {
+                let radius = 0.36 + 0.04 * f64::from(k);
+                let floor = Floor { courant, ..Floor::still(0.5 / f64::from(rows) / radius, rows) };
+                let found = run(&floor, Scheme::Weak, 0.75);
+                if found.deepest.is_infinite() || found.drift > 0.0 { break; }
+                last = radius;
+            }
+            println!("C {courant}, {rows} rows: stable to {last:.2}");
+        }
+    }
+    for ratio in [1.0, 0.1, 0.01] {
+        for courant in [0.6, 0.3, 0.15] {
+            let mut system = Floor { courant, ..Floor::still(ratio, 20) }.build(STRONG[2]).expect("a start");
+            let range = system.range(0);
+            let (mut mean, mut n) = (0.0, 0.0);
+            while system.fluid.time < 0.25 * PERIOD {
+                let dt = system.stable_dt().expect("dt");
+                system.step(dt).expect("step");
+                let mut copy = system.walls.clone();
+                system.bodies().next().expect("strip").place(0.0, copy.slice_mut(range.clone()));
+                let (seen, now) = (&system.walls.ay[range.clone()], &copy.ay[range.clone()]);
+                let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
+                mean += norm(&mut seen.iter().zip(now).map(|(a, b)| a - b)) / norm(&mut now.iter().copied());
+                n += 1.0;
+            }
+            println!("ratio {ratio}, C {courant}: mismatch {:.4}", mean / n);
+        }
+    }
+}
+
+#[test]
 fn beams_map() {
     let all = [Scheme::Weak, STRONG[0], STRONG[1], STRONG[2]];
     for ratio in [1.0, 0.1, 0.01, 0.003, 0.001, 0.0001] {
