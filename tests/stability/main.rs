@@ -4,6 +4,7 @@
 mod bodies;
 mod coupling;
 mod courant;
+mod host;
 mod noise;
 mod options;
 mod order;
