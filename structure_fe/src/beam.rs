@@ -3,6 +3,7 @@
 use crate::element::{ElementConstants, Ends, Properties};
 use crate::error::{Error, existing_node, finite, positive};
 use crate::material::Material;
+use crate::plastic::{PlasticBending, Plasticity};
 use crate::section::Section;
 use crate::theory::Theory;
 
@@ -33,6 +34,7 @@ pub struct Beam {
     extent: f64,
     theory: Vec<Theory>,
     rotatory_inertia: bool,
+    plasticity: Vec<Option<Plasticity>>,
     /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
     points: Vec<[f64; 3]>,
     /// Nodes that are rigid bodies.
@@ -64,7 +66,18 @@ impl Beam {
         }
         let theory = vec![Theory::default(); elements.len()];
         let points = vec![[0.0; 3]; nodes.len()];
-        Ok(Self { nodes, elements, extent, theory, rotatory_inertia: false, points, bodies: Vec::new(), formulation })
+        let plasticity = vec![None; elements.len()];
+        Ok(Self {
+            nodes,
+            elements,
+            extent,
+            theory,
+            rotatory_inertia: false,
+            plasticity,
+            points,
+            bodies: Vec::new(),
+            formulation,
+        })
     }
 
     /// A model with one material and one section throughout.
@@ -113,6 +126,27 @@ impl Beam {
     pub fn with_rotatory_inertia(mut self) -> Result<Self, Error> {
         self.rotatory_inertia = true;
         self.reformulate()
+    }
+
+    /// The same model with every element yielding in bending, which none does until told.
+    ///
+    /// [`NonlinearStatics`](crate::NonlinearStatics) and the trapezoidal rule of [`Dynamics`](crate::Dynamics) know
+    /// it; linear analyses are of the elastic model. Euler-Bernoulli's elements only.
+    pub fn with_plasticity(mut self, plasticity: Plasticity) -> Result<Self, Error> {
+        self.plasticity = vec![Some(plasticity); self.elements.len()];
+        self.reformulate()
+    }
+
+    /// The same model with one element yielding in bending.
+    pub fn with_plasticity_of(mut self, element: usize, plasticity: Plasticity) -> Result<Self, Error> {
+        existing_element("plasticity", 0, element, self.elements.len())?;
+        self.plasticity[element] = Some(plasticity);
+        self.reformulate()
+    }
+
+    /// The first element that yields, if one does.
+    pub(crate) fn first_that_yields(&self) -> Option<usize> {
+        self.plasticity.iter().position(Option::is_some)
     }
 
     /// The same model with a point mass \[kg\] and its moment of inertia \[kg m^2\] added to a node.
@@ -170,6 +204,19 @@ impl Beam {
         for (index, element) in self.elements.iter().enumerate() {
             self.formulation[index] =
                 formulate(&self.nodes, extent, index, element, self.theory[index], self.rotatory_inertia)?;
+            if let Some(plasticity) = self.plasticity[index] {
+                plasticity.check(index)?;
+                if self.theory[index] != Theory::EulerBernoulli {
+                    return Err(Error::PlasticTheory { element: index });
+                }
+                let (section, length) = (&element.section, self.formulation[index].length);
+                self.formulation[index].plastic = Some(PlasticBending {
+                    stiffness: section.bending_stiffness(&element.material),
+                    hardening: plasticity.hardening_modulus * section.second_moment(),
+                    yield_moment: plasticity.yield_stress * section.second_moment() * 2.0 / section.thickness(),
+                    length,
+                });
+            }
         }
         Ok(self)
     }

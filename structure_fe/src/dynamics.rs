@@ -62,9 +62,15 @@ impl Dynamics {
             _ => (beam, Vec::new()),
         };
         let system = System::new(beam, supports)?;
-        let without_bodies = |integration: &'static str| match system.beam.rigid_bodies().first() {
-            Some(&node) => Err(Error::NoRigidBodies { integration, node }),
-            None => Ok(()),
+        let without_bodies = |integration: &'static str| {
+            if let Some(&node) = system.beam.rigid_bodies().first() {
+                return Err(Error::NoRigidBodies { integration, node });
+            }
+            let instead = "Integration::Trapezoidal";
+            system
+                .beam
+                .first_that_yields()
+                .map_or(Ok(()), |element| Err(Error::NoPlasticity { analysis: integration, element, instead }))
         };
         let method = match integration {
             Integration::GeneralisedAlpha { spectral_radius: value } => {
@@ -112,6 +118,7 @@ impl Dynamics {
             time: 0.0,
             integrated_acceleration: self.motionless.clone(),
             mean_reaction: self.motionless.clone(),
+            plastic_curvature: self.system.unyielded(),
         }
     }
 
@@ -205,7 +212,7 @@ impl Dynamics {
 
     /// Elastic energy of beams and springs \[J\].
     pub fn strain_energy(&self, state: &State) -> f64 {
-        self.system.strain_energy(&state.displacement)
+        self.system.strain_energy(&state.displacement, &state.plastic_curvature)
     }
 
     /// Linear momentum along x and y \[kg m/s\], and angular momentum about the origin \[kg m^2/s\].
@@ -248,7 +255,13 @@ impl Dynamics {
     /// q L^2/12 in the moment and q L/2 in the shear force at the ends of an element of length L.
     /// [`SectionForces::fibre_stress`] gives stresses.
     pub fn section_forces(&self, state: &State) -> Vec<SectionForces> {
-        self.system.section_forces(&state.displacement, None).into_flattened()
+        self.system.section_forces(&state.displacement, &state.plastic_curvature, None).into_flattened()
+    }
+
+    /// Strain of the outer fibres at the ends of the elements \[-\], plastic strain included: right-hand side, left-hand
+    /// side; of element e at 2e (first node) and 2e + 1. Small strains: N/(EA) +- kappa h/2.
+    pub fn fibre_strains(&self, state: &State) -> Vec<[f64; 2]> {
+        self.system.fibre_strains(&state.displacement, &state.plastic_curvature)
     }
 
     /// Length of each element as it is \[m\], and the unit vector along it \[-\].

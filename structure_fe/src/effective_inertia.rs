@@ -27,7 +27,7 @@ impl Dynamics {
         let mut lack = match &self.method {
             Method::Momentum(rule) => {
                 let rule = std::sync::Arc::clone(rule);
-                self.system.elastic_forces(&state.displacement, &mut self.internal, None);
+                self.system.elastic_forces(&state.displacement, &state.plastic_curvature, &mut self.internal, None);
                 self.lack_of_forces(&rule, state, load)
             }
             Method::Implicit(_) => {
@@ -64,7 +64,7 @@ impl Dynamics {
             let both = [&arms[..], &arms[..]];
             let of_stiffness = (theta * dt).powi(2);
             let tangent = Some((of_stiffness, both, &mut matrix));
-            self.system.elastic_forces(&state.displacement, &mut self.internal, tangent);
+            self.system.elastic_forces(&state.displacement, &state.plastic_curvature, &mut self.internal, tangent);
             self.system.subtract_turning(&self.internal, &arms, -of_stiffness, &mut matrix);
             self.system.add_viscosity(&state.displacement, &self.damping, theta * dt, both, &mut matrix);
             if let Some(mass) = self.lumped() {

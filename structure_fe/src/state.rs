@@ -19,6 +19,8 @@ pub struct State {
     pub integrated_acceleration: Vec<[f64; 3]>,
     /// Mean force of the supports over the last step, springs included \[N, N, N m\]; of the trapezoidal rule only.
     pub mean_reaction: Vec<[f64; 3]>,
+    /// Plastic curvatures at two places of each element \[1/m\]; empty where nothing yields.
+    pub plastic_curvature: Vec<[f64; 2]>,
 }
 
 /// How time is stepped.
