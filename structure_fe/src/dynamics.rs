@@ -30,6 +30,9 @@ pub struct Dynamics {
     pub(crate) internal: Vec<[f64; 3]>,
     motionless: Vec<[f64; 3]>,
     supports: Vec<(usize, Dof, SupportMotion)>,
+    /// The model with nothing broken, and the nodes that are broken in `system`.
+    pub(crate) unbroken: (Beam, Supports),
+    pub(crate) broken: Vec<usize>,
 }
 
 /// The integration with what it needs beforehand.
@@ -51,6 +54,7 @@ impl Dynamics {
                 return Err(Error::OutOfRange { quantity, value, expected: "[0, infinity)" });
             }
         }
+        let unbroken = (beam.clone(), supports.clone());
         let (beam, gathered) = match integration {
             Integration::Trapezoidal { spectral_radius: value } => {
                 if !(value > 0.0 && value <= 1.0) {
@@ -65,6 +69,9 @@ impl Dynamics {
         let without_bodies = |integration: &'static str| {
             if let Some(&node) = system.beam.rigid_bodies().first() {
                 return Err(Error::NoRigidBodies { integration, node });
+            }
+            if let Some(&(node, _)) = system.supports.breakables().first() {
+                return Err(Error::NoRupture { integration, node });
             }
             let instead = "Integration::Trapezoidal";
             system
@@ -101,6 +108,8 @@ impl Dynamics {
             method,
             motionless,
             supports,
+            unbroken,
+            broken: Vec::new(),
         })
     }
 
@@ -119,6 +128,7 @@ impl Dynamics {
             integrated_acceleration: self.motionless.clone(),
             mean_reaction: self.motionless.clone(),
             plastic_curvature: self.system.unyielded(),
+            ruptures: Vec::new(),
         }
     }
 
@@ -130,8 +140,9 @@ impl Dynamics {
         if !self.system.supports.is_fixed(node, dof) {
             return Err(Error::NotSupported { node, dof });
         }
-        let leader = self.system.supports.leaders(self.motionless.len());
-        let tied = |other: usize| other == node || (dof != Dof::Theta && leader[other] == leader[node]);
+        let (supports, nodes) = (&self.system.supports, self.motionless.len());
+        let leader = if dof == Dof::Theta { supports.turning_leaders(nodes) } else { supports.leaders(nodes) };
+        let tied = |other: usize| leader[other] == leader[node];
         self.supports.retain(|&(other, fixed, _)| !(fixed == dof && tied(other)));
         self.supports.extend((0..leader.len()).filter(|&other| tied(other)).map(|other| (other, dof, motion)));
         Ok(())
@@ -143,7 +154,8 @@ impl Dynamics {
     pub fn equilibrate(&mut self, state: &mut State, load: &[[f64; 3]]) -> Result<(), Error> {
         self.check(load)?;
         let mut acceleration = self.motionless.clone();
-        for &(node, dof, motion) in &self.supports {
+        self.adopt(state)?;
+        for (node, dof, motion) in self.prescribed() {
             acceleration[node][dof as usize] = motion.acceleration;
         }
         match &self.method {
@@ -180,6 +192,7 @@ impl Dynamics {
     pub fn step(&mut self, state: &mut State, load: &[[f64; 3]], dt: f64) -> Result<StepReport, Error> {
         self.check(load)?;
         positive("time step [s]", "step", 0, dt)?;
+        self.adopt(state)?;
         match &self.method {
             &Method::Implicit(coefficients) => self.implicit_step(&coefficients, state, load, dt),
             Method::Explicit(_) => self.explicit_step(state, load, dt),
@@ -292,9 +305,10 @@ impl Dynamics {
         }
     }
 
-    /// The motions of the supports.
-    pub(crate) fn prescribed(&self) -> &[(usize, Dof, SupportMotion)] {
-        &self.supports
+    /// The motions of the supports that have not let go.
+    pub(crate) fn prescribed(&self) -> impl Iterator<Item = (usize, Dof, SupportMotion)> {
+        let held = |node: usize, dof: Dof| self.system.equations.number(node, dof as usize).is_none();
+        self.supports.iter().copied().filter(move |&(node, dof, _)| held(node, dof))
     }
 
     /// Load less internal forces, where free.
@@ -306,7 +320,7 @@ impl Dynamics {
 
     /// Moves the supports of a state to where they are told to be.
     pub(crate) fn move_supports(&self, state: &mut State) {
-        for &(node, dof, motion) in &self.supports {
+        for (node, dof, motion) in self.prescribed() {
             let dof = dof as usize;
             state.displacement[node][dof] = motion.displacement;
             state.velocity[node][dof] = motion.velocity;

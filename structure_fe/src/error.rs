@@ -289,6 +289,24 @@ pub enum Error {
         /// What knows them.
         instead: &'static str,
     },
+    /// A node that nothing holds is to break, or a rigid body.
+    #[error(
+        "breakable node {index} is node {node}, which has neither support, tie, weld nor hinge to break, or is a rigid body"
+    )]
+    NothingBreaks {
+        /// Index, in the order given.
+        index: usize,
+        /// The node.
+        node: usize,
+    },
+    /// Nodes that may break are given to an integration that does not know them.
+    #[error("{integration} breaks nothing (node {node} may break); take Integration::Trapezoidal")]
+    NoRupture {
+        /// The integration.
+        integration: &'static str,
+        /// The first node that may break.
+        node: usize,
+    },
     /// A block of added mass has not the entries of its nodes.
     #[error("added mass {index} has {given} entries over {nodes} nodes; it must have (3 nodes)^2")]
     WrongBlock {

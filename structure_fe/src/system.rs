@@ -36,7 +36,7 @@ pub(crate) struct Kinematics<'a> {
 impl System {
     pub fn new(beam: Beam, supports: Supports) -> Result<Self, Error> {
         supports.check(&beam)?;
-        let links = beam.elements().iter().map(|element| element.nodes).chain(supports.hinges().iter().copied());
+        let links = beam.elements().iter().map(|element| element.nodes).chain(supports.joints());
         let order = narrow_band(beam.nodes().len(), links);
         let equations = Equations::in_order(&order, &beam, &supports);
         let half_band = beam.elements().iter().map(|element| equations.band(element.nodes)).max().unwrap_or(0);

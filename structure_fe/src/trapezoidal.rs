@@ -92,6 +92,10 @@ impl Dynamics {
         ties.follow_acceleration(&ties.arms_at(&new.displacement), &new.velocity, &mut new.acceleration);
         new.integrated_acceleration.clone_from(&new.acceleration);
         new.time = state.time + dt;
+        if let Err(error) = self.let_go(&mut new) {
+            self.adopt(state)?;
+            return Err(error);
+        }
         *state = new;
         Ok(report)
     }
@@ -293,7 +297,8 @@ impl Dynamics {
         load: &[[f64; 3]],
     ) -> Vec<f64> {
         state.acceleration.fill([0.0; 3]);
-        for &(node, dof, motion) in self.prescribed() {
+        let prescribed = self.prescribed();
+        for (node, dof, motion) in prescribed {
             state.acceleration[node][dof as usize] = motion.acceleration;
         }
         let ties = &self.system.equations.ties;
