@@ -31,7 +31,20 @@ impl Tank {
         let (thickness, points, none) = (f64::INFINITY, Vec::new(), [0.0; 2]);
         let arrangement = Arrangement::default();
         let plates = Vec::new();
-        Tank { tiling, x, floor, rim, half, arrangement, thickness, points, mean: none, external: none, saved: none, plates }
+        Tank {
+            tiling,
+            x,
+            floor,
+            rim,
+            half,
+            arrangement,
+            thickness,
+            points,
+            mean: none,
+            external: none,
+            saved: none,
+            plates,
+        }
     }
 
     /// The same tank with fixed plates, where they stand [m], whose roots are in its walls (THEORY T3).

@@ -4,7 +4,8 @@ use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::prescribed::Law;
 use fsi_coupling::{
-    Arrangement, Coupled, CouplingError, Outline, Plate, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
+    Arrangement, Coupled, CouplingError, Outline, Plate, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank,
+    WettedBody,
 };
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;

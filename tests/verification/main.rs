@@ -22,6 +22,6 @@ mod still_water;
 mod study;
 mod symmetry;
 mod taylor_green;
-mod transfer;
 mod thin_walls;
+mod transfer;
 mod wave_maker;

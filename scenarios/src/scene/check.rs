@@ -128,7 +128,9 @@ fn check_standing_plate(scene: &Scene, [min, max]: [[f64; 2]; 2]) -> Result<(), 
     }
     let given = format!("a plate that reaches from {:?} to {:?} m", min.map(significant), max.map(significant));
     let [half, floor] = [half, floor].map(significant);
-    let expected = format!("a plate between the walls at x = -{half} and {half} m that ends at the floor, y = {floor} m, or above");
+    let expected = format!(
+        "a plate between the walls at x = -{half} and {half} m that ends at the floor, y = {floor} m, or above"
+    );
     Err(Problem::new("body.position", given, expected))
 }
 
