@@ -116,9 +116,9 @@ impl Submerged {
 
 /// By identity, whether each particle is left of the plate that parts a tank, wherever it is now.
 pub fn sides(system: &Coupled) -> Vec<bool> {
-    let (p, plate) = (&system.fluid.particles, &system.walls.screens[0].points[0]);
+    let (p, plate) = (&system.fluid.particles, system.walls.screens.first().map_or(0.0, |s| s.points[0][0]));
     let mut left = vec![false; p.len()];
-    (0..p.len()).for_each(|k| left[p.id[k] as usize] = p.x[k] < plate[0]);
+    (0..p.len()).for_each(|k| left[p.id[k] as usize] = p.x[k] < plate);
     left
 }
 
