@@ -10,5 +10,6 @@ mod noise;
 mod options;
 mod order;
 mod schemes;
+mod thin_walls;
 mod walls;
 mod water;
