@@ -12,6 +12,7 @@ mod gas;
 mod gauges;
 mod heaving_box;
 mod host;
+mod host_input;
 mod integrators;
 mod kernel_sums;
 mod options;
