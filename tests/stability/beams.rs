@@ -112,7 +112,10 @@ fn in_time() {
                     while end - system.fluid.time > 1e-12 {
                         let left = end - system.fluid.time;
                         let stepped = system.stable_dt().and_then(|dt| system.step(left / (left / dt).ceil()));
-                        if stepped.is_err() { print!("broke"); break 'run; }
+                        if stepped.is_err() {
+                            print!("broke");
+                            break 'run;
+                        }
                     }
                     print!("{:.5} ", deflection(&system));
                 }
@@ -130,7 +133,9 @@ fn thresholds() {
                 let radius = 0.36 + 0.04 * f64::from(k);
                 let floor = Floor { courant, ..Floor::still(0.5 / f64::from(rows) / radius, rows) };
                 let found = run(&floor, Scheme::Weak, 0.75);
-                if found.deepest.is_infinite() || found.drift > 0.0 { break; }
+                if found.deepest.is_infinite() || found.drift > 0.0 {
+                    break;
+                }
                 last = radius;
             }
             println!("C {courant}, {rows} rows: stable to {last:.2}");
