@@ -13,6 +13,8 @@
 pub mod bare;
 #[path = "support/door.rs"]
 pub mod door;
+#[path = "support/column.rs"]
+pub mod column;
 #[path = "support/heave.rs"]
 pub mod heave;
 #[path = "support/light.rs"]

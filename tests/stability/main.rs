@@ -11,3 +11,4 @@ mod order;
 mod schemes;
 mod walls;
 mod water;
+mod windows;
