@@ -11,6 +11,8 @@
 
 #[path = "support/bare.rs"]
 pub mod bare;
+#[path = "support/column.rs"]
+pub mod column;
 #[path = "support/door.rs"]
 pub mod door;
 #[path = "support/heave.rs"]

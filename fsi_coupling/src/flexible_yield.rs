@@ -85,18 +85,15 @@ impl FlexibleYield {
 /// Half the mean length of the elements at each node [m]; of a node without one, half the model's.
 fn lengths(dynamics: &Dynamics) -> Vec<f64> {
     let beam = dynamics.beam();
-    let mut sums = vec![[0.0; 2]; beam.nodes().len()];
-    let mut all = [0.0; 2];
+    let mut halves = vec![Vec::new(); beam.nodes().len()];
+    let mut all = 0.0;
     for (index, element) in beam.elements().iter().enumerate() {
-        let length = beam.length(index);
-        for sum in element.nodes.map(|node| node) {
-            sums[sum] = [sums[sum][0] + length, sums[sum][1] + 1.0];
-        }
-        all = [all[0] + length, 2.0];
+        let half = 0.5 * beam.length(index);
+        element.nodes.iter().for_each(|node| halves[*node].push(half));
+        all += half;
     }
-    sums.iter()
-        .map(|sum| if sum[1] > 0.0 { 0.5 * sum[0] / sum[1] } else { 0.5 * all[0].max(f64::MIN_POSITIVE) })
-        .collect()
+    let mean = |of: &Vec<f64>| of.iter().sum::<f64>() / of.len() as f64;
+    halves.iter().map(|of| if of.is_empty() { all.max(f64::MIN_POSITIVE) } else { mean(of) }).collect()
 }
 
 impl Yields for FlexibleYield {
@@ -133,6 +130,98 @@ impl Yields for FlexibleYield {
             let [x, y] = influence.of(&self.change);
             walls.ax[k] += x;
             walls.ay[k] += y;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use structure_fe::{Beam, Damping, Integration, Material, Section, Supports};
+
+    use crate::beam_surface::BeamSurface;
+
+    use super::*;
+
+    /// A panel on a free rigid body, bent and moving; particles on both, each with its force and what is behind it.
+    fn panel_on_a_body() -> (FlexibleYield, Vec<Touch>) {
+        let material = Material { youngs_modulus: 1e6, poissons_ratio: 0.3, density: 500.0 };
+        let beam = Beam::straight([0.0; 2], [1.0, 0.0], 4, material, Section::strip(0.02)).expect("a beam");
+        let (beam, frame) = beam.with_rigid_body([-0.3, 0.1], 2.0, 0.1).expect("a body");
+        let mut supports = Supports::default();
+        supports.tie(frame, 0);
+        let rule = Integration::Trapezoidal { spectral_radius: 0.8 };
+        let mut dynamics = Dynamics::new(beam, supports, rule, Damping::default()).expect("a model");
+        let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), (0..4).map(|e| [e, e + 1]).collect());
+        let carriage = Carriage { surface, frame, pole: [-0.3, 0.1] };
+        let mut carriers =
+            vec![carriage.on_frame([-0.4, 0.0], [0.0, 1.0]), carriage.on_frame([-0.2, 0.15], [0.0, 1.0])];
+        let perch = |k: u32| Carrier::Beam(carriage.surface.perch([0.05 + 0.1 * f64::from(k), 0.01], [0.0, 1.0]));
+        carriers.extend((0..10).map(perch));
+        let mut then = dynamics.at_rest();
+        let weight = dynamics.weight([0.0, -9.81]);
+        dynamics.equilibrate(&mut then, &weight).expect("a start");
+        for _ in 0..20 {
+            dynamics.step(&mut then, &weight, 0.01).expect("a step");
+        }
+        let owner = FlexibleYield::new("panel", &mut dynamics, (&carriage, &carriers), &then, &weight, 0.01);
+        let touch = |k: usize| {
+            let x = k as f64;
+            let (force, push) = ([3.0 * x.sin(), 20.0 + 5.0 * x.cos()], [0.3 * x.cos(), 40.0 + 3.0 * x.sin()]);
+            Touch { at: [0.0; 2], force, push, arm: [0.002 * x.sin(), -0.03 + 0.001 * x.cos()] }
+        };
+        (owner.expect("an owner"), (0..carriers.len()).map(touch).collect())
+    }
+
+    /// Under the forces that the accelerations found cause, nothing is lacking: to rounding; before, a lot is.
+    #[test]
+    fn accelerations_and_forces_fit() {
+        let (mut owner, touches) = panel_on_a_body();
+        let none = vec![0.0; touches.len()];
+        let lack = |owner: &FlexibleYield, change: &[[f64; 2]]| {
+            let felt = |k: usize, axis: usize| {
+                let Touch { force, push, arm, .. } = touches[k];
+                force[axis] + push[axis] * (arm[0] * change[k][0] + arm[1] * change[k][1])
+            };
+            let [fx, fy] = [0, 1].map(|axis| (0..touches.len()).map(|k| felt(k, axis)).collect::<Vec<f64>>());
+            let forces = WallForces {
+                x: &none,
+                y: &none,
+                fx: &fx,
+                fy: &fy,
+                mean_fx: &fx,
+                mean_fy: &fy,
+                mean_swing: &none,
+                mirrored: false,
+            };
+            owner.lack(&forces).lack.iter().fold(0.0_f64, |most, lack| most.max(lack.abs()))
+        };
+        let mut change = vec![[0.0; 2]; touches.len()];
+        let before = lack(&owner, &change);
+        owner.answer(&Encounter { touches: &touches, offset: 0.0, mirrored: false }, &mut change);
+        let after = lack(&owner, &change);
+        assert!(before > 1.0 && after < 1e-11 * before, "{before} m/s^2 before, {after} after");
+    }
+
+    /// Unknowns given back are the accelerations taken, and the particles get what their nodes get.
+    #[test]
+    fn unknowns_move_the_particles() {
+        let (mut owner, touches) = panel_on_a_body();
+        let mut change = vec![[0.0; 2]; touches.len()];
+        owner.answer(&Encounter { touches: &touches, offset: 0.0, mirrored: false }, &mut change);
+        let found = owner.unknowns();
+        let (mut other, _) = panel_on_a_body();
+        let n = touches.len();
+        let mut arrays: Vec<Vec<f64>> = vec![vec![0.0; n]; 8];
+        let [x, y, u, v, ax, ay, nx, ny] = arrays.get_disjoint_mut([0, 1, 2, 3, 4, 5, 6, 7]).expect("eight arrays");
+        other.accelerate(&found, WallsMut { x, y, u, v, ax, ay, nx, ny });
+        for k in 0..n {
+            assert!(
+                (arrays[4][k] - change[k][0]).hypot(arrays[5][k] - change[k][1]) < 1e-9 * change[k][1].abs(),
+                "{k}"
+            );
+        }
+        for (a, b) in other.unknowns().iter().zip(&found) {
+            assert!((a - b).abs() < 1e-12 * b.abs().max(1.0), "{a} {b}");
         }
     }
 }

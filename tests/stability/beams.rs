@@ -1,180 +1,145 @@
-//! Coupling with beams: where one exchange a step fails, and the schemes that hold there (THEORY C10–C14).
+//! Coupling with beams: where one exchange a step fails, and the schemes that hold there (THEORY C10–C13).
 
-use evidence::strip::{Floor, PERIOD, deflection};
-use fsi_coupling::{Agreement, Iteration, Scheme};
+use evidence::strip::{Floor, LENGTH, PERIOD, SOUND, WATER, deflection};
+use evidence::systems::{advance, system};
+use fsi_coupling::{Agreement, Beside, Iteration, Scheme, exchange_ratio};
 
 const ENOUGH: Iteration = Iteration { tolerance: 1e-6, max_iterations: 60 };
-const STRONG: [Scheme; 3] = [Scheme::AddedMass, Scheme::Aitken(ENOUGH), Scheme::IqnIls(ENOUGH)];
+const SCHEMES: [Scheme; 4] = [Scheme::Weak, Scheme::AddedMass, Scheme::Aitken(ENOUGH), Scheme::IqnIls(ENOUGH)];
 
 /// What a run shows.
 #[derive(Clone, Copy, Debug)]
 struct Run {
+    /// Largest deflection [m]; infinite where the run broke down.
     deepest: f64,
-    when: f64,
-    smallest: f64,
-    drift: f64,
-    momentum: f64,
+    /// Energy gained [J/m].
+    gained: f64,
     agreement: Agreement,
 }
 
-fn run(floor: &Floor, scheme: Scheme, periods: f64) -> Run {
-    let mut run = Run {
-        deepest: f64::INFINITY,
-        when: 0.0,
-        smallest: f64::INFINITY,
-        drift: 0.0,
-        momentum: 0.0,
-        agreement: Agreement::default(),
-    };
-    let mut system = match floor.build(scheme) {
-        Ok(system) => system,
-        Err(error) => {
-            println!("{error}");
-            return run;
-        }
-    };
-    let mut deepest = (0.0_f64, 0.0);
-    while system.fluid.time < periods * PERIOD {
-        let dt = match system.stable_dt().and_then(|dt| system.step(dt).map(|()| dt)) {
-            Ok(dt) => dt,
-            Err(error) => {
-                println!("  {scheme:?}: {error}");
-                return run;
-            }
-        };
-        run.smallest = run.smallest.min(dt);
-        let now = deflection(&system).abs();
-        if now > deepest.0 {
-            deepest = (now, system.fluid.time);
-        }
+impl Run {
+    fn iterations(&self) -> f64 {
+        self.agreement.iterations as f64 / self.agreement.steps as f64
     }
-    (run.deepest, run.when) = deepest;
-    run.agreement = system.agreement();
-    run.drift = system.energy_drift();
-    run.momentum = system.momentum_audit().worst;
+}
+
+/// Run for some wet periods of the strip.
+fn run(floor: &Floor, scheme: Scheme, periods: f64) -> Run {
+    let mut run = Run { deepest: 0.0, gained: 0.0, agreement: Agreement::default() };
+    let ended = floor.build(scheme).and_then(|mut system| {
+        let ended = advance(&mut system, periods * PERIOD, |s| run.deepest = run.deepest.max(deflection(s).abs()));
+        (run.gained, run.agreement) = (system.energy_drift(), system.agreement());
+        assert!(system.momentum_audit().worst < 1e-10, "{floor:?}: momentum {}", system.momentum_audit().worst);
+        ended
+    });
+    run.deepest = if ended.is_ok() { run.deepest } else { f64::INFINITY };
     run
 }
 
-fn show(floor: &Floor, schemes: &[Scheme], periods: f64) {
-    println!("{floor:?}, C8 {:.3}", 0.5 / f64::from(floor.rows) / floor.ratio);
-    for &scheme in schemes {
-        let start = std::time::Instant::now();
-        let Run { deepest, when, smallest, drift, momentum, agreement } = run(floor, scheme, periods);
-        let each = agreement.iterations as f64 / agreement.steps as f64;
+/// C12's spectral radius of a strip under water.
+fn radius(floor: &Floor) -> f64 {
+    let spacing = LENGTH / f64::from(floor.rows);
+    let (mass, dt) = (floor.ratio * WATER * LENGTH, floor.courant * 1.5 * spacing / SOUND);
+    let water = Beside { mass, faces: 1.0, density: WATER, spacing, smoothing_ratio: 1.5, sound_speed: SOUND, dt };
+    exchange_ratio(&water).spectral_radius
+}
+
+/// The stability map of beams: mass ratio ρ_s t/(ρ L) × scheme, a clamped strip that begins to carry water as deep as it is long.
+/// Failure: one exchange a step, where C12 says. Remedy: the others, which agree with each other at any ratio.
+#[test]
+fn light_strips_hold_with_every_scheme_but_weak() {
+    println!("ratio, radius (C12): largest deflection [mm], iterations a step: weak, added_mass, aitken, iqn_ils");
+    for ratio in [10.0, 1.0, 0.1, 0.03, 0.01, 0.003, 0.001] {
+        let floor = Floor::still(ratio, 20);
+        let [weak, strong @ ..] = SCHEMES.map(|scheme| run(&floor, scheme, 0.6));
+        print!("{ratio:6}, {:7.3}: {:8.3}", radius(&floor), 1e3 * weak.deepest);
+        for found in strong {
+            print!(" | {:.3}, {:.2}, {}", 1e3 * found.deepest, found.iterations(), found.agreement.most_iterations);
+        }
+        println!(" | gained {:.3} J/m", strong[0].gained);
+        let [at_once, aitken, newton] = strong;
+        for found in [at_once, aitken] {
+            let gap = (found.deepest / newton.deepest - 1.0).abs();
+            assert!(gap < 5e-3, "{ratio}: {} m, iqn_ils {} m", found.deepest, newton.deepest);
+        }
+        assert!(strong.iter().all(|s| s.gained < 0.02), "{ratio}: energy {strong:?}");
+        assert!(at_once.agreement.worst_residual < 1e-12, "{ratio}: {at_once:?}");
+        assert!(aitken.iterations() < 25.0 && newton.iterations() < 6.0, "{ratio}: {aitken:?}, {newton:?}");
+        if radius(&floor) > 1.3 {
+            assert!(weak.deepest.is_infinite() || weak.gained > 1.0, "{ratio}: weak coupling now survives, {weak:?}");
+        }
+        if radius(&floor) < 0.8 {
+            assert!((weak.deepest / newton.deepest - 1.0).abs() < 0.01, "{ratio}: weak {weak:?}, {newton:?}");
+        }
+    }
+}
+
+/// C12 against runs: one exchange a step is quiet at 0.85 of the estimate's limit and fails at 1.2, at any step and spacing.
+#[test]
+fn one_exchange_a_step_fails_where_the_estimate_says() {
+    for (courant, rows) in [(0.6, 20), (0.6, 40), (0.3, 20), (0.15, 20)] {
+        for (share, stable) in [(0.85, true), (1.2, false)] {
+            let unit = Floor { courant, ..Floor::still(1.0, rows) };
+            let floor = Floor { ratio: radius(&unit) / share, ..unit };
+            let found = run(&floor, Scheme::Weak, 0.75);
+            println!("C {courant}, {rows} rows, radius {share}: {:.5} m, {:.2} J/m", found.deepest, found.gained);
+            let quiet = found.deepest.is_finite() && found.gained < 0.0;
+            assert_eq!(quiet, stable, "C {courant}, {rows} rows, radius {share}: {found:?}");
+        }
+    }
+}
+
+/// A column of water that falls on a strip at 1 m/s, as from a pipe: water hammer. Weak coupling breaks down on light strips; the
+/// others hold, agree, and half the step changes next to nothing.
+#[test]
+fn water_falls_on_a_light_strip() {
+    for ratio in [0.1, 0.01, 0.001] {
+        let floor = Floor { fall: 1.0, ..Floor::still(ratio, 20) };
+        let [weak, at_once, aitken, newton] = SCHEMES.map(|scheme| run(&floor, scheme, 0.25));
+        let fine = run(&Floor { courant: 0.3, ..floor }, Scheme::AddedMass, 0.25);
         println!(
-            "    {deepest:.5} at {when:.3}, {} steps, least {smallest:.1e}, {each:.2} each, most {}, residual {:.0e}, energy {drift:.2}, momentum {momentum:.0e}, {:.1} s",
-            agreement.steps,
-            agreement.most_iterations,
-            agreement.worst_residual,
-            start.elapsed().as_secs_f64()
+            "{ratio}: weak {:.5}, added_mass {:.5}, aitken {:.5} ({:.1}), iqn_ils {:.5} ({:.1}), half the step {:.5} m",
+            weak.deepest,
+            at_once.deepest,
+            aitken.deepest,
+            aitken.iterations(),
+            newton.deepest,
+            newton.iterations(),
+            fine.deepest
         );
+        for found in [aitken, newton, fine] {
+            let gap = (found.deepest / at_once.deepest - 1.0).abs();
+            assert!(gap < 5e-3 && found.gained < 0.0, "{ratio}: {found:?}, added_mass {at_once:?}");
+        }
+        assert_eq!(weak.deepest.is_infinite(), ratio < 0.05, "{ratio}: weak coupling {weak:?}");
     }
 }
 
+/// A drop of a wedge of 1 kg/m with bottom plates of 1 kg/m², half of it simulated: rigid frame and plates are one owner.
+/// Weak coupling breaks down at once; the others agree on deflection and speed. And a baffle, wet on both sides, of a hundredth of
+/// the water's density, hit by a dam break.
 #[test]
-fn mismatch() {
-    for ratio in [1.0, 0.1, 0.01, 0.001] {
-        for fall in [0.0, 1.0] {
-            let mut system = Floor { fall, ..Floor::still(ratio, 20) }.build(STRONG[2]).expect("a start");
-            let range = system.range(0);
-            let (mut worst, mut mean, mut n) = (0.0_f64, 0.0, 0.0);
-            for step in 0..150 {
-                let dt = system.stable_dt().expect("dt");
-                system.step(dt).expect("step");
-                let seen = system.walls.slice_mut(range.clone());
-                let seen: Vec<f64> = seen.ay.to_vec();
-                let mut copy = system.walls.clone();
-                system.bodies().next().expect("strip").place(0.0, copy.slice_mut(range.clone()));
-                let now = &copy.ay[range.clone()];
-                let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
-                let gap = norm(&mut seen.iter().zip(now).map(|(a, b)| a - b));
-                let size = norm(&mut now.iter().copied());
-                if step < 10 {
-                    println!("   {step} {gap:.3e} {size:.3e}");
-                }
-                worst = worst.max(gap / size);
-                mean += gap / size;
-                n += 1.0;
-            }
-            println!("ratio {ratio}, fall {fall}: worst {worst:.3e} mean {:.3e}", mean / n);
-        }
-    }
-}
-#[test]
-fn in_time() {
-    for (ratio, fall) in [(0.1, 0.0), (0.01, 0.0), (0.001, 0.0), (0.1, 1.0), (0.01, 1.0), (0.001, 1.0)] {
-        for scheme in [Scheme::Weak, STRONG[0]] {
-            for courant in [0.6, 0.3, 0.15, 0.075] {
-                let mut system = Floor { fall, courant, ..Floor::still(ratio, 20) }.build(scheme).expect("a start");
-                print!("ratio {ratio} fall {fall} C {courant} {scheme:?}: ");
-                'run: for k in 1..9 {
-                    let end = 0.025 * f64::from(k);
-                    while end - system.fluid.time > 1e-12 {
-                        let left = end - system.fluid.time;
-                        let stepped = system.stable_dt().and_then(|dt| system.step(left / (left / dt).ceil()));
-                        if stepped.is_err() {
-                            print!("broke");
-                            break 'run;
-                        }
-                    }
-                    print!("{:.5} ", deflection(&system));
-                }
-                println!();
-            }
-        }
-    }
-}
-#[test]
-fn thresholds() {
-    for courant in [0.6, 0.45, 0.3, 0.15, 0.075] {
-        for rows in [20, 40] {
-            let mut last = 0.0;
-            for k in 0..14 {
-                let radius = 0.36 + 0.04 * f64::from(k);
-                let floor = Floor { courant, ..Floor::still(0.5 / f64::from(rows) / radius, rows) };
-                let found = run(&floor, Scheme::Weak, 0.75);
-                if found.deepest.is_infinite() || found.drift > 0.0 {
-                    break;
-                }
-                last = radius;
-            }
-            println!("C {courant}, {rows} rows: stable to {last:.2}");
-        }
-    }
-    for ratio in [1.0, 0.1, 0.01] {
-        for courant in [0.6, 0.3, 0.15] {
-            let mut system = Floor { courant, ..Floor::still(ratio, 20) }.build(STRONG[2]).expect("a start");
-            let range = system.range(0);
-            let (mut mean, mut n) = (0.0, 0.0);
-            while system.fluid.time < 0.25 * PERIOD {
-                let dt = system.stable_dt().expect("dt");
-                system.step(dt).expect("step");
-                let mut copy = system.walls.clone();
-                system.bodies().next().expect("strip").place(0.0, copy.slice_mut(range.clone()));
-                let (seen, now) = (&system.walls.ay[range.clone()], &copy.ay[range.clone()]);
-                let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
-                mean += norm(&mut seen.iter().zip(now).map(|(a, b)| a - b)) / norm(&mut now.iter().copied());
-                n += 1.0;
-            }
-            println!("ratio {ratio}, C {courant}: mismatch {:.4}", mean / n);
-        }
-    }
-}
-
-#[test]
-fn beams_map() {
-    let all = [Scheme::Weak, STRONG[0], STRONG[1], STRONG[2]];
-    for ratio in [1.0, 0.1, 0.01, 0.003, 0.001, 0.0001] {
-        show(&Floor::still(ratio, 20), &all, 1.5);
-    }
-    for ratio in [1.0, 0.1, 0.01, 0.001] {
-        show(&Floor { fall: 1.0, ..Floor::still(ratio, 20) }, &all, 0.5);
-    }
-    for courant in [0.6, 0.15] {
-        for rows in [20, 40] {
-            for radius in [0.4, 0.5, 0.6, 0.7, 0.8] {
-                show(&Floor { courant, ..Floor::still(0.5 / f64::from(rows) / radius, rows) }, &all[..1], 0.75);
-            }
-        }
+fn light_panels_on_a_light_frame_and_a_light_baffle_hold() {
+    let wedge =
+        ["resolution.spacing=0.01", "body.mass=1", "body.panels[0].thickness=0.001", "body.panels[0].density=1000"];
+    let baffle = ["resolution.spacing=0.006", "body.panels[0].density=10"];
+    for (name, sets, end, watched) in
+        [("flexible_wedge", &wedge[..], 0.006, 1), ("dam_break_baffle", &baffle[..], 0.25, 0)]
+    {
+        let found = ["weak", "added_mass", "iqn_ils"].map(|scheme| {
+            let scheme = format!("coupling.scheme={scheme}");
+            let mut system = system(name, &[sets, &[scheme.as_str()]].concat());
+            let mut deepest = 0.0_f64;
+            let ended = advance(&mut system, end, |s| {
+                let panels = s.bodies().find(|body| !body.panels().is_empty()).expect("panels").panels();
+                deepest = deepest.max(panels[0].watched[watched].deflection.abs());
+            });
+            println!("{name} {scheme}: {deepest:.6} m, {:?}, energy {:.2}", system.agreement(), system.energy_drift());
+            (if ended.is_ok() { deepest } else { f64::INFINITY }, system.energy_drift(), system.momentum_audit().worst)
+        });
+        let [weak, at_once, newton] = found;
+        assert!(weak.0.is_infinite(), "{name}: weak coupling now survives, {weak:?}");
+        assert!((at_once.0 / newton.0 - 1.0).abs() < 5e-3, "{name}: {at_once:?} {newton:?}");
+        assert!(at_once.1 < 0.0 && newton.1 < 0.0 && at_once.2 < 1e-10 && newton.2 < 1e-10, "{name}: {found:?}");
     }
 }

@@ -13,3 +13,4 @@ mod schemes;
 mod thin_walls;
 mod walls;
 mod water;
+mod windows;

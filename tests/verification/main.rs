@@ -21,6 +21,7 @@ mod rigid_body;
 mod rotating_patch;
 mod standing_wave;
 mod still_water;
+mod strips;
 mod study;
 mod symmetry;
 mod taylor_green;
