@@ -3,7 +3,7 @@
 use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
 use crate::outline::Outline;
-use crate::panel::PanelState;
+use crate::panel_state::PanelState;
 use crate::rows::Arrangement;
 
 /// A body that cannot be built or cannot go on.

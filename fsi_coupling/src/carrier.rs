@@ -8,8 +8,8 @@ use crate::pose::rotate;
 pub enum Carrier {
     /// The rigid frame.
     Frame {
-        /// From the frame's node, when the frame is not turned [m].
-        arm: [f64; 2],
+        /// Where it is at rest [m].
+        rest: [f64; 2],
         /// Its normal then [-].
         normal: [f64; 2],
     },
@@ -24,7 +24,7 @@ pub struct Carriage {
     pub surface: BeamSurface,
     /// The frame's node.
     pub frame: usize,
-    /// Where it is at rest [m].
+    /// Where it is at rest [m]; it moves when a panel breaks off.
     pub pole: [f64; 2],
 }
 
@@ -34,16 +34,21 @@ pub type Nodal<'a> = &'a [[f64; 3]];
 impl Carriage {
     /// What carries a place [m] with a normal [-] on the frame.
     pub fn on_frame(&self, at: [f64; 2], normal: [f64; 2]) -> Carrier {
-        Carrier::Frame { arm: [0, 1].map(|k| at[k] - self.pole[k]), normal }
+        Carrier::Frame { rest: at, normal }
+    }
+
+    /// From the frame's node to a place at rest, turned with the frame [m].
+    fn arm(&self, rest: [f64; 2], turn: f64) -> [f64; 2] {
+        rotate([0, 1].map(|k| rest[k] - self.pole[k]), turn)
     }
 
     /// Where a place is when the nodes are displaced by q [m, m, rad]: K1, or r = x_f + R(θ_f) arm.
     pub fn place(&self, carrier: &Carrier, q: Nodal) -> Place {
         match carrier {
             Carrier::Beam(perch) => self.surface.place(perch, q),
-            Carrier::Frame { arm, normal } => {
+            Carrier::Frame { rest, normal } => {
                 let [x, y, turn] = q[self.frame];
-                let r = rotate(*arm, turn);
+                let r = self.arm(*rest, turn);
                 Place { at: [self.pole[0] + x + r[0], self.pole[1] + y + r[1]], normal: rotate(*normal, turn) }
             }
         }
@@ -55,8 +60,8 @@ impl Carriage {
             Carrier::Beam(perch) => {
                 Influence { nodes: self.surface.ends(perch.element), count: 2, rows: self.surface.influence(perch, q) }
             }
-            Carrier::Frame { arm, .. } => {
-                let r = rotate(*arm, q[self.frame][2]);
+            Carrier::Frame { rest, .. } => {
+                let r = self.arm(*rest, q[self.frame][2]);
                 let rows = [[1.0, 0.0, -r[1], 0.0, 0.0, 0.0], [0.0, 1.0, r[0], 0.0, 0.0, 0.0]];
                 Influence { nodes: [self.frame; 2], count: 1, rows }
             }
@@ -74,8 +79,8 @@ impl Carriage {
         let [ax, ay] = self.influence(carrier, q).of(acceleration);
         match carrier {
             Carrier::Beam(_) => [ax, ay],
-            Carrier::Frame { arm, .. } => {
-                let (r, spin) = (rotate(*arm, q[self.frame][2]), rate[self.frame][2]);
+            Carrier::Frame { rest, .. } => {
+                let (r, spin) = (self.arm(*rest, q[self.frame][2]), rate[self.frame][2]);
                 [ax - spin * spin * r[0], ay - spin * spin * r[1]]
             }
         }

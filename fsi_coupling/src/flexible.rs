@@ -111,6 +111,11 @@ impl Model {
         Ok((Model { dynamics, carriage, panels, line, start: spec.start, share }, state))
     }
 
+    /// The frame's node is where the model has it: elsewhere, once a panel has broken off a free frame.
+    pub fn settle(&mut self) {
+        self.carriage.pole = self.dynamics.beam().nodes()[self.carriage.frame];
+    }
+
     /// What carries a place of the surface [m] with its normal [-], in the body's frame; a place below the surface goes with
     /// its foot on the surface.
     pub fn carrier(&self, foot: [f64; 2], at: [f64; 2], normal: [f64; 2]) -> Carrier {

@@ -1,6 +1,6 @@
 //! A body whose surface bends: panels of beam elements on a rigid frame, one set of equations (THEORY K1–K6).
 
-use structure_fe::{Dof, Dynamics, State, SupportMotion};
+use structure_fe::{Dof, Dynamics, Envelope, State, SupportMotion};
 
 use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
@@ -9,7 +9,7 @@ use crate::carrier::Carrier;
 use crate::flexible::{FlexibleSpec, Frame, Model};
 use crate::flexible_yield::FlexibleYield;
 use crate::outline::Outline;
-use crate::panel::{PanelState, Watched};
+use crate::panel_state::{PanelState, state_of};
 use crate::pose::{Rigid, rotate};
 use crate::prescribed::Law;
 use crate::rows::Arrangement;
@@ -55,6 +55,8 @@ struct Moving {
     work: f64,
     support: f64,
     dissipated: f64,
+    /// What the panels have borne so far.
+    envelope: Envelope,
 }
 
 impl FlexibleBody {
@@ -84,6 +86,7 @@ impl FlexibleBody {
             work: 0.0,
             support: 0.0,
             dissipated: 0.0,
+            envelope: Envelope::new(model.dynamics.beam()),
         };
         let (arrangement, carriers) = (Arrangement::default(), Vec::new());
         let rest = outline.clone();
@@ -277,6 +280,8 @@ impl WettedBody for FlexibleBody {
         let now: Vec<[f64; 3]> =
             m.now.iter().zip(&self.weight).map(|(load, weight)| [0, 1, 2].map(|k| load[k] + weight[k])).collect();
         dynamics.equilibrate_over(&mut m.nodes, &now, dt).map_err(|error| BodyError::structure(&self.name, &error))?;
+        m.envelope.record(dynamics, &m.nodes);
+        self.model.settle();
         self.follow()
     }
 
@@ -291,6 +296,9 @@ impl WettedBody for FlexibleBody {
     fn restore(&mut self) {
         if let Some((state, outline)) = &self.saved {
             (self.state, self.outline) = (state.clone(), outline.clone());
+            // a model that was laid out before can be laid out again
+            let _ = self.model.dynamics.adopt(&self.state.nodes);
+            self.model.settle();
         }
     }
 
@@ -330,36 +338,9 @@ impl WettedBody for FlexibleBody {
     }
 
     fn panels(&self) -> Vec<PanelState> {
-        let (q, frame, model) = (&self.state.nodes.displacement, self.frame(), &self.model);
-        let (beam, sections) = (model.dynamics.beam(), model.dynamics.section_forces(&self.state.nodes));
-        let one = |panel: &crate::panel::Panel| {
-            let watched = panel.spec.watch.iter().map(|&share| {
-                let (element, t) = panel.element_at(share);
-                let perch = model.carriage.surface.on_element(element, t);
-                let still = vec![[0.0; 3]; q.len()];
-                let (at, rest) =
-                    (model.carriage.surface.place(&perch, q), model.carriage.surface.place(&perch, &still));
-                // the place as the frame alone would have carried it
-                let carried = model.carriage.place(&model.carriage.on_frame(rest.at, rest.normal), q);
-                let moved = [0, 1].map(|k| at.at[k] - carried.at[k]);
-                let ends = &sections[2 * element..2 * element + 2];
-                let section = crate::panel::between(&ends[0], &ends[1], t);
-                let left = carried.normal;
-                Watched {
-                    share,
-                    displacement: rotate(moved, -frame.angle),
-                    deflection: moved[0] * left[0] + moved[1] * left[1],
-                    strain: panel.strain(beam, element, &section),
-                    section,
-                }
-            });
-            PanelState {
-                name: panel.spec.name.clone(),
-                watched: watched.collect(),
-                stress: panel.stress(beam, &sections),
-            }
-        };
-        model.panels.iter().map(one).collect()
+        let (model, state, frame) = (&self.model, &self.state, self.frame());
+        let parts = (&model.dynamics, &model.carriage);
+        model.panels.iter().map(|panel| state_of(panel, parts, &state.nodes, &frame, &state.envelope)).collect()
     }
 
     fn outline(&self) -> Option<&Outline> {

@@ -1,6 +1,6 @@
 //! Panels: the parts of a body's surface that bend.
 
-use structure_fe::{Beam, Dof, Element, Material, Section, SectionForces, Supports, Theory};
+use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
 
 use crate::course::Course;
 
@@ -35,36 +35,16 @@ pub struct PanelSpec {
     pub material: Material,
     /// Beam theory.
     pub theory: Theory,
+    /// How it yields in bending, if it does; Euler and Bernoulli's theory only.
+    pub plasticity: Option<Plasticity>,
+    /// Strain of an outer fibre at which an end breaks off [-], if it may.
+    pub rupture_strain: Option<f64>,
+    /// Stress that it may bear, for the reserve factor [Pa].
+    pub allowable_stress: Option<f64>,
     /// How its ends are held.
     pub ends: [PanelEnd; 2],
     /// Places whose motion is reported, as shares of its length [-].
     pub watch: Vec<f64>,
-}
-
-/// What a panel does at a place that is watched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Watched {
-    /// The place: share of the panel's length [-].
-    pub share: f64,
-    /// Displacement against the rigid frame, in its axes [m].
-    pub displacement: [f64; 2],
-    /// Its part across the undeformed panel, to the left: away from the water along an outline [m].
-    pub deflection: f64,
-    /// Section forces of the element, between its ends' [N/m, N/m, N].
-    pub section: SectionForces,
-    /// Strain of the fibres at the left and right face [-].
-    pub strain: [f64; 2],
-}
-
-/// What a panel does now.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PanelState {
-    /// Its name.
-    pub name: String,
-    /// At the places that are watched.
-    pub watched: Vec<Watched>,
-    /// Largest stress along it in an outer fibre at an element's end, by magnitude [Pa].
-    pub stress: f64,
 }
 
 /// A panel with its elements in the model of the body.
@@ -107,6 +87,10 @@ impl Panel {
                 PanelEnd::Free => supports,
                 PanelEnd::Mirror => supports.fix(node, Dof::U).fix(node, Dof::Theta),
             };
+            let held = matches!(end, PanelEnd::Clamped | PanelEnd::Pinned | PanelEnd::Sliding);
+            if let Some(strain) = self.spec.rupture_strain.filter(|_| held) {
+                supports.breakable(node, Rupture::FibreStrain(strain));
+            }
         }
     }
 
@@ -114,6 +98,9 @@ impl Panel {
     pub fn formulate(&self, mut beam: Beam) -> Result<Beam, structure_fe::Error> {
         for element in self.elements.clone() {
             beam = beam.with_theory_of(element, self.spec.theory)?;
+            if let Some(plasticity) = self.spec.plasticity {
+                beam = beam.with_plasticity_of(element, plasticity)?;
+            }
         }
         for (end, element) in self.spec.ends.iter().zip([self.elements.start, self.elements.end - 1]) {
             if *end == PanelEnd::Sliding {
@@ -130,14 +117,6 @@ impl Panel {
         (self.elements.start + element, along - element as f64)
     }
 
-    /// Strains of the outer fibres, left and right [-], under section forces.
-    pub fn strain(&self, beam: &Beam, element: usize, section: &SectionForces) -> [f64; 2] {
-        let Element { section: shape, material, .. } = &beam.elements()[element];
-        let modulus = shape.bending_stiffness(material) / shape.second_moment();
-        let half = 0.5 * shape.thickness();
-        [half, -half].map(|eta| section.fibre_stress(shape, eta) / modulus)
-    }
-
     /// Largest stress of an outer fibre at the ends of its elements, by magnitude [Pa]; `sections` are the whole model's.
     pub fn stress(&self, beam: &Beam, sections: &[SectionForces]) -> f64 {
         let of = |element: usize| {
@@ -150,15 +129,5 @@ impl Panel {
             .clone()
             .flat_map(of)
             .fold(0.0, |most, stress| if stress.abs() > f64::abs(most) { stress } else { most })
-    }
-}
-
-/// Section forces a share t of the way from an element's first end to its second.
-pub(crate) fn between(first: &SectionForces, second: &SectionForces, t: f64) -> SectionForces {
-    let mix = |a: f64, b: f64| a + t * (b - a);
-    SectionForces {
-        normal: mix(first.normal, second.normal),
-        shear: mix(first.shear, second.shear),
-        moment: mix(first.moment, second.moment),
     }
 }

@@ -10,6 +10,7 @@ pub mod compare;
 pub mod forecast;
 pub mod log;
 pub mod observe;
+pub mod panel_result;
 pub mod present;
 pub mod reference;
 pub mod report;

@@ -14,6 +14,7 @@ use crate::observe::{
     EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
     SimilarityWindow,
 };
+use crate::panel_result::PanelResult;
 use crate::present;
 use crate::reference::ReferenceError;
 use crate::scene::{Scene, known_compressibility_error};
@@ -317,6 +318,7 @@ impl Recorder {
             similarity,
             force_rules: self.force_rules.as_ref().map_or(Vec::new(), |rules| rules.result(since)),
             comparison,
+            panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
             gauges: self.gauges.results(),
         }
     }

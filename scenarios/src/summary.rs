@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::compare::Comparison;
 use crate::observe::{GaugeResult, RuleResult, SimilarityResult};
+use crate::panel_result::PanelResult;
 use crate::scene::CouplingScheme;
 
 /// How a run ended.
@@ -188,6 +189,9 @@ pub struct Summary {
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
+    /// What the body's panels have borne, by name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub panels: BTreeMap<String, PanelResult>,
     /// Gauges, by name.
     pub gauges: BTreeMap<String, GaugeResult>,
 }

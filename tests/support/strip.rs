@@ -49,6 +49,9 @@ fn strip(ratio: f64) -> FlexibleBody {
         theory: Theory::EulerBernoulli,
         ends: [PanelEnd::Clamped; 2],
         watch: vec![0.5],
+        plasticity: None,
+        rupture_strain: None,
+        allowable_stress: None,
     };
     let spec = FlexibleSpec {
         name: "strip".into(),

@@ -124,3 +124,51 @@ fn a_gauge_rides_on_its_panel() {
     assert!(shown > 1e-5 && (sunk / shown - 1.0).abs() < 1e-6, "{sunk} {shown}");
     assert!(surface.normal[1] > 0.99);
 }
+
+/// A plate that yields keeps a dent and its energy still closes; the same plate, elastic, comes back.
+#[test]
+fn a_plate_that_yields_keeps_a_dent() {
+    let end = |sets: &[&str]| {
+        let mut system = system("flexible_wedge", &[&WEDGE[..], sets].concat());
+        let held = |s: &Coupled| {
+            let e = body(s).energy();
+            e.kinetic + e.potential + e.elastic + e.dissipated - e.work - e.support
+        };
+        let start = held(&system);
+        advance(&mut system, 0.006, |_| ()).expect("a stable run");
+        let panel = body(&system).panels().remove(0);
+        (panel, (held(&system) - start) / system.work_audit(0).exchanged)
+    };
+    let (elastic, _) = end(&[]);
+    let soft = ["body.panels[0].yield_stress=30e6", "body.panels[0].hardening_modulus=1e9"];
+    let (yielding, gap) = end(&soft);
+    println!("elastic {:?}\nyielding {:?}, energy gap {gap:.1e}", elastic.worst, yielding.worst);
+    assert_eq!(elastic.worst.plastic_curvature, 0.0);
+    assert!(elastic.worst.stress.largest() > 40e6, "the load is beyond the yield stress: {:?}", elastic.worst.stress);
+    assert!(yielding.worst.plastic_curvature > 0.05 && yielding.worst.reserve_factor.is_some_and(|rf| rf < 1.0));
+    assert!(yielding.worst.strain.largest() > elastic.worst.strain.largest());
+    assert!(gap.abs() < 1e-6, "{gap}");
+}
+
+/// An end that is strained too far breaks off: it is said when and where, what is free keeps its momentum, and the run goes on;
+/// taken back, it is whole again.
+#[test]
+fn an_end_that_is_strained_too_far_breaks_off() {
+    let mut system = system("flexible_wedge", &[&WEDGE[..], &["body.panels[0].rupture_strain=3e-4"]].concat());
+    let ruptures = |s: &Coupled| body(s).panels()[0].ruptures.clone();
+    while ruptures(&system).is_empty() {
+        assert!(system.fluid.time < 0.006, "nothing broke");
+        system.save();
+        let dt = system.stable_dt().expect("a step");
+        system.step(dt).expect("a stable step");
+    }
+    let first = ruptures(&system)[0];
+    println!("{first:?}");
+    assert!(first.value > 3e-4 && (first.time - system.fluid.time).abs() < 1e-12);
+    system.restore();
+    assert!(ruptures(&system).is_empty());
+    let end = system.fluid.time + 2e-4;
+    advance(&mut system, end, |_| ()).expect("a stable run");
+    assert_eq!(ruptures(&system)[0], first);
+    assert!(system.momentum_audit().worst < 1e-10, "{}", system.momentum_audit().worst);
+}

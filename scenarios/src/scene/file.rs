@@ -163,6 +163,10 @@ pub struct PanelFile {
     pub ends: Option<[EndName; 2]>,
     pub theory: Option<TheoryName>,
     pub watch: Option<Vec<f64>>,
+    pub yield_stress: Option<f64>,
+    pub hardening_modulus: Option<f64>,
+    pub rupture_strain: Option<f64>,
+    pub allowable_stress: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -304,6 +308,10 @@ impl From<Panel> for PanelFile {
             ends: Some(panel.ends),
             theory: Some(panel.theory),
             watch: Some(panel.watch),
+            yield_stress: panel.yield_stress,
+            hardening_modulus: panel.yield_stress.map(|_| panel.hardening_modulus),
+            rupture_strain: panel.rupture_strain,
+            allowable_stress: panel.allowable_stress,
         }
     }
 }

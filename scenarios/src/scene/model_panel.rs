@@ -2,7 +2,7 @@
 
 use fsi_coupling::{PanelEnd, PanelSpec};
 use serde::{Deserialize, Serialize};
-use structure_fe::{Material, Theory};
+use structure_fe::{Material, Plasticity, Theory};
 
 /// A part of the body's surface that bends.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,6 +29,14 @@ pub struct Panel {
     pub theory: TheoryName,
     /// Places that are reported, as shares of its length [-].
     pub watch: Vec<f64>,
+    /// Yield stress of the tension test [Pa]; without one it stays elastic.
+    pub yield_stress: Option<f64>,
+    /// Hardening modulus beyond it [Pa].
+    pub hardening_modulus: f64,
+    /// Strain of an outer fibre at which an end breaks off [-]; without one neither does.
+    pub rupture_strain: Option<f64>,
+    /// Stress that it may bear, for the reserve factor [Pa].
+    pub allowable_stress: Option<f64>,
 }
 
 /// How an end of a panel is held by the rigid rest of the body.
@@ -81,7 +89,17 @@ impl Panel {
             },
             ends: self.ends.map(end),
             watch: self.watch.clone(),
+            plasticity: self.plasticity(),
+            rupture_strain: self.rupture_strain,
+            allowable_stress: self.allowable_stress,
         }
+    }
+
+    /// In plane strain bending yields at σ_y/√(1 − ν + ν²) (von Mises 1913).
+    fn plasticity(&self) -> Option<Plasticity> {
+        let nu = self.poissons_ratio;
+        let yield_stress = self.yield_stress? / (1.0 - nu + nu * nu).sqrt();
+        Some(Plasticity { yield_stress, hardening_modulus: self.hardening_modulus })
     }
 
     /// What it is made of.

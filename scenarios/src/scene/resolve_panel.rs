@@ -2,8 +2,8 @@
 
 use super::file::PanelFile;
 use super::model::{Body, Symmetry};
-use super::model_panel::{EndName, Panel};
-use super::problem::{Problem, positive, required, significant, within, word};
+use super::model_panel::{EndName, Panel, TheoryName};
+use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use fsi_coupling::Shape;
 use fsi_coupling::course::Course;
 
@@ -104,7 +104,20 @@ fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> 
     for (j, share) in watch.iter().enumerate() {
         within(&format!("{}[{j}]", key("watch")), *share, 0.0..=1.0)?;
     }
+    let optional = |name: &str, value: Option<f64>| value.map(|value| positive(&key(name), value)).transpose();
+    let yield_stress = optional("yield_stress", file.yield_stress)?;
+    let theory = file.theory.unwrap_or_default();
+    if yield_stress.is_some() && theory != TheoryName::EulerBernoulli {
+        return Err(Problem::new(&key("theory"), "\"timoshenko\"", "\"euler_bernoulli\" with yield_stress"));
+    }
+    if let (None, Some(modulus)) = (yield_stress, file.hardening_modulus) {
+        return Err(Problem::new(&key("hardening_modulus"), modulus, "only with yield_stress"));
+    }
     Ok(Panel {
+        yield_stress,
+        hardening_modulus: not_negative(&key("hardening_modulus"), file.hardening_modulus.unwrap_or(0.0))?,
+        rupture_strain: optional("rupture_strain", file.rupture_strain)?,
+        allowable_stress: optional("allowable_stress", file.allowable_stress)?.or(yield_stress),
         name: word(&key("name"), name)?,
         from,
         to,
@@ -114,7 +127,7 @@ fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> 
         poissons_ratio,
         density: number("density", file.density, "the panel's density [kg/m^3]")?,
         ends,
-        theory: file.theory.unwrap_or_default(),
+        theory,
         watch,
     })
 }
