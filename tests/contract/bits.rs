@@ -46,3 +46,23 @@ fn the_resolved_scene_runs_to_the_same_bytes() {
         assert!(place.read(&format!("first/{file}")) == place.read(&format!("second/{file}")), "{file} differs");
     }
 }
+
+/// A gate that bends, wet on both sides: threads and repetition do not change a byte, and the resolved scene gives it again.
+#[test]
+fn a_body_that_bends_gives_the_same_bytes() {
+    let place = Workplace::new();
+    let run = ["--quiet", "--set", "resolution.spacing=0.004", "--set", "time.end=0.05", "--out"];
+    for (out, threads) in [("one", "1"), ("two", "2")] {
+        let ended = place.run(&[&["run", "elastic_gate"], &run[..], &[out, "--threads", threads]].concat());
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+    }
+    let again = place.run(&["run", "one/scene.resolved.toml", "--quiet", "--out", "resolved"]);
+    assert_eq!(again.code, Some(0), "{}", again.message);
+    assert!(place.text("one/series.csv").contains("gate.at100.dx_m"));
+    for other in ["two", "resolved"] {
+        for file in ["series.csv", "log.mcap", "scene.resolved.toml"] {
+            let (ours, theirs) = (place.read(&format!("one/{file}")), place.read(&format!("{other}/{file}")));
+            assert!(ours == theirs, "{file} of `one` and `{other}` differ");
+        }
+    }
+}
