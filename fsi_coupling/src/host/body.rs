@@ -100,6 +100,11 @@ impl HostBody {
         loads
     }
 
+    /// Time since the start of the host's step [s].
+    fn elapsed(&self) -> f64 {
+        self.shared.open().elapsed
+    }
+
     fn ends(&self, elapsed: f64) -> Ends {
         let nodes = self.shared.open().path.at(elapsed);
         self.skin.ends(&nodes)
@@ -236,13 +241,13 @@ impl WettedBody for HostBody {
 
     fn surface(&self, at: [f64; 2]) -> Surface {
         let (found, normal) = self.outline.nearest(at);
-        let ends = self.ends(self.shared.open().elapsed);
+        let ends = self.ends(self.elapsed());
         let perch = self.skin.perch_now(found, &ends);
         Surface { at: found, normal, velocity: self.skin.velocity(&perch, &ends) }
     }
 
     fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
-        let ends = self.ends(self.shared.open().elapsed);
+        let ends = self.ends(self.elapsed());
         let perch = self.skin.perch_now(at, &ends);
         let velocity = self.skin.velocity(&perch, &ends);
         let mut shared = self.shared.open();
