@@ -286,7 +286,8 @@ mod tests {
             assert!((0..3).all(|k| (found[k] - exact[k]).abs() < 1e-14), "{impulse:?}");
         }
         assert_eq!((body.ledger().external, body.energy().work), ([-3.0, -4.0], 3.0 * 0.5 - 4.0 * 2.0));
-        assert_eq!(body.surface([0.3, -0.2]).velocity, [0.5, -2.0]);
+        let velocity = body.surface([0.3, -0.2]).velocity;
+        assert!((velocity[0] - 0.5).hypot(velocity[1] + 2.0) < 1e-15, "{velocity:?}");
         body.restore();
         assert_eq!((body.ledger(), body.energy()), (Ledger::default(), Energy::default()));
     }
