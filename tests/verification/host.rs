@@ -1,7 +1,8 @@
 //! The host's door: what the nodes get is what the water lost, steps come again, and a host's wedge is the scene's (THEORY
 //! D1–D6).
 
-use evidence::door::{MASS, bits, element, moved, spec, total, wedge_of_the_scene};
+use evidence::door::{MASS, bits, element, moved, placed, spec, total, wedge_of_the_scene};
+use fsi_coupling::Motion;
 use fsi_coupling::host::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Side, Topology};
 use rayon::ThreadPoolBuilder;
 
@@ -70,6 +71,36 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
         println!("{rotations}: audit {worst:.1e}, water at {} s, host at {time} s", element.time());
         assert!(worst < 1e-12 && (element.time() - time).abs() < 1e-12);
     }
+}
+
+/// Blows of single particles (THEORY E25) are in the nodes' impulses too: a box that spins through the surface, in the
+/// water's own steps, gets more than its boundary particles' forces, and momentum closes.
+#[test]
+fn blows_of_single_particles_reach_the_nodes() {
+    let arms = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]];
+    let law = |t: f64| placed(&arms, &Motion { angle: 0.4 + 15.0 * t, spin: 15.0, ..Motion::default() });
+    let spec = FluidElementSpec { sound_speed: Some(50.0), ..FluidElementSpec::new(0.03, 0.9, 0.6) };
+    let topology = Topology::of(law(0.0).position).closed(0..4);
+    let mut element = spec.size(&topology).expect("a sound element").build(&law(0.0)).expect("water");
+    let (mut forces, mut time, mut blows, mut steps) = (vec![[0.0; 3]; 4], 0.0, 0.0, 0);
+    let before = momentum(&element);
+    let mut given = [0.0; 2];
+    while time < 0.3 {
+        let dt = 0.99 * element.fluid_dt().expect("a stable step");
+        time += dt;
+        let impulse = element.contribute(HostStep { dt, nodes: &law(time) }, &mut forces).expect("a step").impulse;
+        let (walls, range) = (&element.system().walls, element.system().range(0));
+        let pushed = [&walls.mean_fx, &walls.mean_fy].map(|f| dt * f[range.clone()].iter().sum::<f64>());
+        let blow = (impulse[0] - pushed[0]).hypot(impulse[1] - pushed[1]);
+        steps += usize::from(blow > 1e-9);
+        blows += blow;
+        given = [0, 1].map(|k| given[k] + impulse[k]);
+    }
+    let after = momentum(&element);
+    let lack = [0, 1].map(|k| (before[k] - after[k] - given[k]).abs());
+    println!("{steps} steps with blows of {blows:.3} N s/m; of {given:.1?} N s/m given {:.1e} lack", lack[0] + lack[1]);
+    assert!(steps > 0 && lack[0] + lack[1] < 1e-10 * given[1].abs());
+    assert!(element.system().momentum_audit().worst < 1e-12);
 }
 
 /// A rejected step, redone, gives the same bits: at once, after a shorter try, and after a step that broke down.

@@ -100,6 +100,11 @@ impl HostBody {
         loads
     }
 
+    /// Time since the start of the host's step [s].
+    fn elapsed(&self) -> f64 {
+        self.shared.open().elapsed
+    }
+
     fn ends(&self, elapsed: f64) -> Ends {
         let nodes = self.shared.open().path.at(elapsed);
         self.skin.ends(&nodes)
@@ -236,13 +241,13 @@ impl WettedBody for HostBody {
 
     fn surface(&self, at: [f64; 2]) -> Surface {
         let (found, normal) = self.outline.nearest(at);
-        let ends = self.ends(self.shared.open().elapsed);
+        let ends = self.ends(self.elapsed());
         let perch = self.skin.perch_now(found, &ends);
         Surface { at: found, normal, velocity: self.skin.velocity(&perch, &ends) }
     }
 
     fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
-        let ends = self.ends(self.shared.open().elapsed);
+        let ends = self.ends(self.elapsed());
         let perch = self.skin.perch_now(at, &ends);
         let velocity = self.skin.velocity(&perch, &ends);
         let mut shared = self.shared.open();
@@ -281,7 +286,8 @@ mod tests {
             assert!((0..3).all(|k| (found[k] - exact[k]).abs() < 1e-14), "{impulse:?}");
         }
         assert_eq!((body.ledger().external, body.energy().work), ([-3.0, -4.0], 3.0 * 0.5 - 4.0 * 2.0));
-        assert_eq!(body.surface([0.3, -0.2]).velocity, [0.5, -2.0]);
+        let velocity = body.surface([0.3, -0.2]).velocity;
+        assert!((velocity[0] - 0.5).hypot(velocity[1] + 2.0) < 1e-15, "{velocity:?}");
         body.restore();
         assert_eq!((body.ledger(), body.energy()), (Ledger::default(), Energy::default()));
     }
