@@ -43,6 +43,19 @@ fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
     e / element.length + 0.5 * (g_arc * arc * arc + g_ess * ess * ess)
 }
 
+/// The angle of a sine and a cosine, and its ratio to the sine; by a series where it is small, as steps have it.
+#[inline]
+fn turn(sine: f64, cosine: f64) -> (f64, f64) {
+    let s = sine * sine;
+    if s < 1e-3 && cosine > 0.0 {
+        let ratio =
+            1.0 + s * (1.0 / 6.0 + s * (3.0 / 40.0 + s * (5.0 / 112.0 + s * (35.0 / 1152.0 + s * 63.0 / 2816.0))));
+        return (ratio * sine, ratio);
+    }
+    let turn = sine.atan2(cosine);
+    (turn, sinc(turn).recip())
+}
+
 impl<'a> Between<'a> {
     #[inline]
     fn new(element: &'a ElementConstants, [from, to]: [Chord; 2], plastic: [f64; 2], weight: f64) -> Self {
@@ -50,8 +63,9 @@ impl<'a> Between<'a> {
         let middle = [0, 1].map(|axis| 0.5 * (start[axis] + end[axis]));
         let both = from.length + to.length;
         let cross = start[0] * end[1] - start[1] * end[0];
-        let turn = cross.atan2(start[0] * end[0] + start[1] * end[1]);
-        let arm = (from.length * to.length * sinc(turn)).recip();
+        let areas = from.length * to.length;
+        let (turn, arm) = turn(cross / areas, (start[0] * end[0] + start[1] * end[1]) / areas);
+        let arm = arm / areas;
         let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (from.deformation[i] + to.deformation[i]));
         let weighed = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
         let [axial, for_arc, for_ess] = element.stiffness;
