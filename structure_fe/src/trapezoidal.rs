@@ -90,7 +90,7 @@ impl Dynamics {
         self.system.equations.add(factor, &lack, &mut new.acceleration);
         let ties = &self.system.equations.ties;
         ties.follow_acceleration(&ties.arms_at(&new.displacement), &new.velocity, &mut new.acceleration);
-        new.integrated_acceleration.clone_from(&new.acceleration);
+        new.integrated_acceleration = each(&new.velocity, &state.velocity, |to, from| (to - from) / dt);
         new.time = state.time + dt;
         if let Err(error) = self.let_go(&mut new) {
             self.adopt(state)?;
@@ -100,10 +100,10 @@ impl Dynamics {
         Ok(report)
     }
 
-    /// The motion of `dt` at the acceleration of now; supports where they are told to be.
+    /// The motion of `dt` at the mean acceleration of the last step; supports where they are told to be.
     fn guess(&self, state: &State, dt: f64) -> State {
         let mut new = state.clone();
-        let moved = each(&state.velocity, &state.acceleration, |v, a| dt * (v + 0.5 * dt * a));
+        let moved = each(&state.velocity, &state.integrated_acceleration, |v, a| dt * (v + 0.5 * dt * a));
         new.displacement = each(&state.displacement, &moved, |q, moved| q + moved);
         self.move_supports(&mut new);
         self.system.equations.ties.follow(&mut new.displacement);
