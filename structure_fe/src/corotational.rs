@@ -7,6 +7,7 @@
 //! may turn against its chord by less than half a turn.
 
 use crate::element::{ElementConstants, Ends, EndsMatrix, end_forces, rotate};
+use crate::ties::sinc;
 use std::f64::consts::TAU;
 
 /// Where the chord of an element is, and how the element is deformed against it.
@@ -20,23 +21,66 @@ pub(crate) struct Chord {
     pub deformation: [f64; 3],
 }
 
+/// The angle of a sine and a cosine, and its ratio to the sine; by a series where it is small, as steps have it.
+#[inline]
+fn turn_of(sine: f64, cosine: f64) -> (f64, f64) {
+    let s = sine * sine;
+    if s < 1e-3 && cosine > 0.0 {
+        let ratio =
+            1.0 + s * (1.0 / 6.0 + s * (3.0 / 40.0 + s * (5.0 / 112.0 + s * (35.0 / 1152.0 + s * 63.0 / 2816.0))));
+        return (ratio * sine, ratio);
+    }
+    let turn = sine.atan2(cosine);
+    (turn, sinc(turn).recip())
+}
+
 impl Chord {
     /// The chord of the end values `q`.
     #[inline]
     pub fn new(element: &ElementConstants, q: &Ends) -> Self {
-        let [c, s] = element.tangent;
-        let original = element.length;
-        let (du, dw) = (q[3] - q[0], q[4] - q[1]);
-        // Of the end-to-end vector, along and across the element as it was.
-        let (stretch, across) = (c * du + s * dw, c * dw - s * du);
-        let along = original + stretch;
-        let length = (along * along + across * across).sqrt();
+        let [along, across, _] = Self::placed(element, q);
         let turn = across.atan2(along);
         let psi = [q[2], q[5]].map(|theta| {
             let psi = theta - turn;
             psi - TAU * (psi / TAU).round()
         });
+        Self::with_rotations(element, q, psi)
+    }
+
+    /// The chord of the end values `q`, which comes out of `from` with the end values `before`; with the turn between
+    /// both \[rad\] and its ratio to its sine. The same as [`Chord::new`] but for rounding, and cheaper where the turn
+    /// is small.
+    #[inline]
+    pub fn moved(element: &ElementConstants, from: &Self, before: &Ends, q: &Ends) -> (Self, f64, f64) {
+        // Differences first: they keep the digits of small motions.
+        let (dx, dy) = ((q[3] - q[0]) - (before[3] - before[0]), (q[4] - q[1]) - (before[4] - before[1]));
+        let [x, y] = from.direction;
+        let (stretch, across) = (x * dx + y * dy, x * dy - y * dx);
+        let along = from.length + stretch;
+        let length = (along * along + across * across).sqrt();
+        let (turn, ratio) = turn_of(across / length, along / length);
+        let [_, arc, ess] = from.deformation;
+        let psi = [(ess + arc) + (q[2] - before[2]) - turn, (ess - arc) + (q[5] - before[5]) - turn];
+        (Self::with_rotations(element, q, psi), turn, ratio)
+    }
+
+    /// The end-to-end vector along and across the element as it was, and what the first is longer by.
+    #[inline]
+    fn placed(element: &ElementConstants, q: &Ends) -> [f64; 3] {
+        let [c, s] = element.tangent;
+        let (du, dw) = (q[3] - q[0], q[4] - q[1]);
+        let (stretch, across) = (c * du + s * dw, c * dw - s * du);
+        [element.length + stretch, across, stretch]
+    }
+
+    #[inline]
+    fn with_rotations(element: &ElementConstants, q: &Ends, psi: [f64; 2]) -> Self {
+        let [c, s] = element.tangent;
+        let original = element.length;
+        let [along, across, stretch] = Self::placed(element, q);
+        let length = (along * along + across * across).sqrt();
         // l - L as (l^2 - L^2)/(l + L), which keeps the digits of small strains.
+        let (du, dw) = (q[3] - q[0], q[4] - q[1]);
         let squares = 2.0 * original * stretch + du * du + dw * dw;
         Self {
             direction: [(c * along - s * across) / length, (s * along + c * across) / length],

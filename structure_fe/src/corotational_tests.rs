@@ -147,3 +147,22 @@ fn inertia_forces_are_those_of_the_kinetic_energy() {
         }
     }
 }
+
+/// A chord that comes out of another is the one of its end values, for small turns (by a series) and large ones.
+#[test]
+fn a_moved_chord_is_the_chord_there() {
+    let element = element(Theory::EulerBernoulli);
+    let from = Chord::new(&element, &Q);
+    for share in [0.0, 1e-9, 1e-3, 0.02, 0.2] {
+        let q: Ends = std::array::from_fn(|i| Q[i] + share * V[i]);
+        let there = Chord::new(&element, &q);
+        let (moved, turn, ratio) = Chord::moved(&element, &from, &Q, &q);
+        let [a, b] = [from.direction, there.direction];
+        let sine = a[0] * b[1] - a[1] * b[0];
+        assert!((turn.sin() - sine).abs() < 1e-15 && (ratio * sine - turn).abs() < 1e-15, "{share}: {turn}");
+        assert_eq!((moved.length, moved.direction), (there.length, there.direction));
+        for (moved, there) in moved.deformation.iter().zip(there.deformation) {
+            assert!((moved - there).abs() < 2e-15, "{share}: {moved} against {there}");
+        }
+    }
+}

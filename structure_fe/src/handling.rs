@@ -42,7 +42,6 @@ impl Dynamics {
         for (a, added) in state.acceleration.as_flattened_mut().iter_mut().zip(added.as_flattened()) {
             *a += added;
         }
-        state.integrated_acceleration.clone_from(&state.acceleration);
         Ok(())
     }
 }

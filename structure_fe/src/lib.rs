@@ -2,12 +2,13 @@
 //!
 //! Elements are Euler-Bernoulli's or Timoshenko's ([`Theory`]), with axial stiffness, three degrees of
 //! freedom per node, at any orientation. The section is a bar, or a one metre wide strip of a plate in
-//! cylindrical bending, in which case everything is per metre of span. Materials are linearly elastic.
+//! cylindrical bending, in which case everything is per metre of span. Materials are linearly elastic, and may
+//! yield in bending ([`Beam::with_plasticity`]); joints may break ([`Supports::breakable`]).
 //!
 //! | | small displacements | any displacements and rotations, small strains |
 //! |---|---|---|
 //! | at rest | [`Statics`] | [`NonlinearStatics`]: load steps, or paths through peaks of the load |
-//! | in motion | [`natural_modes`] | [`Dynamics`]: generalised-alpha, central differences, trapezoidal rule in momenta |
+//! | in motion | [`natural_modes`], [`wet_modes`] | [`Dynamics`]: generalised-alpha, central differences, trapezoidal rule in momenta |
 //!
 //! Nodes may be tied to rigid bodies ([`Beam::with_rigid_body`], [`Supports::tie`]), free, guided or driven, which move
 //! with the trapezoidal rule: panel and body are one set of equations.

@@ -18,6 +18,14 @@ pub(crate) struct MeanForces {
     pub dissipated: f64,
 }
 
+/// Where an element is at the start of a step: its chord, the end values, and the plastic curvatures.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Start<'a> {
+    pub from: Chord,
+    pub before: &'a Ends,
+    pub plastic: [f64; 2],
+}
+
 /// What force and tangent share.
 struct Between<'a> {
     element: &'a ElementConstants,
@@ -45,13 +53,12 @@ fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
 
 impl<'a> Between<'a> {
     #[inline]
-    fn new(element: &'a ElementConstants, [from, to]: [Chord; 2], plastic: [f64; 2], weight: f64) -> Self {
+    fn new(element: &'a ElementConstants, Start { from, before, plastic }: Start, q: &Ends, weight: f64) -> Self {
+        let (to, turn, ratio) = Chord::moved(element, &from, before, q);
         let [start, end] = [from, to].map(|chord| chord.direction.map(|x| chord.length * x));
         let middle = [0, 1].map(|axis| 0.5 * (start[axis] + end[axis]));
         let both = from.length + to.length;
-        let cross = start[0] * end[1] - start[1] * end[0];
-        let turn = cross.atan2(start[0] * end[0] + start[1] * end[1]);
-        let arm = (from.length * to.length * sinc(turn)).recip();
+        let arm = ratio / (from.length * to.length);
         let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (from.deformation[i] + to.deformation[i]));
         let weighed = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
         let [axial, for_arc, for_ess] = element.stiffness;
@@ -167,27 +174,22 @@ impl<'a> Between<'a> {
     }
 }
 
-/// Forces between two places, `weight` of the second, with the plastic curvatures at the first.
+/// Forces between the start of a step and the end values `q`, of which the end has this `weight`.
 #[inline]
-pub(crate) fn mean_forces(
-    element: &ElementConstants,
-    chords: [Chord; 2],
-    plastic: [f64; 2],
-    weight: f64,
-) -> MeanForces {
-    Between::new(element, chords, plastic, weight).forces()
+pub(crate) fn mean_forces(element: &ElementConstants, start: Start, q: &Ends, weight: f64) -> MeanForces {
+    Between::new(element, start, q, weight).forces()
 }
 
 /// The same with `factor` times their derivative by the second place.
 #[inline]
 pub(crate) fn mean_forces_and_tangent(
     element: &ElementConstants,
-    chords: [Chord; 2],
-    plastic: [f64; 2],
+    start: Start,
+    q: &Ends,
     weight: f64,
     factor: f64,
 ) -> (MeanForces, EndsMatrix) {
-    let between = Between::new(element, chords, plastic, weight);
+    let between = Between::new(element, start, q, weight);
     (between.forces(), between.tangent(factor))
 }
 
@@ -209,6 +211,10 @@ mod tests {
     }
 
     const FROM: Ends = [0.1, -0.2, 0.3, 0.12, -0.1, -0.1];
+    fn start<'a>(element: &ElementConstants, before: &'a Ends, plastic: [f64; 2]) -> Start<'a> {
+        Start { from: Chord::new(element, before), before, plastic }
+    }
+
     const TO: Ends = [0.5, 0.3, 1.1, 0.2, 0.4, 0.6];
 
     #[test]
@@ -219,14 +225,14 @@ mod tests {
             let moved: Ends = std::array::from_fn(|i| TO[i] - FROM[i]);
             let change = strain_energy(&element, &TO) - strain_energy(&element, &FROM);
             for weight in [0.5, 0.7] {
-                let mean = mean_forces(&element, [chord(&FROM), chord(&TO)], [0.0; 2], weight);
+                let mean = mean_forces(&element, start(&element, &FROM, [0.0; 2]), &TO, weight);
                 let error = dot(&mean.forces, &moved) - mean.dissipated - change;
                 assert!(error.abs() < 1e-10 * change.abs(), "{weight}: {error:e} of {change}");
                 assert!((mean.dissipated > 0.0) == (weight > 0.5));
             }
             // And at one place they are the forces there.
             let there = chord(&TO);
-            let mean = mean_forces(&element, [there, there], [0.0; 2], 0.5).forces;
+            let mean = mean_forces(&element, start(&element, &TO, [0.0; 2]), &TO, 0.5).forces;
             let exact = there.to_global(&elastic_forces(&element, &there));
             for (mean, exact) in mean.iter().zip(exact) {
                 assert!((mean - exact).abs() < 1e-10 * exact.abs().max(1.0));
@@ -240,15 +246,14 @@ mod tests {
         let mut yielding = element(f64::INFINITY);
         yielding.plastic = Some(PlasticBending { stiffness: 20.0, hardening: 4.0, yield_moment: 2.0, length: 0.5 });
         for (element, plastic) in [(elastic, [0.0; 2]), (yielding, [0.3, -0.2])] {
-            let chord = |q: &Ends| Chord::new(&element, q);
             for to in [TO, std::array::from_fn(|i| FROM[i] + 1e-5 * TO[i])] {
-                let (_, tangent) = mean_forces_and_tangent(&element, [chord(&FROM), chord(&to)], plastic, 0.6, 2.0);
+                let (_, tangent) = mean_forces_and_tangent(&element, start(&element, &FROM, plastic), &to, 0.6, 2.0);
                 for j in 0..6 {
                     let step = 1e-6;
                     let [low, high] = [-step, step].map(|change| {
                         let mut q = to;
                         q[j] += change;
-                        mean_forces(&element, [chord(&FROM), chord(&q)], plastic, 0.6).forces
+                        mean_forces(&element, start(&element, &FROM, plastic), &q, 0.6).forces
                     });
                     for i in 0..6 {
                         let slope = 2.0 * (high[i] - low[i]) / (2.0 * step);

@@ -6,7 +6,7 @@ use crate::corotational::{Chord, add_deformation_matrix, add_elastic_tangent, de
 use crate::element::{ElementConstants, Ends, end_forces};
 use crate::equations::Arms;
 use crate::inertia::Damping;
-use crate::mean_forces::{mean_forces, mean_forces_and_tangent};
+use crate::mean_forces::{Start, mean_forces, mean_forces_and_tangent};
 use crate::system::System;
 
 /// The plastic curvatures of an element: none where nothing yields.
@@ -110,16 +110,18 @@ impl System {
         let elements = self.beam.formulated().zip(from).enumerate();
         let Some((arms, matrix)) = tangent else {
             for (index, ((nodes, element), &from)) in elements {
-                let to = Chord::new(element, &self.beam.ends(nodes, q));
-                let mean = mean_forces(element, [from, to], history(plastic, index), weight);
+                let (before, ends) = (self.beam.ends(nodes, before), self.beam.ends(nodes, q));
+                let start = Start { from, before: &before, plastic: history(plastic, index) };
+                let mean = mean_forces(element, start, &ends, weight);
                 add_ends(forces, nodes, &mean.forces);
                 dissipated += mean.dissipated;
             }
             return dissipated;
         };
         for (index, ((nodes, element), &from)) in elements {
-            let to = Chord::new(element, &self.beam.ends(nodes, q));
-            let (mean, local) = mean_forces_and_tangent(element, [from, to], history(plastic, index), weight, 1.0);
+            let (before, ends) = (self.beam.ends(nodes, before), self.beam.ends(nodes, q));
+            let start = Start { from, before: &before, plastic: history(plastic, index) };
+            let (mean, local) = mean_forces_and_tangent(element, start, &ends, weight, 1.0);
             add_ends(forces, nodes, &mean.forces);
             dissipated += mean.dissipated;
             self.add_matrix(nodes, &local, arms, matrix);

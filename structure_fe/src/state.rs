@@ -12,12 +12,14 @@ pub struct State {
     pub displacement: Vec<[f64; 3]>,
     /// Velocity \[m/s, m/s, rad/s\].
     pub velocity: Vec<[f64; 3]>,
-    /// Acceleration \[m/s^2, m/s^2, rad/s^2\], in equilibrium with the load at `time`.
+    /// Acceleration \[m/s^2, m/s^2, rad/s^2\], in equilibrium with the load at `time`; after a step of the trapezoidal
+    /// rule with its mean load, over the step ([`Dynamics::equilibrate_over`](crate::Dynamics::equilibrate_over)).
     pub acceleration: Vec<[f64; 3]>,
     /// Time t \[s\].
     pub time: f64,
     /// The acceleration that generalised-alpha integrates (Arnold & Bruels 2007), between that of the last
     /// step and of this one: the same as `acceleration` at the start, and always for a spectral radius of 1.
+    /// Under the trapezoidal rule the mean acceleration of the last step.
     pub integrated_acceleration: Vec<[f64; 3]>,
     /// Mean force of the supports over the last step, springs included \[N, N, N m\]; of the trapezoidal rule only.
     pub mean_reaction: Vec<[f64; 3]>,

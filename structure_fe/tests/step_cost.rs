@@ -4,7 +4,7 @@ mod common;
 
 use common::{MATERIAL, supports};
 use std::time::Instant;
-use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Section};
+use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Section, Supports};
 
 /// Seconds a step and element, the best of many short runs; and the corrections a step.
 fn cost(elements: usize) -> (f64, f64) {
@@ -27,6 +27,36 @@ fn cost(elements: usize) -> (f64, f64) {
         best = best.min(start.elapsed().as_secs_f64() / 5.0);
     }
     (best / elements as f64, corrections as f64 / 100.0)
+}
+
+/// Seconds a step and element of a skin that is tied to one free rigid body at every fifth node.
+fn cost_of_ties(elements: usize) -> f64 {
+    let skin = Beam::straight([0.0, 0.0], [1.0, 0.0], elements, MATERIAL, Section::strip(0.005)).unwrap();
+    let (model, body) = skin.with_rigid_body([0.5, 0.3], 50.0, 5.0).unwrap();
+    let mut held = Supports::default();
+    for node in (0..=elements).step_by(5) {
+        held.tie(body, node);
+    }
+    let rule = Integration::Trapezoidal { spectral_radius: 1.0 };
+    let mut dynamics = Dynamics::new(model, held, rule, Damping::default()).unwrap();
+    let load = dynamics.weight([0.0, -9.81]);
+    let mut state = dynamics.at_rest();
+    let mut best = f64::INFINITY;
+    for _ in 0..20 {
+        let start = Instant::now();
+        for _ in 0..5 {
+            dynamics.step(&mut state, &load, 1e-4).unwrap();
+        }
+        best = best.min(start.elapsed().as_secs_f64() / 5.0);
+    }
+    best / elements as f64
+}
+
+#[test]
+fn ties_to_a_body_all_along_do_not_widen_the_band() {
+    let [few, many] = [100, 1000].map(cost_of_ties);
+    println!("tied at every fifth node, 100 and 1000 elements: {:.3} and {:.3} us an element", 1e6 * few, 1e6 * many);
+    assert!(many < 3.0 * few, "{few:e} and {many:e}: a body inside the band would make it a hundred times");
 }
 
 #[test]
