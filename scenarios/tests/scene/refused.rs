@@ -112,7 +112,7 @@ fn bodies_and_tanks_must_fit_together() {
     let table: &[(&[&str], &[&str])] = &[
         (&[&plate(0.0, -0.55), "resolution.spacing=0.02"], &["`body.position`", "a plate that reaches from", "ends at the floor, y = -0.5 m"]),
         (&[&plate(0.0, -0.5), "resolution.spacing=0.02", "fluid.walls=dynamic"], &["`fluid.walls` = \"dynamic\"", "extrapolated or mirror_point", "0.002 m thin"]),
-        (&[&bent, "resolution.spacing=0.02"], &["`body.points` = [0.0, 0.0] to [0.02, 0.0]", "longer sides or gentler bends", "0.06 m"]),
+        (&[bent, "resolution.spacing=0.02"], &["`body.points` = [0.0, 0.0] to [0.02, 0.0]", "longer sides or gentler bends", "0.06 m"]),
         (&[&box_at(0.45, 0.0)], &["`body.position`", "from x = 0.25 to 0.65 m, overlapping a tank wall", "-0.5 and 0.5"]),
         (&[&box_at(2.0, 0.0)], &["`body.position`", "off the tank", "-0.5 and 0.5"]),
         (&[&box_at(0.0, -0.45)], &["`body.position`", "down to y = -0.55 m, overlapping the floor", "y = -0.5"]),
