@@ -10,6 +10,7 @@ use crate::fluid::Fluid;
 use crate::multistep::History;
 use crate::pair::Extrapolated;
 use crate::particles::{Derived, Particles};
+use crate::screen::Screen;
 use crate::search::Search;
 
 /// A state to return to.
@@ -22,6 +23,7 @@ pub(crate) struct Saved {
     extrapolated: Vec<Extrapolated>,
     dynamic_walls: DynamicWalls,
     displaced: bool,
+    screens: Vec<Screen>,
     /// The lists of that moment, once others have taken their place.
     search: Option<Arc<Search>>,
 }
@@ -39,6 +41,7 @@ impl Fluid {
             extrapolated: self.extrapolated.clone(),
             dynamic_walls: self.dynamic_walls.clone(),
             displaced: self.displaced,
+            screens: self.rows.screens.clone(),
             search: None,
         });
     }
@@ -52,6 +55,7 @@ impl Fluid {
         self.history.clone_from(&saved.history);
         self.extrapolated.clone_from(&saved.extrapolated);
         self.dynamic_walls.clone_from(&saved.dynamic_walls);
+        self.rows.screens.clone_from(&saved.screens);
         if let Some(search) = saved.search.take() {
             self.search = Arc::unwrap_or_clone(search);
         }
