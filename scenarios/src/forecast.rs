@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use crate::build::tiling;
 use crate::scene::{
-    CouplingScheme, ExchangeRatio, Scene, Symmetry, known_compressibility_error, memory_estimate, particle_estimate,
+    CouplingScheme, ExchangeRatio, Scene, Symmetry, known_compressibility_error, memory_estimate, panel_exchanges,
+    particle_estimate,
 };
 
 /// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
@@ -43,8 +44,23 @@ pub struct Forecast {
     /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY C8) [-]. The
     /// largest is the spectral radius of the weak exchange: stable below 1.
     pub added_mass_ratios: Option<[f64; 3]>,
+    /// What one exchange a step makes of an error in a panel's acceleration, by panel (THEORY C12).
+    pub panels: Vec<PanelForecast>,
     /// Doubts, in plain words.
     pub warnings: Vec<String>,
+}
+
+/// How a panel and the water beside it would agree by one exchange a step (THEORY C12).
+#[derive(Clone, Debug, Serialize)]
+pub struct PanelForecast {
+    /// Its name.
+    pub name: String,
+    /// Mass of the water that follows it within a step, over its own [-].
+    pub added_mass: f64,
+    /// Resistance of a sound wave over its inertia in half a step [-].
+    pub acoustic: f64,
+    /// Growth of an error in a step: one exchange a step is unstable from 1 on [-].
+    pub spectral_radius: f64,
 }
 
 /// Look ahead without running.
@@ -74,6 +90,15 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
         spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
         coupling_scheme: scene.coupling.scheme,
         added_mass_ratios: ExchangeRatio::of(scene).map(|exchange| exchange.ratios),
+        panels: panel_exchanges(scene)
+            .into_iter()
+            .map(|(panel, exchange)| PanelForecast {
+                name: panel.name.clone(),
+                added_mass: exchange.added_mass,
+                acoustic: exchange.acoustic,
+                spectral_radius: exchange.spectral_radius,
+            })
+            .collect(),
         warnings: warnings.to_vec(),
     }
 }
@@ -102,8 +127,29 @@ impl Forecast {
             lines.push(format!("             {n:.1} across the pressure peak"));
         }
         lines.extend(self.exchange());
+        lines.extend(self.panels.iter().map(|panel| self.exchange_with(panel)));
         lines.extend(self.warnings.iter().map(|w| format!("warning      {w}")));
         lines.join("\n")
+    }
+
+    /// What the scheme makes of an exchange that alone would multiply an error by `radius`.
+    fn verdict(&self, radius: f64) -> String {
+        match self.coupling_scheme {
+            CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
+            CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
+            CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
+            CouplingScheme::Aitken | CouplingScheme::IqnIls => "iterated until it agrees".into(),
+        }
+    }
+
+    fn exchange_with(&self, panel: &PanelForecast) -> String {
+        let PanelForecast { name, added_mass, acoustic, spectral_radius } = panel;
+        format!(
+            "{name:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would multiply \
+             an error by {spectral_radius:.2}; {}",
+            self.coupling_scheme.name(),
+            self.verdict(*spectral_radius)
+        )
     }
 
     /// The coupling's stability in a line.
@@ -111,12 +157,7 @@ impl Forecast {
         let ratios = self.added_mass_ratios?;
         let radius = ratios.into_iter().fold(0.0, f64::max);
         let [x, y, turn] = ratios;
-        let verdict = match self.coupling_scheme {
-            CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
-            CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
-            CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
-            CouplingScheme::Aitken | CouplingScheme::IqnIls => "iterated until it agrees".into(),
-        };
+        let verdict = self.verdict(radius);
         Some(format!(
             "coupling     {}: added mass of half a row over the body's {x:.3} (x), {y:.3} (y), {turn:.3} (angle); {verdict}",
             self.coupling_scheme.name()

@@ -38,3 +38,10 @@ pub fn take(system: &mut Coupled, steps: usize) -> Result<(), CouplingError> {
 pub fn lift(system: &Coupled) -> f64 {
     system.bodies().find_map(|body| body.motion()).expect("the scene has a body").force[1]
 }
+
+/// The system of a scene's text with overrides.
+pub fn of_text(text: &str, sets: &[&str]) -> Coupled {
+    let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+    let scene = scene::load_text("a scene of a test", text, &sets).expect("a sound scene").scene;
+    build::build(&scene).expect("a scene that loads can be built")
+}

@@ -7,6 +7,7 @@ mod coupling;
 mod dissipation;
 mod echo;
 mod elliptic_drop;
+mod flexible;
 mod force_rules;
 mod gas;
 mod gauges;

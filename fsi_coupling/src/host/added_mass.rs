@@ -38,9 +38,9 @@ impl AddedMass {
         }
         let of = |mass: f64, length: f64, node: Option<usize>| {
             let row = 0.5 * spec.density * spec.spacing * length / mass;
-            let all = 0.125 * PI * spec.density * breadth * length / mass;
+            let all = 0.25 * PI * spec.density * breadth * length / mass;
             let sound = spec.density * spec.speed_of_sound() * length / mass;
-            let host_dt = if all + row < 1.0 { f64::INFINITY } else { (2.0 * (1.0 - row) / sound).max(0.0) };
+            let host_dt = if all + row < 1.0 { f64::INFINITY } else { ((1.0 - row) / sound).max(0.0) };
             AddedMass { row, node, all, host_dt }
         };
         let own = wet.iter().zip(&topology.masses).enumerate().filter(|(_, (length, _))| **length > 0.0);

@@ -1,12 +1,16 @@
 //! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY C8).
 
 use fsi_coupling::polygon;
+use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
 
-use super::model::{Body, CouplingScheme, Freedom, Motion, Scene, Symmetry};
+use super::model::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry};
 use super::problem::significant;
 
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
 const SMOOTH: f64 = 0.84;
+
+/// Spectral radius of the exchange with a panel up to which it is not doubted: runs broke down from 0.95 of C12's on.
+const LIGHT_PANEL: f64 = 0.9;
 
 /// C8: the added mass that half a row of water beside a free body carries, over the body's own inertia; the largest over
 /// its free directions is the spectral radius of the weak exchange. `None` without a free body.
@@ -81,6 +85,46 @@ pub(super) fn light_body(scene: &Scene) -> Option<String> {
             significant(scene.resolution.spacing * SMOOTH / radius)
         )
     })
+}
+
+/// C12: what one exchange a step makes of the accelerations of a scene's panels, by panel.
+pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
+    let Some(body) = &scene.body else { return Vec::new() };
+    // a panel on a plate's middle line is wet on both sides
+    let faces = if matches!(body.shape, Shape::Polyline { .. }) { 2.0 } else { 1.0 };
+    let (fluid, spacing) = (&scene.fluid, scene.resolution.spacing);
+    let acoustic = fluid.smoothing_ratio * spacing / (fluid.sound_speed + scene.fastest_speed());
+    let of = |panel: &Panel| {
+        exchange_ratio(&Beside {
+            mass: panel.density * panel.thickness,
+            faces,
+            density: fluid.density,
+            spacing,
+            smoothing_ratio: fluid.smoothing_ratio,
+            sound_speed: fluid.sound_speed,
+            dt: scene.time.step.unwrap_or(fluid.cfl * acoustic),
+        })
+    };
+    body.panels.iter().map(|panel| (panel, of(panel))).collect()
+}
+
+/// Panels too light for one exchange a step.
+pub(super) fn light_panels(scene: &Scene) -> Vec<String> {
+    if scene.coupling.scheme != CouplingScheme::Weak {
+        return Vec::new();
+    }
+    let light = panel_exchanges(scene).into_iter().filter(|(_, exchange)| exchange.spectral_radius > LIGHT_PANEL);
+    light
+        .map(|(panel, exchange)| {
+            format!(
+                "{} is light for coupling.scheme = \"weak\": the water beside it makes an error of its acceleration {} times \
+                 larger in every step, and from about 1 on the run breaks down; take coupling.scheme = \"added_mass\", which \
+                 holds at any mass",
+                panel.name,
+                significant(exchange.spectral_radius)
+            )
+        })
+        .collect()
 }
 
 #[cfg(test)]

@@ -29,6 +29,7 @@ mod model_coupling;
 mod model_fluid;
 mod model_panel;
 mod overrides;
+mod panels;
 mod problem;
 mod resolve;
 mod resolve_body;
@@ -41,7 +42,7 @@ pub use builtin::builtin;
 pub use chine::jet_reach;
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
-pub use exchange::ExchangeRatio;
+pub use exchange::{ExchangeRatio, panel_exchanges};
 pub use fsi_coupling::Shape;
 pub use impact::{
     Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,

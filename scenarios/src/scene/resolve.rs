@@ -39,7 +39,8 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         }
     };
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
-    let coupling = resolve_coupling(&file.coupling, &fluid)?;
+    let bends = body.as_ref().is_some_and(|body| !body.panels.is_empty());
+    let coupling = resolve_coupling(&file.coupling, &fluid, bends)?;
     let spacing = required("resolution.spacing", file.resolution.spacing, "the finest spacing [m]")?;
     let spacing = positive("resolution.spacing", spacing)?;
     let (tank, fine_zone) = match &entry {
@@ -79,8 +80,10 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     })
 }
 
-fn resolve_coupling(file: &CouplingFile, fluid: &Fluid) -> Result<Coupling, Problem> {
-    let scheme = file.scheme.unwrap_or_default();
+/// Where a body bends the scheme is, if the scene does not say, the one that holds whatever its mass.
+fn resolve_coupling(file: &CouplingFile, fluid: &Fluid, bends: bool) -> Result<Coupling, Problem> {
+    let holding = bends && fluid.walls == WallModel::Extrapolated;
+    let scheme = file.scheme.unwrap_or(if holding { CouplingScheme::AddedMass } else { CouplingScheme::Weak });
     if scheme != CouplingScheme::Weak && fluid.walls != WallModel::Extrapolated {
         let expected = "\"weak\" with these fluid.walls: only \"extrapolated\" walls feel a body's acceleration";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));

@@ -122,8 +122,9 @@ fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> 
 /// A panel that is not held flies off: nothing says where to.
 fn check_ends(key: &str, ends: [EndName; 2]) -> Result<(), Problem> {
     use EndName::{Free, Mirror, Sliding};
-    let loose = |end: EndName| matches!(end, Free | Mirror | Sliding);
-    if loose(ends[0]) && loose(ends[1]) {
+    let mechanism = matches!(ends, [Free, Free | Sliding | Mirror] | [Sliding | Mirror, Free])
+        || matches!(ends, [Sliding, Sliding] | [Mirror, Mirror]);
+    if mechanism {
         let expected = "at least one end clamped or pinned: with neither the panel is a mechanism that slides away";
         return Err(Problem::new(key, format!("{ends:?}").to_lowercase(), expected));
     }

@@ -2,9 +2,10 @@
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
-use super::exchange::light_body;
+use super::exchange::{light_body, light_panels};
 use super::impact::{Entry, known_compressibility_error};
 use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
+use super::panels::doubtful_panels;
 use super::problem::significant;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -71,6 +72,8 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
     warnings.extend(light_body(scene));
+    warnings.extend(light_panels(scene));
+    warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
     warnings.extend(late.map(|compare| {

@@ -1,0 +1,89 @@
+//! Panels that may not do what a scene means: too thin, too coarse, strained too far for the step.
+
+use super::model::{Body, Motion, Panel, Scene};
+use super::model_panel::EndName;
+use super::problem::significant;
+use super::resolve_panel::line;
+
+/// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
+const MEMBRANE: f64 = 0.1;
+/// Particle spacings along an element from which the water sees the panel bend in corners [-].
+const COARSEST: f64 = 8.0;
+/// Periods of the first dry mode in a step from which the step leaves the panel's vibration out [-].
+const UNRESOLVED: f64 = 0.1;
+
+/// Doubts about a scene's panels, each with its number and a cure.
+pub(super) fn doubtful_panels(scene: &Scene) -> Vec<String> {
+    let Some(body) = &scene.body else { return Vec::new() };
+    let each = body.panels.iter();
+    each.flat_map(|panel| [thin(scene, body, panel), coarse(scene, body, panel), slow(scene, body, panel)])
+        .flatten()
+        .collect()
+}
+
+fn length(body: &Body, panel: &Panel) -> f64 {
+    let line = line(&body.shape);
+    let [from, to] = [panel.from, panel.to].map(|end| line.nearest(end).0);
+    line.part(from, to).length()
+}
+
+/// Bending stiffness D = E h³/(12 (1 − ν²)) [N m].
+fn stiffness(panel: &Panel) -> f64 {
+    panel.youngs_modulus * panel.thickness.powi(3) / (12.0 * (1.0 - panel.poissons_ratio.powi(2)))
+}
+
+/// A plate on two supports under the pressure that the fastest known flow or the depth can bring: w = q L⁴/(384 D) clamped,
+/// five times that pinned.
+fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
+    use EndName::{Clamped, Mirror, Pinned, Sliding};
+    let both = panel.ends.iter().all(|end| matches!(end, Clamped | Pinned | Sliding | Mirror));
+    let softest = if panel.ends == [Clamped, Clamped] { 1.0 } else { 5.0 };
+    let speed = match body.motion {
+        Motion::Fixed => 0.0,
+        _ => scene.fastest_speed(),
+    };
+    let depth = scene.tank.depth * scene.gravity[1].abs();
+    let pressure = scene.fluid.density * (0.5 * speed * speed).max(if speed > 0.0 { 0.0 } else { depth });
+    let long = length(body, panel);
+    let deflection = softest * pressure * long.powi(4) / (384.0 * stiffness(panel));
+    (both && deflection > MEMBRANE * long).then(|| {
+        format!(
+            "{} is so thin that {} Pa bend it by {} of its length in plate theory: it will carry its load as a membrane, and \
+             strains may be far beyond what its material bears; a thickness of {} m would bend by a tenth",
+            panel.name,
+            significant(pressure),
+            significant(deflection / long),
+            significant(panel.thickness * (deflection / (MEMBRANE * long)).cbrt())
+        )
+    })
+}
+
+fn coarse(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
+    let element = length(body, panel) / panel.elements as f64;
+    let across = element / scene.resolution.spacing;
+    (across > COARSEST).then(|| {
+        format!(
+            "{}: an element is {} spacings long; {} elements would follow the pressure better",
+            panel.name,
+            significant(across),
+            (length(body, panel) / (0.5 * COARSEST * scene.resolution.spacing)).ceil()
+        )
+    })
+}
+
+/// First dry mode of a clamped or pinned plate, ω = (λ/L)² √(D/m), at the least λ that its ends allow.
+fn slow(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
+    let step = scene.time.step?;
+    let free = panel.ends.contains(&EndName::Free);
+    let lambda = if free { 1.875 } else { 4.730 };
+    let mass = panel.density * panel.thickness;
+    let omega = (lambda / length(body, panel)).powi(2) * (stiffness(panel) / mass).sqrt();
+    let share = step * omega / std::f64::consts::TAU;
+    (share > UNRESOLVED).then(|| {
+        format!(
+            "time.step = {step} s is {} of the period of {}'s first dry mode: steps longer than a tenth leave its vibration out",
+            significant(share),
+            panel.name
+        )
+    })
+}
