@@ -11,10 +11,10 @@
 
 #[path = "support/bare.rs"]
 pub mod bare;
-#[path = "support/door.rs"]
-pub mod door;
 #[path = "support/column.rs"]
 pub mod column;
+#[path = "support/door.rs"]
+pub mod door;
 #[path = "support/heave.rs"]
 pub mod heave;
 #[path = "support/light.rs"]

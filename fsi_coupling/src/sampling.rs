@@ -52,7 +52,7 @@ fn right_half(points: Vec<WallPoint>, spacing: f64) -> Vec<WallPoint> {
 }
 
 /// A chain of sides without a sharp corner, as points; counter-clockwise, so the fluid is on its right.
-type Face = Vec<[f64; 2]>;
+pub(crate) type Face = Vec<[f64; 2]>;
 
 fn faces(v: &[[f64; 2]]) -> Vec<Face> {
     let n = v.len();
@@ -82,7 +82,7 @@ pub(crate) fn turn_of(a: [f64; 2], b: [f64; 2]) -> f64 {
 pub(crate) type Station = ([f64; 2], [f64; 2]);
 
 /// The offset of a face at a depth, as a polyline with normals and running length.
-fn offset(face: &Face, depth: f64) -> Vec<(f64, Station)> {
+pub(crate) fn offset(face: &Face, depth: f64) -> Vec<(f64, Station)> {
     let normals: Vec<[f64; 2]> = face.windows(2).map(|p| normal(p[0], p[1])).collect();
     let mut length = 0.0;
     let mut row: Vec<(f64, Station)> = Vec::with_capacity(face.len());
@@ -195,7 +195,7 @@ pub(crate) fn divide(
 }
 
 /// The gap between the rows of two faces that meet at a re-entrant corner.
-fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
+pub(crate) fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, points: &mut Vec<WallPoint>) {
     let corner = next[0];
     let a = normal(face[face.len() - 2], face[face.len() - 1]);
     let turn = turn(face, next);

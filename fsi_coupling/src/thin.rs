@@ -7,7 +7,7 @@
 use sph_core::{Screen, WallPoint};
 
 use crate::polygon::normal;
-use crate::sampling::{CORNER_DEG, Station, divide, turn_of};
+use crate::sampling::{CORNER_DEG, Station, divide, offset, sample_fan, turn_of};
 
 /// A plate: its middle line [m] and its thickness [m].
 #[derive(Clone, Debug, PartialEq)]
@@ -73,11 +73,17 @@ const LEAST_SHARE: f64 = 1e-3;
 pub fn sample(middle: &[[f64; 2]], thickness: f64, spacing: f64, layers: usize) -> Vec<WallPoint> {
     let back: Vec<[f64; 2]> = middle.iter().rev().copied().collect();
     let mut points = Vec::new();
+    let half = 0.5 * thickness;
     for line in [middle, &back] {
+        let stretches = stretches(line, half);
         for layer in 0..layers {
             let depth = (layer as f64 + 0.5) * spacing;
-            for face in rows(line, 0.5 * thickness - depth) {
-                divide(&face.row, [0.0, face.row[face.row.len() - 1].0], face.convex, depth, spacing, &mut points);
+            for (k, stretch) in stretches.iter().enumerate() {
+                let row = row(line, stretch, half, depth);
+                divide(&row, [0.0, row[row.len() - 1].0], stretch.convex, depth, spacing, &mut points);
+                if let Some(next) = stretches.get(k + 1) {
+                    sample_fan(&stretch.face, &next.face, depth, spacing, &mut points);
+                }
             }
             end_row(line, thickness, depth, spacing, &mut points);
         }
@@ -158,51 +164,49 @@ fn mitred(line: &[[f64; 2]], k: usize, offset: f64) -> [f64; 2] {
     [line[k][0] + stretch * (a[0] + b[0]), line[k][1] + stretch * (a[1] + b[1])]
 }
 
-/// A row of one face between two sharp corners.
-struct FaceRow {
-    row: Vec<(f64, Station)>,
+/// A face between two sharp corners, wet on its right.
+struct Stretch {
+    /// Its corners on the surface [m].
+    face: Vec<[f64; 2]>,
+    /// The first and the last of the middle line's corners that it belongs to.
+    corners: [usize; 2],
     /// Which ends are convex corners.
     convex: [bool; 2],
 }
 
-/// The rows at `offset` [m] to the right of a line whose right side is wet: one for each stretch without a sharp corner. Sides that
-/// have turned inside out are left out.
-fn rows(line: &[[f64; 2]], offset: f64) -> Vec<FaceRow> {
+/// The right face of a line, shifted by `half` [m], in stretches without a sharp corner.
+fn stretches(line: &[[f64; 2]], half: f64) -> Vec<Stretch> {
     let sides = line.len() - 1;
-    let normals: Vec<[f64; 2]> = line.windows(2).map(|p| normal(p[0], p[1])).collect();
-    let shifted: Vec<[f64; 2]> = (0..=sides).map(|k| mitred(line, k, offset)).collect();
-    let turn = |corner: usize| match corner {
+    let turn = |k: usize| match k {
         0 => 0.0,
         k if k == sides => 0.0,
-        k => turn_of(normals[k - 1], normals[k]),
+        k => turn_of(normal(line[k - 1], line[k]), normal(line[k], line[k + 1])),
     };
-    let sharp = |corner: usize| turn(corner).abs() > CORNER_DEG.to_radians();
-    let convex = |corner: usize| turn(corner) > CORNER_DEG.to_radians();
-    let (mut found, mut from) = (Vec::new(), 0);
-    for to in 1..=sides {
-        let lost = !forward(line, &shifted, to - 1);
-        if !(sharp(to) || to == sides || lost) {
-            continue;
+    let sharpest = CORNER_DEG.to_radians();
+    let ends: Vec<usize> = (0..=sides).filter(|&k| k == 0 || k == sides || turn(k).abs() > sharpest).collect();
+    let stretch = |pair: &[usize]| Stretch {
+        face: (pair[0]..=pair[1]).map(|k| mitred(line, k, half)).collect(),
+        corners: [pair[0], pair[1]],
+        convex: [turn(pair[0]) > sharpest, turn(pair[1]) > sharpest],
+    };
+    ends.windows(2).map(stretch).collect()
+}
+
+/// The row of a stretch at a depth [m] below a face at `half` [m]: it ends at the bisector of a convex corner.
+fn row(line: &[[f64; 2]], stretch: &Stretch, half: f64, depth: f64) -> Vec<(f64, Station)> {
+    let mut row = offset(&stretch.face, depth);
+    let last = row.len() - 1;
+    for (end, place) in [(0, 0), (1, last)] {
+        if stretch.convex[end] {
+            row[place].1.0 = mitred(line, stretch.corners[end], half - depth);
         }
-        let end = if lost { to - 1 } else { to };
-        if end > from {
-            let blend = |k: usize| {
-                let (a, b) = (normals[k.max(from + 1) - 1], normals[k.min(end - 1)]);
-                let size = (a[0] + b[0]).hypot(a[1] + b[1]);
-                [(a[0] + b[0]) / size, (a[1] + b[1]) / size]
-            };
-            let mut length = 0.0;
-            let row = (from..=end).map(|k| {
-                if k > from {
-                    length += (shifted[k][0] - shifted[k - 1][0]).hypot(shifted[k][1] - shifted[k - 1][1]);
-                }
-                (length, (shifted[k], blend(k)))
-            });
-            found.push(FaceRow { row: row.collect(), convex: [convex(from), convex(end)] });
-        }
-        from = to;
     }
-    found
+    for k in 0..=last {
+        let before = k.saturating_sub(1);
+        let (from, to) = (row[before].1.0, row[k].1.0);
+        row[k].0 = row[before].0 + (to[0] - from[0]).hypot(to[1] - from[1]);
+    }
+    row
 }
 
 #[cfg(test)]
@@ -231,21 +235,28 @@ mod tests {
     }
 
     /// A plate with a right angle: rows are mitred, so both faces' rows have the area of their strip; a convex corner has
-    /// two halves of a particle on its bisector.
+    /// two halves of a particle on its bisector, a re-entrant one a fan.
     #[test]
     fn rows_follow_a_bend() {
         let middle = [[0.0, 0.3], [0.0, 0.0], [0.4, 0.0]];
-        let (s, points) = (0.02, sample(&middle, 0.004, 0.02, 3));
+        let (s, points) = (0.02_f64, sample(&middle, 0.004, 0.02, 3));
         let foot = |p: &WallPoint| [0, 1].map(|c| p.at[c] + p.depth * p.normal[c]);
         let end = |p: &WallPoint| foot(p)[0] > 0.399 || foot(p)[1] > 0.299;
         let below = |p: &WallPoint| foot(p)[0] < 0.0 || foot(p)[1] < 0.0;
-        // strips of depth 3s behind the face outside (shorter by their depth) and inside the bend
-        let length = |offset: f64| 0.7 + 2.0 * offset;
-        let strip = |sign: f64| 0.5 * 3.0 * s * (length(sign * 0.002) + length(sign * (0.002 - 3.0 * s)));
+        // strips of depth 3s: behind the face outside shorter by their depth, inside the bend with a quarter of a disc
+        let strip = [3.0 * s * (0.704 - 3.0 * s), 3.0 * s * 0.696 + 0.25 * std::f64::consts::PI * (3.0 * s).powi(2)];
         let [outside, inside] = [area(&points, |p| !end(p) && below(p)), area(&points, |p| !end(p) && !below(p))];
-        assert!((outside / strip(1.0) - 1.0).abs() < 1e-9, "{outside} {}", strip(1.0));
-        assert!((inside / strip(-1.0) - 1.0).abs() < 1e-9, "{inside} {}", strip(-1.0));
-        let on_bisector = |p: &&WallPoint| !end(p) && (p.at[0] - p.at[1]).abs() < 1e-12 && p.depth < s;
+        assert!(
+            (outside / strip[0] - 1.0).abs() < 1e-9 && (inside / strip[1] - 1.0).abs() < 1e-9,
+            "{outside} {inside}"
+        );
+        for p in &points {
+            let ahead = [0, 1].map(|c| foot(p)[c] + 0.3 * s * p.normal[c]);
+            let wet = ahead[0].min(ahead[1]) < -0.002 || ahead[0].min(ahead[1]) > 0.002 || end(p);
+            assert!(wet, "{p:?} faces no water");
+        }
+        let upright = |p: &&WallPoint| p.normal[0].abs().max(p.normal[1].abs()) > 0.99;
+        let on_bisector = |p: &&WallPoint| upright(p) && !end(p) && (p.at[0] - p.at[1]).abs() < 1e-12 && p.depth < s;
         assert_eq!(points.iter().filter(on_bisector).count(), 2);
         assert_eq!(too_tight(&middle, 0.06), None);
         assert_eq!(too_tight(&middle, 0.31), Some(0));

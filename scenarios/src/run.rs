@@ -306,6 +306,7 @@ impl Recorder {
                 volume: fluid.volume() / volume - 1.0,
                 penetrated: self.ledger.penetrated(),
                 worst_penetration: self.ledger.worst_penetration().cloned(),
+                stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
             },
             compressibility: Compressibility {
                 sound_speed_m_per_s: scene.fluid.sound_speed,

@@ -109,6 +109,9 @@ pub struct Audit {
     /// The worst of them; absent when there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worst_penetration: Option<WorstPenetration>,
+    /// How often a particle was stopped that would have gone through a thin plate (THEORY T5); absent when never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stopped_at_plate: Option<u64>,
 }
 
 /// How well water and body agreed on the body's acceleration.

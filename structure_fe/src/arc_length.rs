@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::loads::Loads;
-use crate::nonlinear_statics::NonlinearStatics;
+use crate::nonlinear_statics::{Equilibrium, NonlinearStatics};
 
 /// A correction this small against the arc ends the iteration \[-\].
 const CONVERGED: f64 = 1e-9;
@@ -50,13 +50,17 @@ impl NonlinearStatics {
         until: impl Fn(&PathPoint) -> bool,
     ) -> Result<Vec<PathPoint>, Error> {
         loads.check(self.beam())?;
+        if let Some(element) = self.beam().first_that_yields() {
+            let (analysis, instead) = ("a path by the arc length", "NonlinearStatics::solve or history");
+            return Err(Error::NoPlasticity { analysis, element, instead });
+        }
         let equations = &self.system.equations;
-        let mut u = vec![[0.0; 3]; self.beam().nodes().len()];
+        let mut at = self.at_rest();
         let (mut factor, mut before) = (0.0, vec![0.0; equations.count()]);
         let (mut arc, mut limit) = (f64::NAN, f64::NAN);
         let mut path: Vec<PathPoint> = Vec::new();
         while path.len() < points {
-            let (along, unstable_directions) = self.tangent_solution(loads, factor, &u)?;
+            let (along, unstable_directions) = self.tangent_solution(loads, factor, &at)?;
             if let Some(last) = path.last_mut() {
                 last.unstable_directions = unstable_directions;
                 if until(last) {
@@ -69,22 +73,22 @@ impl NonlinearStatics {
             }
             let mut arrival = None;
             for _ in 0..HALVINGS {
-                arrival = self.arrive(loads, factor, &u, &along, &before, arc)?;
+                arrival = self.arrive(loads, factor, &at, &along, &before, arc)?;
                 if arrival.is_some() {
                     break;
                 }
                 arc *= 0.5;
             }
             let Some(arrival) = arrival else {
-                let (residual, node, dof) = self.system.worst(&self.residual(loads, factor, &u)?);
+                let (residual, node, dof) = self.system.worst(&self.residual(loads, factor, &at)?);
                 let (step, iteration) = (path.len() + 1, ITERATIONS);
                 return Err(Error::NotConverged { step, iteration, residual, load_factor: factor, node, dof });
             };
-            self.system.displace(1.0, &arrival.increment, &mut u);
+            self.system.displace(1.0, &arrival.increment, &mut at.u);
             factor += arrival.factor;
             before = arrival.increment;
             arc = (arc * (WANTED / arrival.iterations as f64).sqrt().clamp(0.5, 2.0)).min(limit);
-            path.push(PathPoint { load_factor: factor, displacement: u.clone(), unstable_directions: 0 });
+            path.push(PathPoint { load_factor: factor, displacement: at.u.clone(), unstable_directions: 0 });
         }
         Ok(path)
     }
@@ -94,7 +98,7 @@ impl NonlinearStatics {
         &self,
         loads: &Loads,
         factor: f64,
-        u: &[[f64; 3]],
+        at: &Equilibrium,
         along: &[f64],
         before: &[f64],
         arc: f64,
@@ -105,14 +109,14 @@ impl NonlinearStatics {
         let mut added = forward;
         let mut matrix = self.system.matrix();
         for iterations in 1..=ITERATIONS {
-            let mut here = u.to_vec();
-            self.system.displace(1.0, &increment, &mut here);
+            let mut here = at.clone();
+            self.system.displace(1.0, &increment, &mut here.u);
             let mut correction = self.residual_and_tangent(loads, factor + added, &here, &mut matrix)?;
             if matrix.factorise().is_err() {
                 return Ok(None);
             }
             matrix.solve(&mut correction);
-            let mut along = equations.reduce(&self.load(loads, &here), &equations.ties.arms_at(&here));
+            let mut along = equations.reduce(&self.load(loads, &here.u), &equations.ties.arms_at(&here.u));
             matrix.solve(&mut along);
             // On the sphere: |increment + correction + x along| = arc.
             let moved: Vec<f64> = increment.iter().zip(&correction).map(|(a, b)| a + b).collect();
@@ -138,12 +142,12 @@ impl NonlinearStatics {
     }
 
     /// Where the whole load would lead from here, linearly, and the negative pivots.
-    fn tangent_solution(&self, loads: &Loads, factor: f64, u: &[[f64; 3]]) -> Result<(Vec<f64>, usize), Error> {
+    fn tangent_solution(&self, loads: &Loads, factor: f64, at: &Equilibrium) -> Result<(Vec<f64>, usize), Error> {
         let mut matrix = self.system.matrix();
-        self.residual_and_tangent(loads, factor, u, &mut matrix)?;
+        self.residual_and_tangent(loads, factor, at, &mut matrix)?;
         let negative = matrix.factorise().map_err(|pivot| self.system.singular(pivot))?;
         let equations = &self.system.equations;
-        let mut along = equations.reduce(&self.load(loads, u), &equations.ties.arms_at(u));
+        let mut along = equations.reduce(&self.load(loads, &at.u), &equations.ties.arms_at(&at.u));
         matrix.solve(&mut along);
         Ok((along, negative))
     }

@@ -3,6 +3,7 @@
 use crate::element::{ElementConstants, Ends, Properties};
 use crate::error::{Error, existing_node, finite, positive};
 use crate::material::Material;
+use crate::plastic::Plasticity;
 use crate::section::Section;
 use crate::theory::Theory;
 
@@ -20,9 +21,6 @@ pub struct Element {
     pub section: Section,
 }
 
-/// Axial stiffness left to an element that slides along itself [-].
-const RELEASED: f64 = 1e-7;
-
 /// A plane frame of straight beam elements, rigidly joined at the nodes.
 ///
 /// Nodes lie in a plane with axes x, y. A node has three degrees of freedom, `[u, w, theta]`:
@@ -36,6 +34,7 @@ pub struct Beam {
     extent: f64,
     theory: Vec<Theory>,
     rotatory_inertia: bool,
+    plasticity: Vec<Option<Plasticity>>,
     /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
     points: Vec<[f64; 3]>,
     /// Nodes that are rigid bodies.
@@ -69,12 +68,14 @@ impl Beam {
         }
         let theory = vec![Theory::default(); elements.len()];
         let points = vec![[0.0; 3]; nodes.len()];
+        let plasticity = vec![None; elements.len()];
         Ok(Self {
             nodes,
             elements,
             extent,
             theory,
             rotatory_inertia: false,
+            plasticity,
             points,
             bodies: Vec::new(),
             sliding: Vec::new(),
@@ -109,95 +110,6 @@ impl Beam {
             .collect();
         let connectivity: Vec<_> = (0..elements).map(|element| [element, element + 1]).collect();
         Self::uniform(nodes, &connectivity, material, section)
-    }
-
-    /// The same model with every element of this theory (Euler-Bernoulli until told).
-    pub fn with_theory(mut self, theory: Theory) -> Result<Self, Error> {
-        self.theory = vec![theory; self.elements.len()];
-        self.reformulate()
-    }
-
-    /// The same model with one element of this theory.
-    pub fn with_theory_of(mut self, element: usize, theory: Theory) -> Result<Self, Error> {
-        existing_element("theory", 0, element, self.elements.len())?;
-        self.theory[element] = theory;
-        self.reformulate()
-    }
-
-    /// The same model with an element that slides along itself: a roller at its end. It keeps a ten millionth of its axial
-    /// stiffness, for an end that slides less than its own length.
-    pub fn with_axial_release(mut self, element: usize) -> Result<Self, Error> {
-        existing_element("axial release", 0, element, self.elements.len())?;
-        self.sliding.push(element);
-        self.reformulate()
-    }
-
-    /// The same model with rotatory inertia rho I per length (Rayleigh 1877), which is left out until told.
-    pub fn with_rotatory_inertia(mut self) -> Result<Self, Error> {
-        self.rotatory_inertia = true;
-        self.reformulate()
-    }
-
-    /// The same model with a point mass \[kg\] and its moment of inertia \[kg m^2\] added to a node.
-    pub fn with_point_mass(mut self, node: usize, mass: f64, inertia: f64) -> Result<Self, Error> {
-        existing_node("point mass", node, node, self.nodes.len())?;
-        positive("mass [kg]", "node", node, mass)?;
-        if !(inertia >= 0.0 && inertia.is_finite()) {
-            let quantity = "moment of inertia [kg m^2] of the point mass at node";
-            return Err(Error::NotPositive { quantity, item: "node", index: node, value: inertia });
-        }
-        for (sum, value) in self.points[node].iter_mut().zip([mass, mass, inertia]) {
-            *sum += value;
-        }
-        Ok(self)
-    }
-
-    /// The same model with a rigid body, a node of its own that is returned with it: `mass` \[kg\] at `at`
-    /// \[m\], moment of inertia about it \[kg m^2\]. [`Supports::tie`](crate::Supports::tie) makes nodes follow it.
-    ///
-    /// Without mass it must be supported in all that moves in time. Where u and w of a body are not both
-    /// supported, [`Dynamics`](crate::Dynamics) puts its node at the common centre of mass of the body and of
-    /// what is lumped at the nodes tied to it: read the place there, from the model it holds.
-    pub fn with_rigid_body(mut self, at: [f64; 2], mass: f64, inertia: f64) -> Result<(Self, usize), Error> {
-        let node = self.nodes.len();
-        finite("coordinate [m] of node", node, &at)?;
-        for (quantity, value) in
-            [("mass [kg] of a rigid body", mass), ("moment of inertia [kg m^2] of a rigid body", inertia)]
-        {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::OutOfRange { quantity, value, expected: "[0, infinity)" });
-            }
-        }
-        self.nodes.push(at);
-        self.points.push([mass, mass, inertia]);
-        self.bodies.push(node);
-        Ok((self, node))
-    }
-
-    /// Nodes that are rigid bodies.
-    pub fn rigid_bodies(&self) -> &[usize] {
-        &self.bodies
-    }
-
-    pub(crate) fn is_rigid_body(&self, node: usize) -> bool {
-        self.bodies.contains(&node)
-    }
-
-    /// The same model with a body's node elsewhere \[m\].
-    pub(crate) fn move_body(&mut self, node: usize, to: [f64; 2]) {
-        self.nodes[node] = to;
-    }
-
-    fn reformulate(mut self) -> Result<Self, Error> {
-        let extent = self.extent;
-        for (index, element) in self.elements.iter().enumerate() {
-            self.formulation[index] =
-                formulate(&self.nodes, extent, index, element, self.theory[index], self.rotatory_inertia)?;
-            if self.sliding.contains(&index) {
-                self.formulation[index].stiffness[0] *= RELEASED;
-            }
-        }
-        Ok(self)
     }
 
     /// Node coordinates `[x, y]` \[m\].
@@ -286,6 +198,9 @@ impl Beam {
         [u1, w1, theta1, u2, w2, theta2]
     }
 }
+
+#[path = "beam_additions.rs"]
+mod additions;
 
 /// Adds forces at the two ends of an element to a field over the nodes.
 pub(crate) fn add_ends(field: &mut [[f64; 3]], nodes: [usize; 2], ends: &Ends) {

@@ -30,6 +30,9 @@ pub struct Dynamics {
     pub(crate) internal: Vec<[f64; 3]>,
     motionless: Vec<[f64; 3]>,
     supports: Vec<(usize, Dof, SupportMotion)>,
+    /// The model with nothing broken, and the nodes that are broken in `system`.
+    pub(crate) unbroken: (Beam, Supports),
+    pub(crate) broken: Vec<usize>,
 }
 
 /// The integration with what it needs beforehand.
@@ -51,6 +54,7 @@ impl Dynamics {
                 return Err(Error::OutOfRange { quantity, value, expected: "[0, infinity)" });
             }
         }
+        let unbroken = (beam.clone(), supports.clone());
         let (beam, gathered) = match integration {
             Integration::Trapezoidal { spectral_radius: value } => {
                 if !(value > 0.0 && value <= 1.0) {
@@ -62,9 +66,18 @@ impl Dynamics {
             _ => (beam, Vec::new()),
         };
         let system = System::new(beam, supports)?;
-        let without_bodies = |integration: &'static str| match system.beam.rigid_bodies().first() {
-            Some(&node) => Err(Error::NoRigidBodies { integration, node }),
-            None => Ok(()),
+        let without_bodies = |integration: &'static str| {
+            if let Some(&node) = system.beam.rigid_bodies().first() {
+                return Err(Error::NoRigidBodies { integration, node });
+            }
+            if let Some(&(node, _)) = system.supports.breakables().first() {
+                return Err(Error::NoRupture { integration, node });
+            }
+            let instead = "Integration::Trapezoidal";
+            system
+                .beam
+                .first_that_yields()
+                .map_or(Ok(()), |element| Err(Error::NoPlasticity { analysis: integration, element, instead }))
         };
         let method = match integration {
             Integration::GeneralisedAlpha { spectral_radius: value } => {
@@ -95,6 +108,8 @@ impl Dynamics {
             method,
             motionless,
             supports,
+            unbroken,
+            broken: Vec::new(),
         })
     }
 
@@ -112,6 +127,8 @@ impl Dynamics {
             time: 0.0,
             integrated_acceleration: self.motionless.clone(),
             mean_reaction: self.motionless.clone(),
+            plastic_curvature: self.system.unyielded(),
+            ruptures: Vec::new(),
         }
     }
 
@@ -123,8 +140,9 @@ impl Dynamics {
         if !self.system.supports.is_fixed(node, dof) {
             return Err(Error::NotSupported { node, dof });
         }
-        let leader = self.system.supports.leaders(self.motionless.len());
-        let tied = |other: usize| other == node || (dof != Dof::Theta && leader[other] == leader[node]);
+        let (supports, nodes) = (&self.system.supports, self.motionless.len());
+        let leader = if dof == Dof::Theta { supports.turning_leaders(nodes) } else { supports.leaders(nodes) };
+        let tied = |other: usize| leader[other] == leader[node];
         self.supports.retain(|&(other, fixed, _)| !(fixed == dof && tied(other)));
         self.supports.extend((0..leader.len()).filter(|&other| tied(other)).map(|other| (other, dof, motion)));
         Ok(())
@@ -136,7 +154,8 @@ impl Dynamics {
     pub fn equilibrate(&mut self, state: &mut State, load: &[[f64; 3]]) -> Result<(), Error> {
         self.check(load)?;
         let mut acceleration = self.motionless.clone();
-        for &(node, dof, motion) in &self.supports {
+        self.adopt(state)?;
+        for (node, dof, motion) in self.prescribed() {
             acceleration[node][dof as usize] = motion.acceleration;
         }
         match &self.method {
@@ -173,6 +192,7 @@ impl Dynamics {
     pub fn step(&mut self, state: &mut State, load: &[[f64; 3]], dt: f64) -> Result<StepReport, Error> {
         self.check(load)?;
         positive("time step [s]", "step", 0, dt)?;
+        self.adopt(state)?;
         match &self.method {
             &Method::Implicit(coefficients) => self.implicit_step(&coefficients, state, load, dt),
             Method::Explicit(_) => self.explicit_step(state, load, dt),
@@ -205,7 +225,7 @@ impl Dynamics {
 
     /// Elastic energy of beams and springs \[J\].
     pub fn strain_energy(&self, state: &State) -> f64 {
-        self.system.strain_energy(&state.displacement)
+        self.system.strain_energy(&state.displacement, &state.plastic_curvature)
     }
 
     /// Linear momentum along x and y \[kg m/s\], and angular momentum about the origin \[kg m^2/s\].
@@ -248,7 +268,13 @@ impl Dynamics {
     /// q L^2/12 in the moment and q L/2 in the shear force at the ends of an element of length L.
     /// [`SectionForces::fibre_stress`] gives stresses.
     pub fn section_forces(&self, state: &State) -> Vec<SectionForces> {
-        self.system.section_forces(&state.displacement, None).into_flattened()
+        self.system.section_forces(&state.displacement, &state.plastic_curvature, None).into_flattened()
+    }
+
+    /// Strain of the outer fibres at the ends of the elements \[-\], plastic strain included: right-hand side, left-hand
+    /// side; of element e at 2e (first node) and 2e + 1. Small strains: N/(EA) +- kappa h/2.
+    pub fn fibre_strains(&self, state: &State) -> Vec<[f64; 2]> {
+        self.system.fibre_strains(&state.displacement, &state.plastic_curvature)
     }
 
     /// Length of each element as it is \[m\], and the unit vector along it \[-\].
@@ -279,9 +305,10 @@ impl Dynamics {
         }
     }
 
-    /// The motions of the supports.
-    pub(crate) fn prescribed(&self) -> &[(usize, Dof, SupportMotion)] {
-        &self.supports
+    /// The motions of the supports that have not let go.
+    pub(crate) fn prescribed(&self) -> impl Iterator<Item = (usize, Dof, SupportMotion)> {
+        let held = |node: usize, dof: Dof| self.system.equations.number(node, dof as usize).is_none();
+        self.supports.iter().copied().filter(move |&(node, dof, _)| held(node, dof))
     }
 
     /// Load less internal forces, where free.
@@ -293,7 +320,7 @@ impl Dynamics {
 
     /// Moves the supports of a state to where they are told to be.
     pub(crate) fn move_supports(&self, state: &mut State) {
-        for &(node, dof, motion) in &self.supports {
+        for (node, dof, motion) in self.prescribed() {
             let dof = dof as usize;
             state.displacement[node][dof] = motion.displacement;
             state.velocity[node][dof] = motion.velocity;

@@ -22,12 +22,16 @@ pub struct EffectiveInertia {
 impl Dynamics {
     /// Load less elastic forces, damping and inertia of a state `[nodes][F_x, F_y, M]` \[N, N, N m\]: zero if its
     /// accelerations are in equilibrium. What tied nodes lack is told at their bodies; zero where supported.
+    ///
+    /// # Panics
+    /// If the state is not of this model.
     pub fn lack(&mut self, state: &State, load: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        self.adopt(state).expect("a state of this model");
         let at = Kinematics { q: &state.displacement, v: &state.velocity, a: &state.acceleration };
         let mut lack = match &self.method {
             Method::Momentum(rule) => {
                 let rule = std::sync::Arc::clone(rule);
-                self.system.elastic_forces(&state.displacement, &mut self.internal, None);
+                self.system.elastic_forces(&state.displacement, &state.plastic_curvature, &mut self.internal, None);
                 self.lack_of_forces(&rule, state, load)
             }
             Method::Implicit(_) => {
@@ -51,7 +55,11 @@ impl Dynamics {
 
     /// The effective inertia of the step `dt` \[s\] from a state, with theta of the trapezoidal rule; 1/2 under
     /// other rules.
+    ///
+    /// # Panics
+    /// If the state is not of this model.
     pub fn effective_inertia(&mut self, state: &State, dt: f64) -> EffectiveInertia {
+        self.adopt(state).expect("a state of this model");
         let ties = &self.system.equations.ties;
         let arms = ties.arms_at(&state.displacement);
         let mut matrix = self.system.matrix();
@@ -64,7 +72,7 @@ impl Dynamics {
             let both = [&arms[..], &arms[..]];
             let of_stiffness = (theta * dt).powi(2);
             let tangent = Some((of_stiffness, both, &mut matrix));
-            self.system.elastic_forces(&state.displacement, &mut self.internal, tangent);
+            self.system.elastic_forces(&state.displacement, &state.plastic_curvature, &mut self.internal, tangent);
             self.system.subtract_turning(&self.internal, &arms, -of_stiffness, &mut matrix);
             self.system.add_viscosity(&state.displacement, &self.damping, theta * dt, both, &mut matrix);
             if let Some(mass) = self.lumped() {

@@ -10,6 +10,7 @@
 //! without locking. Here for small displacements; `corotational.rs` puts any rotation on top.
 
 use crate::element_mass::ElementMass;
+use crate::plastic::PlasticBending;
 
 /// Values at the two ends of an element, `[u1, w1, theta1, u2, w2, theta2]`, or forces conjugate to them.
 pub(crate) type Ends = [f64; 6];
@@ -36,6 +37,8 @@ pub(crate) struct ElementConstants {
     pub radius_squared: f64,
     /// Its consistent mass.
     pub mass: ElementMass,
+    /// How it yields, if it does.
+    pub plastic: Option<PlasticBending>,
 }
 
 /// What an element is made of, per length.
@@ -69,6 +72,7 @@ impl ElementConstants {
             mass_per_length,
             radius_squared,
             mass: ElementMass::new(mass_per_length * length, length, phi, radius_squared),
+            plastic: None,
         }
     }
 

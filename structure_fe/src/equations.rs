@@ -42,10 +42,10 @@ impl Equations {
     pub fn in_order(order: &[usize], beam: &Beam, supports: &Supports) -> Self {
         let ties = Ties::new(beam, supports);
         // The first node of each group of hinged ones carries the displacements of all.
-        let leader = supports.leaders(order.len());
+        let (leader, turning) = (supports.leaders(order.len()), supports.turning_leaders(order.len()));
         let mut free = vec![[true; 3]; order.len()];
         for &(node, dof) in supports.fixed() {
-            let node = if dof == Dof::Theta { node } else { leader[node] };
+            let node = if dof == Dof::Theta { turning[node] } else { leader[node] };
             free[node][dof as usize] = false;
         }
         for tie in &ties.all {
@@ -59,7 +59,7 @@ impl Equations {
         let bodies = order.iter().filter(|&&node| beam.is_rigid_body(node));
         for &node in order.iter().filter(|&&node| !beam.is_rigid_body(node)).chain(bodies) {
             for dof in [Dof::U, Dof::W, Dof::Theta] {
-                let owner = if dof == Dof::Theta { node } else { leader[node] };
+                let owner = if dof == Dof::Theta { turning[node] } else { leader[node] };
                 let index = dof as usize;
                 if free[owner][index] && number[owner][index].is_none() {
                     number[owner][index] = Some(place.len());

@@ -273,6 +273,50 @@ pub enum Error {
         /// The first body's node.
         node: usize,
     },
+    /// An element of Timoshenko's theory is to yield.
+    #[error("element {element} is to yield in bending, which only Euler-Bernoulli's elements can")]
+    PlasticTheory {
+        /// The element.
+        element: usize,
+    },
+    /// Elements that yield are given to an analysis that does not know them.
+    #[error("{analysis} does not know elements that yield (element {element} is one); take {instead}")]
+    NoPlasticity {
+        /// The analysis.
+        analysis: &'static str,
+        /// The first element that yields.
+        element: usize,
+        /// What knows them.
+        instead: &'static str,
+    },
+    /// A node that nothing holds is to break, or a rigid body.
+    #[error(
+        "breakable node {index} is node {node}, which has neither support, tie, weld nor hinge to break, or is a rigid body"
+    )]
+    NothingBreaks {
+        /// Index, in the order given.
+        index: usize,
+        /// The node.
+        node: usize,
+    },
+    /// Nodes that may break are given to an integration that does not know them.
+    #[error("{integration} breaks nothing (node {node} may break); take Integration::Trapezoidal")]
+    NoRupture {
+        /// The integration.
+        integration: &'static str,
+        /// The first node that may break.
+        node: usize,
+    },
+    /// A block of added mass has not the entries of its nodes.
+    #[error("added mass {index} has {given} entries over {nodes} nodes; it must have (3 nodes)^2")]
+    WrongBlock {
+        /// Index of the block, in the order given.
+        index: usize,
+        /// Entries given.
+        given: usize,
+        /// Nodes given.
+        nodes: usize,
+    },
     /// The linear algebra failed for a reason that is not the model's.
     #[error("linear algebra with {unknowns} unknowns failed: {reason}")]
     LinearAlgebra {

@@ -34,6 +34,7 @@ impl Dynamics {
     pub fn equilibrate_over(&mut self, state: &mut State, load: &[[f64; 3]], dt: f64) -> Result<(), Error> {
         self.check(load)?;
         positive("time step [s]", "step", 0, dt)?;
+        self.adopt(state)?;
         let Some(rule) = self.rule() else { return self.equilibrate(state, load) };
         self.lack_at_known_acceleration(&rule, state, load);
         let lack = self.lack(state, load);

@@ -75,6 +75,28 @@ impl Loads {
         Ok(())
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.nodal.is_empty() && self.distributed.is_empty() && self.pressures.is_empty()
+    }
+
+    /// What lies between this case and another, `share` of the way.
+    pub(crate) fn blend(&self, other: &Self, share: f64) -> Self {
+        let mut sum = Self::default();
+        for (loads, factor) in [(self, 1.0 - share), (other, share)] {
+            let scaled = |values: [f64; 2]| values.map(|value| factor * value);
+            sum.nodal.extend(loads.nodal.iter().map(|&(node, force)| (node, force.map(|value| factor * value))));
+            for load in &loads.distributed {
+                let (start, end) = (scaled(load.start), scaled(load.end));
+                sum.distributed.push(DistributedLoad { start, end, ..*load });
+            }
+            for load in &loads.pressures {
+                let [start, end] = scaled([load.start, load.end]);
+                sum.pressures.push(Pressure { start, end, ..*load });
+            }
+        }
+        sum
+    }
+
     /// All loads as forces at the nodes, `[nodes][F_x, F_y, M]` \[N, N, N m\], of the model displaced by
     /// `[nodes][u, w, theta]`: forces keep their directions, pressures follow the elements.
     ///

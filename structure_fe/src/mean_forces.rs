@@ -6,6 +6,7 @@
 
 use crate::corotational::Chord;
 use crate::element::{ElementConstants, Ends, EndsMatrix};
+use crate::plastic::{Flow, PlasticBending};
 use crate::ties::sinc;
 
 /// Forces of an element between two places.
@@ -32,6 +33,8 @@ struct Between<'a> {
     mean: [f64; 3],
     /// N \[N\], M_s, M_a \[N m\].
     forces: [f64; 3],
+    /// How plastic curvature goes on, and what it was.
+    flow: Option<(&'a PlasticBending, Flow, [f64; 2])>,
 }
 
 /// Mean strain of the axis \[-\] (THEORY S10).
@@ -42,7 +45,7 @@ fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
 
 impl<'a> Between<'a> {
     #[inline]
-    fn new(element: &'a ElementConstants, from: Chord, to: Chord, weight: f64) -> Self {
+    fn new(element: &'a ElementConstants, [from, to]: [Chord; 2], plastic: [f64; 2], weight: f64) -> Self {
         let [start, end] = [from, to].map(|chord| chord.direction.map(|x| chord.length * x));
         let middle = [0, 1].map(|axis| 0.5 * (start[axis] + end[axis]));
         let both = from.length + to.length;
@@ -56,10 +59,18 @@ impl<'a> Between<'a> {
         let [before, after] = [&from, &to].map(|chord| strain(element, &chord.deformation));
         let normal = axial * element.length * weighed(before, after);
         let of = |i: usize| weighed(from.deformation[i], to.deformation[i]);
-        let forces = [normal, for_arc * of(1) + normal * g_arc * mean[1], for_ess * of(2) + normal * g_ess * mean[2]];
+        let mut forces =
+            [normal, for_arc * of(1) + normal * g_arc * mean[1], for_ess * of(2) + normal * g_ess * mean[2]];
+        let flow = element.plastic.as_ref().map(|bending| (bending, bending.flow(&to.deformation, plastic), plastic));
+        if let Some((bending, flow, before)) = &flow {
+            let before = bending.relief(*before);
+            for k in 0..2 {
+                forces[k + 1] += weighed(before[k], flow.relief[k]);
+            }
+        }
         let elongating = middle.map(|x| 2.0 * x / both);
         let turning = [-arm * middle[1], arm * middle[0]];
-        Self { element, weight, from, to, elongating, turning, turn, arm, mean, forces }
+        Self { element, weight, from, to, elongating, turning, turn, arm, mean, forces, flow }
     }
 
     fn forces(&self) -> MeanForces {
@@ -69,13 +80,27 @@ impl<'a> Between<'a> {
         let change: [f64; 3] = std::array::from_fn(|i| self.to.deformation[i] - self.from.deformation[i]);
         let [before, after] = [&self.from, &self.to].map(|chord| strain(element, &chord.deformation));
         let [axial, for_arc, for_ess] = element.stiffness;
-        let squares = axial * (element.length * (after - before)).powi(2)
-            + for_arc * change[1].powi(2)
-            + for_ess * change[2].powi(2);
+        let stretched = axial * (element.length * (after - before)).powi(2);
+        let bent = match &self.flow {
+            None => (self.weight - 0.5) * (for_arc * change[1].powi(2) + for_ess * change[2].powi(2)),
+            Some((bending, flow, history)) => self.work_of_bending(bending, flow, *history),
+        };
         MeanForces {
             forces: [-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)],
-            dissipated: (self.weight - 0.5) * squares,
+            dissipated: (self.weight - 0.5) * stretched + bent,
         }
+    }
+
+    /// What an element that yields takes beyond the change of its elastic energy: plastic work, and the rule's part.
+    fn work_of_bending(&self, bending: &PlasticBending, flow: &Flow, history: [f64; 2]) -> f64 {
+        let before = bending.moments(&self.from.deformation, history);
+        let curvatures = [&self.from, &self.to].map(|chord| bending.curvatures(&chord.deformation));
+        let of = |g: usize| {
+            let (moved, flown) = (curvatures[1][g] - curvatures[0][g], flow.curvature[g] - history[g]);
+            let (mean, change) = (0.5 * (before[g] + flow.moment[g]), flow.moment[g] - before[g]);
+            (self.weight - 0.5) * change * moved + mean * flown
+        };
+        0.5 * bending.length * (of(0) + of(1))
     }
 
     /// Derivative of the forces by the end values at the second place; not symmetric.
@@ -94,10 +119,17 @@ impl<'a> Between<'a> {
         let by_ess = [y * s, -y * c, 0.5, 0.5];
         let [_, arc_end, ess_end] = self.to.deformation;
         let [_, arc_mean, ess_mean] = self.mean;
+        let [ss, sa, aa] = self.flow.map_or([0.0; 3], |(_, flow, _)| flow.softening.map(|value| weight * value));
         let by = |k: usize| {
             let n = weight * axial * (by_e[k] + g_arc * arc_end * by_arc[k] + g_ess * ess_end * by_ess[k]);
-            let m_arc = (weight * for_arc + 0.5 * normal * g_arc) * by_arc[k] + g_arc * arc_mean * n;
-            let m_ess = (weight * for_ess + 0.5 * normal * g_ess) * by_ess[k] + g_ess * ess_mean * n;
+            let m_arc = (weight * for_arc + 0.5 * normal * g_arc) * by_arc[k]
+                + g_arc * arc_mean * n
+                + ss * by_arc[k]
+                + sa * by_ess[k];
+            let m_ess = (weight * for_ess + 0.5 * normal * g_ess) * by_ess[k]
+                + g_ess * ess_mean * n
+                + sa * by_arc[k]
+                + aa * by_ess[k];
             [n, m_arc, m_ess]
         };
         let both = self.from.length + self.to.length;
@@ -135,22 +167,27 @@ impl<'a> Between<'a> {
     }
 }
 
-/// Forces between two places, `weight` of the second.
+/// Forces between two places, `weight` of the second, with the plastic curvatures at the first.
 #[inline]
-pub(crate) fn mean_forces(element: &ElementConstants, from: Chord, to: Chord, weight: f64) -> MeanForces {
-    Between::new(element, from, to, weight).forces()
+pub(crate) fn mean_forces(
+    element: &ElementConstants,
+    chords: [Chord; 2],
+    plastic: [f64; 2],
+    weight: f64,
+) -> MeanForces {
+    Between::new(element, chords, plastic, weight).forces()
 }
 
 /// The same with `factor` times their derivative by the second place.
 #[inline]
 pub(crate) fn mean_forces_and_tangent(
     element: &ElementConstants,
-    from: Chord,
-    to: Chord,
+    chords: [Chord; 2],
+    plastic: [f64; 2],
     weight: f64,
     factor: f64,
 ) -> (MeanForces, EndsMatrix) {
-    let between = Between::new(element, from, to, weight);
+    let between = Between::new(element, chords, plastic, weight);
     (between.forces(), between.tangent(factor))
 }
 
@@ -182,14 +219,14 @@ mod tests {
             let moved: Ends = std::array::from_fn(|i| TO[i] - FROM[i]);
             let change = strain_energy(&element, &TO) - strain_energy(&element, &FROM);
             for weight in [0.5, 0.7] {
-                let mean = mean_forces(&element, chord(&FROM), chord(&TO), weight);
+                let mean = mean_forces(&element, [chord(&FROM), chord(&TO)], [0.0; 2], weight);
                 let error = dot(&mean.forces, &moved) - mean.dissipated - change;
                 assert!(error.abs() < 1e-10 * change.abs(), "{weight}: {error:e} of {change}");
                 assert!((mean.dissipated > 0.0) == (weight > 0.5));
             }
             // And at one place they are the forces there.
             let there = chord(&TO);
-            let mean = mean_forces(&element, there, there, 0.5).forces;
+            let mean = mean_forces(&element, [there, there], [0.0; 2], 0.5).forces;
             let exact = there.to_global(&elastic_forces(&element, &there));
             for (mean, exact) in mean.iter().zip(exact) {
                 assert!((mean - exact).abs() < 1e-10 * exact.abs().max(1.0));
@@ -198,22 +235,26 @@ mod tests {
     }
 
     #[test]
-    fn the_tangent_is_their_derivative() {
-        let element = element(500.0);
-        let chord = |q: &Ends| Chord::new(&element, q);
-        for to in [TO, std::array::from_fn(|i| FROM[i] + 1e-5 * TO[i])] {
-            let (_, tangent) = mean_forces_and_tangent(&element, chord(&FROM), chord(&to), 0.6, 2.0);
-            for j in 0..6 {
-                let step = 1e-6;
-                let [low, high] = [-step, step].map(|change| {
-                    let mut q = to;
-                    q[j] += change;
-                    mean_forces(&element, chord(&FROM), chord(&q), 0.6).forces
-                });
-                for i in 0..6 {
-                    let slope = 2.0 * (high[i] - low[i]) / (2.0 * step);
-                    let error = tangent[i][j] - slope;
-                    assert!(error.abs() < 1e-2, "{i}{j}: {} against {slope}", tangent[i][j]);
+    fn the_tangent_is_their_derivative_also_where_the_element_yields() {
+        let elastic = element(500.0);
+        let mut yielding = element(f64::INFINITY);
+        yielding.plastic = Some(PlasticBending { stiffness: 20.0, hardening: 4.0, yield_moment: 2.0, length: 0.5 });
+        for (element, plastic) in [(elastic, [0.0; 2]), (yielding, [0.3, -0.2])] {
+            let chord = |q: &Ends| Chord::new(&element, q);
+            for to in [TO, std::array::from_fn(|i| FROM[i] + 1e-5 * TO[i])] {
+                let (_, tangent) = mean_forces_and_tangent(&element, [chord(&FROM), chord(&to)], plastic, 0.6, 2.0);
+                for j in 0..6 {
+                    let step = 1e-6;
+                    let [low, high] = [-step, step].map(|change| {
+                        let mut q = to;
+                        q[j] += change;
+                        mean_forces(&element, [chord(&FROM), chord(&q)], plastic, 0.6).forces
+                    });
+                    for i in 0..6 {
+                        let slope = 2.0 * (high[i] - low[i]) / (2.0 * step);
+                        let error = tangent[i][j] - slope;
+                        assert!(error.abs() < 1e-2, "{i}{j}: {} against {slope}", tangent[i][j]);
+                    }
                 }
             }
         }

@@ -20,7 +20,8 @@ const FREE: f64 = 1e-12;
 pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result<(), Error> {
     supports.check(beam)?;
     let clamped = supports.ties().iter().filter(|(.., turns)| *turns).map(|&(body, node, _)| [body, node]);
-    let rigid = beam.elements().iter().map(|element| element.nodes).chain(clamped);
+    let rigid =
+        beam.elements().iter().map(|element| element.nodes).chain(clamped).chain(supports.welds().iter().copied());
     let part = connected_parts(beam.nodes().len(), rigid.clone());
     let restraint = restraint_of_degrees_of_freedom(beam, supports);
     // Parts that hinges join stand or fall together. A group is known by its first node.

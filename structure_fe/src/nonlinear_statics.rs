@@ -3,11 +3,10 @@
 use crate::beam::Beam;
 use crate::bordered::Bordered;
 use crate::error::Error;
-use crate::inertia::{Damping, Weights};
 use crate::loads::Loads;
 use crate::statics::StaticSolution;
 use crate::supports::Supports;
-use crate::system::{Kinematics, System};
+use crate::system::System;
 
 /// A correction this small against the whole displacement ends the iteration \[-\]: with the exact
 /// tangent the next one is of the order of its square.
@@ -31,11 +30,18 @@ const HALVINGS: usize = 8;
 /// A supported model at large displacements and rotations.
 ///
 /// Equilibrium f(u) = lambda F(u), with co-rotational elements (THEORY S10), forces that keep their
-/// direction and pressures that follow. Small strains: the material stays linear.
+/// direction and pressures that follow. Small strains; elements may [yield](Beam::with_plasticity) in bending.
 #[derive(Debug, Clone)]
 pub struct NonlinearStatics {
     pub(crate) system: System,
     motionless: Vec<[f64; 3]>,
+}
+
+/// Displacement, and what elements that yield kept of the loads before.
+#[derive(Debug, Clone)]
+pub(crate) struct Equilibrium {
+    pub u: Vec<[f64; 3]>,
+    pub plastic: Vec<[f64; 2]>,
 }
 
 impl NonlinearStatics {
@@ -57,7 +63,34 @@ impl NonlinearStatics {
     /// a maximum: [`NonlinearStatics::path`] goes on.
     pub fn solve(&self, loads: &Loads, steps: usize) -> Result<StaticSolution, Error> {
         loads.check(self.beam())?;
-        let mut u = self.motionless.clone();
+        let mut at = self.at_rest();
+        self.go(&Loads::default(), loads, steps, &mut at)?;
+        Ok(self.solution(loads, 1.0, at))
+    }
+
+    /// Puts one load case after the other on, each growing out of the one before in `steps` equal steps; the first out
+    /// of none. Where elements yield, what they keep of one case stays in the next: after a load, [`Loads::default`]
+    /// leaves the dent.
+    pub fn history(&self, cases: &[Loads], steps: usize) -> Result<Vec<StaticSolution>, Error> {
+        let mut at = self.at_rest();
+        let none = Loads::default();
+        let mut before = &none;
+        let mut solutions = Vec::with_capacity(cases.len());
+        for case in cases {
+            case.check(self.beam())?;
+            self.go(before, case, steps, &mut at)?;
+            solutions.push(self.solution(case, 1.0, at.clone()));
+            before = case;
+        }
+        Ok(solutions)
+    }
+
+    pub(crate) fn at_rest(&self) -> Equilibrium {
+        Equilibrium { u: self.motionless.clone(), plastic: self.system.unyielded() }
+    }
+
+    /// From one load case to another in `steps` steps, halved where that does not settle.
+    fn go(&self, from: &Loads, to: &Loads, steps: usize, at: &mut Equilibrium) -> Result<(), Error> {
         let mut matrix = self.system.matrix();
         let whole = 1.0 / steps.max(1) as f64;
         for step in 1..=steps.max(1) {
@@ -65,19 +98,26 @@ impl NonlinearStatics {
             let (mut factor, mut increment) = ((step - 1) as f64 * whole, whole);
             while factor < target {
                 let next = if factor + 1.5 * increment > target { target } else { factor + increment };
-                let before = u.clone();
-                match self.equilibrate(loads, next, step, &mut u, &mut matrix) {
-                    Ok(()) => factor = next,
+                let before = at.u.clone();
+                let outcome = if from.is_empty() {
+                    self.equilibrate(to, next, step, at, &mut matrix)
+                } else {
+                    self.equilibrate(&from.blend(to, next), 1.0, step, at, &mut matrix)
+                };
+                match outcome {
+                    Ok(()) => {
+                        factor = next;
+                        self.system.flow(&at.u, &mut at.plastic);
+                    }
                     Err(error) if increment < whole * 0.5_f64.powi(STEP_HALVINGS) => return Err(error),
                     Err(_) => {
-                        u = before;
+                        at.u = before;
                         increment *= 0.5;
                     }
                 }
             }
         }
-        self.system.require_bent_little(&u)?;
-        Ok(self.solution(loads, 1.0, u))
+        self.system.require_bent_little(&at.u)
     }
 
     /// Newton's method; where whole corrections do not settle, once more with a line search.
@@ -89,14 +129,14 @@ impl NonlinearStatics {
         loads: &Loads,
         load_factor: f64,
         step: usize,
-        u: &mut Vec<[f64; 3]>,
+        at: &mut Equilibrium,
         matrix: &mut Bordered,
     ) -> Result<(), Error> {
-        let start = u.clone();
+        let start = at.u.clone();
         let mut outcome = Ok(());
         for search in [false, true] {
-            u.clone_from(&start);
-            outcome = self.iterate(loads, load_factor, step, search, u, matrix);
+            at.u.clone_from(&start);
+            outcome = self.iterate(loads, load_factor, step, search, at, matrix);
             if outcome.is_ok() {
                 break;
             }
@@ -110,26 +150,26 @@ impl NonlinearStatics {
         load_factor: f64,
         step: usize,
         search: bool,
-        u: &mut [[f64; 3]],
+        at: &mut Equilibrium,
         matrix: &mut Bordered,
     ) -> Result<(), Error> {
         let system = &self.system;
         let iterations = ITERATIONS[usize::from(search)];
-        let mut residual = self.residual_and_tangent(loads, load_factor, u, matrix)?;
+        let mut residual = self.residual_and_tangent(loads, load_factor, at, matrix)?;
         let mut made = 0;
         while made < iterations && residual.iter().all(|r| r.is_finite()) {
             matrix.factorise().map_err(|pivot| system.singular(pivot))?;
             let mut correction = residual.clone();
             matrix.solve(&mut correction);
-            let share = if search { self.line_search(loads, load_factor, u, &residual, &correction)? } else { 1.0 };
-            system.displace(share, &correction, u);
+            let share = if search { self.line_search(loads, load_factor, at, &residual, &correction)? } else { 1.0 };
+            system.displace(share, &correction, &mut at.u);
             let size = system.size(&correction);
-            let whole = system.size(&system.equations.pick(u.as_flattened()));
+            let whole = system.size(&system.equations.pick(at.u.as_flattened()));
             if size <= CONVERGED * whole.min(1.0) + ROUNDING {
                 return Ok(());
             }
             made += 1;
-            residual = self.residual_and_tangent(loads, load_factor, u, matrix)?;
+            residual = self.residual_and_tangent(loads, load_factor, at, matrix)?;
         }
         let (residual, node, dof) = system.worst(&residual);
         Err(Error::NotConverged { step, iteration: made, residual, load_factor, node, dof })
@@ -140,7 +180,7 @@ impl NonlinearStatics {
         &self,
         loads: &Loads,
         load_factor: f64,
-        u: &[[f64; 3]],
+        at: &Equilibrium,
         residual: &[f64],
         correction: &[f64],
     ) -> Result<f64, Error> {
@@ -148,8 +188,8 @@ impl NonlinearStatics {
         let at_start = work(residual);
         let mut share = 1.0;
         for _ in 0..HALVINGS {
-            let mut trial = u.to_vec();
-            self.system.displace(share, correction, &mut trial);
+            let mut trial = at.clone();
+            self.system.displace(share, correction, &mut trial.u);
             let slope = work(&self.residual(loads, load_factor, &trial)?);
             if slope.abs() <= SLACK * at_start.abs() {
                 break;
@@ -160,25 +200,25 @@ impl NonlinearStatics {
         Ok(share)
     }
 
-    pub(crate) fn residual(&self, loads: &Loads, load_factor: f64, u: &[[f64; 3]]) -> Result<Vec<f64>, Error> {
+    pub(crate) fn residual(&self, loads: &Loads, load_factor: f64, at: &Equilibrium) -> Result<Vec<f64>, Error> {
         let mut internal = self.motionless.clone();
-        self.system.forces(self.at(u), &Damping::default(), &mut internal);
-        Ok(self.less(loads, load_factor, u, &internal))
+        self.system.elastic_forces(&at.u, &at.plastic, &mut internal, None);
+        Ok(self.less(loads, load_factor, &at.u, &internal))
     }
 
     pub(crate) fn residual_and_tangent(
         &self,
         loads: &Loads,
         load_factor: f64,
-        u: &[[f64; 3]],
+        Equilibrium { u, plastic }: &Equilibrium,
         matrix: &mut Bordered,
     ) -> Result<Vec<f64>, Error> {
         let mut internal = self.motionless.clone();
-        let weights = Weights { acceleration: 0.0, velocity: 0.0, displacement: 1.0 };
-        self.system.forces_and_tangent(self.at(u), &Damping::default(), weights, &mut internal, matrix);
+        let arms = self.system.equations.ties.arms_at(u);
+        matrix.clear();
+        self.system.elastic_forces(u, plastic, &mut internal, Some((1.0, [&arms, &arms], matrix)));
         loads.subtract_tangent(&self.system, u, load_factor, matrix);
-        if !self.system.equations.ties.all.is_empty() {
-            let arms = self.system.equations.ties.arms_at(u);
+        if !arms.is_empty() {
             self.system.subtract_turning(&self.load(loads, u), &arms, load_factor, matrix);
             self.system.subtract_turning(&internal, &arms, -1.0, matrix);
         }
@@ -201,23 +241,20 @@ impl NonlinearStatics {
         loads.nodal_forces(self.beam(), &loads.element_forces_at(self.beam(), u))
     }
 
-    fn at<'a>(&'a self, u: &'a [[f64; 3]]) -> Kinematics<'a> {
-        Kinematics { q: u, v: &self.motionless, a: &self.motionless }
-    }
-
     /// Reactions and section forces of a displacement in equilibrium with `load_factor` times the loads.
-    pub(crate) fn solution(&self, loads: &Loads, load_factor: f64, u: Vec<[f64; 3]>) -> StaticSolution {
+    fn solution(&self, loads: &Loads, load_factor: f64, Equilibrium { u, plastic }: Equilibrium) -> StaticSolution {
         let scaled = |field: &mut [f64]| field.iter_mut().for_each(|value| *value *= load_factor);
         let mut own = loads.element_forces_at(self.beam(), &u);
         scaled(own.as_flattened_mut());
         let mut load = self.load(loads, &u);
         scaled(load.as_flattened_mut());
         let mut internal = self.motionless.clone();
-        self.system.forces(self.at(&u), &Damping::default(), &mut internal);
+        self.system.elastic_forces(&u, &plastic, &mut internal, None);
         StaticSolution {
             reactions: self.system.reactions(&u, &internal, &load),
-            section_forces: self.system.section_forces(&u, Some(&own)),
+            section_forces: self.system.section_forces(&u, &plastic, Some(&own)),
             displacement: u,
+            plastic_curvature: plastic,
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The state of a moving model, how it is integrated, and what a step reports.
 
+use crate::rupture::Break;
+
 /// Where the model is and how it moves: fields over the nodes, `[nodes][u, w, theta]`.
 ///
 /// It is the whole memory of the motion: a copy of it is all a host needs to reject a step and redo it,
@@ -19,6 +21,10 @@ pub struct State {
     pub integrated_acceleration: Vec<[f64; 3]>,
     /// Mean force of the supports over the last step, springs included \[N, N, N m\]; of the trapezoidal rule only.
     pub mean_reaction: Vec<[f64; 3]>,
+    /// Plastic curvatures at two places of each element \[1/m\]; empty where nothing yields.
+    pub plastic_curvature: Vec<[f64; 2]>,
+    /// What has broken, in the order in which it did.
+    pub ruptures: Vec<Break>,
 }
 
 /// How time is stepped.

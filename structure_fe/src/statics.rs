@@ -43,6 +43,8 @@ pub struct StaticSolution {
     pub reactions: Vec<[f64; 3]>,
     /// Section forces at the first and the second node of every element, `[elements][2]`.
     pub section_forces: Vec<[SectionForces; 2]>,
+    /// Plastic curvatures at two places of each element \[1/m\]; empty where nothing yields, and in linear statics.
+    pub plastic_curvature: Vec<[f64; 2]>,
 }
 
 impl Statics {
@@ -93,6 +95,7 @@ impl Statics {
             reactions: self.reactions(&displacement, &load),
             section_forces: section_forces(&self.beam, &displacement, &element_forces),
             displacement,
+            plastic_curvature: Vec::new(),
         })
     }
 

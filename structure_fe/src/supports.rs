@@ -2,6 +2,7 @@
 
 use crate::beam::Beam;
 use crate::error::{Error, existing_node, positive};
+use crate::rupture::Rupture;
 
 /// A degree of freedom of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -41,6 +42,8 @@ pub struct Supports {
     hinges: Vec<[usize; 2]>,
     /// Body, node, and whether the node turns with the body.
     ties: Vec<(usize, usize, bool)>,
+    welds: Vec<[usize; 2]>,
+    breakables: Vec<(usize, Rupture)>,
 }
 
 impl Supports {
@@ -89,6 +92,42 @@ impl Supports {
         self
     }
 
+    /// Joins two nodes at the same place rigidly, for a joint that may [break](Supports::breakable).
+    pub fn weld(&mut self, first: usize, second: usize) -> &mut Self {
+        self.welds.push([first, second]);
+        self
+    }
+
+    /// Lets a node break off, in motion by the trapezoidal rule: at the end of the step in which the `rupture` limit is
+    /// passed all supports, ties, welds and hinges let go of it, and it is free from the next step on
+    /// ([`State::ruptures`](crate::State::ruptures)). Springs stay. Other analyses take it as whole.
+    pub fn breakable(&mut self, node: usize, rupture: Rupture) -> &mut Self {
+        self.breakables.push((node, rupture));
+        self
+    }
+
+    pub(crate) fn breakables(&self) -> &[(usize, Rupture)] {
+        &self.breakables
+    }
+
+    /// Keeps what holds nodes that `keep` names, and between such nodes.
+    pub(crate) fn retain(&mut self, keep: impl Fn(usize) -> bool) {
+        self.fixed.retain(|&(node, _)| keep(node));
+        self.hinges.retain(|hinge| hinge.iter().all(|&node| keep(node)));
+        self.welds.retain(|weld| weld.iter().all(|&node| keep(node)));
+        self.ties.retain(|&(_, node, _)| keep(node));
+        self.breakables.retain(|&(node, _)| keep(node));
+    }
+
+    pub(crate) fn welds(&self) -> &[[usize; 2]] {
+        &self.welds
+    }
+
+    /// Nodes that are at the same place: of hinges and welds.
+    pub(crate) fn joints(&self) -> impl Iterator<Item = [usize; 2]> {
+        self.hinges.iter().chain(&self.welds).copied()
+    }
+
     /// Body, node, and whether the node turns with the body.
     pub(crate) fn ties(&self) -> &[(usize, usize, bool)] {
         &self.ties
@@ -98,8 +137,17 @@ impl Supports {
         &self.hinges
     }
 
-    /// For each node the first of those that hinges tie it to; itself where there is none.
+    /// For each node the first of those that move with it, by hinges and welds; itself where there is none.
     pub(crate) fn leaders(&self, nodes: usize) -> Vec<usize> {
+        Self::first_of_each(self.joints(), nodes)
+    }
+
+    /// For each node the first of those that turn with it, by welds; itself where there is none.
+    pub(crate) fn turning_leaders(&self, nodes: usize) -> Vec<usize> {
+        Self::first_of_each(self.welds.iter().copied(), nodes)
+    }
+
+    fn first_of_each(joints: impl Iterator<Item = [usize; 2]>, nodes: usize) -> Vec<usize> {
         let mut leader: Vec<usize> = (0..nodes).collect();
         let root = |leader: &[usize], mut node: usize| {
             while leader[node] != node {
@@ -107,8 +155,8 @@ impl Supports {
             }
             node
         };
-        for hinge in &self.hinges {
-            let [a, b] = hinge.map(|node| root(&leader, node));
+        for joint in joints {
+            let [a, b] = joint.map(|node| root(&leader, node));
             leader[a.max(b)] = a.min(b);
         }
         (0..nodes).map(|node| root(&leader, node)).collect()
@@ -155,7 +203,17 @@ impl Supports {
             existing_node("spring", index, spring.node, nodes)?;
             positive("stiffness [N/m, N m/rad]", "spring", index, spring.stiffness)?;
         }
-        for (index, &hinge) in self.hinges.iter().enumerate() {
+        for (index, &(node, rupture)) in self.breakables.iter().enumerate() {
+            existing_node("breakable node", index, node, nodes)?;
+            rupture.check(index)?;
+            let held = self.fixed.iter().any(|&(other, _)| other == node)
+                || self.ties.iter().any(|&(_, other, _)| other == node)
+                || self.joints().any(|joint| joint.contains(&node));
+            if !held || beam.is_rigid_body(node) {
+                return Err(Error::NothingBreaks { index, node });
+            }
+        }
+        for (index, hinge) in self.joints().enumerate() {
             for node in hinge {
                 existing_node("hinge", index, node, nodes)?;
             }
@@ -181,7 +239,7 @@ impl Supports {
                 Some("the node is tied already")
             } else if self.fixed.iter().any(own) {
                 Some("the node has a support of its own; support the body")
-            } else if self.hinges.iter().flatten().any(|&other| other == node) {
+            } else if self.joints().any(|joint| joint.contains(&node)) {
                 Some("the node is part of a hinge; tie it pinned")
             } else {
                 None
@@ -190,8 +248,9 @@ impl Supports {
                 return Err(Error::BadTie { tie: index, body, node, reason });
             }
         }
-        if let Some(index) = self.hinges.iter().position(|hinge| hinge.iter().any(|&node| beam.is_rigid_body(node))) {
-            return Err(Error::HingedBody { hinge: index, nodes: self.hinges[index] });
+        let bodies = |joint: &[usize; 2]| joint.iter().any(|&node| beam.is_rigid_body(node));
+        if let Some((hinge, nodes)) = self.joints().enumerate().find(|(_, joint)| bodies(joint)) {
+            return Err(Error::HingedBody { hinge, nodes });
         }
         Ok(())
     }

@@ -1,14 +1,15 @@
 //! The equations of the moving model: internal forces and their tangent, assembled.
 
 use crate::banded::ZeroPivot;
-use crate::beam::{Beam, add_ends};
+use crate::beam::{Beam, Element, add_ends};
 use crate::bordered::Bordered;
-use crate::corotational::{Chord, elastic_forces, strain_energy};
+use crate::corotational::{Chord, strain_energy};
 use crate::element::{Ends, EndsMatrix};
 use crate::equations::{Arms, Equations};
 use crate::error::Error;
 use crate::inertia::{Damping, Motion, Weights, response, restoring};
 use crate::ordering::narrow_band;
+use crate::restoring::relieved;
 use crate::section_forces::{SectionForces, at_ends};
 use crate::supports::{Dof, Supports};
 
@@ -35,7 +36,7 @@ pub(crate) struct Kinematics<'a> {
 impl System {
     pub fn new(beam: Beam, supports: Supports) -> Result<Self, Error> {
         supports.check(&beam)?;
-        let links = beam.elements().iter().map(|element| element.nodes).chain(supports.hinges().iter().copied());
+        let links = beam.elements().iter().map(|element| element.nodes).chain(supports.joints());
         let order = narrow_band(beam.nodes().len(), links);
         let equations = Equations::in_order(&order, &beam, &supports);
         let half_band = beam.elements().iter().map(|element| equations.band(element.nodes)).max().unwrap_or(0);
@@ -171,21 +172,57 @@ impl System {
     }
 
     /// Elastic energy of beams and springs \[J\].
-    pub fn strain_energy(&self, q: &[[f64; 3]]) -> f64 {
-        let elements = self.beam.formulated();
-        let beams: f64 = elements.map(|(nodes, element)| strain_energy(element, &self.beam.ends(nodes, q))).sum();
+    pub fn strain_energy(&self, q: &[[f64; 3]], plastic: &[[f64; 2]]) -> f64 {
+        let elements = self.beam.formulated().enumerate();
+        let beams: f64 = elements
+            .map(|(index, (nodes, element))| {
+                let ends = self.beam.ends(nodes, q);
+                let elastic = strain_energy(element, &ends);
+                let Some(bending) = &element.plastic else { return elastic };
+                let deformation = Chord::new(element, &ends).deformation;
+                let [without, with] =
+                    [[0.0; 2], plastic[index]].map(|curvature| bending.moments(&deformation, curvature));
+                elastic + bending.energy(with) - bending.energy(without)
+            })
+            .sum();
         beams + self.supports.spring_energy(q)
     }
 
     /// Section forces at the ends of the elements: elastic forces less the element's own loads.
-    pub fn section_forces(&self, q: &[[f64; 3]], own_loads: Option<&[Ends]>) -> Vec<[SectionForces; 2]> {
+    pub fn section_forces(
+        &self,
+        q: &[[f64; 3]],
+        plastic: &[[f64; 2]],
+        own_loads: Option<&[Ends]>,
+    ) -> Vec<[SectionForces; 2]> {
         let sections = self.beam.formulated().enumerate().map(|(index, (nodes, element))| {
             let chord = Chord::new(element, &self.beam.ends(nodes, q));
-            let elastic = elastic_forces(element, &chord);
+            let relief = element.plastic.as_ref().map_or([0.0; 2], |bending| bending.relief(plastic[index]));
+            let elastic = relieved(element, &chord, &[0.0, relief[0], relief[1]]);
             let load = own_loads.map_or([0.0; 6], |loads| chord.to_local(&loads[index]));
             at_ends(&std::array::from_fn(|i| elastic[i] - load[i]))
         });
         sections.collect()
+    }
+
+    /// Strains of the outer fibres at the ends, right-hand and left-hand side \[-\].
+    pub fn fibre_strains(&self, q: &[[f64; 3]], plastic: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let forces = self.section_forces(q, plastic, None);
+        let mut strains = Vec::with_capacity(2 * forces.len());
+        for ((index, (nodes, element)), forces) in self.beam.formulated().enumerate().zip(forces) {
+            let Element { material, section, .. } = &self.beam.elements()[index];
+            let half = 0.5 * section.thickness();
+            let yielded = element
+                .plastic
+                .as_ref()
+                .map(|bending| bending.end_curvatures(&Chord::new(element, &self.beam.ends(nodes, q)).deformation));
+            for (end, SectionForces { normal, moment, .. }) in forces.into_iter().enumerate() {
+                let curvature = yielded.map_or(moment / section.bending_stiffness(material), |ends| ends[end]);
+                let mean = normal / section.axial_stiffness(material);
+                strains.push([mean + half * curvature, mean - half * curvature]);
+            }
+        }
+        strains
     }
 
     /// The error that names the first element bent beyond what its shapes describe, if there is one.

@@ -82,6 +82,7 @@ impl Dynamics {
         let by_elements = self.elastic_over_the_step(rule, state, &start, &new);
         let mean = self.mean(rule, state, load, dt, &new);
         self.give_velocities(rule, state, &mut new, &mean, dt);
+        self.system.flow(&new.displacement, &mut new.plastic_curvature);
         self.account(rule, state, &mut new, &mean, by_elements, dt, &mut report);
         let mut lack = self.lack_at_known_acceleration(rule, &mut new, load);
         self.matrix.solve(&mut lack);
@@ -91,6 +92,10 @@ impl Dynamics {
         ties.follow_acceleration(&ties.arms_at(&new.displacement), &new.velocity, &mut new.acceleration);
         new.integrated_acceleration.clone_from(&new.acceleration);
         new.time = state.time + dt;
+        if let Err(error) = self.let_go(&mut new) {
+            self.adopt(state)?;
+            return Err(error);
+        }
         *state = new;
         Ok(report)
     }
@@ -169,7 +174,14 @@ impl Dynamics {
         self.matrix.clear();
         let tangent = Some((arms, &mut self.matrix));
         let from = (start, &state.displacement[..]);
-        system.mean_elastic_forces(from, &new.displacement, rule.weight, &mut self.internal, tangent);
+        system.mean_elastic_forces(
+            from,
+            &new.displacement,
+            &state.plastic_curvature,
+            rule.weight,
+            &mut self.internal,
+            tangent,
+        );
         let middle = each(&state.displacement, &new.displacement, |from, to| 0.5 * (from + to));
         system.add_viscosity(&middle, &self.damping, dt.recip(), arms, &mut self.matrix);
         let of_mass = (rule.weight * dt * dt).recip() + self.damping.mass / dt;
@@ -181,7 +193,14 @@ impl Dynamics {
     /// Elastic forces over the step, into `self.internal`; returns what they take beyond the energy's change \[J\].
     fn elastic_over_the_step(&mut self, rule: &Trapezoidal, state: &State, start: &[Chord], new: &State) -> f64 {
         let from = (start, &state.displacement[..]);
-        self.system.mean_elastic_forces(from, &new.displacement, rule.weight, &mut self.internal, None)
+        self.system.mean_elastic_forces(
+            from,
+            &new.displacement,
+            &state.plastic_curvature,
+            rule.weight,
+            &mut self.internal,
+            None,
+        )
     }
 
     /// What acts over the step that leads to `new`, whose elastic forces are in `self.internal`.
@@ -278,13 +297,14 @@ impl Dynamics {
         load: &[[f64; 3]],
     ) -> Vec<f64> {
         state.acceleration.fill([0.0; 3]);
-        for &(node, dof, motion) in self.prescribed() {
+        let prescribed = self.prescribed();
+        for (node, dof, motion) in prescribed {
             state.acceleration[node][dof as usize] = motion.acceleration;
         }
         let ties = &self.system.equations.ties;
         let arms = ties.arms_at(&state.displacement);
         ties.follow_acceleration(&arms, &state.velocity, &mut state.acceleration);
-        self.system.elastic_forces(&state.displacement, &mut self.internal, None);
+        self.system.elastic_forces(&state.displacement, &state.plastic_curvature, &mut self.internal, None);
         let lack = self.lack_of_forces(rule, state, load);
         self.system.equations.reduce(&lack, &arms)
     }

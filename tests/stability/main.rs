@@ -10,6 +10,7 @@ mod noise;
 mod options;
 mod order;
 mod schemes;
+mod thin_walls;
 mod walls;
 mod water;
 mod windows;

@@ -1,6 +1,6 @@
 //! A free wedge twice: as a rigid body of a scene, and as the nodes of a host, in the same water.
 
-use fsi_coupling::host::{FluidElementSpec, HostNodes, Topology};
+use fsi_coupling::host::{FluidElement, FluidElementSpec, HostNodes, Topology};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::{Coupled, Motion};
 
@@ -73,4 +73,22 @@ pub fn moved(nodes: &HostNodes, by: [f64; 2], velocity: [f64; 2]) -> HostNodes {
 /// Sum of nodal forces [N/m, N/m, N].
 pub fn total(forces: &[[f64; 3]]) -> [f64; 3] {
     forces.iter().fold([0.0; 3], |sum, force| [0, 1, 2].map(|k| sum[k] + force[k]))
+}
+
+/// The wedge's element, built.
+pub fn element() -> (FluidElement, HostNodes) {
+    let (topology, nodes) = wedge_of_nodes();
+    (spec().size(&topology).expect("a sound element").build(&nodes).expect("water"), nodes)
+}
+
+/// Everything that a step of a host leaves behind, bit by bit.
+pub fn bits(element: &FluidElement, forces: &[[f64; 3]]) -> Vec<u64> {
+    let (p, w) = (&element.system().fluid.particles, &element.system().walls);
+    let mut bits: Vec<u64> = p.id.iter().map(|id| u64::from(*id)).collect();
+    for array in [&p.x, &p.y, &p.u, &p.v, &p.rho, &p.ax, &p.ay, &w.x, &w.y, &w.pressure, &w.mean_fy, &w.ax] {
+        bits.extend(array.iter().map(|value| value.to_bits()));
+    }
+    bits.extend(forces.as_flattened().iter().map(|value| value.to_bits()));
+    bits.push(element.time().to_bits());
+    bits
 }

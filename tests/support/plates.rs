@@ -1,6 +1,7 @@
 //! Thin plates in small tanks: systems to step, and the force on each face.
 
 use fsi_coupling::fill::{Basin, Tiling};
+use fsi_coupling::pose::Rigid;
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
 use sph_core::{Fluid, Parameters, Seed};
 
@@ -45,6 +46,17 @@ pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn Wette
 /// A plate of `thickness` spacings that parts a tank of 2 × `columns` cells into two waters of `rows` [left, right] cells;
 /// it stands on the floor and ends above both.
 pub fn parted(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) -> Coupled {
+    parted_by(thickness, columns, rows, spacing, fixed)
+}
+
+/// The same with a body made of the plate's outline.
+pub fn parted_by(
+    thickness: f64,
+    columns: usize,
+    rows: [usize; 2],
+    spacing: f64,
+    body: impl Fn(Outline) -> Box<dyn WettedBody>,
+) -> Coupled {
     let (half, width) = (0.5 * thickness * spacing, columns as f64 * spacing);
     let [left, right] = rows.map(|n| n as f64 * spacing);
     let high = left.max(right) + 4.0 * spacing;
@@ -54,7 +66,7 @@ pub fn parted(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) ->
     let c0 = 10.0 * (2.0 * GRAVITY * left.max(right)).sqrt();
     let tank = tank([-half - width, half + width], high, spacing);
     let tank = tank.carrying(outline.plate().cloned().into_iter().collect());
-    coupled(parameters(c0), &seeds, vec![fixed(outline), Box::new(tank)], spacing)
+    coupled(parameters(c0), &seeds, vec![body(outline), Box::new(tank)], spacing)
 }
 
 /// Force of the water along x on the left face and on the right face of body 0 [N/m].
@@ -100,4 +112,28 @@ impl Submerged {
         let tank = tank([-16.0 * s, 16.0 * s], 30.0 * s, s);
         coupled(parameters(c0), &seeds, vec![body, Box::new(tank)], s)
     }
+}
+
+/// By identity, whether each particle is left of the plate that parts a tank, wherever it is now.
+pub fn sides(system: &Coupled) -> Vec<bool> {
+    let (p, plate) = (&system.fluid.particles, system.walls.screens.first().map_or(0.0, |s| s.points[0][0]));
+    let mut left = vec![false; p.len()];
+    (0..p.len()).for_each(|k| left[p.id[k] as usize] = p.x[k] < plate);
+    left
+}
+
+/// [`parted`], with a plate that is driven to the right by `travel` [m] in half a second and rests there.
+pub fn paddled(thickness: f64, columns: usize, rows: [usize; 2], travel: f64, spacing: f64) -> Coupled {
+    let law = move |t: f64| {
+        let (s, period) = ((t / 0.5).min(1.0), 0.5);
+        let moving = if t < period { 1.0 } else { 0.0 };
+        Rigid {
+            pole: [travel * s * s * (3.0 - 2.0 * s), 0.0],
+            velocity: [moving * travel * 6.0 * s * (1.0 - s) / period, 0.0],
+            acceleration: [moving * travel * (6.0 - 12.0 * s) / (period * period), 0.0],
+            ..Rigid::default()
+        }
+    };
+    let body = |outline| Box::new(PrescribedBody::new("plate", outline, false, Box::new(law))) as Box<dyn WettedBody>;
+    parted_by(thickness, columns, rows, spacing, body)
 }

@@ -13,6 +13,7 @@ mod gas;
 mod gauges;
 mod heaving_box;
 mod host;
+mod host_input;
 mod integrators;
 mod kernel_sums;
 mod options;

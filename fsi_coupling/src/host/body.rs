@@ -257,3 +257,32 @@ impl WettedBody for HostBody {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::host::{HostNodes, Topology};
+
+    /// A blow is an impulse on the nodes beside it, and its reaction is on the ledger; taken back, it is gone.
+    #[test]
+    fn a_blow_goes_to_the_nodes_and_on_the_ledger() {
+        let corners = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let topology = Topology::of(corners.clone()).closed(0..4);
+        let mut nodes = HostNodes::at_rest(corners);
+        nodes.velocity.fill([0.5, -2.0]);
+        let shared = Shared::new(Path::resting(&nodes));
+        let skin = Skin::new(&topology, &nodes);
+        let rest = topology.outline().expect("a square");
+        let mut body = HostBody::new(&topology, rest, skin, 0.1, shared.clone());
+        body.save();
+        body.strike([0.25, 0.0], [3.0, 4.0]);
+        let impulse = shared.open().impulse.clone();
+        for (found, exact) in impulse.iter().zip([[2.25, 3.0, 0.0], [0.75, 1.0, 0.0], [0.0; 3], [0.0; 3]]) {
+            assert!((0..3).all(|k| (found[k] - exact[k]).abs() < 1e-14), "{impulse:?}");
+        }
+        assert_eq!((body.ledger().external, body.energy().work), ([-3.0, -4.0], 3.0 * 0.5 - 4.0 * 2.0));
+        assert_eq!(body.surface([0.3, -0.2]).velocity, [0.5, -2.0]);
+        body.restore();
+        assert_eq!((body.ledger(), body.energy()), (Ledger::default(), Energy::default()));
+    }
+}

@@ -95,7 +95,7 @@ impl FluidElementSpec {
         } else {
             (x[1] - x[0]) * self.depth
         };
-        if !(fine / (self.spacing * self.spacing) < MOST_PARTICLES) {
+        if fine / (self.spacing * self.spacing) >= MOST_PARTICLES {
             let least = (fine / MOST_PARTICLES).sqrt();
             let expected =
                 format!("at least {least:.2e} m: the fine zone of {fine:.3} m² would have more than 10⁹ particles");

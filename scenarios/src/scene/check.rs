@@ -151,7 +151,8 @@ fn check_plate(scene: &Scene, body: &Body) -> Result<(), Problem> {
             significant(*thickness),
             2.0 * rows
         );
-        return Err(Problem::new("fluid.walls", format!("{:?}", fluid.walls), expected));
+        let given = format!("{:?}", fluid.walls).to_lowercase();
+        return Err(Problem::new("fluid.walls", format!("\"{given}\""), expected));
     }
     match too_tight(points, rows * spacing - 0.5 * thickness) {
         None => Ok(()),

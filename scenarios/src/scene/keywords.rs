@@ -142,7 +142,7 @@ static KEYWORDS: &[Keyword] = &[
     key("body.radius", "m", "required by arc", "radius of the bottom"),
     key("body.height", "m", "required by box", "height of the box"),
     key("body.points", "m", "required by polygon, polyline", "vertices [[x, y], ...] in the body's frame: a polygon's counter-clockwise, a plate's middle line"),
-    key("body.thickness", "m", "required by polyline", "thickness of the plate, half of it on each side of the line"),
+    key("body.thickness", "m", "required by polyline", "thickness of the plate, half of it on each side of the line: of any size, also below the spacing (THEORY T2); a fixed plate may stand on the tank's floor or walls"),
     key("body.mass", "kg/m", "required if free", "mass of the whole body, also with symmetry"),
     key("body.inertia", "kg m^2/m", "required if free to rotate", "moment of inertia of the whole body about its centre of mass"),
     key("body.center_of_mass", "m", "centroid of the outline", "[x, y] in the body's frame, whose origin is a wedge's keel, an arc's lowest point, a box's centre"),

@@ -67,10 +67,15 @@ fn resolved_scene_loads_again_to_itself() {
         "body={ shape = \"polyline\", points = [[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], thickness = 0.05, mass = 50, velocity = [0.0, -2.0] }",
         "gauges=[]",
     ];
+    let thin = [
+        plate[0],
+        "body={ shape = \"polyline\", points = [[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], thickness = 0.0005, mass = 50, velocity = [0.0, -2.0] }",
+        plate[2],
+    ];
     let gas = drop_with(&["fluid.equation_of_state=ideal_gas", "time.step=1e-5"]);
     let riemann = drop_with(&["fluid.dissipation=riemann"]);
     assert_eq!([riemann.fluid.density_diffusion, riemann.fluid.artificial_viscosity], [0.0; 2], "no coefficients");
-    let mut scenes = vec![drop_with(&[]), drop_with(&plate), gas, riemann];
+    let mut scenes = vec![drop_with(&[]), drop_with(&plate), drop_with(&thin), gas, riemann];
     for (name, _) in builtin() {
         scenes.push(load(name, &[]).expect("a built-in scene loads").scene);
     }

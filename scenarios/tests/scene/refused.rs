@@ -102,8 +102,17 @@ fn bodies_and_tanks_must_fit_together() {
     let box_at = |x: f64, y: f64| {
         format!("body={{ shape = \"box\", breadth = 0.4, height = 0.2, motion = \"fixed\", position = [{x}, {y}] }}")
     };
+    let plate = |x: f64, y: f64| {
+        let shape = "shape = \"polyline\", points = [[0, 0], [0, 0.3]], thickness = 0.002";
+        format!("body={{ {shape}, motion = \"fixed\", position = [{x}, {y}] }}")
+    };
+    let bent = "body={ shape = \"polyline\", points = [[0, 0.1], [0, 0], [0.02, 0], [0.02, 0.1]], thickness = 0.002, \
+                motion = \"fixed\", position = [0, 0] }";
     #[rustfmt::skip]
     let table: &[(&[&str], &[&str])] = &[
+        (&[&plate(0.0, -0.55), "resolution.spacing=0.02"], &["`body.position`", "a plate that reaches from", "ends at the floor, y = -0.5 m"]),
+        (&[&plate(0.0, -0.5), "resolution.spacing=0.02", "fluid.walls=dynamic"], &["`fluid.walls` = \"dynamic\"", "extrapolated or mirror_point", "0.002 m thin"]),
+        (&[&bent, "resolution.spacing=0.02"], &["`body.points` = [0.0, 0.0] to [0.02, 0.0]", "longer sides or gentler bends", "0.06 m"]),
         (&[&box_at(0.45, 0.0)], &["`body.position`", "from x = 0.25 to 0.65 m, overlapping a tank wall", "-0.5 and 0.5"]),
         (&[&box_at(2.0, 0.0)], &["`body.position`", "off the tank", "-0.5 and 0.5"]),
         (&[&box_at(0.0, -0.45)], &["`body.position`", "down to y = -0.55 m, overlapping the floor", "y = -0.5"]),

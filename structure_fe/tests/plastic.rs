@@ -1,0 +1,182 @@
+//! Bending beyond the elastic limit: against bilinear beam theory, at rest and in motion.
+
+mod common;
+
+use common::{CONSERVING, LENGTH, MATERIAL, beam, bending_stiffness, moved, none, pairing, section, supports};
+use structure_fe::{
+    Beam, Damping, Dynamics, Envelope, Error, Integration, Loads, NonlinearStatics, Plasticity, Statics, Theory,
+};
+
+const SOFT: Plasticity = Plasticity { yield_stress: 2e6, hardening_modulus: 7e9 };
+
+fn yielding(elements: usize) -> Beam {
+    beam(elements).with_plasticity(SOFT).unwrap()
+}
+
+/// M_y of the test beams [N m].
+fn yield_moment() -> f64 {
+    SOFT.yield_stress * section().thickness().powi(2) / 6.0
+}
+
+/// Plastic part of the tip's deflection of a cantilever under the tip load P: kappa_p = (P s - M_y)/(H I) where
+/// P s > M_y, s from the tip; its moment about the tip.
+fn plastic_tip(load: f64) -> f64 {
+    let hardening = SOFT.hardening_modulus * section().second_moment();
+    let limit = yield_moment() / load;
+    let cubes = load * (LENGTH.powi(3) - limit.powi(3)) / 3.0;
+    (cubes - yield_moment() * (LENGTH.powi(2) - limit.powi(2)) / 2.0) / hardening
+}
+
+#[test]
+fn a_cantilever_bent_beyond_its_limit_keeps_the_exact_dent() {
+    let load = 1.57 * yield_moment() / LENGTH;
+    let exact = plastic_tip(load);
+    let whole = load * LENGTH.powi(3) / (3.0 * bending_stiffness()) + exact;
+    assert!(whole < 0.02 * LENGTH, "small: {whole}");
+    let errors = [16, 32, 64].map(|elements| {
+        let mut loads = Loads::default();
+        loads.at_node(elements, [0.0, load, 0.0]);
+        let model = NonlinearStatics::new(yielding(elements), supports("cantilever", elements)).unwrap();
+        let solved = model.history(&[loads.clone(), Loads::default(), loads.clone()], 4).unwrap();
+        let tips = [0, 1, 2].map(|case: usize| solved[case].displacement[elements][1]);
+        assert!((solved[0].reactions[0][2] / (load * LENGTH) + 1.0).abs() < 1e-3);
+        // Loaded again it comes to where it was, elastically.
+        assert!((tips[2] / tips[0] - 1.0).abs() < 1e-9);
+        let kept = solved[2].plastic_curvature.as_flattened().iter().zip(solved[1].plastic_curvature.as_flattened());
+        assert!(kept.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e-9);
+        // In one go, the same.
+        let once = model.solve(&loads, 1).unwrap();
+        assert!((once.displacement[elements][1] / tips[0] - 1.0).abs() < 1e-8);
+        [tips[0] / whole - 1.0, tips[1] / exact - 1.0]
+    });
+    println!("16, 32, 64 elements: {errors:?}; deflection {whole}, dent {exact}");
+    assert!(errors[1][0].abs() < 2e-3 && errors[1][1].abs() < 1e-2, "{errors:?}");
+    assert!(errors[2][1].abs() < 0.5 * errors[1][1].abs() + 1e-3);
+    // Below the limit nothing is left.
+    let elements = 16;
+    let mut loads = Loads::default();
+    loads.at_node(elements, [0.0, 0.9 * yield_moment() / LENGTH, 0.0]);
+    let model = NonlinearStatics::new(yielding(elements), supports("cantilever", elements)).unwrap();
+    let solved = model.history(&[loads.clone(), Loads::default()], 2).unwrap();
+    assert!(solved[1].displacement[elements][1].abs() < 1e-12);
+    let elastic = Statics::new(yielding(elements), supports("cantilever", elements)).unwrap().solve(&loads).unwrap();
+    assert!((solved[0].displacement[elements][1] / elastic.displacement[elements][1] - 1.0).abs() < 1e-4);
+}
+
+/// Struck and let swing: plastic work is what is missing from the energy, the dent stays, and a step redone from a
+/// copy of the state gives the same bits.
+#[test]
+fn a_blow_leaves_a_dent_and_its_work_is_accounted_for() {
+    let elements = 16;
+    for (radius, damping) in [(1.0, 0.0), (0.8, 3e-3)] {
+        let rule = Integration::Trapezoidal { spectral_radius: radius };
+        let damping = Damping { mass: 0.0, stiffness: damping };
+        let mut dynamics = Dynamics::new(yielding(elements), supports("cantilever", elements), rule, damping).unwrap();
+        let mut state = dynamics.at_rest();
+        let mut envelope = Envelope::new(dynamics.beam());
+        let mut load = none(elements + 1);
+        let (mut work, mut dissipated, mut worst): (f64, f64, f64) = (0.0, 0.0, 0.0);
+        let mut most: f64 = 0.0;
+        for step in 0..3000 {
+            load[elements][1] = if step < 40 { 3.0 * yield_moment() / LENGTH } else { 0.0 };
+            let before = state.clone();
+            let report = dynamics.step(&mut state, &load, 1e-3).unwrap();
+            if step == 30 {
+                let mut again = before.clone();
+                dynamics.step(&mut again, &none(elements + 1), 5e-3).unwrap();
+                let mut again = before.clone();
+                assert_eq!(dynamics.step(&mut again, &load, 1e-3).unwrap(), report);
+                assert_eq!(again, state, "a step redone");
+            }
+            work += pairing(&load, &moved(&before, &state));
+            dissipated += report.dissipated;
+            let energy = dynamics.kinetic_energy(&state) + dynamics.strain_energy(&state);
+            worst = worst.max((energy + dissipated - work).abs());
+            most = most.max(energy);
+            envelope.record(&dynamics, &state);
+        }
+        println!("rho {radius}: balance {:e} of {work} J, {dissipated} J dissipated", worst / work);
+        assert!(worst < 1e-9 * work && dissipated > 0.1 * work);
+        // The envelope: the root was bent beyond the limit, and the reserve is below one there.
+        let root = envelope.ends[0];
+        assert!(root.moment.largest() > yield_moment());
+        let (element, reserve) = envelope.reserve_factor(SOFT.yield_stress).unwrap();
+        assert!(element == 0 && reserve < 1.0, "element {element}, {reserve}");
+        assert!(root.fibre_strain.largest() > root.fibre_stress.largest() / MATERIAL.youngs_modulus);
+        if radius < 1.0 {
+            // At rest at last, with the dent of its plastic curvatures: each h/2 of an element, at its two places.
+            let length = LENGTH / elements as f64;
+            let dent: f64 = state
+                .plastic_curvature
+                .iter()
+                .enumerate()
+                .map(|(element, curvature)| {
+                    [-1.0, 1.0]
+                        .iter()
+                        .zip(curvature)
+                        .map(|(side, kappa)| {
+                            let x = length * (element as f64 + 0.5 + side / 12_f64.sqrt());
+                            0.5 * length * kappa * (LENGTH - x)
+                        })
+                        .sum::<f64>()
+                })
+                .sum();
+            let tip = state.displacement[elements][1];
+            println!("dent {tip}, of the plastic curvatures {dent}");
+            assert!(tip > 0.0 && (tip / dent - 1.0).abs() < 1e-3, "{tip} against {dent}");
+        }
+    }
+}
+
+#[test]
+fn envelopes_hold_the_extremes_and_their_times() {
+    let elements = 8;
+    let mut dynamics =
+        Dynamics::new(beam(elements), supports("cantilever", elements), CONSERVING, Damping::default()).unwrap();
+    let mut state = dynamics.at_rest();
+    let mut load = none(elements + 1);
+    load[elements] = [5.0, -10.0, 0.0];
+    let mut envelope = Envelope::new(dynamics.beam());
+    let (mut least, mut when, mut stress): (f64, f64, f64) = (f64::INFINITY, 0.0, 0.0);
+    for _ in 0..200 {
+        dynamics.step(&mut state, &load, 2e-3).unwrap();
+        envelope.record(&dynamics, &state);
+        let root = dynamics.section_forces(&state)[0];
+        if root.moment < least {
+            (least, when) = (root.moment, state.time);
+        }
+        stress = stress.max(root.fibre_stress(&section(), 0.01).abs()).max(root.fibre_stress(&section(), -0.01).abs());
+    }
+    let root = &envelope.ends[0];
+    assert_eq!((root.moment.least, root.moment.time_of_least), (least, when));
+    assert_eq!(root.fibre_stress.largest(), stress);
+    // A sudden load swings to about twice its static moment.
+    assert!((least / (-10.0 * LENGTH) - 2.0).abs() < 0.6, "{least}");
+    assert!(envelope.displacement[elements][1].least < 0.0 && envelope.displacement[0][1].largest() == 0.0);
+    let factors = envelope.reserve_factors(2.0 * stress).unwrap();
+    assert!((factors[0] - 2.0).abs() < 1e-12 && factors[elements - 1] > factors[0]);
+    assert!(matches!(envelope.reserve_factors(0.0), Err(Error::NotPositive { .. })));
+    assert_eq!(Envelope::new(dynamics.beam()).reserve_factor(1.0).unwrap().1, f64::INFINITY);
+}
+
+#[test]
+fn what_cannot_yield_says_so() {
+    let bad = |yield_stress, hardening_modulus| {
+        beam(2).with_plasticity(Plasticity { yield_stress, hardening_modulus }).unwrap_err()
+    };
+    assert!(matches!(bad(0.0, 1.0), Error::NotPositive { value: 0.0, .. }));
+    assert!(matches!(bad(1.0, -1.0), Error::OutOfRange { value: -1.0, .. }));
+    let thick = beam(2).with_theory(Theory::TIMOSHENKO).unwrap();
+    assert_eq!(thick.with_plasticity(SOFT).unwrap_err(), Error::PlasticTheory { element: 0 });
+    assert!(matches!(beam(2).with_plasticity_of(2, SOFT), Err(Error::NoSuchElement { item: "plasticity", .. })));
+    for rule in [Integration::GeneralisedAlpha { spectral_radius: 1.0 }, Integration::CentralDifference] {
+        let some = beam(3).with_plasticity_of(1, SOFT).unwrap();
+        let error = Dynamics::new(some, supports("cantilever", 3), rule, Damping::default()).unwrap_err();
+        assert!(matches!(error, Error::NoPlasticity { element: 1, .. }), "{error}");
+    }
+    let model = NonlinearStatics::new(yielding(2), supports("cantilever", 2)).unwrap();
+    let mut loads = Loads::default();
+    loads.at_node(2, [0.0, 1.0, 0.0]);
+    let error = model.path(&loads, 0.1, 1.0, 3, |_| false).unwrap_err();
+    assert!(matches!(error, Error::NoPlasticity { .. }), "{error}");
+}
