@@ -2,7 +2,7 @@
 //! how the fluid's forces go back to it.
 //!
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
-//! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles.
+//! [`tank`]. [`shape`], [`outline`], [`sampling`], [`thin`] and [`fill`] turn shapes into particles.
 
 pub mod beam_body;
 pub mod beam_surface;
