@@ -2,7 +2,7 @@
 //! how the fluid's forces go back to it.
 //!
 //! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
-//! [`tank`]. [`shape`], [`outline`], [`sampling`] and [`fill`] turn shapes into particles. [`host`] is the door for programs
+//! [`tank`], [`flexible_body`]. [`shape`], [`outline`], [`sampling`], [`thin`] and [`fill`] turn shapes into particles. [`host`] is the door for programs
 //! that keep their own loop.
 
 pub mod beam_surface;

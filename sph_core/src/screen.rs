@@ -47,7 +47,7 @@ impl Screen {
     /// the side it came from; `None` if it is on the same side, or went round an end.
     pub fn passed(&self, from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
         let start = if self.start.len() == self.points.len() { &self.start } else { &self.points };
-        let (mut found, mut times) = (None, 0);
+        let (mut found, mut times, mut at_corner) = (None, 0, None);
         let sides = self.points.len().saturating_sub(1);
         for k in 0..sides {
             let (before, after) = ([start[k], start[k + 1]], [self.points[k], self.points[k + 1]]);
@@ -63,6 +63,10 @@ impl Screen {
             if along < -lap(k == 0) || along > 1.0 + lap(k + 1 == sides) {
                 continue;
             }
+            if along < LAP && at_corner == Some(k) {
+                continue; // through the corner that the side before ends at: told once
+            }
+            at_corner = (along > 1.0 - LAP).then_some(k + 1);
             times += 1;
             let way = minus(after[1], after[0]);
             let to_left = s0.signum() / way[0].hypot(way[1]);
@@ -153,6 +157,9 @@ mod tests {
         let (at, normal) = still.passed([0.1, 0.2], [-0.1, 0.4]).expect("through the middle");
         assert!(at[0].abs() < 1e-15 && (at[1] - 0.3).abs() < 1e-15 && normal == [1.0, 0.0], "{at:?} {normal:?}");
         assert!(still.passed([-0.1, 0.5], [0.1, 0.5]).is_some(), "through a corner");
+        assert!(still.passed([-0.1, 0.4999], [0.1, 0.5003]).is_some(), "beside a corner");
+        let bend = Screen { points: vec![[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]], ..Screen::default() };
+        assert_eq!(bend.passed([-0.2, 0.1], [0.2, 0.1]), None, "in through one side, out through the next");
         assert_eq!(still.passed([0.1, 0.95], [-0.1, 1.06]), None, "round the end");
         assert_eq!(still.passed([0.1, 0.2], [0.001, 0.4]), None);
     }
