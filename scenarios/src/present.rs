@@ -1,5 +1,7 @@
 //! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
 
+mod panels;
+
 use crate::compare::{self, Comparison};
 use crate::observe::{GaugeResult, RuleResult};
 use crate::report::{
@@ -21,6 +23,9 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     }
     sections.push(("Flow".into(), pictures(scene, outcome.pictures.frames())));
     sections.push(("Curves".into(), charts(scene, outcome)));
+    if !summary.panels.is_empty() {
+        sections.push(("Panels".into(), panels::panels_section(summary)));
+    }
     if !summary.force_rules.is_empty() {
         sections.push(("Force by four rules".into(), force_rules_section(summary)));
     }
@@ -171,6 +176,8 @@ fn audit_table(s: &Summary) -> Block {
     let rows = vec![
         row(&["momentum: worst gap of a step, relative", &format!("{:.2e}", s.audit.momentum)]),
         row(&["energy: drift over the largest exchanged (negative: dissipated)", &format!("{:.4}", s.audit.energy)]),
+        row(&["work of the water that did not arrive at the body, relative", &format!("{:.2e}", s.audit.work)]),
+        row(&["work that an elastic body lost, relative", &format!("{:.2e}", s.audit.structure)]),
         row(&["volume: relative change", &format!("{:.2e}", s.audit.volume)]),
         row(&["particles found beyond a wall", &s.audit.penetrated.to_string()]),
     ];

@@ -173,6 +173,7 @@ struct Recorder {
     end: f64,
     ledger: EnergyLedger,
     energy_of_body: f64,
+    told_until: f64,
 }
 
 impl Recorder {
@@ -191,6 +192,7 @@ impl Recorder {
             end: scene.time.end,
             ledger: EnergyLedger::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
+            told_until: f64::NEG_INFINITY,
         })
     }
 
@@ -222,6 +224,7 @@ impl Recorder {
                 log.note(frame.time(), Level::Warning, &first)?;
             }
         }
+        self.tell_ruptures(system)?;
         self.ledger.observe(&frame)?;
         self.series.observe(&frame)?;
         self.pictures.observe(&frame)?;
@@ -234,6 +237,23 @@ impl Recorder {
         if let Some(log) = &mut self.log {
             log.observe(&frame)?;
         }
+        Ok(())
+    }
+
+    /// Say aloud, and in the log, what has broken since the last sample.
+    fn tell_ruptures(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+        for panel in system.bodies().flat_map(|b| b.panels()) {
+            for r in panel.ruptures.iter().filter(|r| r.time > self.told_until) {
+                let ([x, y], name) = (r.place, &panel.name);
+                let text =
+                    format!("{name} broke off at ({x:.5}, {y:.5}) m, t = {:.6} s, strain {:.4}", r.time, r.value);
+                warn!("{text}");
+                if let Some(log) = &mut self.log {
+                    log.note(system.fluid.time, Level::Warning, &text)?;
+                }
+            }
+        }
+        self.told_until = system.fluid.time;
         Ok(())
     }
 
