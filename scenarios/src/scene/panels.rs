@@ -1,4 +1,4 @@
-//! Panels that may not do what a scene means: too thin, too coarse, strained too far for the step.
+//! Panels that may not do what a scene means: too thin, or too fast for the step.
 
 use super::model::{Body, Motion, Panel, Scene};
 use super::model_panel::EndName;
@@ -7,8 +7,6 @@ use super::resolve_panel::line;
 
 /// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
 const MEMBRANE: f64 = 0.1;
-/// Particle spacings along an element from which the water sees the panel bend in corners [-].
-const COARSEST: f64 = 8.0;
 /// Periods of the first dry mode in a step from which the step leaves the panel's vibration out [-].
 const UNRESOLVED: f64 = 0.1;
 
@@ -16,9 +14,7 @@ const UNRESOLVED: f64 = 0.1;
 pub(super) fn doubtful_panels(scene: &Scene) -> Vec<String> {
     let Some(body) = &scene.body else { return Vec::new() };
     let each = body.panels.iter();
-    each.flat_map(|panel| [thin(scene, body, panel), coarse(scene, body, panel), slow(scene, body, panel)])
-        .flatten()
-        .collect()
+    each.flat_map(|panel| [thin(scene, body, panel), slow(scene, body, panel)]).flatten().collect()
 }
 
 fn length(body: &Body, panel: &Panel) -> f64 {
@@ -54,19 +50,6 @@ fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
             significant(pressure),
             significant(deflection / long),
             significant(panel.thickness * (deflection / (MEMBRANE * long)).cbrt())
-        )
-    })
-}
-
-fn coarse(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
-    let element = length(body, panel) / panel.elements as f64;
-    let across = element / scene.resolution.spacing;
-    (across > COARSEST).then(|| {
-        format!(
-            "{}: an element is {} spacings long; {} elements would follow the pressure better",
-            panel.name,
-            significant(across),
-            (length(body, panel) / (0.5 * COARSEST * scene.resolution.spacing)).ceil()
         )
     })
 }

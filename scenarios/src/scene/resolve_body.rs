@@ -39,7 +39,7 @@ pub(super) fn resolve_body(mut file: BodyFile, symmetry: Symmetry) -> Result<Bod
     check_locked_directions(&body)?;
     body.panels = resolve_panels(panels, &body, symmetry)?;
     if let Some(damping) = file.damping {
-        if body.panels.is_empty() {
+        if body.panels.is_empty() && damping != [0.0; 2] {
             return Err(Problem::new("body.damping", format!("{damping:?}"), "only with [[body.panels]]"));
         }
         for (k, value) in damping.iter().enumerate() {

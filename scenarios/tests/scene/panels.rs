@@ -1,0 +1,64 @@
+//! Panels that are refused or doubted before a run.
+
+use scenarios::scene::load;
+
+fn message(scene: &str, sets: &[&str]) -> String {
+    let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+    load(scene, &sets).map_or_else(|error| error.to_string(), |_| "it loads".into())
+}
+
+#[test]
+fn a_bad_panel_is_refused_with_key_given_and_expected() {
+    #[rustfmt::skip]
+    let table: &[(&str, &[&str])] = &[
+        ("thickness=0", &["`body.panels[0].thickness` = 0", "above 0"]),
+        ("thickness=-0.01", &["`body.panels[0].thickness` = -0.01", "above 0"]),
+        ("thickness=0.2", &["`body.panels[0].thickness` = 0.2", "half the panel's length of 0.3193 m"]),
+        ("elements=1", &["`body.panels[0].elements` = 1", "2 to 2000"]),
+        ("elements=100000", &["`body.panels[0].elements` = 100000", "2 to 2000"]),
+        ("youngs_modulus=0", &["`body.panels[0].youngs_modulus` = 0", "above 0"]),
+        ("poissons_ratio=0.5", &["`body.panels[0].poissons_ratio` = 0.5", "below 0.5"]),
+        ("density=nan", &["`body.panels[0].density` = NaN", "finite"]),
+        ("from=[0.1, 0.5]", &["`body.panels[0].from` = [0.1, 0.5]", "a point on the body's line", "m away"]),
+        ("from=[-0.1, 0.0364]", &["`body.panels[0].from`", "x >= 0 with symmetry"]),
+        ("to=[0.0, 0.0]", &["`body.panels[0].to`", "another point than from"]),
+        ("ends=[\"free\", \"sliding\"]", &["`body.panels[0].ends` = [free, sliding]", "at least one end clamped or pinned"]),
+        ("ends=[\"clamped\", \"mirror\"]", &["`body.panels[0].ends`", "mirror only at x = 0"]),
+        ("ends=[\"clamped\", \"welded\"]", &["body.panels", "clamped"]),
+        ("watch=[0.5, 1.2]", &["`body.panels[0].watch[1]` = 1.2", "0 to 1"]),
+        ("name=wedge", &["`body.panels[0].name` = \"wedge\"", "a name that no other panel or body has"]),
+        ("hardening_modulus=1e9", &["`body.panels[0].hardening_modulus`", "only with yield_stress"]),
+        ("rupture_strain=-1", &["`body.panels[0].rupture_strain` = -1", "above 0"]),
+        ("colour=red", &["colour"]),
+    ];
+    for (set, parts) in table {
+        let message = message("flexible_wedge", &[&format!("body.panels[0].{set}")]);
+        for part in *parts {
+            assert!(message.contains(part), "{set}: {part:?} is not in: {message}");
+        }
+    }
+    let both = message("flexible_wedge", &["body.panels[0].theory=timoshenko", "body.panels[0].yield_stress=1e8"]);
+    assert!(both.contains("`body.panels[0].theory`") && both.contains("euler_bernoulli"), "{both}");
+    let damped = message("wedge", &["body.damping=[1.0, 0.0]"]);
+    assert!(damped.contains("`body.damping`") && damped.contains("only with [[body.panels]]"), "{damped}");
+}
+
+/// A panel that would be unstable, a membrane, or stepped over is doubted aloud, with a number and a cure.
+#[test]
+fn a_doubtful_panel_is_warned_about() {
+    let warned = |scene: &str, sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        load(scene, &sets).expect("it loads").warnings.join("\n")
+    };
+    let sound = warned("flexible_wedge", &[]);
+    assert!(!sound.contains("plate"), "{sound}");
+    let light = warned("flexible_wedge", &["coupling.scheme=weak", "body.panels[0].thickness=0.001"]);
+    assert!(light.contains("plate is light for coupling.scheme = \"weak\"") && light.contains("added_mass"), "{light}");
+    let thin = warned("flexible_wedge", &["body.panels[0].thickness=0.0002"]);
+    assert!(thin.contains("plate is so thin that") && thin.contains("a thickness of"), "{thin}");
+    let slow = warned(
+        "flexible_wedge",
+        &["time.step=1e-5", "body.panels[0].density=0.001", "body.panels[0].youngs_modulus=1e12"],
+    );
+    assert!(slow.contains("of the period of plate's first dry mode"), "{slow}");
+}
