@@ -73,16 +73,19 @@ fn the_options_bits_do_not_depend_on_threads() {
     }
 }
 
-/// So are the sums of the coupling schemes.
+/// So are the sums of the coupling schemes, of rigid bodies and of bodies that bend.
 #[test]
 fn the_couplings_bits_do_not_depend_on_threads() {
-    for scheme in ["coupling.scheme=added_mass", "coupling.scheme=iqn_ils"] {
-        let sets = ["resolution.spacing=0.033", "body.mass=4", "body.position=[0.0, -0.2]", "body.angle_deg=8", scheme];
-        let with = |threads: usize| {
-            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
-            pool.install(|| bits(&stepped("floating_box", &sets)))
-        };
-        assert_eq!(with(1), with(3), "{scheme}");
+    let boxed = ["resolution.spacing=0.033", "body.mass=4", "body.position=[0.0, -0.2]", "body.angle_deg=8"];
+    for (name, sets) in [("floating_box", &boxed[..]), ("flexible_wedge", &["resolution.spacing=0.02"])] {
+        for scheme in ["coupling.scheme=added_mass", "coupling.scheme=iqn_ils"] {
+            let sets = [sets, &[scheme]].concat();
+            let with = |threads: usize| {
+                let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
+                pool.install(|| bits(&stepped(name, &sets)))
+            };
+            assert_eq!(with(1), with(3), "{name}: {scheme}");
+        }
     }
 }
 
