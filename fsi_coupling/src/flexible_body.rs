@@ -31,6 +31,7 @@ pub struct FlexibleBody {
     plate: Option<Plate>,
     screen: Vec<Carrier>,
     skin: Skin,
+    gravity: [f64; 2],
     weight: Vec<[f64; 3]>,
     outline: Outline,
     state: Moving,
@@ -102,6 +103,7 @@ impl FlexibleBody {
             plate: None,
             screen: Vec::new(),
             skin,
+            gravity,
             weight,
             outline,
             state,
@@ -129,6 +131,19 @@ impl FlexibleBody {
         let State { displacement, velocity, acceleration, .. } = &self.state.nodes;
         let each = displacement.iter().zip(velocity).zip(acceleration);
         each.map(|((q, v), a)| [0, 1, 2].map(|k| q[k] + ahead * (v[k] + 0.5 * ahead * a[k]))).collect()
+    }
+
+    /// After a step, or a step taken back: what broke off carries its own weight, and the frame's node may be elsewhere.
+    fn settle(&mut self) {
+        self.model.settle();
+        self.weight = self.model.dynamics.weight(self.gravity);
+    }
+
+    /// −Σ W·x: potential energy of the structure that is simulated [J/m].
+    fn potential(&self) -> f64 {
+        let places = self.model.dynamics.beam().nodes().iter().zip(&self.state.nodes.displacement);
+        let each = self.weight.iter().zip(places);
+        -each.map(|(w, (x, q))| w[0] * (x[0] + q[0]) + w[1] * (x[1] + q[1]) + w[2] * q[2]).sum::<f64>()
     }
 
     fn frame(&self) -> Rigid {
@@ -281,7 +296,7 @@ impl WettedBody for FlexibleBody {
             m.now.iter().zip(&self.weight).map(|(load, weight)| [0, 1, 2].map(|k| load[k] + weight[k])).collect();
         dynamics.equilibrate_over(&mut m.nodes, &now, dt).map_err(|error| BodyError::structure(&self.name, &error))?;
         m.envelope.record(dynamics, &m.nodes);
-        self.model.settle();
+        self.settle();
         self.follow()
     }
 
@@ -298,7 +313,7 @@ impl WettedBody for FlexibleBody {
             (self.state, self.outline) = (state.clone(), outline.clone());
             // a model that was laid out before can be laid out again
             let _ = self.model.dynamics.adopt(&self.state.nodes);
-            self.model.settle();
+            self.settle();
         }
     }
 
@@ -306,7 +321,7 @@ impl WettedBody for FlexibleBody {
         let (nodes, whole) = (&self.state.nodes, 1.0 / self.model.share);
         Energy {
             kinetic: whole * self.model.dynamics.kinetic_energy(nodes),
-            potential: -whole * pairing(&self.weight, &nodes.displacement),
+            potential: whole * self.potential(),
             elastic: whole * self.model.dynamics.strain_energy(nodes),
             work: whole * self.state.work,
             support: whole * self.state.support,

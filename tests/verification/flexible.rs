@@ -172,3 +172,19 @@ fn an_end_that_is_strained_too_far_breaks_off() {
     assert_eq!(ruptures(&system)[0], first);
     assert!(system.momentum_audit().worst < 1e-10, "{}", system.momentum_audit().worst);
 }
+
+/// What has broken off still weighs what it weighed: weight and potential energy close through a rupture.
+#[test]
+fn a_rupture_changes_neither_weight_nor_energy() {
+    let mut system = system("flexible_wedge", &[&WEDGE[..], &["body.panels[0].rupture_strain=3e-4"]].concat());
+    let held = |s: &Coupled| {
+        let e = body(s).energy();
+        e.kinetic + e.potential + e.elastic + e.dissipated - e.work - e.support
+    };
+    let start = held(&system);
+    advance(&mut system, 0.001, |_| ()).expect("a stable run");
+    assert!(!body(&system).panels()[0].ruptures.is_empty());
+    let gap = (held(&system) - start) / system.work_audit(0).exchanged;
+    println!("gap {gap:.1e} of {:.2} J/m", system.work_audit(0).exchanged);
+    assert!(gap.abs() < 1e-6, "{gap}");
+}
