@@ -1,6 +1,6 @@
 //! From what a flexible body is made of to its finite elements.
 
-use structure_fe::{Beam, Damping, Dof, Dynamics, Integration, State, Supports};
+use structure_fe::{Beam, Damping, Dof, Dynamics, Integration, State, SupportMotion, Supports};
 
 use crate::beam_surface::BeamSurface;
 use crate::body::BodyError;
@@ -167,5 +167,16 @@ impl Model {
             [v[0], v[1], told.spin],
             [a[0], a[1], told.spin_rate],
         ]
+    }
+
+    /// Tell the frame's node how to move.
+    pub fn prescribe(&mut self, told: &Rigid) -> Result<(), structure_fe::Error> {
+        let [displacement, velocity, acceleration] = self.node_of(told);
+        for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
+            let motion =
+                SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
+            self.dynamics.prescribe(self.carriage.frame, dof, motion)?;
+        }
+        Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! A body whose surface bends: panels of beam elements on a rigid frame, one set of equations (THEORY K1–K6).
 
-use structure_fe::{Dof, Dynamics, Envelope, State, SupportMotion};
+use structure_fe::{Dynamics, Envelope, State};
 
 use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
@@ -8,6 +8,7 @@ use crate::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
 use crate::carrier::Carrier;
 use crate::flexible::{FlexibleSpec, Frame, Model};
 use crate::flexible_yield::FlexibleYield;
+use crate::moving::{Moving, pairing};
 use crate::outline::Outline;
 use crate::panel_state::{PanelState, state_of};
 use crate::pose::{Rigid, rotate};
@@ -38,28 +39,6 @@ pub struct FlexibleBody {
     saved: Option<(Moving, Outline)>,
 }
 
-/// What a step changes.
-#[derive(Clone)]
-struct Moving {
-    nodes: State,
-    /// Load of the fluid on the nodes: the mean over the step, and now.
-    mean: Vec<[f64; 3]>,
-    now: Vec<[f64; 3]>,
-    /// Where the fluid last saw the boundary particles [m]: where they were expected. What the expectation missed is made
-    /// up in the next step's velocity, so that the fluid sees a path without jumps (K5).
-    shown: Vec<[f64; 2]>,
-    /// Impulses of blows that the next step takes up.
-    struck: Vec<[f64; 3]>,
-    /// Resultant force of the fluid now [N/m], and its moment about the tank's origin [N].
-    force: [f64; 3],
-    external: [f64; 2],
-    work: f64,
-    support: f64,
-    dissipated: f64,
-    /// What the panels have borne so far.
-    envelope: Envelope,
-}
-
 impl FlexibleBody {
     /// The body at the start, its panels undeformed, under its own weight alone.
     pub fn new(spec: FlexibleSpec) -> Result<FlexibleBody, BodyError> {
@@ -71,24 +50,11 @@ impl FlexibleBody {
             Frame::Free { free, .. } => (None, free),
         };
         if let Some(law) = &law {
-            prescribe(&mut model, &law(0.0)).map_err(|error| BodyError::structure(&name, &error))?;
+            model.prescribe(&law(0.0)).map_err(|error| BodyError::structure(&name, &error))?;
         }
         model.dynamics.equilibrate(&mut nodes, &weight).map_err(|error| BodyError::structure(&name, &error))?;
-        let still = vec![[0.0; 3]; weight.len()];
         let skin = Skin::new(&outline, &model, half);
-        let state = Moving {
-            nodes,
-            mean: still.clone(),
-            shown: Vec::new(),
-            now: still.clone(),
-            struck: still,
-            force: [0.0; 3],
-            external: [0.0; 2],
-            work: 0.0,
-            support: 0.0,
-            dissipated: 0.0,
-            envelope: Envelope::new(model.dynamics.beam()),
-        };
+        let state = Moving::new(nodes, Envelope::new(model.dynamics.beam()));
         let (arrangement, carriers) = (Arrangement::default(), Vec::new());
         let rest = outline.clone();
         Ok(FlexibleBody {
@@ -167,21 +133,6 @@ impl FlexibleBody {
     fn both(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         if self.half { [0.0, 2.0 * y] } else { [x, y] }
     }
-}
-
-/// Tell the frame's node how to move.
-fn prescribe(model: &mut Model, told: &Rigid) -> Result<(), structure_fe::Error> {
-    let [displacement, velocity, acceleration] = model.node_of(told);
-    for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
-        let motion =
-            SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
-        model.dynamics.prescribe(model.carriage.frame, dof, motion)?;
-    }
-    Ok(())
-}
-
-fn pairing(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
-    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
 }
 
 impl WettedBody for FlexibleBody {
@@ -269,7 +220,7 @@ impl WettedBody for FlexibleBody {
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
         if let Some(law) = &self.law {
             let told = law(self.state.nodes.time + dt);
-            prescribe(&mut self.model, &told).map_err(|error| BodyError::structure(&self.name, &error))?;
+            self.model.prescribe(&told).map_err(|error| BodyError::structure(&self.name, &error))?;
         }
         let (m, dynamics) = (&mut self.state, &mut self.model.dynamics);
         let before = (m.nodes.displacement.clone(), dynamics.momentum(&m.nodes));

@@ -21,6 +21,7 @@ pub mod flexible_body;
 pub mod flexible_yield;
 pub mod force_rules;
 pub mod host;
+mod moving;
 pub mod nodal;
 pub mod outline;
 pub mod panel;
