@@ -167,6 +167,11 @@ pub trait WettedBody: Send {
     /// Shape in the body's frame, for pictures.
     fn outline(&self) -> Option<&Outline>;
 
+    /// Where in space [m] the surface of a body that bends crosses itself, if it does.
+    fn crossing(&self) -> Option<[f64; 2]> {
+        None
+    }
+
     /// Distance of a point from the body's surface [m], positive in the fluid.
     fn clearance(&self, at: [f64; 2]) -> f64;
 
@@ -177,6 +182,12 @@ pub trait WettedBody: Send {
     /// whose motion says it.
     fn ride(&self, _at: [f64; 2]) -> Option<(Surface, [f64; 2])> {
         None
+    }
+
+    /// Velocity along a unit normal that a blow of unit impulse gives a place in space, within a step of `dt` [s] [m/kg]; 0 for a
+    /// body that is taken as too heavy to feel a particle.
+    fn mobility(&mut self, _at: [f64; 2], _normal: [f64; 2], _dt: f64) -> f64 {
+        0.0
     }
 
     /// A blow: an impulse [N s/m] at a place in space, at once, besides the load.

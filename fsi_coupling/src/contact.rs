@@ -16,15 +16,21 @@ const BELOW_FACE: f64 = 0.5;
 
 /// T5: take a particle that went through a screen of `body`, of the given half thickness [m], back to the face it met; the work
 /// of the blow on the body [J/m].
-pub(crate) fn take_back(fluid: &mut Fluid, passage: &Passage, half_thickness: f64, body: &mut dyn WettedBody) -> f64 {
+pub(crate) fn take_back(
+    fluid: &mut Fluid,
+    passage: &Passage,
+    half_thickness: f64,
+    body: &mut dyn WettedBody,
+    dt: f64,
+) -> f64 {
     let below = BELOW_FACE * half_thickness;
     let Passage { particle, at, normal, .. } = *passage;
     fluid.put(particle, [at[0] + below * normal[0], at[1] + below * normal[1]]);
-    throw_back(fluid, particle, body)
+    throw_back(fluid, particle, body, dt)
 }
 
 /// Throw particle `k` back if it is beyond the surface of `body`; the work of the blow on the body [J/m].
-pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody) -> f64 {
+pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody, dt: f64) -> f64 {
     let mirrored = fluid.parameters.mirror.is_some();
     let p = &mut fluid.particles;
     let at = [p.x[k], p.y[k]];
@@ -39,10 +45,14 @@ pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody)
     if approach >= 0.0 {
         return 0.0;
     }
-    p.u[k] -= approach * n[0];
-    p.v[k] -= approach * n[1];
-    let blow = [p.mass[k] * approach * n[0], p.mass[k] * approach * n[1]];
-    let work = blow[0] * surface.velocity[0] + blow[1] * surface.velocity[1];
+    // what yields to the blow takes part of the approach: both end with one velocity, and no energy comes of it
+    let yields = body.mobility(surface.at, n, dt);
+    let stopped = approach / (1.0 + p.mass[k] * yields);
+    p.u[k] -= stopped * n[0];
+    p.v[k] -= stopped * n[1];
+    let blow = [p.mass[k] * stopped * n[0], p.mass[k] * stopped * n[1]];
+    let size = p.mass[k] * stopped;
+    let work = blow[0] * surface.velocity[0] + blow[1] * surface.velocity[1] + 0.5 * size * size * yields;
     if mirrored {
         body.strike_both(surface.at, blow);
         return 2.0 * work;

@@ -178,8 +178,8 @@ impl Coupled {
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
-        let taken_back = self.take_back(); //                           contact with thin plates
-        let thrown_back = self.throw_back(); //                         contact of single particles
+        let taken_back = self.take_back(dt); //                           contact with thin plates
+        let thrown_back = self.throw_back(dt); //                         contact of single particles
         self.note_work(dt, taken_back.iter().zip(&thrown_back).map(|(a, b)| a + b));
         self.close_momentum(dt);
         self.refuse_collision()
@@ -212,13 +212,13 @@ impl Coupled {
     }
 
     /// T5: particles that went through a thin plate return to the face they met; the work of the blows on each body [J/m].
-    fn take_back(&mut self) -> Vec<f64> {
+    fn take_back(&mut self, dt: f64) -> Vec<f64> {
         let mut blows = vec![0.0; self.members.len()];
         for passage in self.fluid.passages(&self.walls) {
             let half = self.walls.screens[passage.screen].half_thickness;
             let owner = self.members.iter_mut().zip(&mut blows).find(|(m, _)| m.screens.contains(&passage.screen));
             if let Some((m, work)) = owner {
-                *work += take_back(&mut self.fluid, &passage, half, m.body.as_mut());
+                *work += take_back(&mut self.fluid, &passage, half, m.body.as_mut(), dt);
                 self.stopped += 1;
             }
         }
@@ -231,11 +231,11 @@ impl Coupled {
     }
 
     /// E25: particles beyond a body's surface return to it; likewise.
-    fn throw_back(&mut self) -> Vec<f64> {
+    fn throw_back(&mut self, dt: f64) -> Vec<f64> {
         let mut blows = vec![0.0; self.members.len()];
         for particle in self.fluid.suspects(&self.walls) {
             for (m, work) in self.members.iter_mut().zip(&mut blows) {
-                *work += throw_back(&mut self.fluid, particle, m.body.as_mut());
+                *work += throw_back(&mut self.fluid, particle, m.body.as_mut(), dt);
             }
         }
         blows

@@ -112,6 +112,24 @@ impl FlexibleBody {
         -each.map(|(w, (x, q))| w[0] * (x[0] + q[0]) + w[1] * (x[1] + q[1]) + w[2] * q[2]).sum::<f64>()
     }
 
+    /// Loads on the nodes of an impulse [N s/m] at a place of the surface in space [m].
+    fn loads_of(&self, at: [f64; 2], impulse: [f64; 2]) -> Vec<[f64; 3]> {
+        let mut loads = vec![[0.0; 3]; self.weight.len()];
+        let (found, q) = (self.to_frame(at), &self.state.nodes.displacement);
+        self.skin.carry(&self.model.carriage, &self.outline, found, q, impulse, &mut loads);
+        loads
+    }
+
+    /// Velocities that impulses on the nodes give within a step of `dt` [s] (S24); none where that has no answer.
+    fn answer(&mut self, impulses: &[[f64; 3]], dt: f64) -> Vec<[f64; 3]> {
+        let still = || vec![[0.0; 3]; impulses.len()];
+        if dt <= 0.0 {
+            return still();
+        }
+        let inertia = self.model.dynamics.effective_inertia(&self.state.nodes, dt);
+        inertia.solve(impulses).unwrap_or_else(|_| still())
+    }
+
     fn frame(&self) -> Rigid {
         self.model.frame(&self.state.nodes)
     }
@@ -119,7 +137,10 @@ impl FlexibleBody {
     /// The outline where the structure is now.
     fn follow(&mut self) -> Result<(), BodyError> {
         let frame = self.frame();
-        self.outline = self.skin.outline(&self.model.carriage, &self.state.nodes.displacement, &frame)?;
+        let nodes = &self.state.nodes;
+        let placed = self.skin.outline(&self.model.carriage, &nodes.displacement, &frame);
+        let lost = || BodyError::NotFinite { name: self.name.clone(), time: nodes.time };
+        self.outline = placed.ok_or_else(lost)?;
         Ok(())
     }
 
@@ -243,6 +264,7 @@ impl WettedBody for FlexibleBody {
         m.dissipated += report.dissipated;
         m.support += report.support_work;
         m.struck.fill([0.0; 3]);
+        m.shaken.fill([0.0; 3]);
         let now: Vec<[f64; 3]> =
             m.now.iter().zip(&self.weight).map(|(load, weight)| [0, 1, 2].map(|k| load[k] + weight[k])).collect();
         dynamics.equilibrate_over(&mut m.nodes, &now, dt).map_err(|error| BodyError::structure(&self.name, &error))?;
@@ -313,6 +335,12 @@ impl WettedBody for FlexibleBody {
         Some(&self.outline)
     }
 
+    fn crossing(&self) -> Option<[f64; 2]> {
+        let (at, frame) = (self.outline.crossing()?, self.frame());
+        let at = rotate(at, frame.angle);
+        Some([0, 1].map(|k| frame.pole[k] + at[k]))
+    }
+
     fn clearance(&self, at: [f64; 2]) -> f64 {
         self.outline.signed_distance(self.to_frame(at))
     }
@@ -321,7 +349,9 @@ impl WettedBody for FlexibleBody {
         let (frame, nodes) = (self.frame(), &self.state.nodes);
         let (found, normal) = self.outline.nearest(self.to_frame(at));
         let at = rotate(found, frame.angle);
-        let velocity = self.skin.velocity(&self.model.carriage, &self.outline, found, nodes);
+        let each = nodes.velocity.iter().zip(&self.state.shaken);
+        let moving: Vec<[f64; 3]> = each.map(|(v, s)| [0, 1, 2].map(|k| v[k] + s[k])).collect();
+        let velocity = self.skin.velocity(&self.model.carriage, &self.outline, found, (&nodes.displacement, &moving));
         Surface { at: [0, 1].map(|k| frame.pole[k] + at[k]), normal: rotate(normal, frame.angle), velocity }
     }
 
@@ -339,9 +369,17 @@ impl WettedBody for FlexibleBody {
     }
 
     fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
-        let found = self.to_frame(at);
+        let loads = self.loads_of(at, impulse);
+        let shaken = self.answer(&loads, self.state.dt);
         let m = &mut self.state;
-        self.skin.carry(&self.model.carriage, &self.outline, found, &m.nodes.displacement, impulse, &mut m.struck);
+        let sums = m.struck.iter_mut().zip(&loads).chain(m.shaken.iter_mut().zip(&shaken));
+        sums.for_each(|(sum, more)| (0..3).for_each(|k| sum[k] += more[k]));
+    }
+
+    fn mobility(&mut self, at: [f64; 2], normal: [f64; 2], dt: f64) -> f64 {
+        self.state.dt = dt;
+        let loads = self.loads_of(at, normal);
+        pairing(&loads, &self.answer(&loads, dt)).max(0.0)
     }
 
     /// The half that is simulated feels its own blow; its image is the other half's.

@@ -14,6 +14,10 @@ pub(crate) struct Moving {
     pub shown: Vec<[f64; 2]>,
     /// Impulses of blows that the next step takes up.
     pub struck: Vec<[f64; 3]>,
+    /// What these blows will have made of the velocities.
+    pub shaken: Vec<[f64; 3]>,
+    /// Length of the step that they are taken up in, by the last one [s].
+    pub dt: f64,
     /// Resultant force of the fluid now [N/m], and its moment about the tank's origin [N].
     pub force: [f64; 3],
     pub external: [f64; 2],
@@ -33,7 +37,9 @@ impl Moving {
             mean: still.clone(),
             now: still.clone(),
             shown: Vec::new(),
-            struck: still,
+            struck: still.clone(),
+            shaken: still,
+            dt: 0.0,
             force: [0.0; 3],
             external: [0.0; 2],
             work: 0.0,

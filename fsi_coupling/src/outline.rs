@@ -58,14 +58,7 @@ impl Outline {
         if loops.is_empty() {
             return Err(BodyError::Outline("a body needs at least one polygon".into()));
         }
-        let (mut points, mut sides) = (Vec::new(), Vec::new());
-        for part in &loops {
-            let (first, n) = (points.len() as u32, part.len() as u32);
-            points.extend(part.iter().map(|v| Vector::new(v[0], v[1])));
-            sides.extend((0..n).map(|k| [first + k, first + (k + 1) % n]));
-        }
-        let polyline = Polyline::with_flags(points, Some(sides), PolylineFlags::ORIENTED);
-        let outline = Outline { polyline, loops, plate: None };
+        let outline = Outline::joined(loops);
         let inside = |k: usize, v: &[f64; 2]| {
             let others = Outline::compound(&[outline.loops[k].clone()]);
             others.is_ok_and(|o| o.signed_distance(*v) <= 0.0)
@@ -78,6 +71,27 @@ impl Outline {
             }
         }
         Ok(outline)
+    }
+
+    /// Loops as they are deformed [m]: they may cross themselves, and are then inside where they run counter-clockwise round.
+    pub(crate) fn deformed(loops: Vec<Vec<[f64; 2]>>) -> Option<Outline> {
+        let sound = loops.iter().flatten().flatten().all(|c| c.is_finite());
+        sound.then(|| Outline::joined(loops))
+    }
+
+    /// Where a loop crosses itself [m], if it does.
+    pub(crate) fn crossing(&self) -> Option<[f64; 2]> {
+        self.loops.iter().find_map(|l| polygon::first_crossing(l).map(|(side, _)| l[side]))
+    }
+
+    fn joined(loops: Vec<Vec<[f64; 2]>>) -> Outline {
+        let (mut points, mut sides) = (Vec::new(), Vec::new());
+        for part in &loops {
+            let (first, n) = (points.len() as u32, part.len() as u32);
+            points.extend(part.iter().map(|v| Vector::new(v[0], v[1])));
+            sides.extend((0..n).map(|k| [first + k, first + (k + 1) % n]));
+        }
+        Outline { polyline: Polyline::with_flags(points, Some(sides), PolylineFlags::ORIENTED), loops, plate: None }
     }
 
     /// The loops of corners, each counter-clockwise [m].

@@ -1,8 +1,5 @@
 //! The outline of a flexible body as it is deformed, for contact, pictures and the count of strayed particles.
 
-use structure_fe::State;
-
-use crate::body::BodyError;
 use crate::carrier::{Carriage, Carrier, Nodal};
 use crate::course::Course;
 use crate::flexible::Model;
@@ -48,14 +45,14 @@ impl Skin {
     }
 
     /// The outline in the body's frame [m] when the nodes are displaced by q and the frame is where it is.
-    pub fn outline(&self, carriage: &Carriage, q: Nodal, frame: &Rigid) -> Result<Outline, BodyError> {
+    pub fn outline(&self, carriage: &Carriage, q: Nodal, frame: &Rigid) -> Option<Outline> {
         let place = |corner: &Corner| {
             let [x, y] = carriage.place(&corner.carrier, q).at;
             let [x, y] = rotate([x - frame.pole[0], y - frame.pole[1]], -frame.angle);
             if corner.image { [-x, y] } else { [x, y] }
         };
         let loops: Vec<Vec<[f64; 2]>> = self.loops.iter().map(|l| l.iter().map(place).collect()).collect();
-        Outline::compound(&loops)
+        Outline::deformed(loops)
     }
 
     /// The corners at the ends of the side that a place of the outline lies on, each with its share of it.
@@ -75,10 +72,16 @@ impl Skin {
     }
 
     /// Velocity [m/s] of a place of the outline [m, body's frame].
-    pub fn velocity(&self, carriage: &Carriage, outline: &Outline, at: [f64; 2], nodes: &State) -> [f64; 2] {
+    pub fn velocity(
+        &self,
+        carriage: &Carriage,
+        outline: &Outline,
+        at: [f64; 2],
+        (q, rate): (Nodal, Nodal),
+    ) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (corner, share) in self.ends(outline, at) {
-            let [u, v] = carriage.velocity(&corner.carrier, &nodes.displacement, &nodes.velocity);
+            let [u, v] = carriage.velocity(&corner.carrier, q, rate);
             let u = if corner.image { -u } else { u };
             sum = [sum[0] + share * u, sum[1] + share * v];
         }

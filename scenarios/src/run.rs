@@ -80,6 +80,8 @@ pub struct Outcome {
     pub pictures: FlowPictures,
 }
 
+/// Share of the exchanged work that may be lost on the way unmentioned.
+const LARGEST_WORK_GAP: f64 = 0.01;
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
 /// Between two calls of the progress function.
@@ -115,6 +117,13 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
     let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume);
     recorder.series.flush()?;
+    if summary.audit.work > LARGEST_WORK_GAP {
+        warn!(
+            "{:.1} % of the work that the water did on the body did not arrive as such: the steps are too long for how fast it \
+             bends; take a smaller time.step or fluid.cfl",
+            100.0 * summary.audit.work
+        );
+    }
     if let Some(log) = recorder.log {
         log.finish()?;
     }
@@ -174,6 +183,7 @@ struct Recorder {
     ledger: EnergyLedger,
     energy_of_body: f64,
     told_until: f64,
+    told_crossing: bool,
 }
 
 impl Recorder {
@@ -193,6 +203,7 @@ impl Recorder {
             ledger: EnergyLedger::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
             told_until: f64::NEG_INFINITY,
+            told_crossing: false,
         })
     }
 
@@ -254,6 +265,19 @@ impl Recorder {
             }
         }
         self.told_until = system.fluid.time;
+        if let (false, Some((body, [x, y]))) =
+            (self.told_crossing, system.bodies().find_map(|b| Some((b.name(), b.crossing()?))))
+        {
+            self.told_crossing = true;
+            let text = format!(
+                "the surface of `{body}` crosses itself at ({x:.5}, {y:.5}) m, t = {:.6} s: what is inside is no longer sure",
+                system.fluid.time
+            );
+            warn!("{text}");
+            if let Some(log) = &mut self.log {
+                log.note(system.fluid.time, Level::Warning, &text)?;
+            }
+        }
         Ok(())
     }
 

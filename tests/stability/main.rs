@@ -9,6 +9,7 @@ mod host;
 mod noise;
 mod options;
 mod order;
+mod panels;
 mod schemes;
 mod thin_walls;
 mod walls;

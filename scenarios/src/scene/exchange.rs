@@ -4,6 +4,7 @@ use fsi_coupling::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
 
 use super::model::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry};
+use super::panels::panel_length;
 use super::problem::significant;
 
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
@@ -39,8 +40,12 @@ impl ExchangeRatio {
 /// Mass, mass and moment of inertia [kg/m, kg/m, kg m]; `None` where the body is held.
 fn inertia(scene: &Scene, freedom: &Freedom) -> [Option<f64>; 3] {
     let whole = scene.symmetry == Symmetry::None;
-    let x = (freedom.x && whole).then_some(freedom.mass);
-    [x, freedom.y.then_some(freedom.mass), freedom.inertia.filter(|_| whole)]
+    let halves = if whole { 1.0 } else { 2.0 };
+    let body = scene.body.iter();
+    let of_panels: f64 = body.flat_map(|b| b.panels.iter().map(|p| p.density * p.thickness * panel_length(b, p))).sum();
+    let mass = freedom.mass + halves * of_panels;
+    let x = (freedom.x && whole).then_some(mass);
+    [x, freedom.y.then_some(mass), freedom.inertia.filter(|_| whole)]
 }
 
 /// ½ ρ Δx ∮ (n_x², n_y², (r×n)²) ds over the faces that may be wet from the start: all of a body under water, else those

@@ -28,7 +28,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     let symmetry = file.symmetry.unwrap_or_default();
     let gravity = file.gravity.unwrap_or([0.0, -9.81]);
     let time = resolve_time(&file.time)?;
-    let body = file.body.map(|body| resolve_body(body, symmetry)).transpose()?;
+    let body = file.body.map(|body| resolve_body(body, symmetry, file.resolution.spacing)).transpose()?;
     let density = positive("fluid.density", file.fluid.density.unwrap_or(1000.0))?;
     let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end));
     let fastest = match &entry {

@@ -13,7 +13,7 @@ const SIDE_OVER_BREADTH: f64 = 0.25;
 /// Smallest cosine of the angle by which a plate's middle line turns: sharper corners have no sensible mitre.
 const SHARPEST_TURN: f64 = -0.5;
 
-pub(super) fn resolve_body(mut file: BodyFile, symmetry: Symmetry) -> Result<Body, Problem> {
+pub(super) fn resolve_body(mut file: BodyFile, symmetry: Symmetry, spacing: Option<f64>) -> Result<Body, Problem> {
     let panels = std::mem::take(&mut file.panels);
     let shape = resolve_shape(&file)?;
     let motion = resolve_motion(&file, symmetry)?;
@@ -37,7 +37,7 @@ pub(super) fn resolve_body(mut file: BodyFile, symmetry: Symmetry) -> Result<Bod
         [0.0, 0.0 - lowest[1]]
     });
     check_locked_directions(&body)?;
-    body.panels = resolve_panels(panels, &body, symmetry)?;
+    body.panels = resolve_panels(panels, &body, symmetry, spacing)?;
     if let Some(damping) = file.damping {
         if body.panels.is_empty() && damping != [0.0; 2] {
             return Err(Problem::new("body.damping", format!("{damping:?}"), "only with [[body.panels]]"));

@@ -7,8 +7,10 @@ use super::problem::{Problem, not_negative, positive, required, significant, wit
 use fsi_coupling::Shape;
 use fsi_coupling::course::Course;
 
-/// Elements, where the scene does not say.
-const ELEMENTS: usize = 24;
+/// Elements, where the scene does not say: so many, or fewer that none is shorter than two spacings, but some in any case.
+const ELEMENTS: [f64; 2] = [8.0, 24.0];
+/// Places of a panel that are tried for another panel there.
+const PROBES: u32 = 64;
 /// Most elements that make sense: a step of as many costs as much as one of thousands of particles.
 const MOST_ELEMENTS: usize = 2000;
 
@@ -20,31 +22,39 @@ pub(super) fn line(shape: &Shape) -> Course {
     }
 }
 
-pub(super) fn resolve_panels(files: Vec<PanelFile>, body: &Body, symmetry: Symmetry) -> Result<Vec<Panel>, Problem> {
-    let panels: Vec<Panel> = files
-        .into_iter()
-        .enumerate()
-        .map(|(i, file)| resolve_panel(i, file, body, symmetry))
-        .collect::<Result<_, _>>()?;
+pub(super) fn resolve_panels(
+    files: Vec<PanelFile>,
+    body: &Body,
+    symmetry: Symmetry,
+    spacing: Option<f64>,
+) -> Result<Vec<Panel>, Problem> {
+    let each = files.into_iter().enumerate();
+    let panels: Vec<Panel> =
+        each.map(|(i, file)| resolve_panel(i, file, body, symmetry, spacing)).collect::<Result<_, _>>()?;
     let line = line(&body.shape);
     let reach = |panel: &Panel| [panel.from, panel.to].map(|end| line.nearest(end).0);
     for (i, panel) in panels.iter().enumerate() {
-        let middle = line
-            .nearest(
-                line.part(reach(panel)[0], reach(panel)[1])
-                    .at(0.5 * line.part(reach(panel)[0], reach(panel)[1]).length()),
-            )
-            .0;
-        if let Some(other) = panels.iter().enumerate().find(|(j, other)| *j != i && line.between(middle, reach(other)))
-        {
-            let expected = format!("a part of the line that body.panels[{}] does not take", other.0);
+        let [from, to] = reach(panel);
+        let part = line.part(from, to);
+        // places of this panel, ends left out
+        let within = (1..PROBES).map(|k| line.nearest(part.at(part.length() * f64::from(k) / f64::from(PROBES))).0);
+        let within: Vec<f64> = within.collect();
+        let taken = |(j, other): &(usize, &Panel)| *j != i && within.iter().any(|s| line.between(*s, reach(other)));
+        if let Some((j, _)) = panels.iter().enumerate().find(taken) {
+            let expected = format!("a part of the line that body.panels[{j}] does not take");
             return Err(Problem::new(&format!("body.panels[{i}].from"), format!("{:?}", panel.from), expected));
         }
     }
     Ok(panels)
 }
 
-fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> Result<Panel, Problem> {
+fn resolve_panel(
+    i: usize,
+    file: PanelFile,
+    body: &Body,
+    symmetry: Symmetry,
+    spacing: Option<f64>,
+) -> Result<Panel, Problem> {
     let key = |name: &str| format!("body.panels[{i}].{name}");
     let number = |name: &str, value: Option<f64>, what: &str| positive(&key(name), required(&key(name), value, what)?);
     let line = line(&body.shape);
@@ -79,7 +89,9 @@ fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> 
         return Err(Problem::new(&key("to"), format!("{to:?}"), expected));
     }
     let length = line.part(reach[0], reach[1]).length();
-    let elements = file.elements.unwrap_or(ELEMENTS);
+    let enough =
+        spacing.map_or(ELEMENTS[1], |spacing| (0.5 * length / spacing).floor().clamp(ELEMENTS[0], ELEMENTS[1]));
+    let elements = file.elements.unwrap_or(enough as usize);
     if !(2..=MOST_ELEMENTS).contains(&elements) {
         return Err(Problem::new(&key("elements"), elements, format!("2 to {MOST_ELEMENTS} elements")));
     }
@@ -103,6 +115,9 @@ fn resolve_panel(i: usize, file: PanelFile, body: &Body, symmetry: Symmetry) -> 
     let watch = file.watch.unwrap_or_else(|| vec![0.5]);
     for (j, share) in watch.iter().enumerate() {
         within(&format!("{}[{j}]", key("watch")), *share, 0.0..=1.0)?;
+        if watch[..j].contains(share) {
+            return Err(Problem::new(&format!("{}[{j}]", key("watch")), share, "every place once"));
+        }
     }
     let optional = |name: &str, value: Option<f64>| value.map(|value| positive(&key(name), value)).transpose();
     let yield_stress = optional("yield_stress", file.yield_stress)?;

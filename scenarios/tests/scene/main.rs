@@ -131,7 +131,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 12] = [
+const DEFAULTS_IN_WORDS: [&str; 13] = [
     "absent",
     "end/500",
     "end/50",
@@ -142,6 +142,7 @@ const DEFAULTS_IN_WORDS: [&str; 12] = [
     "centroid of the outline",
     "all; [\"y\"] with symmetry",
     "panel1, ...",
+    "24, none shorter than 2 spacings, at least 8",
     "yield_stress",
     "weak; added_mass with body.panels",
 ];
