@@ -4,6 +4,7 @@
 //! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`study`] extrapolates from
 //! several runs. [`cli`] is a thin shell.
 
+pub mod balance;
 pub mod build;
 pub mod cli;
 pub mod compare;

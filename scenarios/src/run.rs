@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use fsi_coupling::{Coupled, CouplingError, Energy};
+use fsi_coupling::{Coupled, CouplingError};
 use tracing::{debug, info, warn};
 
+use crate::balance::{held, structure_gap};
 use crate::build;
 use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::log::Level;
@@ -366,19 +367,6 @@ impl Recorder {
             gauges: self.gauges.results(),
         }
     }
-}
-
-/// Change of a body's energies, and what it dissipated, less the work done on it; over the work exchanged (THEORY K6).
-fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
-    let Some(body) = system.bodies().nth(k).filter(|body| !body.prescribed()) else { return 0.0 };
-    let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);
-    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support;
-    if exchanged > 0.0 { gap.abs() / exchanged } else { 0.0 }
-}
-
-/// Energy that a body holds [J/m].
-fn held(energy: &Energy) -> f64 {
-    energy.kinetic + energy.potential + energy.elastic
 }
 
 fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {
