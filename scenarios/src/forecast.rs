@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::build::tiling;
 use crate::scene::{
-    CouplingScheme, ExchangeRatio, Scene, Symmetry, known_compressibility_error, memory_estimate, panel_exchanges,
-    particle_estimate,
+    CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
+    panel_exchanges, panel_length, particle_estimate,
 };
 
 /// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
@@ -55,6 +55,12 @@ pub struct Forecast {
 pub struct PanelForecast {
     /// Its name.
     pub name: String,
+    /// Its length along the body's line [m].
+    pub length_m: f64,
+    /// Its elements.
+    pub elements: usize,
+    /// Particle spacings in an element [-].
+    pub element_spacings: f64,
     /// Mass of the water that follows it within a step, over its own [-].
     pub added_mass: f64,
     /// Resistance of a sound wave over its inertia in half a step [-].
@@ -74,6 +80,7 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
+    let length = |panel: &Panel| scene.body.as_ref().map_or(0.0, |body| panel_length(body, panel));
     let wetted = entry.map(|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
     Forecast {
         scene: scene.name.clone(),
@@ -94,6 +101,9 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
             .into_iter()
             .map(|(panel, exchange)| PanelForecast {
                 name: panel.name.clone(),
+                length_m: length(panel),
+                elements: panel.elements,
+                element_spacings: length(panel) / panel.elements as f64 / scene.resolution.spacing,
                 added_mass: exchange.added_mass,
                 acoustic: exchange.acoustic,
                 spectral_radius: exchange.spectral_radius,
@@ -143,10 +153,11 @@ impl Forecast {
     }
 
     fn exchange_with(&self, panel: &PanelForecast) -> String {
-        let PanelForecast { name, added_mass, acoustic, spectral_radius } = panel;
+        let PanelForecast { name, added_mass, acoustic, spectral_radius, length_m, elements, element_spacings } = panel;
         format!(
-            "{name:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would multiply \
+            "{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings\n{:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would multiply \
              an error by {spectral_radius:.2}; {}",
+            "",
             self.coupling_scheme.name(),
             self.verdict(*spectral_radius)
         )

@@ -57,4 +57,5 @@ pub use model::{
 };
 pub use model_panel::{EndName, Panel, TheoryName};
 pub use overrides::apply_set;
+pub use panels::panel_length;
 pub use warnings::warnings;

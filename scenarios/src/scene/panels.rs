@@ -1,4 +1,4 @@
-//! Panels that may not do what a scene means: too thin, or too fast for the step.
+//! Panels that may not do what a scene means: too thin, too finely divided, or too fast for the step.
 
 use super::model::{Body, Panel, Scene};
 use super::model_panel::EndName;
@@ -24,7 +24,7 @@ pub(super) fn doubtful_panels(scene: &Scene) -> Vec<String> {
 }
 
 /// Length of a panel along the body's line [m].
-pub(super) fn panel_length(body: &Body, panel: &Panel) -> f64 {
+pub fn panel_length(body: &Body, panel: &Panel) -> f64 {
     let line = line(&body.shape);
     let [from, to] = [panel.from, panel.to].map(|end| line.nearest(end).0);
     line.part(from, to).length()
@@ -35,13 +35,13 @@ fn stiffness(panel: &Panel) -> f64 {
     panel.youngs_modulus * panel.thickness.powi(3) / (12.0 * (1.0 - panel.poissons_ratio.powi(2)))
 }
 
-/// A plate on two supports under the pressure that the fastest known flow or the depth can bring: w = q L⁴/(384 D) clamped,
-/// five times that pinned.
+/// A plate on two supports under the mean pressure of a wedge's entry (Wagner 1932) or of the depth: w = q L⁴/(384 D) clamped, five
+/// times that pinned.
 fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
     use EndName::{Clamped, Mirror, Pinned, Sliding};
     let both = panel.ends.iter().all(|end| matches!(end, Clamped | Pinned | Sliding | Mirror));
     let softest = if panel.ends == [Clamped, Clamped] { 1.0 } else { 5.0 };
-    // Wagner's mean pressure of a wedge, rho V times the root's speed, or the depth's
+    // rho V dc/dt
     let pressure = match scene.entry() {
         Some(entry) => scene.fluid.density * body.velocity[0].hypot(body.velocity[1]) * entry.root_speed(),
         None => scene.fluid.density * scene.tank.depth * scene.gravity[1].abs(),

@@ -22,6 +22,7 @@ pub(super) fn line(shape: &Shape) -> Course {
     }
 }
 
+/// Ranges, defaults, and that no two panels take the same part of the line. `spacing` is that of the scene, if it says one.
 pub(super) fn resolve_panels(
     files: Vec<PanelFile>,
     body: &Body,
@@ -89,8 +90,9 @@ fn resolve_panel(
         return Err(Problem::new(&key("to"), format!("{to:?}"), expected));
     }
     let length = line.part(reach[0], reach[1]).length();
-    let enough =
-        spacing.map_or(ELEMENTS[1], |spacing| (0.5 * length / spacing).floor().clamp(ELEMENTS[0], ELEMENTS[1]));
+    let enough = spacing
+        .filter(|spacing| *spacing > 0.0)
+        .map_or(ELEMENTS[1], |spacing| (0.5 * length / spacing).floor().clamp(ELEMENTS[0], ELEMENTS[1]));
     let elements = file.elements.unwrap_or(enough as usize);
     if !(2..=MOST_ELEMENTS).contains(&elements) {
         return Err(Problem::new(&key("elements"), elements, format!("2 to {MOST_ELEMENTS} elements")));
