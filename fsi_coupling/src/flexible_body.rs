@@ -92,7 +92,7 @@ impl FlexibleBody {
         &self.state.mean
     }
 
-    /// Displacements `ahead` [s] from now, at constant acceleration; of a frame that moves as told, where it is told to be.
+    /// Displacements `ahead` [s] from now, at constant acceleration.
     fn ahead(&self, ahead: f64) -> Vec<[f64; 3]> {
         let State { displacement, velocity, acceleration, .. } = &self.state.nodes;
         let each = displacement.iter().zip(velocity).zip(acceleration);

@@ -1,11 +1,13 @@
 //! Panels: the parts of a body's surface that bend.
 
+use serde::{Deserialize, Serialize};
 use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
 
 use crate::course::Course;
 
 /// How an end of a panel is held by the body's rigid frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum PanelEnd {
     /// Moves and turns with it.
     #[default]

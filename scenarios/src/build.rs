@@ -12,7 +12,7 @@ use sph_core::images::Mirror;
 use sph_core::{Fluid, Parameters, Seed, WallTreatment};
 use structure_fe::Damping;
 
-use crate::scene::{Body, DiffusionForm, EndName, Motion, Oscillation, Scene, Symmetry};
+use crate::scene::{Body, DiffusionForm, Motion, Oscillation, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -66,7 +66,7 @@ fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
     let (Shape::Polyline { points, .. }, Motion::Fixed) = (&body.shape, &body.motion) else { return [0.0; 2] };
     let loose = |end: &[f64; 2]| {
         let ends = body.panels.iter().flat_map(|panel| [panel.from, panel.to].into_iter().zip(panel.ends));
-        ends.into_iter().any(|(at, how)| how == EndName::Free && (at[0] - end[0]).hypot(at[1] - end[1]) < 1e-9)
+        ends.into_iter().any(|(at, how)| how == PanelEnd::Free && (at[0] - end[0]).hypot(at[1] - end[1]) < 1e-9)
     };
     let root = |end: &[f64; 2]| {
         if loose(end) {

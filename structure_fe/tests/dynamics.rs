@@ -3,7 +3,10 @@
 mod common;
 
 use approx::assert_relative_eq;
-use common::{LENGTH, MATERIAL, beam, beam_at, bending_stiffness, number, section, supports, table};
+use common::{
+    LENGTH, MATERIAL, beam, beam_at, bending_stiffness, exact_frequency, frequency_in_time, none, number, supports,
+    table,
+};
 use structure_fe::{
     Beam, Damping, Dof, Dynamics, Error, Integration, Loads, Material, Section, State, Statics, SupportMotion,
     Supports, Theory, natural_modes,
@@ -11,41 +14,6 @@ use structure_fe::{
 
 const TRAPEZOIDAL: Integration = Integration::GeneralisedAlpha { spectral_radius: 1.0 };
 const DAMPED: Integration = Integration::GeneralisedAlpha { spectral_radius: 0.8 };
-
-fn free_of_load(nodes: usize) -> Vec<[f64; 3]> {
-    vec![[0.0; 3]; nodes]
-}
-
-/// omega = (kL)^2 sqrt(EI/(rho A L^4)) of the strip of the tests.
-fn exact_frequency(root: f64) -> f64 {
-    (root / LENGTH).powi(2) * (bending_stiffness() / section().mass_per_length(&MATERIAL)).sqrt()
-}
-
-/// Period of a small vibration in one mode, from the zeros of the tip's deflection over ten periods.
-fn frequency_in_time(integration: Integration, mode: usize, elements: usize, steps_a_period: f64) -> f64 {
-    let held = supports("cantilever", elements);
-    let shape = natural_modes(&beam(elements), &held, mode + 1).unwrap().swap_remove(mode);
-    let mut dynamics = Dynamics::new(beam(elements), held, integration, Damping::default()).unwrap();
-    let mut state = dynamics.at_rest();
-    let scale = 1e-6 / shape.shape[elements][1];
-    for (u, phi) in state.displacement.iter_mut().zip(&shape.shape) {
-        *u = phi.map(|phi| scale * phi);
-    }
-    let load = free_of_load(elements + 1);
-    dynamics.equilibrate(&mut state, &load).unwrap();
-    let period = std::f64::consts::TAU / shape.angular_frequency;
-    let dt = (period / steps_a_period).min(0.9 * dynamics.stable_dt());
-    let mut crossings = Vec::new();
-    while crossings.len() < 11 {
-        let before = (state.time, state.displacement[elements][1]);
-        dynamics.step(&mut state, &load, dt).unwrap();
-        let now = state.displacement[elements][1];
-        if before.1 < 0.0 && now >= 0.0 {
-            crossings.push(before.0 + dt * before.1 / (before.1 - now));
-        }
-    }
-    std::f64::consts::TAU * 10.0 / (crossings[10] - crossings[0])
-}
 
 #[test]
 fn a_cantilever_swings_at_its_exact_frequencies() {
@@ -75,7 +43,7 @@ fn a_point_mass_swings_on_its_beam() {
     assert_relative_eq!(heavy.mass(), 1.05 * mass, max_relative = 1e-12);
     // And it falls freely with the rest: total momentum grows by weight times time.
     let mut dynamics = Dynamics::new(heavy, Supports::default(), TRAPEZOIDAL, Damping::default()).unwrap();
-    let mut load = free_of_load(elements + 1);
+    let mut load = none(elements + 1);
     load[elements] = [0.0, -10.0, 0.0];
     let mut state = dynamics.at_rest();
     dynamics.equilibrate(&mut state, &load).unwrap();
@@ -127,7 +95,7 @@ fn pendulum(integration: Integration, damping: Damping) -> (Dynamics, Vec<[f64; 
     for element in 0..elements {
         loads.along_element(element, [0.0, weight], [0.0, weight]);
     }
-    let load = loads.at_nodes(&beam, &free_of_load(elements + 1)).unwrap();
+    let load = loads.at_nodes(&beam, &none(elements + 1)).unwrap();
     let mut held = Supports::default();
     held.pin(0);
     let mut dynamics = Dynamics::new(beam, held, integration, damping).unwrap();
@@ -176,7 +144,7 @@ fn a_double_pendulum_keeps_its_energy_and_its_hinge() {
     for element in 0..4 {
         loads.along_element(element, [0.0, weight], [0.0, weight]);
     }
-    let load = loads.at_nodes(&beam, &free_of_load(6)).unwrap();
+    let load = loads.at_nodes(&beam, &none(6)).unwrap();
     let mut held = Supports::default();
     held.pin(0).hinge(2, 3);
     let mut dynamics = Dynamics::new(beam, held, TRAPEZOIDAL, Damping::default()).unwrap();
@@ -205,7 +173,7 @@ fn a_thrown_beam_keeps_its_momentum() {
         let beam = Beam::straight([0.3, -0.2], [1.1, 0.4], elements, rubber, Section::strip(0.03)).unwrap();
         let places = beam.nodes().to_vec();
         let mut dynamics = Dynamics::new(beam, Supports::default(), integration, Damping::default()).unwrap();
-        let load = free_of_load(elements + 1);
+        let load = none(elements + 1);
         let mut state = dynamics.at_rest();
         for (node, v) in state.velocity.iter_mut().enumerate() {
             let [x, y] = places[node];
@@ -244,7 +212,7 @@ fn supports_move_as_told() {
         let mut dynamics =
             Dynamics::new(beam(elements), supports("cantilever", elements), integration, damping).unwrap();
         let mass = dynamics.beam().mass();
-        let load = free_of_load(elements + 1);
+        let load = none(elements + 1);
         let mut state = dynamics.at_rest();
         let dt = (0.9 * dynamics.stable_dt()).min(1e-3);
         // From rest at constant acceleration: what comes in through the support is the beam's momentum.
@@ -277,7 +245,7 @@ fn damped_motion_ends_in_static_equilibrium() {
     loads.at_node(elements, [0.0, -1.0, 0.0]);
     let held = supports("cantilever", elements);
     let exact = Statics::new(beam(elements), held.clone()).unwrap().solve(&loads).unwrap();
-    let load = loads.at_nodes(&beam(elements), &free_of_load(elements + 1)).unwrap();
+    let load = loads.at_nodes(&beam(elements), &none(elements + 1)).unwrap();
     let damping = Damping { mass: 40.0, stiffness: 1e-3 };
     let mut dynamics = Dynamics::new(beam(elements), held, DAMPED, damping).unwrap();
     let mut state = dynamics.at_rest();

@@ -3,20 +3,24 @@
 use evidence::systems::{advance, of_text};
 use fsi_coupling::Coupled;
 
+/// Water and resolution of the scenes here.
+const WATER: &str = "
+[resolution]
+spacing = 0.02
+growth = 1.0
+[tank]
+width = 2.0
+depth = 0.6
+height = 1.5
+";
+
 /// A tilted box of 0.4 m that falls on the water with a bottom like a cloth, ρ_s t/(ρL) = 0.0025; no number of elements.
 const CLOTH: &str = r#"
 name = "cloth"
 [time]
 end = 0.13
-[resolution]
-spacing = 0.02
-growth = 1.0
 [fluid]
 sound_speed = 100.0
-[tank]
-width = 2.0
-depth = 0.6
-height = 1.5
 [body]
 name = "box"
 shape = "box"
@@ -45,11 +49,11 @@ fn lost_on_the_way(system: &Coupled) -> f64 {
 /// and a half and more, which are the default.
 #[test]
 fn elements_shorter_than_a_spacing_crumple_under_a_light_panel() {
-    let mut short = of_text(CLOTH, &["body.panels[0].elements=24"]);
+    let mut short = of_text(&format!("{CLOTH}{WATER}"), &["body.panels[0].elements=24"]);
     let ended = advance(&mut short, 0.13, |_| ());
     println!("24 elements: {:?}, {:.3} lost", ended.as_ref().err().map(|e| e.to_string()), lost_on_the_way(&short));
     assert!(ended.is_err() || lost_on_the_way(&short) > 0.05, "short elements hold now");
-    let mut default = of_text(CLOTH, &[]);
+    let mut default = of_text(&format!("{CLOTH}{WATER}"), &[]);
     advance(&mut default, 0.13, |_| ()).expect("elements of two spacings hold");
     println!("10 elements: {:.4} lost", lost_on_the_way(&default));
     assert!(lost_on_the_way(&default) < 0.01 && default.energy_drift() < 0.0);
@@ -64,15 +68,8 @@ fn blows_of_single_particles_give_a_light_flap_no_energy() {
 name = "flap"
 [time]
 end = 0.06
-[resolution]
-spacing = 0.02
-growth = 1.0
 [fluid]
 sound_speed = 116.7
-[tank]
-width = 2.0
-depth = 0.6
-height = 1.5
 [body]
 name = "flap"
 shape = "polyline"
@@ -95,7 +92,7 @@ density = 1000.0
 ends = ["free", "clamped"]
 "#;
     let found = [1e-4, 3e-5].map(|step| {
-        let mut system = of_text(flap, &[&format!("time.step={step}")]);
+        let mut system = of_text(&format!("{flap}{WATER}"), &[&format!("time.step={step}")]);
         while system.fluid.time < 0.06 {
             system.step(step).expect("a stable step");
         }

@@ -11,7 +11,8 @@ use super::model::{
     Body, CouplingScheme, DensityEvolution, DensityFilter, DiffusionForm, Dissipation, EquationOfState, GaugeFrame,
     Integrator, Kernel, Lattice, Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
 };
-use super::model_panel::{EndName, Panel, TheoryName};
+use super::model_panel::{Panel, TheoryName};
+use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -160,7 +161,7 @@ pub struct PanelFile {
     pub youngs_modulus: Option<f64>,
     pub poissons_ratio: Option<f64>,
     pub density: Option<f64>,
-    pub ends: Option<[EndName; 2]>,
+    pub ends: Option<[PanelEnd; 2]>,
     pub theory: Option<TheoryName>,
     pub watch: Option<Vec<f64>>,
     pub yield_stress: Option<f64>,

@@ -43,6 +43,7 @@ pub use chine::jet_reach;
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
+pub use fsi_coupling::PanelEnd;
 pub use fsi_coupling::Shape;
 pub use impact::{
     Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,
@@ -55,7 +56,7 @@ pub use model::{
     Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time,
     WallSlip,
 };
-pub use model_panel::{EndName, Panel, TheoryName};
+pub use model_panel::{Panel, TheoryName};
 pub use overrides::apply_set;
 pub use panels::panel_length;
 pub use warnings::warnings;

@@ -24,7 +24,7 @@ pub struct Panel {
     /// Density [kg/m³].
     pub density: f64,
     /// How its ends are held.
-    pub ends: [EndName; 2],
+    pub ends: [PanelEnd; 2],
     /// Beam theory.
     pub theory: TheoryName,
     /// Places that are reported, as shares of its length [-].
@@ -37,23 +37,6 @@ pub struct Panel {
     pub rupture_strain: Option<f64>,
     /// Stress that it may bear, for the reserve factor [Pa].
     pub allowable_stress: Option<f64>,
-}
-
-/// How an end of a panel is held by the rigid rest of the body.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum EndName {
-    /// Moves and turns with it.
-    #[default]
-    Clamped,
-    /// Turns freely.
-    Pinned,
-    /// Turns freely and slides along the panel.
-    Sliding,
-    /// Not held.
-    Free,
-    /// Joined to its image in the plane of symmetry.
-    Mirror,
 }
 
 /// Beam theories.
@@ -70,13 +53,6 @@ pub enum TheoryName {
 impl Panel {
     /// As the coupled system takes it.
     pub fn spec(&self) -> PanelSpec {
-        let end = |name: EndName| match name {
-            EndName::Clamped => PanelEnd::Clamped,
-            EndName::Pinned => PanelEnd::Pinned,
-            EndName::Sliding => PanelEnd::Sliding,
-            EndName::Free => PanelEnd::Free,
-            EndName::Mirror => PanelEnd::Mirror,
-        };
         PanelSpec {
             name: self.name.clone(),
             span: [self.from, self.to],
@@ -87,7 +63,7 @@ impl Panel {
                 TheoryName::EulerBernoulli => Theory::EulerBernoulli,
                 TheoryName::Timoshenko => Theory::TIMOSHENKO,
             },
-            ends: self.ends.map(end),
+            ends: self.ends,
             watch: self.watch.clone(),
             plasticity: self.plasticity(),
             rupture_strain: self.rupture_strain,

@@ -1,9 +1,9 @@
 //! Panels that may not do what a scene means: too thin, too finely divided, or too fast for the step.
 
 use super::model::{Body, Panel, Scene};
-use super::model_panel::EndName;
 use super::problem::significant;
 use super::resolve_panel::line;
+use fsi_coupling::PanelEnd;
 
 /// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
 const MEMBRANE: f64 = 0.1;
@@ -38,7 +38,7 @@ fn stiffness(panel: &Panel) -> f64 {
 /// A plate on two supports under the mean pressure of a wedge's entry (Wagner 1932) or of the depth: w = q L⁴/(384 D) clamped, five
 /// times that pinned.
 fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
-    use EndName::{Clamped, Mirror, Pinned, Sliding};
+    use PanelEnd::{Clamped, Mirror, Pinned, Sliding};
     let both = panel.ends.iter().all(|end| matches!(end, Clamped | Pinned | Sliding | Mirror));
     let softest = if panel.ends == [Clamped, Clamped] { 1.0 } else { 5.0 };
     // rho V dc/dt
@@ -77,7 +77,7 @@ fn short(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
 /// First dry mode of a clamped or pinned plate, ω = (λ/L)² √(D/m), at the least λ that its ends allow.
 fn slow(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
     let step = scene.time.step?;
-    let free = panel.ends.contains(&EndName::Free);
+    let free = panel.ends.contains(&PanelEnd::Free);
     let lambda = if free { 1.875 } else { 4.730 };
     let mass = panel.density * panel.thickness;
     let omega = (lambda / panel_length(body, panel)).powi(2) * (stiffness(panel) / mass).sqrt();

@@ -2,8 +2,9 @@
 
 use super::file::PanelFile;
 use super::model::{Body, Symmetry};
-use super::model_panel::{EndName, Panel, TheoryName};
+use super::model_panel::{Panel, TheoryName};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
+use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
 use fsi_coupling::course::Course;
 
@@ -105,7 +106,7 @@ fn resolve_panel(
     let ends = file.ends.unwrap_or_default();
     check_ends(&key("ends"), ends)?;
     for (end, at) in ends.iter().zip([from, to]) {
-        if *end == EndName::Mirror && (symmetry != Symmetry::X || at[0] != 0.0) {
+        if *end == PanelEnd::Mirror && (symmetry != Symmetry::X || at[0] != 0.0) {
             let expected = "mirror only at x = 0, with symmetry = \"x\"";
             return Err(Problem::new(&key("ends"), format!("\"mirror\" at {at:?}"), expected));
         }
@@ -150,8 +151,8 @@ fn resolve_panel(
 }
 
 /// A panel that is not held flies off: nothing says where to.
-fn check_ends(key: &str, ends: [EndName; 2]) -> Result<(), Problem> {
-    use EndName::{Free, Mirror, Sliding};
+fn check_ends(key: &str, ends: [PanelEnd; 2]) -> Result<(), Problem> {
+    use PanelEnd::{Free, Mirror, Sliding};
     let mechanism = matches!(ends, [Free, Free | Sliding | Mirror] | [Sliding | Mirror, Free])
         || matches!(ends, [Sliding, Sliding] | [Mirror, Mirror]);
     if mechanism {

@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test binary uses its own part
 
 use std::collections::HashMap;
-use structure_fe::{Beam, Integration, Loads, Material, Section, State, Supports};
+use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Material, Section, State, Supports, natural_modes};
 
 /// Aluminium, about.
 pub const MATERIAL: Material = Material { youngs_modulus: 70e9, poissons_ratio: 0.33, density: 2700.0 };
@@ -102,4 +102,35 @@ pub fn pairing(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
 pub fn moved(from: &State, to: &State) -> Vec<[f64; 3]> {
     let each = to.displacement.iter().zip(&from.displacement);
     each.map(|(to, from)| [0, 1, 2].map(|dof| to[dof] - from[dof])).collect()
+}
+
+/// omega = (kL)^2 sqrt(EI/(rho A L^4)) of the strip of the tests.
+pub fn exact_frequency(root: f64) -> f64 {
+    (root / LENGTH).powi(2) * (bending_stiffness() / section().mass_per_length(&MATERIAL)).sqrt()
+}
+
+/// Angular frequency of a small vibration in one mode, from the zeros of the tip's deflection over ten periods.
+pub fn frequency_in_time(integration: Integration, mode: usize, elements: usize, steps_a_period: f64) -> f64 {
+    let held = supports("cantilever", elements);
+    let shape = natural_modes(&beam(elements), &held, mode + 1).unwrap().swap_remove(mode);
+    let mut dynamics = Dynamics::new(beam(elements), held, integration, Damping::default()).unwrap();
+    let mut state = dynamics.at_rest();
+    let scale = 1e-6 / shape.shape[elements][1];
+    for (u, phi) in state.displacement.iter_mut().zip(&shape.shape) {
+        *u = phi.map(|phi| scale * phi);
+    }
+    let load = none(elements + 1);
+    let period = std::f64::consts::TAU / shape.angular_frequency;
+    let dt = (period / steps_a_period).min(0.9 * dynamics.stable_dt());
+    dynamics.equilibrate_over(&mut state, &load, dt).unwrap();
+    let mut crossings = Vec::new();
+    while crossings.len() < 11 {
+        let before = (state.time, state.displacement[elements][1]);
+        dynamics.step(&mut state, &load, dt).unwrap();
+        let now = state.displacement[elements][1];
+        if before.1 < 0.0 && now >= 0.0 {
+            crossings.push(before.0 + dt * before.1 / (before.1 - now));
+        }
+    }
+    std::f64::consts::TAU * 10.0 / (crossings[10] - crossings[0])
 }
