@@ -136,6 +136,8 @@ fn parameters(scene: &Scene) -> Parameters {
             water_depth: scene.tank.depth,
         },
         dissipation: fluid.dissipation,
+        solver: scene.solver,
+        projecting: scene.projection.unwrap_or_default(),
     }
 }
 

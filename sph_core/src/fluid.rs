@@ -8,9 +8,11 @@ use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA, Seed};
+use crate::projection::{self, Projection};
 use crate::restart::{Saved, set_lists_aside};
 use crate::rows::Rows;
 use crate::search::Search;
+use crate::solver::Solver;
 use crate::sweep;
 use crate::sweeps::{DensityRate, Momentum, WallForce};
 use crate::turbulence::Stress;
@@ -52,6 +54,7 @@ pub struct Fluid {
     pub(crate) beginning: Vec<[f64; 2]>,
     /// A particle was put elsewhere: lists are to be made anew.
     pub(crate) displaced: bool,
+    pub(crate) projection: Projection,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -79,7 +82,8 @@ impl Fluid {
         }
         let mut particles = Particles::default();
         for seed in seeds {
-            let (rho, energy) = parameters.state_at(seed.pressure);
+            let still = if parameters.solver.is_incompressible() { 0.0 } else { seed.pressure };
+            let (rho, energy) = parameters.state_at(still);
             particles.push(seed, rho, energy, parameters.smoothing_ratio);
         }
         let mut fluid = Fluid {
@@ -106,9 +110,14 @@ impl Fluid {
             saved: Vec::new(),
             beginning: Vec::new(),
             displaced: false,
+            projection: Projection::default(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
+        if parameters.solver.is_incompressible() {
+            fluid.derived.pressure = seeds.iter().map(|seed| seed.pressure).collect();
+            fluid.derived.volume = seeds.iter().map(|seed| seed.area).collect();
+        }
         fluid.density_rate.resize(n, 0.0);
         fluid.gathered.resize(n, Gathered::default());
         fluid.heating.resize(n, 0.0);
@@ -120,6 +129,13 @@ impl Fluid {
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {
         let unbounded = self.parameters.periodic.is_none();
         assert!(unbounded || walls.screens.is_empty(), "a period and screens do not go together");
+        if self.parameters.solver.is_incompressible() {
+            self.pack(walls, 0.0);
+            self.extrapolate_to_walls(walls);
+            self.gather_forces(walls);
+            self.accelerate();
+            return self.check();
+        }
         self.sum_density(walls, 0.0);
         self.start_dynamic_walls(walls);
         self.evaluate_forces(walls, 0.0);
@@ -134,6 +150,13 @@ impl Fluid {
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
         self.note_beginning(walls);
+        if self.parameters.solver == Solver::Incompressible {
+            sweep::within_pool(|| projection::step(self, walls, dt))?;
+            self.fold();
+            self.time += dt;
+            self.steps += 1;
+            return self.check();
+        }
         sweep::within_pool(|| match self.parameters.integrator {
             Integrator::Symplectic => integrator::symplectic(self, walls, dt),
             Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
@@ -282,7 +305,7 @@ impl Fluid {
     }
 
     /// The same pairs twice, once for each side: action equals reaction to rounding.
-    fn gather_forces(&mut self, walls: &mut Walls) {
+    pub(crate) fn gather_forces(&mut self, walls: &mut Walls) {
         let (constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let (out, pushing) = (&mut self.gathered, self.parameters.walls.model.has_pressure());

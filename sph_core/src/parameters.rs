@@ -10,7 +10,9 @@ use crate::images::{Mirror, Periodic};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::pair::Constants;
+use crate::projection::Projecting;
 use crate::repulsive::Repulsion;
+use crate::solver::Solver;
 use crate::summation::DensityEvolution;
 use crate::turbulence::Turbulence;
 use crate::wall_model::WallTreatment;
@@ -83,6 +85,10 @@ pub struct Parameters {
     pub walls: WallTreatment,
     /// What smooths pressures and velocities between fluid particles: E5 and E7, or R1 and R2.
     pub dissipation: Dissipation,
+    /// What gives the pressure.
+    pub solver: Solver,
+    /// The projection, where pressures come from one.
+    pub projecting: Projecting,
 }
 
 impl Parameters {
@@ -116,6 +122,8 @@ impl Parameters {
             shift_surface: false,
             walls: WallTreatment::default(),
             dissipation: Dissipation::Diffusion,
+            solver: Solver::default(),
+            projecting: Projecting::default(),
         }
     }
 

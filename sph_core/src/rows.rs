@@ -117,6 +117,17 @@ impl Rows {
         }
     }
 
+    /// New pressures for rows that stay where they are.
+    pub fn set_pressures(&mut self, d: &Derived, search: &Search, mirror: Option<Mirror>) {
+        let n = d.pressure.len();
+        sweep::update(&mut self.fluid[..n], |k, row| row.p = d.pressure[k]);
+        if mirror.is_some() || !search.fluid_shifts.is_empty() {
+            for (k, &source) in search.fluid_images.iter().enumerate() {
+                self.fluid[n + k].p = self.fluid[source as usize].p;
+            }
+        }
+    }
+
     /// E9, E11: the walls show the fluid the pressure they extrapolate and, where it must `stick`, the
     /// velocity 2V − ũ. `image_side` is −1 where images reflect, 1 where they repeat.
     pub fn dress_walls(&mut self, found: &[Extrapolated], images: &[u32], image_side: f64, stick: bool) {

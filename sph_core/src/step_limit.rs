@@ -28,6 +28,9 @@ impl Fluid {
 
     /// The step limit [s]: acoustic, force and viscous, over the fluid and the walls beside it.
     pub fn stable_dt(&self, walls: &Walls) -> Result<f64, Breakdown> {
+        if self.parameters.solver.is_incompressible() {
+            return Ok(sweep::within_pool(|| self.projection_dt(walls)));
+        }
         let (p, q) = (&self.particles, &self.parameters);
         let c0 = q.eos.c0;
         let limit = |c: f64, h: f64, u: f64, v: f64, ax: f64, ay: f64| {

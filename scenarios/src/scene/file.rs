@@ -14,6 +14,7 @@ use super::model::{
 use super::model_panel::{Panel, TheoryName};
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
+use sph_core::{Projecting, Solver};
 
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -34,6 +35,8 @@ pub struct SceneFile {
     pub observe: ObserveFile,
     pub report: ReportFile,
     pub coupling: CouplingFile,
+    pub solver: Option<Solver>,
+    pub projection: Option<Projecting>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -15,6 +15,7 @@ use super::impact::Entry;
 pub use super::model_panel::Panel;
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
+pub use sph_core::{Projecting, Solver};
 
 /// A scene as it is run. It serialises to TOML with the keys of a scene file, and that text loads to the same scene.
 ///
@@ -28,6 +29,8 @@ pub struct Scene {
     pub description: String,
     /// Where its numbers come from.
     pub source: String,
+    /// What gives the pressure.
+    pub solver: Solver,
     /// Mirror plane.
     pub symmetry: Symmetry,
     /// Acceleration of gravity [m/s²], shape (2).
@@ -56,6 +59,9 @@ pub struct Scene {
     pub report: Report,
     /// How water and body agree on a step.
     pub coupling: Coupling,
+    /// The projection, where pressures come from one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projection: Option<Projecting>,
 }
 
 /// Curves that are sampled only where a scene asks for them.

@@ -26,6 +26,7 @@ const AIR_EXPONENT: f64 = 1.4;
 pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     let name = required("name", file.name, "a word for file names")?;
     let symmetry = file.symmetry.unwrap_or_default();
+    let solver = file.solver.unwrap_or_default();
     let gravity = file.gravity.unwrap_or([0.0, -9.81]);
     let time = resolve_time(&file.time)?;
     let body = file.body.map(|body| resolve_body(body, symmetry, file.resolution.spacing)).transpose()?;
@@ -64,6 +65,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         name: word("name", name)?,
         description: file.description.unwrap_or_default(),
         source: file.source.unwrap_or_default(),
+        solver,
         symmetry,
         gravity,
         similarity: file.similarity,
@@ -77,6 +79,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         body,
         report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
         coupling,
+        projection: solver.is_incompressible().then(|| file.projection.unwrap_or_default()),
     })
 }
 

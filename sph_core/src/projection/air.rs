@@ -1,0 +1,201 @@
+//! Where the air is: holes between the particles, and which of them are large enough to be air (THEORY I5).
+
+use crate::fluid::Fluid;
+use crate::walls::Walls;
+
+/// Cells per spacing.
+const CELLS: f64 = 2.0;
+/// A cell is covered by a particle nearer than this many of its spacings.
+const COVER: f64 = 1.0;
+/// Sizes of holes [spacings²]: below the first no air, above the second nothing else.
+const HOLE: [f64; 2] = [4.0, 12.0];
+/// Air is felt in full up to the first distance [spacings], not beyond the second.
+const FEEL: [f64; 2] = [2.6, 3.0];
+
+/// How near air is.
+#[derive(Clone, Debug, Default)]
+pub struct Air {
+    /// 1 beside air, 0 far from it [-], per particle.
+    pub exposure: Vec<f64>,
+    grids: Vec<Grid>,
+    stack: Vec<u32>,
+    offsets: Vec<(i32, i32, f64)>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Grid {
+    origin: [f64; 2],
+    side: f64,
+    columns: usize,
+    rows: usize,
+    /// 0 open, not yet seen; 1 covered; 2 + share of air · 253.
+    state: Vec<u8>,
+}
+
+impl Grid {
+    fn lay(&mut self, lo: [f64; 2], hi: [f64; 2], side: f64) {
+        let margin = 8.0 * side;
+        self.origin = [lo[0] - margin, lo[1] - margin];
+        self.side = side;
+        self.columns = ((hi[0] - lo[0] + 2.0 * margin) / side) as usize + 1;
+        self.rows = ((hi[1] - lo[1] + 2.0 * margin) / side) as usize + 1;
+        self.state.clear();
+        self.state.resize(self.columns * self.rows, 0);
+    }
+
+    fn cover(&mut self, x: f64, y: f64, radius: f64) {
+        let (fx, fy) = ((x - self.origin[0]) / self.side - 0.5, (y - self.origin[1]) / self.side - 0.5);
+        let r = radius / self.side;
+        if fx + r < 0.0 || fy + r < 0.0 || fx - r > self.columns as f64 || fy - r > self.rows as f64 {
+            return;
+        }
+        let rows =
+            ((fy - r).ceil().max(0.0) as usize)..((fy + r).floor() as i64 + 1).clamp(0, self.rows as i64) as usize;
+        for j in rows {
+            let dy = j as f64 - fy;
+            let half = (r * r - dy * dy).max(0.0).sqrt();
+            let from = (fx - half).ceil().max(0.0) as usize;
+            let to = ((fx + half).floor() as i64 + 1).clamp(0, self.columns as i64) as usize;
+            if from < to {
+                self.state[j * self.columns + from..j * self.columns + to].fill(1);
+            }
+        }
+    }
+
+    /// Give every hole its share of air, by its size.
+    fn judge(&mut self, stack: &mut Vec<u32>) {
+        let cell = 1.0 / (CELLS * CELLS);
+        let (columns, rows) = (self.columns, self.rows);
+        for start in 0..self.state.len() {
+            if self.state[start] != 0 {
+                continue;
+            }
+            stack.clear();
+            stack.push(start as u32);
+            self.state[start] = 2;
+            let mut at = 0;
+            while at < stack.len() {
+                let c = stack[at] as usize;
+                at += 1;
+                let (i, j) = (c % columns, c / columns);
+                let mut visit = |n: usize| {
+                    if self.state[n] == 0 {
+                        self.state[n] = 2;
+                        stack.push(n as u32);
+                    }
+                };
+                if i > 0 {
+                    visit(c - 1);
+                }
+                if i + 1 < columns {
+                    visit(c + 1);
+                }
+                if j > 0 {
+                    visit(c - columns);
+                }
+                if j + 1 < rows {
+                    visit(c + columns);
+                }
+            }
+            let area = stack.len() as f64 * cell;
+            let share = ((area - HOLE[0]) / (HOLE[1] - HOLE[0])).clamp(0.0, 1.0);
+            let mark = 2 + (share * 253.0) as u8;
+            for &c in stack.iter() {
+                self.state[c as usize] = mark;
+            }
+        }
+    }
+}
+
+impl Fluid {
+    /// I5: which particles feel air, and how much.
+    pub(super) fn find_air(&mut self, walls: &Walls) {
+        let ratio = self.parameters.smoothing_ratio;
+        let p = &self.particles;
+        let n = p.len();
+        let air = &mut self.projection.air;
+        air.exposure.clear();
+        air.exposure.resize(n, 0.0);
+        let least = p.h.iter().fold(f64::INFINITY, |a, &h| a.min(h)) / ratio;
+        let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
+        let levels = p.h.iter().map(|&h| level(h)).max().map_or(0, |l| l + 1);
+        let mut boxes = vec![([f64::MAX; 2], [f64::MIN; 2]); levels];
+        for k in 0..n {
+            let (lo, hi) = &mut boxes[level(p.h[k])];
+            *lo = [lo[0].min(p.x[k]), lo[1].min(p.y[k])];
+            *hi = [hi[0].max(p.x[k]), hi[1].max(p.y[k])];
+        }
+        air.grids.resize(levels, Grid::default());
+        for (l, grid) in air.grids.iter_mut().enumerate() {
+            let (lo, hi) = boxes[l];
+            if lo[0] > hi[0] {
+                *grid = Grid::default();
+                continue;
+            }
+            grid.lay(lo, hi, least * f64::powi(2.0, l as i32) / CELLS);
+            let mirror = self.parameters.mirror;
+            let mut cover = |x: f64, y: f64, h: f64| {
+                grid.cover(x, y, COVER * h / ratio);
+                if let Some(mirror) = mirror {
+                    let image = mirror.reflect(x);
+                    if image > lo[0] - 16.0 * grid.side {
+                        grid.cover(image, y, COVER * h / ratio);
+                    }
+                }
+            };
+            for k in 0..n {
+                cover(p.x[k], p.y[k], p.h[k]);
+            }
+            for k in 0..walls.len() {
+                let [dx, dy] = walls.displacement(k, -walls.dt);
+                cover(walls.x[k] + dx, walls.y[k] + dy, walls.h[k]);
+            }
+            grid.judge(&mut air.stack);
+        }
+        if air.offsets.is_empty() {
+            let reach = (FEEL[1] * CELLS * 2.0).ceil() as i32 + 1;
+            for i in -reach..=reach {
+                for j in -reach..=reach {
+                    let r = f64::from(i).hypot(f64::from(j));
+                    if r <= FEEL[1] * CELLS * 2.0 {
+                        air.offsets.push((i, j, r));
+                    }
+                }
+            }
+            air.offsets.sort_by(|a, b| a.2.total_cmp(&b.2));
+        }
+        let (grids, offsets, around) = (&air.grids, &air.offsets, &self.projection.survey.around);
+        crate::sweep::gather_into(&mut air.exposure, |k| {
+            if around[k].filling > 0.995 {
+                return 0.0;
+            }
+            let grid = &grids[level(p.h[k])];
+            let dx = p.h[k] / ratio;
+            let (ci, cj) =
+                (((p.x[k] - grid.origin[0]) / grid.side) as i32, ((p.y[k] - grid.origin[1]) / grid.side) as i32);
+            let mut best = 0.0_f64;
+            for &(i, j, r) in offsets {
+                if (r - 0.75) * grid.side > FEEL[1] * dx {
+                    break;
+                }
+                let (a, b) = (ci + i, cj + j);
+                if a < 0 || b < 0 || a >= grid.columns as i32 || b >= grid.rows as i32 {
+                    continue;
+                }
+                let state = grid.state[b as usize * grid.columns + a as usize];
+                if state <= 2 {
+                    continue;
+                }
+                let share = f64::from(state - 2) / 253.0;
+                let x = grid.origin[0] + (f64::from(a) + 0.5) * grid.side - p.x[k];
+                let y = grid.origin[1] + (f64::from(b) + 0.5) * grid.side - p.y[k];
+                let r = x.hypot(y) / dx;
+                best = best.max(share * ((FEEL[1] - r) / (FEEL[1] - FEEL[0])).clamp(0.0, 1.0));
+                if best == 1.0 {
+                    break;
+                }
+            }
+            best
+        });
+    }
+}

@@ -1,0 +1,182 @@
+//! The incompressible solver: a projection a step (THEORY I1–I14).
+//!
+//! Read in this order: [`step`], [`survey`] (what the pairs give), [`lattice`] (what a flat surface lacks), [`air`] (where
+//! the air is), [`poisson`] (the pressure).
+
+mod air;
+mod lattice;
+mod poisson;
+mod survey;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Breakdown;
+use crate::fluid::Fluid;
+use crate::walls::Walls;
+
+use air::Air;
+use lattice::Lattice;
+use survey::Survey;
+
+/// What a projection does not change during a run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Projecting {
+    /// Residual that ends the iteration, over the largest right-hand side [-].
+    pub tolerance: f64,
+    /// Iterations after which a solve has failed.
+    pub most_iterations: usize,
+    /// Steps in which an error of density relaxes [-].
+    pub relaxation_steps: f64,
+    /// Shift over the distance moved in a step, times 2h∇C [-].
+    pub shift: f64,
+    /// Experimental switches.
+    pub x: [f64; 6],
+}
+
+impl Default for Projecting {
+    fn default() -> Projecting {
+        Projecting { tolerance: 1e-4, most_iterations: 2000, relaxation_steps: 50.0, shift: 1.0, x: [0.0; 6] }
+    }
+}
+
+/// What a step of the projection computes anew, and what it counts.
+#[derive(Clone, Debug, Default)]
+pub struct Projection {
+    pub(crate) survey: Survey,
+    pub(crate) lattice: Option<Lattice>,
+    pub(crate) air: Air,
+    /// Excess of each row's diagonal: the free surface (I7).
+    pub(crate) excess: Vec<f64>,
+    pub(crate) pinned: Vec<bool>,
+    pub(crate) source: Vec<f64>,
+    /// Iterations of all solves.
+    pub iterations: u64,
+    /// Solves.
+    pub solves: u64,
+    /// Rows pinned by the unilateral condition, in the last step.
+    pub pins: usize,
+    last_dt: f64,
+}
+
+/// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
+pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
+    fluid.pack(walls, -dt); //           who is near whom at r
+    fluid.survey(walls, dt); //          C, ∇C, ∇·u*, A
+    fluid.find_air(walls); //            e
+    fluid.close_surface(); //            s
+    fluid.solve_pressure(dt)?; //        (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt)
+    fluid.push(walls, dt); //            a = g − ∇p/ρ, F
+    fluid.kick(dt); //                   u' = u + Δt a
+    fluid.drift(dt); //                  r' = r + Δt u'
+    fluid.rearrange(dt); //              r' ← r' + δr
+    fluid.projection.last_dt = dt;
+    if std::env::var("DBG").is_ok() {
+        let p = &fluid.particles;
+        let pr = &fluid.derived.pressure;
+        let k = (0..p.len()).max_by(|&a, &b| pr[a].abs().total_cmp(&pr[b].abs())).unwrap();
+        let m = (0..p.len()).max_by(|&a, &b| p.u[a].hypot(p.v[a]).total_cmp(&p.u[b].hypot(p.v[b]))).unwrap();
+        let a = &fluid.projection.survey.around;
+        eprintln!(
+            "t {:.5} dt {:.2e} it {} pins {} | pmax {:.3e} at ({:.4},{:.4}) C {:.3} lam {:.2} e {:.2} s {:.2e} | vmax {:.3} at ({:.4},{:.4}) p {:.2e} C {:.3} lam {:.2} e {:.2} a ({:.1},{:.1})",
+            fluid.time,
+            dt,
+            fluid.projection.iterations,
+            fluid.projection.pins,
+            pr[k],
+            p.x[k],
+            p.y[k],
+            a[k].filling,
+            a[k].lambda,
+            fluid.projection.air.exposure[k],
+            fluid.projection.excess[k],
+            p.u[m].hypot(p.v[m]),
+            p.x[m],
+            p.y[m],
+            pr[m],
+            a[m].filling,
+            a[m].lambda,
+            fluid.projection.air.exposure[m],
+            p.ax[m],
+            p.ay[m]
+        );
+    }
+    Ok(())
+}
+
+impl Fluid {
+    /// I12: forces of the pressures just found, on the fluid and on walls.
+    fn push(&mut self, walls: &mut Walls, dt: f64) {
+        let lattice = self.projection.lattice.expect("surveyed");
+        self.rows.set_pressures(&self.derived, &self.search, self.parameters.mirror);
+        self.extrapolate_to_walls(walls);
+        self.gather_forces(walls);
+        let inverse = 1.0 / lattice.gradient;
+        for k in 0..walls.len() {
+            walls.fx[k] *= inverse;
+            walls.fy[k] *= inverse;
+            [walls.mean_fx[k], walls.mean_fy[k]] = [walls.fx[k], walls.fy[k]];
+            walls.mean_swing[k] = walls.swing(k, -dt, [walls.fx[k], walls.fy[k]]);
+        }
+        let (p, g) = (&mut self.particles, self.parameters.gravity);
+        let weight = g[0].hypot(g[1]) * self.parameters.eos.rho0;
+        for (k, sum) in self.gathered.iter().enumerate() {
+            let around = sum.around;
+            let mut force = sum.force.map(|f| inverse * f);
+            let exposed = self.projection.air.exposure[k];
+            if exposed > 0.0 && self.parameters.projecting.x[0] == 0.0 {
+                let dx = (p.mass[k] / p.rho[k]).sqrt();
+                let closure = lattice.closure(around.filling);
+                let pressure = self.derived.pressure[k].clamp(0.0, weight * closure.depth * dx);
+                let volume = p.mass[k] / p.rho[k];
+                for axis in 0..2 {
+                    force[axis] += exposed * closure.pull * volume * pressure * inverse * around.crowding[axis];
+                }
+            }
+            p.ax[k] = force[0] / p.mass[k] + g[0];
+            p.ay[k] = force[1] / p.mass[k] + g[1];
+            self.derived.surroundings[k] = around;
+        }
+    }
+
+    /// I13: shifting, along the surface near air.
+    fn rearrange(&mut self, dt: f64) {
+        if !self.parameters.shifting {
+            return;
+        }
+        let strength = self.parameters.projecting.shift;
+        let p = &mut self.particles;
+        for k in 0..p.x.len() {
+            let around = &self.derived.surroundings[k];
+            let speed = p.u[k].hypot(p.v[k]);
+            let scale = -2.0 * strength * p.h[k] * dt * speed * p.h[k] / p.h[k];
+            let mut d = around.crowding.map(|c| scale * c);
+            let exposed = self.projection.air.exposure[k];
+            if exposed > 0.0 {
+                let n = around.crowding;
+                let n2 = n[0] * n[0] + n[1] * n[1];
+                if n2 > 0.0 {
+                    let along = exposed * (d[0] * n[0] + d[1] * n[1]) / n2;
+                    d = [d[0] - along * n[0], d[1] - along * n[1]];
+                }
+            }
+            let limit = 0.05 * p.h[k];
+            let shrink = limit / d[0].hypot(d[1]).max(limit);
+            p.x[k] += shrink * d[0];
+            p.y[k] += shrink * d[1];
+        }
+    }
+
+    /// I14: the step of a projection [s].
+    pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
+        let (p, q) = (&self.particles, &self.parameters);
+        let limit =
+            |h: f64, u: f64, v: f64, ax: f64, ay: f64| (q.cfl * h / u.hypot(v)).min(0.25 * (h / ax.hypot(ay)).sqrt());
+        let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
+        let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
+        let least_h = crate::sweep::least(p.len(), |k| p.h[k]);
+        let cap = q.cfl * least_h * 10.0 / q.eos.c0;
+        let now = crate::sweep::least(p.len(), of_fluid).min(crate::sweep::least(walls.len(), of_wall)).min(cap);
+        if self.projection.last_dt > 0.0 { now.min(1.1 * self.projection.last_dt) } else { now }
+    }
+}
