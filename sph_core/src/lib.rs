@@ -29,6 +29,7 @@ pub mod pair;
 pub mod parameters;
 pub mod particles;
 pub mod probe;
+pub mod projection;
 mod repulsive;
 mod restart;
 mod rows;
