@@ -171,7 +171,7 @@ fn a_lone_particle_has_no_pressure() {
     s.b.push(1.0);
     s.at.iter_mut().for_each(|v| v.push(5.0));
     for kind in Preconditioner::ALL {
-        let (x, _) = solve(&s, &[], &vec![false; 61], kind);
+        let (x, _) = solve(&s, &[], &[false; 61], kind);
         assert_eq!(x[60], 0.0);
         assert!(x.iter().all(|x| x.is_finite()));
     }
