@@ -1,6 +1,7 @@
 //! Conjugate gradients for the pressure equation (THEORY PS2–PS4).
 
 use super::matrix::{Matrix, RankOne};
+use super::multigrid::Multigrid;
 use super::null_space::{Components, NullSpace};
 use crate::sweep::{self, CHUNK};
 
@@ -40,13 +41,15 @@ pub struct NotConverged {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preconditioner {
     /// The diagonal alone.
-    #[default]
     Diagonal,
+    /// A V-cycle over aggregates of rows (PS5–PS7).
+    #[default]
+    Multigrid,
 }
 
 impl Preconditioner {
     /// Every preconditioner, for tests and tables.
-    pub const ALL: [Preconditioner; 1] = [Preconditioner::Diagonal];
+    pub const ALL: [Preconditioner; 2] = [Preconditioner::Diagonal, Preconditioner::Multigrid];
 }
 
 /// PS2: solves A x = b by conjugate gradients. Keeps its memory from solve to solve.
@@ -63,6 +66,10 @@ pub struct PressureSolver {
     image: Vec<f64>,
     sums: Vec<f64>,
     parts: Vec<[f64; 2]>,
+    multigrid: Multigrid,
+    /// What the hierarchy takes for pinned.
+    pinned: Vec<bool>,
+    preconditioned: Vec<f64>,
 }
 
 impl PressureSolver {
@@ -76,9 +83,20 @@ impl PressureSolver {
         let n = a.rows();
         debug_assert!(x.len() == n && y.len() == n && h.len() == n);
         self.components.find(a);
-        for array in [&mut self.inverse, &mut self.residual, &mut self.direction, &mut self.image] {
+        for array in
+            [&mut self.inverse, &mut self.residual, &mut self.direction, &mut self.image, &mut self.preconditioned]
+        {
             array.clear();
             array.resize(n, 0.0);
+        }
+        if self.preconditioner == Preconditioner::Multigrid {
+            self.multigrid.gather_rows(a);
+            self.pinned.clear();
+            self.pinned.resize(n, false);
+            for i in 0..n {
+                self.inverse[i] = if a.diagonal[i] > 0.0 { 1.0 / a.diagonal[i] } else { 0.0 };
+            }
+            self.multigrid.set_up(a, &self.inverse);
         }
         self.sums.resize(n.div_ceil(CHUNK), 0.0);
         self.parts.resize(n.div_ceil(CHUNK), [0.0; 2]);
@@ -119,6 +137,10 @@ impl PressureSolver {
             }
         });
 
+        if self.preconditioner == Preconditioner::Multigrid && self.pinned != pinned {
+            self.pinned.copy_from_slice(pinned);
+            self.multigrid.set_up(a, &self.inverse);
+        }
         // r = b − A x
         self.apply(a, ranks, x, true);
         let PressureSolver { inverse, image, residual, .. } = self;
@@ -127,7 +149,7 @@ impl PressureSolver {
         let (mut old, mut iterations) = (f64::INFINITY, 0);
         loop {
             self.null_space.remove(&mut self.residual);
-            let [weighted, worst] = self.measure(scale);
+            let [mut weighted, worst] = self.measure(scale);
             if worst <= stop.tolerance {
                 self.null_space.remove(x);
                 return Ok(Solved { iterations, residual: worst });
@@ -135,9 +157,17 @@ impl PressureSolver {
             if iterations == stop.most_iterations || !worst.is_finite() {
                 return Err(self.give_up(scale, iterations, worst));
             }
-            // p = z + β p
-            let (beta, PressureSolver { inverse, residual, direction, .. }) = (weighted / old, &mut *self);
-            sweep::update(direction, |i, p| *p = inverse[i] * residual[i] + beta * *p);
+            if self.preconditioner == Preconditioner::Multigrid {
+                let PressureSolver { multigrid, inverse, residual, preconditioned, sums, .. } = &mut *self;
+                weighted = multigrid.apply(a, inverse, residual, preconditioned, sums);
+                let beta = weighted / old;
+                let PressureSolver { preconditioned, direction, .. } = &mut *self;
+                sweep::update(direction, |i, p| *p = preconditioned[i] + beta * *p);
+            } else {
+                // p = z + β p
+                let (beta, PressureSolver { inverse, residual, direction, .. }) = (weighted / old, &mut *self);
+                sweep::update(direction, |i, p| *p = inverse[i] * residual[i] + beta * *p);
+            }
             old = weighted;
             // x ← x + α p, r ← r − α A p
             let energy = self.apply(a, ranks, x, false);

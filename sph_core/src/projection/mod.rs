@@ -1,7 +1,10 @@
 //! The pressure of an incompressible fluid: its matrix, and how the system is solved.
 
+mod aggregates;
 pub mod cg;
+mod galerkin;
 pub mod matrix;
+mod multigrid;
 mod null_space;
 #[cfg(test)]
 mod tests;
