@@ -1,8 +1,8 @@
 //! Conjugate gradients for the pressure equation (THEORY PS2–PS4).
 
+use super::hierarchy::{Hierarchy, Preconditioner};
 use super::matrix::{Matrix, RankOne};
-use super::multigrid::Multigrid;
-use super::null_space::{Components, NullSpace};
+use super::null_space::NullSpace;
 use crate::sweep::{self, CHUNK};
 
 /// When to stop (PS3).
@@ -37,69 +37,56 @@ pub struct NotConverged {
     pub worst: usize,
 }
 
-/// What approximates A⁻¹ in each iteration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Preconditioner {
-    /// The diagonal alone.
-    Diagonal,
-    /// A V-cycle over aggregates of rows (PS5–PS7).
-    #[default]
-    Multigrid,
+/// A solve that has not gained a factor of ten in so many iterations is stuck.
+const STUCK: usize = 40;
+
+/// What a solve is given besides the matrix.
+struct Given<'a> {
+    ranks: &'a [RankOne],
+    b: &'a [f64],
+    scale: &'a [f64],
+    pinned: &'a [bool],
+    stop: &'a Stop,
 }
 
-impl Preconditioner {
-    /// Every preconditioner, for tests and tables.
-    pub const ALL: [Preconditioner; 2] = [Preconditioner::Diagonal, Preconditioner::Multigrid];
-}
-
-/// PS2: solves A x = b by conjugate gradients. Keeps its memory from solve to solve.
+/// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve to
+/// solve.
 #[derive(Debug, Default)]
 pub struct PressureSolver {
-    /// What approximates A⁻¹.
-    pub preconditioner: Preconditioner,
-    components: Components,
+    hierarchy: Hierarchy,
     null_space: NullSpace,
     /// 1/a_ii, 0 in rows that are pinned or empty.
     inverse: Vec<f64>,
     residual: Vec<f64>,
+    preconditioned: Vec<f64>,
     direction: Vec<f64>,
     image: Vec<f64>,
+    guess: Vec<f64>,
     sums: Vec<f64>,
-    parts: Vec<[f64; 2]>,
-    multigrid: Multigrid,
-    /// What the hierarchy takes for pinned.
-    pinned: Vec<bool>,
-    preconditioned: Vec<f64>,
 }
 
 impl PressureSolver {
     /// With a preconditioner of choice.
     pub fn with(preconditioner: Preconditioner) -> PressureSolver {
-        PressureSolver { preconditioner, ..PressureSolver::default() }
+        PressureSolver { hierarchy: Hierarchy::with(preconditioner), ..PressureSolver::default() }
     }
 
-    /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows.
+    /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's hierarchy
+    /// still serves (PS8).
     pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
         let n = a.rows();
-        debug_assert!(x.len() == n && y.len() == n && h.len() == n);
-        self.components.find(a);
-        for array in
-            [&mut self.inverse, &mut self.residual, &mut self.direction, &mut self.image, &mut self.preconditioned]
-        {
-            array.clear();
+        let PressureSolver { inverse, residual, preconditioned, direction, image, guess, .. } = self;
+        let arrays = [inverse, residual, preconditioned, direction, image, guess];
+        for array in arrays {
             array.resize(n, 0.0);
         }
-        if self.preconditioner == Preconditioner::Multigrid {
-            self.multigrid.gather_rows(a);
-            self.pinned.clear();
-            self.pinned.resize(n, false);
-            for i in 0..n {
-                self.inverse[i] = if a.diagonal[i] > 0.0 { 1.0 / a.diagonal[i] } else { 0.0 };
-            }
-            self.multigrid.set_up(a, &self.inverse);
-        }
         self.sums.resize(n.div_ceil(CHUNK), 0.0);
-        self.parts.resize(n.div_ceil(CHUNK), [0.0; 2]);
+        sweep::within_pool(|| self.hierarchy.prepare(a, x, y, h));
+    }
+
+    /// How often a hierarchy was made.
+    pub fn set_ups(&self) -> u64 {
+        self.hierarchy.set_ups
     }
 
     /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `pinned`, with the matrix that was prepared. `x` is the first guess and
@@ -115,111 +102,109 @@ impl PressureSolver {
         stop: &Stop,
     ) -> Result<Solved, NotConverged> {
         assert_eq!(self.inverse.len(), a.rows(), "prepare the solver for this matrix first");
-        sweep::within_pool(|| self.iterate(a, ranks, b, scale, pinned, x, stop))
+        let given = Given { ranks, b, scale, pinned, stop };
+        sweep::within_pool(|| {
+            let old = self.hierarchy.is_old();
+            if old {
+                self.guess.clone_from_slice(x);
+            }
+            let first = self.iterate(a, &given, x, old);
+            let all = match first {
+                Err(stuck) if old => {
+                    // made for an earlier matrix: parts may have come to float, or to stand, since
+                    self.hierarchy.renew(a);
+                    x.copy_from_slice(&self.guess);
+                    let more = self.iterate(a, &given, x, false);
+                    let total = |i: usize| i + stuck.iterations;
+                    more.map(|s| Solved { iterations: total(s.iterations), ..s })
+                        .map_err(|e| NotConverged { iterations: total(e.iterations), ..e })
+                }
+                first => first,
+            };
+            self.hierarchy.judge(all.map_or(usize::MAX, |s| s.iterations));
+            all
+        })
     }
 
-    fn iterate(
-        &mut self,
-        a: &Matrix,
-        ranks: &[RankOne],
-        b: &[f64],
-        scale: &[f64],
-        pinned: &[bool],
-        x: &mut [f64],
-        stop: &Stop,
-    ) -> Result<Solved, NotConverged> {
-        self.null_space.find(&self.components, pinned, ranks);
-        let inverse_of = |i: usize| if pinned[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] };
-        sweep::gather_into(&mut self.inverse, inverse_of);
+    fn iterate(&mut self, a: &Matrix, given: &Given, x: &mut [f64], impatient: bool) -> Result<Solved, NotConverged> {
+        let &Given { ranks, b, scale, pinned, stop } = given;
+        self.null_space.find(&self.hierarchy.components, pinned, ranks);
+        let PressureSolver { hierarchy, null_space, inverse, residual, preconditioned, direction, image, sums, .. } =
+            self;
+        sweep::gather_into(inverse, |i| if pinned[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] });
+        let inverse = &*inverse;
         sweep::update(x, |i, x| {
-            if inverse_of(i) == 0.0 {
+            if inverse[i] == 0.0 {
                 *x = 0.0
             }
         });
 
-        if self.preconditioner == Preconditioner::Multigrid && self.pinned != pinned {
-            self.pinned.copy_from_slice(pinned);
-            self.multigrid.set_up(a, &self.inverse);
-        }
         // r = b − A x
-        self.apply(a, ranks, x, true);
-        let PressureSolver { inverse, image, residual, .. } = self;
+        apply(a, ranks, inverse, x, image, sums);
         sweep::gather_into(residual, |i| if inverse[i] == 0.0 { 0.0 } else { b[i] - image[i] });
-        self.direction.fill(0.0);
+        null_space.remove(residual);
+        let mut worst = largest(residual, scale, sums);
+        direction.fill(0.0);
         let (mut old, mut iterations) = (f64::INFINITY, 0);
-        loop {
-            self.null_space.remove(&mut self.residual);
-            let [mut weighted, worst] = self.measure(scale);
-            if worst <= stop.tolerance {
-                self.null_space.remove(x);
-                return Ok(Solved { iterations, residual: worst });
+        let mut mark = (0, worst);
+        while worst > stop.tolerance || worst.is_nan() {
+            if worst < 0.1 * mark.1 {
+                mark = (iterations, worst);
             }
-            if iterations == stop.most_iterations || !worst.is_finite() {
-                return Err(self.give_up(scale, iterations, worst));
+            let stuck = impatient && iterations - mark.0 >= STUCK;
+            if iterations == stop.most_iterations || stuck || !worst.is_finite() {
+                return Err(give_up(residual, scale, iterations, worst));
             }
-            if self.preconditioner == Preconditioner::Multigrid {
-                let PressureSolver { multigrid, inverse, residual, preconditioned, sums, .. } = &mut *self;
-                weighted = multigrid.apply(a, inverse, residual, preconditioned, sums);
-                let beta = weighted / old;
-                let PressureSolver { preconditioned, direction, .. } = &mut *self;
-                sweep::update(direction, |i, p| *p = preconditioned[i] + beta * *p);
-            } else {
-                // p = z + β p
-                let (beta, PressureSolver { inverse, residual, direction, .. }) = (weighted / old, &mut *self);
-                sweep::update(direction, |i, p| *p = inverse[i] * residual[i] + beta * *p);
-            }
-            old = weighted;
-            // x ← x + α p, r ← r − α A p
-            let energy = self.apply(a, ranks, x, false);
+            // z = B r, p ← z + (r·z)/(r·z)_old p
+            let rz = hierarchy.apply(inverse, residual, preconditioned, sums);
+            let beta = rz / old;
+            sweep::update(direction, |i, p| *p = preconditioned[i] + beta * *p);
+            old = rz;
+            // α = r·z/(p·A p), x ← x + α p, r ← r − α A p
+            let energy = apply(a, ranks, inverse, direction, image, sums);
             if energy <= 0.0 || !energy.is_finite() {
-                return Err(self.give_up(scale, iterations, worst));
+                return Err(give_up(residual, scale, iterations, worst));
             }
-            let (alpha, PressureSolver { residual, direction, image, .. }) = (weighted / energy, &mut *self);
+            let alpha = rz / energy;
             sweep::update_both(x, residual, |i, x, r| {
                 *x += alpha * direction[i];
                 *r -= alpha * image[i];
             });
+            null_space.remove(residual);
+            worst = largest(residual, scale, sums);
             iterations += 1;
         }
+        null_space.remove(x);
+        Ok(Solved { iterations, residual: worst })
     }
+}
 
-    /// image ← (A + Σ c g gᵀ) of the guess `x`, or of the direction; returns its energy.
-    fn apply(&mut self, a: &Matrix, ranks: &[RankOne], x: &[f64], of_guess: bool) -> f64 {
-        let PressureSolver { inverse, direction, image, sums, .. } = self;
-        let of: &[f64] = if of_guess { x } else { direction };
-        let mut energy = a.multiply(of, |i| inverse[i] != 0.0, image, sums);
-        for rank in ranks {
-            let along = rank.weight * rank.dot(of);
-            for &(i, g) in &rank.entries {
-                if inverse[i as usize] != 0.0 {
-                    image[i as usize] += along * g;
-                    energy += of[i as usize] * along * g;
-                }
+/// y ← (A + Σ c g gᵀ) x in rows with an `inverse`, 0 in the others; returns x·y.
+fn apply(a: &Matrix, ranks: &[RankOne], inverse: &[f64], x: &[f64], y: &mut [f64], sums: &mut [f64]) -> f64 {
+    let mut energy = a.multiply(x, |i| inverse[i] != 0.0, y, sums);
+    for rank in ranks {
+        let along = rank.dot(x);
+        energy += rank.weight * along * along;
+        for &(i, g) in &rank.entries {
+            if inverse[i as usize] != 0.0 {
+                y[i as usize] += rank.weight * along * g;
             }
         }
-        energy
     }
+    energy
+}
 
-    /// r·z and the largest |r_i|/scale_i.
-    fn measure(&mut self, scale: &[f64]) -> [f64; 2] {
-        let PressureSolver { inverse, residual, parts, .. } = self;
-        sweep::update_chunks(parts, residual, |rows, chunk| {
-            let (mut sum, mut worst) = (0.0, 0.0_f64);
-            for (i, r) in rows.zip(chunk) {
-                sum += *r * *r * inverse[i];
-                let share = if *r == 0.0 { 0.0 } else { r.abs() / scale[i] };
-                worst = if share > worst || share.is_nan() { share } else { worst };
-            }
-            [sum, worst]
-        });
-        self.parts
-            .iter()
-            .fold([0.0, 0.0], |[sum, worst], &[s, w]| [sum + s, if w > worst || w.is_nan() { w } else { worst }])
-    }
+/// PS3: the largest |r_i|/scale_i; not a number if any is not.
+fn largest(residual: &mut [f64], scale: &[f64], parts: &mut [f64]) -> f64 {
+    let worse = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
+    sweep::update_chunks(parts, residual, |rows, chunk| {
+        chunk.iter().zip(&scale[rows]).fold(0.0, |w, (r, s)| worse(w, if *r == 0.0 { 0.0 } else { r.abs() / s }))
+    });
+    parts.iter().fold(0.0, |w, &p| worse(w, p))
+}
 
-    fn give_up(&self, scale: &[f64], iterations: usize, residual: f64) -> NotConverged {
-        let share = |i: usize| self.residual[i].abs() / scale[i];
-        let worst = (0..self.residual.len()).find(|&i| share(i) == residual || share(i).is_nan()).unwrap_or(0);
-        NotConverged { iterations, residual, worst }
-    }
+fn give_up(residual: &[f64], scale: &[f64], iterations: usize, worst: f64) -> NotConverged {
+    let share = |i: usize| residual[i].abs() / scale[i];
+    let row = (0..residual.len()).find(|&i| share(i) == worst || share(i).is_nan()).unwrap_or(0);
+    NotConverged { iterations, residual: worst, worst: row }
 }

@@ -2,12 +2,14 @@
 
 mod aggregates;
 pub mod cg;
-mod galerkin;
+mod coarse;
+mod hierarchy;
 pub mod matrix;
 mod multigrid;
 mod null_space;
 #[cfg(test)]
 mod tests;
 
-pub use cg::{NotConverged, Preconditioner, PressureSolver, Solved, Stop};
+pub use cg::{NotConverged, PressureSolver, Solved, Stop};
+pub use hierarchy::Preconditioner;
 pub use matrix::{Matrix, RankOne};

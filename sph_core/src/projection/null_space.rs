@@ -1,5 +1,6 @@
 //! Pressures that no equation fixes: water that no free surface, no pin and no body gives a level (THEORY PS4).
 
+use super::aggregates::NOBODY;
 use super::matrix::{Matrix, RankOne};
 
 /// Shares of a body's g below this, against its length, do not fix a level [-].
@@ -8,7 +9,9 @@ const NO_SHARE: f64 = 1e-8;
 /// Connected parts of the matrix, and which of them no row gives a level.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Components {
-    /// The part that each row belongs to.
+    /// The part that each row of the flooded matrix belongs to.
+    node: Vec<u32>,
+    /// The part that each row belongs to; empty when nothing floats.
     of: Vec<u32>,
     /// For each part: no row of it has an excess.
     floating: Vec<bool>,
@@ -16,10 +19,9 @@ pub(crate) struct Components {
 }
 
 impl Components {
-    /// Flood the matrix.
-    pub fn find(&mut self, a: &Matrix) {
-        const NOBODY: u32 = u32::MAX;
-        let Components { of, floating, pending } = self;
+    /// Flood a matrix, of the rows themselves or of aggregates that are connected within.
+    pub fn find(&mut self, a: &Matrix, aggregates: Option<&[u32]>) {
+        let Components { node: of, floating, pending, .. } = self;
         of.clear();
         of.resize(a.rows(), NOBODY);
         floating.clear();
@@ -28,7 +30,7 @@ impl Components {
                 continue;
             }
             let name = floating.len() as u32;
-            floating.push(a.diagonal[seed] > 0.0);
+            floating.push(aggregates.is_some() || a.diagonal[seed] > 0.0); // a pocket may be one aggregate, without diagonal
             of[seed] = name;
             pending.push(seed as u32);
             while let Some(i) = pending.pop() {
@@ -44,6 +46,27 @@ impl Components {
                 }
             }
         }
+        self.of.clear();
+        if !self.floating.contains(&true) {
+            return;
+        }
+        match aggregates {
+            None => self.of.extend_from_slice(&self.node),
+            Some(aggregates) => {
+                let alone = self.floating.len() as u32; // no couplings: fixed by the diagonal, or empty
+                self.floating.push(false);
+                self.of.extend(aggregates.iter().map(|&c| self.node.get(c as usize).copied().unwrap_or(alone)));
+            }
+        }
+    }
+}
+
+impl Components {
+    /// Whether something that floated has, in this matrix, an excess or a coupling to another part: then it no longer does.
+    pub fn changed(&self, a: &Matrix) -> bool {
+        let floats = |i: usize| self.floating[self.of[i] as usize];
+        let differs = |i: usize| a.has_excess(i) || a.row(i).any(|(j, v)| v != 0.0 && self.of[j] != self.of[i]);
+        (0..self.of.len()).any(|i| floats(i) && differs(i))
     }
 }
 

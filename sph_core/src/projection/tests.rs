@@ -230,3 +230,62 @@ fn a_good_first_guess_is_kept() {
         assert_eq!(again().iterations, 0);
     }
 }
+
+#[test]
+fn the_smallest_pocket_floats_too() {
+    let mut dice = Dice(8);
+    let mut s = thrown(40, 1, 1, &mut dice);
+    // two particles that know only each other
+    s.a.columns.extend([41, 40]);
+    s.a.values.extend([-0.3, -0.3]);
+    s.a.starts.extend([s.a.columns.len() - 1, s.a.columns.len()]);
+    s.a.diagonal.extend([0.3, 0.3]);
+    s.b.extend([1.0, 0.4]);
+    s.at.iter_mut().for_each(|v| v.extend([5.0, 5.0]));
+    for kind in Preconditioner::ALL {
+        let (x, _) = solve(&s, &[], &[false; 42], kind);
+        assert!((x[40] - 0.5).abs() < 1e-10 && (x[41] + 0.5).abs() < 1e-10, "{kind:?}: {:?}", &x[40..]);
+    }
+}
+
+/// A row of `n` with a surface at its end if it is `open`, the same places each time.
+fn row_of(n: usize, open: bool) -> System {
+    let mut a = Matrix { starts: vec![0], ..Matrix::default() };
+    for i in 0..n {
+        let mut sum = 0.0;
+        for j in i.saturating_sub(2)..(i + 3).min(n) {
+            if j != i {
+                a.columns.push(j as u32);
+                a.values.push(-1.0);
+                sum += 1.0;
+            }
+        }
+        a.starts.push(a.columns.len());
+        a.diagonal.push(sum + if open && i == n - 1 { 1.0 } else { 0.0 });
+    }
+    let b = (0..n).map(|i| 1.0 + (0.1 * i as f64).sin()).collect();
+    System { a, b, at: [(0..n).map(|i| i as f64).collect(), vec![0.0; n], vec![1.5; n]] }
+}
+
+#[test]
+fn a_surface_that_closes_or_opens_is_noticed_though_the_hierarchy_is_kept() {
+    let n = 300;
+    let (pinned, scale) = (vec![false; n], vec![1.0; n]);
+    let stop = Stop { tolerance: 1e-8, most_iterations: 2000 };
+    for kind in Preconditioner::ALL {
+        let mut solver = PressureSolver::with(kind);
+        let mut set_ups = Vec::new();
+        for open in [true, true, false, false, true] {
+            let s = row_of(n, open);
+            solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
+            let mut x = vec![0.0; n];
+            solver.solve(&s.a, &[], &s.b, &scale, &pinned, &mut x, &stop).expect("converged");
+            let mean = x.iter().sum::<f64>() / n as f64;
+            assert_eq!(mean.abs() < 1e-9, !open, "{kind:?}: {mean}");
+            set_ups.push(solver.set_ups());
+        }
+        if kind == Preconditioner::Aggregates {
+            assert_eq!(set_ups, [1, 1, 2, 2, 3]);
+        }
+    }
+}

@@ -57,35 +57,62 @@ impl Sparse {
     }
 }
 
-/// Sums up one row at a time: a value for each column that was met, in the order of meeting.
-#[derive(Clone, Debug, Default)]
+/// Sums up one row at a time: a value for each column that was met, in the order of meeting. A small hash table with
+/// open addresses, so that many columns cost no memory.
+#[derive(Clone, Debug)]
 pub(crate) struct RowSum {
-    place: Vec<u32>,
+    /// Place in `columns`, by column; a power of two long and at most half full.
+    table: Vec<u32>,
     columns: Vec<u32>,
     values: Vec<f64>,
 }
 
+impl Default for RowSum {
+    fn default() -> RowSum {
+        RowSum { table: vec![NOBODY; 64], columns: Vec::new(), values: Vec::new() }
+    }
+}
+
 impl RowSum {
-    fn begin(&mut self, columns: usize) {
-        if self.place.len() < columns {
-            self.place.resize(columns, NOBODY);
-        }
-        for &c in &self.columns {
-            self.place[c as usize] = NOBODY;
-        }
+    fn begin(&mut self) {
+        self.table.fill(NOBODY);
         self.columns.clear();
         self.values.clear();
     }
 
     #[inline(always)]
     fn add(&mut self, column: u32, value: f64) {
-        let place = &mut self.place[column as usize];
-        if *place == NOBODY {
-            *place = self.columns.len() as u32;
-            self.columns.push(column);
-            self.values.push(value);
-        } else {
-            self.values[*place as usize] += value;
+        let mask = self.table.len() - 1;
+        let mut slot = column as usize & mask;
+        loop {
+            let place = self.table[slot] as usize;
+            if let Some(&met) = self.columns.get(place) {
+                if met == column {
+                    self.values[place] += value;
+                    return;
+                }
+            } else {
+                return self.push(slot, column, value);
+            }
+            slot = (slot + 1) & mask;
+        }
+    }
+
+    fn push(&mut self, slot: usize, column: u32, value: f64) {
+        self.table[slot] = self.columns.len() as u32;
+        self.columns.push(column);
+        self.values.push(value);
+        if 2 * self.columns.len() > self.table.len() {
+            let mask = 2 * self.table.len() - 1;
+            self.table.clear();
+            self.table.resize(mask + 1, NOBODY);
+            for (place, &c) in self.columns.iter().enumerate() {
+                let mut slot = c as usize & mask;
+                while self.table[slot] != NOBODY {
+                    slot = (slot + 1) & mask;
+                }
+                self.table[slot] = place as u32;
+            }
         }
     }
 }
@@ -100,10 +127,9 @@ pub(crate) struct Collected {
     sum: RowSum,
 }
 
-/// PS5: the matrix of piecewise constant pressures, couplings divided by `softening`, over the rows that are `active`.
+/// PS5: the matrix of piecewise constant pressures, couplings divided by `softening`.
 pub(crate) fn collapse(
     a: &Matrix,
-    active: impl Fn(usize) -> bool + Sync,
     aggregates: &Aggregates,
     softening: f64,
     collected: &mut Vec<Collected>,
@@ -118,21 +144,15 @@ pub(crate) fn collapse(
         values.clear();
         diagonal.clear();
         for row in rows {
-            sum.begin(n);
+            sum.begin();
             let (mut excess, mut own) = (0.0, 0.0);
             for &i in aggregates.of_aggregate(row) {
                 let i = i as usize;
-                if !active(i) {
-                    continue;
-                }
                 own += a.diagonal[i];
                 let mut tied = 0.0;
                 for (j, v) in a.row(i) {
-                    if !active(j) {
-                        continue;
-                    }
-                    tied += v;
                     let to = aggregates.of[j];
+                    tied += v;
                     if to as usize != row && to != NOBODY {
                         sum.add(to, v);
                     }
@@ -171,7 +191,7 @@ pub(crate) fn collapse(
 pub(crate) fn smoothed(a: &Matrix, aggregates: &Aggregates, omega: f64, sum: &mut RowSum, p: &mut Sparse) {
     p.clear();
     for i in 0..a.rows() {
-        sum.begin(aggregates.len());
+        sum.begin();
         if a.diagonal[i] > 0.0 {
             let step = omega / a.diagonal[i];
             if aggregates.of[i] != NOBODY {
@@ -194,7 +214,7 @@ pub(crate) fn triple(a: &Matrix, p: &Sparse, pt: &Sparse, sum: &mut RowSum, ap: 
     let n = pt.starts.len() - 1;
     ap.clear();
     for i in 0..a.rows() {
-        sum.begin(n);
+        sum.begin();
         for (k, v) in p.row(i) {
             sum.add(k as u32, a.diagonal[i] * v);
         }
@@ -213,8 +233,10 @@ pub(crate) fn triple(a: &Matrix, p: &Sparse, pt: &Sparse, sum: &mut RowSum, ap: 
     coarse.values.clear();
     coarse.diagonal.clear();
     for row in 0..n {
-        sum.begin(n);
+        sum.begin();
+        let mut own = 0.0;
         for (i, v) in pt.row(row) {
+            own += v * v * a.diagonal[i];
             for (k, w) in ap.row(i) {
                 sum.add(k as u32, v * w);
             }
@@ -229,6 +251,7 @@ pub(crate) fn triple(a: &Matrix, p: &Sparse, pt: &Sparse, sum: &mut RowSum, ap: 
             }
         }
         coarse.starts.push(coarse.columns.len());
-        coarse.diagonal.push(diagonal);
+        // what floats as a whole has nothing left but rounding
+        coarse.diagonal.push(if diagonal < NO_EXCESS * own { 0.0 } else { diagonal });
     }
 }
