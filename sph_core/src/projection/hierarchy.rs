@@ -26,7 +26,7 @@ const FAR: f64 = 0.3;
 const FEW_MOVED: f64 = 0.02;
 
 /// A preconditioner and the connected parts of the matrix, made for one matrix and kept for those that are like it.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Hierarchy {
     kind: Preconditioner,
     multigrid: Multigrid,

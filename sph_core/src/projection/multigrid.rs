@@ -37,7 +37,7 @@ fn gather(out: &mut [f64], value: impl Fn(usize) -> f64 + Sync) {
 }
 
 /// A coarse system and the way to the next coarser one.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Level {
     a: Matrix,
     /// ω/a_ii, or 0.
@@ -51,7 +51,7 @@ struct Level {
 }
 
 /// The hierarchy below the level of particles.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Multigrid {
     aggregates: Aggregates,
     levels: Vec<Level>,

@@ -289,3 +289,34 @@ fn a_surface_that_closes_or_opens_is_noticed_though_the_hierarchy_is_kept() {
         }
     }
 }
+
+#[test]
+fn iterations_hardly_grow_with_the_number_of_rows() {
+    let mut dice = Dice(1234);
+    let (small, large) = (thrown(400, 1, 1, &mut dice), thrown(6400, 1, 1, &mut dice));
+    let growth = |kind| {
+        let count = |s: &System| solve(s, &[], &vec![false; s.a.rows()], kind).1.iterations as f64;
+        count(&large) / count(&small)
+    };
+    let (diagonal, aggregates) = (growth(Preconditioner::Diagonal), growth(Preconditioner::Aggregates));
+    assert!(diagonal > 3.0 && aggregates < 1.7, "{diagonal} {aggregates}"); // four times as many across
+}
+
+#[test]
+fn a_clone_goes_on_to_the_same_bits() {
+    let mut dice = Dice(99);
+    let s = thrown(900, 1, 1, &mut dice);
+    let (scale, pinned, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-6, most_iterations: 500 });
+    let mut solver = PressureSolver::default();
+    solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
+    let mut kept = solver.clone();
+    let moved: Vec<f64> = s.at[0].iter().map(|x| x + 0.01 * s.at[2][0]).collect();
+    let go_on = |solver: &mut PressureSolver| {
+        let mut x = vec![0.0; 900];
+        solver.prepare(&s.a, &moved, &s.at[1], &s.at[2]);
+        solver.solve(&s.a, &[], &s.b, &scale, &pinned, &mut x, &stop).expect("converged");
+        x
+    };
+    assert_eq!(go_on(&mut solver), go_on(&mut kept));
+    assert_eq!(solver.set_ups(), 1);
+}
