@@ -3,10 +3,23 @@
 //! Read in this order: [`step`], [`survey`] (what the pairs give), [`lattice`] (what a flat surface lacks), [`air`] (where
 //! the air is), [`poisson`] (the pressure).
 
+mod aggregates;
 mod air;
+pub mod cg;
+mod coarse;
+mod hierarchy;
 mod lattice;
+pub mod matrix;
+mod multigrid;
+mod null_space;
 mod poisson;
 mod survey;
+#[cfg(test)]
+mod tests;
+
+pub use cg::{NotConverged, PressureSolver, Solved, Stop};
+pub use hierarchy::Preconditioner;
+pub use matrix::{Matrix, RankOne};
 
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +64,9 @@ pub struct Projection {
     pub(crate) wet: Vec<f64>,
     pub(crate) pinned: Vec<bool>,
     pub(crate) source: Vec<f64>,
+    pub(crate) scale: Vec<f64>,
+    pub(crate) matrix: Matrix,
+    pub(crate) solver: PressureSolver,
     /// Iterations of all solves.
     pub iterations: u64,
     /// Solves.
