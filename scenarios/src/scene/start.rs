@@ -90,7 +90,8 @@ pub(super) fn check_start(scene: &Scene) -> Result<(), Problem> {
             return Err(Problem::new(&key, given, expected));
         }
         if tank.height < tank.depth + surface.largest() {
-            let expected = format!("at least {} m, where the water starts", significant(tank.depth + surface.largest()));
+            let expected =
+                format!("at least {} m, where the water starts", significant(tank.depth + surface.largest()));
             return Err(Problem::new("tank.height", tank.height, expected));
         }
         if tank.water_width < tank.width {
@@ -130,7 +131,8 @@ fn check_block(scene: &Scene, block: &Block) -> Result<(), Problem> {
     let [from, to] = [block.from, block.to];
     if (0..2).any(|k| to[k] - from[k] < least) {
         let least = significant(least);
-        let expected = format!("at least {SMALLEST_BLOCK} spacings, {least} m, above and right of block_from = {from:?}");
+        let expected =
+            format!("at least {SMALLEST_BLOCK} spacings, {least} m, above and right of block_from = {from:?}");
         return Err(Problem::new("tank.block_to", format!("{to:?}"), expected));
     }
     if from[0] < left || from[1] < rise {
