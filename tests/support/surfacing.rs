@@ -11,13 +11,15 @@ use scenarios::scene::{self, Scene};
 use crate::statistics::Noise;
 
 /// Half width, depth and height of the walls of the tank [m].
-const TANK: [f64; 3] = [0.6, 0.75, 1.8];
-/// Spacing [m]: 800 particles.
+const TANK: [f64; 3] = [0.7, 0.75, 1.8];
+/// Spacing [m]: 900 particles.
 const SPACING: f64 = 0.0335;
 /// End of a run [s].
-const END: f64 = 1.4;
+const END: f64 = 1.2;
 /// Largest speed over that of everything falling from the highest to the floor.
 const SPEED: f64 = 3.0;
+/// Steps after which a run has stalled.
+const MOST_STEPS: u64 = 20_000;
 /// Energy that may come from nowhere, over the largest kinetic energy.
 const GAIN: f64 = 0.02;
 
@@ -52,10 +54,11 @@ struct Draw(Noise);
 
 impl Draw {
     fn of(seed: u64) -> Draw {
-        // neighbouring seeds far apart
-        let mut noise = Noise::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(0x2545_f491_4f6c_dd1d));
-        (0..4).for_each(|_| _ = noise.draw());
-        Draw(noise)
+        // neighbouring seeds far apart: the finalizer of SplitMix64 (Steele, Lea & Flood 2014)
+        let mut mixed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        Draw(Noise::new(mixed ^ (mixed >> 31)))
     }
 
     fn from_to(&mut self, from: f64, to: f64) -> f64 {
@@ -133,7 +136,7 @@ fn rises(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
     let (what, points) = outline(draw);
     let share = draw.from_to(0.05, 0.8);
     let r = radius(&points);
-    let at = [draw.from_to(-0.15, 0.15), draw.from_to(r + 0.07 - TANK[1], -r - 0.02)];
+    let at = [draw.from_to(-0.1, 0.1), draw.from_to(r + 0.07 - TANK[1], -r - 0.02)];
     let (angle, spin) = (draw.from_to(-180.0, 180.0), draw.from_to(-200.0, 200.0));
     let velocity = [draw.from_to(-0.3, 0.3), draw.from_to(0.0, 1.0)];
     body(text, &points, 1000.0 * share, at, angle, velocity, spin);
@@ -164,7 +167,7 @@ fn plunges(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
 
 fn pours(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
     let [width, tall] = [draw.from_to(0.14, 0.4), draw.from_to(0.14, 0.5)];
-    let (x, gap) = (draw.from_to(-0.6, 0.6 - width), draw.from_to(0.0, 0.5));
+    let (x, gap) = (draw.from_to(-TANK[0], TANK[0] - width), draw.from_to(0.0, 0.5));
     let velocity = [draw.from_to(-1.5, 1.5), draw.from_to(-3.0, 1.0)];
     let depth = draw.from_to(0.2, 0.6);
     *text = text.replacen(&format!("depth = {}", TANK[1]), &format!("depth = {depth}"), 1);
@@ -177,40 +180,24 @@ fn pours(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
     (words, to[1], velocity[0].hypot(velocity[1]))
 }
 
-/// Run a variation to its end or its failure.
+/// Run a variation to its end or its failure: the first particle that is too fast ends it.
 pub fn run(variation: &Variation) -> Verdict {
     let mut system = build::build(&variation.scene).expect("a scene that loads can be built");
-    let mut seen = Seen { fall: variation.fall, ..Seen::default() };
+    let mut seen = Seen::default();
     let mut failures = Vec::new();
-    while system.fluid.time < variation.scene.time.end {
+    while system.fluid.time < variation.scene.time.end && failures.is_empty() {
         let stepped = system.stable_dt().and_then(|dt| system.step(dt));
-        if let Err(error) = stepped {
-            failures.push(error.to_string());
-            break;
-        }
-        seen.look(&system);
-        if system.fluid.steps > 40_000 {
-            failures.push(format!("still at t = {:.4} s after {} steps", system.fluid.time, system.fluid.steps));
-            break;
+        failures.extend(stepped.err().map(|error| error.to_string()));
+        failures.extend(seen.look(&system, SPEED * variation.fall));
+        if system.fluid.steps > MOST_STEPS {
+            failures.push(format!("still at t = {:.4} s after {MOST_STEPS} steps", system.fluid.time));
         }
     }
     let gain = if seen.kinetic > 0.0 { seen.gained[0] / seen.kinetic } else { 0.0 };
     failures.extend(seen.breach);
-    if seen.fastest[0] > SPEED * variation.fall {
-        failures.push(format!(
-            "{} m/s: {:.2} times the fall's {:.2} m/s, {}",
-            seen.fastest[0],
-            seen.fastest[0] / variation.fall,
-            variation.fall,
-            seen.where_fastest
-        ));
-    }
     if gain > GAIN {
-        failures.push(format!(
-            "gains {:.2} % of the largest kinetic energy by t = {:.3} s",
-            100.0 * gain,
-            seen.gained[1]
-        ));
+        let when = seen.gained[1];
+        failures.push(format!("gains {:.2} % of the largest kinetic energy by t = {when:.3} s", 100.0 * gain));
     }
     Verdict {
         particles: system.fluid.particles.len(),
@@ -223,25 +210,30 @@ pub fn run(variation: &Variation) -> Verdict {
 
 #[derive(Default)]
 struct Seen {
-    fall: f64,
     kinetic: f64,
     gained: [f64; 2],
     fastest: [f64; 2],
-    where_fastest: String,
     breach: Option<String>,
 }
 
 impl Seen {
-    fn look(&mut self, system: &Coupled) {
+    /// Take note of a step; what is wrong if a particle is faster than `most` [m/s].
+    fn look(&mut self, system: &Coupled, most: f64) -> Option<String> {
         let (p, time) = (&system.fluid.particles, system.fluid.time);
         let speed = |k: usize| p.u[k].hypot(p.v[k]);
-        let k = (0..p.len()).max_by(|&a, &b| speed(a).total_cmp(&speed(b))).expect("water");
+        let k = (0..p.len()).max_by(|&a, &b| speed(a).total_cmp(&speed(b)))?;
+        if speed(k) > most || !speed(k).is_finite() {
+            return Some(format!(
+                "particle {} at ({:.4}, {:.4}) m has {:.3e} m/s at t = {time:.4} s, pressure {:.3e} Pa",
+                p.id[k],
+                p.x[k],
+                p.y[k],
+                speed(k),
+                system.fluid.derived.pressure[k],
+            ));
+        }
         if speed(k) > self.fastest[0] {
             self.fastest = [speed(k), time];
-            if speed(k) > self.fall {
-                self.where_fastest =
-                    format!("particle {} at ({:.4}, {:.4}) m, t = {time:.4} s", p.id[k], p.x[k], p.y[k]);
-            }
         }
         let of_bodies: f64 = system.bodies().map(|b| b.energy().kinetic).sum();
         self.kinetic = self.kinetic.max(system.fluid_energy().kinetic + of_bodies);
@@ -254,5 +246,6 @@ impl Seen {
                 b.id, b.at[0], b.at[1], b.depth, b.owner
             ));
         }
+        None
     }
 }
