@@ -138,16 +138,27 @@ pub fn similarity_of(scene: &Scene) -> Option<WedgeSimilarity> {
 /// Share of its peak that a curve must reach on both sides of a zero: less is noise.
 const SWING: f64 = 0.25;
 
-/// Q4: mean distance of the zeros at which a curve, less its mean in the window, goes up [s]; each interpolated linearly, the
-/// last one on the way from below −`SWING` to above +`SWING` of its peak. `None` with fewer than two.
+/// Q4: period of a curve about its mean in the window [s]: that of its zeros on the way up, and of those on the way down, in the
+/// mean. `None` with fewer than two of either.
 fn period(t: &[f64], y: &[f64], window: [f64; 2]) -> Option<f64> {
     let inside = |t: f64| (window[0]..=window[1]).contains(&t);
     let curve: Vec<[f64; 2]> = t.iter().zip(y).filter(|(t, _)| inside(**t)).map(|(t, y)| [*t, *y]).collect();
     let mean = curve.iter().map(|p| p[1]).sum::<f64>() / curve.len() as f64;
-    let swing = SWING * curve.iter().map(|p| (p[1] - mean).abs()).fold(0.0, f64::max);
+    let about_mean = |sign: f64| curve.iter().map(|p| [p[0], sign * (p[1] - mean)]).collect::<Vec<_>>();
+    let distance = |zeros: Vec<f64>| {
+        let intervals = zeros.len().checked_sub(1).filter(|n| *n > 0)?;
+        Some((zeros[intervals] - zeros[0]) / intervals as f64)
+    };
+    Some(0.5 * (distance(zeros_up(&about_mean(1.0)))? + distance(zeros_up(&about_mean(-1.0)))?))
+}
+
+/// Times at which a curve comes from below −`SWING` of its peak to above +`SWING` [s]: its last zero on the way, interpolated
+/// linearly.
+fn zeros_up(curve: &[[f64; 2]]) -> Vec<f64> {
+    let swing = SWING * curve.iter().map(|p| p[1].abs()).fold(0.0, f64::max);
     let (mut zeros, mut zero, mut below) = (Vec::new(), None, false);
     for pair in curve.windows(2) {
-        let ([t0, y0], [t1, y1]) = ([pair[0][0], pair[0][1] - mean], [pair[1][0], pair[1][1] - mean]);
+        let ([t0, y0], [t1, y1]) = (pair[0], pair[1]);
         below |= y0 < -swing;
         if below && y0 < 0.0 && y1 >= 0.0 {
             zero = Some(t0 + (t1 - t0) * y0 / (y0 - y1));
@@ -157,8 +168,7 @@ fn period(t: &[f64], y: &[f64], window: [f64; 2]) -> Option<f64> {
             below = false;
         }
     }
-    let intervals = zeros.len().checked_sub(1).filter(|n| *n > 0)?;
-    Some((zeros[intervals] - zeros[0]) / intervals as f64)
+    zeros
 }
 
 /// V6: when |y| first exceeds a share of its largest value inside the window, interpolated linearly [s].

@@ -85,8 +85,7 @@ mod tests {
         let sets = ["tank.surface_amplitude=0.05", "observe.level=[-0.5, -0.21, 0.5]", "resolution.spacing=0.02"];
         let sets = sets.map(String::from);
         let scene = scene::load("hydrostatic_tank", &sets).expect("a built-in scene").scene;
-        let mut system = build::build(&scene).expect("a tank");
-        system.fluid.particles.rho.fill(1000.0);
+        let system = build::build(&scene).expect("a tank");
         let levels = LevelReader::new(&scene).read(&system.fluid);
         let half = 0.5 * std::f64::consts::PI * 0.04;
         let flat = (half.sin() / half).powi(4);

@@ -190,7 +190,7 @@ static KEYWORDS: &[Keyword] = &[
     key("compare[].y", "", "required", "the reference's column of values"),
     key("compare[].y_scale", "", "1.0", "factor that turns it into SI units"),
     key("compare[].window", "s", "[0.0, end]", "times compared [from, to], cut at the end of the run"),
-    key("compare[].norm", "", "rms_over_peak", "rms | max, in the quantity's unit; rms_over_first | rms_over_peak | peak (heights of the peaks) | arrival (times of arrival) | impulse (integrals over time) | period (mean distances of zeros on the way up), relative"),
+    key("compare[].norm", "", "rms_over_peak", "rms | max, in the quantity's unit; rms_over_first | rms_over_peak | peak (heights of the peaks) | arrival (times of arrival) | impulse (integrals over time) | period (mean distances of zeros), relative"),
     key("compare[].tolerance", "", "absent", "largest error that passes, in the norm's unit; absent: drawn, not judged"),
     key("compare[].threshold", "-", "0.5", "norm arrival: share of its own peak in the window at which a curve has arrived"),
     key("observe.front", "", "false", "column front_m: length of the connected water along the floor, from its left end: true | false"),

@@ -295,7 +295,7 @@ pub enum Norm {
     Arrival,
     /// ∫y dt/∫r dt − 1 [-], over the part of the window that both curves cover (V6).
     Impulse,
-    /// T/T_r − 1 [-]: mean distances of each curve's upward zeros in the window (Q4).
+    /// T/T_r − 1 [-]: mean distances of each curve's zeros, up and down, in the window (Q4).
     Period,
 }
 

@@ -36,8 +36,8 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     let fastest = match &entry {
         Some(_) => fastest_speed(entry.as_ref(), body.as_ref(), gravity, 0.0),
         None => {
-            let width = still_water("tank.width", file.tank.width)?;
             let depth = still_water("tank.depth", file.tank.depth)?;
+            let width = still_water("tank.width", file.tank.width)?;
             let tank = resolve_tank(&file.tank, width, depth)?;
             fastest_speed(None, body.as_ref(), gravity, tank.fall()) + tank.block_speed()
         }

@@ -27,13 +27,13 @@ pub(super) fn resolve_surface(file: &TankFile) -> Result<(f64, u32, f64), Proble
 
 /// The block of water in the air, if the scene has one.
 pub(super) fn resolve_block(file: &TankFile) -> Result<Option<Block>, Problem> {
-    let (from, to) = match (file.block_from, file.block_to, file.block_velocity) {
-        (None, None, None) => return Ok(None),
+    let velocity = file.block_velocity.unwrap_or([0.0; 2]);
+    let (from, to) = match (file.block_from, file.block_to, velocity) {
+        (None, None, [0.0, 0.0]) => return Ok(None),
         (Some(from), Some(to), _) => (from, to),
         (None, ..) => return Err(Problem::missing("tank.block_from", "the block's lower left corner [x, y] [m]")),
         (_, None, _) => return Err(Problem::missing("tank.block_to", "the block's upper right corner [x, y] [m]")),
     };
-    let velocity = file.block_velocity.unwrap_or([0.0; 2]);
     for (key, pair) in [("from", from), ("to", to), ("velocity", velocity)] {
         for value in pair {
             finite(&format!("tank.block_{key}"), value)?;

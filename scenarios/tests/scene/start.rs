@@ -28,7 +28,7 @@ fn surfaces_blocks_and_levels_that_do_not_fit_are_refused() {
         (two("tank.surface_amplitude=0.1", "symmetry=x"), &["`tank.surface_mode` = 1", "an even number"]),
         (two("tank.surface_tilt_deg=2", "symmetry=x"), &["`tank.surface_tilt_deg` = 2", "0 with symmetry"]),
         (one("tank.block_from=[0, 0]"), &["`tank.block_to` is missing"]),
-        (one("tank.block_velocity=[0, 0]"), &["`tank.block_from` is missing"]),
+        (one("tank.block_velocity=[1, 0]"), &["`tank.block_from` is missing"]),
         (low.to_vec(), &["`tank.block_from`", "y of at least 0 m"]),
         (flat.to_vec(), &["`tank.block_to`", "at least 4 spacings, 0.08 m"]),
         (wide.to_vec(), &["`tank.block_to`", "x of at most 0.5 m"]),
