@@ -336,7 +336,7 @@ impl Fluid {
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
         self.rows.place_walls(walls, offset);
         let Parameters { mirror, periodic, .. } = self.parameters;
-        if self.parameters.walls.model == WallModel::MirrorPoint {
+        if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver == Solver::Incompressible {
             self.rows.place_mirror_points(walls);
         }
         let kinematics = self.rows.kinematics(walls);

@@ -9,8 +9,8 @@ const CELLS: f64 = 2.0;
 const COVER: f64 = 1.0;
 /// Sizes of holes [spacings²]: below the first no air, above the second nothing else.
 const HOLE: [f64; 2] = [4.0, 12.0];
-/// Air is felt in full up to the first distance [spacings], not beyond the second.
-const FEEL: [f64; 2] = [2.6, 3.0];
+/// Air is felt in full up to the first distance beyond the support [spacings], not beyond the second.
+const FEEL: [f64; 2] = [0.1, 0.5];
 
 /// How near air is.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +20,7 @@ pub struct Air {
     grids: Vec<Grid>,
     stack: Vec<u32>,
     offsets: Vec<(i32, i32, f64)>,
+    least: f64,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -107,7 +108,57 @@ impl Grid {
     }
 }
 
+impl Air {
+    /// How much a place is air [-], for a particle of spacing `dx` there.
+    pub(super) fn share_at(&self, x: f64, y: f64, dx: f64) -> f64 {
+        let level = ((dx / self.least).log2() + 1e-9).floor().max(0.0) as usize;
+        let Some(grid) = self.grids.get(level).filter(|g| g.columns > 0) else { return 0.0 };
+        let (fx, fy) = ((x - grid.origin[0]) / grid.side - 0.5, (y - grid.origin[1]) / grid.side - 0.5);
+        let (i, j) = (fx.floor(), fy.floor());
+        let (s, t) = (fx - i, fy - j);
+        let at = |i: f64, j: f64| {
+            if i < 0.0 || j < 0.0 || i >= grid.columns as f64 || j >= grid.rows as f64 {
+                return if j >= grid.rows as f64 { 1.0 } else { 0.0 };
+            }
+            let state = grid.state[j as usize * grid.columns + i as usize];
+            if state <= 2 { 0.0 } else { f64::from(state - 2) / 253.0 }
+        };
+        (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i + 1.0, j)) + t * ((1.0 - s) * at(i, j + 1.0) + s * at(i + 1.0, j + 1.0))
+    }
+}
+
 impl Fluid {
+    /// I5: a wall particle whose mirror point is air is dry: it fills nothing and bears no pressure.
+    pub(super) fn dry_walls(&mut self, walls: &Walls) {
+        let ratio = self.parameters.smoothing_ratio;
+        let air = &self.projection.air;
+        let n = walls.len();
+        let wet = &mut self.projection.wet;
+        wet.resize(n, 1.0);
+        for k in 0..n {
+            let (x, y) = (self.rows.walls[k].x, self.rows.walls[k].y);
+            let (x, y) = (x + 2.0 * walls.depth[k] * walls.nx[k], y + 2.0 * walls.depth[k] * walls.ny[k]);
+            let dx = walls.h[k] / ratio;
+            let fluid = &self.rows.fluid;
+            let square = |j: &u32| (fluid[*j as usize].x - x).powi(2) + (fluid[*j as usize].y - y).powi(2);
+            let nearest = self.search.fluid_of_mirror.of(k).iter().map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
+            let apart = ((nearest - 0.75) / 0.25).clamp(0.0, 1.0);
+            wet[k] = 1.0;
+            if apart > 0.0 {
+                let x = self.parameters.mirror.map_or(x, |m| if x < m.at { m.reflect(x) } else { x });
+                let d = 1.4 * dx;
+                let places = [(d, 0.0), (-d, 0.0), (0.0, d), (0.0, -d), (d, d), (d, -d), (-d, d), (-d, -d)];
+                let share = places.iter().map(|(a, b)| air.share_at(x + a, y + b, dx)).fold(0.0, f64::max);
+                wet[k] -= apart * share;
+            }
+        }
+        for (k, row) in self.rows.walls.iter_mut().enumerate() {
+            let k = if k < n { k } else { self.search.wall_images[k - n] as usize };
+            row.volume *= wet[k];
+            row.fill *= wet[k];
+        }
+    }
+
     /// I5: which particles feel air, and how much.
     pub(super) fn find_air(&mut self, walls: &Walls) {
         let ratio = self.parameters.smoothing_ratio;
@@ -117,6 +168,7 @@ impl Fluid {
         air.exposure.clear();
         air.exposure.resize(n, 0.0);
         let least = p.h.iter().fold(f64::INFINITY, |a, &h| a.min(h)) / ratio;
+        air.least = least;
         let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
         let levels = p.h.iter().map(|&h| level(h)).max().map_or(0, |l| l + 1);
         let mut boxes = vec![([f64::MAX; 2], [f64::MIN; 2]); levels];
@@ -152,21 +204,32 @@ impl Fluid {
             }
             grid.judge(&mut air.stack);
         }
+    }
+
+    /// I5: exposure of every particle, once surveyed.
+    pub(super) fn expose(&mut self) {
+        let ratio = self.parameters.smoothing_ratio;
+        let p = &self.particles;
+        let feel = FEEL.map(|margin| 2.0 * ratio + margin);
+        let filled = 0.999 * self.projection.lattice.map_or(1.0, |lattice| lattice.filling);
+        let air = &mut self.projection.air;
+        let least = air.least;
         if air.offsets.is_empty() {
-            let reach = (FEEL[1] * CELLS * 2.0).ceil() as i32 + 1;
+            let reach = (feel[1] * CELLS * 2.0).ceil() as i32 + 1;
             for i in -reach..=reach {
                 for j in -reach..=reach {
                     let r = f64::from(i).hypot(f64::from(j));
-                    if r <= FEEL[1] * CELLS * 2.0 {
+                    if r <= feel[1] * CELLS * 2.0 {
                         air.offsets.push((i, j, r));
                     }
                 }
             }
             air.offsets.sort_by(|a, b| a.2.total_cmp(&b.2));
         }
+        let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
         let (grids, offsets, around) = (&air.grids, &air.offsets, &self.projection.survey.around);
         crate::sweep::gather_into(&mut air.exposure, |k| {
-            if around[k].filling > 0.995 {
+            if around[k].filling > filled {
                 return 0.0;
             }
             let grid = &grids[level(p.h[k])];
@@ -175,7 +238,7 @@ impl Fluid {
                 (((p.x[k] - grid.origin[0]) / grid.side) as i32, ((p.y[k] - grid.origin[1]) / grid.side) as i32);
             let mut best = 0.0_f64;
             for &(i, j, r) in offsets {
-                if (r - 0.75) * grid.side > FEEL[1] * dx {
+                if (r - 0.75) * grid.side > feel[1] * dx {
                     break;
                 }
                 let (a, b) = (ci + i, cj + j);
@@ -190,7 +253,7 @@ impl Fluid {
                 let x = grid.origin[0] + (f64::from(a) + 0.5) * grid.side - p.x[k];
                 let y = grid.origin[1] + (f64::from(b) + 0.5) * grid.side - p.y[k];
                 let r = x.hypot(y) / dx;
-                best = best.max(share * ((FEEL[1] - r) / (FEEL[1] - FEEL[0])).clamp(0.0, 1.0));
+                best = best.max(share * ((feel[1] - r) / (feel[1] - feel[0])).clamp(0.0, 1.0));
                 if best == 1.0 {
                     break;
                 }

@@ -48,6 +48,7 @@ pub struct Projection {
     pub(crate) air: Air,
     /// Excess of each row's diagonal: the free surface (I7).
     pub(crate) excess: Vec<f64>,
+    pub(crate) wet: Vec<f64>,
     pub(crate) pinned: Vec<bool>,
     pub(crate) source: Vec<f64>,
     /// Iterations of all solves.
@@ -57,13 +58,16 @@ pub struct Projection {
     /// Rows pinned by the unilateral condition, in the last step.
     pub pins: usize,
     last_dt: f64,
+    head: f64,
 }
 
 /// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
 pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
     fluid.pack(walls, -dt); //           who is near whom at r
+    fluid.find_air(walls); //            holes
+    fluid.dry_walls(walls);
     fluid.survey(walls, dt); //          C, ∇C, ∇·u*, A
-    fluid.find_air(walls); //            e
+    fluid.expose(); //                   e
     fluid.close_surface(); //            s
     fluid.solve_pressure(dt)?; //        (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt)
     fluid.push(walls, dt); //            a = g − ∇p/ρ, F
@@ -118,24 +122,48 @@ impl Fluid {
             [walls.mean_fx[k], walls.mean_fy[k]] = [walls.fx[k], walls.fy[k]];
             walls.mean_swing[k] = walls.swing(k, -dt, [walls.fx[k], walls.fy[k]]);
         }
-        let (p, g) = (&mut self.particles, self.parameters.gravity);
-        let weight = g[0].hypot(g[1]) * self.parameters.eos.rho0;
+        let (p, g, rho) = (&mut self.particles, self.parameters.gravity, self.parameters.eos.rho0);
+        let weight = g[0].hypot(g[1]) * rho;
+        let (survey, air) = (&self.projection.survey, &self.projection.air.exposure);
+        let calm = self.parameters.projecting.x[2] == 0.0 && weight > 0.0;
+        let (mut impulse, mut mass) = ([0.0; 2], 0.0);
+        let mut shares = vec![0.0; p.len()];
+        if self.steps == 0 {
+            let height = |k: usize| -(g[0] * p.x[k] + g[1] * p.y[k]) * rho;
+            self.projection.head = (0..p.len()).map(height).fold(f64::NEG_INFINITY, f64::max);
+        }
         for (k, sum) in self.gathered.iter().enumerate() {
-            let around = sum.around;
-            let mut force = sum.force.map(|f| inverse * f);
-            let exposed = self.projection.air.exposure[k];
-            if exposed > 0.0 && self.parameters.projecting.x[0] == 0.0 {
-                let dx = (p.mass[k] / p.rho[k]).sqrt();
-                let closure = lattice.closure(around.filling);
-                let pressure = self.derived.pressure[k].clamp(0.0, weight * closure.depth * dx);
-                let volume = p.mass[k] / p.rho[k];
-                for axis in 0..2 {
-                    force[axis] += exposed * closure.pull * volume * pressure * inverse * around.crowding[axis];
+            let around = &survey.around[k];
+            let dx = (p.mass[k] / p.rho[k]).sqrt();
+            let pressure = self.derived.pressure[k];
+            let closure = if air[k] > 0.0 { lattice.closure(around.filling) } else { Default::default() };
+            let tie = air[k] * closure.pull;
+            let top = pressure.clamp(0.0, weight * closure.depth * dx);
+            let pull = tie * top * inverse / rho;
+            let mut a = [0, 1].map(|i| inverse * sum.force[i] / p.mass[k] + g[i] + pull * around.crowding[i]);
+            if calm {
+                let head = self.projection.head + rho * (g[0] * p.x[k] + g[1] * p.y[k]);
+                let base = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
+                let share = (1.0 - air[k]) * (base / (0.25 * weight * dx)).min(1.0);
+                let m = survey.spread[k];
+                let slope = [m[0] * g[0] + m[1] * g[1], m[1] * g[0] + m[2] * g[1]];
+                for i in 0..2 {
+                    let lift = (2.0 * base - tie * base.min(top)) * around.crowding[i] / rho + slope[i];
+                    let error = share * (inverse * lift - g[i]);
+                    a[i] += error;
+                    impulse[i] += p.mass[k] * error;
                 }
+                mass += share * p.mass[k];
+                shares[k] = share;
             }
-            p.ax[k] = force[0] / p.mass[k] + g[0];
-            p.ay[k] = force[1] / p.mass[k] + g[1];
-            self.derived.surroundings[k] = around;
+            [p.ax[k], p.ay[k]] = a;
+            self.derived.surroundings[k] = *around;
+        }
+        if mass > 0.0 {
+            for k in 0..p.x.len() {
+                p.ax[k] -= shares[k] * impulse[0] / mass;
+                p.ay[k] -= shares[k] * impulse[1] / mass;
+            }
         }
     }
 

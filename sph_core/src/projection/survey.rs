@@ -18,6 +18,8 @@ pub struct Survey {
     pub around: Vec<Surroundings>,
     /// ∇·u* [1/s].
     pub divergence: Vec<f64>,
+    /// −Σ V r⊗∇W.
+    pub spread: Vec<[f64; 3]>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -27,6 +29,7 @@ struct Rows {
     values: Vec<f64>,
     around: Vec<Surroundings>,
     divergence: Vec<f64>,
+    spread: Vec<[f64; 3]>,
 }
 
 impl Survey {
@@ -45,7 +48,8 @@ struct Task<'a> {
     faces: &'a [Face],
     search: &'a Search,
     n: usize,
-    kick: [f64; 2],
+    kicks: &'a [[f64; 2]],
+    walls: &'a [Row],
     inverse_rho: f64,
     chunks: &'a mut [Rows],
 }
@@ -53,13 +57,14 @@ struct Task<'a> {
 impl WithKernel for Task<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Task { fluid, faces, search, n, kick, inverse_rho, chunks } = self;
+        let Task { fluid, faces, search, n, kicks, walls, inverse_rho, chunks } = self;
         sweep::for_each_chunk(chunks, n, |targets, rows| {
             rows.ends.clear();
             rows.columns.clear();
             rows.values.clear();
             rows.around.clear();
             rows.divergence.clear();
+            rows.spread.clear();
             for k in targets {
                 let a = &fluid[k];
                 let own = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
@@ -85,22 +90,26 @@ impl WithKernel for Task<'_> {
                 for &j in search.walls_of_fluid.of(k) {
                     let w = &faces[j as usize];
                     let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
-                    filling += w.volume * aw.w::<K>();
-                    let pull = w.volume * aw.slope;
+                    let wet = walls[j as usize].volume;
+                    filling += wet * aw.w::<K>();
+                    let pull = wet * aw.slope;
                     crowding[0] += pull * aw.dx;
                     crowding[1] += pull * aw.dy;
                     spread[0] -= pull * aw.dx * aw.dx;
                     spread[1] -= pull * aw.dx * aw.dy;
                     spread[2] -= pull * aw.dy * aw.dy;
-                    let un = (a.u + kick[0]) * w.nx + (a.v + kick[1]) * w.ny;
+                    let un = a.u * w.nx + a.v * w.ny;
                     let rn = aw.dx * w.nx + aw.dy * w.ny;
-                    divergence += pull * 2.0 * (w.vn - un) * rn;
+                    divergence += 2.0 * w.volume * aw.slope * (w.vn - un) * rn;
+                    let kick = kicks[j as usize];
+                    divergence += 2.0 * pull * (kick[0] * aw.dx + kick[1] * aw.dy);
                 }
                 let (mean, half) = (0.5 * (spread[0] + spread[2]), 0.5 * (spread[0] - spread[2]));
                 let lambda = mean - (half * half + spread[1] * spread[1]).sqrt();
                 rows.ends.push(rows.columns.len() as u32);
                 rows.around.push(Surroundings { filling, fluid_filling, crowding, lambda });
                 rows.divergence.push(divergence);
+                rows.spread.push(spread);
             }
         });
     }
@@ -113,10 +122,14 @@ impl Fluid {
         let (kernel, g) = (self.parameters.kernel, self.parameters.gravity);
         let ratio = self.parameters.smoothing_ratio;
         let lattice = *self.projection.lattice.get_or_insert_with(|| Lattice::new(kernel, ratio));
+        // a face's tangential velocity is not asked here: its place takes Δt (a − g)·…
+        let mut kicks = Vec::with_capacity(self.rows.faces.len());
         for (k, face) in self.rows.faces.iter_mut().enumerate() {
-            let k = if k < walls.len() { k } else { self.search.wall_images[k - walls.len()] as usize };
+            let source = if k < walls.len() { k } else { self.search.wall_images[k - walls.len()] as usize };
             // images have the same normal velocity
-            face.vn += 0.5 * dt * (walls.ax[k] * walls.nx[k] + walls.ay[k] * walls.ny[k]);
+            face.vn -= 0.5 * dt * (walls.ax[source] * walls.nx[source] + walls.ay[source] * walls.ny[source]);
+            let side = if k < walls.len() { 1.0 } else { -1.0 };
+            kicks.push([dt * (side * walls.ax[source] - g[0]), dt * (walls.ay[source] - g[1])]);
         }
         let survey = &mut self.projection.survey;
         survey.chunks.resize(n.div_ceil(CHUNK), Rows::default());
@@ -125,7 +138,8 @@ impl Fluid {
             faces: &self.rows.faces,
             search: &self.search,
             n,
-            kick: [dt * g[0], dt * g[1]],
+            kicks: &kicks,
+            walls: &self.rows.walls,
             inverse_rho: 1.0 / self.parameters.eos.rho0,
             chunks: &mut survey.chunks,
         });
@@ -141,6 +155,8 @@ impl Fluid {
         }
         let (chunks, inverse) = (&survey.chunks, 1.0 / lattice.gradient);
         sweep::gather_into(&mut survey.around, |k| chunks[k / CHUNK].around[k % CHUNK]);
+        survey.spread.resize(n, [0.0; 3]);
+        sweep::gather_into(&mut survey.spread, |k| chunks[k / CHUNK].spread[k % CHUNK]);
         sweep::gather_into(&mut survey.divergence, |k| inverse * chunks[k / CHUNK].divergence[k % CHUNK]);
     }
 }
