@@ -27,5 +27,7 @@ pub mod plates;
 pub mod statistics;
 #[path = "support/strip.rs"]
 pub mod strip;
+#[path = "support/surfacing.rs"]
+pub mod surfacing;
 #[path = "support/systems.rs"]
 pub mod systems;

@@ -150,6 +150,11 @@ impl Tiling {
     }
 }
 
+/// Square cells of about `spacing` that tile a rectangle `from` one corner `to` the other exactly (THEORY Q2).
+pub fn tile(from: [f64; 2], to: [f64; 2], spacing: f64, mut make: impl FnMut(Cell)) {
+    block([from[0], to[0]], [from[1], to[1]], [spacing; 2], &mut make);
+}
+
 /// A block of cells of about the wished size that tile a rectangle exactly; nothing if it is empty.
 fn block(x: [f64; 2], y: [f64; 2], wish: [f64; 2], make: &mut impl FnMut(Cell)) {
     let (width, height) = (x[1] - x[0], y[1] - y[0]);

@@ -39,6 +39,7 @@ pub mod shape;
 mod skin;
 pub mod tank;
 pub mod thin;
+pub mod water_surface;
 pub mod work_audit;
 
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};

@@ -1,6 +1,6 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
-use fsi_coupling::fill::{Basin, Tiling};
+use fsi_coupling::fill::{self, Basin, Tiling};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::prescribed::Law;
 use fsi_coupling::{
@@ -88,17 +88,26 @@ fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
     (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-/// Still water at rest under its own weight, without what the body displaces.
+/// Water at rest under its own weight, level or not (THEORY Q1), and a block of it in the air (Q2), without what the body
+/// displaces.
 fn fill(scene: &Scene, tiling: &Tiling, body: Option<&dyn WettedBody>) -> Vec<Seed> {
     let mut seeds = Vec::new();
     let weight = scene.fluid.density * scene.gravity[1];
     let share = if scene.body.as_ref().is_some_and(|b| is_thin(scene, b)) { BESIDE_PLATE } else { 1.0 };
-    tiling.for_each(|cell| {
+    let surface = scene.tank.surface();
+    let mut seed = |cell: fill::Cell, velocity: [f64; 2], pressure: f64| {
         let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
         if body.is_none_or(|b| b.clearance(cell.at) >= share * room) {
-            seeds.push(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure: weight * cell.at[1] });
+            seeds.push(Seed { at: cell.at, velocity, area: cell.area(), pressure });
         }
+    };
+    tiling.for_each(|cell| {
+        let (cell, rise) = surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell));
+        seed(cell, [0.0; 2], weight * (cell.at[1] - rise));
     });
+    if let Some(block) = &scene.tank.block {
+        fill::tile(block.from, block.to, scene.resolution.spacing, |cell| seed(cell, block.velocity, 0.0));
+    }
     seeds
 }
 

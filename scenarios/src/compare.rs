@@ -86,6 +86,11 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
             let theirs = impulse(&reference.t, &reference.y, common);
             (ours, theirs, ours / theirs - 1.0)
         }
+        Norm::Period => {
+            let ours = period(&times, &values, [from, to])?;
+            let theirs = period(&reference.t, &reference.y, [from, to])?;
+            (ours, theirs, ours / theirs - 1.0)
+        }
         Norm::Rms => (mean(|p| p.0), mean(|p| p.1), rms),
         Norm::RmsOverFirst => (mean(|p| p.0), mean(|p| p.1), rms / first),
         Norm::RmsOverPeak => (mean(|p| p.0), mean(|p| p.1), rms / peak_theirs),
@@ -97,6 +102,7 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
         Norm::Arrival => format!("{}, arrival [s]", compare.quantity),
         Norm::Impulse => format!("{}, impulse", compare.quantity),
         Norm::Peak => format!("{}, peak", compare.quantity),
+        Norm::Period => format!("{}, period [s]", compare.quantity),
         _ => compare.quantity.clone(),
     };
     Some(Comparison { reference, quantity, ours, theirs, error, tolerance })
@@ -127,6 +133,42 @@ pub fn similarity_of(scene: &Scene) -> Option<WedgeSimilarity> {
         (Some(Similarity::Wedge), Shape::Wedge { deadrise_deg, .. }) => WedgeSimilarity::at(*deadrise_deg),
         _ => None,
     }
+}
+
+/// Share of its peak that a curve must reach on both sides of a zero: less is noise.
+const SWING: f64 = 0.25;
+
+/// Q4: period of a curve about its mean in the window [s]: that of its zeros on the way up, and of those on the way down, in the
+/// mean. `None` with fewer than two of either.
+fn period(t: &[f64], y: &[f64], window: [f64; 2]) -> Option<f64> {
+    let inside = |t: f64| (window[0]..=window[1]).contains(&t);
+    let curve: Vec<[f64; 2]> = t.iter().zip(y).filter(|(t, _)| inside(**t)).map(|(t, y)| [*t, *y]).collect();
+    let mean = curve.iter().map(|p| p[1]).sum::<f64>() / curve.len() as f64;
+    let about_mean = |sign: f64| curve.iter().map(|p| [p[0], sign * (p[1] - mean)]).collect::<Vec<_>>();
+    let distance = |zeros: Vec<f64>| {
+        let intervals = zeros.len().checked_sub(1).filter(|n| *n > 0)?;
+        Some((zeros[intervals] - zeros[0]) / intervals as f64)
+    };
+    Some(0.5 * (distance(zeros_up(&about_mean(1.0)))? + distance(zeros_up(&about_mean(-1.0)))?))
+}
+
+/// Times at which a curve comes from below −`SWING` of its peak to above +`SWING` [s]: its last zero on the way, interpolated
+/// linearly.
+fn zeros_up(curve: &[[f64; 2]]) -> Vec<f64> {
+    let swing = SWING * curve.iter().map(|p| p[1].abs()).fold(0.0, f64::max);
+    let (mut zeros, mut zero, mut below) = (Vec::new(), None, false);
+    for pair in curve.windows(2) {
+        let ([t0, y0], [t1, y1]) = (pair[0], pair[1]);
+        below |= y0 < -swing;
+        if below && y0 < 0.0 && y1 >= 0.0 {
+            zero = Some(t0 + (t1 - t0) * y0 / (y0 - y1));
+        }
+        if below && y1 > swing {
+            zeros.extend(zero.take());
+            below = false;
+        }
+    }
+    zeros
 }
 
 /// V6: when |y| first exceeds a share of its largest value inside the window, interpolated linearly [s].
@@ -172,6 +214,15 @@ mod tests {
         assert_eq!(first_above(&t, &y, 0.5, [3.5, 3.9]), None);
         assert!((impulse(&t, &y, [0.0, 4.0]) - 13.0).abs() < 1e-12);
         assert!((impulse(&t, &y, [2.0, 3.5]) - (6.0 + 3.25)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_period_of_a_noisy_offset_sine_is_its_own() {
+        let t: Vec<f64> = (0..600).map(|k| 0.01 * f64::from(k)).collect();
+        let y: Vec<f64> = t.iter().map(|t| 0.2 + (5.0 * t + 1.0).sin() + 0.1 * (91.0 * t).sin()).collect();
+        let found = period(&t, &y, [0.0, 6.0]).expect("five periods");
+        assert!((found * 5.0 / std::f64::consts::TAU - 1.0).abs() < 0.01, "{found}");
+        assert_eq!(period(&t, &y, [0.0, 1.5]), None, "one zero on the way up has no period");
     }
 
     #[test]

@@ -11,6 +11,7 @@ mod options;
 mod order;
 mod panels;
 mod schemes;
+mod surfacing;
 mod thin_walls;
 mod walls;
 mod water;

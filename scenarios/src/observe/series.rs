@@ -7,6 +7,7 @@ use std::path::Path;
 use fsi_coupling::{Motion, PanelState};
 
 use super::front::{FRONT, front};
+use super::level::{self, LevelReader};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
 
@@ -15,6 +16,7 @@ pub struct Series {
     columns: Vec<String>,
     rows: Vec<Vec<f64>>,
     front: bool,
+    levels: LevelReader,
     file: Option<(String, BufWriter<File>)>,
 }
 
@@ -45,6 +47,7 @@ impl Series {
         }
         columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));
         columns.extend(scene.observe.front.then(|| FRONT.to_string()));
+        columns.extend(level::columns(scene));
         let file = match path {
             None => None,
             Some(path) => {
@@ -55,7 +58,7 @@ impl Series {
                 Some((name, file))
             }
         };
-        Ok(Series { columns, rows: Vec::new(), front: scene.observe.front, file })
+        Ok(Series { columns, rows: Vec::new(), front: scene.observe.front, levels: LevelReader::new(scene), file })
     }
 
     /// Names of the columns; the first is `time_s`.
@@ -123,6 +126,7 @@ impl Observer for Series {
         }
         row.extend(frame.gauges);
         row.extend(self.front.then(|| front(&frame.system.fluid)));
+        row.extend(self.levels.read(&frame.system.fluid));
         if let Some((path, file)) = &mut self.file {
             let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
             writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;

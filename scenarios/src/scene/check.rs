@@ -3,7 +3,8 @@
 use super::limits::check_step;
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
 use super::problem::{Problem, significant};
-use crate::observe::FRONT;
+use super::start::check_start;
+use crate::observe::{FRONT, level_columns};
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
@@ -33,6 +34,8 @@ const GAUGE_COLUMNS: [&str; 1] = ["p_Pa"];
 pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_step(scene)?;
     check_water(scene)?;
+    check_start(scene)?;
+    check_levels(scene)?;
     if let Some(body) = &scene.body {
         check_body_in_tank(scene, body)?;
         check_plate(scene, body)?;
@@ -249,6 +252,16 @@ fn check_gauges(scene: &Scene) -> Result<(), Problem> {
     Ok(())
 }
 
+/// The height of the water is read between the walls.
+fn check_levels(scene: &Scene) -> Result<(), Problem> {
+    let half = 0.5 * scene.tank.width;
+    let left = if scene.symmetry == Symmetry::X { 0.0 } else { -half };
+    match scene.observe.level.iter().find(|x| !(left..=half).contains(*x)) {
+        None => Ok(()),
+        Some(x) => Err(Problem::new("observe.level", x, format!("places x from {left} to {half} m"))),
+    }
+}
+
 fn check_fixed_gauge(scene: &Scene, key: &str, at: [f64; 2]) -> Result<(), Problem> {
     let tank = &scene.tank;
     let right = 0.5 * tank.width;
@@ -283,7 +296,7 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
     let gauges = scene.gauges.iter().flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
     let front = scene.observe.front.then(|| FRONT.to_string());
     let panels = scene.body.iter().flat_map(|body| body.panels.iter().flat_map(|panel| panel.columns()));
-    let known: Vec<String> = bodies.chain(panels).chain(gauges).chain(front).collect();
+    let known: Vec<String> = bodies.chain(panels).chain(gauges).chain(front).chain(level_columns(scene)).collect();
     for (i, compare) in scene.compare.iter().enumerate() {
         if !known.contains(&compare.quantity) {
             let key = format!("compare[{i}].quantity");

@@ -16,7 +16,7 @@ const PANELS: u32 = 2000;
 /// distance d [m]; water that the body displaces is counted. Walls: length over spacing times the rows that fill the
 /// kernel's support, ⌈2 h/dx⌉, along the floor, the side walls and the body.
 pub fn particle_estimate(scene: &Scene) -> (u64, u64) {
-    (fluid_particles(scene).ceil() as u64, wall_particles(scene).ceil() as u64)
+    ((fluid_particles(scene) + block_particles(scene)).ceil() as u64, wall_particles(scene).ceil() as u64)
 }
 
 /// Estimated memory of a run [bytes]: [`BYTES_PER_PARTICLE`] for each particle of [`particle_estimate`].
@@ -51,6 +51,12 @@ fn fluid_particles(scene: &Scene) -> f64 {
         (distance, row) = (next, next_row);
     }
     particles
+}
+
+/// Particles of the block of water in the air.
+fn block_particles(scene: &Scene) -> f64 {
+    let spacing = scene.resolution.spacing;
+    scene.tank.block.map_or(0.0, |b| (b.to[0] - b.from[0]) * (b.to[1] - b.from[1]) / (spacing * spacing))
 }
 
 fn wall_particles(scene: &Scene) -> f64 {

@@ -43,6 +43,7 @@ pub struct SceneFile {
 #[serde(default, deny_unknown_fields)]
 pub struct ObserveFile {
     pub front: Option<bool>,
+    pub level: Option<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -122,6 +123,12 @@ pub struct TankFile {
     pub depth: Option<f64>,
     pub height: Option<f64>,
     pub water_width: Option<f64>,
+    pub surface_amplitude: Option<f64>,
+    pub surface_mode: Option<u32>,
+    pub surface_tilt_deg: Option<f64>,
+    pub block_from: Option<[f64; 2]>,
+    pub block_to: Option<[f64; 2]>,
+    pub block_velocity: Option<[f64; 2]>,
 }
 
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]

@@ -35,6 +35,7 @@ mod resolve;
 mod resolve_body;
 mod resolve_panel;
 mod source;
+mod start;
 mod warnings;
 
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
@@ -52,7 +53,7 @@ pub use impact::{
 pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};
 pub use model::{
-    Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
+    Block, Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
     Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time,
     WallSlip,
 };

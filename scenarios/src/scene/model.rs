@@ -65,10 +65,12 @@ pub struct Scene {
 }
 
 /// Curves that are sampled only where a scene asks for them.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Observe {
     /// The column `front_m`: length of the connected water along the floor (V5).
     pub front: bool,
+    /// Places x [m] of the columns `level1_m`, `level2_m` …: height of the water there (Q3).
+    pub level: Vec<f64>,
 }
 
 /// What a run observes beside its curves.
@@ -134,6 +136,29 @@ pub struct Tank {
     pub height: f64,
     /// Width of the water at rest, measured from the left wall [m]; less than `width` for a dam break.
     pub water_width: f64,
+    /// Amplitude of the wave that the water starts with [m] (THEORY Q1).
+    pub surface_amplitude: f64,
+    /// Its half waves between the tank's walls.
+    pub surface_mode: u32,
+    /// Tilt of the surface that the water starts with, upwards to the right [deg] (THEORY Q1).
+    pub surface_tilt_deg: f64,
+    /// A block of water in the air at t = 0 (THEORY Q2).
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub block: Option<Block>,
+}
+
+/// A rectangle of water in the air, that falls or flies on (THEORY Q2).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Block {
+    /// Its lower left corner [m], shape (2).
+    #[serde(rename = "block_from")]
+    pub from: [f64; 2],
+    /// Its upper right corner [m], shape (2).
+    #[serde(rename = "block_to")]
+    pub to: [f64; 2],
+    /// Its velocity [m/s], shape (2).
+    #[serde(rename = "block_velocity")]
+    pub velocity: [f64; 2],
 }
 
 /// A body: rigid but for its panels.
@@ -270,6 +295,8 @@ pub enum Norm {
     Arrival,
     /// ∫y dt/∫r dt − 1 [-], over the part of the window that both curves cover (V6).
     Impulse,
+    /// T/T_r − 1 [-]: mean distances of each curve's zeros, up and down, in the window (Q4).
+    Period,
 }
 
 impl Scene {
@@ -287,7 +314,7 @@ impl Scene {
     /// Fastest speed of the flow that is known before the run [m/s].
     pub fn fastest_speed(&self) -> f64 {
         let entry = self.entry();
-        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, self.tank.depth)
+        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, self.tank.fall()) + self.tank.block_speed()
     }
 
     /// x of the fine zone's middle [m]: the body's, or the tank's where there is no body.

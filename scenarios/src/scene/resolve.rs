@@ -10,6 +10,7 @@ use super::model::{
 use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
+use super::start::{resolve_block, resolve_surface};
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -36,7 +37,9 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         Some(_) => fastest_speed(entry.as_ref(), body.as_ref(), gravity, 0.0),
         None => {
             let depth = still_water("tank.depth", file.tank.depth)?;
-            fastest_speed(None, body.as_ref(), gravity, depth)
+            let width = still_water("tank.width", file.tank.width)?;
+            let tank = resolve_tank(&file.tank, width, depth)?;
+            fastest_speed(None, body.as_ref(), gravity, tank.fall()) + tank.block_speed()
         }
     };
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
@@ -71,7 +74,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         similarity: file.similarity,
         gauges: numbered("gauges", file.gauges, resolve_gauge)?,
         compare: numbered("compare", file.compare, |key, compare| resolve_compare(key, compare, time.end))?,
-        observe: Observe { front: file.observe.front.unwrap_or(false) },
+        observe: Observe { front: file.observe.front.unwrap_or(false), level: file.observe.level.unwrap_or_default() },
         resolution: resolve_resolution(&file.resolution, spacing, fine_zone)?,
         time,
         fluid,
@@ -265,7 +268,17 @@ fn resolve_tank(file: &TankFile, width: f64, depth: f64) -> Result<Tank, Problem
     let water_width = positive("tank.water_width", file.water_width.unwrap_or(width))?;
     let room = if water_width < width { RUN_UP } else { FREEBOARD };
     let height = positive("tank.height", file.height.unwrap_or(room * depth))?;
-    Ok(Tank { width, depth, height, water_width })
+    let (surface_amplitude, surface_mode, surface_tilt_deg) = resolve_surface(file)?;
+    Ok(Tank {
+        width,
+        depth,
+        height,
+        water_width,
+        surface_amplitude,
+        surface_mode,
+        surface_tilt_deg,
+        block: resolve_block(file)?,
+    })
 }
 
 fn resolve_gauge(table: &str, file: GaugeFile) -> Result<Gauge, Problem> {

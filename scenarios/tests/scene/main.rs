@@ -3,6 +3,7 @@
 mod legacy;
 mod panels;
 mod refused;
+mod start;
 
 use scenarios::forecast::forecast;
 use scenarios::scene::{
