@@ -1,5 +1,6 @@
-//! Conjugate gradients for the pressure equation (THEORY PS2–PS4).
+//! Conjugate gradients for the pressure equation (THEORY PS2–PS4, PS9).
 
+use super::bodies::Bodies;
 use super::hierarchy::{Hierarchy, Preconditioner};
 use super::matrix::{Matrix, RankOne};
 use super::null_space::NullSpace;
@@ -55,6 +56,7 @@ struct Given<'a> {
 pub struct PressureSolver {
     hierarchy: Hierarchy,
     null_space: NullSpace,
+    bodies: Bodies,
     /// 1/a_ii, 0 in rows that are pinned or empty.
     inverse: Vec<f64>,
     residual: Vec<f64>,
@@ -129,8 +131,18 @@ impl PressureSolver {
     fn iterate(&mut self, a: &Matrix, given: &Given, x: &mut [f64], impatient: bool) -> Result<Solved, NotConverged> {
         let &Given { ranks, b, scale, pinned, stop } = given;
         self.null_space.find(&self.hierarchy.components, pinned, ranks);
-        let PressureSolver { hierarchy, null_space, inverse, residual, preconditioned, direction, image, sums, .. } =
-            self;
+        let PressureSolver {
+            hierarchy,
+            null_space,
+            bodies,
+            inverse,
+            residual,
+            preconditioned,
+            direction,
+            image,
+            sums,
+            ..
+        } = self;
         sweep::gather_into(inverse, |i| if pinned[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] });
         let inverse = &*inverse;
         sweep::update(x, |i, x| {
@@ -138,6 +150,15 @@ impl PressureSolver {
                 *x = 0.0
             }
         });
+
+        bodies.set_up(
+            ranks,
+            |i| inverse[i] != 0.0,
+            residual,
+            |g, image| {
+                hierarchy.apply(inverse, g, image, sums);
+            },
+        );
 
         // r = b − A x
         apply(a, ranks, inverse, x, image, sums);
@@ -155,10 +176,11 @@ impl PressureSolver {
             if iterations == stop.most_iterations || stuck || !worst.is_finite() {
                 return Err(give_up(residual, scale, iterations, worst));
             }
-            // z = B r, p ← z + (r·z)/(r·z)_old p
-            let rz = hierarchy.apply(inverse, residual, preconditioned, sums);
+            // z = B r less the bodies' part, p ← z + (r·z)/(r·z)_old p
+            let mut rz = hierarchy.apply(inverse, residual, preconditioned, sums);
+            rz -= bodies.correct(ranks, preconditioned);
             let beta = rz / old;
-            sweep::update(direction, |i, p| *p = preconditioned[i] + beta * *p);
+            sweep::update(direction, |i, p| *p = preconditioned[i] - bodies.taken(i) + beta * *p);
             old = rz;
             // α = r·z/(p·A p), x ← x + α p, r ← r − α A p
             let energy = apply(a, ranks, inverse, direction, image, sums);

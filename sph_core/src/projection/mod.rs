@@ -1,6 +1,7 @@
 //! The pressure of an incompressible fluid: its matrix, and how the system is solved.
 
 mod aggregates;
+mod bodies;
 pub mod cg;
 mod coarse;
 mod hierarchy;

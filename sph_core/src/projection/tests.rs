@@ -320,3 +320,20 @@ fn a_clone_goes_on_to_the_same_bits() {
     assert_eq!(go_on(&mut solver), go_on(&mut kept));
     assert_eq!(solver.set_ups(), 1);
 }
+
+#[test]
+fn bodies_and_pins_at_the_surface_cost_no_iterations() {
+    let mut dice = Dice(11);
+    let s = thrown(4000, 1, 1, &mut dice);
+    let at_surface: Vec<bool> = s.at[1].iter().map(|&y| y > 0.95).collect();
+    let none = vec![false; 4000];
+    for kind in Preconditioner::ALL {
+        let plain = solve(&s, &[], &none, kind).1.iterations as f64;
+        for weight in [0.1, 1e6] {
+            let ranks = body(&s, &mut dice, weight);
+            let with = |pinned: &[bool]| solve(&s, &ranks, pinned, kind).1.iterations as f64;
+            let (free, pinned) = (with(&none), with(&at_surface));
+            assert!(free < 1.1 * plain && pinned < 1.1 * plain, "{kind:?}, {weight}: {plain} {free} {pinned}");
+        }
+    }
+}
