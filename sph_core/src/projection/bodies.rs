@@ -48,7 +48,7 @@ impl Bodies {
                 }
                 self.factor[k][l] = if k == l { s.sqrt() } else { s / self.factor[l][l] };
             }
-            if !(self.factor[k][k] > 0.0) {
+            if self.factor[k][k].is_nan() || self.factor[k][k] == 0.0 {
                 return;
             }
         }

@@ -337,3 +337,21 @@ fn bodies_and_pins_at_the_surface_cost_no_iterations() {
         }
     }
 }
+
+#[test]
+fn no_water_and_spray_alone_are_solved() {
+    let stop = Stop { tolerance: 1e-10, most_iterations: 5 };
+    for kind in Preconditioner::ALL {
+        let mut solver = PressureSolver::with(kind);
+        let mut a = Matrix { starts: vec![0], ..Matrix::default() };
+        solver.prepare(&a, &[], &[], &[]);
+        assert_eq!(solver.solve(&a, &[], &[], &[], &[], &mut [], &stop).expect("nothing").iterations, 0);
+        let n = 700; // each tied to the air only
+        a.starts.resize(n + 1, 0);
+        a.diagonal = (0..n).map(|i| 1.0 + i as f64).collect();
+        let (one, mut x) = (vec![1.0; n], vec![0.0; n]);
+        solver.prepare(&a, &one, &one, &one);
+        solver.solve(&a, &[], &one, &one, &vec![false; n], &mut x, &stop).expect("diagonal");
+        assert!((0..n).all(|i| (x[i] - 1.0 / a.diagonal[i]).abs() < 1e-12));
+    }
+}
