@@ -123,7 +123,7 @@ impl PressureSolver {
                 }
                 first => first,
             };
-            self.hierarchy.judge(all.map_or(usize::MAX, |s| s.iterations));
+            self.hierarchy.judge(all.ok().map(|s| s.iterations));
             all
         })
     }

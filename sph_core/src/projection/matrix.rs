@@ -29,6 +29,15 @@ pub struct RankOne {
 }
 
 impl Matrix {
+    /// No rows; the memory stays.
+    pub fn clear(&mut self) {
+        self.starts.clear();
+        self.starts.push(0);
+        self.columns.clear();
+        self.values.clear();
+        self.diagonal.clear();
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.diagonal.len()

@@ -212,6 +212,8 @@ fn a_solve_that_does_not_converge_says_how_far_it_got() {
         broken[17] = f64::NAN;
         let failed = solver.solve(&s.a, &[], &broken, &vec![1.0; n], &vec![false; n], &mut x, &stop).unwrap_err();
         assert!(failed.residual.is_nan() && failed.worst == 17, "{failed}");
+        solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
+        assert_eq!(solver.set_ups(), 2, "what failed is not kept");
     }
 }
 
