@@ -50,8 +50,8 @@ struct Given<'a> {
     stop: &'a Stop,
 }
 
-/// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve to
-/// solve: whoever takes a step back and wants the same bits again keeps a clone as well.
+/// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve
+/// to solve: whoever takes a step back and wants the same bits again keeps a clone as well.
 #[derive(Clone, Debug, Default)]
 pub struct PressureSolver {
     hierarchy: Hierarchy,
@@ -73,8 +73,8 @@ impl PressureSolver {
         PressureSolver { hierarchy: Hierarchy::with(preconditioner), ..PressureSolver::default() }
     }
 
-    /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's hierarchy
-    /// still serves (PS8).
+    /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's
+    /// hierarchy still serves (PS8).
     pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
         let n = a.rows();
         let PressureSolver { inverse, residual, preconditioned, direction, image, guess, .. } = self;
@@ -91,8 +91,8 @@ impl PressureSolver {
         self.hierarchy.set_ups
     }
 
-    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `pinned`, with the matrix that was prepared. `x` is the first guess and
-    /// becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
+    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `pinned`, with the matrix that was prepared. `x` is the first guess
+    /// and becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
     pub fn solve(
         &mut self,
         a: &Matrix,

@@ -5,8 +5,9 @@ use crate::sweep;
 /// Row sums below this share of the diagonal are zero but for rounding [-].
 const NO_EXCESS: f64 = 1e-10;
 
-/// PS1: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row sums zero
-/// or positive. Compressed rows without the diagonal. The unit is the caller's: solution times matrix is right side.
+/// PS1: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row
+/// sums zero or positive. Compressed rows without the diagonal. The unit is the caller's: solution times matrix is
+/// right side.
 #[derive(Clone, Debug, Default)]
 pub struct Matrix {
     /// Where each row starts in `columns` and `values`; one more entry than rows.

@@ -9,6 +9,8 @@ pub mod matrix;
 mod multigrid;
 mod null_space;
 #[cfg(test)]
+mod test_systems;
+#[cfg(test)]
 mod tests;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
