@@ -15,7 +15,10 @@ mod null_space;
 mod poisson;
 mod survey;
 #[cfg(test)]
+mod test_systems;
+#[cfg(test)]
 mod tests;
+mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
 pub use hierarchy::Preconditioner;
