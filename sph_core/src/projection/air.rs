@@ -123,7 +123,8 @@ impl Air {
             let state = grid.state[j as usize * grid.columns + i as usize];
             if state <= 2 { 0.0 } else { f64::from(state - 2) / 253.0 }
         };
-        (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i + 1.0, j)) + t * ((1.0 - s) * at(i, j + 1.0) + s * at(i + 1.0, j + 1.0))
+        (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i + 1.0, j))
+            + t * ((1.0 - s) * at(i, j + 1.0) + s * at(i + 1.0, j + 1.0))
     }
 }
 
@@ -141,7 +142,8 @@ impl Fluid {
             let dx = walls.h[k] / ratio;
             let fluid = &self.rows.fluid;
             let square = |j: &u32| (fluid[*j as usize].x - x).powi(2) + (fluid[*j as usize].y - y).powi(2);
-            let nearest = self.search.fluid_of_mirror.of(k).iter().map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
+            let nearest =
+                self.search.fluid_of_mirror.of(k).iter().map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
             let apart = ((nearest - 0.75) / 0.25).clamp(0.0, 1.0);
             wet[k] = 1.0;
             if apart > 0.0 {
