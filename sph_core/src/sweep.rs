@@ -43,3 +43,25 @@ pub fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
 pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(std::ops::Range<usize>, &mut T) + Sync) {
     lists.par_iter_mut().enumerate().for_each(|(c, list)| fill(c * CHUNK..((c + 1) * CHUNK).min(n), list));
 }
+
+/// `parts[c] ← change(targets, chunk)` for every chunk of `out`: changes targets and gives the chunk's part of a sum. Add
+/// the parts in order, and the bits of the sum do not depend on the number of threads.
+pub fn update_chunks<T: Send, S: Send>(
+    parts: &mut [S],
+    out: &mut [T],
+    change: impl Fn(std::ops::Range<usize>, &mut [T]) -> S + Sync,
+) {
+    debug_assert_eq!(parts.len(), out.len().div_ceil(CHUNK));
+    parts.par_iter_mut().zip(out.par_chunks_mut(CHUNK)).enumerate().for_each(|(c, (part, chunk))| {
+        *part = change(c * CHUNK..c * CHUNK + chunk.len(), chunk);
+    });
+}
+
+/// `change(k, a[k], b[k])` for every target k.
+pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mut T, &mut T) + Sync) {
+    a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate().for_each(|(c, (a, b))| {
+        for (k, (a, b)) in a.iter_mut().zip(b).enumerate() {
+            change(c * CHUNK + k, a, b);
+        }
+    });
+}

@@ -3,10 +3,23 @@
 //! Read in this order: [`step`], [`survey`] (what the pairs give), [`lattice`] (what a flat surface lacks), [`air`] (where
 //! the air is), [`poisson`] (the pressure).
 
+mod aggregates;
 mod air;
+pub mod cg;
+mod coarse;
+mod hierarchy;
 mod lattice;
+pub mod matrix;
+mod multigrid;
+mod null_space;
 mod poisson;
 mod survey;
+#[cfg(test)]
+mod tests;
+
+pub use cg::{NotConverged, PressureSolver, Solved, Stop};
+pub use hierarchy::Preconditioner;
+pub use matrix::{Matrix, RankOne};
 
 use serde::{Deserialize, Serialize};
 
@@ -48,9 +61,13 @@ pub struct Projection {
     pub(crate) air: Air,
     /// Excess of each row's diagonal: the free surface (I7).
     pub(crate) excess: Vec<f64>,
+    pub(crate) least: Vec<f64>,
     pub(crate) wet: Vec<f64>,
     pub(crate) pinned: Vec<bool>,
     pub(crate) source: Vec<f64>,
+    pub(crate) scale: Vec<f64>,
+    pub(crate) matrix: Matrix,
+    pub(crate) solver: PressureSolver,
     /// Iterations of all solves.
     pub iterations: u64,
     /// Solves.
@@ -125,9 +142,19 @@ impl Fluid {
         let (p, g, rho) = (&mut self.particles, self.parameters.gravity, self.parameters.eos.rho0);
         let weight = g[0].hypot(g[1]) * rho;
         let (survey, air) = (&self.projection.survey, &self.projection.air.exposure);
-        let calm = self.parameters.projecting.x[2] == 0.0 && weight > 0.0;
+        let calm = self.parameters.projecting.x[2] == 0.0;
+        let mode = self.parameters.projecting.x[3];
         let (mut impulse, mut mass) = ([0.0; 2], 0.0);
         let mut shares = vec![0.0; p.len()];
+        let least = &mut self.projection.least;
+        least.resize(p.len(), 0.0);
+        let (search, pressures, n) = (&self.search, &self.derived.pressure, p.len());
+        crate::sweep::gather_into(least, |k| {
+            let around = search.fluid.of(k).iter().map(|&j| pressures[search.source(j, n)]);
+            around.fold(pressures[k], f64::min)
+        });
+        let least = &self.projection.least;
+        let weighty = weight > 0.0;
         if self.steps == 0 {
             let height = |k: usize| -(g[0] * p.x[k] + g[1] * p.y[k]) * rho;
             self.projection.head = (0..p.len()).map(height).fold(f64::NEG_INFINITY, f64::max);
@@ -143,13 +170,15 @@ impl Fluid {
             let mut a = [0, 1].map(|i| inverse * sum.force[i] / p.mass[k] + g[i] + pull * around.crowding[i]);
             if calm {
                 let head = self.projection.head + rho * (g[0] * p.x[k] + g[1] * p.y[k]);
-                let base = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
-                let share = (1.0 - air[k]) * (base / (0.25 * weight * dx)).min(1.0);
+                let still = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
+                let base = if mode == 1.0 { still } else { still.max(least[k]) };
+                let share = 1.0 - air[k];
+                let heavy = if weighty { share * (still / (0.25 * weight * dx)).min(1.0) } else { 0.0 };
                 let m = survey.spread[k];
                 let slope = [m[0] * g[0] + m[1] * g[1], m[1] * g[0] + m[2] * g[1]];
                 for i in 0..2 {
-                    let lift = (2.0 * base - tie * base.min(top)) * around.crowding[i] / rho + slope[i];
-                    let error = share * (inverse * lift - g[i]);
+                    let lift = (2.0 * base - tie * base.min(top)) * around.crowding[i] / rho;
+                    let error = share * inverse * lift + heavy * (inverse * slope[i] - g[i]);
                     a[i] += error;
                     impulse[i] += p.mass[k] * error;
                 }
