@@ -24,6 +24,7 @@ pub mod host;
 mod moving;
 pub mod nodal;
 pub mod outline;
+pub mod packing;
 pub mod panel;
 pub mod panel_state;
 pub mod penetration;

@@ -1,6 +1,6 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
-use fsi_coupling::fill::{self, Basin, Tiling};
+use fsi_coupling::fill::{Basin, Tiling};
 use fsi_coupling::pose::Rigid;
 use fsi_coupling::prescribed::Law;
 use fsi_coupling::{
@@ -9,24 +9,33 @@ use fsi_coupling::{
 };
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;
-use sph_core::{Fluid, Parameters, Seed, WallTreatment};
+use sph_core::{Fluid, Parameters, WallTreatment};
 use structure_fe::Damping;
 
+use crate::filling::fill;
 use crate::scene::{Body, DiffusionForm, Motion, Oscillation, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let half = scene.symmetry == Symmetry::X;
-    let tiling = tiling(scene);
-    let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body)).transpose()?;
-    let seeds = fill(scene, &tiling, body.as_deref());
+    let body = body(scene)?;
+    let seeds = fill(scene, body.as_deref())?;
     let fluid = Fluid::new(parameters(scene), &seeds);
+    let bodies = body.into_iter().chain([Box::new(tank(scene)) as Box<dyn WettedBody>]).collect();
+    Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)
+}
+
+/// The scene's body, if it has one, where it starts.
+pub(crate) fn body(scene: &Scene) -> Result<Option<Box<dyn WettedBody>>, CouplingError> {
+    scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body)).transpose()
+}
+
+/// The tank, with what stands on it.
+pub(crate) fn tank(scene: &Scene) -> Tank {
+    let half = scene.symmetry == Symmetry::X;
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
     let standing = scene.body.as_ref().and_then(|body| standing(scene, body)).into_iter().collect();
-    let tank = Tank::new(tiling, x, floor, floor + scene.tank.height, half).carrying(standing);
-    let bodies = body.into_iter().chain([Box::new(tank) as Box<dyn WettedBody>]).collect();
-    Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)
+    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).carrying(standing)
 }
 
 /// How the water is divided into particles.
@@ -45,8 +54,6 @@ pub fn tiling(scene: &Scene) -> Tiling {
     .on(scene.resolution.lattice)
 }
 
-/// Water is filled in up to this share of half a cell beside a thin plate: a plate amid the cells' edges then displaces none.
-const BESIDE_PLATE: f64 = 0.5;
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.
 const STANDS: f64 = 0.5;
 
@@ -56,7 +63,7 @@ fn layers(scene: &Scene) -> usize {
 }
 
 /// True for a plate whose faces' rows do not fit between them (THEORY T2).
-fn is_thin(scene: &Scene, body: &Body) -> bool {
+pub(crate) fn is_thin(scene: &Scene, body: &Body) -> bool {
     matches!(&body.shape, Shape::Polyline { points, thickness }
         if Plate::new(points, *thickness).is_thin(scene.resolution.spacing, layers(scene)))
 }
@@ -88,30 +95,7 @@ fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
     (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-/// Water at rest under its own weight, level or not (THEORY Q1), and a block of it in the air (Q2), without what the body
-/// displaces.
-fn fill(scene: &Scene, tiling: &Tiling, body: Option<&dyn WettedBody>) -> Vec<Seed> {
-    let mut seeds = Vec::new();
-    let weight = scene.fluid.density * scene.gravity[1];
-    let share = if scene.body.as_ref().is_some_and(|b| is_thin(scene, b)) { BESIDE_PLATE } else { 1.0 };
-    let surface = scene.tank.surface();
-    let mut seed = |cell: fill::Cell, velocity: [f64; 2], pressure: f64| {
-        let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
-        if body.is_none_or(|b| b.clearance(cell.at) >= share * room) {
-            seeds.push(Seed { at: cell.at, velocity, area: cell.area(), pressure });
-        }
-    };
-    tiling.for_each(|cell| {
-        let (cell, rise) = surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell));
-        seed(cell, [0.0; 2], weight * (cell.at[1] - rise));
-    });
-    if let Some(block) = &scene.tank.block {
-        fill::tile(block.from, block.to, scene.resolution.spacing, |cell| seed(cell, block.velocity, 0.0));
-    }
-    seeds
-}
-
-fn parameters(scene: &Scene) -> Parameters {
+pub(crate) fn parameters(scene: &Scene) -> Parameters {
     let fluid = &scene.fluid;
     Parameters {
         eos: Tait { rho0: fluid.density, c0: fluid.sound_speed, gamma: fluid.eos_exponent },

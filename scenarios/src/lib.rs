@@ -8,6 +8,7 @@ pub mod balance;
 pub mod build;
 pub mod cli;
 pub mod compare;
+mod filling;
 pub mod forecast;
 pub mod log;
 pub mod observe;

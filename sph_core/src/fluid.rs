@@ -124,6 +124,11 @@ impl Fluid {
         fluid
     }
 
+    /// How near air is, 1 beside it and 0 far from it [-], per particle: the projection's (THEORY I5), empty without one.
+    pub fn exposure(&self) -> &[f64] {
+        &self.projection.air.exposure
+    }
+
     /// Forces at the start: once, when the walls stand where they start. Panics on a period with screens (T1), an error of
     /// the caller.
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {

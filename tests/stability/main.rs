@@ -5,6 +5,7 @@ mod beams;
 mod bodies;
 mod coupling;
 mod courant;
+mod flicker;
 mod host;
 mod noise;
 mod options;

@@ -77,6 +77,7 @@ pub struct ResolutionFile {
     #[serde(deserialize_with = "pair_or_auto")]
     pub fine_zone: Option<[f64; 2]>,
     pub lattice: Option<Lattice>,
+    pub packing: Option<bool>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

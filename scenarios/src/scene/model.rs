@@ -123,6 +123,8 @@ pub struct Resolution {
     pub fine_zone: [f64; 2],
     /// How particles lie in uniform water.
     pub lattice: Lattice,
+    /// Pack the water round the body before the run (Q6).
+    pub packing: bool,
 }
 
 /// The rectangle of water and its walls.

@@ -11,6 +11,7 @@ use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
 use super::start::{resolve_block, resolve_surface};
+use fsi_coupling::Shape;
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -64,6 +65,15 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
             (tank, file.resolution.fine_zone.unwrap_or([width, depth]))
         }
     };
+    let solid = body.as_ref().is_some_and(|body| !matches!(body.shape, Shape::Polyline { .. }));
+    if !solid && body.is_some() && file.resolution.packing == Some(true) {
+        return Err(Problem::new(
+            "resolution.packing",
+            true,
+            "false with a polyline, beside which there is room anyhow",
+        ));
+    }
+    let snug = solver.is_incompressible() && solid;
     Ok(Scene {
         name: word("name", name)?,
         description: file.description.unwrap_or_default(),
@@ -75,7 +85,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         gauges: numbered("gauges", file.gauges, resolve_gauge)?,
         compare: numbered("compare", file.compare, |key, compare| resolve_compare(key, compare, time.end))?,
         observe: Observe { front: file.observe.front.unwrap_or(false), level: file.observe.level.unwrap_or_default() },
-        resolution: resolve_resolution(&file.resolution, spacing, fine_zone)?,
+        resolution: resolve_resolution(&file.resolution, spacing, fine_zone, snug)?,
         time,
         fluid,
         tank,
@@ -136,7 +146,12 @@ fn resolve_time(file: &TimeFile) -> Result<Time, Problem> {
     })
 }
 
-fn resolve_resolution(file: &ResolutionFile, spacing: f64, fine_zone: [f64; 2]) -> Result<Resolution, Problem> {
+fn resolve_resolution(
+    file: &ResolutionFile,
+    spacing: f64,
+    fine_zone: [f64; 2],
+    snug: bool,
+) -> Result<Resolution, Problem> {
     for length in fine_zone {
         positive("resolution.fine_zone", length)?;
     }
@@ -146,7 +161,7 @@ fn resolve_resolution(file: &ResolutionFile, spacing: f64, fine_zone: [f64; 2]) 
         let expected = format!("\"square\" with resolution.growth = {growth}: a staggered lattice needs growth = 1");
         return Err(Problem::new("resolution.lattice", "\"staggered\"", expected));
     }
-    Ok(Resolution { spacing, growth, fine_zone, lattice })
+    Ok(Resolution { spacing, growth, fine_zone, lattice, packing: file.packing.unwrap_or(snug) })
 }
 
 fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: f64) -> Result<Fluid, Problem> {

@@ -35,6 +35,7 @@ fn surfaces_blocks_and_levels_that_do_not_fit_are_refused() {
         (high.to_vec(), &["`tank.block_to`", "0.125 m, the walls' rim"]),
         (both("tank.surface_tilt_deg=5", &mirrored), &["`tank.block_from`", "where the water below ends"]),
         ([both("symmetry=x", &mirrored), one("tank.block_velocity=[1, 0]")].concat(), &["`tank.block_velocity`", "on the mirror"]),
+        (two("body={ shape = \"polyline\", points = [[0, 0], [0.3, 0]], thickness = 0.1, motion = \"fixed\" }", "resolution.packing=true"), &["`resolution.packing` = true", "false with a polyline"]),
         (one("observe.level=[0.6]"), &["`observe.level` = 0.6", "from -0.5 to 0.5 m"]),
         (two("observe.level=[-0.1]", "symmetry=x"), &["`observe.level` = -0.1", "from 0 to 0.5 m"]),
     ];
