@@ -148,7 +148,6 @@ impl Fluid {
         let weight = g[0].hypot(g[1]) * rho;
         let (survey, air) = (&self.projection.survey, &self.projection.air.exposure);
         let calm = self.parameters.projecting.x[2] == 0.0;
-        let mode = self.parameters.projecting.x[3];
         let (mut impulse, mut mass) = ([0.0; 2], 0.0);
         let mut shares = vec![0.0; p.len()];
         let least = &mut self.projection.least;
@@ -176,7 +175,7 @@ impl Fluid {
             if calm {
                 let head = self.projection.head + rho * (g[0] * p.x[k] + g[1] * p.y[k]);
                 let still = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
-                let base = if mode == 1.0 { still } else { still.max(least[k]) };
+                let base = if pressure > 0.0 { still.max(least[k]) } else { least[k] };
                 let share = 1.0 - air[k];
                 let heavy = if weighty { share * (still / (0.25 * weight * dx)).min(1.0) } else { 0.0 };
                 let m = survey.spread[k];
@@ -185,7 +184,7 @@ impl Fluid {
                     let lift = (2.0 * base - tie * base.min(top)) * around.crowding[i] / rho;
                     let error = share * inverse * lift + heavy * (inverse * slope[i] - g[i]);
                     a[i] += error;
-                    impulse[i] += p.mass[k] * error;
+                    impulse[i] += p.mass[k] * (error + pull * around.crowding[i]);
                 }
                 mass += share * p.mass[k];
                 shares[k] = share;
