@@ -66,9 +66,17 @@ pub struct Walls {
     pub screens: Vec<Screen>,
     /// The screen that each is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
     pub screen: Vec<Option<u32>>,
+    /// Accelerations that the velocities were written with [m/s²], where a scheme has put others in their place (PB6); else
+    /// empty.
+    pub written: Vec<[f64; 2]>,
 }
 
 impl Walls {
+    /// The acceleration that the velocity of particle `k` was written with [m/s²].
+    pub(crate) fn written_with(&self, k: usize) -> [f64; 2] {
+        self.written.get(k).copied().unwrap_or([self.ax[k], self.ay[k]])
+    }
+
     /// Number of boundary particles.
     pub fn len(&self) -> usize {
         self.x.len()
