@@ -147,6 +147,7 @@ fn parameters(scene: &Scene) -> Parameters {
         dissipation: fluid.dissipation,
         solver: scene.solver,
         projecting: scene.projection.unwrap_or_default(),
+        speed: scene.fastest_speed(),
     }
 }
 

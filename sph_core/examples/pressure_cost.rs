@@ -1,11 +1,11 @@
 //! What the pressure of an incompressible step costs, by number of particles:
 //! `cargo run --release -p sph_core --example pressure_cost [most particles [preconditioner]]`.
 //!
-//! A tank twice as wide as deep, h/Δx = 1.5, Wendland C2, particles of a jittered lattice, air above; the last lines a tank whose
-//! spacing grows twentyfold downwards. Right side: water at rest, a wave and noise. Tolerance: 10⁻⁴ of the largest
-//! divergence. `cold`: from zero, with a hierarchy made for this matrix; `warm`: from the pressure one step before (particles
-//! have moved, the wave has gone on), with the hierarchy of that step. The sweep that it is compared with is the compressible solver's over all pairs, `pair::momentum`, same particles, same
-//! run.
+//! A tank twice as wide as deep, h/Δx = 1.5, Wendland C2, particles of a jittered lattice, air above; the last lines a
+//! tank whose spacing grows twentyfold downwards. Right side: water at rest, a wave and noise. Tolerance: 10⁻⁴ of the
+//! largest divergence. `cold`: from zero, with a hierarchy made for this matrix; `warm`: from the pressure one step
+//! before (particles have moved, the wave has gone on), with the hierarchy of that step. The sweep that it is compared
+//! with is the compressible solver's over all pairs, `pair::momentum`, same particles, same run.
 
 use sph_core::dissipation::DiffusivePair;
 use sph_core::eos::Tait;
@@ -164,8 +164,8 @@ fn momentum_sweep(fluid: &Fluid, repeats: usize) -> f64 {
     })
 }
 
-/// The compact Laplacian, a_ij = 2 V_i V_j w'/r, with a surface at y = 0 for which a linear pressure is exact; right side
-/// and scale at a phase of the wave.
+/// The compact Laplacian, a_ij = 2 V_i V_j w'/r, with a surface at y = 0 for which a linear pressure is exact; right
+/// side and scale at a phase of the wave.
 fn system(fluid: &Fluid, phase: f64) -> (Matrix, Vec<f64>, Vec<f64>) {
     let (p, n) = (&fluid.particles, fluid.particles.len());
     let area: Vec<f64> = (0..n).map(|k| p.mass[k] / p.rho[k]).collect();
@@ -200,8 +200,8 @@ fn system(fluid: &Fluid, phase: f64) -> (Matrix, Vec<f64>, Vec<f64>) {
     (a, b, scale)
 }
 
-/// What a flat surface adds to the diagonal of a particle at depth −`y`: missing neighbours, at minus its pressure as far as a linear
-/// pressure tells.
+/// What a flat surface adds to the diagonal of a particle at depth −`y`: missing neighbours, at minus its pressure as
+/// far as a linear pressure tells.
 fn excess(y: f64, h: f64, area: f64) -> f64 {
     let dx = area.sqrt();
     let mut sum = 0.0;

@@ -307,7 +307,12 @@ impl Fluid {
 
     /// The same pairs twice, once for each side: action equals reaction to rounding.
     pub(crate) fn gather_forces(&mut self, walls: &mut Walls) {
-        let (constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
+        let (mut constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
+        if self.parameters.solver == Solver::Incompressible {
+            let g = constants.gravity[0].hypot(constants.gravity[1]);
+            constants.c0 = (g * self.least_length()).sqrt();
+            constants.alpha = 8.0 * self.parameters.projecting.calming;
+        }
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let (out, pushing) = (&mut self.gathered, self.parameters.walls.model.has_pressure());
         self.parameters.sweep(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing, out });

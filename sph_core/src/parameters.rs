@@ -89,6 +89,8 @@ pub struct Parameters {
     pub solver: Solver,
     /// The projection, where pressures come from one.
     pub projecting: Projecting,
+    /// Fastest speed that is known beforehand [m/s]: of the body, the spray root, or water that falls (I14).
+    pub speed: f64,
 }
 
 impl Parameters {
@@ -124,6 +126,7 @@ impl Parameters {
             dissipation: Dissipation::Diffusion,
             solver: Solver::default(),
             projecting: Projecting::default(),
+            speed: 0.1 * eos.c0,
         }
     }
 

@@ -28,8 +28,9 @@ impl Aggregates {
         &self.members[self.starts[c] as usize..self.starts[c + 1] as usize]
     }
 
-    /// PS5: a row and everybody strongly coupled to it, wherever none of them is taken; whoever is left joins the one to
-    /// whom it is coupled most. Strong is at least `share` of the row's largest coupling. Rows without couplings stay out.
+    /// PS5: a row and everybody strongly coupled to it, wherever none of them is taken; whoever is left joins the one
+    /// to whom it is coupled most. Strong is at least `share` of the row's largest coupling. Rows without couplings
+    /// stay out.
     pub fn find(&mut self, a: &Matrix, share: f64) {
         let (n, of) = (a.rows(), &mut self.of);
         of.clear();

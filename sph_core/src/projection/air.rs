@@ -8,7 +8,7 @@ const CELLS: f64 = 2.0;
 /// A cell is covered by a particle nearer than this many of its spacings.
 const COVER: f64 = 1.0;
 /// Sizes of holes [spacings²]: below the first no air, above the second nothing else.
-const HOLE: [f64; 2] = [4.0, 12.0];
+const HOLE: [f64; 2] = [1.0, 4.0];
 /// Air is felt in full up to the first distance beyond the support [spacings], not beyond the second.
 const FEEL: [f64; 2] = [0.1, 0.5];
 

@@ -1,8 +1,9 @@
-//! Conjugate gradients for the pressure equation (THEORY PS2–PS4).
+//! Conjugate gradients for the pressure equation (THEORY PS2–PS4, PS9).
 
 use super::hierarchy::{Hierarchy, Preconditioner};
 use super::matrix::{Matrix, RankOne};
 use super::null_space::NullSpace;
+use super::woodbury::Bodies;
 use crate::sweep::{self, CHUNK};
 
 /// When to stop (PS3).
@@ -49,12 +50,13 @@ struct Given<'a> {
     stop: &'a Stop,
 }
 
-/// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve to
-/// solve: whoever takes a step back and wants the same bits again keeps a clone as well.
+/// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve
+/// to solve: whoever takes a step back and wants the same bits again keeps a clone as well.
 #[derive(Clone, Debug, Default)]
 pub struct PressureSolver {
     hierarchy: Hierarchy,
     null_space: NullSpace,
+    bodies: Bodies,
     /// 1/a_ii, 0 in rows that are pinned or empty.
     inverse: Vec<f64>,
     residual: Vec<f64>,
@@ -71,8 +73,8 @@ impl PressureSolver {
         PressureSolver { hierarchy: Hierarchy::with(preconditioner), ..PressureSolver::default() }
     }
 
-    /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's hierarchy
-    /// still serves (PS8).
+    /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's
+    /// hierarchy still serves (PS8).
     pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
         let n = a.rows();
         let PressureSolver { inverse, residual, preconditioned, direction, image, guess, .. } = self;
@@ -89,8 +91,8 @@ impl PressureSolver {
         self.hierarchy.set_ups
     }
 
-    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `pinned`, with the matrix that was prepared. `x` is the first guess and
-    /// becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
+    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `pinned`, with the matrix that was prepared. `x` is the first guess
+    /// and becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
     pub fn solve(
         &mut self,
         a: &Matrix,
@@ -121,7 +123,7 @@ impl PressureSolver {
                 }
                 first => first,
             };
-            self.hierarchy.judge(all.map_or(usize::MAX, |s| s.iterations));
+            self.hierarchy.judge(all.ok().map(|s| s.iterations));
             all
         })
     }
@@ -129,8 +131,18 @@ impl PressureSolver {
     fn iterate(&mut self, a: &Matrix, given: &Given, x: &mut [f64], impatient: bool) -> Result<Solved, NotConverged> {
         let &Given { ranks, b, scale, pinned, stop } = given;
         self.null_space.find(&self.hierarchy.components, pinned, ranks);
-        let PressureSolver { hierarchy, null_space, inverse, residual, preconditioned, direction, image, sums, .. } =
-            self;
+        let PressureSolver {
+            hierarchy,
+            null_space,
+            bodies,
+            inverse,
+            residual,
+            preconditioned,
+            direction,
+            image,
+            sums,
+            ..
+        } = self;
         sweep::gather_into(inverse, |i| if pinned[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] });
         let inverse = &*inverse;
         sweep::update(x, |i, x| {
@@ -138,6 +150,15 @@ impl PressureSolver {
                 *x = 0.0
             }
         });
+
+        bodies.set_up(
+            ranks,
+            |i| inverse[i] != 0.0,
+            residual,
+            |g, image| {
+                hierarchy.apply(inverse, g, image, sums);
+            },
+        );
 
         // r = b − A x
         apply(a, ranks, inverse, x, image, sums);
@@ -155,10 +176,11 @@ impl PressureSolver {
             if iterations == stop.most_iterations || stuck || !worst.is_finite() {
                 return Err(give_up(residual, scale, iterations, worst));
             }
-            // z = B r, p ← z + (r·z)/(r·z)_old p
-            let rz = hierarchy.apply(inverse, residual, preconditioned, sums);
+            // z = B r less the bodies' part, p ← z + (r·z)/(r·z)_old p
+            let mut rz = hierarchy.apply(inverse, residual, preconditioned, sums);
+            rz -= bodies.correct(ranks, preconditioned);
             let beta = rz / old;
-            sweep::update(direction, |i, p| *p = preconditioned[i] + beta * *p);
+            sweep::update(direction, |i, p| *p = preconditioned[i] - bodies.taken(i) + beta * *p);
             old = rz;
             // α = r·z/(p·A p), x ← x + α p, r ← r − α A p
             let energy = apply(a, ranks, inverse, direction, image, sums);

@@ -172,11 +172,7 @@ pub(crate) fn collapse(
             diagonal.push(total + excess);
         }
     });
-    coarse.starts.clear();
-    coarse.starts.push(0);
-    coarse.columns.clear();
-    coarse.values.clear();
-    coarse.diagonal.clear();
+    coarse.clear();
     for part in &*collected {
         for &length in &part.lengths {
             coarse.starts.push(coarse.starts.last().copied().unwrap_or(0) + length as usize);
@@ -227,11 +223,7 @@ pub(crate) fn triple(a: &Matrix, p: &Sparse, pt: &Sparse, sum: &mut RowSum, ap: 
         ap.values.extend_from_slice(&sum.values);
         ap.starts.push(ap.columns.len());
     }
-    coarse.starts.clear();
-    coarse.starts.push(0);
-    coarse.columns.clear();
-    coarse.values.clear();
-    coarse.diagonal.clear();
+    coarse.clear();
     for row in 0..n {
         sum.begin();
         let mut own = 0.0;

@@ -96,8 +96,12 @@ impl Hierarchy {
         self.set_ups += 1;
     }
 
-    /// A hierarchy whose solves take twice as long as they did at first is worn out.
-    pub fn judge(&mut self, iterations: usize) {
+    /// A hierarchy whose solves fail, or take twice as long as they did at first, is worn out.
+    pub fn judge(&mut self, iterations: Option<usize>) {
+        let Some(iterations) = iterations else {
+            self.worn_out = true;
+            return;
+        };
         if self.old {
             self.worn_out |= iterations > self.fresh.saturating_mul(2).saturating_add(5);
         } else {

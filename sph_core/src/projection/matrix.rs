@@ -7,8 +7,9 @@ use super::survey::Survey;
 /// Row sums below this share of the diagonal are zero but for rounding [-].
 const NO_EXCESS: f64 = 1e-10;
 
-/// PS1: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row sums zero
-/// or positive. Compressed rows without the diagonal. The unit is the caller's: solution times matrix is right side.
+/// PS1: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row
+/// sums zero or positive. Compressed rows without the diagonal. The unit is the caller's: solution times matrix is
+/// right side.
 #[derive(Clone, Debug, Default)]
 pub struct Matrix {
     /// Where each row starts in `columns` and `values`; one more entry than rows.
@@ -54,6 +55,15 @@ impl Matrix {
             }
             self.diagonal[k] = sum;
         }
+    }
+
+    /// No rows; the memory stays.
+    pub fn clear(&mut self) {
+        self.starts.clear();
+        self.starts.push(0);
+        self.columns.clear();
+        self.values.clear();
+        self.diagonal.clear();
     }
 
     /// Number of rows.

@@ -18,7 +18,10 @@ mod reaction;
 mod subspace;
 mod survey;
 #[cfg(test)]
+mod test_systems;
+#[cfg(test)]
 mod tests;
+mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
 pub use hierarchy::Preconditioner;
@@ -43,8 +46,10 @@ pub struct Projecting {
     pub tolerance: f64,
     /// Iterations after which a solve has failed.
     pub most_iterations: usize,
-    /// Steps in which an error of density relaxes [-].
-    pub relaxation_steps: f64,
+    /// Time in which an error of density relaxes, over h/U (I9) [-].
+    pub relaxation: f64,
+    /// Viscosity over h √(|g| h) (I12) [-].
+    pub calming: f64,
     /// Shift over the distance moved in a step, times 2h∇C [-].
     pub shift: f64,
     /// Experimental switches.
@@ -53,7 +58,7 @@ pub struct Projecting {
 
 impl Default for Projecting {
     fn default() -> Projecting {
-        Projecting { tolerance: 1e-4, most_iterations: 2000, relaxation_steps: 50.0, shift: 1.0, x: [0.0; 6] }
+        Projecting { tolerance: 1e-4, most_iterations: 2000, relaxation: 10.0, calming: 0.1, shift: 1.0, x: [0.0; 6] }
     }
 }
 
@@ -230,6 +235,11 @@ impl Fluid {
         }
     }
 
+    /// Smallest smoothing length [m].
+    pub(crate) fn least_length(&self) -> f64 {
+        crate::sweep::least(self.particles.len(), |k| self.particles.h[k])
+    }
+
     /// I14: the step of a projection [s].
     pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
         let (p, q) = (&self.particles, &self.parameters);
@@ -237,8 +247,7 @@ impl Fluid {
             |h: f64, u: f64, v: f64, ax: f64, ay: f64| (q.cfl * h / u.hypot(v)).min(0.25 * (h / ax.hypot(ay)).sqrt());
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
-        let least_h = crate::sweep::least(p.len(), |k| p.h[k]);
-        let cap = q.cfl * least_h * 10.0 / q.eos.c0;
+        let cap = q.cfl * self.least_length() / q.speed;
         let now = crate::sweep::least(p.len(), of_fluid).min(crate::sweep::least(walls.len(), of_wall)).min(cap);
         if self.projection.last_dt > 0.0 { now.min(1.1 * self.projection.last_dt) } else { now }
     }

@@ -62,7 +62,8 @@ impl Components {
 }
 
 impl Components {
-    /// Whether something that floated has, in this matrix, an excess or a coupling to another part: then it no longer does.
+    /// Whether something that floated has, in this matrix, an excess or a coupling to another part: then it no longer
+    /// does.
     pub fn changed(&self, a: &Matrix) -> bool {
         let floats = |i: usize| self.floating[self.of[i] as usize];
         let differs = |i: usize| a.has_excess(i) || a.row(i).any(|(j, v)| v != 0.0 && self.of[j] != self.of[i]);
@@ -70,7 +71,8 @@ impl Components {
     }
 }
 
-/// PS4: the pressures t that the equation does not feel, A t = 0 and g·t = 0 for every body; constant in each floating part.
+/// PS4: the pressures t that the equation does not feel, A t = 0 and g·t = 0 for every body; constant in each floating
+/// part.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NullSpace {
     /// Row → floating part, or `u32::MAX`; empty when nothing floats.

@@ -8,6 +8,9 @@ use crate::walls::Walls;
 use super::bodies::{Equation, Meeting};
 use super::cg::Stop;
 
+/// Share of the kernel that is believed to be missing without air [-].
+const LARGEST_HOLE: f64 = 0.1;
+
 impl Fluid {
     /// I7: rows near air are tied to it.
     pub(super) fn close_surface(&mut self) {
@@ -31,16 +34,14 @@ impl Fluid {
         let settings = self.parameters.projecting;
         let n = self.particles.len();
         let p = &self.particles;
+        let relaxation = settings.relaxation * self.least_length() / self.parameters.speed;
         let projection = &mut self.projection;
-        let relaxation = settings.relaxation_steps * dt;
         let (survey, air) = (&projection.survey, &projection.air.exposure);
         projection.source.resize(n, 0.0);
         sweep::gather_into(&mut projection.source, |k| {
             let volume = p.mass[k] / p.rho[k];
             let mut crowd = (survey.around[k].filling - p.theta[k]) / lattice.filling;
-            if air[k] > 0.0 {
-                crowd = crowd.max(0.0);
-            }
+            crowd = crowd.max(-LARGEST_HOLE * (1.0 - air[k]));
             lattice.gradient * volume / dt * (crowd / relaxation - survey.divergence[k])
         });
         let volume = |k: usize| p.mass[k] / p.rho[k];

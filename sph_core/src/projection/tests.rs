@@ -1,78 +1,7 @@
 //! The solver against a direct one, on random systems.
 
+use super::test_systems::{Dice, System, body, directly, row_of, thrown};
 use super::*;
-use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Col, Side};
-
-/// Numbers from 0 to 1 that come again from the same seed (Marsaglia 2003, xorshift).
-struct Dice(u64);
-
-impl Dice {
-    fn throw(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
-/// A system and the places of its rows.
-struct System {
-    a: Matrix,
-    b: Vec<f64>,
-    at: [Vec<f64>; 3],
-}
-
-/// `n` points thrown into a box per `boxes`, far from each other; within a box whoever is near is coupled. The first `open`
-/// boxes have a surface.
-fn thrown(n: usize, boxes: usize, open: usize, dice: &mut Dice) -> System {
-    let points: Vec<[f64; 2]> = (0..n * boxes).map(|k| [10.0 * (k / n) as f64 + dice.throw(), dice.throw()]).collect();
-    let reach = 2.5 / (n as f64).sqrt();
-    let mut a = Matrix { starts: vec![0], ..Matrix::default() };
-    for (i, p) in points.iter().enumerate() {
-        let mut sum = 0.0;
-        for (j, q) in points.iter().enumerate() {
-            let distance = (p[0] - q[0]).hypot(p[1] - q[1]);
-            if i != j && distance < reach {
-                let weight = (1.0 - distance / reach).powi(3);
-                a.columns.push(j as u32);
-                a.values.push(-weight);
-                sum += weight;
-            }
-        }
-        let excess = if i / n < open && p[1] > 0.85 { 0.5 } else { 0.0 };
-        a.starts.push(a.columns.len());
-        a.diagonal.push(sum + excess);
-    }
-    let b = points.iter().map(|_| dice.throw() - 0.5).collect();
-    let at = [points.iter().map(|p| p[0]).collect(), points.iter().map(|p| p[1]).collect(), vec![reach; n * boxes]];
-    System { a, b, at }
-}
-
-/// The same by Cholesky, floating rows held by a weak spring (a mean that is taken out shows no difference).
-fn directly(a: &Matrix, ranks: &[RankOne], b: &[f64], pinned: &[bool], spring: f64) -> Vec<f64> {
-    let n = a.rows();
-    let mut entries = Vec::new();
-    let free = |i: usize| !pinned[i] && a.diagonal[i] > 0.0;
-    for i in 0..n {
-        entries.push(Triplet::new(i, i, if free(i) { a.diagonal[i] + spring } else { 1.0 }));
-        entries.extend(a.row(i).filter(|&(j, _)| free(i) && free(j)).map(|(j, v)| Triplet::new(i, j, v)));
-    }
-    for rank in ranks {
-        for &(i, gi) in &rank.entries {
-            for &(j, gj) in &rank.entries {
-                if free(i as usize) && free(j as usize) {
-                    entries.push(Triplet::new(i as usize, j as usize, rank.weight * gi * gj));
-                }
-            }
-        }
-    }
-    let matrix = SparseColMat::try_new_from_triplets(n, n, &entries).expect("a matrix");
-    let right = Col::from_fn(n, |i| if free(i) { b[i] } else { 0.0 });
-    let solution = matrix.sp_cholesky(Side::Lower).expect("positive definite").solve(&right);
-    (0..n).map(|i| solution[i]).collect()
-}
 
 fn solve(s: &System, ranks: &[RankOne], pinned: &[bool], kind: Preconditioner) -> (Vec<f64>, Solved) {
     let n = s.a.rows();
@@ -87,12 +16,6 @@ fn solve(s: &System, ranks: &[RankOne], pinned: &[bool], kind: Preconditioner) -
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) / size
-}
-
-/// A body over about a third of the first box, and its two ways to move.
-fn body(s: &System, dice: &mut Dice, weight: f64) -> Vec<RankOne> {
-    let near: Vec<u32> = (0..s.a.rows() as u32).filter(|&i| s.at[0][i as usize] < 0.33).collect();
-    (0..2).map(|_| RankOne { weight, entries: near.iter().map(|&i| (i, dice.throw() - 0.3)).collect() }).collect()
 }
 
 #[test]
@@ -212,6 +135,8 @@ fn a_solve_that_does_not_converge_says_how_far_it_got() {
         broken[17] = f64::NAN;
         let failed = solver.solve(&s.a, &[], &broken, &vec![1.0; n], &vec![false; n], &mut x, &stop).unwrap_err();
         assert!(failed.residual.is_nan() && failed.worst == 17, "{failed}");
+        solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
+        assert_eq!(solver.set_ups(), 2, "what failed is not kept");
     }
 }
 
@@ -246,25 +171,6 @@ fn the_smallest_pocket_floats_too() {
         let (x, _) = solve(&s, &[], &[false; 42], kind);
         assert!((x[40] - 0.5).abs() < 1e-10 && (x[41] + 0.5).abs() < 1e-10, "{kind:?}: {:?}", &x[40..]);
     }
-}
-
-/// A row of `n` with a surface at its end if it is `open`, the same places each time.
-fn row_of(n: usize, open: bool) -> System {
-    let mut a = Matrix { starts: vec![0], ..Matrix::default() };
-    for i in 0..n {
-        let mut sum = 0.0;
-        for j in i.saturating_sub(2)..(i + 3).min(n) {
-            if j != i {
-                a.columns.push(j as u32);
-                a.values.push(-1.0);
-                sum += 1.0;
-            }
-        }
-        a.starts.push(a.columns.len());
-        a.diagonal.push(sum + if open && i == n - 1 { 1.0 } else { 0.0 });
-    }
-    let b = (0..n).map(|i| 1.0 + (0.1 * i as f64).sin()).collect();
-    System { a, b, at: [(0..n).map(|i| i as f64).collect(), vec![0.0; n], vec![1.5; n]] }
 }
 
 #[test]
@@ -319,4 +225,39 @@ fn a_clone_goes_on_to_the_same_bits() {
     };
     assert_eq!(go_on(&mut solver), go_on(&mut kept));
     assert_eq!(solver.set_ups(), 1);
+}
+
+#[test]
+fn bodies_and_pins_at_the_surface_cost_no_iterations() {
+    let mut dice = Dice(11);
+    let s = thrown(4000, 1, 1, &mut dice);
+    let at_surface: Vec<bool> = s.at[1].iter().map(|&y| y > 0.95).collect();
+    let none = vec![false; 4000];
+    for kind in Preconditioner::ALL {
+        let plain = solve(&s, &[], &none, kind).1.iterations as f64;
+        for weight in [0.1, 1e6] {
+            let ranks = body(&s, &mut dice, weight);
+            let with = |pinned: &[bool]| solve(&s, &ranks, pinned, kind).1.iterations as f64;
+            let (free, pinned) = (with(&none), with(&at_surface));
+            assert!(free < 1.1 * plain && pinned < 1.1 * plain, "{kind:?}, {weight}: {plain} {free} {pinned}");
+        }
+    }
+}
+
+#[test]
+fn no_water_and_spray_alone_are_solved() {
+    let stop = Stop { tolerance: 1e-10, most_iterations: 5 };
+    for kind in Preconditioner::ALL {
+        let mut solver = PressureSolver::with(kind);
+        let mut a = Matrix { starts: vec![0], ..Matrix::default() };
+        solver.prepare(&a, &[], &[], &[]);
+        assert_eq!(solver.solve(&a, &[], &[], &[], &[], &mut [], &stop).expect("nothing").iterations, 0);
+        let n = 700; // each tied to the air only
+        a.starts.resize(n + 1, 0);
+        a.diagonal = (0..n).map(|i| 1.0 + i as f64).collect();
+        let (one, mut x) = (vec![1.0; n], vec![0.0; n]);
+        solver.prepare(&a, &one, &one, &one);
+        solver.solve(&a, &[], &one, &one, &vec![false; n], &mut x, &stop).expect("diagonal");
+        assert!((0..n).all(|i| (x[i] - 1.0 / a.diagonal[i]).abs() < 1e-12));
+    }
 }
