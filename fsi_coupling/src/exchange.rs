@@ -83,13 +83,11 @@ impl Exchange {
                     if again {
                         fluid.restore();
                         walls.clone_from(&start);
-                        walls.written = walls.ax.iter().zip(&walls.ay).map(|(x, y)| [*x, *y]).collect();
                         accelerate(&mut owners, walls, accelerations);
                     }
                     attempt(fluid, walls)?;
                     Ok(Residual::of(&owners, walls, obeys_mean(fluid)))
                 });
-                walls.written.clear();
                 fluid.forget();
                 return ended;
             }

@@ -56,6 +56,10 @@ pub trait Yields: Send + Sync {
         self.lack(forces)
     }
 
+    /// PB6: velocities of its particles at the step's start [m/s], where their kinematics do not tell them; left as they are if
+    /// they do.
+    fn velocities_at_start(&self, _velocities: &mut [[f64; 2]]) {}
+
     /// Take other unknowns; add to the accelerations of its particles, as their kinematics were first written, what is new.
     /// Positions and velocities stay.
     fn accelerate(&mut self, unknowns: &[f64], walls: WallsMut<'_>);

@@ -127,8 +127,8 @@ impl Fluid {
         for (k, face) in self.rows.faces.iter_mut().enumerate() {
             let source = if k < walls.len() { k } else { self.search.wall_images[k - walls.len()] as usize };
             // images have the same normal velocity
-            let [ax, ay] = walls.written_with(source);
-            face.vn -= 0.5 * dt * (ax * walls.nx[source] + ay * walls.ny[source]);
+            let [u, v] = walls.velocity_at_start(source, dt);
+            face.vn = u * walls.nx[source] + v * walls.ny[source];
             let side = if k < walls.len() { 1.0 } else { -1.0 };
             kicks.push([dt * (side * walls.ax[source] - g[0]), dt * (walls.ay[source] - g[1])]);
         }
