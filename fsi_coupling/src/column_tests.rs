@@ -82,7 +82,7 @@ impl Pistons {
                         accelerate(&mut owners, walls, x);
                     }
                     Pistons::water(added, walls);
-                    Ok(Residual::of(&owners, walls))
+                    Ok(Residual::of(&owners, walls, false))
                 };
                 self.exchange.converge(iteration, 0.0, first, trial).expect("agreement");
             }
@@ -161,7 +161,7 @@ fn constant_relaxation_converges_below_its_bound() {
                 piston.walls.clone_from(&start);
                 accelerate(&mut owners, &mut piston.walls, &x);
                 Pistons::water(&piston.added, &mut piston.walls);
-                let r = Residual::of(&owners, &piston.walls).of_unknowns;
+                let r = Residual::of(&owners, &piston.walls, false).of_unknowns;
                 x.iter_mut().zip(&r).for_each(|(x, r)| *x += factor * r);
                 size.push(r[1].abs());
             }

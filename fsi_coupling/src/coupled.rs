@@ -173,6 +173,7 @@ impl Coupled {
         self.walls.screens.clear();
         self.walls.screens.extend(self.members.iter().flat_map(|m| m.body.screens(dt)));
         let owners = yielding(&mut self.members, dt, self.fluid.parameters.mirror.is_some())?;
+        self.begin(&owners, dt);
         self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
         for m in &mut self.members {
@@ -183,6 +184,18 @@ impl Coupled {
         self.note_work(dt, taken_back.iter().zip(&thrown_back).map(|(a, b)| a + b));
         self.close_momentum(dt);
         self.refuse_collision()
+    }
+
+    /// PB6: the velocities that a projection's walls begin a step with, whatever accelerations a scheme then finds.
+    fn begin(&mut self, owners: &[Yielding], dt: f64) {
+        self.walls.begun.clear();
+        if owners.is_empty() || !self.fluid.parameters.solver.is_incompressible() {
+            return;
+        }
+        self.walls.begun = (0..self.walls.len()).map(|k| self.walls.velocity_at_start(k, dt)).collect();
+        for Yielding { range, owner, .. } in owners {
+            owner.velocities_at_start(&mut self.walls.begun[range.clone()]);
+        }
     }
 
     /// Remember the present state, of fluid, walls, bodies, exchange and audit; replaces the one remembered before.

@@ -86,13 +86,13 @@ impl Exchange {
                         accelerate(&mut owners, walls, accelerations);
                     }
                     attempt(fluid, walls)?;
-                    Ok(Residual::of(&owners, walls))
+                    Ok(Residual::of(&owners, walls, obeys_mean(fluid)))
                 });
                 fluid.forget();
                 return ended;
             }
         }
-        let residual = Residual::of(&owners, walls).relative;
+        let residual = Residual::of(&owners, walls, obeys_mean(fluid)).relative;
         self.note(1, residual);
         Ok(())
     }
@@ -129,6 +129,11 @@ impl Exchange {
     }
 }
 
+/// PB3: what a projection's force does to a body it does over the whole step.
+fn obeys_mean(fluid: &Fluid) -> bool {
+    fluid.steps > 0 && fluid.parameters.solver.is_incompressible()
+}
+
 /// The accelerations that the walls' kinematics were written with [m/s²], of all owners.
 pub(crate) fn unknowns(owners: &[Yielding]) -> Vec<f64> {
     owners.iter().flat_map(|member| member.owner.unknowns()).collect()
@@ -151,12 +156,13 @@ pub(crate) struct Residual {
 }
 
 impl Residual {
-    pub fn of(owners: &[Yielding], walls: &Walls) -> Residual {
+    /// Under the forces now, or under the mean forces of the step.
+    pub fn of(owners: &[Yielding], walls: &Walls, in_mean: bool) -> Residual {
         let (mut of_unknowns, mut squares) = (Vec::new(), [0.0; 3]);
         for Yielding { range, mirrored, owner } in owners {
             let mut forces = walls.forces(range.clone());
             forces.mirrored = *mirrored;
-            let Lack { lack, caused } = owner.lack(&forces);
+            let Lack { lack, caused } = if in_mean { owner.lack_in_mean(&forces) } else { owner.lack(&forces) };
             for ((lack, caused), unknown) in lack.iter().zip(caused).zip(owner.unknowns()) {
                 for (sum, value) in squares.iter_mut().zip([*lack, caused, lack + unknown]) {
                     *sum += value * value;

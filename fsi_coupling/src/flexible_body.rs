@@ -218,7 +218,7 @@ impl WettedBody for FlexibleBody {
         let velocity = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + ahead * a[k])).collect();
         let then = State { displacement: self.ahead(ahead), velocity, ..now.clone() };
         let (dynamics, riders) = (&mut self.model.dynamics, (&self.model.carriage, &self.carriers[..]));
-        let owner = FlexibleYield::new(&self.name, dynamics, riders, &then, &self.weight, ahead)?;
+        let owner = FlexibleYield::new(&self.name, dynamics, riders, (now, &then), &self.weight, ahead)?;
         Ok(Some(Box::new(owner)))
     }
 

@@ -25,30 +25,39 @@ pub struct FlexibleYield {
     inertia: EffectiveInertia,
     /// Forces on the structure from anything but the fluid, less what the predicted accelerations need [N/m, N].
     lack: Field,
+    /// As `alone`, of the mean accelerations of the step under its mean forces (PB7).
+    alone_in_mean: Field,
+    /// Velocities of the particles at the step's start [m/s].
+    begun: Vec<[f64; 2]>,
     /// By which turns count among the unknowns [m].
     scale: Vec<f64>,
 }
 
 impl FlexibleYield {
-    /// Of a structure whose motion at the end of a step of `dt` [s] is predicted as `then`, under loads on its nodes besides
-    /// the fluid's [N/m, N].
+    /// Of a structure whose motion at the start and, as predicted, at the end of a step of `dt` [s] is `now` and `then`, under
+    /// loads on its nodes besides the fluid's [N/m, N].
     pub fn new(
         name: &str,
         dynamics: &mut Dynamics,
         (carriage, carriers): (&Carriage, &[Carrier]),
-        then: &State,
+        (now, then): (&State, &State),
         weight: &[[f64; 3]],
         dt: f64,
     ) -> Result<FlexibleYield, BodyError> {
         let wrong = |error: structure_fe::Error| BodyError::structure(name, &error);
+        let amid = dynamics.lack(&amid(now, dynamics.weight_of_end(), dt), weight);
         let inertia = dynamics.effective_inertia(then, dt);
         let lack = dynamics.lack(then, weight);
         let alone = inertia.clone().solve(&lack).map_err(wrong)?;
+        let alone_in_mean = inertia.clone().solve(&amid).map_err(wrong)?;
+        let begin = |carrier| carriage.velocity(carrier, &now.displacement, &now.velocity);
         Ok(FlexibleYield {
             influences: carriers.iter().map(|carrier| carriage.influence(carrier, &then.displacement)).collect(),
             predicted: then.acceleration.clone(),
             change: vec![[0.0; 3]; alone.len()],
             alone,
+            alone_in_mean,
+            begun: carriers.iter().map(begin).collect(),
             inertia,
             lack,
             scale: lengths(dynamics),
@@ -77,9 +86,27 @@ impl FlexibleYield {
         inertia
     }
 
+    /// C10, PB7: what accelerations lack under forces on the particles, beside what the structure's own forces make.
+    fn lack_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> Lack {
+        let loads = self.carried(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
+        let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
+        let each = caused.iter().zip(alone).zip(&self.change);
+        let lack: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
+        Lack { lack: self.scaled(&lack), caused: self.scaled(&caused) }
+    }
+
     fn scaled(&self, field: &[[f64; 3]]) -> Vec<f64> {
         field.iter().zip(&self.scale).flat_map(|(a, scale)| [a[0], a[1], scale * a[2]]).collect()
     }
+}
+
+/// PB7: the motion at which the trapezoidal rule takes the mean forces of a step, at the acceleration predicted.
+fn amid(now: &State, theta: f64, dt: f64) -> State {
+    let (part, State { displacement, velocity, acceleration, .. }) = (theta * dt, now);
+    let each = velocity.iter().zip(acceleration);
+    let on: Field = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + part * a[k])).collect();
+    let moved = displacement.iter().zip(&on).map(|(q, v)| [0, 1, 2].map(|k| q[k] + part * v[k])).collect();
+    State { displacement: moved, velocity: on, ..now.clone() }
 }
 
 /// Half the mean length of the elements at each node [m]; of a node without one, half the model's.
@@ -116,11 +143,15 @@ impl Yields for FlexibleYield {
     }
 
     fn lack(&self, forces: &WallForces<'_>) -> Lack {
-        let loads = self.carried(forces.fx.iter().zip(forces.fy).map(|(x, y)| [*x, *y]));
-        let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
-        let each = caused.iter().zip(&self.alone).zip(&self.change);
-        let lack: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
-        Lack { lack: self.scaled(&lack), caused: self.scaled(&caused) }
+        self.lack_under(forces.fx, forces.fy, &self.alone)
+    }
+
+    fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
+        self.lack_under(forces.mean_fx, forces.mean_fy, &self.alone_in_mean)
+    }
+
+    fn velocities_at_start(&self, velocities: &mut [[f64; 2]]) {
+        velocities.copy_from_slice(&self.begun);
     }
 
     fn accelerate(&mut self, unknowns: &[f64], walls: WallsMut<'_>) {
@@ -163,7 +194,7 @@ mod tests {
         for _ in 0..20 {
             dynamics.step(&mut then, &weight, 0.01).expect("a step");
         }
-        let owner = FlexibleYield::new("panel", &mut dynamics, (&carriage, &carriers), &then, &weight, 0.01);
+        let owner = FlexibleYield::new("panel", &mut dynamics, (&carriage, &carriers), (&then, &then), &weight, 0.01);
         let touch = |k: usize| {
             let x = k as f64;
             let (force, push) = ([3.0 * x.sin(), 20.0 + 5.0 * x.cos()], [0.3 * x.cos(), 40.0 + 3.0 * x.sin()]);

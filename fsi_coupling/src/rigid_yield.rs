@@ -49,6 +49,16 @@ impl RigidYield {
         })
     }
 
+    /// C5: what the acceleration lacks under a force, its moment about the pole.
+    fn lack_under(&self, Resultant { force: [x, y], moment }: Resultant) -> Lack {
+        let (force, scales) = ([x, y, moment], self.scales());
+        let lack = self.lack_of(self.acceleration(), force);
+        Lack {
+            lack: (0..3).map(|k| scales[k] * lack[k]).collect(),
+            caused: (0..3).map(|k| scales[k] * self.mobility[k] * force[k]).collect(),
+        }
+    }
+
     /// C2: δa of (1 + M⁻¹ A) δa = M⁻¹ F + g − a.
     fn yields(&self, force: [f64; 3], added: [[f64; 3]; 3]) -> [f64; 3] {
         let lack = self.lack_of(self.predicted, force);
@@ -94,13 +104,11 @@ impl Yields for RigidYield {
     }
 
     fn lack(&self, forces: &WallForces<'_>) -> Lack {
-        let Resultant { force: [x, y], moment } = forces.resultant(self.pole);
-        let (force, scales) = ([x, y, moment], self.scales());
-        let lack = self.lack_of(self.acceleration(), force);
-        Lack {
-            lack: (0..3).map(|k| scales[k] * lack[k]).collect(),
-            caused: (0..3).map(|k| scales[k] * self.mobility[k] * force[k]).collect(),
-        }
+        self.lack_under(forces.resultant(self.pole))
+    }
+
+    fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
+        self.lack_under(forces.mean_resultant(self.pole_at(-self.dt)))
     }
 
     fn accelerate(&mut self, unknowns: &[f64], walls: WallsMut<'_>) {

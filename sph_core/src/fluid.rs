@@ -138,6 +138,7 @@ impl Fluid {
             self.pack(walls, 0.0);
             self.extrapolate_to_walls(walls);
             self.gather_forces(walls);
+            self.yield_walls(walls, 0.0);
             self.accelerate();
             return self.check();
         }

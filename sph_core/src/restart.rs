@@ -1,7 +1,7 @@
 //! Save and restore: a step can be taken back, and comes again to the same bits.
 //!
 //! Kept is what the next step reads: state, derived quantities, what walls extrapolated, the history of a multistep
-//! integrator, and the neighbour lists. The lists are not copied: they are set aside if they are remade meanwhile.
+//! integrator, what a projection keeps, and the neighbour lists. The lists are not copied: they are set aside if they are remade meanwhile.
 
 use std::sync::Arc;
 
@@ -10,6 +10,7 @@ use crate::fluid::Fluid;
 use crate::multistep::History;
 use crate::pair::Extrapolated;
 use crate::particles::{Derived, Particles};
+use crate::projection::Projection;
 use crate::screen::Screen;
 use crate::search::Search;
 
@@ -24,6 +25,7 @@ pub(crate) struct Saved {
     dynamic_walls: DynamicWalls,
     displaced: bool,
     screens: Vec<Screen>,
+    projection: Projection,
     /// The lists of that moment, once others have taken their place.
     search: Option<Arc<Search>>,
 }
@@ -42,6 +44,7 @@ impl Fluid {
             dynamic_walls: self.dynamic_walls.clone(),
             displaced: self.displaced,
             screens: self.rows.screens.clone(),
+            projection: self.projection.clone(),
             search: None,
         });
     }
@@ -56,6 +59,7 @@ impl Fluid {
         self.extrapolated.clone_from(&saved.extrapolated);
         self.dynamic_walls.clone_from(&saved.dynamic_walls);
         self.rows.screens.clone_from(&saved.screens);
+        self.projection.clone_from(&saved.projection);
         if let Some(search) = saved.search.take() {
             self.search = Arc::unwrap_or_clone(search);
         }

@@ -66,9 +66,17 @@ pub struct Walls {
     pub screens: Vec<Screen>,
     /// The screen that each is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
     pub screen: Vec<Option<u32>>,
+    /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (PB6); else empty.
+    pub begun: Vec<[f64; 2]>,
 }
 
 impl Walls {
+    /// Velocity of particle `k` at the start of a step of `dt` [m/s].
+    pub fn velocity_at_start(&self, k: usize, dt: f64) -> [f64; 2] {
+        let told = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
+        self.begun.get(k).copied().unwrap_or_else(told)
+    }
+
     /// Number of boundary particles.
     pub fn len(&self) -> usize {
         self.x.len()

@@ -51,6 +51,15 @@ pub trait Yields: Send + Sync {
     /// C5: what the unknowns lack under forces at the step's end.
     fn lack(&self, forces: &WallForces<'_>) -> Lack;
 
+    /// The same under the mean forces of the step, which act where its particles began: what a projection's body obeys (PB3).
+    fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
+        self.lack(forces)
+    }
+
+    /// PB6: velocities of its particles at the step's start [m/s], where their kinematics do not tell them; left as they are if
+    /// they do.
+    fn velocities_at_start(&self, _velocities: &mut [[f64; 2]]) {}
+
     /// Take other unknowns; add to the accelerations of its particles, as their kinematics were first written, what is new.
     /// Positions and velocities stay.
     fn accelerate(&mut self, unknowns: &[f64], walls: WallsMut<'_>);

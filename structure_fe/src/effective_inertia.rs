@@ -53,6 +53,11 @@ impl Dynamics {
         lack
     }
 
+    /// Weight theta of a step's end in its mean elastic force \[-\]: of the trapezoidal rule; 1/2 under other rules.
+    pub fn weight_of_end(&self) -> f64 {
+        self.rule().map_or(0.5, |rule| rule.weight)
+    }
+
     /// The effective inertia of the step `dt` \[s\] from a state, with theta of the trapezoidal rule; 1/2 under
     /// other rules.
     ///
@@ -68,7 +73,7 @@ impl Dynamics {
             let weights = Weights { acceleration: 1.0, velocity: 0.5 * dt, displacement: 0.25 * dt * dt };
             self.system.forces_and_tangent(at, &self.damping, weights, &mut self.internal, &mut matrix);
         } else {
-            let theta = self.rule().map_or(0.5, |rule| rule.weight);
+            let theta = self.weight_of_end();
             let both = [&arms[..], &arms[..]];
             let of_stiffness = (theta * dt).powi(2);
             let tangent = Some((of_stiffness, both, &mut matrix));

@@ -5,9 +5,9 @@ use super::file::{CompareFile, CouplingFile, FluidFile, GaugeFile, ResolutionFil
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{
     Compare, Coupling, CouplingScheme, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice,
-    Observe, Report, Resolution, Scene, Tank, Time,
+    Motion, Observe, Report, Resolution, Scene, Tank, Time,
 };
-use super::model::{IdealGas, Turbulence, WallModel};
+use super::model::{IdealGas, Solver, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
 use super::start::{resolve_block, resolve_surface};
@@ -45,7 +45,9 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     };
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
     let bends = body.as_ref().is_some_and(|body| !body.panels.is_empty());
-    let coupling = resolve_coupling(&file.coupling, &fluid, bends)?;
+    let moves_freely = body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
+    let yields = bends || solver == Solver::Incompressible && moves_freely;
+    let coupling = resolve_coupling(&file.coupling, solver, &fluid, yields)?;
     let spacing = required("resolution.spacing", file.resolution.spacing, "the finest spacing [m]")?;
     let spacing = positive("resolution.spacing", spacing)?;
     let (tank, fine_zone) = match &entry {
@@ -96,12 +98,19 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
     })
 }
 
-/// Where a body bends the scheme is, if the scene does not say, the one that holds whatever its mass.
-fn resolve_coupling(file: &CouplingFile, fluid: &Fluid, bends: bool) -> Result<Coupling, Problem> {
-    let holding = bends && fluid.walls == WallModel::Extrapolated;
+/// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
+/// its mass.
+fn resolve_coupling(file: &CouplingFile, solver: Solver, fluid: &Fluid, yields: bool) -> Result<Coupling, Problem> {
+    let solves_both = matches!(solver, Solver::WeaklyCompressible | Solver::Incompressible);
+    let holding = yields && solves_both && fluid.walls == WallModel::Extrapolated;
     let scheme = file.scheme.unwrap_or(if holding { CouplingScheme::AddedMass } else { CouplingScheme::Weak });
     if scheme != CouplingScheme::Weak && fluid.walls != WallModel::Extrapolated {
         let expected = "\"weak\" with these fluid.walls: only \"extrapolated\" walls feel a body's acceleration";
+        return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
+    }
+    if scheme == CouplingScheme::AddedMass && !solves_both {
+        let expected = "\"weak\", \"aitken\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" \
+                        find a body's acceleration together with the pressures";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
     }
     let iterated = matches!(scheme, CouplingScheme::Aitken | CouplingScheme::IqnIls);

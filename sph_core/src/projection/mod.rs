@@ -5,6 +5,7 @@
 
 mod aggregates;
 mod air;
+mod bodies;
 pub mod cg;
 mod coarse;
 mod hierarchy;
@@ -13,6 +14,8 @@ pub mod matrix;
 mod multigrid;
 mod null_space;
 mod poisson;
+mod reaction;
+mod subspace;
 mod survey;
 #[cfg(test)]
 mod test_systems;
@@ -31,6 +34,7 @@ use crate::fluid::Fluid;
 use crate::walls::Walls;
 
 use air::Air;
+use bodies::Bodies;
 use lattice::Lattice;
 use survey::Survey;
 
@@ -79,6 +83,8 @@ pub struct Projection {
     pub solves: u64,
     /// Rows pinned by the unilateral condition, in the last step.
     pub pins: usize,
+    /// What bodies need from step to step (PB2).
+    pub bodies: Bodies,
     last_dt: f64,
     head: f64,
 }
@@ -91,7 +97,7 @@ pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), 
     fluid.survey(walls, dt); //          C, ∇C, ∇·u*, A
     fluid.expose(); //                   e
     fluid.close_surface(); //            s
-    fluid.solve_pressure(dt)?; //        (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt)
+    fluid.solve_pressure(walls, dt)?; // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)
     fluid.push(walls, dt); //            a = g − ∇p/ρ, F
     fluid.kick(dt); //                   u' = u + Δt a
     fluid.drift(dt); //                  r' = r + Δt u'

@@ -3,7 +3,9 @@
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
 use crate::sweep;
+use crate::walls::Walls;
 
+use super::bodies::{Equation, Meeting};
 use super::cg::Stop;
 
 /// Share of the kernel that is believed to be missing without air [-].
@@ -27,7 +29,7 @@ impl Fluid {
     }
 
     /// I8–I11.
-    pub(super) fn solve_pressure(&mut self, dt: f64) -> Result<(), Breakdown> {
+    pub(super) fn solve_pressure(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         let lattice = self.projection.lattice.expect("surveyed");
         let settings = self.parameters.projecting;
         let n = self.particles.len();
@@ -52,6 +54,8 @@ impl Fluid {
         let x = &mut self.derived.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
         projection.solver.prepare(&projection.matrix, &p.x, &p.y, &p.h);
+        let surroundings = (&self.rows, &self.search, &self.parameters);
+        let mut meeting = Meeting::of(surroundings, &p.id, &mut self.yielding, walls, 1.0 / lattice.gradient);
         let mut pins = 0;
         for _ in 0..6 {
             let solved = projection.solver.solve(
@@ -68,6 +72,20 @@ impl Fluid {
                 Err(e) => eprintln!("{e} at {}", self.time),
             }
             projection.solves += 1;
+            let agreed = meeting.agree(
+                &mut projection.bodies,
+                &mut Equation {
+                    solver: &mut projection.solver,
+                    matrix: &projection.matrix,
+                    pinned: &projection.pinned,
+                    stop,
+                    source: &mut projection.source,
+                    pressure: x,
+                },
+            );
+            if let Err(e) = agreed {
+                eprintln!("{e} at {}", self.time);
+            }
             let mut more = 0;
             for k in 0..n {
                 if x[k] < 0.0 && air[k] > 0.0 && !projection.pinned[k] {
@@ -82,6 +100,7 @@ impl Fluid {
             }
         }
         projection.pins = pins;
+        meeting.conclude();
         Ok(())
     }
 }

@@ -127,7 +127,8 @@ impl Fluid {
         for (k, face) in self.rows.faces.iter_mut().enumerate() {
             let source = if k < walls.len() { k } else { self.search.wall_images[k - walls.len()] as usize };
             // images have the same normal velocity
-            face.vn -= 0.5 * dt * (walls.ax[source] * walls.nx[source] + walls.ay[source] * walls.ny[source]);
+            let [u, v] = walls.velocity_at_start(source, dt);
+            face.vn = u * walls.nx[source] + v * walls.ny[source];
             let side = if k < walls.len() { 1.0 } else { -1.0 };
             kicks.push([dt * (side * walls.ax[source] - g[0]), dt * (walls.ay[source] - g[1])]);
         }
