@@ -138,6 +138,7 @@ fn parameters(scene: &Scene) -> Parameters {
         dissipation: fluid.dissipation,
         solver: scene.solver,
         projecting: scene.projection.unwrap_or_default(),
+        thesis: scene.thesis.unwrap_or_default(),
     }
 }
 

@@ -14,6 +14,7 @@ use crate::projection::Projecting;
 use crate::repulsive::Repulsion;
 use crate::solver::Solver;
 use crate::summation::DensityEvolution;
+use crate::thesis::ThesisSettings;
 use crate::turbulence::Turbulence;
 use crate::wall_model::WallTreatment;
 
@@ -89,6 +90,8 @@ pub struct Parameters {
     pub solver: Solver,
     /// The projection, where pressures come from one.
     pub projecting: Projecting,
+    /// The thesis's projection, where pressures come from that.
+    pub thesis: ThesisSettings,
 }
 
 impl Parameters {
@@ -124,6 +127,7 @@ impl Parameters {
             dissipation: Dissipation::Diffusion,
             solver: Solver::default(),
             projecting: Projecting::default(),
+            thesis: ThesisSettings::default(),
         }
     }
 

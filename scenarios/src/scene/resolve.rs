@@ -10,6 +10,7 @@ use super::model::{
 use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
+use super::resolve_thesis::resolve_thesis;
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -80,6 +81,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
         coupling,
         projection: solver.is_incompressible().then(|| file.projection.unwrap_or_default()),
+        thesis: resolve_thesis(file.thesis, solver)?,
     })
 }
 
