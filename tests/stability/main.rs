@@ -11,6 +11,7 @@ mod options;
 mod order;
 mod panels;
 mod schemes;
+mod thesis_projection;
 mod thin_walls;
 mod walls;
 mod water;

@@ -10,7 +10,7 @@ use super::model::{
 use super::model::{IdealGas, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
-use super::resolve_thesis::resolve_thesis;
+use super::resolve_thesis::{resolve_thesis, settle_thesis};
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -24,7 +24,7 @@ const RUN_UP: f64 = 3.0;
 const TAIT_EXPONENT: f64 = 7.0;
 const AIR_EXPONENT: f64 = 1.4;
 
-pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
+pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
     let name = required("name", file.name, "a word for file names")?;
     let symmetry = file.symmetry.unwrap_or_default();
     let solver = file.solver.unwrap_or_default();
@@ -40,6 +40,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
             fastest_speed(None, body.as_ref(), gravity, depth)
         }
     };
+    settle_thesis(&mut file.fluid, solver);
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
     let bends = body.as_ref().is_some_and(|body| !body.panels.is_empty());
     let coupling = resolve_coupling(&file.coupling, &fluid, bends)?;

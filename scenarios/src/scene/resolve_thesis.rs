@@ -1,7 +1,46 @@
 //! The table `[thesis]`: what a scene chooses of the thesis's projection (THEORY J1–J14).
 
-use super::model::{Solver, ThesisSettings};
+use super::file::FluidFile;
+use super::model::{Dissipation, Scene, Solver, ThesisSettings};
 use super::problem::{Problem, positive, within};
+
+/// h/Δx of the thesis, up to 1.25 of which its surface holds (THEORY J16).
+const SMOOTHING_RATIO: f64 = 1.0;
+/// h/Δx up to which the surface holds.
+const LARGEST_RATIO: f64 = 1.25;
+/// α with which its water at rest stays at rest (J16).
+const ARTIFICIAL_VISCOSITY: f64 = 0.1;
+
+/// What the thesis's projection is not to be relied on for.
+pub(super) fn thesis_warnings(scene: &Scene) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if scene.solver != Solver::IncompressibleThesis {
+        return warnings;
+    }
+    if scene.fluid.smoothing_ratio > LARGEST_RATIO {
+        warnings.push(format!(
+            "fluid.smoothing_ratio = {}: with solver = \"incompressible_thesis\" the free surface holds up to {LARGEST_RATIO}",
+            scene.fluid.smoothing_ratio
+        ));
+    }
+    if scene.body.is_some() {
+        warnings.push(
+            "solver = \"incompressible_thesis\" breaks down where a body enters the surface (THEORY J16): take \"incompressible\""
+                .into(),
+        );
+    }
+    warnings
+}
+
+/// What the thesis's projection needs of the fluid, where the scene does not say.
+pub(super) fn settle_thesis(fluid: &mut FluidFile, solver: Solver) {
+    if solver == Solver::IncompressibleThesis {
+        fluid.smoothing_ratio.get_or_insert(SMOOTHING_RATIO);
+        if fluid.dissipation != Some(Dissipation::Riemann) {
+            fluid.artificial_viscosity.get_or_insert(ARTIFICIAL_VISCOSITY);
+        }
+    }
+}
 
 /// Its values within their ranges; nothing for other solvers, where a scene that has the table is refused.
 pub(super) fn resolve_thesis(

@@ -4,7 +4,7 @@ use super::cast::Cast;
 use super::pairs::Pairs;
 
 /// ∇P_i/ρ_i [m/s²] of row `i`: (1/ρ_i²) Σ m_j (P_j − P_i) ∇W_ij.
-pub(super) fn acceleration(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64, i: usize) -> [f64; 2] {
+pub(super) fn inside(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64, i: usize) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for pair in pairs.of(i) {
         let other = &cast.players[pair.j as usize];
@@ -12,6 +12,20 @@ pub(super) fn acceleration(cast: &Cast, pairs: &Pairs, pressure: &[f64], density
         sum = [0, 1].map(|axis| sum[axis] + difference * pair.r[axis]);
     }
     sum.map(|s| s / (density * density))
+}
+
+/// J8: the same of a particle at the surface, whose own neighbours are mirrored at the plane through it with normal `n`:
+/// 2 n n·∇P/ρ.
+pub(super) fn at_surface(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64, i: usize, n: [f64; 2]) -> [f64; 2] {
+    let mut sum = 0.0;
+    for pair in pairs.of(i) {
+        let other = &cast.players[pair.j as usize];
+        if other.counts {
+            let along = pair.r[0] * n[0] + pair.r[1] * n[1];
+            sum += 2.0 * other.mass * other.sign * pressure[other.row as usize] * pair.slope * along;
+        }
+    }
+    n.map(|c| c * sum / (density * density))
 }
 
 /// J9: Σ W_ij/|Σ (y_i − y_j) ∂W_ij/∂y| [-], y along `up`.

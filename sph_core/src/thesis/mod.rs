@@ -1,7 +1,7 @@
 //! The projection of Pilorget's (2010) thesis, with its choices (THEORY J1–J14).
 //!
-//! Read in this order: [`step`], [`settings`], `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`, `gradient`; `cast`
-//! and `pairs` hold who plays and who meets whom.
+//! Read in this order: [`step`], [`settings`], `prepare` (once), `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`,
+//! `gradient`; `stage`, `cast` and `pairs` hold who plays where, and who meets whom.
 
 mod bicgstab;
 mod cast;
@@ -10,7 +10,9 @@ mod limit;
 mod mass;
 mod pairs;
 mod poisson;
+mod prepare;
 pub mod settings;
+mod stage;
 mod step_limit;
 mod surface;
 
@@ -19,11 +21,11 @@ use crate::fluid::Fluid;
 use crate::sweep;
 use crate::walls::Walls;
 
-use cast::{Cast, Player, Reflection};
+use cast::{Cast, Reflection};
 use limit::Limits;
 use pairs::Pairs;
 use poisson::Assembly;
-use settings::{LimitRows, MassRule, Predictor};
+use settings::Predictor;
 
 pub use settings::ThesisSettings;
 
@@ -31,8 +33,8 @@ pub use settings::ThesisSettings;
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {
     limits: Limits,
-    /// Masses of the wall particles [kg/m].
-    wall_mass: Vec<f64>,
+    /// Masses of the wall particles [kg/m]; 0 for those that play no part.
+    pub wall_mass: Vec<f64>,
     /// ρ₀ − Σ m W at the start [kg/m³] (J2), by identity.
     lack: Vec<f64>,
     /// The same of the limit particles.
@@ -107,71 +109,6 @@ impl Thesis {
         Ok(())
     }
 
-    /// Put everybody where they are at the step's beginning (`offset` −Δt), or where the trial takes them.
-    fn assign(&mut self, fluid: &Fluid, walls: &Walls, offset: f64, trial: Option<&Trial>) {
-        let drift = trial.map(|trial| self.drift_of_sides(fluid, trial));
-        let (p, n, limits) = (&fluid.particles, fluid.particles.len(), &self.limits);
-        let cast = &mut self.cast;
-        cast.players.clear();
-        cast.players.extend((0..n).map(|k| {
-            let [x, y] = trial.map_or([p.x[k], p.y[k]], |trial| trial.predicted(k));
-            Player { x, y, h: p.h[k], mass: p.mass[k], row: k as u32, sign: 1.0, counts: true }
-        }));
-        let of_wall = |k: usize, limit: u32| {
-            let [dx, dy] = walls.displacement(k, offset);
-            let along = match &drift {
-                Some(drift) if limits.side[k] => drift[limit as usize],
-                _ => [0.0; 2],
-            };
-            let (x, y) = (walls.x[k] + dx + along[0], walls.y[k] + dy + along[1]);
-            let mass = self.wall_mass.get(k).copied().unwrap_or(0.0);
-            Player { x, y, h: walls.h[k], mass, row: n as u32 + limit, sign: 1.0, counts: true }
-        };
-        for (l, &wall) in limits.walls.iter().enumerate() {
-            cast.players.push(of_wall(wall as usize, l as u32));
-        }
-        cast.rows = cast.players.len();
-        for k in 0..limits.of_wall.len() {
-            if let Some(limit) = limits.of_wall[k].filter(|&l| limits.walls[l as usize] as usize != k) {
-                cast.players.push(of_wall(k, limit));
-            }
-        }
-        cast.own = cast.players.len();
-        cast.repeat(0, fluid.parameters.mirror);
-        let kernel = fluid.parameters.kernel;
-        if trial.is_some() {
-            let from = cast.players.len();
-            cast.reflect(&self.reflections);
-            cast.repeat(from, fluid.parameters.mirror);
-            self.there.find(cast, kernel);
-        } else {
-            self.here.find(cast, kernel);
-        }
-    }
-
-    /// J10: where each limit particle's column is taken by the water beside it, along gravity [m].
-    fn drift_of_sides(&self, fluid: &Fluid, trial: &Trial) -> Vec<[f64; 2]> {
-        let (n, up) = (fluid.particles.len(), fluid.up());
-        let mut drift = vec![[0.0; 2]; self.limits.walls.len()];
-        if !fluid.parameters.thesis.side_freedom {
-            return drift;
-        }
-        for (l, drift) in drift.iter_mut().enumerate() {
-            let (mut weight, mut sum) = (0.0, 0.0);
-            for pair in self.here.of(n + l) {
-                if (pair.j as usize) < n {
-                    let v = trial.velocity[pair.j as usize];
-                    weight += pair.w;
-                    sum += pair.w * (v[0] * up[0] + v[1] * up[1]);
-                }
-            }
-            if weight > 0.0 {
-                *drift = up.map(|c| trial.dt * sum / weight * c);
-            }
-        }
-        drift
-    }
-
     /// J7, J8, at r_n.
     fn find_surface(&mut self, fluid: &Fluid) {
         let least = fluid.parameters.thesis.surface_ratio * self.inside;
@@ -225,7 +162,7 @@ impl Thesis {
         let normal = |&w: &u32| [walls.nx[w as usize], walls.ny[w as usize]];
         let normals: Vec<[f64; 2]> = self.limits.walls.iter().map(normal).collect();
         let Thesis { cast, there: pairs, density, at_surface, .. } = self;
-        let limit_rows: LimitRows = settings.limit_rows;
+        let limit_rows = settings.limit_rows;
         let (a, b) = Assembly { cast, pairs, density, at_surface, normals: &normals, limit_rows, rho0, dt }.rows();
         let size = b.iter().fold(0.0_f64, |size, b| size.max(b.abs()));
         *scale = scale.max(size);
@@ -254,13 +191,21 @@ impl Thesis {
     fn accelerations(&self, fluid: &Fluid, pressure: &[f64]) -> Vec<[f64; 2]> {
         let (up, corrected) = (fluid.up(), fluid.parameters.thesis.gradient_correction);
         let mut out = vec![[0.0; 2]; fluid.particles.len()];
+        let (cast, pairs) = (&self.cast, &self.there);
         sweep::gather_into(&mut out, |i| {
-            let factor = match (corrected, self.at_surface[i]) {
+            let at_surface = self.at_surface[i];
+            let factor = match (corrected, at_surface) {
                 (false, _) => 1.0,
                 (true, true) => self.correction,
-                (true, false) => gradient::correction(&self.there, i, up),
+                (true, false) => gradient::correction(pairs, i, up),
             };
-            gradient::acceleration(&self.cast, &self.there, pressure, self.density[i], i).map(|a| factor * a)
+            let normal = if at_surface { surface::normal(cast, pairs, i) } else { None };
+            let push = match (at_surface, normal) {
+                (true, Some(n)) => gradient::at_surface(cast, pairs, pressure, self.density[i], i, n), // J8
+                (true, None) => [0.0; 2],
+                (false, _) => gradient::inside(cast, pairs, pressure, self.density[i], i),
+            };
+            push.map(|a| factor * a)
         });
         out
     }
@@ -314,7 +259,7 @@ impl Trial {
 
 impl Fluid {
     /// Against gravity [-]; upwards where there is none.
-    fn up(&self) -> [f64; 2] {
+    pub(super) fn up(&self) -> [f64; 2] {
         let g = self.parameters.gravity;
         let size = g[0].hypot(g[1]);
         if size > 0.0 { g.map(|c| -c / size) } else { [0.0, 1.0] }
@@ -327,50 +272,5 @@ impl Fluid {
         for (around, sum) in self.derived.surroundings.iter_mut().zip(&self.gathered) {
             *around = sum.around;
         }
-    }
-
-    /// Masses, stored lacks and the measures of the inside, once (J1–J3, J7).
-    pub(crate) fn prepare_thesis(&mut self, walls: &Walls) -> Result<(), Breakdown> {
-        let mut thesis = Thesis { limits: Limits::sort(self, walls), ..Thesis::default() };
-        thesis.assign(self, walls, 0.0, None);
-        let (n, rho0, up) = (self.particles.len(), self.parameters.eos.rho0, self.up());
-        let interior = self.middle_particle();
-        match self.parameters.thesis.masses {
-            MassRule::Interior => mass::of_interior(&mut thesis.cast, &thesis.here, interior, rho0), // J1
-            MassRule::Inverse => mass::of_inverse(&mut thesis.cast, self.parameters.kernel, rho0)?, //  J3
-        }
-        let players = &thesis.cast.players;
-        for k in 0..n {
-            self.particles.mass[k] = players[k].mass;
-            self.derived.volume[k] = players[k].mass / rho0;
-        }
-        thesis.wall_mass = vec![0.0; walls.len()];
-        let limits = &thesis.limits;
-        let dummies = (0..walls.len()).filter(|&k| limits.of_wall[k].is_some_and(|l| limits.walls[l as usize] as usize != k));
-        let in_order = limits.walls.iter().map(|&w| w as usize).chain(dummies);
-        for (wall, player) in in_order.zip(&players[n..thesis.cast.own]) {
-            thesis.wall_mass[wall] = player.mass;
-        }
-        thesis.assign(self, walls, 0.0, None);
-        let lack = |i: usize| rho0 - mass::density_sum(&thesis.cast, &thesis.here, i); // J2
-        thesis.lack = vec![0.0; n];
-        for k in 0..n {
-            thesis.lack[self.particles.id[k] as usize] = lack(k);
-        }
-        thesis.limit_lack = (n..thesis.cast.rows).map(lack).collect();
-        thesis.inside = surface::divergence_of_place(&thesis.cast, &thesis.here, interior, rho0);
-        thesis.correction = gradient::correction(&thesis.here, interior, up);
-        thesis.density = vec![rho0; thesis.cast.rows];
-        self.thesis = thesis;
-        Ok(())
-    }
-
-    /// A particle in the middle of the water: that nearest to its centroid.
-    fn middle_particle(&self) -> usize {
-        let p = &self.particles;
-        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len().max(1) as f64;
-        let (x, y) = (mean(&p.x), mean(&p.y));
-        let away = |k: usize| (p.x[k] - x).powi(2) + (p.y[k] - y).powi(2);
-        (0..p.len()).min_by(|&a, &b| away(a).total_cmp(&away(b))).unwrap_or(0)
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn find(cast: &Cast, pairs: &Pairs, rho0: f64, least: f64) -> Vec<boo
 }
 
 /// Unit normal out of the fluid, against Σ m ∇W.
-fn normal(cast: &Cast, pairs: &Pairs, i: usize) -> Option<[f64; 2]> {
+pub(super) fn normal(cast: &Cast, pairs: &Pairs, i: usize) -> Option<[f64; 2]> {
     let mut sum = [0.0; 2];
     for pair in pairs.of(i).iter().filter(|pair| cast.players[pair.j as usize].counts) {
         for axis in 0..2 {
