@@ -74,7 +74,9 @@ pub enum Breakdown {
         time: f64,
     },
     /// The masses that give every particle the reference density cannot be found (THEORY J3).
-    #[error("no masses of {unknowns} particles give all of them the reference density: the kernel's matrix is singular")]
+    #[error(
+        "no masses of {unknowns} particles give all of them the reference density: the kernel's matrix is singular"
+    )]
     Masses {
         /// Particles.
         unknowns: usize,

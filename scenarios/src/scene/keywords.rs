@@ -198,7 +198,7 @@ static KEYWORDS: &[Keyword] = &[
     key("thesis.side_freedom", "", "true", "upright walls at rest take the predictor's motion: true | false, which gives density errors beside them"),
     key("thesis.gradient_correction", "", "true", "the pressure's gradient is scaled so that water at rest does not depend on h: true | false"),
     key("thesis.surface_ratio", "-", "0.75", "particles at the free surface have a divergence of r below this share of that inside, 0 to 1"),
-    key("thesis.density_tolerance", "-", "1e-3", "the inner corrector loop ends where no density is farther from the reference than this share"),
+    key("thesis.density_tolerance", "-", "1e-5", "the inner corrector loop ends where no density is farther from the reference than this share"),
     key("thesis.inner_passes", "", "10", "most passes of the inner corrector loop"),
     key("thesis.residual", "-", "1e-6", "share of the largest right-hand side that the residual of no row of the pressure equation exceeds, 1e-12 to 0.1"),
     key("thesis.most_iterations", "", "2000", "iterations of Bi-CGSTAB after which a pressure equation ends the run with an error"),

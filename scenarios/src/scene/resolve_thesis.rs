@@ -43,10 +43,7 @@ pub(super) fn settle_thesis(fluid: &mut FluidFile, solver: Solver) {
 }
 
 /// Its values within their ranges; nothing for other solvers, where a scene that has the table is refused.
-pub(super) fn resolve_thesis(
-    given: Option<ThesisSettings>,
-    solver: Solver,
-) -> Result<Option<ThesisSettings>, Problem> {
+pub(super) fn resolve_thesis(given: Option<ThesisSettings>, solver: Solver) -> Result<Option<ThesisSettings>, Problem> {
     if solver != Solver::IncompressibleThesis {
         return match given {
             None => Ok(None),

@@ -16,7 +16,14 @@ pub(super) fn inside(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64,
 
 /// J8: the same of a particle at the surface, whose own neighbours are mirrored at the plane through it with normal `n`:
 /// 2 n n·∇P/ρ.
-pub(super) fn at_surface(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64, i: usize, n: [f64; 2]) -> [f64; 2] {
+pub(super) fn at_surface(
+    cast: &Cast,
+    pairs: &Pairs,
+    pressure: &[f64],
+    density: f64,
+    i: usize,
+    n: [f64; 2],
+) -> [f64; 2] {
     let mut sum = 0.0;
     for pair in pairs.of(i) {
         let other = &cast.players[pair.j as usize];

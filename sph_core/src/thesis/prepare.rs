@@ -17,7 +17,7 @@ impl Fluid {
         let interior = self.middle_particle();
         match self.parameters.thesis.masses {
             MassRule::Interior => mass::of_interior(&mut thesis.cast, &thesis.here, interior, rho0), // J1
-            MassRule::Inverse => mass::of_inverse(&mut thesis.cast, self.parameters.kernel, rho0)?, //  J3
+            MassRule::Inverse => mass::of_inverse(&mut thesis.cast, self.parameters.kernel, rho0)?,  //  J3
         }
         let players = &thesis.cast.players;
         for k in 0..n {
@@ -26,7 +26,8 @@ impl Fluid {
         }
         thesis.wall_mass = vec![0.0; walls.len()];
         let limits = &thesis.limits;
-        let dummies = (0..walls.len()).filter(|&k| limits.of_wall[k].is_some_and(|l| limits.walls[l as usize] as usize != k));
+        let dummies =
+            (0..walls.len()).filter(|&k| limits.of_wall[k].is_some_and(|l| limits.walls[l as usize] as usize != k));
         let in_order = limits.walls.iter().map(|&w| w as usize).chain(dummies);
         for (wall, player) in in_order.zip(&players[n..thesis.cast.own]) {
             thesis.wall_mass[wall] = player.mass;

@@ -70,7 +70,7 @@ impl Default for ThesisSettings {
             side_freedom: true,
             gradient_correction: true,
             surface_ratio: 0.75,
-            density_tolerance: 1e-3,
+            density_tolerance: 1e-5,
             inner_passes: 10,
             residual: 1e-6,
             most_iterations: 2000,
