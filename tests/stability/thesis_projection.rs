@@ -1,5 +1,5 @@
 //! Where the thesis's projection fails (THEORY J16): its author's dead ends, and where the thesis ended. The remedy of each is
-//! the default; that of the last two is `solver = "incompressible"`.
+//! the default; that of the last three is `solver = "incompressible"`.
 
 use evidence::systems::{of_text, scene, system};
 use fsi_coupling::{Coupled, CouplingError};
@@ -71,9 +71,11 @@ fn masses_that_give_every_particle_its_density_are_negative() {
     let error = step(&mut wide).expect_err("a solution");
     assert!(matches!(error, CouplingError::Fluid(Breakdown::Poisson { .. })), "{error}");
     // narrow kernels have positive masses, which do not help
-    let mut narrow = inverse(&[ONE_PASS]);
+    let mut narrow = inverse(&[]);
     assert!(least(&narrow) > 0.0, "{} kg/m", least(&narrow));
-    breaks_down("narrow", &mut narrow, 0.1, 0.5);
+    let ended = advance(&mut narrow, 0.5);
+    println!("narrow: {ended:?}, {:.2} %", 100.0 * pressure_error(&narrow));
+    assert!(ended.is_err() || pressure_error(&narrow) > 0.02, "{:.2e}", pressure_error(&narrow));
     // the remedy
     let mut remedy = column(&[]);
     advance(&mut remedy, 0.5).expect("one mass");
@@ -103,8 +105,9 @@ fn a_predictor_with_the_old_pressure_diverges() {
     assert!(small.fluid.time > 0.01, "{ended:?}");
 }
 
-/// Failure: side walls that do not follow the predictor change the density beside them; pressures are off by a third at
-/// first and a seventh for ever. The inner loop takes back what the predictor moved, and the error with it. Remedy: J10.
+/// Failure: side walls that do not follow the predictor change the density beside them: a third of the pressure at the
+/// first step, and a seventh for ever where the inner loop is left to come and go at 1e-3 of the density. A tight loop takes
+/// back what the predictor moved, and the error with it; so does rest, with a single pass. Remedy: J10.
 #[test]
 fn side_walls_without_freedom_give_wrong_densities() {
     let error = |sets: &[&str]| {
@@ -114,13 +117,16 @@ fn side_walls_without_freedom_give_wrong_densities() {
         advance(&mut system, 2.0).expect("still water");
         [first, pressure_error(&system)]
     };
-    let held = error(&["thesis.side_freedom=false", ONE_PASS]);
-    let free = error(&[ONE_PASS]);
-    let looped = error(&["thesis.side_freedom=false"]);
-    println!("held {held:?} free {free:?} looped {looped:?}");
+    const HELD: &str = "thesis.side_freedom=false";
+    const COARSE: &str = "thesis.density_tolerance=1e-3";
+    let (held, free) = (error(&[HELD, COARSE]), error(&[COARSE]));
+    let (held_once, free_once) = (error(&[HELD, ONE_PASS]), error(&[ONE_PASS]));
+    let (held_tight, free_tight) = (error(&[HELD]), error(&[]));
+    println!("coarse {held:?} {free:?}, one pass {held_once:?} {free_once:?}, tight {held_tight:?} {free_tight:?}");
     assert!(held[0] > 0.2 && held[1] > 0.1, "held {held:?}");
-    assert!(free[0] < 0.02 && free[1] < 1e-3, "free {free:?}");
-    assert!(looped[1] < 2e-3, "held, with the inner loop {looped:?}");
+    assert!(free[0] < 0.03 && free[1] < 0.05, "free {free:?}");
+    assert!(held_once[0] > 0.2 && free_once[0] < 0.03, "one pass: held {held_once:?}, free {free_once:?}");
+    assert!(held_tight[0] > 2.0 * free_tight[0], "tight: held {held_tight:?}, free {free_tight:?}");
 }
 
 /// Failure: without J9 the pressure at rest depends on h. Remedy: the gradient correction.
@@ -147,8 +153,8 @@ fn the_surface_holds_only_with_a_narrow_kernel() {
     breaks_down("h = 2 dx", &mut column(&["fluid.smoothing_ratio=2.0"]), 0.5, 3.0);
 }
 
-/// A body that falls at 1 m/s from above still water; `reach` is how far its lowest face is above the top row where the
-/// kernels meet: 2h less the half spacing that the face's limit particles lie behind it.
+/// A body that falls at 1 m/s from above still water. Its limit particles, half a spacing inside, meet the supports of the top
+/// row, half a spacing below the surface, when its lowest point is a spacing, 0.025 m, above the surface: 2h = 2Δx.
 fn falling(shape: &str) -> Coupled {
     let text = "name = \"fall\"\n[time]\nend = 1.0\n[resolution]\nspacing = 0.025\ngrowth = 1.0\n[tank]\nwidth = 1.0\n\
                 depth = 0.5\n[body]\nname = \"fall\"\nmotion = \"constant_velocity\"\nvelocity = [0.0, -1.0]\n";
@@ -165,18 +171,23 @@ fn a_body_that_enters_the_surfaces_support_is_the_end() {
         ("box", "shape = \"box\"\nbreadth = 0.3\nheight = 0.2\nposition = [0.0, 0.2]", 0.1),
     ] {
         let mut system = falling(shape);
-        let mut told = 0.0;
+        let (mut undisturbed, mut worst) = (0.0_f64, 0.0_f64);
         let error = loop {
             if let Err(error) = step(&mut system) {
                 break error;
             }
             let above = lowest - system.fluid.time;
-            if system.fluid.time > told || above < 0.02 {
-                told += 0.004;
-                println!("{name} {above:.4} {:.5} {:.2e}", pressure_error(&system), system.fluid.top_speed());
+            if above > 0.03 {
+                undisturbed = if system.fluid.time < 0.01 { 0.0 } else { undisturbed.max(pressure_error(&system)) };
+            } else {
+                worst = worst.max(pressure_error(&system));
             }
+            assert!(above > -0.1, "{name} is {above} m below the surface, pressures off by {worst:.2e}");
         };
-        println!("{name}: lowest at {:.4}: {error}", lowest - system.fluid.time);
+        let above = lowest - system.fluid.time;
+        println!("{name}: pressures off by {undisturbed:.2e} before, {worst:.2e} at {above:.4} m: {error}");
+        assert!(undisturbed < 0.01, "{name}: off by {undisturbed:.2e} before the supports meet");
+        assert!(worst > 10.0 && above < 0.025, "{name}: off by {worst:.2e}, {above} m above the surface");
     }
 }
 
