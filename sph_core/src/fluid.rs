@@ -56,7 +56,7 @@ pub struct Fluid {
     /// A particle was put elsewhere: lists are to be made anew.
     pub(crate) displaced: bool,
     pub(crate) projection: Projection,
-    /// The thesis's projection (THEORY J1–J14).
+    /// The thesis's projection (THEORY J1–J16).
     pub thesis: Thesis,
 }
 

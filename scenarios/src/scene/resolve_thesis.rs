@@ -1,4 +1,4 @@
-//! The table `[thesis]`: what a scene chooses of the thesis's projection (THEORY J1–J14).
+//! The table `[thesis]`: what a scene chooses of the thesis's projection (THEORY J1–J16).
 
 use super::file::FluidFile;
 use super::model::{Dissipation, Scene, Solver, ThesisSettings};

@@ -87,11 +87,11 @@ impl Matrix {
                 best = (ended, x.to_vec());
             }
         }
-        if !(ended.residual <= tolerance) {
-            x.copy_from_slice(&best.1);
-            return Ended { iterations: ended.iterations, ..best.0 };
+        if ended.residual <= tolerance {
+            return ended;
         }
-        ended
+        x.copy_from_slice(&best.1);
+        Ended { iterations: ended.iterations, ..best.0 }
     }
 }
 
@@ -99,7 +99,7 @@ impl Matrix {
 fn worst(r: &[f64], iterations: usize) -> Ended {
     let mut ended = Ended { iterations, residual: 0.0, row: 0 };
     for (row, r) in r.iter().enumerate() {
-        if !(r.abs() <= ended.residual) {
+        if r.abs() > ended.residual || r.is_nan() {
             ended = Ended { residual: r.abs(), row, ..ended };
         }
         if !r.is_finite() {

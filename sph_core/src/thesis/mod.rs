@@ -1,4 +1,4 @@
-//! The projection of Pilorget's (2010) thesis, with its choices (THEORY J1–J14).
+//! The projection of Pilorget's (2010) thesis, with its choices (THEORY J1–J16).
 //!
 //! Read in this order: [`step`], [`settings`], `prepare` (once), `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`,
 //! `gradient`; `stage`, `cast` and `pairs` hold who plays where, and who meets whom.
