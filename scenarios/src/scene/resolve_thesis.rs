@@ -42,15 +42,15 @@ pub(super) fn settle_thesis(fluid: &mut FluidFile, solver: Solver) {
     }
 }
 
-/// Its values within their ranges; nothing for other solvers, where a scene that has the table is refused.
+/// Its values within their ranges; nothing for other solvers, where a table that says anything but the defaults is refused.
 pub(super) fn resolve_thesis(given: Option<ThesisSettings>, solver: Solver) -> Result<Option<ThesisSettings>, Problem> {
     if solver != Solver::IncompressibleThesis {
         return match given {
-            None => Ok(None),
-            Some(_) => {
+            Some(settings) if settings != ThesisSettings::default() => {
                 let expected = "\"incompressible_thesis\" where a scene has a table [thesis]";
                 Err(Problem::new("solver", format!("{:?}", solver.name()), expected))
             }
+            _ => Ok(None),
         };
     }
     let settings = given.unwrap_or_default();
