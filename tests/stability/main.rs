@@ -13,6 +13,7 @@ mod order;
 mod panels;
 mod schemes;
 mod surfacing;
+mod thesis_projection;
 mod thin_walls;
 mod walls;
 mod water;
