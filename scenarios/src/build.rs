@@ -132,6 +132,7 @@ pub(crate) fn parameters(scene: &Scene) -> Parameters {
         solver: scene.solver,
         projecting: scene.projection.unwrap_or_default(),
         speed: scene.fastest_speed(),
+        thesis: scene.thesis.unwrap_or_default(),
     }
 }
 

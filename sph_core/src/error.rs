@@ -51,4 +51,34 @@ pub enum Breakdown {
         /// Time [s].
         time: f64,
     },
+    /// The thesis's pressure equation (THEORY J12) has no solution that the iteration finds.
+    #[error(
+        "the pressure equation did not converge at t = {time:.6e} s: after {iterations} iterations a residual of {residual:.3e} of the density is left where {tolerance:.3e} was asked, at {kind} {id} at ({x:.6}, {y:.6}) m"
+    )]
+    Poisson {
+        /// Iterations made.
+        iterations: usize,
+        /// Largest residual of a row [-], relative to the density.
+        residual: f64,
+        /// What was asked for [-].
+        tolerance: f64,
+        /// Identity of the particle whose row it is.
+        id: u32,
+        /// `particle`, or `limit particle`.
+        kind: &'static str,
+        /// Position [m].
+        x: f64,
+        /// Position [m].
+        y: f64,
+        /// Time [s].
+        time: f64,
+    },
+    /// The masses that give every particle the reference density cannot be found (THEORY J3).
+    #[error(
+        "no masses of {unknowns} particles give all of them the reference density: the kernel's matrix is singular"
+    )]
+    Masses {
+        /// Particles.
+        unknowns: usize,
+    },
 }

@@ -15,6 +15,7 @@ use crate::search::Search;
 use crate::solver::Solver;
 use crate::sweep;
 use crate::sweeps::{DensityRate, Momentum, WallForce};
+use crate::thesis::{self, Thesis};
 use crate::turbulence::Stress;
 use crate::wall_model::WallModel;
 use crate::walls::Walls;
@@ -55,6 +56,8 @@ pub struct Fluid {
     /// A particle was put elsewhere: lists are to be made anew.
     pub(crate) displaced: bool,
     pub(crate) projection: Projection,
+    /// The thesis's projection (THEORY J1–J16).
+    pub thesis: Thesis,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -111,6 +114,7 @@ impl Fluid {
             beginning: Vec::new(),
             displaced: false,
             projection: Projection::default(),
+            thesis: Thesis::default(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
@@ -140,6 +144,9 @@ impl Fluid {
             self.gather_forces(walls);
             self.yield_walls(walls, 0.0);
             self.accelerate();
+            if self.parameters.solver == Solver::IncompressibleThesis {
+                self.prepare_thesis(walls)?;
+            }
             return self.check();
         }
         self.sum_density(walls, 0.0);
@@ -158,6 +165,13 @@ impl Fluid {
         self.note_beginning(walls);
         if self.parameters.solver == Solver::Incompressible {
             sweep::within_pool(|| projection::step(self, walls, dt))?;
+            self.fold();
+            self.time += dt;
+            self.steps += 1;
+            return self.check();
+        }
+        if self.parameters.solver == Solver::IncompressibleThesis {
+            sweep::within_pool(|| thesis::step(self, walls, dt))?;
             self.fold();
             self.time += dt;
             self.steps += 1;

@@ -14,6 +14,7 @@ use crate::projection::Projecting;
 use crate::repulsive::Repulsion;
 use crate::solver::Solver;
 use crate::summation::DensityEvolution;
+use crate::thesis::ThesisSettings;
 use crate::turbulence::Turbulence;
 use crate::wall_model::WallTreatment;
 
@@ -91,6 +92,8 @@ pub struct Parameters {
     pub projecting: Projecting,
     /// Fastest speed that is known beforehand [m/s]: of the body, the spray root, or water that falls (I14).
     pub speed: f64,
+    /// The thesis's projection, where pressures come from that.
+    pub thesis: ThesisSettings,
 }
 
 impl Parameters {
@@ -127,6 +130,7 @@ impl Parameters {
             solver: Solver::default(),
             projecting: Projecting::default(),
             speed: 0.1 * eos.c0,
+            thesis: ThesisSettings::default(),
         }
     }
 

@@ -13,7 +13,7 @@ pub enum Solver {
     Incompressible,
     /// The same with the diagonal in the place of the matrix: one sweep a step (THEORY I15).
     IncompressibleExplicit,
-    /// Pilorget's (2010) projection, with the choices of its thesis (THEORY J1–J12).
+    /// Pilorget's (2010) projection, with the choices of its thesis (THEORY J1–J16).
     IncompressibleThesis,
 }
 

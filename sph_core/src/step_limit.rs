@@ -2,6 +2,7 @@
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
+use crate::solver::Solver;
 use crate::sweep;
 use crate::walls::Walls;
 
@@ -28,6 +29,9 @@ impl Fluid {
 
     /// The step limit [s]: acoustic, force and viscous, over the fluid and the walls beside it.
     pub fn stable_dt(&self, walls: &Walls) -> Result<f64, Breakdown> {
+        if self.parameters.solver == Solver::IncompressibleThesis {
+            return sweep::within_pool(|| self.thesis_dt(walls));
+        }
         if self.parameters.solver.is_incompressible() {
             return Ok(sweep::within_pool(|| self.projection_dt(walls)));
         }

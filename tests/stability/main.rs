@@ -14,6 +14,7 @@ mod panels;
 mod projection_bodies;
 mod schemes;
 mod surfacing;
+mod thesis_projection;
 mod thin_walls;
 mod walls;
 mod water;

@@ -61,26 +61,26 @@ impl Draw {
         Draw(Noise::new(mixed ^ (mixed >> 31)))
     }
 
-    fn from_to(&mut self, from: f64, to: f64) -> f64 {
+    fn between(&mut self, from: f64, to: f64) -> f64 {
         from + 0.5 * (self.0.draw() + 1.0) * (to - from)
     }
 }
 
 /// A body's outline about its centroid, counter-clockwise, and what it is.
 fn outline(draw: &mut Draw) -> (String, Vec<[f64; 2]>) {
-    let size = draw.from_to(0.22, 0.32);
-    let (what, points) = match draw.from_to(0.0, 3.0) {
+    let size = draw.between(0.22, 0.32);
+    let (what, points) = match draw.between(0.0, 3.0) {
         kind if kind < 1.0 => {
             let corner = |k: u32| (TAU * f64::from(k) / 24.0).sin_cos();
             let points = (0..24).map(corner).map(|(s, c)| [0.5 * size * s, -0.5 * size * c]).collect();
             (format!("cylinder of {size:.3} m"), points)
         }
         kind if kind < 2.0 => {
-            let [x, y] = [0.5 * size, 0.5 * draw.from_to(0.21, 0.3)];
+            let [x, y] = [0.5 * size, 0.5 * draw.between(0.21, 0.3)];
             (format!("box of {:.3} by {:.3} m", 2.0 * x, 2.0 * y), vec![[-x, -y], [x, -y], [x, y], [-x, y]])
         }
         _ => {
-            let (x, deadrise, side) = (0.5 * size + 0.03, draw.from_to(15.0, 45.0), draw.from_to(0.18, 0.24));
+            let (x, deadrise, side) = (0.5 * size + 0.03, draw.between(15.0, 45.0), draw.between(0.18, 0.24));
             let chine = x * deadrise.to_radians().tan();
             let points = vec![[0.0, 0.0], [x, chine], [x, chine + side], [-x, chine + side], [-x, chine]];
             (format!("wedge of {deadrise:.0} degrees, {:.3} m broad, sides {side:.3} m", 2.0 * x), points)
@@ -134,11 +134,11 @@ fn radius(points: &[[f64; 2]]) -> f64 {
 
 fn rises(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
     let (what, points) = outline(draw);
-    let share = draw.from_to(0.05, 0.8);
+    let share = draw.between(0.05, 0.8);
     let r = radius(&points);
-    let at = [draw.from_to(-0.1, 0.1), draw.from_to(r + 0.07 - TANK[1], -r - 0.02)];
-    let (angle, spin) = (draw.from_to(-180.0, 180.0), draw.from_to(-200.0, 200.0));
-    let velocity = [draw.from_to(-0.3, 0.3), draw.from_to(0.0, 1.0)];
+    let at = [draw.between(-0.1, 0.1), draw.between(r + 0.07 - TANK[1], -r - 0.02)];
+    let (angle, spin) = (draw.between(-180.0, 180.0), draw.between(-200.0, 200.0));
+    let velocity = [draw.between(-0.3, 0.3), draw.between(0.0, 1.0)];
     body(text, &points, 1000.0 * share, at, angle, velocity, spin);
     let speed = velocity[0].hypot(velocity[1]) + spin.abs().to_radians() * r;
     let words = format!(
@@ -150,12 +150,12 @@ fn rises(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
 
 fn plunges(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
     let (what, points) = outline(draw);
-    let share = draw.from_to(0.05, 0.8);
+    let share = draw.between(0.05, 0.8);
     let r = radius(&points);
-    let at = [draw.from_to(-0.15, 0.15), r + draw.from_to(0.01, 0.05)];
-    let (angle, spin) = (draw.from_to(-180.0, 180.0), draw.from_to(-300.0, 300.0));
+    let at = [draw.between(-0.15, 0.15), r + draw.between(0.01, 0.05)];
+    let (angle, spin) = (draw.between(-180.0, 180.0), draw.between(-300.0, 300.0));
     // heavier bodies slower: none is to reach the floor
-    let velocity = [draw.from_to(-0.4, 0.4), -draw.from_to(1.0, 3.0 - 1.5 * share)];
+    let velocity = [draw.between(-0.4, 0.4), -draw.between(1.0, 3.0 - 1.5 * share)];
     body(text, &points, 1000.0 * share, at, angle, velocity, spin);
     let speed = velocity[0].hypot(velocity[1]) + spin.abs().to_radians() * r;
     let words = format!(
@@ -166,10 +166,10 @@ fn plunges(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
 }
 
 fn pours(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
-    let [width, tall] = [draw.from_to(0.14, 0.4), draw.from_to(0.14, 0.5)];
-    let (x, gap) = (draw.from_to(-TANK[0], TANK[0] - width), draw.from_to(0.0, 0.5));
-    let velocity = [draw.from_to(-1.5, 1.5), draw.from_to(-3.0, 1.0)];
-    let depth = draw.from_to(0.2, 0.6);
+    let [width, tall] = [draw.between(0.14, 0.4), draw.between(0.14, 0.5)];
+    let (x, gap) = (draw.between(-TANK[0], TANK[0] - width), draw.between(0.0, 0.5));
+    let velocity = [draw.between(-1.5, 1.5), draw.between(-3.0, 1.0)];
+    let depth = draw.between(0.2, 0.6);
     *text = text.replacen(&format!("depth = {}", TANK[1]), &format!("depth = {depth}"), 1);
     let (from, to) = ([x, gap], [x + width, gap + tall]);
     let _ = write!(text, "block_from = {from:?}\nblock_to = {to:?}\nblock_velocity = {velocity:?}\n");

@@ -26,6 +26,7 @@ mod strips;
 mod study;
 mod symmetry;
 mod taylor_green;
+mod thesis_projection;
 mod thin_walls;
 mod transfer;
 mod wave_maker;

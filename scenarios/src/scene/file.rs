@@ -14,7 +14,7 @@ use super::model::{
 use super::model_panel::{Panel, TheoryName};
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
-use sph_core::{Projecting, Solver};
+use sph_core::{Projecting, Solver, ThesisSettings};
 
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -37,6 +37,7 @@ pub struct SceneFile {
     pub coupling: CouplingFile,
     pub solver: Option<Solver>,
     pub projection: Option<Projecting>,
+    pub thesis: Option<ThesisSettings>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

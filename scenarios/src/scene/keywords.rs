@@ -102,14 +102,14 @@ static KEYWORDS: &[Keyword] = &[
     key("resolution.growth", "-", "1.1", "ratio of successive rows outside the fine zone; 1 is uniform"),
     key("resolution.fine_zone", "m", "auto", "[half width from the body's middle, depth below still water]; auto: holds the spray root to the end, or the whole tank without an impact"),
     key("resolution.lattice", "", "square", "square | staggered: body-centred squares of side sqrt(2) dx, growth 1 only (INDAT lattice 1 | 2: SC | BCC)"),
-    key("resolution.packing", "", "true if incompressible with a body but a polyline, else false", "pack the water round the body before the run: as much as there is room for, evenly (Colagrossi et al. 2012): true | false"),
+    key("resolution.packing", "", "false; true if incompressible with a body", "pack the water round the body before the run: as much as there is room for, evenly (Colagrossi et al. 2012); not round a polyline: true | false"),
     key("fluid.density", "kg/m^3", "1000.0", "density of the undisturbed water (INDAT rho0)"),
     key("fluid.sound_speed", "m/s", "auto", "speed of sound; ideal_gas: of its temperature; auto: compressibility costs an impact fluid.compressibility_error of its force; at least 10 times the flow's fastest known speed (INDAT coef, which makes B = density sound_speed^2/eos_exponent)"),
     key("fluid.compressibility_error", "-", "0.01", "share of the force that compressibility may cost"),
     key("fluid.eos_exponent", "-", "7.0", "exponent of Tait's equation of state (INDAT gamma); 1 is linear; ideal_gas: ratio of specific heats, by default 1.4"),
     key("fluid.kernel", "", "wendland_c2", "gaussian | quadratic | cubic_spline | wendland_c2 (INDAT i_kernel 1 | 2 | 3 | 5) | wendland_c4"),
-    key("fluid.smoothing_ratio", "-", "1.5", "smoothing length over spacing h/dx (INDAT h); the kernel's support is 2h"),
-    key("fluid.artificial_viscosity", "-", "0.02", "coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none; absent or 0 with dissipation = riemann"),
+    key("fluid.smoothing_ratio", "-", "1.5", "smoothing length over spacing h/dx (INDAT h), 1.0 if not given with solver = incompressible_thesis; the kernel's support is 2h"),
+    key("fluid.artificial_viscosity", "-", "0.02", "coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val), 0.1 if not given with solver = incompressible_thesis; 0 is none; absent or 0 with dissipation = riemann"),
     key("fluid.kinematic_viscosity", "m^2/s", "0.0", "kinematic viscosity (INDAT i_viscos 2 | 3: viscos_val; 3 with fluid.turbulence); 0 is none"),
     key("fluid.density_diffusion", "-", "0.3", "coefficient delta of density diffusion; 0 is none; absent or 0 with dissipation = riemann"),
     key("fluid.shifting", "", "true", "particle shifting: true | false"),
@@ -200,6 +200,16 @@ static KEYWORDS: &[Keyword] = &[
     key("coupling.scheme", "", "weak; added_mass with body.panels, and for free bodies with solver = incompressible", "weak: one exchange a step | added_mass: body's acceleration and wall pressures found together, without iterations; for light bodies | aitken | iqn_ils: the step repeated until they agree (no INDAT switch: the thesis exchanges once a step)"),
     key("coupling.tolerance", "-", "1e-6", "aitken, iqn_ils: mismatch of the body's acceleration, relative, at which a step is done"),
     key("coupling.max_iterations", "-", "50", "aitken, iqn_ils: repetitions of a step after which one that still disagrees ends the run with an error"),
+    key("thesis.masses", "", "interior", "solver incompressible_thesis (INDAT i_algorithm 4): interior: one mass, from a particle with a whole support, and what the others lack stored | inverse: all from W m = rho0, which gives negative masses (no INDAT switch)"),
+    key("thesis.limit_rows", "", "poisson", "rows of limit particles: poisson | zero_gradient, which gives wrong pressures (no INDAT switch)"),
+    key("thesis.predictor", "", "gravity", "what acts before the pressure equation: gravity | old_pressure: the last step's pressure too, which diverges (no INDAT switch)"),
+    key("thesis.side_freedom", "", "true", "upright walls at rest take the predictor's motion: true | false, which gives density errors beside them"),
+    key("thesis.gradient_correction", "", "true", "the pressure's gradient is scaled so that water at rest does not depend on h: true | false"),
+    key("thesis.surface_ratio", "-", "0.75", "particles at the free surface have a divergence of r below this share of that inside, 0 to 1"),
+    key("thesis.density_tolerance", "-", "1e-5", "the inner corrector loop ends where no density is farther from the reference than this share"),
+    key("thesis.inner_passes", "", "10", "most passes of the inner corrector loop"),
+    key("thesis.residual", "-", "1e-6", "share of the largest right-hand side that the residual of no row of the pressure equation exceeds, 1e-12 to 0.1"),
+    key("thesis.most_iterations", "", "2000", "iterations of Bi-CGSTAB after which a pressure equation ends the run with an error"),
 ];
 
 #[cfg(test)]
@@ -251,6 +261,7 @@ mod tests {
             "observe",
             "report",
             "coupling",
+            "thesis",
         ];
         let top = serde_fields("");
         let mut fields: Vec<String> =

@@ -34,6 +34,7 @@ mod problem;
 mod resolve;
 mod resolve_body;
 mod resolve_panel;
+mod resolve_thesis;
 mod source;
 mod start;
 mod warnings;

@@ -15,7 +15,7 @@ use super::impact::Entry;
 pub use super::model_panel::Panel;
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
-pub use sph_core::{Projecting, Solver};
+pub use sph_core::{Projecting, Solver, ThesisSettings};
 
 /// A scene as it is run. It serialises to TOML with the keys of a scene file, and that text loads to the same scene.
 ///
@@ -62,6 +62,9 @@ pub struct Scene {
     /// The projection, where pressures come from one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projection: Option<Projecting>,
+    /// The thesis's projection, where pressures come from that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thesis: Option<ThesisSettings>,
 }
 
 /// Curves that are sampled only where a scene asks for them.

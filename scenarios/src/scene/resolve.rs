@@ -12,6 +12,7 @@ use super::problem::{Problem, not_negative, positive, required, significant, wit
 use super::resolve_body::resolve_body;
 use super::start::{resolve_block, resolve_surface};
 use fsi_coupling::Shape;
+use super::resolve_thesis::{resolve_thesis, settle_thesis};
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -25,7 +26,7 @@ const RUN_UP: f64 = 3.0;
 const TAIT_EXPONENT: f64 = 7.0;
 const AIR_EXPONENT: f64 = 1.4;
 
-pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
+pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
     let name = required("name", file.name, "a word for file names")?;
     let symmetry = file.symmetry.unwrap_or_default();
     let solver = file.solver.unwrap_or_default();
@@ -43,6 +44,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
             fastest_speed(None, body.as_ref(), gravity, tank.fall()) + tank.block_speed()
         }
     };
+    settle_thesis(&mut file.fluid, solver);
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
     let bends = body.as_ref().is_some_and(|body| !body.panels.is_empty());
     let moves_freely = body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
@@ -95,6 +97,7 @@ pub(super) fn resolve(file: SceneFile) -> Result<Scene, Problem> {
         report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
         coupling,
         projection: solver.is_incompressible().then(|| file.projection.unwrap_or_default()),
+        thesis: resolve_thesis(file.thesis, solver)?,
     })
 }
 

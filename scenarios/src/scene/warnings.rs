@@ -7,6 +7,7 @@ use super::impact::{Entry, known_compressibility_error};
 use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
 use super::panels::doubtful_panels;
 use super::problem::significant;
+use super::resolve_thesis::thesis_warnings;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
 const PEAK_SPACINGS: f64 = 17.0;
@@ -36,6 +37,7 @@ const LARGEST_GROWTH: f64 = 1.2;
 pub fn warnings(scene: &Scene) -> Vec<String> {
     let mut warnings = Vec::new();
     warnings.extend(slow_sound(scene));
+    warnings.extend(thesis_warnings(scene));
     if let Some(entry) = scene.entry() {
         match entry.final_draught > 0.0 {
             true => warnings.extend(entry_warnings(scene, &entry)),

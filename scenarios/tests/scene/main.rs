@@ -132,7 +132,8 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 13] = [
+const DEFAULTS_IN_WORDS: [&str; 14] = [
+    "false; true if incompressible with a body",
     "absent",
     "end/500",
     "end/50",
