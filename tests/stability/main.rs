@@ -11,6 +11,7 @@ mod noise;
 mod options;
 mod order;
 mod panels;
+mod projection_bodies;
 mod schemes;
 mod surfacing;
 mod thesis_projection;

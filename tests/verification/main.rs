@@ -17,6 +17,7 @@ mod host_input;
 mod integrators;
 mod kernel_sums;
 mod options;
+mod projection_bodies;
 mod rigid_body;
 mod rotating_patch;
 mod standing_wave;

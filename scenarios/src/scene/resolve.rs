@@ -10,9 +10,9 @@ use super::model::{
 use super::model::{IdealGas, Solver, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
+use super::resolve_thesis::{resolve_thesis, settle_thesis};
 use super::start::{resolve_block, resolve_surface};
 use fsi_coupling::Shape;
-use super::resolve_thesis::{resolve_thesis, settle_thesis};
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;

@@ -146,7 +146,7 @@ const DEFAULTS_IN_WORDS: [&str; 14] = [
     "panel1, ...",
     "24, none shorter than 2 spacings, at least 8",
     "yield_stress",
-    "weak; added_mass with body.panels",
+    "weak; added_mass with body.panels, and for free bodies with solver = incompressible",
 ];
 
 /// A panel for the body of `DROP`.
