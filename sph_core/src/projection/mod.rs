@@ -58,7 +58,7 @@ pub struct Projecting {
 
 impl Default for Projecting {
     fn default() -> Projecting {
-        Projecting { tolerance: 1e-4, most_iterations: 2000, relaxation: 10.0, calming: 0.1, shift: 1.0, x: [0.0; 6] }
+        Projecting { tolerance: 1e-4, most_iterations: 2000, relaxation: 10.0, calming: 0.15, shift: 1.0, x: [0.0; 6] }
     }
 }
 
@@ -242,11 +242,12 @@ impl Fluid {
     /// I14: the step of a projection [s].
     pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
         let (p, q) = (&self.particles, &self.parameters);
-        let limit =
-            |h: f64, u: f64, v: f64, ax: f64, ay: f64| (q.cfl * h / u.hypot(v)).min(0.25 * (h / ax.hypot(ay)).sqrt());
-        let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
-        let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
-        let cap = q.cfl * self.least_length() / q.speed;
+        let limit = |h: f64, u: f64, v: f64| q.cfl * h / u.hypot(v);
+        let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k]);
+        let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k]);
+        let h = self.least_length();
+        let g = q.gravity[0].hypot(q.gravity[1]);
+        let cap = (q.cfl * h / q.speed).min(0.25 * (h / g).sqrt());
         let now = crate::sweep::least(p.len(), of_fluid).min(crate::sweep::least(walls.len(), of_wall)).min(cap);
         if self.projection.last_dt > 0.0 { now.min(1.1 * self.projection.last_dt) } else { now }
     }
