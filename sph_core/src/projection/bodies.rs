@@ -136,7 +136,8 @@ impl<'a> Meeting<'a> {
         let before: Vec<[f64; 2]> = self.accelerations();
         let held = self.lack(equation.pressure).lack;
         self.suppose(&moved);
-        if few && self.lack(equation.pressure).lack == held {
+        // a direction in which an owner is held never lacks anything itself
+        if few && self.lack(equation.pressure).lack[k] == held[k] {
             return Ok(None);
         }
         let added: Vec<[f64; 2]> =
