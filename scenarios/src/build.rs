@@ -9,7 +9,7 @@ use fsi_coupling::{
 };
 use sph_core::eos::Tait;
 use sph_core::images::Mirror;
-use sph_core::{Fluid, Parameters, WallTreatment};
+use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
 use structure_fe::Damping;
 
 use crate::filling::fill;
@@ -138,7 +138,7 @@ pub(crate) fn parameters(scene: &Scene) -> Parameters {
         },
         dissipation: fluid.dissipation,
         solver: scene.solver,
-        projecting: scene.projection.unwrap_or_default(),
+        projecting: scene.projection.map_or_else(Projecting::default, |projection| projection.settings()),
         speed: projection_speed(scene),
         thesis: scene.thesis.unwrap_or_default(),
     }

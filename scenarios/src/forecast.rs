@@ -12,6 +12,9 @@ use crate::scene::{
 /// order of magnitude of an estimate, not a promise.
 const COST: f64 = 0.7e-6;
 
+/// The same of a projection [s].
+const PROJECTION_COST: f64 = 1.5e-6;
+
 /// What `check` says.
 #[derive(Clone, Debug, Serialize)]
 pub struct Forecast {
@@ -29,10 +32,12 @@ pub struct Forecast {
     pub steps: u64,
     /// Core-seconds, estimated.
     pub core_seconds: f64,
-    /// Sound speed [m/s].
-    pub sound_speed_m_per_s: f64,
-    /// Fastest speed known beforehand over the sound speed [-].
-    pub mach: f64,
+    /// Sound speed [m/s]; absent where water is incompressible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sound_speed_m_per_s: Option<f64>,
+    /// Fastest speed known beforehand over the sound speed [-]; absent where water is incompressible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mach: Option<f64>,
     /// Estimated share of the force lost to compressibility [-].
     pub compressibility_error: Option<f64>,
     /// Spacings across the wetted width at the end [-].
@@ -42,7 +47,7 @@ pub struct Forecast {
     /// The scheme of the coupling.
     pub coupling_scheme: CouplingScheme,
     /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY C8) [-]. The
-    /// largest is the spectral radius of the weak exchange: stable below 1.
+    /// largest is the spectral radius of the weak exchange: stable below 1. Absent where water is incompressible.
     pub added_mass_ratios: Option<[f64; 3]>,
     /// What one exchange a step makes of an error in a panel's acceleration, by panel (THEORY C12).
     pub panels: Vec<PanelForecast>,
@@ -61,6 +66,14 @@ pub struct PanelForecast {
     pub elements: usize,
     /// Particle spacings in an element [-].
     pub element_spacings: f64,
+    /// What one exchange a step would do; absent where water is incompressible.
+    #[serde(flatten)]
+    pub exchange: Option<ExchangeForecast>,
+}
+
+/// One exchange a step between a panel and water that carries sound (THEORY C12).
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct ExchangeForecast {
     /// Mass of the water that follows it within a step, over its own [-].
     pub added_mass: f64,
     /// Resistance of a sound wave over its inertia in half a step [-].
@@ -76,7 +89,10 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let fluid = &scene.fluid;
     let h = fluid.smoothing_ratio * scene.resolution.spacing;
     let fastest = scene.fastest_speed();
-    let step = scene.time.step.unwrap_or(fluid.cfl * h / (fluid.sound_speed + fastest));
+    let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
+    let longest = fluid.cfl * h / (sound.unwrap_or(0.0) + fastest);
+    let step = scene.time.step.unwrap_or(longest).min(scene.time.end);
+    let cost = if sound.is_some() { COST } else { PROJECTION_COST };
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
@@ -89,14 +105,16 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
         memory_mib: memory_estimate(scene) as f64 / f64::from(1 << 20),
         step_s: step,
         steps: steps as u64,
-        core_seconds: COST * fluid_particles as f64 * steps,
-        sound_speed_m_per_s: fluid.sound_speed,
-        mach: fastest / fluid.sound_speed,
-        compressibility_error: entry.and_then(|e| known_compressibility_error(e.root_speed(), fluid.sound_speed)),
+        core_seconds: cost * fluid_particles as f64 * steps,
+        sound_speed_m_per_s: sound,
+        mach: sound.map(|sound| fastest / sound),
+        compressibility_error: entry
+            .zip(sound)
+            .and_then(|(entry, sound)| known_compressibility_error(entry.root_speed(), sound)),
         spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
         spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
         coupling_scheme: scene.coupling.scheme,
-        added_mass_ratios: ExchangeRatio::of(scene).map(|exchange| exchange.ratios),
+        added_mass_ratios: sound.and_then(|_| ExchangeRatio::of(scene)).map(|exchange| exchange.ratios),
         panels: panel_exchanges(scene)
             .into_iter()
             .map(|(panel, exchange)| PanelForecast {
@@ -104,9 +122,11 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
                 length_m: length(panel),
                 elements: panel.elements,
                 element_spacings: length(panel) / panel.elements as f64 / scene.resolution.spacing,
-                added_mass: exchange.added_mass,
-                acoustic: exchange.acoustic,
-                spectral_radius: exchange.spectral_radius,
+                exchange: sound.map(|_| ExchangeForecast {
+                    added_mass: exchange.added_mass,
+                    acoustic: exchange.acoustic,
+                    spectral_radius: exchange.spectral_radius,
+                }),
             })
             .collect(),
         warnings: warnings.to_vec(),
@@ -122,11 +142,10 @@ impl Forecast {
             format!("memory       about {:.0} MiB", self.memory_mib),
             format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
             format!("cost         about {:.0} core-seconds", self.core_seconds),
-            format!(
-                "sound speed  {:.1} m/s, Mach {:.3} at the fastest known speed",
-                self.sound_speed_m_per_s, self.mach
-            ),
         ];
+        if let Some((sound, mach)) = self.sound_speed_m_per_s.zip(self.mach) {
+            lines.push(format!("sound speed  {sound:.1} m/s, Mach {mach:.3} at the fastest known speed"));
+        }
         if let Some(e) = self.compressibility_error {
             lines.push(format!("compressible share of the force about {:.2} %", 100.0 * e));
         }
@@ -153,13 +172,15 @@ impl Forecast {
     }
 
     fn exchange_with(&self, panel: &PanelForecast) -> String {
-        let PanelForecast { name, added_mass, acoustic, spectral_radius, length_m, elements, element_spacings } = panel;
+        let PanelForecast { name, exchange, length_m, elements, element_spacings } = panel;
+        let size = format!("{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings");
+        let Some(ExchangeForecast { added_mass, acoustic, spectral_radius }) = *exchange else { return size };
         format!(
-            "{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings\n{:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would multiply \
-             an error by {spectral_radius:.2}; {}",
+            "{size}\n{:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would \
+             multiply an error by {spectral_radius:.2}; {}",
             "",
             self.coupling_scheme.name(),
-            self.verdict(*spectral_radius)
+            self.verdict(spectral_radius)
         )
     }
 

@@ -9,7 +9,7 @@ use crate::report::{
 };
 use crate::run::Outcome;
 use crate::scene::{Scene, Symmetry};
-use crate::summary::{Status, Summary};
+use crate::summary::{Compressibility, Projection, Status, Summary};
 
 /// References of more points than this are drawn as lines.
 const MANY: usize = 60;
@@ -61,15 +61,9 @@ fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
         row(&["wall time", &format!("{:.1}", s.wall_time_s), "s"]),
         row(&["threads", &s.threads.to_string(), ""]),
         row(&["particle updates", &format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s"]),
-        row(&["sound speed", &format!("{:.1}", s.compressibility.sound_speed_m_per_s), "m/s"]),
-        row(&["Mach number reached", &format!("{:.4}", s.compressibility.mach_reached), ""]),
     ];
-    if let Some(error) = s.compressibility.force_error_estimate {
-        rows.push(row(&["share of force lost to compressibility, estimated", &format!("{:.2}", 100.0 * error), "%"]));
-    }
-    if let Some(factor) = s.compressibility.force_corrected {
-        rows.push(row(&["factor on the force that takes it back", &format!("{factor:.4}"), ""]));
-    }
+    rows.extend(s.compressibility.iter().flat_map(compressibility_rows));
+    rows.extend(s.projection.iter().flat_map(projection_rows));
     let head = row(&["quantity", "value", "unit"]);
     let mut blocks = Vec::new();
     if !scene.source.is_empty() {
@@ -79,14 +73,38 @@ fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
         blocks.push(Block::Text(format!("Doubts before the run: {}.", warnings.join("; "))));
     }
     blocks.push(Block::Table(Table { title: "Size and cost".into(), head, rows }));
-    blocks.push(Block::Text(compressibility_in_words(s)));
+    blocks.extend(s.compressibility.as_ref().map(|c| Block::Text(compressibility_in_words(c))));
     blocks.extend(gauge_table(s));
     blocks
 }
 
+fn compressibility_rows(c: &Compressibility) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        row(&["sound speed", &format!("{:.1}", c.sound_speed_m_per_s), "m/s"]),
+        row(&["Mach number reached", &format!("{:.4}", c.mach_reached), ""]),
+    ];
+    if let Some(error) = c.force_error_estimate {
+        rows.push(row(&["share of force lost to compressibility, estimated", &format!("{:.2}", 100.0 * error), "%"]));
+    }
+    if let Some(factor) = c.force_corrected {
+        rows.push(row(&["factor on the force that takes it back", &format!("{factor:.4}"), ""]));
+    }
+    rows
+}
+
+fn projection_rows(p: &Projection) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        row(&["pressure equations solved", &p.solves.to_string(), ""]),
+        row(&["iterations of them a step", &format!("{:.1}", p.iterations_mean), ""]),
+    ];
+    if let Some(pinned) = p.pinned_last {
+        rows.push(row(&["rows pinned at p = 0 in the last step", &pinned.to_string(), ""]));
+    }
+    rows
+}
+
 /// What weak compressibility did to the run, in a sentence.
-fn compressibility_in_words(s: &Summary) -> String {
-    let c = &s.compressibility;
+fn compressibility_in_words(c: &Compressibility) -> String {
     let reached = format!("The water is weakly compressible; its fastest particle reached Mach {:.3}", c.mach_reached);
     match (c.force_error_estimate, c.force_corrected) {
         (Some(share), Some(factor)) => format!(

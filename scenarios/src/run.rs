@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
+use sph_core::{Fluid, Solver};
 use tracing::{debug, info, warn};
 
 use crate::balance::{held, structure_gap};
@@ -19,7 +20,9 @@ use crate::panel_result::PanelResult;
 use crate::present;
 use crate::reference::ReferenceError;
 use crate::scene::{Scene, known_compressibility_error};
-use crate::summary::{Audit, Compressibility, Coupling, Particles, Peak, Status, Summary, WorstPenetration};
+use crate::summary::{
+    Audit, Compressibility, Coupling, Particles, Peak, Projection, Status, Summary, WorstPenetration,
+};
 
 /// Files of a run, by the contract of the command line.
 pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
@@ -319,15 +322,12 @@ impl Recorder {
         let mut comparison: Vec<Comparison> =
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
-        let root_speed = scene.entry().map(|entry| entry.root_speed());
-        let compressible_share =
-            root_speed.and_then(|speed| known_compressibility_error(speed, scene.fluid.sound_speed));
         let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
         Summary {
             scene: scene.name.clone(),
             status,
             message,
-            model: "wcsph",
+            model: model(scene.solver),
             version: env!("CARGO_PKG_VERSION"),
             particles: Particles { fluid: fluid.particles.len(), wall: system.walls.len() },
             steps: fluid.steps,
@@ -354,19 +354,42 @@ impl Recorder {
                 worst_penetration: self.ledger.worst_penetration().cloned(),
                 stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
             },
-            compressibility: Compressibility {
-                sound_speed_m_per_s: scene.fluid.sound_speed,
-                mach_reached: self.ledger.fastest() / scene.fluid.sound_speed,
-                force_error_estimate: compressible_share,
-                force_corrected: compressible_share.map(|share| 1.0 / (1.0 - share)),
-            },
+            compressibility: self.compressibility(scene),
             similarity,
             force_rules: self.force_rules.as_ref().map_or(Vec::new(), |rules| rules.result(since)),
             comparison,
             panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
             gauges: self.gauges.results(),
+            projection: projection(scene.solver, fluid),
         }
     }
+
+    /// What the speed of sound cost, where there is one.
+    fn compressibility(&self, scene: &Scene) -> Option<Compressibility> {
+        let sound = scene.fluid.sound_speed;
+        let share = scene.entry().and_then(|entry| known_compressibility_error(entry.root_speed(), sound));
+        (!scene.solver.is_incompressible()).then(|| Compressibility {
+            sound_speed_m_per_s: sound,
+            mach_reached: self.ledger.fastest() / sound,
+            force_error_estimate: share,
+            force_corrected: share.map(|share| 1.0 / (1.0 - share)),
+        })
+    }
+}
+
+/// The model's name in the summary.
+fn model(solver: Solver) -> &'static str {
+    if solver.is_incompressible() { solver.name() } else { "wcsph" }
+}
+
+/// What the pressure's equation took, where there is one.
+fn projection(solver: Solver, fluid: &Fluid) -> Option<Projection> {
+    let (iterations, solves, pinned_last) = match solver {
+        Solver::IncompressibleThesis => (fluid.thesis.iterations, fluid.thesis.solutions, None),
+        // the fluid keeps its own projection's counts to itself
+        Solver::Incompressible | Solver::IncompressibleExplicit | Solver::WeaklyCompressible => return None,
+    };
+    Some(Projection { iterations_mean: iterations as f64 / fluid.steps.max(1) as f64, solves, pinned_last })
 }
 
 fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {

@@ -143,6 +143,18 @@ pub struct Compressibility {
     pub force_corrected: Option<f64>,
 }
 
+/// The pressure's equation over the run.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Projection {
+    /// Iterations of all solves, mean over the steps [-].
+    pub iterations_mean: f64,
+    /// Solves.
+    pub solves: u64,
+    /// Rows pinned by the unilateral condition, in the last step; absent where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinned_last: Option<usize>,
+}
+
 /// Everything a script may want to know of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
@@ -153,7 +165,7 @@ pub struct Summary {
     /// What went wrong, if anything did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
-    /// The model that was run.
+    /// The model that was run: `wcsph`, or the name of an incompressible solver.
     pub model: &'static str,
     /// Version of the program.
     pub version: &'static str,
@@ -179,8 +191,9 @@ pub struct Summary {
     pub coupling: Coupling,
     /// Coming to rest.
     pub rest: Rest,
-    /// Weak compressibility.
-    pub compressibility: Compressibility,
+    /// Weak compressibility; absent where water is incompressible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compressibility: Option<Compressibility>,
     /// The similarity solution's numbers, for scenes that have one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SimilarityResult>,
@@ -194,6 +207,9 @@ pub struct Summary {
     pub panels: BTreeMap<String, PanelResult>,
     /// Gauges, by name.
     pub gauges: BTreeMap<String, GaugeResult>,
+    /// The pressure's equation; absent where an equation of state gives the pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projection: Option<Projection>,
 }
 
 impl Summary {

@@ -14,7 +14,7 @@ use super::model::{
 use super::model_panel::{Panel, TheoryName};
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
-use sph_core::{Projecting, Solver, ThesisSettings};
+use sph_core::{Solver, ThesisSettings};
 
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -22,6 +22,7 @@ pub struct SceneFile {
     pub name: Option<String>,
     pub description: Option<String>,
     pub source: Option<String>,
+    pub solver: Option<Solver>,
     pub symmetry: Option<Symmetry>,
     pub gravity: Option<[f64; 2]>,
     pub similarity: Option<Similarity>,
@@ -35,8 +36,7 @@ pub struct SceneFile {
     pub observe: ObserveFile,
     pub report: ReportFile,
     pub coupling: CouplingFile,
-    pub solver: Option<Solver>,
-    pub projection: Option<Projecting>,
+    pub projection: ProjectionFile,
     pub thesis: Option<ThesisSettings>,
 }
 
@@ -59,6 +59,16 @@ pub struct CouplingFile {
     pub scheme: Option<CouplingScheme>,
     pub tolerance: Option<f64>,
     pub max_iterations: Option<u32>,
+}
+
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ProjectionFile {
+    pub tolerance: Option<f64>,
+    pub most_iterations: Option<usize>,
+    pub relaxation: Option<f64>,
+    pub calming: Option<f64>,
+    pub shift: Option<f64>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -1,7 +1,8 @@
 //! Steps at which the scheme is known to break down: refused, not warned about.
 
-use super::model::{Integrator, Scene, Solver};
+use super::model::{Integrator, Scene};
 use super::problem::{Problem, significant};
+use super::resolve_projection::check_projection_step;
 
 /// Courant number C = Δt (c₀ + |v|)/h (THEORY E17) at which a dam break and a wedge at constant speed break down or
 /// gain energy, with the default kernel and diffusion (THEORY H4; `tests/stability/courant.rs`) [-]. Other kernels and
@@ -17,8 +18,8 @@ pub(super) fn breakdown_cfl(integrator: Integrator) -> f64 {
 
 /// Refuses a Courant number, or a fixed step, at which the integrator breaks down.
 pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
-    if scene.solver == Solver::IncompressibleThesis {
-        return Ok(()); // its steps know no sound
+    if scene.solver.is_incompressible() {
+        return check_projection_step(scene); // its steps know no sound
     }
     let fluid = &scene.fluid;
     let largest = breakdown_cfl(fluid.integrator);

@@ -13,9 +13,10 @@ use super::auto::fastest_speed;
 use super::file::BodyFile;
 use super::impact::Entry;
 pub use super::model_panel::Panel;
+pub use super::model_projection::Projection;
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
-pub use sph_core::{Projecting, Solver, ThesisSettings};
+pub use sph_core::{Solver, ThesisSettings};
 
 /// A scene as it is run. It serialises to TOML with the keys of a scene file, and that text loads to the same scene.
 ///
@@ -61,7 +62,7 @@ pub struct Scene {
     pub coupling: Coupling,
     /// The projection, where pressures come from one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub projection: Option<Projecting>,
+    pub projection: Option<Projection>,
     /// The thesis's projection, where pressures come from that.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thesis: Option<ThesisSettings>,

@@ -10,6 +10,7 @@ use super::model::{
 use super::model::{IdealGas, Solver, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
+use super::resolve_projection::{resolve_projection, settle_projection};
 use super::resolve_thesis::{resolve_thesis, settle_thesis};
 use super::start::{resolve_block, resolve_surface};
 use fsi_coupling::Shape;
@@ -45,6 +46,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
         }
     };
     settle_thesis(&mut file.fluid, solver);
+    settle_projection(&mut file.fluid, solver)?;
     let fluid = resolve_fluid(file.fluid, density, entry.as_ref(), fastest)?;
     let bends = body.as_ref().is_some_and(|body| !body.panels.is_empty());
     let moves_freely = body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
@@ -96,7 +98,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
         body,
         report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
         coupling,
-        projection: solver.is_incompressible().then(|| file.projection.unwrap_or_default()),
+        projection: resolve_projection(&file.projection, solver)?,
         thesis: resolve_thesis(file.thesis, solver)?,
     })
 }

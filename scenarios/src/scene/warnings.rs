@@ -7,6 +7,7 @@ use super::impact::{Entry, known_compressibility_error};
 use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
 use super::panels::doubtful_panels;
 use super::problem::significant;
+use super::resolve_projection::projection_warnings;
 use super::resolve_thesis::thesis_warnings;
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
@@ -35,8 +36,8 @@ const LARGEST_GROWTH: f64 = 1.2;
 
 /// Doubts about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
 pub fn warnings(scene: &Scene) -> Vec<String> {
-    let mut warnings = Vec::new();
-    warnings.extend(slow_sound(scene));
+    let mut warnings =
+        if scene.solver.is_incompressible() { projection_warnings(scene) } else { sound_warnings(scene) };
     warnings.extend(thesis_warnings(scene));
     if let Some(entry) = scene.entry() {
         match entry.final_draught > 0.0 {
@@ -46,6 +47,39 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
                 significant(-entry.final_draught)
             )),
         }
+    }
+    if scene.fluid.density_evolution == DensityEvolution::Summation {
+        warnings.push("fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".into());
+    }
+    if scene.resolution.growth > LARGEST_GROWTH {
+        warnings.push(format!(
+            "resolution.growth = {}: up to 1.2 is harmless, 1.5 costs 9 % of the force",
+            scene.resolution.growth
+        ));
+    }
+    if scene.fluid.kernel == Kernel::Quadratic && scene.body.is_some() {
+        warnings
+            .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
+    }
+    warnings.extend(doubtful_panels(scene));
+    warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
+    let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
+    warnings.extend(late.map(|compare| {
+        format!(
+            "{} is compared from {} s on, after the end of the run at {} s",
+            compare.quantity, compare.window[0], scene.time.end
+        )
+    }));
+    warnings
+}
+
+/// Doubts about water that carries sound: how fast, in which steps, how far, and beside what.
+fn sound_warnings(scene: &Scene) -> Vec<String> {
+    let mut warnings = Vec::new();
+    warnings.extend(slow_sound(scene));
+    if let Some(entry) = scene.entry().filter(|entry| entry.final_draught > 0.0) {
+        warnings.extend(lost_force(scene, &entry));
+        warnings.extend(echo(scene));
     }
     if scene.fluid.cfl > LARGEST_CFL {
         warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.2 blew up", scene.fluid.cfl));
@@ -60,30 +94,8 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         ));
     }
     warnings.extend(loose_verlet(scene));
-    if scene.fluid.density_evolution == DensityEvolution::Summation {
-        warnings.push("fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".into());
-    }
-    if scene.resolution.growth > LARGEST_GROWTH {
-        warnings.push(format!(
-            "resolution.growth = {}: up to 1.2 is harmless, 1.5 costs 9 % of the force",
-            scene.resolution.growth
-        ));
-    }
-    if scene.fluid.kernel == Kernel::Quadratic && scene.body.is_some() {
-        warnings
-            .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
-    }
     warnings.extend(light_body(scene));
     warnings.extend(light_panels(scene));
-    warnings.extend(doubtful_panels(scene));
-    warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
-    let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
-    warnings.extend(late.map(|compare| {
-        format!(
-            "{} is compared from {} s on, after the end of the run at {} s",
-            compare.quantity, compare.window[0], scene.time.end
-        )
-    }));
     warnings
 }
 
@@ -161,27 +173,29 @@ fn slow_sound(scene: &Scene) -> Option<String> {
     })
 }
 
-fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
-    let spacing = scene.resolution.spacing;
-    let mut warnings = Vec::new();
-
+/// What compressibility takes of an impact's force.
+fn lost_force(scene: &Scene, entry: &Entry) -> Option<String> {
     let (root, sound) = (entry.root_speed(), scene.fluid.sound_speed);
     match known_compressibility_error(root, sound) {
-        None => warnings.push(format!(
+        None => Some(format!(
             "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; compare with a \
              larger fluid.sound_speed",
             significant(root / sound)
         )),
-        Some(error) if error > scene.fluid.compressibility_error * (1.0 + 1e-9) => warnings.push(format!(
+        Some(error) if error > scene.fluid.compressibility_error * (1.0 + 1e-9) => Some(format!(
             "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
              admits {} %: raise fluid.sound_speed",
             significant(100.0 * error),
             significant(root / sound),
             significant(100.0 * scene.fluid.compressibility_error)
         )),
-        Some(_) => {}
+        Some(_) => None,
     }
+}
 
+fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
+    let spacing = scene.resolution.spacing;
+    let mut warnings = Vec::new();
     let draught = entry.final_draught;
     if draught < STARTING_DRAUGHT * spacing {
         warnings.push(format!(
@@ -217,7 +231,6 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
         ));
     }
 
-    warnings.extend(echo(scene));
     warnings.extend(past_the_chine(scene, entry));
     warnings
 }

@@ -116,7 +116,8 @@ pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study
     let own = base.resolution.spacing;
     let spacings = chosen("--spacings", &plan.spacings, &[2.0 * own, SQRT_2 * own, own])?;
     let own = base.fluid.sound_speed;
-    let speeds = chosen("--sound-speeds", &plan.sound_speeds, &[0.5 * own, own])?;
+    let usual = if base.solver.is_incompressible() { vec![own] } else { vec![0.5 * own, own] };
+    let speeds = chosen("--sound-speeds", &plan.sound_speeds, &usual)?;
     let pairs: Vec<[f64; 2]> = spacings.iter().flat_map(|dx| speeds.iter().map(|c| [*dx, *c])).collect();
     // Every scene is read before any is run: what is wrong is said at once.
     let scenes = pairs.iter().map(|pair| at(plan, *pair)).collect::<Result<Vec<_>, _>>()?;

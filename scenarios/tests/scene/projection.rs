@@ -1,0 +1,99 @@
+//! What an incompressible solver makes of a scene: its defaults, its table, its doubts.
+
+use scenarios::forecast::forecast;
+use scenarios::scene::{Scene, builtin, load, load_text};
+
+use super::{DROP, TANK, changed, drop_with, warnings_with};
+
+const SOLVERS: [&str; 3] = ["incompressible", "incompressible_explicit", "incompressible_thesis"];
+
+fn with(solver: &str, changes: &[&str]) -> Scene {
+    let solver = format!("solver={solver}");
+    drop_with(&[&[solver.as_str()], changes].concat())
+}
+
+#[test]
+fn defaults_follow_the_solver() {
+    let numbers = |s: &Scene| [s.fluid.cfl, s.fluid.artificial_viscosity, s.fluid.density_diffusion];
+    assert_eq!(numbers(&drop_with(&[])), [0.6, 0.02, 0.3]);
+    for (solver, expected) in SOLVERS.into_iter().zip([[0.3, 0.0, 0.0], [0.3, 0.0, 0.0], [0.6, 0.1, 0.0]]) {
+        assert_eq!(numbers(&with(solver, &[])), expected, "{solver}");
+    }
+    assert_eq!(with("incompressible", &["fluid.cfl=0.2"]).fluid.cfl, 0.2);
+}
+
+#[test]
+fn a_table_of_the_projection_is_what_the_fluid_takes() {
+    assert!(drop_with(&[]).projection.is_none() && with("incompressible_thesis", &[]).projection.is_none());
+    let table = "projection={ tolerance = 1e-6, most_iterations = 77, relaxation = 3.0, calming = 0.0, shift = 0.5 }";
+    for solver in ["incompressible", "incompressible_explicit"] {
+        let settings = with(solver, &[table]).projection.expect("a table").settings();
+        assert_eq!([settings.tolerance, settings.relaxation, settings.calming, settings.shift], [1e-6, 3.0, 0.0, 0.5]);
+        assert_eq!(settings.most_iterations, 77);
+    }
+    let usual = sph_core::Projecting::default();
+    assert_eq!(with("incompressible", &[]).projection.expect("a table").settings(), usual);
+}
+
+#[test]
+fn a_resolved_incompressible_scene_loads_again_to_itself() {
+    for solver in SOLVERS {
+        let mut sets = vec![format!("solver={solver}")];
+        // only the first of them finds accelerations and pressures together, which some scenes ask for
+        sets.extend((solver != SOLVERS[0]).then(|| "coupling.scheme=weak".to_string()));
+        for (name, _) in builtin() {
+            let loaded = load(name, &sets).unwrap_or_else(|error| panic!("{name}, {solver}: {error}"));
+            let scene = loaded.scene;
+            let text = scene.to_toml();
+            let again = load_text("again", &text, &[]).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            assert_eq!(again.scene, scene, "{text}");
+        }
+    }
+}
+
+#[test]
+fn no_doubt_about_an_incompressible_scene_and_no_line_of_check_speaks_of_sound() {
+    for solver in SOLVERS {
+        for set in ["fluid.sound_speed=20", "coupling.scheme=aitken"] {
+            let sets = [format!("solver={solver}"), set.to_string(), "tank.width=3".into(), "tank.depth=1.5".into()];
+            let loaded = load_text("drop.toml", DROP, &sets).expect("the scene loads");
+            let text = forecast(&loaded.scene, &loaded.warnings).to_text();
+            for word in ["Mach", "sound", "compressib", "echo", "c0"] {
+                let said = text.replace("incompressible", "");
+                assert!(!said.contains(word), "{solver}, {set}: {word} in {text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn check_counts_steps_of_the_fastest_known_speed() {
+    let scene = with("incompressible", &[]);
+    let f = forecast(&scene, &[]);
+    let step = 0.3 * 1.5 * 0.005 / scene.fastest_speed();
+    assert!((f.step_s / step - 1.0).abs() < 1e-12, "{} {step}", f.step_s);
+    assert_eq!(f.steps, (0.02 / step).ceil() as u64);
+    let cost = 1.5e-6 * f.fluid_particles as f64 * f.steps as f64;
+    assert!((f.core_seconds / cost - 1.0).abs() < 1e-12);
+    assert!(f.sound_speed_m_per_s.is_none() && f.mach.is_none() && f.compressibility_error.is_none());
+    assert_eq!(forecast(&with("incompressible", &["time.step=1e-4"]), &[]).steps, 200);
+}
+
+#[test]
+fn doubts_about_an_incompressible_scene_say_what_would_cure_them() {
+    let doubt = |changes: &[&str]| warnings_with(DROP, &[&["solver=incompressible"], changes].concat());
+    let near = doubt(&["tank.width=1.2", "tank.depth=0.6"]);
+    assert!(near.contains("draughts away") && near.contains("answers at once"), "{near}");
+    let long = doubt(&["time.step=2e-3"]);
+    assert!(long.contains("time.step = 0.002 s") && long.contains("smoothing lengths"), "{long}");
+    for key in ["ventilation", "wall_stretch"] {
+        assert!(doubt(&[&format!("fluid.{key}=true")]).contains(&format!("fluid.{key} = true does nothing")));
+    }
+    let weak = doubt(&["coupling.scheme=weak"]);
+    assert!(weak.contains("coupling.scheme = \"weak\"") && weak.contains("\"added_mass\" holds"), "{weak}");
+    let quiet = doubt(&[]);
+    for word in ["draughts", "time.step", "does nothing", "weak"] {
+        assert!(!quiet.contains(word), "{quiet}");
+    }
+    assert!(changed(TANK, &["solver=incompressible", "fluid.cfl=1.0"]).is_ok());
+}
