@@ -5,6 +5,7 @@ use crate::fluid::Fluid;
 use crate::sweep;
 use crate::walls::Walls;
 
+use super::Projection;
 use super::bodies::{Equation, Meeting};
 use super::cg::Stop;
 
@@ -28,7 +29,7 @@ impl Fluid {
         });
     }
 
-    /// I8–I11.
+    /// I8–I11. A failure leaves the last step's pressures, and nothing has moved.
     pub(super) fn solve_pressure(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         let lattice = self.projection.lattice.expect("surveyed");
         let settings = self.parameters.projecting;
@@ -57,38 +58,30 @@ impl Fluid {
         let surroundings = (&self.rows, &self.search, &self.parameters);
         let mut meeting = Meeting::of(surroundings, &p.id, &mut self.yielding, walls, 1.0 / lattice.gradient);
         let mut pins = 0;
+        let began = x.clone();
         for _ in 0..6 {
-            let solved = projection.solver.solve(
-                &projection.matrix,
-                &[],
-                &projection.source,
-                &projection.scale,
-                &projection.pinned,
-                x,
-                &stop,
-            );
-            match solved {
-                Ok(solved) => projection.iterations += solved.iterations as u64,
-                Err(e) => eprintln!("{e} at {}", self.time),
-            }
-            projection.solves += 1;
-            let agreed = meeting.agree(
-                &mut projection.bodies,
-                &mut Equation {
-                    solver: &mut projection.solver,
-                    matrix: &projection.matrix,
-                    pinned: &projection.pinned,
-                    stop,
-                    source: &mut projection.source,
-                    pressure: x,
-                },
-            );
-            if let Err(e) = agreed {
-                eprintln!("{e} at {}", self.time);
+            let Projection { solver, matrix, source, scale, pinned, bodies, iterations, solves, .. } = &mut *projection;
+            let found = solver.persist(matrix, source, scale, pinned, x, &stop).and_then(|solved| {
+                *iterations += solved.iterations as u64;
+                *solves += 1;
+                meeting.agree(bodies, &mut Equation { solver, matrix, pinned, stop, source, pressure: x })
+            });
+            if let Err(failed) = found {
+                x.copy_from_slice(&began);
+                let k = failed.worst;
+                return Err(Breakdown::Projection {
+                    iterations: failed.iterations,
+                    residual: failed.residual,
+                    tolerance: stop.tolerance,
+                    id: p.id[k],
+                    x: p.x[k],
+                    y: p.y[k],
+                    time: self.time,
+                });
             }
             let mut more = 0;
             for k in 0..n {
-                if x[k] < 0.0 && air[k] > 0.0 && !projection.pinned[k] {
+                if x[k] < 0.0 && projection.air.exposure[k] > 0.0 && !projection.pinned[k] {
                     projection.pinned[k] = true;
                     x[k] = 0.0;
                     more += 1;
