@@ -157,7 +157,10 @@ fn advance(
         match stepped {
             Err(breakdown) => return Ok(Err(breakdown)),
             Ok((asked, taken)) if taken < asked => {
-                warn!("pressure not converged: a step of {taken:.3e} s in the place of {asked:.3e} s to t = {}", system.fluid.time);
+                warn!(
+                    "pressure not converged: a step of {taken:.3e} s in the place of {asked:.3e} s to t = {}",
+                    system.fluid.time
+                );
             }
             Ok(_) => {}
         }
