@@ -32,6 +32,7 @@ pub mod polygon;
 pub mod pose;
 pub mod prescribed;
 pub mod relaxation;
+mod retry;
 pub mod rigid;
 pub mod rigid_yield;
 pub mod rows;

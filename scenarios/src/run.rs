@@ -156,9 +156,16 @@ fn advance(
             return Ok(Ok(Status::Interrupted));
         }
         let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
-        let stepped = dt.and_then(|dt| system.step(dt));
-        if let Err(breakdown) = stepped {
-            return Ok(Err(breakdown));
+        let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
+        match stepped {
+            Err(breakdown) => return Ok(Err(breakdown)),
+            Ok((asked, taken)) if taken < asked => {
+                warn!(
+                    "pressure not converged: a step of {taken:.3e} s in the place of {asked:.3e} s to t = {}",
+                    system.fluid.time
+                );
+            }
+            Ok(_) => {}
         }
         debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
         recorder.observe(system)?;

@@ -73,6 +73,27 @@ pub enum Breakdown {
         /// Time [s].
         time: f64,
     },
+    /// The projection's pressure equation (THEORY I8–I11) has no solution that the iteration finds. Nothing has moved: a
+    /// shorter step may be tried.
+    #[error(
+        "the pressure did not converge at t = {time:.6e} s: after {iterations} iterations {residual:.3e} of the largest right-hand side is left where {tolerance:.1e} was asked, at particle {id} at ({x:.6}, {y:.6}) m"
+    )]
+    Projection {
+        /// Iterations made, those of all attempts.
+        iterations: usize,
+        /// Largest residual of a row [-], over the largest right-hand side.
+        residual: f64,
+        /// What was asked for [-].
+        tolerance: f64,
+        /// Identity of the particle whose row it is.
+        id: u32,
+        /// Position [m].
+        x: f64,
+        /// Position [m].
+        y: f64,
+        /// Time [s].
+        time: f64,
+    },
     /// The masses that give every particle the reference density cannot be found (THEORY J3).
     #[error(
         "no masses of {unknowns} particles give all of them the reference density: the kernel's matrix is singular"

@@ -163,7 +163,7 @@ impl Fluid {
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
         self.note_beginning(walls);
-        if self.parameters.solver == Solver::Incompressible {
+        if self.parameters.solver.projects() {
             sweep::within_pool(|| projection::step(self, walls, dt))?;
             self.fold();
             self.time += dt;
@@ -327,7 +327,7 @@ impl Fluid {
     /// The same pairs twice, once for each side: action equals reaction to rounding.
     pub(crate) fn gather_forces(&mut self, walls: &mut Walls) {
         let (mut constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
-        if self.parameters.solver == Solver::Incompressible {
+        if self.parameters.solver.projects() {
             let g = constants.gravity[0].hypot(constants.gravity[1]);
             constants.c0 = (g * self.least_length()).sqrt();
             constants.alpha = 8.0 * self.parameters.projecting.calming;
@@ -361,7 +361,7 @@ impl Fluid {
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
         self.rows.place_walls(walls, offset);
         let Parameters { mirror, periodic, .. } = self.parameters;
-        if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver == Solver::Incompressible {
+        if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
             self.rows.place_mirror_points(walls);
         }
         let kinematics = self.rows.kinematics(walls);

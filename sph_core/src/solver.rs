@@ -11,7 +11,7 @@ pub enum Solver {
     WeaklyCompressible,
     /// A Poisson equation: pressures are those that leave the water's volume as it is (THEORY I1–I14).
     Incompressible,
-    /// The same with the diagonal in the place of the matrix: one sweep a step (THEORY I15).
+    /// The same with the diagonal in the place of the matrix: one sweep a step (THEORY EX3).
     IncompressibleExplicit,
     /// Pilorget's (2010) projection, with the choices of its thesis (THEORY J1–J16).
     IncompressibleThesis,
@@ -26,6 +26,11 @@ impl Solver {
             Solver::IncompressibleExplicit => "incompressible_explicit",
             Solver::IncompressibleThesis => "incompressible_thesis",
         }
+    }
+
+    /// True where a step is the projection's (THEORY I1), its pressure solved for or swept once.
+    pub fn projects(self) -> bool {
+        matches!(self, Solver::Incompressible | Solver::IncompressibleExplicit)
     }
 
     /// True where a density has nothing to do with a pressure.

@@ -33,7 +33,8 @@ impl Fluid {
             return sweep::within_pool(|| self.thesis_dt(walls));
         }
         if self.parameters.solver.is_incompressible() {
-            return Ok(sweep::within_pool(|| self.projection_dt(walls)));
+            let viscous = VISCOUS * self.least_length().powi(2) / self.parameters.nu;
+            return Ok(sweep::within_pool(|| self.projection_dt(walls)).min(viscous));
         }
         let (p, q) = (&self.particles, &self.parameters);
         let c0 = q.eos.c0;

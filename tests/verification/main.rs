@@ -2,6 +2,7 @@
 
 mod acoustics;
 mod channel;
+mod closed_tank;
 mod conservation;
 mod coupling;
 mod dissipation;

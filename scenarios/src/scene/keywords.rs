@@ -90,7 +90,7 @@ static KEYWORDS: &[Keyword] = &[
     key("name", "", "required", "a word for file names and titles"),
     key("description", "", "\"\"", "what the scene shows, in one line"),
     key("source", "", "\"\"", "where its numbers come from"),
-    key("solver", "", "weakly_compressible", "what gives the pressure: weakly_compressible (an equation of state), incompressible (a projection), incompressible_explicit (one pressure sweep a step), incompressible_thesis (Pilorget 2010)"),
+    key("solver", "", "weakly_compressible", "what gives the pressure: weakly_compressible (an equation of state), incompressible (a projection), incompressible_explicit (the projection with one pressure sweep a step: as weakly compressible as its step is long, THEORY EX4), incompressible_thesis (Pilorget 2010)"),
     key("symmetry", "", "none", "none | x: simulate x >= 0 only, with a mirror at x = 0"),
     key("gravity", "m/s^2", "[0.0, -9.81]", "acceleration of gravity [x, y]"),
     key("similarity", "", "absent", "wedge: judge by the similarity solution of a wedge at constant speed (Dobrovolskaya 1969)"),

@@ -187,7 +187,7 @@ impl Fluid {
                 continue;
             }
             grid.lay(lo, hi, least * f64::powi(2.0, l as i32) / CELLS);
-            let mirror = self.parameters.mirror;
+            let (mirror, periodic) = (self.parameters.mirror, self.parameters.periodic.unwrap_or_default());
             let mut cover = |x: f64, y: f64, h: f64| {
                 grid.cover(x, y, COVER * h / ratio);
                 if let Some(mirror) = mirror {
@@ -195,6 +195,9 @@ impl Fluid {
                     if image > lo[0] - 16.0 * grid.side {
                         grid.cover(image, y, COVER * h / ratio);
                     }
+                }
+                for shift in periodic.shifts() {
+                    grid.cover(x + shift[0], y + shift[1], COVER * h / ratio); // V1
                 }
             };
             for k in 0..n {

@@ -162,7 +162,7 @@ impl<'a> Meeting<'a> {
             }
             let scale: Vec<f64> = (0..n).map(|i| volume(i) * strongest).collect();
             let Equation { solver, matrix, pinned, stop, .. } = equation;
-            let solved = solver.solve(matrix, &[], &source, &scale, pinned, &mut pressure, stop)?;
+            let solved = solver.persist(matrix, &source, &scale, pinned, &mut pressure, stop)?;
             bodies.solves += 1;
             bodies.iterations += solved.iterations as u64;
             if few {

@@ -38,6 +38,8 @@ pub struct NotConverged {
     pub worst: usize,
 }
 
+/// Times the iterations that the last attempt at a solve gets.
+const MORE: usize = 4;
 /// A solve that has not gained a factor of ten in so many iterations is stuck.
 const STUCK: usize = 40;
 
@@ -126,6 +128,34 @@ impl PressureSolver {
             self.hierarchy.judge(all.ok().map(|s| s.iterations));
             all
         })
+    }
+
+    /// EX1: [`solve`](Self::solve), and where that fails from no pressure with a hierarchy of its own, then from there
+    /// with more iterations. What is left of the last attempt is what is reported, with the iterations of all.
+    pub fn persist(
+        &mut self,
+        a: &Matrix,
+        b: &[f64],
+        scale: &[f64],
+        pinned: &[bool],
+        x: &mut [f64],
+        stop: &Stop,
+    ) -> Result<Solved, NotConverged> {
+        let more = Stop { most_iterations: MORE * stop.most_iterations, ..*stop };
+        let mut failed = match self.solve(a, &[], b, scale, pinned, x, stop) {
+            Err(failed) => failed,
+            solved => return solved,
+        };
+        x.fill(0.0);
+        sweep::within_pool(|| self.hierarchy.renew(a));
+        for stop in [*stop, more] {
+            let spent = failed.iterations;
+            match self.solve(a, &[], b, scale, pinned, x, &stop) {
+                Ok(solved) => return Ok(Solved { iterations: spent + solved.iterations, ..solved }),
+                Err(again) => failed = NotConverged { iterations: spent + again.iterations, ..again },
+            }
+        }
+        Err(failed)
     }
 
     fn iterate(&mut self, a: &Matrix, given: &Given, x: &mut [f64], impatient: bool) -> Result<Solved, NotConverged> {

@@ -8,6 +8,7 @@ mod air;
 mod bodies;
 pub mod cg;
 mod coarse;
+mod explicit;
 mod hierarchy;
 mod lattice;
 pub mod matrix;
@@ -31,6 +32,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
+use crate::solver::Solver;
 use crate::walls::Walls;
 
 use air::Air;
@@ -87,6 +89,8 @@ pub struct Projection {
     pub bodies: Bodies,
     last_dt: f64,
     head: f64,
+    /// The last step's pressures [Pa].
+    pub(crate) before: Vec<f64>,
 }
 
 /// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
@@ -97,7 +101,10 @@ pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), 
     fluid.survey(walls, dt); //          C, ∇C, ∇·u*, A
     fluid.expose(); //                   e
     fluid.close_surface(); //            s
-    fluid.solve_pressure(walls, dt)?; // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)
+    match fluid.parameters.solver {
+        Solver::IncompressibleExplicit => fluid.sweep_pressure(dt), // the same, one sweep (EX3)
+        _ => fluid.solve_pressure(walls, dt)?, // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)
+    }
     fluid.push(walls, dt); //            a = g − ∇p/ρ, F
     fluid.kick(dt); //                   u' = u + Δt a
     fluid.drift(dt); //                  r' = r + Δt u'

@@ -2,14 +2,18 @@
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
+use crate::solver::Solver;
 use crate::sweep;
 use crate::walls::Walls;
 
+use super::Projection;
 use super::bodies::{Equation, Meeting};
 use super::cg::Stop;
 
 /// Share of the kernel that is believed to be missing without air [-].
 const LARGEST_HOLE: f64 = 0.1;
+/// How much longer an error of density takes to relax where pressures are swept, not solved for (EX5) [-].
+const SWEPT: f64 = 10.0;
 
 impl Fluid {
     /// I7: rows near air are tied to it.
@@ -28,27 +32,36 @@ impl Fluid {
         });
     }
 
-    /// I8–I11.
-    pub(super) fn solve_pressure(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
+    /// I9: the right side.
+    pub(super) fn gather_source(&mut self, dt: f64) {
         let lattice = self.projection.lattice.expect("surveyed");
-        let settings = self.parameters.projecting;
-        let n = self.particles.len();
         let p = &self.particles;
-        let relaxation = settings.relaxation * self.least_length() / self.parameters.speed;
+        let swept = if self.parameters.solver == Solver::IncompressibleExplicit { SWEPT } else { 1.0 };
+        let relaxation = swept * self.parameters.projecting.relaxation * self.least_length() / self.parameters.speed;
         let projection = &mut self.projection;
         let (survey, air) = (&projection.survey, &projection.air.exposure);
-        projection.source.resize(n, 0.0);
+        projection.source.resize(p.len(), 0.0);
         sweep::gather_into(&mut projection.source, |k| {
             let volume = p.mass[k] / p.rho[k];
             let mut crowd = (survey.around[k].filling - p.theta[k]) / lattice.filling;
             crowd = crowd.max(-LARGEST_HOLE * (1.0 - air[k]));
             lattice.gradient * volume / dt * (crowd / relaxation - survey.divergence[k])
         });
+    }
+
+    /// I8–I11. A failure leaves the last step's pressures, and nothing has moved.
+    pub(super) fn solve_pressure(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
+        self.gather_source(dt);
+        let lattice = self.projection.lattice.expect("surveyed");
+        let settings = self.parameters.projecting;
+        let n = self.particles.len();
+        let p = &self.particles;
+        let projection = &mut self.projection;
         let volume = |k: usize| p.mass[k] / p.rho[k];
         let strongest = -sweep::least(n, |k| -(projection.source[k] / volume(k)).abs());
         projection.scale.resize(n, 0.0);
         sweep::gather_into(&mut projection.scale, |k| volume(k) * strongest.max(f64::MIN_POSITIVE));
-        projection.matrix.assemble(survey, &projection.excess);
+        projection.matrix.assemble(&projection.survey, &projection.excess);
         projection.pinned.clear();
         projection.pinned.resize(n, false);
         let x = &mut self.derived.pressure;
@@ -57,38 +70,30 @@ impl Fluid {
         let surroundings = (&self.rows, &self.search, &self.parameters);
         let mut meeting = Meeting::of(surroundings, &p.id, &mut self.yielding, walls, 1.0 / lattice.gradient);
         let mut pins = 0;
+        projection.before.clone_from(x);
         for _ in 0..6 {
-            let solved = projection.solver.solve(
-                &projection.matrix,
-                &[],
-                &projection.source,
-                &projection.scale,
-                &projection.pinned,
-                x,
-                &stop,
-            );
-            match solved {
-                Ok(solved) => projection.iterations += solved.iterations as u64,
-                Err(e) => eprintln!("{e} at {}", self.time),
-            }
-            projection.solves += 1;
-            let agreed = meeting.agree(
-                &mut projection.bodies,
-                &mut Equation {
-                    solver: &mut projection.solver,
-                    matrix: &projection.matrix,
-                    pinned: &projection.pinned,
-                    stop,
-                    source: &mut projection.source,
-                    pressure: x,
-                },
-            );
-            if let Err(e) = agreed {
-                eprintln!("{e} at {}", self.time);
+            let Projection { solver, matrix, source, scale, pinned, bodies, iterations, solves, .. } = &mut *projection;
+            let found = solver.persist(matrix, source, scale, pinned, x, &stop).and_then(|solved| {
+                *iterations += solved.iterations as u64;
+                *solves += 1;
+                meeting.agree(bodies, &mut Equation { solver, matrix, pinned, stop, source, pressure: x })
+            });
+            if let Err(failed) = found {
+                x.copy_from_slice(&projection.before);
+                let k = failed.worst;
+                return Err(Breakdown::Projection {
+                    iterations: failed.iterations,
+                    residual: failed.residual,
+                    tolerance: stop.tolerance,
+                    id: p.id[k],
+                    x: p.x[k],
+                    y: p.y[k],
+                    time: self.time,
+                });
             }
             let mut more = 0;
             for k in 0..n {
-                if x[k] < 0.0 && air[k] > 0.0 && !projection.pinned[k] {
+                if x[k] < 0.0 && projection.air.exposure[k] > 0.0 && !projection.pinned[k] {
                     projection.pinned[k] = true;
                     x[k] = 0.0;
                     more += 1;

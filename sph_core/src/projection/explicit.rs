@@ -1,0 +1,27 @@
+//! The pressure from one sweep (THEORY EX3–EX5).
+
+use crate::fluid::Fluid;
+use crate::sweep;
+
+impl Fluid {
+    /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; none below 0 near air.
+    pub(super) fn sweep_pressure(&mut self, dt: f64) {
+        self.gather_source(dt);
+        let projection = &mut self.projection;
+        projection.before.clone_from(&self.derived.pressure);
+        let (survey, air) = (&projection.survey, &projection.air.exposure);
+        let (source, excess, before) = (&projection.source, &projection.excess, &projection.before);
+        sweep::gather_into(&mut self.derived.pressure, |k| {
+            let (mut sum, mut diagonal) = (source[k], excess[k]);
+            let (columns, values) = survey.row(k);
+            for (&j, value) in columns.iter().zip(values) {
+                sum += value * before[j as usize];
+                diagonal += value;
+            }
+            let pressure = if diagonal > 0.0 { sum / diagonal } else { 0.0 };
+            if air[k] > 0.0 { pressure.max(0.0) } else { pressure }
+        });
+        let pressures = &self.derived.pressure;
+        projection.pins = (0..pressures.len()).filter(|&k| air[k] > 0.0 && pressures[k] == 0.0).count();
+    }
+}

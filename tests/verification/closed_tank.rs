@@ -1,0 +1,59 @@
+//! A tank that is full: water between a floor and a lid, without a free surface, so that nothing gives the pressure a
+//! level.
+
+use evidence::bare::{advance, lattice, parameters};
+use sph_core::images::Periodic;
+use sph_core::{Fluid, Parameters, Solver, WallPoint, Walls};
+
+const HEIGHT: f64 = 1.0;
+const ROWS: usize = 20;
+const COLUMNS: usize = 12;
+const GRAVITY: f64 = 9.81;
+const WATER: f64 = 1000.0;
+
+/// Water, a floor below it and a lid above, all repeated sideways.
+fn full_tank() -> (Fluid, Walls) {
+    let spacing = HEIGHT / ROWS as f64;
+    let width = COLUMNS as f64 * spacing;
+    let parameters = Parameters {
+        gravity: [0.0, -GRAVITY],
+        periodic: Some(Periodic { x: Some([0.0, width]), y: None }),
+        solver: Solver::Incompressible,
+        cfl: 0.2,
+        ..parameters(44.3)
+    };
+    let point = |k: usize, floor: bool| {
+        let depth = ((k / COLUMNS) as f64 + 0.5) * spacing;
+        let (y, normal) = if floor { (-depth, [0.0, 1.0]) } else { (HEIGHT + depth, [0.0, -1.0]) };
+        let at = [((k % COLUMNS) as f64 + 0.5) * spacing, y];
+        WallPoint { at, normal, area: spacing * spacing, spacing, depth, screen: None }
+    };
+    let points: Vec<WallPoint> = (0..6 * COLUMNS).map(|k| point(k / 2, k % 2 == 0)).collect();
+    let mut walls = Walls::default();
+    walls.extend(&points, parameters.smoothing_ratio);
+    let seeds = lattice([0.0; 2], [width, HEIGHT], spacing, |_| Some(([0.0; 2], 0.0)));
+    (Fluid::new(parameters, &seeds), walls)
+}
+
+/// At rest, from no pressure at all: hydrostatic about the mean 0, half of it tension, from the first step to the end of a
+/// second; the walls carry the water's weight in difference.
+#[test]
+fn a_full_tank_is_at_rest_under_a_pressure_with_the_mean_0() {
+    let (mut fluid, mut walls) = full_tank();
+    let head = WATER * GRAVITY * HEIGHT;
+    advance(&mut fluid, &mut walls, 1.0, |fluid| {
+        let (p, pressure) = (&fluid.particles, &fluid.derived.pressure);
+        assert!(fluid.exposure().iter().all(|&e| e == 0.0), "air where there is none");
+        let mean = pressure.iter().sum::<f64>() / pressure.len() as f64;
+        assert!(mean.abs() < 1e-9 * head, "mean {mean:.2e} Pa");
+        let off = |k: usize| (pressure[k] - WATER * GRAVITY * (0.5 * HEIGHT - p.y[k])).abs();
+        let worst = (0..p.len()).map(off).fold(0.0, f64::max);
+        assert!(worst < 0.002 * head, "{worst:.1} Pa off at t = {}", fluid.time);
+        let fastest = (0..p.len()).map(|k| p.u[k].hypot(p.v[k])).fold(0.0, f64::max);
+        assert!(fastest < 1e-3 * (GRAVITY * HEIGHT).sqrt(), "{fastest:.2e} m/s at t = {}", fluid.time);
+    })
+    .expect("a stable run");
+    let (weight, force) = (fluid.mass() * GRAVITY, walls.fy.iter().sum::<f64>());
+    println!("force {force:.3} N/m, weight {weight:.3} N/m, steps {}", fluid.steps);
+    assert!((force / weight + 1.0).abs() < 1e-3, "walls bear {force:.3} of {weight:.3} N/m");
+}
