@@ -12,6 +12,8 @@ use super::cg::Stop;
 
 /// Share of the kernel that is believed to be missing without air [-].
 const LARGEST_HOLE: f64 = 0.1;
+/// Rounds of pinning rows under tension near air.
+const PIN_ROUNDS: usize = 6;
 /// How much longer an error of density takes to relax where pressures are swept, not solved for (EX5) [-].
 const SWEPT: f64 = 10.0;
 
@@ -71,7 +73,7 @@ impl Fluid {
         let mut meeting = Meeting::of(surroundings, &p.id, &mut self.yielding, walls, 1.0 / lattice.gradient);
         let mut pins = 0;
         projection.before.clone_from(x);
-        for _ in 0..6 {
+        for _ in 0..PIN_ROUNDS {
             let Projection { solver, matrix, source, scale, pinned, bodies, iterations, solves, .. } = &mut *projection;
             let found = solver.persist(matrix, source, scale, pinned, x, &stop).and_then(|solved| {
                 *iterations += solved.iterations as u64;

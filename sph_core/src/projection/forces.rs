@@ -1,0 +1,104 @@
+//! Accelerations and forces from the pressures that a projection found (THEORY I10–I12).
+
+use crate::fluid::Fluid;
+use crate::sweep;
+use crate::walls::Walls;
+
+use super::lattice::Closure;
+
+/// A particle counts as calm from this share of the pressure under a spacing of water on [-].
+const CALM: f64 = 0.25;
+
+/// What of the pair forces does not belong to the flow.
+struct Correction {
+    acceleration: [f64; 2],
+    share: f64,
+}
+
+impl Fluid {
+    /// I10–I12: the pairs' forces on fluid and walls, and what the sums over disordered pairs and at the surface lack.
+    pub(super) fn push(&mut self, walls: &mut Walls, dt: f64) {
+        let inverse = 1.0 / self.projection.lattice.expect("surveyed").gradient;
+        self.rows.set_pressures(&self.derived, &self.search, self.parameters.mirror);
+        self.extrapolate_to_walls(walls); // E9
+        self.gather_forces(walls); //        E6, both ways
+        for k in 0..walls.len() {
+            let force = [inverse * walls.fx[k], inverse * walls.fy[k]];
+            [walls.fx[k], walls.fy[k]] = force;
+            [walls.mean_fx[k], walls.mean_fy[k]] = force;
+            walls.mean_swing[k] = walls.swing(k, -dt, force);
+        }
+        self.find_least_pressures();
+        self.find_head();
+        let g = self.parameters.gravity;
+        let (mut impulse, mut mass) = ([0.0; 2], 0.0);
+        let mut shares = vec![0.0; self.particles.len()];
+        for k in 0..self.particles.len() {
+            let Correction { acceleration, share } = self.correct(k, inverse);
+            let p = &mut self.particles;
+            let force = self.gathered[k].force;
+            p.ax[k] = inverse * force[0] / p.mass[k] + g[0] + acceleration[0];
+            p.ay[k] = inverse * force[1] / p.mass[k] + g[1] + acceleration[1];
+            for i in 0..2 {
+                impulse[i] += p.mass[k] * acceleration[i];
+            }
+            mass += share * p.mass[k];
+            shares[k] = share;
+            self.derived.surroundings[k] = self.projection.survey.around[k];
+        }
+        if mass > 0.0 {
+            // corrections push nobody: their sum goes back, spread evenly
+            let p = &mut self.particles;
+            for k in 0..p.x.len() {
+                p.ax[k] -= shares[k] * impulse[0] / mass;
+                p.ay[k] -= shares[k] * impulse[1] / mass;
+            }
+        }
+    }
+
+    /// I11: the least pressure within each particle's support.
+    fn find_least_pressures(&mut self) {
+        let (search, pressures) = (&self.search, &self.derived.pressure);
+        let n = pressures.len();
+        self.projection.least.resize(n, 0.0);
+        sweep::gather_into(&mut self.projection.least, |k| {
+            let around = search.fluid.of(k).iter().map(|&j| pressures[search.source(j, n)]);
+            around.fold(pressures[k], f64::min)
+        });
+    }
+
+    /// I11: −ρ g·r of the highest particle at the start [Pa]: no still water is under more pressure than this head gives.
+    fn find_head(&mut self) {
+        if self.steps > 0 {
+            return;
+        }
+        let (p, g, rho) = (&self.particles, self.parameters.gravity, self.parameters.eos.rho0);
+        let height = |k: usize| -rho * (g[0] * p.x[k] + g[1] * p.y[k]);
+        self.projection.head = (0..p.len()).map(height).fold(f64::NEG_INFINITY, f64::max);
+    }
+
+    /// I10 + I11 for particle `k`.
+    fn correct(&self, k: usize, inverse: f64) -> Correction {
+        let (p, g, rho) = (&self.particles, self.parameters.gravity, self.parameters.eos.rho0);
+        let lattice = self.projection.lattice.expect("surveyed");
+        let (survey, air) = (&self.projection.survey, self.projection.air.exposure[k]);
+        let (around, [xx, xy, yy]) = (&survey.around[k], survey.spread[k]);
+        let (pressure, least) = (self.derived.pressure[k], self.projection.least[k]);
+        let weight = g[0].hypot(g[1]) * rho;
+        let dx = (p.mass[k] / p.rho[k]).sqrt();
+        // I10: a row of a flat surface feels the whole of a linear pressure
+        let closure = if air > 0.0 { lattice.closure(around.filling) } else { Closure::default() };
+        let tie = air * closure.pull;
+        let top = pressure.clamp(0.0, weight * closure.depth * dx);
+        // I11: a pressure that is the same all around pushes nowhere; nor does the weight of still water
+        let head = self.projection.head + rho * (g[0] * p.x[k] + g[1] * p.y[k]);
+        let still = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
+        let base = if pressure > 0.0 { still.max(least) } else { least };
+        let share = 1.0 - air;
+        let calm = if weight > 0.0 { share * (still / (CALM * weight * dx)).min(1.0) } else { 0.0 };
+        let slope = [xx * g[0] + xy * g[1], xy * g[0] + yy * g[1]];
+        let lift = (tie * top + share * (2.0 * base - tie * base.min(top))) * inverse / rho;
+        let acceleration = [0, 1].map(|i| lift * around.crowding[i] + calm * (inverse * slope[i] - g[i]));
+        Correction { acceleration, share }
+    }
+}
