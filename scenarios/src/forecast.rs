@@ -1,6 +1,7 @@
 //! `splashdown check`: what a run would cost and how far it can be trusted, before it is run.
 
 use serde::Serialize;
+use sph_core::Solver;
 
 use crate::build::tiling;
 use crate::scene::{
@@ -14,6 +15,9 @@ const COST: f64 = 0.7e-6;
 
 /// The same of a projection [s].
 const PROJECTION_COST: f64 = 1.5e-6;
+
+/// The same of the thesis's projection, with some 500 iterations a step [s].
+const THESIS_COST: f64 = 1e-4;
 
 /// What `check` says.
 #[derive(Clone, Debug, Serialize)]
@@ -92,7 +96,11 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
     let longest = fluid.cfl * h / (sound.unwrap_or(0.0) + fastest);
     let step = scene.time.step.unwrap_or(longest).min(scene.time.end);
-    let cost = if sound.is_some() { COST } else { PROJECTION_COST };
+    let cost = match scene.solver {
+        Solver::WeaklyCompressible => COST,
+        Solver::Incompressible | Solver::IncompressibleExplicit => PROJECTION_COST,
+        Solver::IncompressibleThesis => THESIS_COST,
+    };
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };

@@ -1,6 +1,7 @@
 //! What an incompressible solver makes of a scene: its defaults, its table, its doubts.
 
 use scenarios::forecast::forecast;
+use scenarios::run::{RunOptions, run};
 use scenarios::scene::{Scene, builtin, load, load_text};
 
 use super::{DROP, TANK, changed, drop_with, warnings_with};
@@ -96,4 +97,19 @@ fn doubts_about_an_incompressible_scene_say_what_would_cure_them() {
         assert!(!quiet.contains(word), "{quiet}");
     }
     assert!(changed(TANK, &["solver=incompressible", "fluid.cfl=1.0"]).is_ok());
+}
+
+/// The summary names the solver, says nothing of sound, and a fixed step is kept.
+#[test]
+fn a_summary_says_which_solver_ran() {
+    for solver in SOLVERS.into_iter().chain(["weakly_compressible"]) {
+        let sets = [&format!("solver={solver}"), "resolution.spacing=0.05", "time.end=0.01", "time.step=1e-3"];
+        let scene = changed(TANK, &sets).expect("the scene loads");
+        let summary = run(&scene, &RunOptions::default()).expect("it runs").summary;
+        let carries_sound = solver == "weakly_compressible";
+        assert_eq!(summary.model, if carries_sound { "wcsph" } else { solver });
+        assert_eq!(summary.compressibility.is_some(), carries_sound, "{solver}");
+        assert_eq!(summary.to_json().contains("sound_speed"), carries_sound, "{solver}");
+        assert_eq!(summary.steps, 10, "{solver}: {:?}", summary.message);
+    }
 }
