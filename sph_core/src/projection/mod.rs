@@ -248,12 +248,12 @@ impl Fluid {
 
     /// I14: the step of a projection [s].
     pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
-        let (p, q) = (&self.particles, &self.parameters);
+        let (p, q, cfl) = (&self.particles, &self.parameters, self.courant());
         let limit =
-            |h: f64, u: f64, v: f64, ax: f64, ay: f64| (q.cfl * h / u.hypot(v)).min(0.25 * (h / ax.hypot(ay)).sqrt());
+            |h: f64, u: f64, v: f64, ax: f64, ay: f64| (cfl * h / u.hypot(v)).min(0.25 * (h / ax.hypot(ay)).sqrt());
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
-        let cap = q.cfl * self.least_length() / q.speed;
+        let cap = cfl * self.least_length() / q.speed;
         let now = crate::sweep::least(p.len(), of_fluid).min(crate::sweep::least(walls.len(), of_wall)).min(cap);
         if self.projection.last_dt > 0.0 { now.min(1.1 * self.projection.last_dt) } else { now }
     }
