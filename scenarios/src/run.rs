@@ -393,8 +393,10 @@ fn model(solver: Solver) -> &'static str {
 fn projection(solver: Solver, fluid: &Fluid) -> Option<Projection> {
     let (iterations, solves, pinned_last) = match solver {
         Solver::IncompressibleThesis => (fluid.thesis.iterations, fluid.thesis.solutions, None),
-        // the fluid keeps its own projection's counts to itself
-        Solver::Incompressible | Solver::IncompressibleExplicit | Solver::WeaklyCompressible => return None,
+        Solver::WeaklyCompressible => return None,
+        Solver::Incompressible | Solver::IncompressibleExplicit => {
+            (fluid.projection.iterations, fluid.projection.solves, Some(fluid.projection.pins))
+        }
     };
     Some(Projection { iterations_mean: iterations as f64 / fluid.steps.max(1) as f64, solves, pinned_last })
 }

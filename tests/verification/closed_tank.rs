@@ -3,7 +3,8 @@
 
 use evidence::bare::{advance, lattice, parameters};
 use sph_core::images::Periodic;
-use sph_core::{Fluid, Parameters, Solver, WallPoint, Walls};
+use sph_core::projection::Projecting;
+use sph_core::{Breakdown, Fluid, Parameters, Solver, WallPoint, Walls};
 
 const HEIGHT: f64 = 1.0;
 const ROWS: usize = 20;
@@ -56,4 +57,34 @@ fn a_full_tank_is_at_rest_under_a_pressure_with_the_mean_0() {
     let (weight, force) = (fluid.mass() * GRAVITY, walls.fy.iter().sum::<f64>());
     println!("force {force:.3} N/m, weight {weight:.3} N/m, steps {}", fluid.steps);
     assert!((force / weight + 1.0).abs() < 1e-3, "walls bear {force:.3} of {weight:.3} N/m");
+}
+
+/// Places, velocities and pressures by identity, to the bit.
+fn state(fluid: &Fluid) -> Vec<[u64; 6]> {
+    let p = &fluid.particles;
+    let of = |k: usize| [p.x[k], p.y[k], p.u[k], p.v[k], fluid.derived.pressure[k]].map(f64::to_bits);
+    let row = |k: usize| {
+        let [x, y, u, v, pressure] = of(k);
+        [u64::from(p.id[k]), x, y, u, v, pressure]
+    };
+    let mut rows: Vec<[u64; 6]> = (0..p.len()).map(row).collect();
+    rows.sort_unstable();
+    rows
+}
+
+/// EX2: a step whose pressure is not found leaves everything as it was, so that a shorter one can be taken.
+#[test]
+fn a_step_that_is_refused_leaves_the_water_as_it_was() {
+    let (mut fluid, mut walls) = full_tank();
+    advance(&mut fluid, &mut walls, 0.05, |_| {}).expect("a stable run");
+    let (before, time, steps) = (state(&fluid), fluid.time, fluid.steps);
+    let dt = fluid.stable_dt(&walls).expect("a step");
+    fluid.parameters.projecting = Projecting { tolerance: 1e-15, most_iterations: 1, ..Projecting::default() };
+    let refused = fluid.step(&mut walls, dt).expect_err("single iterations are too few");
+    assert!(matches!(refused, Breakdown::Projection { time: at, .. } if at == time), "{refused}");
+    assert_eq!((fluid.time, fluid.steps), (time, steps));
+    assert!(state(&fluid) == before, "something has moved");
+    fluid.parameters.projecting = Projecting::default();
+    fluid.step(&mut walls, 0.5 * dt).expect("a step");
+    assert_eq!(fluid.time, time + 0.5 * dt);
 }

@@ -1,9 +1,19 @@
 //! The pressure from one sweep (THEORY EX3–EX5).
 
 use crate::fluid::Fluid;
+use crate::solver::Solver;
 use crate::sweep;
 
+/// Largest Courant number of a sweep (EX4) [-].
+const LARGEST_COURANT: f64 = 0.2;
+
 impl Fluid {
+    /// I14, EX4: Courant number of a projection's step [-].
+    pub(super) fn courant(&self) -> f64 {
+        let swept = self.parameters.solver == Solver::IncompressibleExplicit;
+        if swept { self.parameters.cfl.min(LARGEST_COURANT) } else { self.parameters.cfl }
+    }
+
     /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; none below 0 near air.
     pub(super) fn sweep_pressure(&mut self, dt: f64) {
         self.gather_source(dt);

@@ -42,13 +42,13 @@ impl Fluid {
 
     /// I14: the step of a projection [s].
     pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
-        let (p, q) = (&self.particles, &self.parameters);
-        let limit = |h: f64, u: f64, v: f64| q.cfl * h / u.hypot(v);
+        let (p, q, cfl) = (&self.particles, &self.parameters, self.courant());
+        let limit = |h: f64, u: f64, v: f64| cfl * h / u.hypot(v);
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k]);
         let h = self.least_length();
         let g = q.gravity[0].hypot(q.gravity[1]);
-        let cap = (q.cfl * h / q.speed).min(FALL * (h / g).sqrt());
+        let cap = (cfl * h / q.speed).min(FALL * (h / g).sqrt());
         let now = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall)).min(cap);
         if self.projection.last_dt > 0.0 { now.min(GROWTH * self.projection.last_dt) } else { now }
     }

@@ -261,3 +261,25 @@ fn no_water_and_spray_alone_are_solved() {
         assert!((0..n).all(|i| (x[i] - 1.0 / a.diagonal[i]).abs() < 1e-12));
     }
 }
+
+/// EX1: half the iterations that are needed fail, from nothing fail again, and four times as many from there do.
+#[test]
+fn a_solve_that_fails_is_tried_from_nothing_and_then_longer() {
+    let s = thrown(300, 1, 1, &mut Dice(31));
+    let (free, ones) = (vec![false; 300], vec![1.0; 300]);
+    let (expected, all) = solve(&s, &[], &free, Preconditioner::Diagonal);
+    let half = Stop { tolerance: 1e-11, most_iterations: all.iterations / 2 };
+    let mut solver = PressureSolver::with(Preconditioner::Diagonal);
+    solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
+    let mut x = vec![1e3; 300];
+    assert!(solver.solve(&s.a, &[], &s.b, &ones, &free, &mut x, &half).is_err());
+    x.fill(1e3);
+    let solved = solver.persist(&s.a, &s.b, &ones, &free, &mut x, &half).expect("converged");
+    assert!(solved.iterations > 2 * half.most_iterations, "{solved:?} of {all:?}");
+    let off = largest_difference(&x, &expected);
+    assert!(off < 1e-8, "off by {off:.2e}");
+    let few = Stop { most_iterations: 2, ..half };
+    let failed = solver.persist(&s.a, &s.b, &ones, &free, &mut vec![0.0; 300], &few).expect_err("12 are too few");
+    assert_eq!(failed.iterations, 2 + 2 + 8);
+    assert!(failed.residual > few.tolerance && failed.worst < 300, "{failed}");
+}
