@@ -46,7 +46,6 @@ fn jets_go_through_the_surface() {
 /// The same of three bodies that come up and three that fall in and come out. They are lighter than water: without the body's
 /// mass in the pressure's equation each breaks down within a few steps.
 #[test]
-#[ignore = "needs coupling.scheme = added_mass in the projection"]
 fn bodies_go_through_the_surface() {
     assert_eq!(failing(BODIES.into_iter(), &PROJECTION), Vec::<u64>::new(), "seeds that fail");
 }
