@@ -1,7 +1,7 @@
 //! The incompressible solver: a projection a step (THEORY I1–I14).
 //!
-//! Read in this order: [`step`], [`survey`] (what the pairs give), [`lattice`] (what a flat surface lacks), [`air`] (where
-//! the air is), [`poisson`] (the pressure).
+//! Read in this order: `step`, `survey` (what the pairs give), `lattice` (what a flat surface lacks), `air` (where
+//! the air is), `poisson` (the pressure).
 
 mod aggregates;
 mod air;

@@ -1,6 +1,6 @@
 //! The projection of Pilorget's (2010) thesis, with its choices (THEORY J1–J16).
 //!
-//! Read in this order: [`step`], [`settings`], `prepare` (once), `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`,
+//! Read in this order: `step`, [`settings`], `prepare` (once), `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`,
 //! `gradient`; `stage`, `cast` and `pairs` hold who plays where, and who meets whom.
 
 mod bicgstab;
