@@ -76,7 +76,7 @@ fn a_run_that_blows_up_says_what_where_and_when() {
 fn a_pressure_that_does_not_converge_fails_with_the_log_intact() {
     let place = Workplace::new();
     let strict = ["--set", "projection.tolerance=1e-12", "--set", "projection.most_iterations=3"];
-    let scene = ["run", "hydrostatic_tank", "--set", "solver=incompressible", "--set", "resolution.spacing=0.05"];
+    let scene = ["run", "unlevel_tank", "--set", "solver=incompressible", "--set", "resolution.spacing=0.05"];
     let ended = place.run(&[&scene[..], &strict, &OUT].concat());
     assert_eq!(ended.code, Some(1), "{}", ended.message);
     // a solve, one from no pressure, one of four times as many iterations
