@@ -55,7 +55,7 @@ pub struct Fluid {
     pub(crate) beginning: Vec<[f64; 2]>,
     /// A particle was put elsewhere: lists are to be made anew.
     pub(crate) displaced: bool,
-    /// The projection (THEORY I1–I14).
+    /// The projection (THEORY I1–I15).
     pub projection: Projection,
     /// The thesis's projection (THEORY J1–J16).
     pub thesis: Thesis,
@@ -164,30 +164,27 @@ impl Fluid {
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
         self.note_beginning(walls);
-        if self.parameters.solver.projects() {
-            sweep::within_pool(|| projection::step(self, walls, dt))?;
-            self.fold();
-            self.time += dt;
-            self.steps += 1;
-            return self.check();
-        }
-        if self.parameters.solver == Solver::IncompressibleThesis {
-            sweep::within_pool(|| thesis::step(self, walls, dt))?;
-            self.fold();
-            self.time += dt;
-            self.steps += 1;
-            return self.check();
-        }
-        sweep::within_pool(|| match self.parameters.integrator {
-            Integrator::Symplectic => integrator::symplectic(self, walls, dt),
-            Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
-            Integrator::Verlet => multistep::verlet(self, walls, dt),
-            Integrator::Beeman => multistep::beeman(self, walls, dt),
-        });
+        sweep::within_pool(|| match self.parameters.solver {
+            Solver::WeaklyCompressible => {
+                self.integrate(walls, dt);
+                Ok(())
+            }
+            Solver::Incompressible | Solver::IncompressibleExplicit => projection::step(self, walls, dt),
+            Solver::IncompressibleThesis => thesis::step(self, walls, dt),
+        })?;
         self.fold();
         self.time += dt;
         self.steps += 1;
         self.check()
+    }
+
+    fn integrate(&mut self, walls: &mut Walls, dt: f64) {
+        match self.parameters.integrator {
+            Integrator::Symplectic => integrator::symplectic(self, walls, dt),
+            Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
+            Integrator::Verlet => multistep::verlet(self, walls, dt),
+            Integrator::Beeman => multistep::beeman(self, walls, dt),
+        }
     }
 
     /// Whoever crossed the plane of symmetry changes places with its image.

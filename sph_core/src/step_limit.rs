@@ -52,14 +52,13 @@ impl Fluid {
             return Ok(dt);
         }
         let k = (0..p.len()).min_by(|&a, &b| of_fluid(a).total_cmp(&of_fluid(b))).unwrap_or(0);
-        Err(Breakdown::Step {
-            dt,
-            id: p.id[k],
-            x: p.x[k],
-            y: p.y[k],
-            speed: p.u[k].hypot(p.v[k]),
-            acceleration: p.ax[k].hypot(p.ay[k]),
-            time: self.time,
-        })
+        Err(self.collapsed(k, dt))
+    }
+
+    /// The step fell to `dt` [s] because of particle `k`.
+    pub(crate) fn collapsed(&self, k: usize, dt: f64) -> Breakdown {
+        let p = &self.particles;
+        let (speed, acceleration) = (p.u[k].hypot(p.v[k]), p.ax[k].hypot(p.ay[k]));
+        Breakdown::Step { dt, id: p.id[k], x: p.x[k], y: p.y[k], speed, acceleration, time: self.time }
     }
 }

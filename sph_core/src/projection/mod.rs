@@ -1,4 +1,4 @@
-//! The incompressible solver: a projection a step (THEORY I1–I14).
+//! The incompressible solver: a projection a step (THEORY I1–I15).
 //!
 //! Read in this order: `step`, `survey` (what the pairs give), `lattice` (what a flat surface lacks), `air` (where
 //! the air is), `poisson` (the pressure).

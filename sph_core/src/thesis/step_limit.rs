@@ -37,14 +37,6 @@ impl Fluid {
             return Ok(dt);
         }
         let k = (0..p.len()).min_by(|&a, &b| of_fluid(a).total_cmp(&of_fluid(b))).unwrap_or(0);
-        Err(Breakdown::Step {
-            dt,
-            id: p.id[k],
-            x: p.x[k],
-            y: p.y[k],
-            speed: p.u[k].hypot(p.v[k]),
-            acceleration: p.ax[k].hypot(p.ay[k]),
-            time: self.time,
-        })
+        Err(self.collapsed(k, dt))
     }
 }
