@@ -1,5 +1,6 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
+mod chart;
 mod study;
 
 use std::io::{IsTerminal, Write};
@@ -58,6 +59,8 @@ enum Command {
     Check(SceneArgs),
     /// Run a scene at several spacings and sound speeds and say what a number tends to.
     Study(study::StudyArgs),
+    /// Chart error against cost: each way to a number whose value is known.
+    Chart(chart::ChartArgs),
     /// Hold scenes against others' data.
     Validate(ValidateArgs),
     /// Describe every key of a scene file.
@@ -180,6 +183,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Run(args) => run_scene(cli, args),
         Command::Check(args) => check(cli, args),
         Command::Study(args) => study::run_study(cli, args),
+        Command::Chart(args) => chart::run_charts(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Keywords => keywords(cli),
     }

@@ -2,10 +2,11 @@
 //!
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observe`] watches,
 //! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`study`] extrapolates from
-//! several runs. [`cli`] is a thin shell.
+//! several runs, [`chart`] sets their error against their cost. [`cli`] is a thin shell.
 
 pub mod balance;
 pub mod build;
+pub mod chart;
 pub mod cli;
 pub mod compare;
 mod filling;

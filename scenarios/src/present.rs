@@ -293,13 +293,13 @@ fn profile_chart(scene: &Scene, profile: &[[f64; 2]]) -> Block {
         y_label: "Cp".into(),
         curves,
         x_range: Some([0.0, end]),
-        y_range: None,
+        ..Chart::default()
     })
 }
 
 fn chart(title: &str, x: &str, y: &str, curves: Vec<Curve>) -> Block {
     let (title, x_label, y_label) = (title.into(), x.into(), y.into());
-    Block::Chart(Chart { title, x_label, y_label, curves, x_range: None, y_range: None })
+    Block::Chart(Chart { title, x_label, y_label, curves, ..Chart::default() })
 }
 
 /// A reference's file name without folder and ending.

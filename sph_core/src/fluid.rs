@@ -63,6 +63,8 @@ pub struct Fluid {
 
 /// Steps that a neighbour list is made to last.
 const LIST_LIFE: f64 = 12.0;
+/// The same of a projection's, in which fast particles go far.
+const LONG_LIFE: f64 = 2.5;
 /// Share of the gap between volume correction and its target closed in a force sweep.
 const VOLUME_RELAXATION: f64 = 0.1;
 /// Filling is believed within these bounds only.
@@ -365,7 +367,10 @@ impl Fluid {
         let kinematics = self.rows.kinematics(walls);
         if self.displaced || !self.search.holds(&self.particles, &kinematics) {
             self.displaced = false;
-            let life = LIST_LIFE * self.acoustic_limit();
+            let life = match self.parameters.solver.projects() {
+                true => LONG_LIFE * self.projection_dt(walls),
+                false => LIST_LIFE * self.acoustic_limit(),
+            };
             set_lists_aside(&mut self.saved, &mut self.search);
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }

@@ -65,3 +65,8 @@ pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mu
         }
     });
 }
+
+/// `change(c, piece)` for every piece of `length` of `out`.
+pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usize, &mut [T]) + Sync) {
+    out.par_chunks_mut(length).enumerate().for_each(|(c, piece)| change(c, piece));
+}

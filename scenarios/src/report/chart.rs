@@ -72,6 +72,8 @@ pub struct Chart {
     pub x_range: Option<[f64; 2]>,
     /// Ends of the y axis; absent, they follow from what the x axis shows of the curves.
     pub y_range: Option<[f64; 2]>,
+    /// Both axes in powers of ten; ranges are not used, and what is not above zero has no place.
+    pub logarithmic: bool,
 }
 
 /// Draws `chart` as a stand-alone SVG document.
@@ -89,14 +91,20 @@ pub(super) fn untitled_svg(chart: &Chart) -> String {
 }
 
 fn draw(chart: &Chart, title: &str) -> String {
-    let mut curves: Vec<_> = chart.curves.iter().map(finite).collect();
+    let mut curves: Vec<_> = chart.curves.iter().map(|curve| shown(curve, chart.logarithmic)).collect();
     let has_markers = chart.curves.iter().any(|curve| curve.mark == Mark::Points);
     let x_margin = if has_markers { 0.03 } else { 0.0 };
-    let x_range = proper_range(chart.x_range.unwrap_or_else(|| extent(&curves, 0, x_margin)));
+    let x_range = match chart.logarithmic {
+        true => decades(&curves, 0),
+        false => proper_range(chart.x_range.unwrap_or_else(|| extent(&curves, 0, x_margin))),
+    };
     for (points, curve) in curves.iter_mut().zip(&chart.curves) {
         *points = within(points, x_range, curve.mark != Mark::Points);
     }
-    let y_range = proper_range(chart.y_range.unwrap_or_else(|| extent(&curves, 1, 0.05)));
+    let y_range = match chart.logarithmic {
+        true => decades(&curves, 1),
+        false => proper_range(chart.y_range.unwrap_or_else(|| extent(&curves, 1, 0.05))),
+    };
 
     let mut plots = Vec::new();
     let mut legend = Vec::new();
@@ -146,9 +154,9 @@ fn plot(curve: &Curve, points: &[[f64; 2]], (colour, marker): Style) -> (Plot, L
 }
 
 /// The points of a curve that have a place on paper.
-fn finite(curve: &Curve) -> Vec<[f64; 2]> {
+fn shown(curve: &Curve, logarithmic: bool) -> Vec<[f64; 2]> {
     let points = curve.x.iter().zip(&curve.y).map(|(&x, &y)| [x, y]);
-    points.filter(|p| p[0].is_finite() && p[1].is_finite()).collect()
+    points.filter(|p| p.iter().all(|c| c.is_finite() && (*c > 0.0 || !logarithmic))).collect()
 }
 
 fn axes(chart: &Chart, title: &str, x: [f64; 2], y: [f64; 2], legend: Vec<LegendEntry>) -> Layout {
@@ -170,10 +178,6 @@ fn axes(chart: &Chart, title: &str, x: [f64; 2], y: [f64; 2], legend: Vec<Legend
         .with_x_axis_max(x[1])
         .with_y_axis_min(y[0])
         .with_y_axis_max(y[1])
-        .with_x_tick_step(x_step)
-        .with_y_tick_step(y_step)
-        .with_x_tick_format(format(x_step))
-        .with_y_tick_format(format(y_step))
         .with_title_size(15)
         .with_title_wrap(70)
         .with_label_size(13)
@@ -181,6 +185,14 @@ fn axes(chart: &Chart, title: &str, x: [f64; 2], y: [f64; 2], legend: Vec<Legend
         .with_x_label_wrap(80)
         .with_y_label(label(&chart.y_label))
         .with_y_label_wrap(40);
+    layout = match chart.logarithmic {
+        true => layout.with_log_scale().with_tick_format(TickFormat::Custom(Arc::new(|value| value.to_string()))),
+        false => layout
+            .with_x_tick_step(x_step)
+            .with_y_tick_step(y_step)
+            .with_x_tick_format(format(x_step))
+            .with_y_tick_format(format(y_step)),
+    };
     if !title.is_empty() {
         layout = layout.with_title(label(title));
     }
@@ -207,6 +219,14 @@ fn extent(curves: &[Vec<[f64; 2]>], axis: usize, margin: f64) -> [f64; 2] {
         if from_zero { 0.0 } else { end + margin }
     };
     [end(low, high, -margin), end(high, low, margin)]
+}
+
+/// Least and greatest coordinate of all points, all above zero, with a margin in powers of ten.
+fn decades(curves: &[Vec<[f64; 2]>], axis: usize) -> [f64; 2] {
+    let points = curves.iter().flatten().map(|p| p[axis].log10());
+    let (low, high) = points.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    let [low, high] = proper_range([low, high]);
+    [low - 0.1, high + 0.1].map(|e| 10f64.powf(e.clamp(-300.0, 300.0)))
 }
 
 /// The points with x in `range`; of a line also those whose segments reach into it.

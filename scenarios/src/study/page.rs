@@ -77,5 +77,5 @@ fn against_cost(study: &Study) -> Chart {
 
 fn chart(title: &str, x: &str, y: &str, curves: Vec<Curve>) -> Chart {
     let (title, x_label, y_label) = (title.into(), x.into(), y.into());
-    Chart { title, x_label, y_label, curves, x_range: None, y_range: None }
+    Chart { title, x_label, y_label, curves, ..Chart::default() }
 }

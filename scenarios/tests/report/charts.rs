@@ -16,6 +16,21 @@ pub fn chart(curves: Vec<Curve>) -> Chart {
     }
 }
 
+/// Equal factors are equal distances, and what has no logarithm is left out.
+#[test]
+fn logarithmic_axes() {
+    let points =
+        |x: Vec<f64>, y: Vec<f64>| chart_svg(&Chart { logarithmic: true, ..chart(vec![curve(Mark::Points, x, y)]) });
+    let clean = points(vec![1.0, 10.0, 100.0], vec![5.0, 0.5, 0.05]);
+    assert_well_formed(&clean);
+    assert_eq!(clean, points(vec![1.0, -1.0, 10.0, 0.0, 100.0], vec![5.0, 1.0, 0.5, 1.0, 0.05]));
+    let centres: Vec<f64> =
+        clean.split("<circle cx=\"").skip(1).filter_map(|c| c.split('"').next()?.parse().ok()).collect();
+    assert!(centres.len() >= 3, "{clean}");
+    let (first, second) = (centres[1] - centres[0], centres[2] - centres[1]);
+    assert!(first > 10.0 && (first - second).abs() < 0.1, "{centres:?}");
+}
+
 #[test]
 fn charts_are_well_formed_whatever_the_data() {
     let nan = f64::NAN;

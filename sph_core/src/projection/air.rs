@@ -3,6 +3,8 @@
 use crate::fluid::Fluid;
 use crate::walls::Walls;
 
+use super::raster::Raster;
+
 /// Cells per spacing.
 const CELLS: f64 = 2.0;
 /// A cell is covered by a particle nearer than this many of its spacings.
@@ -17,111 +19,23 @@ const FEEL: [f64; 2] = [0.1, 0.5];
 pub struct Air {
     /// 1 beside air, 0 far from it [-], per particle.
     pub exposure: Vec<f64>,
-    grids: Vec<Grid>,
-    stack: Vec<u32>,
+    rasters: Vec<Raster>,
     offsets: Vec<(i32, i32, f64)>,
     least: f64,
-}
-
-#[derive(Clone, Debug, Default)]
-struct Grid {
-    origin: [f64; 2],
-    side: f64,
-    columns: usize,
-    rows: usize,
-    /// 0 open, not yet seen; 1 covered; 2 + share of air · 253.
-    state: Vec<u8>,
-}
-
-impl Grid {
-    fn lay(&mut self, lo: [f64; 2], hi: [f64; 2], side: f64) {
-        let margin = 8.0 * side;
-        self.origin = [lo[0] - margin, lo[1] - margin];
-        self.side = side;
-        self.columns = ((hi[0] - lo[0] + 2.0 * margin) / side) as usize + 1;
-        self.rows = ((hi[1] - lo[1] + 2.0 * margin) / side) as usize + 1;
-        self.state.clear();
-        self.state.resize(self.columns * self.rows, 0);
-    }
-
-    fn cover(&mut self, x: f64, y: f64, radius: f64) {
-        let (fx, fy) = ((x - self.origin[0]) / self.side - 0.5, (y - self.origin[1]) / self.side - 0.5);
-        let r = radius / self.side;
-        if fx + r < 0.0 || fy + r < 0.0 || fx - r > self.columns as f64 || fy - r > self.rows as f64 {
-            return;
-        }
-        let rows =
-            ((fy - r).ceil().max(0.0) as usize)..((fy + r).floor() as i64 + 1).clamp(0, self.rows as i64) as usize;
-        for j in rows {
-            let dy = j as f64 - fy;
-            let half = (r * r - dy * dy).max(0.0).sqrt();
-            let from = (fx - half).ceil().max(0.0) as usize;
-            let to = ((fx + half).floor() as i64 + 1).clamp(0, self.columns as i64) as usize;
-            if from < to {
-                self.state[j * self.columns + from..j * self.columns + to].fill(1);
-            }
-        }
-    }
-
-    /// Give every hole its share of air, by its size.
-    fn judge(&mut self, stack: &mut Vec<u32>) {
-        let cell = 1.0 / (CELLS * CELLS);
-        let (columns, rows) = (self.columns, self.rows);
-        for start in 0..self.state.len() {
-            if self.state[start] != 0 {
-                continue;
-            }
-            stack.clear();
-            stack.push(start as u32);
-            self.state[start] = 2;
-            let mut at = 0;
-            while at < stack.len() {
-                let c = stack[at] as usize;
-                at += 1;
-                let (i, j) = (c % columns, c / columns);
-                let mut visit = |n: usize| {
-                    if self.state[n] == 0 {
-                        self.state[n] = 2;
-                        stack.push(n as u32);
-                    }
-                };
-                if i > 0 {
-                    visit(c - 1);
-                }
-                if i + 1 < columns {
-                    visit(c + 1);
-                }
-                if j > 0 {
-                    visit(c - columns);
-                }
-                if j + 1 < rows {
-                    visit(c + columns);
-                }
-            }
-            let area = stack.len() as f64 * cell;
-            let share = ((area - HOLE[0]) / (HOLE[1] - HOLE[0])).clamp(0.0, 1.0);
-            let mark = 2 + (share * 253.0) as u8;
-            for &c in stack.iter() {
-                self.state[c as usize] = mark;
-            }
-        }
-    }
 }
 
 impl Air {
     /// How much a place is air [-], for a particle of spacing `dx` there.
     pub(super) fn share_at(&self, x: f64, y: f64, dx: f64) -> f64 {
         let level = ((dx / self.least).log2() + 1e-9).floor().max(0.0) as usize;
-        let Some(grid) = self.grids.get(level).filter(|g| g.columns > 0) else { return 0.0 };
-        let (fx, fy) = ((x - grid.origin[0]) / grid.side - 0.5, (y - grid.origin[1]) / grid.side - 0.5);
+        let Some(raster) = self.rasters.get(level).filter(|r| r.columns > 0) else { return 0.0 };
+        let [fx, fy] = raster.cell([x, y]);
         let (i, j) = (fx.floor(), fy.floor());
         let (s, t) = (fx - i, fy - j);
-        let at = |i: f64, j: f64| {
-            if i < 0.0 || j < 0.0 || i >= grid.columns as f64 || j >= grid.rows as f64 {
-                return if j >= grid.rows as f64 { 1.0 } else { 0.0 };
-            }
-            let state = grid.state[j as usize * grid.columns + i as usize];
-            if state <= 2 { 0.0 } else { f64::from(state - 2) / 253.0 }
+        let (columns, rows) = (raster.columns as f64, raster.rows as f64);
+        let at = |i: f64, j: f64| match i < 0.0 || j < 0.0 || i >= columns || j >= rows {
+            true => f64::from(u8::from(j >= rows)), // above everything is air
+            false => raster.air(i as usize, j as usize),
         };
         (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i + 1.0, j))
             + t * ((1.0 - s) * at(i, j + 1.0) + s * at(i + 1.0, j + 1.0))
@@ -179,25 +93,33 @@ impl Fluid {
             *lo = [lo[0].min(p.x[k]), lo[1].min(p.y[k])];
             *hi = [hi[0].max(p.x[k]), hi[1].max(p.y[k])];
         }
-        air.grids.resize(levels, Grid::default());
-        for (l, grid) in air.grids.iter_mut().enumerate() {
-            let (lo, hi) = boxes[l];
+        air.rasters.resize(levels, Raster::default());
+        let (mirror, periodic) = (self.parameters.mirror, self.parameters.periodic.unwrap_or_default());
+        for l in 0..levels {
+            let (finer, rest) = air.rasters.split_at_mut(l);
+            let (raster, (lo, hi)) = (&mut rest[0], boxes[l]);
             if lo[0] > hi[0] {
-                *grid = Grid::default();
+                *raster = Raster::default();
                 continue;
             }
-            grid.lay(lo, hi, least * f64::powi(2.0, l as i32) / CELLS);
-            let (mirror, periodic) = (self.parameters.mirror, self.parameters.periodic.unwrap_or_default());
+            raster.lay(lo, hi, least * f64::powi(2.0, l as i32) / CELLS);
+            for finer in finer {
+                raster.copy(finer);
+            }
             let mut cover = |x: f64, y: f64, h: f64| {
-                grid.cover(x, y, COVER * h / ratio);
+                if level(h) < l {
+                    return;
+                }
+                let radius = COVER * h / ratio;
+                raster.add(x, y, radius);
                 if let Some(mirror) = mirror {
                     let image = mirror.reflect(x);
-                    if image > lo[0] - 16.0 * grid.side {
-                        grid.cover(image, y, COVER * h / ratio);
+                    if image > lo[0] - 16.0 * raster.side {
+                        raster.add(image, y, radius);
                     }
                 }
                 for shift in periodic.shifts() {
-                    grid.cover(x + shift[0], y + shift[1], COVER * h / ratio); // V1
+                    raster.add(x + shift[0], y + shift[1], radius); // V1
                 }
             };
             for k in 0..n {
@@ -207,7 +129,8 @@ impl Fluid {
                 let [dx, dy] = walls.displacement(k, -walls.dt);
                 cover(walls.x[k] + dx, walls.y[k] + dy, walls.h[k]);
             }
-            grid.judge(&mut air.stack);
+            let size = |cells: f64| cells / (CELLS * CELLS);
+            raster.judge(|cells| ((size(cells) - HOLE[0]) / (HOLE[1] - HOLE[0])).clamp(0.0, 1.0));
         }
     }
 
@@ -232,32 +155,29 @@ impl Fluid {
             air.offsets.sort_by(|a, b| a.2.total_cmp(&b.2));
         }
         let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
-        let (grids, offsets, around) = (&air.grids, &air.offsets, &self.projection.survey.around);
+        let (rasters, offsets, around) = (&air.rasters, &air.offsets, &self.projection.survey.around);
         crate::sweep::gather_into(&mut air.exposure, |k| {
             if around[k].filling > filled {
                 return 0.0;
             }
-            let grid = &grids[level(p.h[k])];
+            let raster = &rasters[level(p.h[k])];
             let dx = p.h[k] / ratio;
-            let (ci, cj) =
-                (((p.x[k] - grid.origin[0]) / grid.side) as i32, ((p.y[k] - grid.origin[1]) / grid.side) as i32);
+            let [x, y] = raster.cell([p.x[k], p.y[k]]);
+            let (ci, cj) = ((x + 0.5) as i32, (y + 0.5) as i32);
             let mut best = 0.0_f64;
             for &(i, j, r) in offsets {
-                if (r - 0.75) * grid.side > feel[1] * dx {
+                if (r - 0.75) * raster.side > feel[1] * dx {
                     break;
                 }
                 let (a, b) = (ci + i, cj + j);
-                if a < 0 || b < 0 || a >= grid.columns as i32 || b >= grid.rows as i32 {
+                if a < 0 || b < 0 || a >= raster.columns as i32 || b >= raster.rows as i32 {
                     continue;
                 }
-                let state = grid.state[b as usize * grid.columns + a as usize];
-                if state <= 2 {
+                let share = raster.air(a as usize, b as usize);
+                if share == 0.0 {
                     continue;
                 }
-                let share = f64::from(state - 2) / 253.0;
-                let x = grid.origin[0] + (f64::from(a) + 0.5) * grid.side - p.x[k];
-                let y = grid.origin[1] + (f64::from(b) + 0.5) * grid.side - p.y[k];
-                let r = x.hypot(y) / dx;
+                let r = (f64::from(a) - x).hypot(f64::from(b) - y) * raster.side / dx;
                 best = best.max(share * ((feel[1] - r) / (feel[1] - feel[0])).clamp(0.0, 1.0));
                 if best == 1.0 {
                     break;

@@ -10,8 +10,11 @@ use super::lattice::Closure;
 const CALM: f64 = 0.25;
 
 /// What of the pair forces does not belong to the flow.
-struct Correction {
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Correction {
+    /// To be added [m/s²].
     acceleration: [f64; 2],
+    /// Share in what keeps the sum of all corrections zero [-].
     share: f64,
 }
 
@@ -28,43 +31,29 @@ impl Fluid {
             [walls.mean_fx[k], walls.mean_fy[k]] = force;
             walls.mean_swing[k] = walls.swing(k, -dt, force);
         }
-        self.find_least_pressures();
         self.find_head();
-        let g = self.parameters.gravity;
+        let mut corrections = std::mem::take(&mut self.projection.corrections);
+        corrections.resize(self.particles.len(), Correction::default());
+        sweep::gather_into(&mut corrections, |k| self.correct(k, inverse));
+        // corrections push nobody: their sum goes back, spread evenly
         let (mut impulse, mut mass) = ([0.0; 2], 0.0);
-        let mut shares = vec![0.0; self.particles.len()];
-        for k in 0..self.particles.len() {
-            let Correction { acceleration, share } = self.correct(k, inverse);
-            let p = &mut self.particles;
-            let force = self.gathered[k].force;
-            p.ax[k] = inverse * force[0] / p.mass[k] + g[0] + acceleration[0];
-            p.ay[k] = inverse * force[1] / p.mass[k] + g[1] + acceleration[1];
+        for (correction, m) in corrections.iter().zip(&self.particles.mass) {
             for i in 0..2 {
-                impulse[i] += p.mass[k] * acceleration[i];
+                impulse[i] += m * correction.acceleration[i];
             }
-            mass += share * p.mass[k];
-            shares[k] = share;
-            self.derived.surroundings[k] = self.projection.survey.around[k];
+            mass += correction.share * m;
         }
-        if mass > 0.0 {
-            // corrections push nobody: their sum goes back, spread evenly
-            let p = &mut self.particles;
-            for k in 0..p.x.len() {
-                p.ax[k] -= shares[k] * impulse[0] / mass;
-                p.ay[k] -= shares[k] * impulse[1] / mass;
-            }
-        }
-    }
-
-    /// I11: the least pressure within each particle's support.
-    fn find_least_pressures(&mut self) {
-        let (search, pressures) = (&self.search, &self.derived.pressure);
-        let n = pressures.len();
-        self.projection.least.resize(n, 0.0);
-        sweep::gather_into(&mut self.projection.least, |k| {
-            let around = search.fluid.of(k).iter().map(|&j| pressures[search.source(j, n)]);
-            around.fold(pressures[k], f64::min)
+        let back = if mass > 0.0 { impulse.map(|sum| sum / mass) } else { [0.0; 2] };
+        let g = self.parameters.gravity;
+        let (p, gathered) = (&mut self.particles, &self.gathered);
+        sweep::update_both(&mut p.ax, &mut p.ay, |k, ax, ay| {
+            let Correction { acceleration, share } = corrections[k];
+            let a =
+                [0, 1].map(|i| inverse * gathered[k].force[i] / p.mass[k] + g[i] + acceleration[i] - share * back[i]);
+            [*ax, *ay] = a;
         });
+        self.derived.surroundings.clone_from(&self.projection.survey.around);
+        self.projection.corrections = corrections;
     }
 
     /// I11: −ρ g·r of the highest particle at the start [Pa]: no still water is under more pressure than this head gives.
@@ -83,7 +72,9 @@ impl Fluid {
         let lattice = self.projection.lattice.expect("surveyed");
         let (survey, air) = (&self.projection.survey, self.projection.air.exposure[k]);
         let (around, [xx, xy, yy]) = (&survey.around[k], survey.spread[k]);
-        let (pressure, least) = (self.derived.pressure[k], self.projection.least[k]);
+        let (search, pressures) = (&self.search, &self.derived.pressure);
+        let (pressure, near) = (pressures[k], search.fluid.of(k).iter());
+        let least = near.map(|&j| pressures[search.source(j, pressures.len())]).fold(pressure, f64::min);
         let weight = g[0].hypot(g[1]) * rho;
         let dx = (p.mass[k] / p.rho[k]).sqrt();
         // I10: a row of a flat surface feels the whole of a linear pressure

@@ -17,6 +17,7 @@ mod motion;
 mod multigrid;
 mod null_space;
 mod poisson;
+mod raster;
 mod reaction;
 mod subspace;
 mod survey;
@@ -39,6 +40,7 @@ use crate::walls::Walls;
 
 use air::Air;
 use bodies::Bodies;
+use forces::Correction;
 use lattice::Lattice;
 use survey::Survey;
 
@@ -72,7 +74,7 @@ pub struct Projection {
     pub(crate) air: Air,
     /// Excess of each row's diagonal: the free surface (I7).
     pub(crate) excess: Vec<f64>,
-    pub(crate) least: Vec<f64>,
+    pub(crate) corrections: Vec<Correction>,
     pub(crate) wet: Vec<f64>,
     pub(crate) pinned: Vec<bool>,
     pub(crate) source: Vec<f64>,
