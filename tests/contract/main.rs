@@ -6,6 +6,7 @@
 mod command;
 
 mod bits;
+mod chart;
 mod endings;
 mod files;
 mod refusals;

@@ -29,7 +29,7 @@ pub struct Case {
     pub name: String,
     /// What is shown.
     pub about: String,
-    /// Name of a built-in scene.
+    /// Name of a built-in scene, or path of a scene file.
     pub scene: String,
     /// Overrides of every run, as for `--set`.
     #[serde(default)]
@@ -140,14 +140,27 @@ pub fn cases() -> Result<Vec<Case>, ChartError> {
     Ok(cases)
 }
 
-/// The cases of the given names; all of them if none is given.
+/// The cases of the given names, or of the given TOML files; all that are built in if none is given.
 pub fn select(names: &[String]) -> Result<Vec<Case>, ChartError> {
     let all = cases()?;
-    let known = all.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", ");
-    if let Some(stranger) = names.iter().find(|n| all.iter().all(|c| c.name != **n)) {
-        return Err(ChartError::Unknown(stranger.clone(), known));
+    if names.is_empty() {
+        return Ok(all);
     }
-    Ok(all.into_iter().filter(|c| names.is_empty() || names.contains(&c.name)).collect())
+    let known = || all.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", ");
+    let chosen = |name: &String| match name.strip_suffix(".toml") {
+        Some(path) => from_file(Path::new(name), path),
+        None => all.iter().find(|c| c.name == *name).cloned().ok_or_else(|| ChartError::Unknown(name.clone(), known())),
+    };
+    names.iter().map(chosen).collect()
+}
+
+/// The case of a file, named like it.
+fn from_file(file: &Path, path: &str) -> Result<Case, ChartError> {
+    let wrong = |why: String| ChartError::Case(file.display().to_string(), why);
+    let text = std::fs::read_to_string(file).map_err(|e| wrong(e.to_string()))?;
+    let case: Case = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+    let name = Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Case { name, ..case })
 }
 
 /// Run every point of a case; `tell` hears of each before it starts: its number, how many there are, family and value.
