@@ -1,4 +1,4 @@
-//! The incompressible solver: a projection a step (THEORY I1–I15).
+//! The incompressible solver: a projection a step (THEORY I1–I16).
 //!
 //! Read in this order: `step`, `survey` (what the pairs give), `lattice` (what a flat surface lacks), `air` (where
 //! the air is), `poisson` (the pressure).
@@ -18,6 +18,7 @@ mod multigrid;
 mod null_space;
 mod poisson;
 mod reaction;
+mod slip;
 mod subspace;
 mod survey;
 #[cfg(test)]
@@ -28,6 +29,7 @@ mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
 pub use hierarchy::Preconditioner;
+pub(crate) use lattice::Lattice;
 pub use matrix::{Matrix, RankOne};
 
 use serde::{Deserialize, Serialize};
@@ -39,7 +41,6 @@ use crate::walls::Walls;
 
 use air::Air;
 use bodies::Bodies;
-use lattice::Lattice;
 use survey::Survey;
 
 /// What a projection does not change during a run.
@@ -74,6 +75,8 @@ pub struct Projection {
     pub(crate) excess: Vec<f64>,
     pub(crate) least: Vec<f64>,
     pub(crate) wet: Vec<f64>,
+    /// Normals of the surface (I16).
+    pub(crate) normals: Vec<[f64; 2]>,
     pub(crate) pinned: Vec<bool>,
     pub(crate) source: Vec<f64>,
     pub(crate) scale: Vec<f64>,
