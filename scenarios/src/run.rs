@@ -345,6 +345,7 @@ impl Recorder {
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: self.ledger.rest(since),
+            water: self.series.water(since),
             coupling: Coupling {
                 scheme: scene.coupling.scheme,
                 iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,

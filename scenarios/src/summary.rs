@@ -53,6 +53,17 @@ pub struct Rest {
     pub center_swing_m: f64,
 }
 
+/// What became of the water's volume by the place of its surface (THEORY Q7).
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Water {
+    /// Volume per metre of span at the start [m²].
+    pub volume_start_m2: f64,
+    /// Change of the volume to its mean over the last fifth of the run, over the start's [-].
+    pub volume_drift: f64,
+    /// Largest change at any sample, over the start's [-].
+    pub volume_drift_worst: f64,
+}
+
 /// The fluid particle found deepest beyond a wall's surface.
 #[derive(Clone, Debug, Serialize)]
 pub struct WorstPenetration {
@@ -191,6 +202,9 @@ pub struct Summary {
     pub coupling: Coupling,
     /// Coming to rest.
     pub rest: Rest,
+    /// The water's volume, where the scene asks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub water: Option<Water>,
     /// Weak compressibility; absent where water is incompressible.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compressibility: Option<Compressibility>,

@@ -55,7 +55,7 @@ pub struct Fluid {
     pub(crate) beginning: Vec<[f64; 2]>,
     /// A particle was put elsewhere: lists are to be made anew.
     pub(crate) displaced: bool,
-    /// The projection (THEORY I1–I15).
+    /// The projection (THEORY I1–I16).
     pub projection: Projection,
     /// The thesis's projection (THEORY J1–J16).
     pub thesis: Thesis,

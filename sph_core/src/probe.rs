@@ -2,6 +2,7 @@
 
 use crate::cells::{Cells, Point};
 use crate::fluid::Fluid;
+use crate::projection::Lattice;
 use crate::sight::Sight;
 
 /// A place with less of its kernel filled is dry.
@@ -24,6 +25,8 @@ pub struct Probe<'a> {
     cells: Cells,
     sight: Sight,
     reach: f64,
+    /// Range of 2 Σ V W on a face beside a lattice, where water keeps the fillings of one.
+    face: Option<[f64; 2]>,
 }
 
 impl<'a> Probe<'a> {
@@ -46,7 +49,10 @@ impl<'a> Probe<'a> {
         }
         let widest = points.iter().map(|q| q.reach).fold(0.0, f64::max);
         let sight = Sight::new(&fluid.rows.screens, fluid.parameters.mirror);
-        Probe { fluid, cells: Cells::build(&points), sight, reach: 2.0 * widest }
+        let parameters = &fluid.parameters;
+        let projects = parameters.solver.projects();
+        let face = projects.then(|| Lattice::new(parameters.kernel, parameters.smoothing_ratio).face);
+        Probe { fluid, cells: Cells::build(&points), sight, reach: 2.0 * widest, face }
     }
 
     /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (T1), each with its
@@ -66,14 +72,24 @@ impl<'a> Probe<'a> {
 
     /// E18: pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
     /// where `slope` s = ρ(g − a)·n [Pa/m] is the pressure's slope along the normal that the wall imposes.
-    /// It falls to zero by itself where the face is dry. Valid farther than one support 2h from an edge.
+    /// It falls to zero by itself where the face is dry. Valid farther than one support 2h from an edge. Water that a
+    /// projection moves keeps the fillings of a lattice: there it is divided by 2 Σ V W as far as that is a lattice's.
     pub fn on_flat_face(&self, at: [f64; 2], normal: [f64; 2], slope: f64) -> f64 {
-        let mut sum = 0.0;
+        let (mut sum, mut filling) = (0.0, 0.0);
         self.around(at, |weight, q| {
             let height = (q.x - at[0]) * normal[0] + (q.y - at[1]) * normal[1];
             sum += weight * (self.fluid.derived.pressure[q.index as usize] - slope * height);
+            filling += weight;
         });
-        2.0 * sum
+        let norm = self.face.map_or(1.0, |[least, most]| (2.0 * filling).clamp(least, most));
+        2.0 * sum / norm
+    }
+
+    /// Filling Σ V W [-] of a place by water alone.
+    pub fn filling(&self, at: [f64; 2]) -> f64 {
+        let mut filling = 0.0;
+        self.around(at, |weight, _| filling += weight);
+        filling
     }
 
     /// W7: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.

@@ -9,7 +9,7 @@ pub enum Solver {
     /// An equation of state: pressures run through the water as sound (E3–E17).
     #[default]
     WeaklyCompressible,
-    /// A Poisson equation: pressures are those that leave the water's volume as it is (THEORY I1–I15).
+    /// A Poisson equation: pressures are those that leave the water's volume as it is (THEORY I1–I16).
     Incompressible,
     /// The same with the diagonal in the place of the matrix: one sweep a step (THEORY EX3).
     IncompressibleExplicit,

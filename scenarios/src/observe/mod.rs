@@ -13,6 +13,7 @@ mod low_pass;
 mod sensing;
 mod series;
 mod similarity;
+mod volume;
 
 use std::io;
 
@@ -31,6 +32,7 @@ pub use log::LogObserver;
 pub use low_pass::LowPass;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
+pub use volume::VOLUME;
 
 /// What an observer sees.
 #[derive(Clone, Copy)]

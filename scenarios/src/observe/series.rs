@@ -8,8 +8,10 @@ use fsi_coupling::{Motion, PanelState};
 
 use super::front::{FRONT, front};
 use super::level::{self, LevelReader};
+use super::volume::{VOLUME, VolumeReader};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
+use crate::summary::Water;
 
 /// The sampled curves.
 pub struct Series {
@@ -17,6 +19,7 @@ pub struct Series {
     rows: Vec<Vec<f64>>,
     front: bool,
     levels: LevelReader,
+    volume: Option<VolumeReader>,
     file: Option<(String, BufWriter<File>)>,
 }
 
@@ -48,6 +51,7 @@ impl Series {
         columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));
         columns.extend(scene.observe.front.then(|| FRONT.to_string()));
         columns.extend(level::columns(scene));
+        columns.extend(scene.observe.volume.then(|| VOLUME.to_string()));
         let file = match path {
             None => None,
             Some(path) => {
@@ -58,7 +62,9 @@ impl Series {
                 Some((name, file))
             }
         };
-        Ok(Series { columns, rows: Vec::new(), front: scene.observe.front, levels: LevelReader::new(scene), file })
+        let volume = scene.observe.volume.then(|| VolumeReader::new(scene));
+        let (front, levels) = (scene.observe.front, LevelReader::new(scene));
+        Ok(Series { columns, rows: Vec::new(), front, levels, volume, file })
     }
 
     /// Names of the columns; the first is `time_s`.
@@ -99,6 +105,17 @@ impl Series {
         })
     }
 
+    /// What became of the water's volume (Q7), judged over the samples from `since` [s] on; `None` where nobody asked.
+    pub fn water(&self, since: f64) -> Option<Water> {
+        let volumes = self.column(VOLUME)?;
+        let first = *volumes.first()?;
+        let drift = |volume: f64| volume / first - 1.0;
+        let mean = self.means(since).find(|(name, _)| *name == VOLUME)?.1;
+        let farthest = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        let worst = volumes.iter().map(|&v| drift(v)).fold(0.0, farthest);
+        Some(Water { volume_start_m2: first, volume_drift: drift(mean), volume_drift_worst: worst })
+    }
+
     /// See that all rows are in the file.
     pub fn flush(&mut self) -> Result<(), ObserveError> {
         match &mut self.file {
@@ -127,6 +144,7 @@ impl Observer for Series {
         row.extend(frame.gauges);
         row.extend(self.front.then(|| front(&frame.system.fluid)));
         row.extend(self.levels.read(&frame.system.fluid));
+        row.extend(self.volume.as_ref().map(|volume| volume.read(&frame.system.fluid)));
         if let Some((path, file)) = &mut self.file {
             let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
             writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;

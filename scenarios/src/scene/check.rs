@@ -4,7 +4,7 @@ use super::limits::check_step;
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
 use super::problem::{Problem, significant};
 use super::start::check_start;
-use crate::observe::{FRONT, level_columns};
+use crate::observe::{FRONT, VOLUME, level_columns};
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
@@ -296,7 +296,9 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
     let gauges = scene.gauges.iter().flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
     let front = scene.observe.front.then(|| FRONT.to_string());
     let panels = scene.body.iter().flat_map(|body| body.panels.iter().flat_map(|panel| panel.columns()));
-    let known: Vec<String> = bodies.chain(panels).chain(gauges).chain(front).chain(level_columns(scene)).collect();
+    let volume = scene.observe.volume.then(|| VOLUME.to_string());
+    let curves = front.into_iter().chain(level_columns(scene)).chain(volume);
+    let known: Vec<String> = bodies.chain(panels).chain(gauges).chain(curves).collect();
     for (i, compare) in scene.compare.iter().enumerate() {
         if !known.contains(&compare.quantity) {
             let key = format!("compare[{i}].quantity");

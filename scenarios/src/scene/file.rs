@@ -45,6 +45,7 @@ pub struct SceneFile {
 pub struct ObserveFile {
     pub front: Option<bool>,
     pub level: Option<Vec<f64>>,
+    pub volume: Option<bool>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -196,6 +196,7 @@ static KEYWORDS: &[Keyword] = &[
     key("compare[].threshold", "-", "0.5", "norm arrival: share of its own peak in the window at which a curve has arrived"),
     key("observe.front", "", "false", "column front_m: length of the connected water along the floor, from its left end: true | false"),
     key("observe.level", "m", "[]", "places x of the columns level1_m, level2_m ...: height of the water there over still water, counted by volume, also what flies above; not below a body"),
+    key("observe.volume", "-", "false", "the column volume_m2, and water in the summary: volume below the water's surface, found from above; for tanks without a body"),
     key("report.force_rules", "", "false", "compare the force on the body by four rules: true | false (INDAT fex 1 | 2 | 3: FEX_2D, FEX_2D2, FEX_2D3; FEX_2D4 has no number)"),
     key("coupling.scheme", "", "weak; added_mass with body.panels, and for free bodies with solver = incompressible", "weak: one exchange a step | added_mass: body's acceleration and wall pressures found together, without iterations; for light bodies | aitken | iqn_ils: the step repeated until they agree (no INDAT switch: the thesis exchanges once a step)"),
     key("coupling.tolerance", "-", "1e-6", "aitken, iqn_ils: mismatch of the body's acceleration, relative, at which a step is done"),

@@ -75,6 +75,8 @@ pub struct Observe {
     pub front: bool,
     /// Places x [m] of the columns `level1_m`, `level2_m` …: height of the water there (Q3).
     pub level: Vec<f64>,
+    /// The column `volume_m2`: volume of the water by the place of its surface (Q7).
+    pub volume: bool,
 }
 
 /// What a run observes beside its curves.

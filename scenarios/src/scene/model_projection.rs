@@ -3,7 +3,7 @@
 use serde::Serialize;
 use sph_core::Projecting;
 
-/// What a scene chooses of the projection that gives the pressures (THEORY I1–I15).
+/// What a scene chooses of the projection that gives the pressures (THEORY I1–I16).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Projection {
     /// Residual that ends the iteration, over the largest right-hand side [-].

@@ -90,7 +90,11 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
         similarity: file.similarity,
         gauges: numbered("gauges", file.gauges, resolve_gauge)?,
         compare: numbered("compare", file.compare, |key, compare| resolve_compare(key, compare, time.end))?,
-        observe: Observe { front: file.observe.front.unwrap_or(false), level: file.observe.level.unwrap_or_default() },
+        observe: Observe {
+            front: file.observe.front.unwrap_or(false),
+            level: file.observe.level.unwrap_or_default(),
+            volume: file.observe.volume.unwrap_or(false),
+        },
         resolution: resolve_resolution(&file.resolution, spacing, fine_zone, snug)?,
         time,
         fluid,

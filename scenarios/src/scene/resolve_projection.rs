@@ -1,4 +1,4 @@
-//! The incompressible solvers' table `[projection]`, and what they make of the keys of `[fluid]` (THEORY I1–I15).
+//! The incompressible solvers' table `[projection]`, and what they make of the keys of `[fluid]` (THEORY I1–I16).
 
 use serde::Serialize;
 

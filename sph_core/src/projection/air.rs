@@ -13,6 +13,8 @@ const COVER: f64 = 1.0;
 const HOLE: [f64; 2] = [1.0, 4.0];
 /// Air is felt in full up to the first distance beyond the support [spacings], not beyond the second.
 const FEEL: [f64; 2] = [0.1, 0.5];
+/// Share of a filling whose lack shows air for certain, unless rows of a flat surface lack less [-].
+const FAINT: f64 = 0.001;
 
 /// How near air is.
 #[derive(Clone, Debug, Default)]
@@ -139,7 +141,8 @@ impl Fluid {
         let ratio = self.parameters.smoothing_ratio;
         let p = &self.particles;
         let feel = FEEL.map(|margin| 2.0 * ratio + margin);
-        let filled = 0.999 * self.projection.lattice.map_or(1.0, |lattice| lattice.filling);
+        let lattice = self.projection.lattice.expect("surveyed");
+        let faint = lattice.faintest().min(FAINT);
         let air = &mut self.projection.air;
         let least = air.least;
         if air.offsets.is_empty() {
@@ -157,7 +160,8 @@ impl Fluid {
         let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
         let (rasters, offsets, around) = (&air.rasters, &air.offsets, &self.projection.survey.around);
         crate::sweep::gather_into(&mut air.exposure, |k| {
-            if around[k].filling > filled {
+            let lack = ((1.0 - around[k].filling / lattice.filling) / faint).clamp(0.0, 1.0);
+            if lack == 0.0 {
                 return 0.0;
             }
             let raster = &rasters[level(p.h[k])];
@@ -183,7 +187,7 @@ impl Fluid {
                     break;
                 }
             }
-            best
+            best * lack
         });
     }
 }

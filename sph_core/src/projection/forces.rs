@@ -1,4 +1,4 @@
-//! Accelerations and forces from the pressures that a projection found (THEORY I10–I12).
+//! Accelerations and forces from the pressures that a projection found (THEORY I10–I12, I16).
 
 use crate::fluid::Fluid;
 use crate::sweep;
@@ -32,6 +32,7 @@ impl Fluid {
             walls.mean_swing[k] = walls.swing(k, -dt, force);
         }
         self.find_head();
+        self.find_normals();
         let mut corrections = std::mem::take(&mut self.projection.corrections);
         corrections.resize(self.particles.len(), Correction::default());
         sweep::gather_into(&mut corrections, |k| self.correct(k, inverse));
@@ -56,17 +57,18 @@ impl Fluid {
         self.projection.corrections = corrections;
     }
 
-    /// I11: −ρ g·r of the highest particle at the start [Pa]: no still water is under more pressure than this head gives.
+    /// I11: −ρ g·r of the highest particle at the start and half its spacing [Pa]: no still water is under more pressure than this head gives.
     fn find_head(&mut self) {
         if self.steps > 0 {
             return;
         }
         let (p, g, rho) = (&self.particles, self.parameters.gravity, self.parameters.eos.rho0);
-        let height = |k: usize| -rho * (g[0] * p.x[k] + g[1] * p.y[k]);
+        let half = |k: usize| 0.5 * rho * g[0].hypot(g[1]) * (p.mass[k] / p.rho[k]).sqrt();
+        let height = |k: usize| half(k) - rho * (g[0] * p.x[k] + g[1] * p.y[k]);
         self.projection.head = (0..p.len()).map(height).fold(f64::NEG_INFINITY, f64::max);
     }
 
-    /// I10 + I11 for particle `k`.
+    /// I10, I11 and I16 for particle `k`.
     fn correct(&self, k: usize, inverse: f64) -> Correction {
         let (p, g, rho) = (&self.particles, self.parameters.gravity, self.parameters.eos.rho0);
         let lattice = self.projection.lattice.expect("surveyed");
@@ -86,10 +88,16 @@ impl Fluid {
         let still = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
         let base = if pressure > 0.0 { still.max(least) } else { least };
         let share = 1.0 - air;
-        let calm = if weight > 0.0 { share * (still / (CALM * weight * dx)).min(1.0) } else { 0.0 };
+        let bearing = if weight > 0.0 { (still / (CALM * weight * dx)).min(1.0) } else { 0.0 };
+        let calm = share * bearing;
         let slope = [xx * g[0] + xy * g[1], xy * g[0] + yy * g[1]];
-        let lift = (tie * top + share * (2.0 * base - tie * base.min(top))) * inverse / rho;
-        let acceleration = [0, 1].map(|i| lift * around.crowding[i] + calm * (inverse * slope[i] - g[i]));
+        let pull = tie * (top - share * base.min(top));
+        let lift = (pull + share * 2.0 * base) * inverse / rho;
+        let mut acceleration = [0, 1].map(|i| lift * around.crowding[i] + calm * (inverse * slope[i] - g[i]));
+        if air > 0.0 {
+            let slip = self.slip(k, air * 2.0 * still - pull, air * bearing);
+            acceleration = [0, 1].map(|i| acceleration[i] + inverse * slip[i]);
+        }
         Correction { acceleration, share }
     }
 }

@@ -9,6 +9,8 @@ pub struct Lattice {
     pub gradient: f64,
     /// Σ V W [-] inside.
     pub filling: f64,
+    /// Range of 2 Σ V W [-] along a wall half a spacing beside the first row (E18).
+    pub face: [f64; 2],
     rows: [Closure; ROWS],
 }
 
@@ -46,6 +48,12 @@ impl Lattice {
             filling += w;
             gradient -= 0.5 * (x * x + y * y) * slope;
         });
+        let face = [0.5, 0.0].map(|beside| {
+            let place = |i: i32, j: i32| kernel.value((f64::from(i) + beside).hypot(f64::from(j) + 0.5), ratio);
+            let sum = (-reach..=reach).flat_map(|i| (0..=reach).map(move |j| place(i, j))).sum::<f64>();
+            2.0 * sum
+        });
+        let face = [face[0].min(face[1]), face[0].max(face[1])];
         let mut rows = [Closure::default(); ROWS];
         for (k, row) in rows.iter_mut().enumerate() {
             let depth = k as f64 + 0.5;
@@ -63,7 +71,12 @@ impl Lattice {
             let pull = if lack > 0.0 { linear / lack } else { 0.0 };
             *row = Closure { filling: present / filling, depth, link: lack / depth, pull };
         }
-        Lattice { gradient, filling, rows }
+        Lattice { gradient, filling, face, rows }
+    }
+
+    /// Share of its filling that the deepest row which lacks anything lacks [-].
+    pub fn faintest(&self) -> f64 {
+        self.rows.iter().map(|row| 1.0 - row.filling).filter(|&lack| lack > 1e-9).fold(1.0, f64::min)
     }
 
     /// What a particle of this filling, near air, lacks.

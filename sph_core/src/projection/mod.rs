@@ -1,4 +1,4 @@
-//! The incompressible solver: a projection a step (THEORY I1–I15).
+//! The incompressible solver: a projection a step (THEORY I1–I16).
 //!
 //! Read in this order: `step`, `survey` (what the pairs give), `lattice` (what a flat surface lacks), `air` (where
 //! the air is), `poisson` (the pressure).
@@ -19,6 +19,7 @@ mod null_space;
 mod poisson;
 mod raster;
 mod reaction;
+mod slip;
 mod subspace;
 mod survey;
 #[cfg(test)]
@@ -29,6 +30,7 @@ mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
 pub use hierarchy::Preconditioner;
+pub(crate) use lattice::Lattice;
 pub use matrix::{Matrix, RankOne};
 
 use serde::{Deserialize, Serialize};
@@ -41,7 +43,6 @@ use crate::walls::Walls;
 use air::Air;
 use bodies::Bodies;
 use forces::Correction;
-use lattice::Lattice;
 use survey::Survey;
 
 /// What a projection does not change during a run.
@@ -76,6 +77,8 @@ pub struct Projection {
     pub(crate) excess: Vec<f64>,
     pub(crate) corrections: Vec<Correction>,
     pub(crate) wet: Vec<f64>,
+    /// Normals of the surface (I16).
+    pub(crate) normals: Vec<[f64; 2]>,
     pub(crate) pinned: Vec<bool>,
     pub(crate) source: Vec<f64>,
     pub(crate) scale: Vec<f64>,
