@@ -24,6 +24,7 @@ mod survey;
 mod test_systems;
 #[cfg(test)]
 mod tests;
+mod ventilation;
 mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
@@ -75,6 +76,8 @@ pub struct Projection {
     pub(crate) least: Vec<f64>,
     pub(crate) wet: Vec<f64>,
     pub(crate) pinned: Vec<bool>,
+    /// Rows that bear no tension (I8).
+    slack: Vec<bool>,
     pub(crate) source: Vec<f64>,
     pub(crate) scale: Vec<f64>,
     pub(crate) matrix: Matrix,
