@@ -14,7 +14,7 @@ impl Fluid {
         if swept { self.parameters.cfl.min(LARGEST_COURANT) } else { self.parameters.cfl }
     }
 
-    /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; none below 0 where air comes in.
+    /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; no tension where I8 forbids it.
     pub(super) fn sweep_pressure(&mut self, dt: f64) {
         self.gather_source(dt);
         let projection = &mut self.projection;
