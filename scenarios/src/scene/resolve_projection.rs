@@ -143,7 +143,8 @@ pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
 /// Doubts about a scene with an incompressible solver: its step, its walls, and what does nothing.
 pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
     let (fluid, mut warnings) = (&scene.fluid, Vec::new());
-    let idle = [("ventilation", fluid.ventilation), ("wall_stretch", fluid.wall_stretch)];
+    let thesis = scene.solver == Solver::IncompressibleThesis;
+    let idle = [("ventilation", thesis && fluid.ventilation), ("wall_stretch", fluid.wall_stretch)];
     warnings.extend(idle.iter().filter(|key| key.1).map(|(name, _)| {
         format!(
             "fluid.{name} = true does nothing with solver = {:?}: it belongs to \"weakly_compressible\"",

@@ -14,12 +14,13 @@ impl Fluid {
         if swept { self.parameters.cfl.min(LARGEST_COURANT) } else { self.parameters.cfl }
     }
 
-    /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; none below 0 near air.
+    /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; no tension where I8 forbids it.
     pub(super) fn sweep_pressure(&mut self, dt: f64) {
         self.gather_source(dt);
         let projection = &mut self.projection;
+        projection.clear_pins(self.particles.len());
         projection.before.clone_from(&self.derived.pressure);
-        let (survey, air) = (&projection.survey, &projection.air.exposure);
+        let survey = &projection.survey;
         let (source, excess, before) = (&projection.source, &projection.excess, &projection.before);
         sweep::gather_into(&mut self.derived.pressure, |k| {
             let (mut sum, mut diagonal) = (source[k], excess[k]);
@@ -28,10 +29,8 @@ impl Fluid {
                 sum += value * before[j as usize];
                 diagonal += value;
             }
-            let pressure = if diagonal > 0.0 { sum / diagonal } else { 0.0 };
-            if air[k] > 0.0 { pressure.max(0.0) } else { pressure }
+            if diagonal > 0.0 { sum / diagonal } else { 0.0 }
         });
-        let pressures = &self.derived.pressure;
-        projection.pins = (0..pressures.len()).filter(|&k| air[k] > 0.0 && pressures[k] == 0.0).count();
+        projection.pin_slack(&mut self.derived.pressure, &self.search, self.parameters.ventilation);
     }
 }

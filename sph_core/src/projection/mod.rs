@@ -26,6 +26,7 @@ mod survey;
 mod test_systems;
 #[cfg(test)]
 mod tests;
+mod ventilation;
 mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
@@ -80,6 +81,8 @@ pub struct Projection {
     /// Normals of the surface (I16).
     pub(crate) normals: Vec<[f64; 2]>,
     pub(crate) pinned: Vec<bool>,
+    /// Rows that bear no tension (I8).
+    slack: Vec<bool>,
     pub(crate) source: Vec<f64>,
     pub(crate) scale: Vec<f64>,
     pub(crate) matrix: Matrix,

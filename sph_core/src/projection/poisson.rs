@@ -64,14 +64,12 @@ impl Fluid {
         projection.scale.resize(n, 0.0);
         sweep::gather_into(&mut projection.scale, |k| volume(k) * strongest.max(f64::MIN_POSITIVE));
         projection.matrix.assemble(&projection.survey, &projection.excess);
-        projection.pinned.clear();
-        projection.pinned.resize(n, false);
+        projection.clear_pins(n);
         let x = &mut self.derived.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
         projection.solver.prepare(&projection.matrix, &p.x, &p.y, &p.h);
         let surroundings = (&self.rows, &self.search, &self.parameters);
         let mut meeting = Meeting::of(surroundings, &p.id, &mut self.yielding, walls, 1.0 / lattice.gradient);
-        let mut pins = 0;
         projection.before.clone_from(x);
         for _ in 0..PIN_ROUNDS {
             let Projection { solver, matrix, source, scale, pinned, bodies, iterations, solves, .. } = &mut *projection;
@@ -93,20 +91,10 @@ impl Fluid {
                     time: self.time,
                 });
             }
-            let mut more = 0;
-            for k in 0..n {
-                if x[k] < 0.0 && projection.air.exposure[k] > 0.0 && !projection.pinned[k] {
-                    projection.pinned[k] = true;
-                    x[k] = 0.0;
-                    more += 1;
-                }
-            }
-            pins += more;
-            if more == 0 {
+            if projection.pin_slack(x, &self.search, self.parameters.ventilation) == 0 {
                 break;
             }
         }
-        projection.pins = pins;
         meeting.conclude();
         Ok(())
     }
