@@ -6,7 +6,7 @@ use std::time::Instant;
 use evidence::surfacing::{Variation, run, variation};
 
 /// The incompressible solver, as these scenes run it.
-const PROJECTION: [&str; 2] = ["solver=incompressible", "fluid.cfl=0.2"];
+const PROJECTION: [&str; 1] = ["solver=incompressible"];
 
 /// Seeds of the gate: falls of water on water; bodies that come up, and that fall in and come out.
 const JETS: [u64; 6] = [2, 5, 8, 11, 14, 17];

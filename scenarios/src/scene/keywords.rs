@@ -203,7 +203,7 @@ static KEYWORDS: &[Keyword] = &[
     key("coupling.max_iterations", "-", "50", "aitken, iqn_ils: repetitions of a step after which one that still disagrees ends the run with an error"),
     key("projection.tolerance", "-", "1e-4", "solver incompressible: share of the largest right-hand side that no residual of the pressure equation exceeds, 1e-12 to 0.1 (no INDAT switch)"),
     key("projection.most_iterations", "", "2000", "solver incompressible: iterations after which a pressure equation has failed"),
-    key("projection.relaxation", "-", "10.0", "time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY I9)"),
+    key("projection.relaxation", "-", "3.0", "time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY I9)"),
     key("projection.calming", "-", "0.15", "viscosity over h sqrt(|g| h), which brings water to rest (THEORY I12); 0 is none"),
     key("projection.shift", "-", "1.0", "shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY I13); without effect where fluid.shifting is false"),
     key("thesis.masses", "", "interior", "solver incompressible_thesis (INDAT i_algorithm 4): interior: one mass, from a particle with a whole support, and what the others lack stored | inverse: all from W m = rho0, which gives negative masses (no INDAT switch)"),

@@ -15,7 +15,7 @@ const LARGEST_HOLE: f64 = 0.1;
 /// Rounds of pinning rows under tension near air.
 const PIN_ROUNDS: usize = 6;
 /// How much longer an error of density takes to relax where pressures are swept, not solved for (EX5) [-].
-const SWEPT: f64 = 10.0;
+const SWEPT: f64 = 100.0 / 3.0;
 
 impl Fluid {
     /// I7: rows near air are tied to it.
