@@ -15,6 +15,7 @@ pub mod log;
 pub mod observe;
 pub mod panel_result;
 pub mod present;
+mod recorder;
 pub mod reference;
 pub mod report;
 pub mod run;

@@ -145,12 +145,11 @@ pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
     let (fluid, mut warnings) = (&scene.fluid, Vec::new());
     let thesis = scene.solver == Solver::IncompressibleThesis;
     let idle = [("ventilation", thesis && fluid.ventilation), ("wall_stretch", fluid.wall_stretch)];
-    warnings.extend(idle.iter().filter(|key| key.1).map(|(name, _)| {
-        format!(
-            "fluid.{name} = true does nothing with solver = {:?}: it belongs to \"weakly_compressible\"",
-            scene.solver.name()
-        )
-    }));
+    warnings.extend(
+        idle.iter()
+            .filter(|key| key.1)
+            .map(|(name, _)| format!("fluid.{name} = true does nothing with solver = {:?}", scene.solver.name())),
+    );
     let passing = fluid.smoothing_ratio * scene.resolution.spacing / scene.fastest_speed();
     if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * passing) {
         warnings.push(format!(
