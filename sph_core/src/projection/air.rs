@@ -168,6 +168,9 @@ impl Fluid {
             let dx = p.h[k] / ratio;
             let [x, y] = raster.cell([p.x[k], p.y[k]]);
             let (ci, cj) = ((x + 0.5) as i32, (y + 0.5) as i32);
+            if !raster.may_have_air(ci, cj, (feel[1] * dx / raster.side).ceil() as i32 + 1) {
+                return 0.0;
+            }
             let mut best = 0.0_f64;
             for &(i, j, r) in offsets {
                 if (r - 0.75) * raster.side > feel[1] * dx {
@@ -181,7 +184,8 @@ impl Fluid {
                 if share == 0.0 {
                     continue;
                 }
-                let r = (f64::from(a) - x).hypot(f64::from(b) - y) * raster.side / dx;
+                let (rx, ry) = (f64::from(a) - x, f64::from(b) - y);
+                let r = (rx * rx + ry * ry).sqrt() * raster.side / dx;
                 best = best.max(share * ((feel[1] - r) / (feel[1] - feel[0])).clamp(0.0, 1.0));
                 if best == 1.0 {
                     break;

@@ -6,6 +6,8 @@ use crate::sweep;
 const MARGIN: f64 = 8.0;
 /// Rows of cells that are covered together.
 const BAND: usize = 32;
+/// Cells along a block's side.
+const BLOCK: usize = 16;
 /// The mark of air that is nothing but air.
 const ALL: f64 = 253.0;
 
@@ -28,6 +30,8 @@ pub struct Raster {
     bands: Vec<Vec<Disc>>,
     /// Share of air in ALL-ths, a cell; 0 where covered.
     air: Vec<u8>,
+    /// Whether a block of cells has any air; row by row of blocks.
+    airy: Vec<bool>,
     holes: Holes,
 }
 
@@ -123,16 +127,33 @@ impl Raster {
         self.holes.find(&self.covered, words, columns);
         self.air.clear();
         self.air.resize(columns * self.rows, 0);
+        let blocks = columns.div_ceil(BLOCK);
+        self.airy.clear();
+        self.airy.resize(blocks * self.rows.div_ceil(BLOCK), false);
         for (k, run) in self.holes.runs.iter().enumerate() {
             let mark = (share(f64::from(self.holes.cells[self.holes.parent[k] as usize])) * ALL) as u8;
-            let row = run.row as usize * columns;
-            self.air[row + run.from as usize..row + run.to as usize].fill(mark);
+            if mark == 0 {
+                continue;
+            }
+            let (row, from, to) = (run.row as usize, run.from as usize, run.to as usize);
+            self.air[row * columns + from..row * columns + to].fill(mark);
+            self.airy[row / BLOCK * blocks + from / BLOCK..=row / BLOCK * blocks + (to - 1) / BLOCK].fill(true);
         }
     }
 
     /// A place [m] in cells, from the centre of the first.
     pub fn cell(&self, place: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|i| (place[i] - self.origin[i]) / self.side - 0.5)
+    }
+
+    /// False where no cell less than `reach` away, along both axes, is air.
+    pub fn may_have_air(&self, column: i32, row: i32, reach: i32) -> bool {
+        let blocks = self.columns.div_ceil(BLOCK);
+        let span = |at: i32, cells: usize| {
+            let last = cells as i32 - 1;
+            (at - reach).clamp(0, last) as usize / BLOCK..=(at + reach).clamp(0, last) as usize / BLOCK
+        };
+        span(row, self.rows).any(|row| span(column, self.columns).any(|column| self.airy[row * blocks + column]))
     }
 
     /// How much the cell is air [-], the cell inside the raster.
