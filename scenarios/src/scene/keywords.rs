@@ -118,7 +118,7 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.wall_stretch", "", "false", "true: behind walls the water is stretched along them like that in front; sound along walls is nearer its speed and particles keep their volume better; noisier at coarse spacing"),
     key("fluid.ventilation", "", "false", "true: water within the kernel of both a wall and the air holds no tension, so that air comes in between and flow leaves a round bottom; it cuts noise to one side, which costs accuracy at coarse spacing | false: flow is sucked along"),
     key("fluid.integrator", "", "symplectic", "symplectic | predictor_corrector | verlet | beeman (INDAT i_algorithm -, 1 | 2 | 3; 4, incompressible, is not here)"),
-    key("fluid.cfl", "-", "0.6", "step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number), dt <= cfl h/|v| and at most 1 with an incompressible solver; by default 0.5 for solver = incompressible, 0.3 for predictor_corrector and beeman, 0.05 for verlet, 0.4 with wall_stretch"),
+    key("fluid.cfl", "-", "0.6", "step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number), dt <= cfl h/|v| and at most 1 with an incompressible solver; by default 0.4 for solver = incompressible, 0.3 for predictor_corrector and beeman, 0.05 for verlet, 0.4 with wall_stretch"),
     key("fluid.verlet_correction_every", "-", "40", "verlet: steps between two Euler steps, which keep its two time levels together; 0 is never"),
     key("fluid.density_filter", "", "none", "none | shepard (keeps a constant density) | mls (keeps a linear one) (INDAT i_densityFilter 0 | 1 | 2)"),
     key("fluid.density_filter_every", "-", "20", "steps between two filterings"),

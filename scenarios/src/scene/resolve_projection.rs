@@ -11,7 +11,7 @@ use super::problem::{Problem, not_negative, positive, significant, within};
 use sph_core::Projecting;
 
 /// Largest share of its smoothing length that a particle may move in a step, where the scene does not say.
-const CFL: f64 = 0.5;
+const CFL: f64 = 0.4;
 
 /// Largest share of it that makes sense: farther, and its neighbours are not those that its pressure was found with.
 const LARGEST_CFL: f64 = 1.0;

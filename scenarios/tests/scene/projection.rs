@@ -17,7 +17,7 @@ fn with(solver: &str, changes: &[&str]) -> Scene {
 fn defaults_follow_the_solver() {
     let numbers = |s: &Scene| [s.fluid.cfl, s.fluid.artificial_viscosity, s.fluid.density_diffusion];
     assert_eq!(numbers(&drop_with(&[])), [0.6, 0.02, 0.3]);
-    for (solver, expected) in SOLVERS.into_iter().zip([[0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [0.6, 0.1, 0.0]]) {
+    for (solver, expected) in SOLVERS.into_iter().zip([[0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [0.6, 0.1, 0.0]]) {
         assert_eq!(numbers(&with(solver, &[])), expected, "{solver}");
     }
     assert_eq!(with("incompressible", &["fluid.cfl=0.2"]).fluid.cfl, 0.2);
