@@ -16,6 +16,8 @@ const SWEEPS: usize = 150;
 const SHARE: f64 = 0.25;
 /// Longest way in a sweep [spacings].
 const LONGEST: f64 = 0.05;
+/// Nearest that a cell's middle gets to the plane of symmetry [spacings]: beyond it its own image would push it on.
+const BEFORE_PLANE: f64 = 0.1;
 
 /// What packing needs to know of the fluid and its bounds.
 pub struct Packing<'a> {
@@ -98,7 +100,9 @@ impl Packing<'_> {
                 let cell = &mut cells[k];
                 let to = [cell.at[0] + way[0], cell.at[1] + way[1]];
                 let snug = 0.3 * spacing(cell);
-                if self.body.clearance(to) > snug.min(self.body.clearance(cell.at)) && level(to[0]) - to[1] > snug {
+                let dry = self.body.clearance(to) <= snug.min(self.body.clearance(cell.at));
+                let beyond = self.mirrored && to[0] < BEFORE_PLANE * spacing(cell);
+                if !dry && !beyond && level(to[0]) - to[1] > snug {
                     cell.at = to;
                 }
             }

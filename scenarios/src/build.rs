@@ -95,14 +95,6 @@ fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
     (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-/// Speed by which the steps of a projection are limited before anything moves [m/s]: the fastest that is known, but the root of
-/// a round body's spray, which is faster than anything at first touch.
-fn projection_speed(scene: &Scene) -> f64 {
-    const ROOT_OVER_BODY: f64 = 4.0;
-    let fastest = scene.fastest_speed();
-    scene.entry().map_or(fastest, |entry| fastest.min(ROOT_OVER_BODY * entry.speed))
-}
-
 pub(crate) fn parameters(scene: &Scene) -> Parameters {
     let fluid = &scene.fluid;
     Parameters {
@@ -139,7 +131,7 @@ pub(crate) fn parameters(scene: &Scene) -> Parameters {
         dissipation: fluid.dissipation,
         solver: scene.solver,
         projecting: scene.projection.map_or_else(Projecting::default, |projection| projection.settings()),
-        speed: projection_speed(scene),
+        speed: scene.projection_speed(),
         thesis: scene.thesis.unwrap_or_default(),
     }
 }

@@ -123,4 +123,15 @@ mod tests {
         assert!(least > 0.96 && most < 1.04, "{least} to {most}");
         assert!((area - exact).abs() < 1.5 * 0.025_f64.powi(2), "{area} m2, exact {exact} m2");
     }
+
+    /// At h/Δx = 2 cells wandered through the plane of symmetry, pushed on by their own images.
+    #[test]
+    fn packed_water_stays_on_its_side_of_the_plane_of_symmetry() {
+        let sets = ["solver=incompressible", "resolution.spacing=0.025", "fluid.smoothing_ratio=2"];
+        let scene = scene::load("heaving_box", &sets.map(String::from)).expect("a built-in scene").scene;
+        assert!(scene.resolution.packing && scene.symmetry == crate::scene::Symmetry::X);
+        let system = build::build(&scene).expect("a box afloat");
+        assert!(system.fluid.particles.x.iter().all(|&x| x > 0.0));
+        assert!(system.penetration().worst.is_none());
+    }
 }

@@ -14,7 +14,7 @@ use crate::scene::{
 const COST: f64 = 0.7e-6;
 
 /// The same of a projection [s].
-const PROJECTION_COST: f64 = 1.5e-6;
+const PROJECTION_COST: f64 = 2.5e-6;
 
 /// The same of the thesis's projection, with some 500 iterations a step [s].
 const THESIS_COST: f64 = 1e-4;
@@ -94,7 +94,10 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let h = fluid.smoothing_ratio * scene.resolution.spacing;
     let fastest = scene.fastest_speed();
     let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
-    let longest = fluid.cfl * h / (sound.unwrap_or(0.0) + fastest);
+    let longest = match sound {
+        Some(sound) => fluid.cfl * h / (sound + fastest),
+        None => fluid.cfl * h / scene.projection_speed(),
+    };
     let step = scene.time.step.unwrap_or(longest).min(scene.time.end);
     let cost = match scene.solver {
         Solver::WeaklyCompressible => COST,

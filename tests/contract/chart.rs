@@ -65,6 +65,8 @@ fn a_chart_refuses_what_it_cannot_use() {
         ended.says(says);
         assert!(!place.path("out").exists());
     };
+    std::fs::write(place.path("zero.toml"), CASE.replace("reference = 14.0201", "reference = 0.0")).expect("written");
+    refused(&["zero.toml"], &["`reference` = 0", "other than 0"]);
     refused(&["nothing"], &["no chart `nothing`", "wedge_30_force"]);
     refused(&["wrong.toml"], &["wrong.toml", "abuot", "line 2"]);
     refused(&["key.toml"], &["resolution.space"]);

@@ -30,10 +30,11 @@ fn a_hundred_bodies_and_jets_go_through_the_surface() {
         let seed = variation.seed;
         let gain = verdict.gain[0];
         println!(
-            "seed {seed:3}: {} | {} particles, {} steps | fastest {:.2} of {:.2} m/s at {:.3} s | gain {:+.2} %, {} | {}",
+            "seed {seed:3}: {} | {} particles, {} steps, {} | fastest {:.2} of {:.2} m/s at {:.3} s | gain {:+.2} %, {} | {}",
             variation.what,
             verdict.particles,
             verdict.steps,
+            verdict.end,
             verdict.fastest[0],
             variation.fall,
             verdict.fastest[1],

@@ -40,6 +40,8 @@ pub struct Verdict {
     pub particles: usize,
     /// Steps.
     pub steps: u64,
+    /// Where the run ended [s], and why, if early.
+    pub end: String,
     /// Fastest particle over the fall's speed, and when [s].
     pub fastest: [f64; 2],
     /// Largest energy from nowhere over the largest kinetic energy, and when [s].
@@ -185,11 +187,14 @@ fn pours(draw: &mut Draw, text: &mut String) -> (String, f64, f64) {
 pub fn run(variation: &Variation) -> Verdict {
     let mut system = build::build(&variation.scene).expect("a scene that loads can be built");
     let mut seen = Seen::default();
-    let mut failures = Vec::new();
+    let (mut failures, mut why) = (Vec::new(), "");
     while system.fluid.time < variation.scene.time.end && failures.is_empty() {
         let stepped = system.stable_dt().and_then(|dt| system.step(dt));
         match stepped {
-            Err(CouplingError::Collision { .. }) => break,
+            Err(CouplingError::Collision { .. }) => {
+                why = ", at the tank's wall";
+                break;
+            }
             stepped => failures.extend(stepped.err().map(|error| error.to_string())),
         }
         failures.extend(seen.look(&system, SPEED * variation.fall));
@@ -203,6 +208,7 @@ pub fn run(variation: &Variation) -> Verdict {
     Verdict {
         particles: system.fluid.particles.len(),
         steps: system.fluid.steps,
+        end: format!("{:.3} s{why}", system.fluid.time),
         fastest: [seen.fastest[0] / variation.fall, seen.fastest[1]],
         gain: [gain, seen.gained[1]],
         jump: format!("{:.3e} J/m {}", seen.jump, seen.where_jump),

@@ -133,8 +133,8 @@ pub fn cases() -> Result<Vec<Case>, ChartError> {
     for file in CASES.files().filter(|f| f.path().extension().is_some_and(|e| e == "toml")) {
         let name = file.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let text = file.contents_utf8().unwrap_or_default();
-        let case: Case = toml::from_str(text).map_err(|e| ChartError::Case(name.clone(), e.to_string()))?;
-        cases.push(Case { name, ..case });
+        let case = toml::from_str(text).map_err(|e| ChartError::Case(name.clone(), e.to_string()))?;
+        cases.push(sound(Case { name, ..case })?);
     }
     cases.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(cases)
@@ -158,9 +158,31 @@ pub fn select(names: &[String]) -> Result<Vec<Case>, ChartError> {
 fn from_file(file: &Path, path: &str) -> Result<Case, ChartError> {
     let wrong = |why: String| ChartError::Case(file.display().to_string(), why);
     let text = std::fs::read_to_string(file).map_err(|e| wrong(e.to_string()))?;
-    let case: Case = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
-    let name = Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(Case { name, ..case })
+    let case = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+    sound(Case { name: name_of(path), ..case })
+}
+
+/// The last part of a path, without its folders.
+fn name_of(path: &str) -> String {
+    Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// A case whose errors can be told.
+fn sound(case: Case) -> Result<Case, ChartError> {
+    let wrong = |why: String| Err(ChartError::Case(case.name.clone(), why));
+    if case.reference == 0.0 || !case.reference.is_finite() {
+        return wrong(format!(
+            "`reference` = {}: expected a finite number other than 0, errors are relative to it",
+            case.reference
+        ));
+    }
+    match case.family.iter().find(|family| family.values.is_empty()) {
+        _ if case.family.is_empty() => wrong("`family` is empty: expected at least one way to the number".into()),
+        Some(family) => {
+            wrong(format!("`values` of `{}` is empty: expected at least one value of its key", family.name))
+        }
+        None => Ok(case),
+    }
 }
 
 /// Run every point of a case; `tell` hears of each before it starts: its number, how many there are, family and value.
@@ -213,7 +235,9 @@ fn point(case: &Case, family: &Family, at: f64, scene: &Scene) -> Result<Point, 
 pub fn stored(path: &Path) -> Result<Measured, ChartError> {
     let wrong = |why: String| ChartError::Stored(path.display().to_string(), why);
     let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
-    serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))
+    let measured: Measured = serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+    let case = sound(Case { name: name_of(&measured.case.name), ..measured.case })?;
+    Ok(Measured { case, ..measured })
 }
 
 impl Measured {

@@ -67,7 +67,7 @@ pub(super) fn run_charts(cli: &Cli, args: &ChartArgs) -> Result<u8, Stop> {
         false => say(format_args!("{}", tables.join("\n").trim_end())),
     }
     if let Some(path) = &args.table {
-        let head = "# Error against cost\n\nWritten by `splashdown chart --all --table tests/CHARTS.md`.\n\n";
+        let head = "# Error against cost\n\nWritten by `splashdown chart --table`.\n\n";
         let text = format!("{head}{}", tables.join("\n"));
         std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
     }

@@ -325,6 +325,14 @@ impl Scene {
         fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, self.tank.fall()) + self.tank.block_speed()
     }
 
+    /// Speed by which the steps of a projection are limited before anything moves [m/s]: the fastest that is known, but of the
+    /// root of a spray no more than four times the body's, which a round body's exceeds at first touch.
+    pub fn projection_speed(&self) -> f64 {
+        const ROOT_OVER_BODY: f64 = 4.0;
+        let fastest = self.fastest_speed();
+        self.entry().map_or(fastest, |entry| fastest.min(ROOT_OVER_BODY * entry.speed))
+    }
+
     /// x of the fine zone's middle [m]: the body's, or the tank's where there is no body.
     pub fn fine_zone_center(&self) -> f64 {
         self.body.as_ref().map_or(0.0, Body::middle)

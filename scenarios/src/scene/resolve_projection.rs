@@ -150,7 +150,7 @@ pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
             .filter(|key| key.1)
             .map(|(name, _)| format!("fluid.{name} = true does nothing with solver = {:?}", scene.solver.name())),
     );
-    let passing = fluid.smoothing_ratio * scene.resolution.spacing / scene.fastest_speed();
+    let passing = fluid.smoothing_ratio * scene.resolution.spacing / scene.projection_speed();
     if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * passing) {
         warnings.push(format!(
             "time.step = {step} s: at the fastest known speed a particle moves {} smoothing lengths in it, and beyond 1 its \
