@@ -91,10 +91,12 @@ fn doubts_about_an_incompressible_scene_say_what_would_cure_them() {
         let idle = doubt(&[&format!("solver={solver}"), &format!("fluid.{key}=true")]);
         assert!(idle.contains(&format!("fluid.{key} = true does nothing")), "{idle}");
     }
+    let hasty = doubt(&["fluid.cfl=0.9"]);
+    assert!(hasty.contains("fluid.cfl = 0.9") && hasty.contains("gained energy"), "{hasty}");
     let weak = doubt(&["coupling.scheme=weak"]);
     assert!(weak.contains("coupling.scheme = \"weak\"") && weak.contains("\"added_mass\" holds"), "{weak}");
     let quiet = doubt(&["fluid.ventilation=true"]);
-    for word in ["draughts", "time.step", "does nothing", "weak"] {
+    for word in ["draughts", "time.step", "fluid.cfl", "does nothing", "weak"] {
         assert!(!quiet.contains(word), "{quiet}");
     }
     assert!(changed(TANK, &["solver=incompressible", "fluid.cfl=1.0"]).is_ok());
