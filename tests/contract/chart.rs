@@ -53,10 +53,10 @@ fn a_chart_is_measured_once_and_drawn_again() {
 #[test]
 fn a_chart_refuses_what_it_cannot_use() {
     let place = Workplace::new();
-    std::fs::write(place.path("wrong.toml"), &CASE.replace("about", "abuot")).expect("written");
+    std::fs::write(place.path("wrong.toml"), CASE.replace("about", "abuot")).expect("written");
     std::fs::write(
         place.path("key.toml"),
-        &CASE.replace("vary = \"resolution.spacing\"", "vary = \"resolution.space\""),
+        CASE.replace("vary = \"resolution.spacing\"", "vary = \"resolution.space\""),
     )
     .expect("written");
     let refused = |arguments: &[&str], says: &[&str]| {
