@@ -9,6 +9,7 @@ pub mod build;
 pub mod chart;
 pub mod cli;
 pub mod compare;
+mod embedded;
 mod filling;
 pub mod forecast;
 pub mod log;

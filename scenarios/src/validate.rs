@@ -9,6 +9,7 @@ use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::embedded;
 use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError};
 use crate::summary::Summary;
@@ -111,15 +112,8 @@ pub enum ValidateError {
 
 /// All cases, by name.
 pub fn cases() -> Result<Vec<Case>, ValidateError> {
-    let mut cases = Vec::new();
-    for file in CASES.files().filter(|f| f.path().extension().is_some_and(|e| e == "toml")) {
-        let name = file.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let text = file.contents_utf8().unwrap_or_default();
-        let case: Case = toml::from_str(text).map_err(|e| ValidateError::Case(name.clone(), e.to_string()))?;
-        cases.push(Case { name, ..case });
-    }
-    cases.sort_by(|a, b| a.name.cmp(&b.name));
-    Ok(cases)
+    let all: Vec<(String, Case)> = embedded::all(&CASES).map_err(|(name, why)| ValidateError::Case(name, why))?;
+    Ok(all.into_iter().map(|(name, case)| Case { name, ..case }).collect())
 }
 
 /// The cases of the given names; all of them if none is given.

@@ -51,7 +51,9 @@ impl<'a> Probe<'a> {
         let sight = Sight::new(&fluid.rows.screens, fluid.parameters.mirror);
         let parameters = &fluid.parameters;
         let projects = parameters.solver.projects();
-        let face = projects.then(|| Lattice::new(parameters.kernel, parameters.smoothing_ratio).face);
+        let lattice =
+            || fluid.projection.lattice.unwrap_or_else(|| Lattice::new(parameters.kernel, parameters.smoothing_ratio));
+        let face = projects.then(|| lattice().face);
         Probe { fluid, cells: Cells::build(&points), sight, reach: 2.0 * widest, face }
     }
 

@@ -12,6 +12,7 @@ use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::embedded;
 use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError};
 use crate::summary::Status;
@@ -129,15 +130,8 @@ pub enum ChartError {
 
 /// All cases, by name.
 pub fn cases() -> Result<Vec<Case>, ChartError> {
-    let mut cases = Vec::new();
-    for file in CASES.files().filter(|f| f.path().extension().is_some_and(|e| e == "toml")) {
-        let name = file.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let text = file.contents_utf8().unwrap_or_default();
-        let case = toml::from_str(text).map_err(|e| ChartError::Case(name.clone(), e.to_string()))?;
-        cases.push(sound(Case { name, ..case })?);
-    }
-    cases.sort_by(|a, b| a.name.cmp(&b.name));
-    Ok(cases)
+    let all: Vec<(String, Case)> = embedded::all(&CASES).map_err(|(name, why)| ChartError::Case(name, why))?;
+    all.into_iter().map(|(name, case)| sound(Case { name, ..case })).collect()
 }
 
 /// The cases of the given names, or of the given TOML files; all that are built in if none is given.

@@ -26,11 +26,15 @@ pub struct Air {
     least: f64,
 }
 
+/// Doublings of the least spacing that a spacing is worth: which raster it looks at.
+fn level(dx: f64, least: f64) -> usize {
+    ((dx / least).log2() + 1e-9).floor().max(0.0) as usize
+}
+
 impl Air {
     /// How much a place is air [-], for a particle of spacing `dx` there.
     pub(super) fn share_at(&self, x: f64, y: f64, dx: f64) -> f64 {
-        let level = ((dx / self.least).log2() + 1e-9).floor().max(0.0) as usize;
-        let Some(raster) = self.rasters.get(level).filter(|r| r.columns > 0) else { return 0.0 };
+        let Some(raster) = self.rasters.get(level(dx, self.least)).filter(|r| r.columns > 0) else { return 0.0 };
         let [fx, fy] = raster.cell([x, y]);
         let (i, j) = (fx.floor(), fy.floor());
         let (s, t) = (fx - i, fy - j);
@@ -87,11 +91,12 @@ impl Fluid {
         air.exposure.resize(n, 0.0);
         let least = p.h.iter().fold(f64::INFINITY, |a, &h| a.min(h)) / ratio;
         air.least = least;
-        let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
-        let levels = p.h.iter().map(|&h| level(h)).max().map_or(0, |l| l + 1);
+        let of = |h: &[f64]| -> Vec<usize> { h.iter().map(|h| level(h / ratio, least)).collect() };
+        let (of_fluid, of_walls) = (of(&p.h), of(&walls.h));
+        let levels = of_fluid.iter().max().map_or(0, |l| l + 1);
         let mut boxes = vec![([f64::MAX; 2], [f64::MIN; 2]); levels];
         for k in 0..n {
-            let (lo, hi) = &mut boxes[level(p.h[k])];
+            let (lo, hi) = &mut boxes[of_fluid[k]];
             *lo = [lo[0].min(p.x[k]), lo[1].min(p.y[k])];
             *hi = [hi[0].max(p.x[k]), hi[1].max(p.y[k])];
         }
@@ -109,9 +114,6 @@ impl Fluid {
                 raster.copy(finer);
             }
             let mut cover = |x: f64, y: f64, h: f64| {
-                if level(h) < l {
-                    return;
-                }
                 let radius = COVER * h / ratio;
                 raster.add(x, y, radius);
                 if let Some(mirror) = mirror {
@@ -124,10 +126,10 @@ impl Fluid {
                     raster.add(x + shift[0], y + shift[1], radius); // V1
                 }
             };
-            for k in 0..n {
+            for k in (0..n).filter(|&k| of_fluid[k] >= l) {
                 cover(p.x[k], p.y[k], p.h[k]);
             }
-            for k in 0..walls.len() {
+            for k in (0..walls.len()).filter(|&k| of_walls[k] >= l) {
                 let [dx, dy] = walls.displacement(k, -walls.dt);
                 cover(walls.x[k] + dx, walls.y[k] + dy, walls.h[k]);
             }
@@ -157,15 +159,14 @@ impl Fluid {
             }
             air.offsets.sort_by(|a, b| a.2.total_cmp(&b.2));
         }
-        let level = |h: f64| ((h / ratio / least).log2() + 1e-9).floor().max(0.0) as usize;
         let (rasters, offsets, around) = (&air.rasters, &air.offsets, &self.projection.survey.around);
         crate::sweep::gather_into(&mut air.exposure, |k| {
             let lack = ((1.0 - around[k].filling / lattice.filling) / faint).clamp(0.0, 1.0);
             if lack == 0.0 {
                 return 0.0;
             }
-            let raster = &rasters[level(p.h[k])];
             let dx = p.h[k] / ratio;
+            let raster = &rasters[level(dx, least)];
             let [x, y] = raster.cell([p.x[k], p.y[k]]);
             let (ci, cj) = ((x + 0.5) as i32, (y + 0.5) as i32);
             if !raster.may_have_air(ci, cj, (feel[1] * dx / raster.side).ceil() as i32 + 1) {
