@@ -110,6 +110,7 @@ pub(crate) fn parameters(scene: &Scene) -> Parameters {
         slip: fluid.wall_slip,
         wall_stretch: fluid.wall_stretch,
         ventilation: fluid.ventilation,
+        wide: true,
         integrator: fluid.integrator,
         cfl: fluid.cfl,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),

@@ -10,7 +10,7 @@
 use sph_core::dissipation::DiffusivePair;
 use sph_core::eos::Tait;
 use sph_core::kernel::WendlandC2;
-use sph_core::pair::{self, Constants, Gathered, Row};
+use sph_core::pair::{self, Constants, Gathered, Mean, Row};
 use sph_core::projection::{Matrix, Preconditioner, PressureSolver, Stop};
 use sph_core::{Fluid, Kernel, Parameters, Seed, Walls, sweep};
 use std::time::Instant;
@@ -158,8 +158,9 @@ fn momentum_sweep(fluid: &Fluid, repeats: usize) -> f64 {
     let mut out = vec![Gathered::default(); p.len()];
     best(repeats, p.len(), || {
         sweep::gather_into(&mut out, |k| {
-            let near = fluid.search.fluid.of(k).iter().map(|&j| &rows[j as usize]);
-            pair::momentum::<WendlandC2, DiffusivePair>(&rows[k], near, [].iter(), &constants, 0.0)
+            let near = fluid.search.fluid.of(k).map(|j| rows[j as usize]);
+            pair::momentum::<f64, WendlandC2, DiffusivePair>(&rows[k], near, [].into_iter(), Mean, &constants, 0.0)
+                .lanes()[0]
         });
     })
 }
@@ -172,7 +173,7 @@ fn system(fluid: &Fluid, phase: f64) -> (Matrix, Vec<f64>, Vec<f64>) {
     let mut a = Matrix { starts: vec![0], ..Matrix::default() };
     for i in 0..n {
         let mut sum = 0.0;
-        for &j in fluid.search.fluid.of(i) {
+        for j in fluid.search.fluid.of(i) {
             let k = j as usize;
             let (dx, dy, h) = (p.x[i] - p.x[k], p.y[i] - p.y[k], 0.5 * (p.h[i] + p.h[k]));
             let weight = -2.0 * area[i] * area[k] * Kernel::WendlandC2.gradient_factor(dx.hypot(dy), h);

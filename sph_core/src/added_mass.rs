@@ -33,7 +33,7 @@ impl WithKernel for Levers<'_> {
     fn with<K: Shape>(self) {
         let Levers { fluid, walls, lists, first, out } = self;
         sweep::gather_into(out, |k| {
-            let near = lists.of(first + k).iter().map(|&j| &fluid[j as usize]);
+            let near = lists.of(first + k).map(|j| &fluid[j as usize]);
             lever::<K>(&walls[first + k], near)
         });
     }
@@ -77,7 +77,7 @@ impl WithKernel for Relief<'_> {
         let source = |j: usize| if j < n { j } else { images[j - n] as usize };
         sweep::gather_into(out, |k| {
             let (a, mut force) = (&fluid[k], [0.0; 2]);
-            for &j in lists.of(k) {
+            for j in lists.of(k) {
                 let (w, change) = (&walls[j as usize], pressure[source(j as usize)]);
                 let (dx, dy) = (a.x - w.x, a.y - w.y);
                 if let Some((_, slope)) = kernel_and_slope::<K>(dx, dy, 0.5 * (a.h + w.h)) {

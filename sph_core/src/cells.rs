@@ -2,8 +2,12 @@
 //!
 //! Where resolution varies, one grid cannot serve: points are grouped into levels whose reaches differ
 //! by less than a factor `LEVEL_RATIO`, each level has a dense grid over its own bounding box with
-//! cells as wide as its widest pair, and a query asks every level whose box it touches. In each level a
-//! neighbourhood is a few contiguous runs.
+//! flat cells in proportion to its widest point, and a query asks every level whose box it touches. In each
+//! level a neighbourhood is a few contiguous runs, and points that follow one another are near each other.
+
+use std::ops::Range;
+
+use crate::lanes::LANES;
 
 /// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b.
 #[derive(Clone, Copy, Debug)]
@@ -20,13 +24,16 @@ pub struct Point {
 
 /// Reaches within one level differ by less than this factor.
 const LEVEL_RATIO: f64 = 1.5;
+/// Width and height of a cell in reaches of a level's widest point: strips two rows of a usual fluid high, and fine
+/// columns in them, so that a few points that follow one another are near each other.
+const CELL: [f64; 2] = [0.45, 1.25];
 /// A level's grid is coarsened rather than exceed this many cells per point (plus a floor).
 const CELLS_PER_POINT: usize = 16;
 
 #[derive(Clone, Debug)]
 struct Level {
     origin: [f64; 2],
-    inverse: f64,
+    inverse: [f64; 2],
     columns: usize,
     rows: usize,
     widest: f64,
@@ -69,15 +76,15 @@ impl Cells {
             hi = [hi[0].max(p.x), hi[1].max(p.y)];
             widest = widest.max(p.reach);
         }
-        let mut side = 2.0 * widest;
-        let shape = |side: f64| (((hi[0] - lo[0]) / side) as usize + 1, ((hi[1] - lo[1]) / side) as usize + 1);
+        let mut cell = CELL.map(|share| share * widest);
+        let extent = [hi[0] - lo[0], hi[1] - lo[1]];
         let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
-        while (hi[0] - lo[0]) / side * ((hi[1] - lo[1]) / side) > most {
-            side *= 1.5;
+        while extent[0] / cell[0] * (extent[1] / cell[1]) > most {
+            cell = cell.map(|side| 1.5 * side);
         }
-        let (columns, rows) = shape(side);
-        let mut level =
-            Level { origin: lo, inverse: 1.0 / side, columns, rows, widest, start: vec![0; columns * rows + 1] };
+        let [columns, rows] = [0, 1].map(|k| (extent[k] / cell[k]) as usize + 1);
+        let start = vec![0; columns * rows + 1];
+        let mut level = Level { origin: lo, inverse: cell.map(|side| 1.0 / side), columns, rows, widest, start };
         let cell: Vec<u32> = member.iter().map(|k| level.cell_of(&of(k)) as u32).collect();
         for &c in &cell {
             level.start[c as usize + 1] += 1;
@@ -119,21 +126,48 @@ impl Cells {
     /// Call `found` with every point within `reach` + its own reach of (x, y), in sorted order.
     #[inline]
     pub fn for_each_within(&self, x: f64, y: f64, reach: f64, mut found: impl FnMut(&Point)) {
+        self.for_each_run(&[Point { x, y, reach, index: u32::MAX }], |run| {
+            for p in &self.points[run] {
+                let (dx, dy, cut) = (x - p.x, y - p.y, reach + p.reach);
+                if dx * dx + dy * dy < cut * cut {
+                    found(p);
+                }
+            }
+        });
+    }
+
+    /// Call `found` with runs of [`Cells::points`], in order and none twice: among them are all that any point of `at` (at
+    /// most [`LANES`]) may meet.
+    #[inline]
+    pub fn for_each_run(&self, at: &[Point], mut found: impl FnMut(Range<usize>)) {
         for level in &self.levels {
-            let cut = reach + level.widest;
-            let Some((c0, c1)) = level.span(x - level.origin[0], cut, level.columns) else {
-                continue;
-            };
-            let Some((r0, r1)) = level.span(y - level.origin[1], cut, level.rows) else {
-                continue;
-            };
-            for row in r0..=r1 {
-                let run = level.start[row * level.columns + c0]..level.start[row * level.columns + c1 + 1];
-                for p in &self.points[run.start as usize..run.end as usize] {
-                    let (dx, dy, cut) = (x - p.x, y - p.y, reach + p.reach);
-                    if dx * dx + dy * dy < cut * cut {
-                        found(p);
-                    }
+            let mut boxes = [[0; 4]; LANES];
+            let mut touching = 0;
+            for p in at {
+                let cut = p.reach + level.widest;
+                if let (Some([c0, c1]), Some([r0, r1])) = (level.span(0, p.x, cut), level.span(1, p.y, cut)) {
+                    boxes[touching] = [c0, c1, r0, r1];
+                    touching += 1;
+                }
+            }
+            let boxes = &mut boxes[..touching];
+            boxes.sort_unstable(); // by their first column
+            let lowest = boxes.iter().map(|b| b[2]).min().unwrap_or(1);
+            let highest = boxes.iter().map(|b| b[3]).max().unwrap_or(0);
+            for row in lowest..=highest {
+                let mut joined: Option<[usize; 2]> = None;
+                for &[c0, c1, _, _] in boxes.iter().filter(|b| b[2] <= row && row <= b[3]) {
+                    joined = Some(match joined {
+                        Some([from, to]) if c0 <= to + 1 => [from, to.max(c1)],
+                        Some(apart) => {
+                            found(level.run(row, apart));
+                            [c0, c1]
+                        }
+                        None => [c0, c1],
+                    });
+                }
+                if let Some(columns) = joined {
+                    found(level.run(row, columns));
                 }
             }
         }
@@ -142,19 +176,26 @@ impl Cells {
 
 impl Level {
     fn cell_of(&self, p: &Point) -> usize {
-        let column = (((p.x - self.origin[0]) * self.inverse) as usize).min(self.columns - 1);
-        let row = (((p.y - self.origin[1]) * self.inverse) as usize).min(self.rows - 1);
+        let column = (((p.x - self.origin[0]) * self.inverse[0]) as usize).min(self.columns - 1);
+        let row = (((p.y - self.origin[1]) * self.inverse[1]) as usize).min(self.rows - 1);
         row * self.columns + column
     }
 
-    /// Cells of one axis that [offset − cut, offset + cut] touches, offset from the box's edge.
+    /// Points of the cells from `c0` to `c1` of a row.
+    fn run(&self, row: usize, [c0, c1]: [usize; 2]) -> Range<usize> {
+        let of = |column: usize| self.start[row * self.columns + column] as usize;
+        of(c0)..of(c1 + 1)
+    }
+
+    /// Cells of one axis that [at − cut, at + cut] touches: columns (0) or rows (1).
     #[inline(always)]
-    fn span(&self, offset: f64, cut: f64, cells: usize) -> Option<(usize, usize)> {
-        let (lo, hi) = ((offset - cut) * self.inverse, (offset + cut) * self.inverse);
+    fn span(&self, axis: usize, at: f64, cut: f64) -> Option<[usize; 2]> {
+        let (offset, cells) = (at - self.origin[axis], [self.columns, self.rows][axis]);
+        let (lo, hi) = ((offset - cut) * self.inverse[axis], (offset + cut) * self.inverse[axis]);
         if hi < 0.0 || lo >= cells as f64 {
             return None;
         }
-        Some((lo.max(0.0) as usize, (hi as usize).min(cells - 1)))
+        Some([lo.max(0.0) as usize, (hi as usize).min(cells - 1)])
     }
 }
 

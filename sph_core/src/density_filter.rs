@@ -40,7 +40,7 @@ impl WithKernel for Filter<'_> {
     fn with<K: Shape>(self) {
         let Filter { fluid, rho, search, linear, out } = self;
         sweep::gather_into(out, |k| {
-            let near = search.fluid.of(k).iter().map(|&j| (&fluid[j as usize], rho[search.source(j, rho.len())]));
+            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], rho[search.source(j, rho.len())]));
             let moments = Moments::gather::<K>(&fluid[k], rho[k], near);
             if linear { moments.linear() } else { moments.constant() }
         });

@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::kernel::{Shape, WithKernel};
+use crate::lanes::Number;
 use crate::pair::{Bond, Constants};
 use crate::parameters::Parameters;
 
@@ -28,11 +29,11 @@ const NEAREST: f64 = 1e-9;
 /// The dissipative part of a pair: what E4 gains by a difference of pressure, and E6 by a closing speed.
 pub trait PairDissipation: Copy + Send + Sync + 'static {
     /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (E5, R1).
-    fn length(ab: &Bond) -> f64;
+    fn length<R: Number>(ab: &Bond<R>) -> R;
     /// Factor of that sum [s/m].
-    fn rate(c: &Constants) -> f64;
+    fn rate<R: Number>(c: &Constants<R>) -> R;
     /// Pressure [Pa], taken off p_a + p_b in E6, that v_ab·r_ab [m²/s] of the pair causes (E7, R2): never positive.
-    fn pressure(ab: &Bond, along: f64, c: &Constants) -> f64;
+    fn pressure<R: Number>(ab: &Bond<R>, along: R, c: &Constants<R>) -> R;
 }
 
 /// E5 and E7.
@@ -47,54 +48,54 @@ pub struct ElasticPair;
 
 impl PairDissipation for DiffusivePair {
     #[inline(always)]
-    fn length(ab: &Bond) -> f64 {
-        ab.h
+    fn length<R: Number>(ab: &Bond<R>) -> R {
+        ab.size.h
     }
     #[inline(always)]
-    fn rate(c: &Constants) -> f64 {
-        2.0 * c.delta / c.c0
+    fn rate<R: Number>(c: &Constants<R>) -> R {
+        c.delta.of(2.0) * c.delta / c.c0
     }
     #[inline(always)]
-    fn pressure(ab: &Bond, along: f64, c: &Constants) -> f64 {
-        let inverse = 1.0 / (ab.r2 + 0.01 * ab.h * ab.h);
-        c.rho0 * c.alpha * c.c0 * ab.h * along.min(0.0) * inverse
+    fn pressure<R: Number>(ab: &Bond<R>, along: R, c: &Constants<R>) -> R {
+        let h = ab.size.h;
+        c.rho0 * c.alpha * c.c0 * h * along.min(h.of(0.0)) / (ab.r2 + h.of(0.01) * h * h)
     }
 }
 
 impl PairDissipation for RiemannPair {
     /// R1: 2(v_a − v*)·∇W with v* = v̄ + (p_L − p_R)/(2ρ₀c₀) leaves (p_a − p_b) r/(ρ₀c₀) beside E4.
     #[inline(always)]
-    fn length(ab: &Bond) -> f64 {
-        ab.q * ab.h
+    fn length<R: Number>(ab: &Bond<R>) -> R {
+        ab.r
     }
     #[inline(always)]
-    fn rate(c: &Constants) -> f64 {
-        1.0 / c.c0
+    fn rate<R: Number>(c: &Constants<R>) -> R {
+        c.c0.of(1.0) / c.c0
     }
     /// R2: p_a + p_b − 2p* = −ρ₀ β w, w the closing speed.
     #[inline(always)]
-    fn pressure(ab: &Bond, along: f64, c: &Constants) -> f64 {
-        let closing = (-along).max(0.0) / (ab.h * ab.q.max(NEAREST));
-        -c.rho0 * (LIMITER * closing).min(c.c0) * closing
+    fn pressure<R: Number>(ab: &Bond<R>, along: R, c: &Constants<R>) -> R {
+        let parting = along.min(along.of(0.0)) / ab.r.max(along.of(NEAREST) * ab.size.h); // −w
+        c.rho0 * (parting * along.of(-LIMITER)).min(c.c0) * parting
     }
 }
 
 impl PairDissipation for ElasticPair {
     #[inline(always)]
-    fn length(_: &Bond) -> f64 {
-        0.0
+    fn length<R: Number>(ab: &Bond<R>) -> R {
+        ab.r.of(0.0)
     }
     #[inline(always)]
-    fn rate(_: &Constants) -> f64 {
-        0.0
+    fn rate<R: Number>(c: &Constants<R>) -> R {
+        c.c0.of(0.0)
     }
     #[inline(always)]
-    fn pressure(_: &Bond, _: f64, _: &Constants) -> f64 {
-        0.0
+    fn pressure<R: Number>(_: &Bond<R>, along: R, _: &Constants<R>) -> R {
+        along.of(0.0)
     }
 }
 
-/// A sweep to be done with a kernel and a dissipation known at compile time.
+/// Something to be done with a kernel and a dissipation known at compile time.
 pub(crate) trait WithPairs {
     fn with<K: Shape, D: PairDissipation>(self);
 }
@@ -112,8 +113,8 @@ impl<T: WithPairs> WithKernel for Dissipating<T> {
 }
 
 impl Parameters {
-    /// Do a sweep with this fluid's kernel and dissipation as types.
-    pub(crate) fn sweep<T: WithPairs>(&self, task: T) {
+    /// Do a task with this fluid's kernel and dissipation as types.
+    pub(crate) fn with_pairs<T: WithPairs>(&self, task: T) {
         self.kernel.run(Dissipating(self.dissipation, task));
     }
 }
@@ -122,13 +123,22 @@ impl Parameters {
 mod tests {
     use super::*;
     use crate::kernel::WendlandC2;
-    use crate::pair::{Row, bond, density_rate, momentum};
+    use crate::pair::{Mean, Row, bond, density_rate, momentum};
 
     const WATER: Constants =
         Constants { gravity: [0.0, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.0, alpha: 0.0, nu: 0.0, stretch: 0.0 };
 
     fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> Row {
         Row { x, y, u, v, p, volume: 0.01, fill: 0.01, h: 0.15 }
+    }
+
+    fn rate<D: PairDissipation>(a: &Row, b: &Row, c: &Constants) -> f64 {
+        density_rate::<f64, WendlandC2, D>(a, 1000.0, [*b].into_iter(), [].into_iter(), Mean, c)
+    }
+
+    fn pushed(a: &Row, b: &Row) -> [f64; 2] {
+        let (near, c) = ([*b].into_iter(), &WATER);
+        momentum::<f64, WendlandC2, RiemannPair>(a, near, [].into_iter(), Mean, c, 0.0).lanes()[0].force
     }
 
     /// Zhang, Hu & Adams' own form, written out: 2 ρ_a V_b (v_a − v*)·∇W and −2 V_a V_b p* ∇W with ρ = ρ₀, the states L
@@ -156,9 +166,9 @@ mod tests {
         let a = row(0.0, 0.0, 1.0, -2.0, 350.0);
         for b in [row(0.1, 0.07, -0.5, 0.2, -80.0), row(0.1, 0.07, -40.0, 0.2, 90.0), row(-0.1, 0.07, -0.5, 0.2, 7.0)] {
             let (rate, force) = written_out(&a, &b);
-            let ours = density_rate::<WendlandC2, RiemannPair>(&a, 1000.0, [b].iter(), [].iter(), &WATER);
+            let ours = rate::<RiemannPair>(&a, &b, &WATER);
             assert!((ours / rate - 1.0).abs() < 1e-12, "{ours}, written out {rate}");
-            let ours = momentum::<WendlandC2, RiemannPair>(&a, [b].iter(), [].iter(), &WATER, 0.0).force;
+            let ours = pushed(&a, &b);
             for k in 0..2 {
                 assert!((ours[k] / force[k] - 1.0).abs() < 1e-12, "{ours:?}, written out {force:?}");
             }
@@ -171,8 +181,8 @@ mod tests {
         let (a, b) = (row(0.0, 0.0, 0.3, 0.0, 350.0), row(0.12, 0.1, 0.0, 0.1, -80.0));
         let delta = 0.5 * 0.12_f64.hypot(0.1) / 0.15;
         let diffusive = Constants { delta, ..WATER };
-        let ours = density_rate::<WendlandC2, RiemannPair>(&a, 1000.0, [b].iter(), [].iter(), &WATER);
-        let theirs = density_rate::<WendlandC2, DiffusivePair>(&a, 1000.0, [b].iter(), [].iter(), &diffusive);
+        let ours = rate::<RiemannPair>(&a, &b, &WATER);
+        let theirs = rate::<DiffusivePair>(&a, &b, &diffusive);
         assert!((ours / theirs - 1.0).abs() < 1e-13, "{ours}, {theirs}");
     }
 
@@ -181,19 +191,13 @@ mod tests {
         let (a, mut b) = (row(0.0, 0.0, 1.0, -2.0, 0.0), row(0.1, 0.07, -0.5, 0.2, 0.0));
         b.h = 0.21;
         b.p = WATER.rho0 * (WATER.gravity[0] * b.x + WATER.gravity[1] * b.y);
-        let on_a = momentum::<WendlandC2, RiemannPair>(&a, [b].iter(), [].iter(), &WATER, 0.0).force;
-        let on_b = momentum::<WendlandC2, RiemannPair>(&b, [a].iter(), [].iter(), &WATER, 0.0).force;
+        let on_a = pushed(&a, &b);
+        let on_b = pushed(&b, &a);
         for k in 0..2 {
             assert!(on_a[k] != 0.0 && (on_a[k] + on_b[k]).abs() <= 1e-15 * on_a[k].abs());
         }
         let still = Row { u: 0.0, v: 0.0, ..a };
-        let rate = density_rate::<WendlandC2, RiemannPair>(
-            &still,
-            1000.0,
-            [Row { u: 0.0, v: 0.0, ..b }].iter(),
-            [].iter(),
-            &WATER,
-        );
+        let rate = rate::<RiemannPair>(&still, &Row { u: 0.0, v: 0.0, ..b }, &WATER);
         assert!(rate.abs() < 1e-12, "{rate}");
     }
 
@@ -201,7 +205,7 @@ mod tests {
     #[test]
     fn particles_in_one_place_do_not_divide_by_nothing() {
         let (a, b) = (row(0.0, 0.0, 1.0, 0.0, 10.0), row(0.0, 0.0, -1.0, 0.0, 10.0));
-        let found = momentum::<WendlandC2, RiemannPair>(&a, [b].iter(), [].iter(), &WATER, 0.0).force;
+        let found = pushed(&a, &b);
         assert_eq!(found, [0.0; 2]);
     }
 }

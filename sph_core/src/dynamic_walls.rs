@@ -72,7 +72,7 @@ impl WithKernel for OwnVelocityRate<'_> {
     fn with<K: Shape>(self) {
         let OwnVelocityRate { targets, rho, others, lists, out } = self;
         sweep::gather_into(out, |k| {
-            let near = lists.of(k).iter().map(|&j| &others[j as usize]);
+            let near = lists.of(k).map(|j| &others[j as usize]);
             rho[k] * compression::<K>(&targets[k], near)
         });
     }

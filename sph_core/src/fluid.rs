@@ -293,15 +293,15 @@ impl Fluid {
     /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
-        self.parameters.sweep(DensityRate {
+        let gather = DensityRate {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,
             rho: &self.particles.rho,
             search: &self.search,
             constants: self.parameters.diffusion_constants(),
             reflecting: self.parameters.walls.model.reflects(),
-            out: &mut self.density_rate,
-        });
+        };
+        self.parameters.sweep(&gather, &mut self.density_rate);
         if self.parameters.walls.model == WallModel::Dynamic {
             self.evaluate_dynamic_walls();
         }
@@ -333,12 +333,13 @@ impl Fluid {
             constants.alpha = 8.0 * self.parameters.projecting.calming;
         }
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
-        let (out, pushing) = (&mut self.gathered, self.parameters.walls.model.has_pressure());
-        self.parameters.sweep(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing, out });
+        let pushing = self.parameters.walls.model.has_pressure();
+        let gather = Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing };
+        self.parameters.sweep(&gather, &mut self.gathered);
         self.wall_force.resize(walls.len(), [0.0; 2]);
         if pushing {
-            let out = &mut self.wall_force;
-            self.parameters.kernel.run(WallForce { fluid, walls: wall_rows, search, constants, wall_nu, out });
+            let gather = WallForce { fluid, walls: wall_rows, search, constants, wall_nu };
+            self.parameters.sweep_walls(&gather, &mut self.wall_force);
         } else {
             self.repel();
         }

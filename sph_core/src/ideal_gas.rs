@@ -85,8 +85,8 @@ impl WithPairs for Heating<'_> {
     fn with<K: Shape, D: PairDissipation>(self) {
         let Heating { fluid, walls, faces, search, constants, ambient, out } = self;
         sweep::gather_into(out, |k| {
-            let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
-            let pressed = search.walls_of_fluid.of(k).iter().map(|&j| (&walls[j as usize], &faces[j as usize]));
+            let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
+            let pressed = search.walls_of_fluid.of(k).map(|j| (&walls[j as usize], &faces[j as usize]));
             heating::<K, D>(&fluid[k], near, pressed, &constants, ambient)
         });
     }
@@ -116,7 +116,7 @@ fn heating<'r, K: Shape, D: PairDissipation>(
             continue;
         };
         let (du, dv) = (a.u - b.u, a.v - b.v);
-        let f = pair::force::<D>(a, b, &ab, c, c.nu);
+        let f = pair::force::<f64, D>(a, b, &ab, c, c.nu);
         let closing = (du * ab.dx + dv * ab.dy) * ab.slope;
         heat.compression += b.volume * closing;
         heat.power += a.volume * b.volume * ambient * closing - 0.5 * (f[0] * du + f[1] * dv);
@@ -138,7 +138,7 @@ impl Fluid {
     pub(crate) fn evaluate_heating(&mut self) {
         let Some(gas) = self.parameters.gas else { return };
         self.heat.resize(self.particles.len(), Heat::default());
-        self.parameters.sweep(Heating {
+        self.parameters.with_pairs(Heating {
             fluid: &self.rows.fluid,
             walls: &self.rows.walls,
             faces: &self.rows.faces,

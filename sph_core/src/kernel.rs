@@ -6,6 +6,8 @@
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
+use crate::lanes::Number;
+
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -23,14 +25,15 @@ pub enum Kernel {
     WendlandC4,
 }
 
-/// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · slope(q) · r_ab`.
+/// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · slope(q) · r_ab`. Both are nothing for
+/// q ≥ 2: pairs are not asked first.
 pub trait Shape: Copy + Send + Sync + 'static {
     /// Normalisation [-]: α ∫₀² w(q) 2πq dq = 1.
     const ALPHA: f64;
-    /// w(q) [-], for 0 ≤ q < 2.
-    fn w(q: f64) -> f64;
-    /// w'(q)/q [-] (never positive), for 0 < q < 2.
-    fn slope(q: f64) -> f64;
+    /// w(q) [-], for 0 ≤ q.
+    fn w<R: Number>(q: R) -> R;
+    /// w'(q)/q [-] (never positive), for 0 < q; finite at 0.
+    fn slope<R: Number>(q: R) -> R;
 }
 
 /// See [`Kernel::Gaussian`].
@@ -55,78 +58,78 @@ const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
 impl Shape for Gaussian {
     const ALPHA: f64 = 1.0 / (PI * GAUSSIAN_INSIDE);
     #[inline(always)]
-    fn w(q: f64) -> f64 {
-        (-q * q).exp()
+    fn w<R: Number>(q: R) -> R {
+        q.below(q.of(2.0), (q.of(-1.0) * q * q).exp(), q.of(0.0))
     }
     #[inline(always)]
-    fn slope(q: f64) -> f64 {
-        -2.0 * (-q * q).exp()
+    fn slope<R: Number>(q: R) -> R {
+        q.of(-2.0) * Self::w(q)
     }
 }
 
 impl Shape for Quadratic {
     const ALPHA: f64 = 2.0 / PI;
     #[inline(always)]
-    fn w(q: f64) -> f64 {
-        0.1875 * (2.0 - q) * (2.0 - q)
+    fn w<R: Number>(q: R) -> R {
+        let t = (q.of(2.0) - q).max(q.of(0.0));
+        q.of(0.1875) * t * t
     }
     #[inline(always)]
-    fn slope(q: f64) -> f64 {
-        -0.375 * (2.0 - q) / q.max(1e-12)
+    fn slope<R: Number>(q: R) -> R {
+        let t = (q.of(2.0) - q).max(q.of(0.0));
+        q.of(-0.375) * t / q.max(q.of(1e-12))
     }
 }
 
 impl Shape for CubicSpline {
     const ALPHA: f64 = 10.0 / (7.0 * PI);
     #[inline(always)]
-    fn w(q: f64) -> f64 {
-        if q <= 1.0 {
-            1.0 - 1.5 * q * q + 0.75 * q * q * q
-        } else {
-            let t = 2.0 - q;
-            0.25 * t * t * t
-        }
+    fn w<R: Number>(q: R) -> R {
+        let t = (q.of(2.0) - q).max(q.of(0.0));
+        q.below(q.of(1.0), q.of(1.0) - q * q * (q.of(1.5) - q.of(0.75) * q), q.of(0.25) * t * t * t)
     }
     #[inline(always)]
-    fn slope(q: f64) -> f64 {
-        if q <= 1.0 {
-            -3.0 + 2.25 * q
-        } else {
-            let t = 2.0 - q;
-            -0.75 * t * t / q
-        }
+    fn slope<R: Number>(q: R) -> R {
+        let t = (q.of(2.0) - q).max(q.of(0.0));
+        q.below(q.of(1.0), q.of(2.25) * q - q.of(3.0), q.of(-0.75) * t * t / q)
     }
 }
 
 impl Shape for WendlandC2 {
     const ALPHA: f64 = 7.0 / (4.0 * PI);
     #[inline(always)]
-    fn w(q: f64) -> f64 {
-        let t = 1.0 - 0.5 * q;
+    fn w<R: Number>(q: R) -> R {
+        let t = half_left(q);
         let t2 = t * t;
-        t2 * t2 * (2.0 * q + 1.0)
+        t2 * t2 * q.mul_add(q.of(2.0), q.of(1.0))
     }
     #[inline(always)]
-    fn slope(q: f64) -> f64 {
-        let t = 1.0 - 0.5 * q;
-        -5.0 * t * t * t
+    fn slope<R: Number>(q: R) -> R {
+        let t = half_left(q);
+        t * t * (t * q.of(-5.0))
     }
 }
 
 impl Shape for WendlandC4 {
     const ALPHA: f64 = 9.0 / (4.0 * PI);
     #[inline(always)]
-    fn w(q: f64) -> f64 {
-        let t = 1.0 - 0.5 * q;
+    fn w<R: Number>(q: R) -> R {
+        let t = half_left(q);
         let t2 = t * t;
-        t2 * t2 * t2 * ((35.0 / 12.0 * q + 3.0) * q + 1.0)
+        t2 * t2 * t2 * q.of(35.0 / 12.0).mul_add(q, q.of(3.0)).mul_add(q, q.of(1.0))
     }
     #[inline(always)]
-    fn slope(q: f64) -> f64 {
-        let t = 1.0 - 0.5 * q;
+    fn slope<R: Number>(q: R) -> R {
+        let t = half_left(q);
         let t2 = t * t;
-        -14.0 / 3.0 * t2 * t2 * t * (1.0 + 2.5 * q)
+        t2 * t2 * (t * q.of(-14.0 / 3.0)) * q.mul_add(q.of(2.5), q.of(1.0))
     }
+}
+
+/// 1 − q/2, and nothing beyond the support.
+#[inline(always)]
+fn half_left<R: Number>(q: R) -> R {
+    (q.of(1.0) - q * q.of(0.5)).max(q.of(0.0))
 }
 
 /// Something to be done with a kernel known at compile time: one dispatch, then an inlined loop.
@@ -159,8 +162,7 @@ impl Kernel {
         impl WithKernel for At {
             type Out = f64;
             fn with<K: Shape>(self) -> f64 {
-                let q = self.0 / self.1;
-                if q < 2.0 { K::ALPHA / (self.1 * self.1) * K::w(q) } else { 0.0 }
+                K::ALPHA / (self.1 * self.1) * K::w(self.0 / self.1)
             }
         }
         self.run(At(r, h))
@@ -173,7 +175,7 @@ impl Kernel {
             type Out = f64;
             fn with<K: Shape>(self) -> f64 {
                 let (q, h2) = (self.0 / self.1, self.1 * self.1);
-                if q < 2.0 { K::ALPHA / (h2 * h2) * K::slope(q) } else { 0.0 }
+                K::ALPHA / (h2 * h2) * K::slope(q)
             }
         }
         self.run(At(r, h))

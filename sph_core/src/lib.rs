@@ -21,6 +21,7 @@ pub mod ideal_gas;
 pub mod images;
 pub mod integrator;
 pub mod kernel;
+pub mod lanes;
 mod mirror_point;
 mod multistep;
 mod nearest;

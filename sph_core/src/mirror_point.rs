@@ -22,7 +22,7 @@ impl WithKernel for MirrorState<'_> {
     fn with<K: Shape>(self) {
         let MirrorState { fluid, walls, points: (x, y), search, out } = self;
         sweep::gather_into(out, |k| {
-            let near = search.fluid_of_mirror.of(k).iter().map(|&j| &fluid[j as usize]);
+            let near = search.fluid_of_mirror.of(k).map(|j| &fluid[j as usize]);
             at_mirror_point::<K>(&walls[k], [x[k], y[k]], near)
         });
     }

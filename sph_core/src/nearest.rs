@@ -20,7 +20,7 @@ impl Fluid {
     fn height_over_nearest(&self, k: usize, walls: &Walls) -> f64 {
         let (x, y, n) = (self.particles.x[k], self.particles.y[k], walls.len());
         let (mut least, mut height) = (f64::INFINITY, f64::INFINITY);
-        for &j in self.search.walls_of_fluid.of(k) {
+        for j in self.search.walls_of_fluid.of(k) {
             let (source, side, [sx, sy]) = self.wall_source(j as usize, n);
             let wall_x = if side > 0.0 { walls.x[source] + sx } else { self.reflect(walls.x[source]) };
             let (dx, dy) = (x - wall_x, y - (walls.y[source] + sy));

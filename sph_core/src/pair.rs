@@ -1,152 +1,180 @@
 //! The pair physics: one readable page. Target a, neighbour b; everything per metre of span.
 //!
-//! Each function gathers one target's sum over its neighbours. Forces between fluid and wall come from
-//! one function with the roles swapped, so that action equals reaction to rounding.
+//! Each function gathers one target's sum over its neighbours, or those of several targets side by side
+//! ([`crate::lanes`]). Forces between fluid and wall come from one function with the roles swapped, so that action equals
+//! reaction to rounding.
 
 use crate::dissipation::{ElasticPair, PairDissipation};
 use crate::kernel::Shape;
+use crate::lanes::{LANES, Number};
 use crate::particles::Surroundings;
-
-/// A particle as its neighbours see it: one cache line. For a wall particle, velocity and pressure are
-/// those that the fluid is to feel (THEORY E9–E11) and both volumes are the area it stands for.
-#[repr(C, align(64))]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Row {
-    /// Position [m].
-    pub x: f64,
-    /// Position [m].
-    pub y: f64,
-    /// Velocity [m/s].
-    pub u: f64,
-    /// Velocity [m/s].
-    pub v: f64,
-    /// Pressure [Pa].
-    pub p: f64,
-    /// Corrected volume V = θ m/ρ [m²].
-    pub volume: f64,
-    /// Uncorrected volume m/ρ [m²].
-    pub fill: f64,
-    /// Smoothing length [m].
-    pub h: f64,
-}
-
-/// A wall particle in the continuity equation: where it is, which way it faces, how fast it comes.
-#[repr(C, align(64))]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Face {
-    /// Position [m].
-    pub x: f64,
-    /// Position [m].
-    pub y: f64,
-    /// Unit normal into the fluid [-].
-    pub nx: f64,
-    /// Unit normal into the fluid [-].
-    pub ny: f64,
-    /// Velocity of the wall along the normal V·n [m/s].
-    pub vn: f64,
-    /// Velocity of the fluid nearby along the tangent t = (−n_y, n_x), ũ·t [m/s].
-    pub vt: f64,
-    /// Area it stands for [m²].
-    pub volume: f64,
-    /// Smoothing length [m].
-    pub h: f64,
-}
+pub use crate::rows::{Face, Row};
 
 /// Numbers that every pair shares.
 #[derive(Clone, Copy, Debug)]
-pub struct Constants {
+pub struct Constants<R = f64> {
     /// Gravity [m/s²].
-    pub gravity: [f64; 2],
+    pub gravity: [R; 2],
     /// Reference density ρ₀ [kg/m³].
-    pub rho0: f64,
+    pub rho0: R,
     /// Sound speed c₀ [m/s].
-    pub c0: f64,
+    pub c0: R,
     /// Density diffusion δ [-] (E5).
-    pub delta: f64,
+    pub delta: R,
     /// Artificial viscosity α [-] (E7).
-    pub alpha: f64,
+    pub alpha: R,
     /// Kinematic viscosity ν [m²/s] (E8).
-    pub nu: f64,
+    pub nu: R,
     /// Whether walls feel the fluid stretch along them [-]: 0 or 1 (E10).
-    pub stretch: f64,
+    pub stretch: R,
 }
 
-/// Geometry of a pair whose supports overlap: r_ab, h̄ = (h_a + h_b)/2 and ∇_a W_ab = `slope` r_ab.
-pub struct Bond {
-    pub(crate) dx: f64,
-    pub(crate) dy: f64,
-    pub(crate) r2: f64,
-    pub(crate) h: f64,
-    pub(crate) q: f64,
-    peak: f64, // α/h²
-    pub(crate) slope: f64,
+impl Constants {
+    /// The same for every lane.
+    #[inline(always)]
+    pub(crate) fn spread<R: Number>(&self, zero: R) -> Constants<R> {
+        Constants {
+            gravity: [zero.of(self.gravity[0]), zero.of(self.gravity[1])],
+            rho0: zero.of(self.rho0),
+            c0: zero.of(self.c0),
+            delta: zero.of(self.delta),
+            alpha: zero.of(self.alpha),
+            nu: zero.of(self.nu),
+            stretch: zero.of(self.stretch),
+        }
+    }
+}
+
+/// A pair's smoothing length h̄ and what follows from it.
+#[derive(Clone, Copy)]
+pub struct Size<R = f64> {
+    pub(crate) h: R,
+    inverse: R,
+    peak: R,  // α/h²
+    steep: R, // α/h⁴
+}
+
+/// How a pair finds its size.
+pub trait Sizing<R>: Copy {
+    /// Size of a pair of smoothing lengths `a` and `b` [m].
+    fn of<K: Shape>(self, a: R, b: R) -> Size<R>;
 }
 
 /// E2: the pair's kernel is taken at the mean smoothing length, so ∇_a W_ab = −∇_b W_ab exactly.
+#[derive(Clone, Copy)]
+pub struct Mean;
+
+/// The same where all smoothing lengths are one: found once.
+#[derive(Clone, Copy)]
+pub struct Alike<R>(Size<R>);
+
+impl<R: Number> Sizing<R> for Mean {
+    #[inline(always)]
+    fn of<K: Shape>(self, a: R, b: R) -> Size<R> {
+        let h = a.of(0.5) * (a + b);
+        let inverse = h.of(1.0) / h;
+        let i2 = inverse * inverse;
+        let peak = h.of(K::ALPHA) * i2;
+        Size { h, inverse, peak, steep: peak * i2 }
+    }
+}
+
+impl<R: Number> Alike<R> {
+    /// The size of every pair of smoothing lengths `h` [m].
+    #[inline(always)]
+    pub fn new<K: Shape>(h: R) -> Alike<R> {
+        Alike(Mean.of::<K>(h, h))
+    }
+}
+
+impl<R: Copy> Sizing<R> for Alike<R> {
+    #[inline(always)]
+    fn of<K: Shape>(self, _: R, _: R) -> Size<R> {
+        self.0
+    }
+}
+
+/// Geometry of a pair: r_ab, its length r, h̄ and ∇_a W_ab = `slope` r_ab, which is nothing beyond the support.
+#[derive(Clone, Copy)]
+pub struct Bond<R = f64> {
+    pub(crate) dx: R,
+    pub(crate) dy: R,
+    pub(crate) r2: R,
+    pub(crate) r: R,
+    pub(crate) q: R,
+    pub(crate) size: Size<R>,
+    pub(crate) slope: R,
+}
+
+impl<R: Number> Bond<R> {
+    #[inline(always)]
+    fn new<K: Shape>(dx: R, dy: R, size: Size<R>) -> Bond<R> {
+        let r2 = dx * dx + dy * dy;
+        let r = r2.sqrt();
+        let q = r * size.inverse;
+        Bond { dx, dy, r2, r, q, size, slope: size.steep * K::slope(q) }
+    }
+
+    /// W_ab [1/m²].
+    #[inline(always)]
+    pub fn w<K: Shape>(&self) -> R {
+        self.size.peak * K::w(self.q)
+    }
+}
+
+/// The bond of a pair whose supports overlap.
 #[inline(always)]
 pub(crate) fn bond<K: Shape>(ax: f64, ay: f64, ah: f64, bx: f64, by: f64, bh: f64) -> Option<Bond> {
     let (dx, dy, h) = (ax - bx, ay - by, 0.5 * (ah + bh));
-    let r2 = dx * dx + dy * dy;
-    if r2 >= 4.0 * h * h {
-        return None;
-    }
-    let inverse = 1.0 / h;
-    let q = r2.sqrt() * inverse;
-    let i2 = inverse * inverse;
-    let peak = K::ALPHA * i2;
-    Some(Bond { dx, dy, r2, h, q, peak, slope: peak * i2 * K::slope(q) })
-}
-
-impl Bond {
-    /// W_ab [1/m²].
-    #[inline(always)]
-    pub fn w<K: Shape>(&self) -> f64 {
-        self.peak * K::w(self.q)
-    }
+    (dx * dx + dy * dy < 4.0 * h * h).then(|| Bond::new::<K>(dx, dy, Mean.of::<K>(ah, bh)))
 }
 
 /// E4 + E5 (R1): dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
 #[inline(always)]
-pub fn density_rate<'r, K: Shape, D: PairDissipation>(
-    a: &Row,
-    rho_a: f64,
-    fluid: impl Iterator<Item = &'r Row>,
-    walls: impl Iterator<Item = &'r Face>,
-    c: &Constants,
-) -> f64 {
-    let (mut compression, mut diffusion) = (0.0, 0.0);
+pub fn density_rate<R: Number, K: Shape, D: PairDissipation>(
+    a: &Row<R>,
+    rho_a: R,
+    fluid: impl Iterator<Item = Row<R>>,
+    walls: impl Iterator<Item = Face<R>>,
+    sizes: impl Sizing<R>,
+    c: &Constants<R>,
+) -> R {
+    let (mut compression, mut diffusion) = (a.x.of(0.0), a.x.of(0.0));
+    let weight = [c.rho0 * c.gravity[0], c.rho0 * c.gravity[1]];
     for b in fluid {
-        let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
-            continue;
-        };
-        let closing = ((a.u - b.u) * ab.dx + (a.v - b.v) * ab.dy) * ab.slope;
+        let ab = Bond::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
+        let flux = b.volume * ab.slope;
+        let closing = (a.u - b.u).mul_add(ab.dx, (a.v - b.v) * ab.dy);
         // dynamic pressure difference: the hydrostatic part must not diffuse (Fourtakas et al. 2019)
-        let hydrostatic = -c.rho0 * (c.gravity[0] * ab.dx + c.gravity[1] * ab.dy);
-        let excess = b.p - a.p - hydrostatic;
-        compression += b.volume * closing;
-        diffusion -= b.volume * D::length(&ab) * excess * ab.slope;
+        let excess = weight[0].mul_add(ab.dx, weight[1].mul_add(ab.dy, b.p - a.p));
+        compression = closing.mul_add(flux, compression);
+        diffusion = excess.mul_add(D::length(&ab) * flux, diffusion);
     }
     for w in walls {
-        let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
-            continue;
-        };
+        let aw = Bond::new::<K>(a.x - w.x, a.y - w.y, Mean.of::<K>(a.h, w.h));
         // E10: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n across
         // the wall; along it, if so chosen, with the velocity of the fluid in front, whose stretching is then felt
         let (un, ut) = (a.u * w.nx + a.v * w.ny, a.v * w.nx - a.u * w.ny);
         let (rn, rt) = (aw.dx * w.nx + aw.dy * w.ny, aw.dy * w.nx - aw.dx * w.ny);
-        let closing = (2.0 * (un - w.vn) * rn + c.stretch * (ut - w.vt) * rt) * aw.slope;
-        compression += w.volume * closing;
+        let closing = un.of(2.0) * (un - w.vn) * rn + c.stretch * (ut - w.vt) * rt;
+        compression = closing.mul_add(w.volume * aw.slope, compression);
     }
-    rho_a * compression + D::rate(c) * diffusion
+    rho_a * compression - D::rate(c) * diffusion
 }
 
 /// E6 + E7 (R2) + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
 #[inline(always)]
-pub(crate) fn force<D: PairDissipation>(a: &Row, b: &Row, ab: &Bond, c: &Constants, nu: f64) -> [f64; 2] {
+pub(crate) fn force<R: Number, D: PairDissipation>(
+    a: &Row<R>,
+    b: &Row<R>,
+    ab: &Bond<R>,
+    c: &Constants<R>,
+    nu: R,
+) -> [R; 2] {
     let (du, dv) = (a.u - b.u, a.v - b.v);
     let weight = a.volume * b.volume * ab.slope;
     let normal = weight * (D::pressure(ab, du * ab.dx + dv * ab.dy, c) - (a.p + b.p));
-    let shear = weight * 2.0 * c.rho0 * nu; // (r·∇W)/r² is the kernel's slope: nothing to regularise
+    let shear = weight * (nu.of(2.0) * c.rho0 * nu); // (r·∇W)/r² is the kernel's slope: nothing to regularise
     [normal * ab.dx + shear * du, normal * ab.dy + shear * dv]
 }
 
@@ -165,123 +193,151 @@ pub struct Gathered {
     pub around: Surroundings,
 }
 
-/// Forces on a fluid particle, and how its neighbours lie. `wall_nu` is ν where walls do not slip, else 0.
+/// The same for several targets side by side.
+pub struct GatheredOver<R> {
+    force: [R; 2],
+    filling: R,
+    fluid_filling: R,
+    crowding: [R; 2],
+    lambda: R,
+}
+
+impl<R: Number> GatheredOver<R> {
+    /// Each target's.
+    #[inline(always)]
+    pub fn lanes(&self) -> [Gathered; LANES] {
+        let GatheredOver { force, filling, fluid_filling, crowding, lambda } = self;
+        let (fx, fy, all, fluid) = (force[0].lanes(), force[1].lanes(), filling.lanes(), fluid_filling.lanes());
+        let (cx, cy, least) = (crowding[0].lanes(), crowding[1].lanes(), lambda.lanes());
+        std::array::from_fn(|k| {
+            let (filling, fluid_filling, crowding) = (all[k], fluid[k], [cx[k], cy[k]]);
+            let around = Surroundings { filling, fluid_filling, crowding, lambda: least[k] };
+            Gathered { force: [fx[k], fy[k]], around }
+        })
+    }
+}
+
+/// Forces on a fluid particle, and how its neighbours lie: it is one of them. `wall_nu` is ν where walls do not slip, else 0.
 #[inline(always)]
-pub fn momentum<'r, K: Shape, D: PairDissipation>(
-    a: &Row,
-    fluid: impl Iterator<Item = &'r Row>,
-    walls: impl Iterator<Item = &'r Row>,
-    c: &Constants,
-    wall_nu: f64,
-) -> Gathered {
-    let mut sum = MomentumSum { filling: a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h), ..MomentumSum::default() };
+pub fn momentum<R: Number, K: Shape, D: PairDissipation>(
+    a: &Row<R>,
+    fluid: impl Iterator<Item = Row<R>>,
+    walls: impl Iterator<Item = Row<R>>,
+    sizes: impl Sizing<R>,
+    c: &Constants<R>,
+    wall_nu: R,
+) -> GatheredOver<R> {
+    let none = a.x.of(0.0);
+    let mut sum = MomentumSum { force: [none; 2], filling: none, crowding: [none; 2], spread: [none; 3] };
     for b in fluid {
-        sum.take::<K, D>(a, b, c, c.nu);
+        let ab = Bond::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
+        sum.take::<K, D>(a, &b, &ab, c, c.nu);
     }
     let fluid_filling = sum.filling;
     for w in walls {
-        sum.take::<K, ElasticPair>(a, w, c, wall_nu);
+        let aw = Bond::new::<K>(a.x - w.x, a.y - w.y, Mean.of::<K>(a.h, w.h));
+        sum.take::<K, ElasticPair>(a, &w, &aw, c, wall_nu);
     }
-    let lambda = smallest_eigenvalue(sum.spread);
-    Gathered {
-        force: sum.force,
-        around: Surroundings { filling: sum.filling, fluid_filling, crowding: sum.crowding, lambda },
-    }
+    let MomentumSum { force, filling, crowding, spread } = sum;
+    GatheredOver { force, filling, fluid_filling, crowding, lambda: smallest_eigenvalue(spread) }
 }
 
 /// Running sums of [`momentum`].
-#[derive(Default)]
-struct MomentumSum {
-    force: [f64; 2],
-    filling: f64,
-    crowding: [f64; 2],
-    spread: [f64; 3],
+struct MomentumSum<R> {
+    force: [R; 2],
+    filling: R,
+    crowding: [R; 2],
+    spread: [R; 3],
 }
 
-impl MomentumSum {
+impl<R: Number> MomentumSum<R> {
     #[inline(always)]
-    fn take<K: Shape, D: PairDissipation>(&mut self, a: &Row, b: &Row, c: &Constants, nu: f64) {
-        let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
-            return;
-        };
-        let f = force::<D>(a, b, &ab, c, nu);
-        self.force[0] += f[0];
-        self.force[1] += f[1];
-        self.filling += b.fill * ab.w::<K>();
+    fn take<K: Shape, D: PairDissipation>(&mut self, a: &Row<R>, b: &Row<R>, ab: &Bond<R>, c: &Constants<R>, nu: R) {
+        let f = force::<R, D>(a, b, ab, c, nu);
+        self.force = [self.force[0] + f[0], self.force[1] + f[1]];
+        self.filling = b.fill.mul_add(ab.w::<K>(), self.filling);
         let pull = b.fill * ab.slope;
-        self.crowding[0] += pull * ab.dx;
-        self.crowding[1] += pull * ab.dy;
-        self.spread[0] -= pull * ab.dx * ab.dx;
-        self.spread[1] -= pull * ab.dx * ab.dy;
-        self.spread[2] -= pull * ab.dy * ab.dy;
+        let (px, py) = (pull * ab.dx, pull * ab.dy);
+        self.crowding = [self.crowding[0] + px, self.crowding[1] + py];
+        let [xx, xy, yy] = self.spread; // of the neighbours, so of −r_ab: λ's sign is turned at the end
+        self.spread = [px.mul_add(ab.dx, xx), px.mul_add(ab.dy, xy), py.mul_add(ab.dy, yy)];
     }
 }
 
 /// Force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
-pub fn wall_force<'r, K: Shape>(
-    wall: &Row,
-    fluid: impl Iterator<Item = &'r Row>,
-    c: &Constants,
-    wall_nu: f64,
-) -> [f64; 2] {
-    let mut sum = [0.0; 2];
+pub fn wall_force<R: Number, K: Shape>(
+    wall: &Row<R>,
+    fluid: impl Iterator<Item = Row<R>>,
+    c: &Constants<R>,
+    wall_nu: R,
+) -> [R; 2] {
+    let mut sum = [wall.x.of(0.0); 2];
     for a in fluid {
-        let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, a.x, a.y, a.h) else {
-            continue;
-        };
-        let f = force::<ElasticPair>(wall, a, &ab, c, wall_nu);
-        sum[0] += f[0];
-        sum[1] += f[1];
+        let wa = Bond::new::<K>(wall.x - a.x, wall.y - a.y, Mean.of::<K>(wall.h, a.h));
+        let f = force::<R, ElasticPair>(wall, &a, &wa, c, wall_nu);
+        sum = [sum[0] + f[0], sum[1] + f[1]];
     }
     sum
 }
 
 /// What a wall particle extrapolates from the fluid.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Extrapolated {
+pub struct Extrapolated<R = f64> {
     /// Pressure [Pa] (E9).
-    pub pressure: f64,
+    pub pressure: R,
     /// Velocity of the fluid nearby [m/s] (E11).
-    pub velocity: [f64; 2],
+    pub velocity: [R; 2],
 }
+
+impl<R: Number> Extrapolated<R> {
+    /// Each target's.
+    #[inline(always)]
+    pub(crate) fn lanes(&self) -> [Extrapolated; LANES] {
+        let (p, u, v) = (self.pressure.lanes(), self.velocity[0].lanes(), self.velocity[1].lanes());
+        std::array::from_fn(|k| Extrapolated { pressure: p[k], velocity: [u[k], v[k]] })
+    }
+}
+
+/// Least Σ V W [-] that is a neighbourhood to extrapolate from.
+const TOUCHED: f64 = 1e-9;
 
 /// E9 (Adami, Hu & Adams 2012): pressure at a wall particle that moves with acceleration `acceleration`;
 /// the pressure gradient beside it is ρ(g − a_w).
 #[inline(always)]
-pub fn extrapolate<'r, K: Shape>(
-    wall: &Row,
-    acceleration: [f64; 2],
-    fluid: impl Iterator<Item = &'r Row>,
-    c: &Constants,
-) -> Extrapolated {
-    let (mut weight, mut pressure, mut velocity, mut arm) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
+pub fn extrapolate<R: Number, K: Shape>(
+    wall: &Row<R>,
+    acceleration: [R; 2],
+    fluid: impl Iterator<Item = Row<R>>,
+    c: &Constants<R>,
+) -> Extrapolated<R> {
+    let none = wall.x.of(0.0);
+    let (mut weight, mut pressure, mut velocity, mut arm) = (none, none, [none; 2], [none; 2]);
     for b in fluid {
-        let Some(ab) = bond::<K>(wall.x, wall.y, wall.h, b.x, b.y, b.h) else {
-            continue;
-        };
+        let ab = Bond::new::<K>(wall.x - b.x, wall.y - b.y, Mean.of::<K>(wall.h, b.h));
         let w = b.volume * ab.w::<K>();
-        weight += w;
-        pressure += w * b.p;
-        velocity[0] += w * b.u;
-        velocity[1] += w * b.v;
-        arm[0] += w * ab.dx;
-        arm[1] += w * ab.dy;
-    }
-    if weight < 1e-9 {
-        return Extrapolated { pressure: 0.0, velocity: [wall.u, wall.v] };
+        weight = weight + w;
+        pressure = w.mul_add(b.p, pressure);
+        velocity = [w.mul_add(b.u, velocity[0]), w.mul_add(b.v, velocity[1])];
+        arm = [w.mul_add(ab.dx, arm[0]), w.mul_add(ab.dy, arm[1])];
     }
     let field = [c.gravity[0] - acceleration[0], c.gravity[1] - acceleration[1]];
+    let total = pressure + c.rho0 * (field[0] * arm[0] + field[1] * arm[1]);
+    let touched = none.of(TOUCHED);
+    let mean = weight.of(1.0) / weight.max(touched);
     Extrapolated {
-        pressure: (pressure + c.rho0 * (field[0] * arm[0] + field[1] * arm[1])) / weight,
-        velocity: [velocity[0] / weight, velocity[1] / weight],
+        pressure: weight.below(touched, none, total * mean),
+        velocity: [
+            weight.below(touched, wall.u, velocity[0] * mean),
+            weight.below(touched, wall.v, velocity[1] * mean),
+        ],
     }
 }
 
-/// E14: smallest eigenvalue of the symmetric matrix [[m0, m1], [m1, m2]].
+/// E14: smallest eigenvalue of the symmetric matrix −[[m0, m1], [m1, m2]].
 #[inline(always)]
-fn smallest_eigenvalue(m: [f64; 3]) -> f64 {
-    let (mean, half) = (0.5 * (m[0] + m[2]), 0.5 * (m[0] - m[2]));
+fn smallest_eigenvalue<R: Number>(m: [R; 3]) -> R {
+    let (mean, half) = (m[0].of(-0.5) * (m[0] + m[2]), m[0].of(0.5) * (m[0] - m[2]));
     mean - (half * half + m[1] * m[1]).sqrt()
 }
 
@@ -299,18 +355,23 @@ mod tests {
         Row { x, y, u, v, p, volume: 0.01, fill: 0.0101, h: 0.15 }
     }
 
+    fn pushed(a: &Row, fluid: &[Row], walls: &[Row], c: &Constants, wall_nu: f64) -> [f64; 2] {
+        let (fluid, walls) = (fluid.iter().copied(), walls.iter().copied());
+        momentum::<f64, WendlandC2, DiffusivePair>(a, fluid, walls, Mean, c, wall_nu).lanes()[0].force
+    }
+
     #[test]
     fn action_equals_reaction_between_any_two_resolutions() {
         let (a, mut b) = (row(0.0, 0.0, 1.0, -2.0, 350.0), row(0.1, 0.07, -0.5, 0.2, -80.0));
         b.h = 0.21;
         let c = constants();
-        let on_a = momentum::<WendlandC2, DiffusivePair>(&a, [b].iter(), [].iter(), &c, 0.0).force;
-        let on_b = momentum::<WendlandC2, DiffusivePair>(&b, [a].iter(), [].iter(), &c, 0.0).force;
+        let on_a = pushed(&a, &[b], &[], &c, 0.0);
+        let on_b = pushed(&b, &[a], &[], &c, 0.0);
         for k in 0..2 {
             assert!(on_a[k] != 0.0 && (on_a[k] + on_b[k]).abs() <= 1e-15 * on_a[k].abs());
         }
-        let on_fluid = momentum::<WendlandC2, DiffusivePair>(&a, [].iter(), [b].iter(), &c, c.nu).force;
-        let on_wall = wall_force::<WendlandC2>(&b, [a].iter(), &c, c.nu);
+        let on_fluid = pushed(&a, &[], &[b], &c, c.nu);
+        let on_wall = wall_force::<f64, WendlandC2>(&b, [a].into_iter(), &c, c.nu);
         for k in 0..2 {
             assert!(on_fluid[k] != 0.0 && (on_fluid[k] + on_wall[k]).abs() <= 1e-15 * on_fluid[k].abs());
         }
@@ -322,7 +383,8 @@ mod tests {
         let mut b = row(0.1, 0.07, 0.0, 0.0, 0.0);
         b.p = c.rho0 * (c.gravity[0] * b.x + c.gravity[1] * b.y);
         let a = row(0.0, 0.0, 0.0, 0.0, 0.0);
-        let rate = density_rate::<WendlandC2, DiffusivePair>(&a, 1000.0, [b].iter(), [].iter(), &c);
+        let rate =
+            density_rate::<f64, WendlandC2, DiffusivePair>(&a, 1000.0, [b].into_iter(), [].into_iter(), Mean, &c);
         assert!(rate.abs() < 1e-12, "{rate}");
     }
 
@@ -335,7 +397,7 @@ mod tests {
         let fluid: Vec<Row> =
             [(0.1, 0.1), (0.02, 0.13), (-0.1, 0.2)].map(|(x, y)| row(x, y, 0.0, 0.0, p(x, y))).to_vec();
         let wall = row(0.03, -0.05, 0.0, 0.0, 0.0);
-        let found = extrapolate::<WendlandC2>(&wall, acceleration, fluid.iter(), &c).pressure;
+        let found = extrapolate::<f64, WendlandC2>(&wall, acceleration, fluid.into_iter(), &c).pressure;
         assert!((found - p(wall.x, wall.y)).abs() < 1e-9, "{found}");
     }
 
@@ -343,7 +405,7 @@ mod tests {
     fn eigenvalue_of_a_rotated_diagonal() {
         let (s, k) = (0.6_f64, 0.8_f64); // sine and cosine
         let (e1, e2) = (0.4, 0.9);
-        let m = [e1 * k * k + e2 * s * s, (e2 - e1) * s * k, e1 * s * s + e2 * k * k];
+        let m = [e1 * k * k + e2 * s * s, (e2 - e1) * s * k, e1 * s * s + e2 * k * k].map(|x| -x);
         assert!((smallest_eigenvalue(m) - 0.4).abs() < 1e-14);
     }
 }

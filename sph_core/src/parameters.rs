@@ -56,6 +56,9 @@ pub struct Parameters {
     pub wall_stretch: bool,
     /// Air comes in between a wall and water under tension where both touch it (E3).
     pub ventilation: bool,
+    /// Sum several targets side by side where the processor can (see [`crate::lanes`]); one at a time otherwise, for
+    /// comparison.
+    pub wide: bool,
     /// Time integration.
     pub integrator: Integrator,
     /// Courant number of the acoustic step limit (E17).
@@ -112,6 +115,7 @@ impl Parameters {
             slip: Slip::Free,
             wall_stretch: false,
             ventilation: false,
+            wide: true,
             integrator: Integrator::Symplectic,
             cfl: 0.6,
             mirror: None,

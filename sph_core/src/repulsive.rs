@@ -73,7 +73,7 @@ fn meet(a: &Row, w: &Face) -> bool {
 pub(crate) fn push_fluid(fluid: &[Row], faces: &[Face], search: &Search, law: Repulsion, out: &mut [[f64; 2]]) {
     sweep::gather_into(out, |k| {
         let mut sum = [0.0; 2];
-        for w in search.walls_of_fluid.of(k).iter().map(|&j| &faces[j as usize]) {
+        for w in search.walls_of_fluid.of(k).map(|j| &faces[j as usize]) {
             if meet(&fluid[k], w) {
                 let push = law.push(&fluid[k], w);
                 sum[0] += push * w.nx;
@@ -87,7 +87,7 @@ pub(crate) fn push_fluid(fluid: &[Row], faces: &[Face], search: &Search, law: Re
 /// Force of the fluid on every wall point [N/m]: the same pairs with the sign turned.
 pub(crate) fn push_walls(fluid: &[Row], faces: &[Face], search: &Search, law: Repulsion, out: &mut [[f64; 2]]) {
     sweep::gather_into(out, |k| {
-        let near = search.fluid_of_wall.of(k).iter().map(|&j| &fluid[j as usize]);
+        let near = search.fluid_of_wall.of(k).map(|j| &fluid[j as usize]);
         let total: f64 = near.filter(|a| meet(a, &faces[k])).map(|a| law.push(a, &faces[k])).sum();
         [-total * faces[k].nx, -total * faces[k].ny]
     });

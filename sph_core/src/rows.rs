@@ -1,13 +1,120 @@
 //! What the sweeps read: fluid and walls packed row by row, images behind them.
 
 use crate::images::Mirror;
-use crate::pair::{Extrapolated, Face, Row};
+use crate::lanes::Number;
+use crate::neighbours::Spread;
+use crate::pair::Extrapolated;
 use crate::particles::{Derived, Particles};
 use crate::screen::Screen;
 use crate::search::{Search, WallKinematics};
 use crate::sight::ThinWalls;
 use crate::sweep;
 use crate::walls::Walls;
+
+/// A particle as its neighbours see it: one cache line. For a wall particle, velocity and pressure are
+/// those that the fluid is to feel (THEORY E9–E11) and both volumes are the area it stands for.
+#[repr(C, align(64))]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Row<R = f64> {
+    /// Position [m].
+    pub x: R,
+    /// Position [m].
+    pub y: R,
+    /// Velocity [m/s].
+    pub u: R,
+    /// Velocity [m/s].
+    pub v: R,
+    /// Pressure [Pa].
+    pub p: R,
+    /// Corrected volume V = θ m/ρ [m²].
+    pub volume: R,
+    /// Uncorrected volume m/ρ [m²].
+    pub fill: R,
+    /// Smoothing length [m].
+    pub h: R,
+}
+
+/// A wall particle in the continuity equation: where it is, which way it faces, how fast it comes.
+#[repr(C, align(64))]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Face<R = f64> {
+    /// Position [m].
+    pub x: R,
+    /// Position [m].
+    pub y: R,
+    /// Unit normal into the fluid [-].
+    pub nx: R,
+    /// Unit normal into the fluid [-].
+    pub ny: R,
+    /// Velocity of the wall along the normal V·n [m/s].
+    pub vn: R,
+    /// Velocity of the fluid nearby along the tangent t = (−n_y, n_x), ũ·t [m/s].
+    pub vt: R,
+    /// Area it stands for [m²].
+    pub volume: R,
+    /// Smoothing length [m].
+    pub h: R,
+}
+
+impl Row {
+    /// The targets from `first` on, side by side; beyond the last one, the last one again.
+    #[inline(always)]
+    pub(crate) fn targets<R: Number>(rows: &[Row], first: usize, zero: R) -> Row<R> {
+        let of = |field: fn(&Row) -> f64| zero.each(|k| field(&rows[(first + k).min(rows.len() - 1)]));
+        Row {
+            x: of(|r| r.x),
+            y: of(|r| r.y),
+            u: of(|r| r.u),
+            v: of(|r| r.v),
+            p: of(|r| r.p),
+            volume: of(|r| r.volume),
+            fill: of(|r| r.fill),
+            h: of(|r| r.h),
+        }
+    }
+}
+
+impl Spread for Row {
+    type Over<R: Number> = Row<R>;
+    #[inline(always)]
+    fn spread<R: Number>(&self, zero: R) -> Row<R> {
+        Row {
+            x: zero.of(self.x),
+            y: zero.of(self.y),
+            u: zero.of(self.u),
+            v: zero.of(self.v),
+            p: zero.of(self.p),
+            volume: zero.of(self.volume),
+            fill: zero.of(self.fill),
+            h: zero.of(self.h),
+        }
+    }
+    #[inline(always)]
+    fn only<R: Number>(over: Row<R>, bits: u32) -> Row<R> {
+        Row { volume: over.volume.only(bits), fill: over.fill.only(bits), ..over }
+    }
+}
+
+impl Spread for Face {
+    type Over<R: Number> = Face<R>;
+    #[inline(always)]
+    fn spread<R: Number>(&self, zero: R) -> Face<R> {
+        Face {
+            x: zero.of(self.x),
+            y: zero.of(self.y),
+            nx: zero.of(self.nx),
+            ny: zero.of(self.ny),
+            vn: zero.of(self.vn),
+            vt: zero.of(self.vt),
+            volume: zero.of(self.volume),
+            h: zero.of(self.h),
+        }
+    }
+    #[inline(always)]
+    fn only<R: Number>(over: Face<R>, bits: u32) -> Face<R> {
+        Face { volume: over.volume.only(bits), ..over }
+    }
+}
 
 /// Rows of fluid and walls; indices at and above the number of particles are images, as in [`Search`].
 #[derive(Default)]

@@ -124,11 +124,18 @@ impl Search {
             self.repeat(periodic, &mut fluid, &mut wall, [&fluid_cells, &wall_cells]);
             (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
         }
-        let stranger = |p: Point| Point { index: u32::MAX, ..p };
-        self.fluid.build(n, &fluid_cells, |k| fluid[k]);
-        self.walls_of_fluid.build(n, &wall_cells, |k| stranger(fluid[k]));
-        self.fluid_of_wall.build(walls.x.len(), &fluid_cells, |k| stranger(wall[k]));
-        self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| stranger(mirrored[k]));
+        let (h, images) = (&particles.h, &self.fluid_images);
+        let fluid_size = |j: u32| h[if (j as usize) < n { j as usize } else { images[j as usize - n] as usize }];
+        let walls_now = walls.x.len();
+        let images = &self.wall_images;
+        let wall_size = |j: u32| {
+            walls.h[if (j as usize) < walls_now { j as usize } else { images[j as usize - walls_now] as usize }]
+        };
+        let (own, wall_own) = (|k: usize| h[k], |k: usize| walls.h[k]);
+        self.fluid.build(n, &fluid_cells, |k| fluid[k], true, (own, fluid_size));
+        self.walls_of_fluid.build(n, &wall_cells, |k| fluid[k], false, (own, wall_size));
+        self.fluid_of_wall.build(walls_now, &fluid_cells, |k| wall[k], false, (wall_own, fluid_size));
+        self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| mirrored[k], false, (wall_own, fluid_size));
         if let Some(thin) = walls.thin {
             let images = &self.wall_images;
             let listed = Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: images, mirror };
@@ -182,7 +189,7 @@ impl Search {
         let around = &derived.surroundings;
         let at_surface = |k: usize| around[k].lambda < SURFACE_LAMBDA;
         crate::sweep::gather_into(&mut derived.near_surface, |k| {
-            at_surface(k) || self.fluid.of(k).iter().any(|&j| at_surface(self.source(j, n)))
+            at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
         });
     }
 }

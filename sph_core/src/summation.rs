@@ -35,8 +35,8 @@ impl WithKernel for Summation<'_> {
     fn with<K: Shape>(self) {
         let Summation { fluid, walls, mass, rho0, search, out } = self;
         sweep::gather_into(out, |k| {
-            let near = search.fluid.of(k).iter().map(|&j| (&fluid[j as usize], mass[search.source(j, mass.len())]));
-            let near_walls = search.walls_of_fluid.of(k).iter().map(|&j| &walls[j as usize]);
+            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], mass[search.source(j, mass.len())]));
+            let near_walls = search.walls_of_fluid.of(k).map(|j| &walls[j as usize]);
             let masses = near.chain(near_walls.map(|w| (w, rho0 * w.volume)));
             summed_density::<K>(&fluid[k], mass[k], masses)
         });

@@ -43,7 +43,7 @@ impl WithKernel for StressSweep<'_> {
     fn with<K: Shape>(self) {
         let StressSweep { fluid, rho, search, spacing_ratio, out } = self;
         sweep::gather_into(out, |k| {
-            let near = search.fluid.of(k).iter().map(|&j| &fluid[j as usize]);
+            let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
             stress(velocity_gradient::<K>(&fluid[k], near), rho[k], fluid[k].h * spacing_ratio)
         });
     }
@@ -97,7 +97,7 @@ impl WithKernel for Divergence<'_> {
     fn with<K: Shape>(self) {
         let Divergence { fluid, stress, search, out } = self;
         let force = |k: usize| {
-            let near = search.fluid.of(k).iter().map(|&j| (&fluid[j as usize], &stress[j as usize]));
+            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], &stress[j as usize]));
             stress_force::<K>(&fluid[k], &stress[k], near)
         };
         sweep::update(out, |k, sum| {

@@ -42,14 +42,14 @@ impl Fluid {
     /// E9: pressures of the walls extrapolated from the fluid.
     pub(crate) fn extrapolate_to_walls(&mut self, walls: &mut Walls) {
         self.extrapolated.resize(walls.len(), Extrapolated::default());
-        self.parameters.kernel.run(WallState {
+        let gather = WallState {
             fluid: &self.rows.fluid,
             walls: &self.rows.walls,
             acceleration: (&walls.ax, &walls.ay),
             search: &self.search,
             constants: self.parameters.constants(),
-            out: &mut self.extrapolated,
-        });
+        };
+        self.parameters.sweep_walls(&gather, &mut self.extrapolated);
         self.dress_walls(walls);
     }
 

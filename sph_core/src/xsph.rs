@@ -21,7 +21,7 @@ impl WithKernel for Smoothing<'_> {
         let Smoothing { fluid, mass, rho, search, out } = self;
         let n = mass.len();
         sweep::gather_into(out, |k| {
-            let near = search.fluid.of(k).iter().map(|&j| (&fluid[j as usize], search.source(j, n)));
+            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], search.source(j, n)));
             let volumes = near.map(|(b, s)| (b, 2.0 * mass[s] / (rho[k] + rho[s])));
             excess_velocity::<K>(&fluid[k], volumes)
         });

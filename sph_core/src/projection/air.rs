@@ -61,9 +61,8 @@ impl Fluid {
             let (x, y) = (x + 2.0 * walls.depth[k] * walls.nx[k], y + 2.0 * walls.depth[k] * walls.ny[k]);
             let dx = walls.h[k] / ratio;
             let fluid = &self.rows.fluid;
-            let square = |j: &u32| (fluid[*j as usize].x - x).powi(2) + (fluid[*j as usize].y - y).powi(2);
-            let nearest =
-                self.search.fluid_of_mirror.of(k).iter().map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
+            let square = |j: u32| (fluid[j as usize].x - x).powi(2) + (fluid[j as usize].y - y).powi(2);
+            let nearest = self.search.fluid_of_mirror.of(k).map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
             let apart = ((nearest - 0.75) / 0.25).clamp(0.0, 1.0);
             wet[k] = 1.0;
             if apart > 0.0 {

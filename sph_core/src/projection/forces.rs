@@ -75,8 +75,8 @@ impl Fluid {
         let (survey, air) = (&self.projection.survey, self.projection.air.exposure[k]);
         let (around, [xx, xy, yy]) = (&survey.around[k], survey.spread[k]);
         let (search, pressures) = (&self.search, &self.derived.pressure);
-        let (pressure, near) = (pressures[k], search.fluid.of(k).iter());
-        let least = near.map(|&j| pressures[search.source(j, pressures.len())]).fold(pressure, f64::min);
+        let (pressure, near) = (pressures[k], search.fluid.of(k));
+        let least = near.map(|j| pressures[search.source(j, pressures.len())]).fold(pressure, f64::min);
         let weight = g[0].hypot(g[1]) * rho;
         let dx = (p.mass[k] / p.rho[k]).sqrt();
         // I10: a row of a flat surface feels the whole of a linear pressure

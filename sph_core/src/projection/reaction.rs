@@ -32,7 +32,7 @@ impl WithKernel for Reaction<'_> {
             let wall = &walls[first + k];
             let (mut weight, mut mean, mut arm) = (0.0, 0.0, [0.0; 2]);
             let (mut slopes, mut push) = ([0.0; 2], [0.0; 2]);
-            for &j in search.fluid_of_wall.of(first + k) {
+            for j in search.fluid_of_wall.of(first + k) {
                 let b = &fluid[j as usize];
                 let Some(wb) = bond::<K>(wall.x, wall.y, wall.h, b.x, b.y, b.h) else { continue };
                 let (p, share, pull) = (pressure[search.source(j, n)], b.volume * wb.w::<K>(), b.volume * wb.slope);
@@ -69,7 +69,7 @@ impl WithKernel for Inflow<'_> {
         let n = accelerations.len();
         sweep::gather_into(out, |k| {
             let (a, mut sum) = (&fluid[k], 0.0);
-            for &j in search.walls_of_fluid.of(k) {
+            for j in search.walls_of_fluid.of(k) {
                 let j = j as usize;
                 let (source, side) = if j < n { (j, 1.0) } else { (search.wall_images[j - n] as usize, side) };
                 let [ax, ay] = accelerations[source];

@@ -17,7 +17,7 @@ impl Fluid {
             }
             let a = &rows[k];
             let mut sum = around[k].crowding.map(|c| a.fill * kernel.value(0.0, a.h) * c);
-            for &j in search.fluid.of(k) {
+            for j in search.fluid.of(k) {
                 let b = &rows[j as usize];
                 let weight = b.fill * kernel.value((a.x - b.x).hypot(a.y - b.y), 0.5 * (a.h + b.h));
                 let [x, y] = around[search.source(j, n)].crowding;

@@ -69,7 +69,7 @@ impl WithKernel for Task<'_> {
                 let a = &fluid[k];
                 let own = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
                 let (mut filling, mut crowding, mut spread, mut divergence) = (own, [0.0; 2], [0.0; 3], 0.0);
-                for &j in search.fluid.of(k) {
+                for j in search.fluid.of(k) {
                     let b = &fluid[j as usize];
                     let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { continue };
                     filling += b.fill * ab.w::<K>();
@@ -87,7 +87,7 @@ impl WithKernel for Task<'_> {
                     }
                 }
                 let fluid_filling = filling;
-                for &j in search.walls_of_fluid.of(k) {
+                for j in search.walls_of_fluid.of(k) {
                     let w = &faces[j as usize];
                     let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
                     let wet = walls[j as usize].volume;

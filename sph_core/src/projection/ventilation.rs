@@ -39,7 +39,7 @@ impl Projection {
         let beside_wall = |k: usize| survey.around[k].filling > survey.around[k].fluid_filling;
         let mut reached: Vec<usize> = (0..n).filter(|&k| slack[k]).collect();
         while let Some(k) = reached.pop() {
-            for &j in search.fluid.of(k) {
+            for j in search.fluid.of(k) {
                 let j = search.source(j, n);
                 if !slack[j] && beside_wall(j) && (pinned[j] || pressure[j] < 0.0) {
                     slack[j] = true;

@@ -56,10 +56,10 @@ impl WithKernel for Task<'_> {
             chunk.own.clear();
             for i in targets {
                 let a = &players[i];
-                for &j in lists.of(i) {
+                for j in lists.of(i) {
                     let b = &players[j as usize];
                     let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { continue };
-                    let link = ab.slope * ab.r2 / (ab.r2 + 0.01 * ab.h * ab.h);
+                    let link = ab.slope * ab.r2 / (ab.r2 + 0.01 * ab.size.h * ab.size.h);
                     chunk.pairs.push(Pair { j, r: [ab.dx, ab.dy], w: ab.w::<K>(), slope: ab.slope, link });
                 }
                 chunk.ends.push(chunk.pairs.len() as u32);
@@ -74,7 +74,8 @@ impl Pairs {
     pub fn find(&mut self, cast: &Cast, kernel: Kernel) {
         let point = |(k, p): (usize, &Player)| Point { x: p.x, y: p.y, reach: p.h, index: k as u32 };
         let points: Vec<Point> = cast.players.iter().enumerate().map(point).collect();
-        self.lists.build(cast.rows, &Cells::build(&points), |k| points[k]);
+        let size = (|k: usize| points[k].reach, |j: u32| points[j as usize].reach);
+        self.lists.build(cast.rows, &Cells::build(&points), |k| points[k], true, size);
         self.chunks.resize(cast.rows.div_ceil(CHUNK), Chunk::default());
         let (players, rows, lists, chunks) = (&cast.players[..], cast.rows, &self.lists, &mut self.chunks[..]);
         kernel.run(Task { players, lists, rows, chunks });
