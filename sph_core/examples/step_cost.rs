@@ -1,7 +1,7 @@
 //! What a weakly compressible step costs, ns a particle, on a still square of water.
-use std::time::Instant;
 use sph_core::eos::Tait;
 use sph_core::{Fluid, Parameters, Seed, Walls};
+use std::time::Instant;
 
 fn main() {
     let n: usize = std::env::args().nth(1).map_or(20_000, |s| s.parse().expect("a number"));
@@ -15,7 +15,8 @@ fn main() {
                 Seed { at, velocity: [0.3 * at[1], -0.3 * at[0]], area: dx * dx, pressure: 0.0 }
             })
             .collect();
-        let parameters = Parameters { wide, gravity: [0.0; 2], ..Parameters::usual(Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 }) };
+        let parameters =
+            Parameters { wide, gravity: [0.0; 2], ..Parameters::usual(Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 }) };
         let mut fluid = Fluid::new(parameters, &seeds);
         let mut walls = Walls::default();
         fluid.initialise(&mut walls).expect("sound");
@@ -25,6 +26,11 @@ fn main() {
             fluid.step(&mut walls, dt).expect("sound");
         }
         let each = start.elapsed().as_secs_f64() * 1e9 / (steps * fluid.particles.len()) as f64;
-        println!("wide {wide}: {} particles, {each:.0} ns a particle and step, {} lists, {:.1} pairs", fluid.particles.len(), fluid.search.rebuilds, fluid.search.fluid.pairs() as f64 / fluid.particles.len() as f64);
+        println!(
+            "wide {wide}: {} particles, {each:.0} ns a particle and step, {} lists, {:.1} pairs",
+            fluid.particles.len(),
+            fluid.search.rebuilds,
+            fluid.search.fluid.pairs() as f64 / fluid.particles.len() as f64
+        );
     }
 }

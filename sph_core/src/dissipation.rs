@@ -132,7 +132,7 @@ mod tests {
         Row { x, y, u, v, p, volume: 0.01, fill: 0.01, h: 0.15 }
     }
 
-    fn rate<D: PairDissipation>(a: &Row, b: &Row, c: &Constants) -> f64 {
+    fn rate_of<D: PairDissipation>(a: &Row, b: &Row, c: &Constants) -> f64 {
         density_rate::<f64, WendlandC2, D>(a, 1000.0, [*b].into_iter(), [].into_iter(), Mean, c)
     }
 
@@ -166,7 +166,7 @@ mod tests {
         let a = row(0.0, 0.0, 1.0, -2.0, 350.0);
         for b in [row(0.1, 0.07, -0.5, 0.2, -80.0), row(0.1, 0.07, -40.0, 0.2, 90.0), row(-0.1, 0.07, -0.5, 0.2, 7.0)] {
             let (rate, force) = written_out(&a, &b);
-            let ours = rate::<RiemannPair>(&a, &b, &WATER);
+            let ours = rate_of::<RiemannPair>(&a, &b, &WATER);
             assert!((ours / rate - 1.0).abs() < 1e-12, "{ours}, written out {rate}");
             let ours = pushed(&a, &b);
             for k in 0..2 {
@@ -181,8 +181,8 @@ mod tests {
         let (a, b) = (row(0.0, 0.0, 0.3, 0.0, 350.0), row(0.12, 0.1, 0.0, 0.1, -80.0));
         let delta = 0.5 * 0.12_f64.hypot(0.1) / 0.15;
         let diffusive = Constants { delta, ..WATER };
-        let ours = rate::<RiemannPair>(&a, &b, &WATER);
-        let theirs = rate::<DiffusivePair>(&a, &b, &diffusive);
+        let ours = rate_of::<RiemannPair>(&a, &b, &WATER);
+        let theirs = rate_of::<DiffusivePair>(&a, &b, &diffusive);
         assert!((ours / theirs - 1.0).abs() < 1e-13, "{ours}, {theirs}");
     }
 
@@ -197,7 +197,7 @@ mod tests {
             assert!(on_a[k] != 0.0 && (on_a[k] + on_b[k]).abs() <= 1e-15 * on_a[k].abs());
         }
         let still = Row { u: 0.0, v: 0.0, ..a };
-        let rate = rate::<RiemannPair>(&still, &Row { u: 0.0, v: 0.0, ..b }, &WATER);
+        let rate = rate_of::<RiemannPair>(&still, &Row { u: 0.0, v: 0.0, ..b }, &WATER);
         assert!(rate.abs() < 1e-12, "{rate}");
     }
 

@@ -7,7 +7,7 @@ use crate::integrator::{self, Integrator, Old};
 use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::Parameters;
-use crate::particles::{Derived, Particles, SURFACE_LAMBDA, Seed};
+use crate::particles::{Derived, Particles, Seed};
 use crate::projection::{self, Projection};
 use crate::restart::{Saved, set_lists_aside};
 use crate::rows::Rows;
@@ -65,12 +65,6 @@ pub struct Fluid {
 const LIST_LIFE: f64 = 12.0;
 /// The same of a projection's, in which fast particles go far.
 const LONG_LIFE: f64 = 2.5;
-/// Share of the gap between volume correction and its target closed in a force sweep.
-const VOLUME_RELAXATION: f64 = 0.1;
-/// Filling is believed within these bounds only.
-const FILLING: [f64; 2] = [0.9, 1.12];
-/// Longest shift in a step, in smoothing lengths.
-const LONGEST_SHIFT: f64 = 0.02;
 
 impl Fluid {
     /// A fluid from seeds; densities follow from the seeds' pressures. Panics on a period that is too short for the
@@ -201,95 +195,6 @@ impl Fluid {
         }
     }
 
-    /// v ← v + Δt a.
-    pub(crate) fn kick(&mut self, dt: f64) {
-        let p = &mut self.particles;
-        for k in 0..p.x.len() {
-            p.u[k] += dt * p.ax[k];
-            p.v[k] += dt * p.ay[k];
-        }
-    }
-
-    /// x ← x + Δt v.
-    pub(crate) fn drift(&mut self, dt: f64) {
-        let p = &mut self.particles;
-        for k in 0..p.x.len() {
-            p.x[k] += dt * p.u[k];
-            p.y[k] += dt * p.v[k];
-        }
-    }
-
-    /// ρ ← ρ + Δt dρ/dt.
-    pub(crate) fn compress(&mut self, dt: f64) {
-        let p = &mut self.particles;
-        for k in 0..p.x.len() {
-            p.rho[k] += dt * self.density_rate[k];
-        }
-        self.dynamic_walls.compress(dt);
-    }
-
-    /// ρ ← ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ with the rate about the step's middle: second order.
-    pub(crate) fn compress_about_middle(&mut self, dt: f64) {
-        let p = &mut self.particles;
-        for k in 0..p.x.len() {
-            let strain = dt * self.density_rate[k] / p.rho[k];
-            p.rho[k] *= (2.0 + strain) / (2.0 - strain);
-        }
-        self.dynamic_walls.compress_about_middle(dt);
-    }
-
-    /// E13: δr = −2h Δt |v| ∇C, at most 0.02 h, where the neighbourhood is full.
-    pub(crate) fn shift(&mut self, dt: f64) {
-        if !self.parameters.shifting {
-            return;
-        }
-        let p = &mut self.particles;
-        for k in 0..p.x.len() {
-            let around = &self.derived.surroundings[k];
-            if around.lambda < SURFACE_LAMBDA && !self.parameters.shift_surface {
-                continue;
-            }
-            let speed = (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
-            let scale = -2.0 * p.h[k] * dt * speed;
-            let [dx, dy] = around.crowding.map(|c| scale * c);
-            let limit = LONGEST_SHIFT * p.h[k];
-            let shrink = limit / (dx * dx + dy * dy).sqrt().max(limit);
-            p.x[k] += shrink * dx;
-            p.y[k] += shrink * dy;
-        }
-    }
-
-    /// E12: relax θ towards 1/S inside the fluid, towards 1 near its surface.
-    fn correct_volumes(&mut self) {
-        if !self.parameters.volume_correction {
-            return;
-        }
-        for k in 0..self.particles.len() {
-            let target = if self.derived.near_surface[k] {
-                1.0
-            } else {
-                1.0 / self.derived.surroundings[k].filling.clamp(FILLING[0], FILLING[1])
-            };
-            self.particles.theta[k] += VOLUME_RELAXATION * (target - self.particles.theta[k]);
-        }
-    }
-
-    /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
-    pub(crate) fn equation_of_state(&mut self) {
-        if let Some(gas) = self.parameters.gas {
-            return self.gas_state(gas); //           L9
-        }
-        let (eos, ventilation) = (self.parameters.eos, self.parameters.ventilation);
-        let (p, d) = (&mut self.particles, &mut self.derived);
-        for k in 0..p.x.len() {
-            if d.slack(k, ventilation) {
-                p.rho[k] = p.rho[k].max(eos.rho0);
-            }
-            d.pressure[k] = eos.pressure(p.rho[k]);
-            d.volume[k] = p.theta[k] * p.mass[k] / p.rho[k];
-        }
-    }
-
     /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
@@ -348,16 +253,6 @@ impl Fluid {
         }
     }
 
-    /// a = F/m + g.
-    fn accelerate(&mut self) {
-        let (p, g) = (&mut self.particles, self.parameters.gravity);
-        for (k, sum) in self.gathered.iter().enumerate() {
-            p.ax[k] = sum.force[0] / p.mass[k] + g[0];
-            p.ay[k] = sum.force[1] / p.mass[k] + g[1];
-            self.derived.surroundings[k] = sum.around;
-        }
-    }
-
     /// Make the lists if they no longer hold, then pack what the sweeps read.
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
         self.rows.place_walls(walls, offset);
@@ -376,26 +271,5 @@ impl Fluid {
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
-    }
-
-    /// Every state finite, every density believable.
-    fn check(&self) -> Result<(), Breakdown> {
-        let (p, time, rho0) = (&self.particles, self.time, self.parameters.eos.rho0);
-        let gas = self.parameters.gas.is_some();
-        let sound = |k: usize| {
-            let strain = (p.rho[k] / rho0 - 1.0).abs();
-            let finite = (p.x[k] + p.y[k] + p.u[k] + p.v[k] + p.ax[k] + p.ay[k]).is_finite();
-            if finite && (strain < 0.3 || gas && p.rho[k] > 0.0 && p.energy[k] > 0.0) { 1.0 } else { -1.0 }
-        };
-        if sweep::least(p.len(), sound) > 0.0 {
-            return Ok(());
-        }
-        let k = (0..p.len()).find(|&k| sound(k) < 0.0).unwrap_or(0);
-        let (id, x, y, rho) = (p.id[k], p.x[k], p.y[k], p.rho[k]);
-        Err(if rho.is_finite() && (p.ax[k] + p.ay[k] + p.u[k] + p.v[k] + x + y).is_finite() {
-            Breakdown::Density { id, x, y, rho, time }
-        } else {
-            Breakdown::NotFinite { id, x, y, time }
-        })
     }
 }

@@ -116,7 +116,8 @@ fn heating<'r, K: Shape, D: PairDissipation>(
             continue;
         };
         let (du, dv) = (a.u - b.u, a.v - b.v);
-        let f = pair::force::<f64, D>(a, b, &ab, c, c.nu);
+        let [normal, shear] = pair::force::<f64, D>(a, b, &ab, c, c.nu).map(|part| a.volume * part);
+        let f = [normal * ab.dx + shear * du, normal * ab.dy + shear * dv];
         let closing = (du * ab.dx + dv * ab.dy) * ab.slope;
         heat.compression += b.volume * closing;
         heat.power += a.volume * b.volume * ambient * closing - 0.5 * (f[0] * du + f[1] * dv);

@@ -25,15 +25,17 @@ pub enum Kernel {
     WendlandC4,
 }
 
-/// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · slope(q) · r_ab`. Both are nothing for
+/// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · FALL fall(q) · r_ab`. Both are nothing for
 /// q ≥ 2: pairs are not asked first.
 pub trait Shape: Copy + Send + Sync + 'static {
     /// Normalisation [-]: α ∫₀² w(q) 2πq dq = 1.
     const ALPHA: f64;
     /// w(q) [-], for 0 ≤ q.
     fn w<R: Number>(q: R) -> R;
-    /// w'(q)/q [-] (never positive), for 0 < q; finite at 0.
-    fn slope<R: Number>(q: R) -> R;
+    /// Factor of [`Shape::fall`] [-].
+    const FALL: f64;
+    /// w'(q)/q over `FALL` [-] (never negative), for 0 < q; finite at 0.
+    fn fall<R: Number>(q: R) -> R;
 }
 
 /// See [`Kernel::Gaussian`].
@@ -57,46 +59,49 @@ const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
 
 impl Shape for Gaussian {
     const ALPHA: f64 = 1.0 / (PI * GAUSSIAN_INSIDE);
+    const FALL: f64 = -2.0;
     #[inline(always)]
     fn w<R: Number>(q: R) -> R {
         q.below(q.of(2.0), (q.of(-1.0) * q * q).exp(), q.of(0.0))
     }
     #[inline(always)]
-    fn slope<R: Number>(q: R) -> R {
-        q.of(-2.0) * Self::w(q)
+    fn fall<R: Number>(q: R) -> R {
+        Self::w(q)
     }
 }
 
 impl Shape for Quadratic {
     const ALPHA: f64 = 2.0 / PI;
+    const FALL: f64 = -0.375;
     #[inline(always)]
     fn w<R: Number>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
         q.of(0.1875) * t * t
     }
     #[inline(always)]
-    fn slope<R: Number>(q: R) -> R {
-        let t = (q.of(2.0) - q).max(q.of(0.0));
-        q.of(-0.375) * t / q.max(q.of(1e-12))
+    fn fall<R: Number>(q: R) -> R {
+        (q.of(2.0) - q).max(q.of(0.0)) / q.max(q.of(1e-12))
     }
 }
 
 impl Shape for CubicSpline {
     const ALPHA: f64 = 10.0 / (7.0 * PI);
+    const FALL: f64 = -0.75;
     #[inline(always)]
     fn w<R: Number>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
         q.below(q.of(1.0), q.of(1.0) - q * q * (q.of(1.5) - q.of(0.75) * q), q.of(0.25) * t * t * t)
     }
     #[inline(always)]
-    fn slope<R: Number>(q: R) -> R {
+    fn fall<R: Number>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
-        q.below(q.of(1.0), q.of(2.25) * q - q.of(3.0), q.of(-0.75) * t * t / q)
+        q.below(q.of(1.0), q.of(4.0) - q.of(3.0) * q, t * t / q)
     }
 }
 
 impl Shape for WendlandC2 {
     const ALPHA: f64 = 7.0 / (4.0 * PI);
+    const FALL: f64 = -5.0;
     #[inline(always)]
     fn w<R: Number>(q: R) -> R {
         let t = half_left(q);
@@ -104,14 +109,15 @@ impl Shape for WendlandC2 {
         t2 * t2 * q.mul_add(q.of(2.0), q.of(1.0))
     }
     #[inline(always)]
-    fn slope<R: Number>(q: R) -> R {
+    fn fall<R: Number>(q: R) -> R {
         let t = half_left(q);
-        t * t * (t * q.of(-5.0))
+        t * t * t
     }
 }
 
 impl Shape for WendlandC4 {
     const ALPHA: f64 = 9.0 / (4.0 * PI);
+    const FALL: f64 = -14.0 / 3.0;
     #[inline(always)]
     fn w<R: Number>(q: R) -> R {
         let t = half_left(q);
@@ -119,17 +125,17 @@ impl Shape for WendlandC4 {
         t2 * t2 * t2 * q.of(35.0 / 12.0).mul_add(q, q.of(3.0)).mul_add(q, q.of(1.0))
     }
     #[inline(always)]
-    fn slope<R: Number>(q: R) -> R {
+    fn fall<R: Number>(q: R) -> R {
         let t = half_left(q);
         let t2 = t * t;
-        t2 * t2 * (t * q.of(-14.0 / 3.0)) * q.mul_add(q.of(2.5), q.of(1.0))
+        t2 * t2 * t * q.mul_add(q.of(2.5), q.of(1.0))
     }
 }
 
 /// 1 − q/2, and nothing beyond the support.
 #[inline(always)]
 fn half_left<R: Number>(q: R) -> R {
-    (q.of(1.0) - q * q.of(0.5)).max(q.of(0.0))
+    q.mul_add(q.of(-0.5), q.of(1.0)).max(q.of(0.0))
 }
 
 /// Something to be done with a kernel known at compile time: one dispatch, then an inlined loop.
@@ -175,7 +181,7 @@ impl Kernel {
             type Out = f64;
             fn with<K: Shape>(self) -> f64 {
                 let (q, h2) = (self.0 / self.1, self.1 * self.1);
-                K::ALPHA / (h2 * h2) * K::slope(q)
+                K::ALPHA / (h2 * h2) * K::FALL * K::fall(q)
             }
         }
         self.run(At(r, h))

@@ -44,6 +44,7 @@ pub mod sweep;
 mod sweeps;
 pub mod thesis;
 pub mod turbulence;
+mod verbs;
 pub mod wall_model;
 mod wall_sweeps;
 pub mod walls;

@@ -251,9 +251,9 @@ impl Skin {
     /// True if nobody has moved farther than its allowance.
     pub fn holds(&self, x: &[f64], y: &[f64]) -> bool {
         self.x.len() == x.len()
-            && sweep::least(x.len(), |k| {
+            && sweep::every(x.len(), |k| {
                 let (dx, dy) = (x[k] - self.x[k], y[k] - self.y[k]);
-                self.allowance[k] * self.allowance[k] - (dx * dx + dy * dy)
-            }) >= 0.0
+                dx * dx + dy * dy <= self.allowance[k] * self.allowance[k]
+            })
     }
 }

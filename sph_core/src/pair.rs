@@ -51,7 +51,7 @@ pub struct Size<R = f64> {
     pub(crate) h: R,
     inverse: R,
     peak: R,  // α/h²
-    steep: R, // α/h⁴
+    steep: R, // α/h⁴ times the kernel's factor of slope
 }
 
 /// How a pair finds its size.
@@ -75,7 +75,7 @@ impl<R: Number> Sizing<R> for Mean {
         let inverse = h.of(1.0) / h;
         let i2 = inverse * inverse;
         let peak = h.of(K::ALPHA) * i2;
-        Size { h, inverse, peak, steep: peak * i2 }
+        Size { h, inverse, peak, steep: h.of(K::FALL) * peak * i2 }
     }
 }
 
@@ -109,10 +109,10 @@ pub struct Bond<R = f64> {
 impl<R: Number> Bond<R> {
     #[inline(always)]
     fn new<K: Shape>(dx: R, dy: R, size: Size<R>) -> Bond<R> {
-        let r2 = dx * dx + dy * dy;
+        let r2 = dx.mul_add(dx, dy * dy);
         let r = r2.sqrt();
         let q = r * size.inverse;
-        Bond { dx, dy, r2, r, q, size, slope: size.steep * K::slope(q) }
+        Bond { dx, dy, r2, r, q, size, slope: size.steep * K::fall(q) }
     }
 
     /// W_ab [1/m²].
@@ -162,7 +162,8 @@ pub fn density_rate<R: Number, K: Shape, D: PairDissipation>(
     rho_a * compression - D::rate(c) * diffusion
 }
 
-/// E6 + E7 (R2) + E8: force of b on a [N/m] along and across r_ab: pressure, artificial and laminar viscosity.
+/// E6 + E7 (R2) + E8: force of b on a over V_a, in parts along r_ab [Pa/m²] and along v_ab [Pa s/m³]: pressure, artificial
+/// and laminar viscosity.
 #[inline(always)]
 pub(crate) fn force<R: Number, D: PairDissipation>(
     a: &Row<R>,
@@ -171,11 +172,11 @@ pub(crate) fn force<R: Number, D: PairDissipation>(
     c: &Constants<R>,
     nu: R,
 ) -> [R; 2] {
-    let (du, dv) = (a.u - b.u, a.v - b.v);
-    let weight = a.volume * b.volume * ab.slope;
-    let normal = weight * (D::pressure(ab, du * ab.dx + dv * ab.dy, c) - (a.p + b.p));
+    let weight = b.volume * ab.slope;
+    let along = (a.u - b.u).mul_add(ab.dx, (a.v - b.v) * ab.dy);
+    let normal = weight * (D::pressure(ab, along, c) - (a.p + b.p));
     let shear = weight * (nu.of(2.0) * c.rho0 * nu); // (r·∇W)/r² is the kernel's slope: nothing to regularise
-    [normal * ab.dx + shear * du, normal * ab.dy + shear * dv]
+    [normal, shear]
 }
 
 /// W [1/m²] and slope [1/m⁴] (∇W = slope · d) of a distance d = (dx, dy) [m]; `None` outside the support.
@@ -239,6 +240,7 @@ pub fn momentum<R: Number, K: Shape, D: PairDissipation>(
         sum.take::<K, ElasticPair>(a, &w, &aw, c, wall_nu);
     }
     let MomentumSum { force, filling, crowding, spread } = sum;
+    let force = [a.volume * force[0], a.volume * force[1]];
     GatheredOver { force, filling, fluid_filling, crowding, lambda: smallest_eigenvalue(spread) }
 }
 
@@ -253,8 +255,10 @@ struct MomentumSum<R> {
 impl<R: Number> MomentumSum<R> {
     #[inline(always)]
     fn take<K: Shape, D: PairDissipation>(&mut self, a: &Row<R>, b: &Row<R>, ab: &Bond<R>, c: &Constants<R>, nu: R) {
-        let f = force::<R, D>(a, b, ab, c, nu);
-        self.force = [self.force[0] + f[0], self.force[1] + f[1]];
+        let [normal, shear] = force::<R, D>(a, b, ab, c, nu);
+        let [x, y] = self.force; // over V_a
+        self.force =
+            [normal.mul_add(ab.dx, shear.mul_add(a.u - b.u, x)), normal.mul_add(ab.dy, shear.mul_add(a.v - b.v, y))];
         self.filling = b.fill.mul_add(ab.w::<K>(), self.filling);
         let pull = b.fill * ab.slope;
         let (px, py) = (pull * ab.dx, pull * ab.dy);
@@ -275,10 +279,13 @@ pub fn wall_force<R: Number, K: Shape>(
     let mut sum = [wall.x.of(0.0); 2];
     for a in fluid {
         let wa = Bond::new::<K>(wall.x - a.x, wall.y - a.y, Mean.of::<K>(wall.h, a.h));
-        let f = force::<R, ElasticPair>(wall, &a, &wa, c, wall_nu);
-        sum = [sum[0] + f[0], sum[1] + f[1]];
+        let [normal, shear] = force::<R, ElasticPair>(wall, &a, &wa, c, wall_nu);
+        sum = [
+            normal.mul_add(wa.dx, shear.mul_add(wall.u - a.u, sum[0])),
+            normal.mul_add(wa.dy, shear.mul_add(wall.v - a.v, sum[1])),
+        ];
     }
-    sum
+    [wall.volume * sum[0], wall.volume * sum[1]]
 }
 
 /// What a wall particle extrapolates from the fluid.

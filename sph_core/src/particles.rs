@@ -129,9 +129,7 @@ impl Derived {
     /// E3: does the fluid here hold no tension? Spray does not; nor, with `ventilation`, does what touches both a wall and
     /// the air, which comes in between.
     pub(crate) fn slack(&self, k: usize, ventilation: bool) -> bool {
-        let around = &self.surroundings[k];
-        let at_waterline = self.near_surface[k] && around.filling > around.fluid_filling;
-        around.fluid_filling < SPRAY_FILLING || (ventilation && at_waterline)
+        self.surroundings[k].slack(self.near_surface[k], ventilation)
     }
 }
 
@@ -146,6 +144,15 @@ pub struct Surroundings {
     pub crowding: [f64; 2],
     /// λ (E14), smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
     pub lambda: f64,
+}
+
+impl Surroundings {
+    /// E3: see [`Derived::slack`].
+    #[inline]
+    pub(crate) fn slack(&self, near_surface: bool, ventilation: bool) -> bool {
+        let at_waterline = near_surface && self.filling > self.fluid_filling;
+        self.fluid_filling < SPRAY_FILLING || (ventilation && at_waterline)
+    }
 }
 
 impl Default for Surroundings {

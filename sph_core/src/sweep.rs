@@ -39,6 +39,31 @@ pub fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
         .reduce(|| f64::INFINITY, f64::min)
 }
 
+/// Particles per piece of a verb that asks each only about itself.
+const PIECE: usize = 8 * CHUNK;
+
+/// `change(range, [a[range], b[range], …])` for every piece of arrays of one length.
+pub fn each<T: Send, const N: usize>(
+    arrays: [&mut Vec<T>; N],
+    change: impl Fn(std::ops::Range<usize>, [&mut [T]; N]) + Sync,
+) {
+    let length = arrays.first().map_or(0, |a| a.len());
+    let mut rest = arrays.map(|a| a.as_mut_slice().chunks_mut(PIECE));
+    let pieces: Vec<[&mut [T]; N]> = (0..length.div_ceil(PIECE))
+        .map(|_| std::array::from_fn(|i| rest[i].next().expect("arrays of one length")))
+        .collect();
+    pieces.into_par_iter().enumerate().for_each(|(c, parts)| {
+        let from = c * PIECE;
+        change(from..from + parts[0].len(), parts);
+    });
+}
+
+/// True if `holds(k)` for each of `n`.
+pub fn every(n: usize, holds: impl Fn(usize) -> bool + Sync) -> bool {
+    let all = |c: usize| (c * PIECE..((c + 1) * PIECE).min(n)).fold(true, |all, k| all & holds(k));
+    (0..n.div_ceil(PIECE)).into_par_iter().all(all)
+}
+
 /// Fill a list for every chunk of `n` targets.
 pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(std::ops::Range<usize>, &mut T) + Sync) {
     lists.par_iter_mut().enumerate().for_each(|(c, list)| fill(c * CHUNK..((c + 1) * CHUNK).min(n), list));

@@ -1,0 +1,150 @@
+//! The verbs of a step that ask each particle only about itself, a line an equation.
+
+use crate::error::Breakdown;
+use crate::fluid::Fluid;
+use crate::particles::SURFACE_LAMBDA;
+use crate::sweep;
+
+/// Share of the gap between volume correction and its target closed in a force sweep.
+const VOLUME_RELAXATION: f64 = 0.1;
+/// Filling is believed within these bounds only.
+const FILLING: [f64; 2] = [0.9, 1.12];
+/// Longest shift in a step, in smoothing lengths.
+const LONGEST_SHIFT: f64 = 0.02;
+/// Largest |ρ/ρ₀ − 1| that is believed.
+const LARGEST_STRAIN: f64 = 0.3;
+
+impl Fluid {
+    /// v ← v + Δt a.
+    pub(crate) fn kick(&mut self, dt: f64) {
+        let p = &mut self.particles;
+        sweep::each([&mut p.u, &mut p.v], |at, [u, v]| {
+            let (ax, ay) = (&p.ax[at.clone()], &p.ay[at]);
+            for k in 0..ax.len() {
+                u[k] += dt * ax[k];
+                v[k] += dt * ay[k];
+            }
+        });
+    }
+
+    /// x ← x + Δt v.
+    pub(crate) fn drift(&mut self, dt: f64) {
+        let p = &mut self.particles;
+        sweep::each([&mut p.x, &mut p.y], |at, [x, y]| {
+            let (u, v) = (&p.u[at.clone()], &p.v[at]);
+            for k in 0..u.len() {
+                x[k] += dt * u[k];
+                y[k] += dt * v[k];
+            }
+        });
+    }
+
+    /// ρ ← ρ + Δt dρ/dt.
+    pub(crate) fn compress(&mut self, dt: f64) {
+        sweep::each([&mut self.particles.rho], |at, [rho]| {
+            let rate = &self.density_rate[at];
+            for k in 0..rate.len() {
+                rho[k] += dt * rate[k];
+            }
+        });
+        self.dynamic_walls.compress(dt);
+    }
+
+    /// ρ ← ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ with the rate about the step's middle: second order.
+    pub(crate) fn compress_about_middle(&mut self, dt: f64) {
+        sweep::each([&mut self.particles.rho], |at, [rho]| {
+            let rate = &self.density_rate[at];
+            for k in 0..rate.len() {
+                let (twice, change) = (2.0 * rho[k], dt * rate[k]); // ε = change/ρ
+                rho[k] *= (twice + change) / (twice - change);
+            }
+        });
+        self.dynamic_walls.compress_about_middle(dt);
+    }
+
+    /// E13: δr = −2h Δt |v| ∇C, at most 0.02 h, where the neighbourhood is full.
+    pub(crate) fn shift(&mut self, dt: f64) {
+        if !self.parameters.shifting {
+            return;
+        }
+        let (p, around, at_surface) = (&mut self.particles, &self.derived.surroundings, self.parameters.shift_surface);
+        sweep::each([&mut p.x, &mut p.y], |at, [x, y]| {
+            let (u, v, h, around) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()], &around[at]);
+            for k in 0..u.len() {
+                let full = around[k].lambda >= SURFACE_LAMBDA || at_surface;
+                let scale = -2.0 * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
+                let [dx, dy] = [scale * around[k].crowding[0], scale * around[k].crowding[1]];
+                let (length, limit) = ((dx * dx + dy * dy).sqrt(), LONGEST_SHIFT * h[k]);
+                let shrink = if length > limit { limit / length } else { 1.0 };
+                let share = if full { shrink } else { 0.0 };
+                x[k] += share * dx;
+                y[k] += share * dy;
+            }
+        });
+    }
+
+    /// E12: relax θ towards 1/S inside the fluid, towards 1 near its surface.
+    pub(crate) fn correct_volumes(&mut self) {
+        if !self.parameters.volume_correction {
+            return;
+        }
+        let derived = &self.derived;
+        sweep::update(&mut self.particles.theta, |k, theta| {
+            let filling = derived.surroundings[k].filling.clamp(FILLING[0], FILLING[1]);
+            let target = if derived.near_surface[k] { 1.0 } else { 1.0 / filling };
+            *theta += VOLUME_RELAXATION * (target - *theta);
+        });
+    }
+
+    /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
+    pub(crate) fn equation_of_state(&mut self) {
+        if let Some(gas) = self.parameters.gas {
+            return self.gas_state(gas); //           L9
+        }
+        let (eos, ventilation) = (self.parameters.eos, self.parameters.ventilation);
+        let (p, d) = (&mut self.particles, &mut self.derived);
+        let (around, beside) = (&d.surroundings, &d.near_surface);
+        sweep::each([&mut p.rho, &mut d.pressure, &mut d.volume], |at, [rho, pressure, volume]| {
+            let (around, beside) = (&around[at.clone()], &beside[at.clone()]);
+            let (theta, mass) = (&p.theta[at.clone()], &p.mass[at]);
+            for k in 0..theta.len() {
+                let slack = around[k].slack(beside[k], ventilation);
+                rho[k] = if slack && rho[k] < eos.rho0 { eos.rho0 } else { rho[k] };
+                pressure[k] = eos.pressure(rho[k]);
+                volume[k] = theta[k] * mass[k] / rho[k];
+            }
+        });
+    }
+
+    /// a = F/m + g.
+    pub(crate) fn accelerate(&mut self) {
+        let (p, g, gathered) = (&mut self.particles, self.parameters.gravity, &self.gathered);
+        sweep::each([&mut p.ax, &mut p.ay], |at, [ax, ay]| {
+            let (gathered, mass) = (&gathered[at.clone()], &p.mass[at]);
+            for k in 0..mass.len() {
+                ax[k] = gathered[k].force[0] / mass[k] + g[0];
+                ay[k] = gathered[k].force[1] / mass[k] + g[1];
+            }
+        });
+        sweep::update(&mut self.derived.surroundings, |k, around| *around = gathered[k].around);
+    }
+
+    /// Every state finite, every density believable.
+    pub(crate) fn check(&self) -> Result<(), Breakdown> {
+        let (p, time, rho0) = (&self.particles, self.time, self.parameters.eos.rho0);
+        let gas = self.parameters.gas.is_some();
+        let finite = |k: usize| (p.x[k] + p.y[k] + p.u[k] + p.v[k] + p.ax[k] + p.ay[k]).is_finite();
+        let strained = |k: usize| (p.rho[k] / rho0 - 1.0).abs();
+        let sound =
+            |k: usize| finite(k) && (strained(k) < LARGEST_STRAIN || gas && p.rho[k] > 0.0 && p.energy[k] > 0.0);
+        if sweep::every(p.len(), sound) {
+            return Ok(());
+        }
+        let k = (0..p.len()).find(|&k| !sound(k)).unwrap_or(0);
+        let (id, x, y, rho) = (p.id[k], p.x[k], p.y[k], p.rho[k]);
+        Err(match rho.is_finite() && finite(k) {
+            true => Breakdown::Density { id, x, y, rho, time },
+            false => Breakdown::NotFinite { id, x, y, time },
+        })
+    }
+}
