@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use sph_core::audit::FluidEnergy;
-use sph_core::{Breakdown, Fluid, Walls, Yielding};
+use sph_core::{Breakdown, Fluid, Phase, Phases, Walls, Yielding};
 
 use crate::body::{BodyError, WettedBody};
 use crate::contact::{take_back, throw_back};
@@ -156,6 +156,7 @@ impl Coupled {
         coupled.audit.balance = coupled.balance();
         coupled.energy_at_start = coupled.energy();
         coupled.fluid_at_start = coupled.fluid.energy();
+        coupled.fluid.phases = Phases::default();
         Ok(coupled)
     }
 
@@ -167,6 +168,7 @@ impl Coupled {
 
     /// One step of `dt` [s].
     pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
+        let outer = self.fluid.phases.begin(Phase::Coupling);
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
         }
@@ -176,14 +178,19 @@ impl Coupled {
         self.begin(&owners, dt);
         self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
+        self.fluid.phases.begin(Phase::Structure);
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
+        self.fluid.phases.begin(Phase::Coupling);
         let taken_back = self.take_back(dt); //                           contact with thin plates
         let thrown_back = self.throw_back(dt); //                         contact of single particles
+        self.fluid.phases.begin(Phase::Audit);
         self.note_work(dt, taken_back.iter().zip(&thrown_back).map(|(a, b)| a + b));
         self.close_momentum(dt);
-        self.refuse_collision()
+        self.refuse_collision()?;
+        self.fluid.phases.go_on_with(outer);
+        Ok(())
     }
 
     /// PB6: the velocities that a projection's walls begin a step with, whatever accelerations a scheme then finds.

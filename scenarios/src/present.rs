@@ -2,10 +2,12 @@
 
 mod panels;
 
+use sph_core::Phase;
+
 use crate::compare::{self, Comparison};
 use crate::observe::{GaugeResult, RuleResult};
 use crate::report::{
-    Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render,
+    Bar, Block, Chart, Curve, FlowFrame, FlowView, Mark, Part, Report, Status as PageStatus, Table, flow_png, render,
 };
 use crate::run::Outcome;
 use crate::scene::{Scene, Symmetry};
@@ -30,6 +32,7 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
         sections.push(("Force by four rules".into(), force_rules_section(summary)));
     }
     sections.push(("Audit".into(), vec![audit_table(summary)]));
+    sections.push(("Cost".into(), vec![cost_bar(summary)]));
     sections.push((
         "Scene as run".into(),
         vec![Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() }],
@@ -202,6 +205,13 @@ fn audit_table(s: &Summary) -> Block {
     let worst = s.audit.worst_penetration.iter().map(|worst| row(&["not tight", &worst.to_string()]));
     let rows = rows.into_iter().chain(worst).collect();
     Block::Table(Table { title: "Conservation".into(), head: row(&["quantity", "value"]), rows })
+}
+
+/// Where the wall time went, in the order of a step.
+fn cost_bar(s: &Summary) -> Block {
+    let known = Phase::ALL.into_iter().filter_map(|phase| Some((phase, s.phases.get(phase.name())?)));
+    let parts = known.map(|(phase, time)| Part { label: phase.name().into(), size: time.seconds }).collect();
+    Block::Bar(Bar { title: format!("Wall time by part of the run, {} threads", s.threads), unit: "s".into(), parts })
 }
 
 fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {

@@ -1,6 +1,7 @@
 //! What a run records: its observers, when they look, and the summary of what they saw.
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use fsi_coupling::Coupled;
 use sph_core::{Fluid, Solver};
@@ -17,7 +18,7 @@ use crate::panel_result::PanelResult;
 use crate::run::RunError;
 use crate::scene::{Scene, known_compressibility_error};
 use crate::summary::{
-    Audit, Compressibility, Coupling, Particles, Peak, Projection, Status, Summary, WorstPenetration,
+    Audit, Compressibility, Coupling, Particles, Peak, Projection, Status, Summary, WorstPenetration, phase_times,
 };
 
 /// Means are taken over the run from this share of it on.
@@ -37,6 +38,7 @@ pub(crate) struct Recorder {
     end: f64,
     ledger: EnergyLedger,
     energy_of_body: f64,
+    time_of_log: Duration,
     told_until: f64,
     told_crossing: bool,
 }
@@ -62,6 +64,7 @@ impl Recorder {
             end: scene.time.end,
             ledger: EnergyLedger::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
+            time_of_log: Duration::ZERO,
             told_until: f64::NEG_INFINITY,
             told_crossing: false,
         })
@@ -106,9 +109,16 @@ impl Recorder {
             rules.observe(&frame)?;
         }
         if let Some(log) = &mut self.log {
+            let start = Instant::now();
             log.observe(&frame)?;
+            self.time_of_log += start.elapsed();
         }
         Ok(())
+    }
+
+    /// Time that the log took since this was asked last.
+    pub fn time_of_log(&mut self) -> Duration {
+        std::mem::take(&mut self.time_of_log)
     }
 
     /// Say aloud, and in the log, what has broken since the last sample.
@@ -191,6 +201,7 @@ impl Recorder {
             wall_time_s: wall,
             particle_updates_per_s: fluid.particles.len() as f64 * fluid.steps as f64 / wall,
             threads: rayon::current_num_threads(),
+            phases: phase_times(&fluid.phases),
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: self.ledger.rest(since),

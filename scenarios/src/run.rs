@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
+use sph_core::Phase;
 use tracing::{debug, info, warn};
 
 use crate::build;
@@ -140,11 +141,12 @@ fn advance(
     if let Some(tell) = options.progress {
         tell(0.0, 0);
     }
-    recorder.observe(system)?;
+    observe(system, recorder)?;
     while system.fluid.time < scene.time.end {
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Ok(Ok(Status::Interrupted));
         }
+        system.fluid.phases.begin(Phase::Integration);
         let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
         let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
         match stepped {
@@ -158,7 +160,7 @@ fn advance(
             Ok(_) => {}
         }
         debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
-        recorder.observe(system)?;
+        observe(system, recorder)?;
         if told.elapsed() > PROGRESS_EVERY {
             told = Instant::now();
             if let Some(tell) = options.progress {
@@ -167,6 +169,15 @@ fn advance(
         }
     }
     Ok(Ok(Status::Completed))
+}
+
+/// Observe if something is due, and say whose time that was.
+fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveError> {
+    let outer = system.fluid.phases.begin(Phase::Observers);
+    recorder.observe(system)?;
+    system.fluid.phases.hand_over(Phase::Log, recorder.time_of_log());
+    system.fluid.phases.go_on_with(outer);
+    Ok(())
 }
 
 fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {

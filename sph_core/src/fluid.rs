@@ -8,6 +8,7 @@ use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA, Seed};
+use crate::phases::{Phase, Phases};
 use crate::projection::{self, Projection};
 use crate::restart::{Saved, set_lists_aside};
 use crate::rows::Rows;
@@ -59,6 +60,8 @@ pub struct Fluid {
     pub projection: Projection,
     /// The thesis's projection (THEORY J1–J16).
     pub thesis: Thesis,
+    /// Where the time goes.
+    pub phases: Phases,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -118,6 +121,7 @@ impl Fluid {
             displaced: false,
             projection: Projection::default(),
             thesis: Thesis::default(),
+            phases: Phases::default(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
@@ -165,6 +169,7 @@ impl Fluid {
     /// carry the force now and the mean force of the step.
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
+        let outer = self.phases.begin(Phase::Integration);
         self.note_beginning(walls);
         sweep::within_pool(|| match self.parameters.solver {
             Solver::WeaklyCompressible => {
@@ -177,7 +182,9 @@ impl Fluid {
         self.fold();
         self.time += dt;
         self.steps += 1;
-        self.check()
+        let sound = self.check();
+        self.phases.go_on_with(outer);
+        sound
     }
 
     fn integrate(&mut self, walls: &mut Walls, dt: f64) {
@@ -203,6 +210,7 @@ impl Fluid {
 
     /// v ← v + Δt a.
     pub(crate) fn kick(&mut self, dt: f64) {
+        self.phases.begin(Phase::Integration);
         let p = &mut self.particles;
         for k in 0..p.x.len() {
             p.u[k] += dt * p.ax[k];
@@ -221,6 +229,7 @@ impl Fluid {
 
     /// ρ ← ρ + Δt dρ/dt.
     pub(crate) fn compress(&mut self, dt: f64) {
+        self.phases.begin(Phase::Integration);
         let p = &mut self.particles;
         for k in 0..p.x.len() {
             p.rho[k] += dt * self.density_rate[k];
@@ -230,6 +239,7 @@ impl Fluid {
 
     /// ρ ← ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ with the rate about the step's middle: second order.
     pub(crate) fn compress_about_middle(&mut self, dt: f64) {
+        self.phases.begin(Phase::Integration);
         let p = &mut self.particles;
         for k in 0..p.x.len() {
             let strain = dt * self.density_rate[k] / p.rho[k];
@@ -276,6 +286,7 @@ impl Fluid {
 
     /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
+        self.phases.begin(Phase::Integration);
         if let Some(gas) = self.parameters.gas {
             return self.gas_state(gas); //           L9
         }
@@ -293,6 +304,7 @@ impl Fluid {
     /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
+        self.phases.begin(Phase::Density);
         self.parameters.sweep(DensityRate {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,
@@ -334,7 +346,9 @@ impl Fluid {
         }
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let (out, pushing) = (&mut self.gathered, self.parameters.walls.model.has_pressure());
+        self.phases.begin(Phase::Momentum);
         self.parameters.sweep(Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing, out });
+        self.phases.begin(Phase::Walls);
         self.wall_force.resize(walls.len(), [0.0; 2]);
         if pushing {
             let out = &mut self.wall_force;
@@ -349,6 +363,7 @@ impl Fluid {
 
     /// a = F/m + g.
     fn accelerate(&mut self) {
+        self.phases.begin(Phase::Integration);
         let (p, g) = (&mut self.particles, self.parameters.gravity);
         for (k, sum) in self.gathered.iter().enumerate() {
             p.ax[k] = sum.force[0] / p.mass[k] + g[0];
@@ -359,6 +374,7 @@ impl Fluid {
 
     /// Make the lists if they no longer hold, then pack what the sweeps read.
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
+        self.phases.begin(Phase::Search);
         self.rows.place_walls(walls, offset);
         let Parameters { mirror, periodic, .. } = self.parameters;
         if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
@@ -374,6 +390,7 @@ impl Fluid {
             set_lists_aside(&mut self.saved, &mut self.search);
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }
+        self.phases.begin(Phase::Pack);
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
     }
 
