@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use sph_core::audit::FluidEnergy;
+use sph_core::sweep;
 use sph_core::{Breakdown, Fluid, Phase, Phases, Walls, Yielding};
 
 use crate::body::{BodyError, WettedBody};
@@ -80,6 +81,7 @@ pub struct Coupled {
     play: f64,
     stopped: u64,
     audit: MomentumAudit,
+    mass: f64,
     energy_at_start: f64,
     fluid_at_start: FluidEnergy,
 }
@@ -149,13 +151,15 @@ impl Coupled {
             stopped: 0,
             play: PLAY * spacing,
             audit: MomentumAudit::default(),
+            mass: 0.0,
             energy_at_start: 0.0,
             fluid_at_start: FluidEnergy::default(),
         };
         coupled.load_bodies();
-        coupled.audit.balance = coupled.balance();
-        coupled.energy_at_start = coupled.energy();
+        coupled.mass = coupled.fluid.mass();
+        coupled.audit.balance = coupled.balance(coupled.fluid.momentum());
         coupled.fluid_at_start = coupled.fluid.energy();
+        coupled.energy_at_start = coupled.energy(&coupled.fluid_at_start);
         coupled.fluid.phases = Phases::default();
         Ok(coupled)
     }
@@ -168,6 +172,10 @@ impl Coupled {
 
     /// One step of `dt` [s].
     pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
+        sweep::within_pool(|| self.advance(dt))
+    }
+
+    fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {
         let outer = self.fluid.phases.begin(Phase::Coupling);
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
@@ -308,19 +316,23 @@ impl Coupled {
 
     /// Fluid particles beyond a wall's surface, or behind the plane of symmetry.
     pub fn penetration(&self) -> Penetration {
-        let p = &self.fluid.particles;
-        let mut found = Penetration::default();
-        for k in 0..p.len() {
-            let at = [p.x[k], p.y[k]];
-            let behind = self.fluid.parameters.mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
-            let plane = std::iter::once((behind, ""));
-            let bodies = self.members.iter().map(|m| (m.body.clearance(at), m.body.name()));
-            let nearest = plane.chain(bodies).min_by(|a, b| a.0.total_cmp(&b.0));
-            if let Some((clearance, owner)) = nearest {
-                found.count(p.id[k], at, clearance, owner);
+        let (p, mirror) = (&self.fluid.particles, self.fluid.parameters.mirror);
+        let bodies: Vec<&dyn WettedBody> = self.bodies().collect();
+        let search = |targets: Range<usize>| {
+            let mut found = Penetration::default();
+            for k in targets {
+                let at = [p.x[k], p.y[k]];
+                let behind = mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
+                let plane = std::iter::once((behind, ""));
+                let bodies = bodies.iter().map(|body| (body.clearance(at), body.name()));
+                let nearest = plane.chain(bodies).min_by(|a, b| a.0.total_cmp(&b.0));
+                if let Some((clearance, owner)) = nearest {
+                    found.count(p.id[k], at, clearance, owner);
+                }
             }
-        }
-        found
+            found
+        };
+        sweep::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
     }
 
     /// Momentum closure so far.
@@ -341,20 +353,25 @@ impl Coupled {
     /// Energy that left the balance since the start [J/m] (THEORY E22): fluid and free bodies, less the
     /// work done on the system by bodies whose motion is given. Negative: dissipated.
     pub fn energy_drift(&self) -> f64 {
-        self.energy() - self.energy_at_start
+        self.energy_drift_with(&self.fluid.energy())
     }
 
-    fn energy(&self) -> f64 {
+    /// The same, where the fluid's energy now is known.
+    pub fn energy_drift_with(&self, fluid: &FluidEnergy) -> f64 {
+        self.energy(fluid) - self.energy_at_start
+    }
+
+    fn energy(&self, fluid: &FluidEnergy) -> f64 {
         let of = |m: &Member| {
             let e = m.body.energy();
             if m.body.prescribed() { e.work } else { e.kinetic + e.potential + e.elastic - e.support }
         };
-        self.fluid.energy().total() + self.members.iter().map(of).sum::<f64>()
+        fluid.total() + self.members.iter().map(of).sum::<f64>()
     }
 
-    /// Momentum held less impulses from outside, but for gravity on the fluid.
-    fn balance(&self) -> [f64; 2] {
-        let mut total = self.fluid.momentum();
+    /// Momentum held less impulses from outside, but for gravity on the fluid, whose own momentum is given.
+    fn balance(&self, of_fluid: [f64; 2]) -> [f64; 2] {
+        let mut total = of_fluid;
         for m in &self.members {
             let ledger = m.body.ledger();
             for k in 0..2 {
@@ -365,14 +382,13 @@ impl Coupled {
     }
 
     fn close_momentum(&mut self, dt: f64) {
-        let (now, weight) = (self.balance(), self.fluid.mass());
-        let p = &self.fluid.particles;
-        let held: f64 = (0..p.len()).map(|k| p.mass[k] * p.u[k].hypot(p.v[k])).sum();
-        let pushed: f64 = (0..self.walls.len()).map(|k| self.walls.fx[k].hypot(self.walls.fy[k])).sum();
+        let (of_fluid, held) = self.fluid.momentum_and_its_scale();
+        let (now, w) = (self.balance(of_fluid), &self.walls);
+        let [pushed] = sweep::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
         let symmetric = self.fluid.parameters.mirror.is_some();
         for k in 0..2 {
-            let gravity = if symmetric && k == 0 { 0.0 } else { dt * weight * self.fluid.parameters.gravity[k] };
+            let gravity = if symmetric && k == 0 { 0.0 } else { dt * self.mass * self.fluid.parameters.gravity[k] };
             let gap = now[k] - self.audit.balance[k] - gravity;
             if scale > 0.0 {
                 self.audit.worst = self.audit.worst.max(gap.abs() / scale);

@@ -67,7 +67,7 @@ enum Command {
     Keywords,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone)]
 struct SceneArgs {
     /// Name of a built-in scene, or path of a TOML file.
     scene: String,
@@ -86,6 +86,9 @@ struct RunArgs {
     /// Replace a run that the folder holds.
     #[arg(long)]
     force: bool,
+    /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
+    #[arg(long, value_name = "MB")]
+    log_budget: Option<f64>,
 }
 
 #[derive(Args)]
@@ -245,7 +248,9 @@ fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
 fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
     static STEPPING: AtomicBool = AtomicBool::new(false);
-    let loaded = load(&args.scene)?;
+    let SceneArgs { scene, mut sets } = args.scene.clone();
+    sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
+    let loaded = load(&SceneArgs { scene, sets })?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
     let mut first: Option<Instant> = None;
     let handler = move || {
@@ -266,6 +271,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     let options = RunOptions {
         out: Some(out.clone()),
         force: args.force,
+        without_log: false,
         interrupt: Some(&INTERRUPTED),
         progress: Some(&tell),
         warnings: loaded.warnings.clone(),

@@ -9,7 +9,7 @@ use tracing::warn;
 
 use crate::balance::{held, structure_gap};
 use crate::compare::{self, Comparison, ReferenceCurve};
-use crate::log::Level;
+use crate::log::{Level, Logged};
 use crate::observe::{
     EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
     SimilarityWindow,
@@ -18,7 +18,7 @@ use crate::panel_result::PanelResult;
 use crate::run::RunError;
 use crate::scene::{Scene, known_compressibility_error};
 use crate::summary::{
-    Audit, Compressibility, Coupling, Particles, Peak, Projection, Status, Summary, WorstPenetration, phase_times,
+    Audit, Compressibility, Coupling, Log, Particles, Peak, Projection, Status, Summary, WorstPenetration, phase_times,
 };
 
 /// Means are taken over the run from this share of it on.
@@ -89,8 +89,8 @@ impl Recorder {
 
     fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let penetration = system.penetration();
-        let frame = Frame { system, gauges: &gauges, penetration: &penetration, particles };
+        let (held, penetration) = (system.fluid.holdings(), system.penetration());
+        let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
         if let (Some(breach), None) = (&penetration.worst, self.ledger.worst_penetration()) {
             let first = WorstPenetration::new(breach, frame.time(), frame.time()).to_string();
             warn!("{first}");
@@ -154,11 +154,11 @@ impl Recorder {
     /// A run that stops early shows its last state and says why.
     pub fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let penetration = system.penetration();
-        let frame = Frame { system, gauges: &gauges, penetration: &penetration, particles: true };
+        let (held, penetration) = (system.fluid.holdings(), system.penetration());
+        let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true };
         self.pictures.keep(&frame);
         if let Some(log) = &mut self.log {
-            log.observe(&frame)?;
+            log.keep(&frame)?;
             let (level, text) = match status {
                 Status::Failed => (Level::Error, message.unwrap_or("failed")),
                 _ => (Level::Warning, "interrupted by the user"),
@@ -177,6 +177,7 @@ impl Recorder {
         message: Option<String>,
         wall: f64,
         volume: f64,
+        log: Option<Logged>,
     ) -> Summary {
         let fluid = &system.fluid;
         let since = LATE * fluid.time;
@@ -202,6 +203,12 @@ impl Recorder {
             particle_updates_per_s: fluid.particles.len() as f64 * fluid.steps as f64 / wall,
             threads: rayon::current_num_threads(),
             phases: phase_times(&fluid.phases),
+            log: log.map(|Logged { bytes, frames, left_out }| Log {
+                bytes,
+                frames,
+                frames_left_out: left_out,
+                budget_megabytes: scene.report.log_budget,
+            }),
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: self.ledger.rest(since),

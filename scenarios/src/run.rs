@@ -10,7 +10,7 @@ use tracing::{debug, info, warn};
 
 use crate::build;
 use crate::compare::{self, ReferenceCurve};
-use crate::observe::{FlowPictures, ObserveError, Series};
+use crate::observe::{FlowPictures, LogObserver, ObserveError, Series};
 use crate::present;
 use crate::recorder::Recorder;
 use crate::reference::ReferenceError;
@@ -57,6 +57,8 @@ pub struct RunOptions<'a> {
     pub out: Option<PathBuf>,
     /// Replace a run that is there.
     pub force: bool,
+    /// Write no `log.mcap`.
+    pub without_log: bool,
     /// Set from outside to end the run cleanly.
     pub interrupt: Option<&'a AtomicBool>,
     /// Called with (time, steps): when the stepping begins, and now and then.
@@ -95,7 +97,8 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         clear(dir)?;
         write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
     }
-    let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), file("log.mcap").as_deref(), &system)?;
+    let log = file("log.mcap").filter(|_| !options.without_log);
+    let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
     let (start, volume) = (Instant::now(), system.fluid.volume());
     info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
 
@@ -108,9 +111,12 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     if status != Status::Completed {
         recorder.last_words(&system, status, message.as_deref())?;
     }
+    system.fluid.phases.begin(Phase::Log);
+    let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
+    system.fluid.phases.end();
     let wall = start.elapsed().as_secs_f64();
     info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
-    let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume);
+    let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
     recorder.series.flush()?;
     if summary.audit.work > LARGEST_WORK_GAP {
         warn!(
@@ -118,9 +124,6 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
              bends; take a smaller time.step or fluid.cfl",
             100.0 * summary.audit.work
         );
-    }
-    if let Some(log) = recorder.log {
-        log.finish()?;
     }
     let outcome = Outcome { summary, series: recorder.series, references, pictures: recorder.pictures };
     if let Some(dir) = &options.out {

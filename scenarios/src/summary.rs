@@ -167,6 +167,20 @@ pub struct Projection {
     pub pinned_last: Option<usize>,
 }
 
+/// The log.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Log {
+    /// Size of the file [bytes].
+    pub bytes: u64,
+    /// Frames of particles in it.
+    pub frames: u64,
+    /// Frames that were due and are not in it, since the budget had no room for them.
+    pub frames_left_out: u64,
+    /// Size that it was to stay below [MB]; absent where there was none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub budget_megabytes: Option<f64>,
+}
+
 /// Wall time of a part of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PhaseTime {
@@ -211,6 +225,9 @@ pub struct Summary {
     pub threads: usize,
     /// Where the wall time went, by part of the run.
     pub phases: BTreeMap<&'static str, PhaseTime>,
+    /// The log, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub log: Option<Log>,
     /// Extremes of the series, by column.
     pub peaks: BTreeMap<String, Peak>,
     /// Means of the series over the last fifth of the run, by column.
