@@ -322,12 +322,15 @@ impl Coupled {
             let mut found = Penetration::default();
             for k in targets {
                 let at = [p.x[k], p.y[k]];
-                let behind = mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
-                let plane = std::iter::once((behind, ""));
-                let bodies = bodies.iter().map(|body| (body.clearance(at), body.name()));
-                let nearest = plane.chain(bodies).min_by(|a, b| a.0.total_cmp(&b.0));
-                if let Some((clearance, owner)) = nearest {
-                    found.count(p.id[k], at, clearance, owner);
+                let (mut nearest, mut owner) = (mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at), None);
+                for (j, body) in bodies.iter().enumerate() {
+                    let clearance = body.clearance(at);
+                    if clearance < nearest {
+                        (nearest, owner) = (clearance, Some(j));
+                    }
+                }
+                if nearest < 0.0 {
+                    found.count(p.id[k], at, nearest, owner.map_or("", |j| bodies[j].name()));
                 }
             }
             found

@@ -1,5 +1,6 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
+mod bench;
 mod chart;
 mod study;
 
@@ -61,6 +62,8 @@ enum Command {
     Study(study::StudyArgs),
     /// Chart error against cost: each way to a number whose value is known.
     Chart(chart::ChartArgs),
+    /// Measure the speed of this machine and of the steps on it, as ratios in one run.
+    Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
     Validate(ValidateArgs),
     /// Describe every key of a scene file.
@@ -187,6 +190,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Check(args) => check(cli, args),
         Command::Study(args) => study::run_study(cli, args),
         Command::Chart(args) => chart::run_charts(cli, args),
+        Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Keywords => keywords(cli),
     }

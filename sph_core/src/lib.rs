@@ -10,6 +10,7 @@
 
 mod added_mass;
 pub mod audit;
+mod bytes;
 pub mod cells;
 pub mod density_filter;
 pub mod dissipation;

@@ -5,6 +5,7 @@
 //! should live. Jets move several times as fast as the spray root, so one skin for all would be wasted
 //! on still water (findings of the prototypes, item 10).
 
+use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
 use crate::sweep::{self, CHUNK};
 
@@ -69,6 +70,11 @@ impl Lists {
         &list.index[list.start[k] as usize..list.start[k + 1] as usize]
     }
 
+    /// What the lists hold on to [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        of_vector(&self.chunks) + self.chunks.iter().map(|c| of_vector(&c.start) + of_vector(&c.index)).sum::<usize>()
+    }
+
     /// Number of listed pairs.
     pub fn pairs(&self) -> usize {
         self.chunks.iter().map(|c| c.index.len()).sum()
@@ -91,6 +97,11 @@ impl Skin {
         self.y.clear();
         self.y.extend_from_slice(y);
         self.allowance = allowance;
+    }
+
+    /// What it holds on to [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        [&self.x, &self.y, &self.allowance].map(of_vector).iter().sum()
     }
 
     /// True if nobody has moved farther than its allowance.

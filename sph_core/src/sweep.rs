@@ -13,6 +13,12 @@ pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
     if rayon::current_thread_index().is_some() { task() } else { rayon::scope(|_| task()) }
 }
 
+/// Do `task` with a pool of `threads` of its own.
+pub fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("a system that gives threads").install(task)
+}
+
 /// `out[k] ← gather(k)` for every target k.
 pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
     out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
