@@ -45,8 +45,8 @@ pub struct Extent {
     speedup: (usize, usize),
     /// Simulated [s] and wall time that a dam break ends with.
     column: (f64, Duration),
-    /// Simulated time of the dam break whose log is measured [s], spacing of the wedge whose log is [m], and turns.
-    log: (f64, f64, usize),
+    /// Simulated time of the dam break whose log is measured [s], spacing of the wedge whose log is, if not its own [m], and turns.
+    log: (f64, Option<f64>, usize),
 }
 
 impl Extent {
@@ -56,7 +56,7 @@ impl Extent {
         blocks: &[(10_000, 60), (200_000, 6)],
         speedup: (50_000, 6),
         column: (0.05, Duration::from_secs(3)),
-        log: (0.006, 0.006, 1),
+        log: (0.006, Some(0.006), 2),
     };
     /// Minutes.
     pub const FULL: Extent = Extent {
@@ -64,7 +64,7 @@ impl Extent {
         blocks: &[(10_000, 600), (200_000, 36), (1_000_000, 12)],
         speedup: (200_000, 12),
         column: (0.5, Duration::from_secs(3600)),
-        log: (0.1, 0.003, 3),
+        log: (0.1, None, 3),
     };
 }
 

@@ -72,9 +72,10 @@ pub(super) fn log_of_column(end: f64, turns: usize) -> Result<LogCost, BenchErro
     log_cost(&scene_of(COLUMN, &sets)?, turns)
 }
 
-/// A built-in scene as it is, but for its spacing [m].
-pub(super) fn log_of_builtin(name: &str, spacing: f64, turns: usize) -> Result<LogCost, BenchError> {
-    log_cost(&scene::load(name, &[format!("resolution.spacing={spacing}")])?.scene, turns)
+/// A built-in scene as it is, or with another spacing [m].
+pub(super) fn log_of_builtin(name: &str, spacing: Option<f64>, turns: usize) -> Result<LogCost, BenchError> {
+    let sets: Vec<String> = spacing.map(|dx| format!("resolution.spacing={dx}")).into_iter().collect();
+    log_cost(&scene::load(name, &sets)?.scene, turns)
 }
 
 fn scene_of(toml: &str, sets: &[String]) -> Result<Scene, BenchError> {

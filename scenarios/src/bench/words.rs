@@ -9,6 +9,8 @@ use crate::summary::PhaseTime;
 
 /// Width of the bar of phases in letters.
 const BAR: usize = 60;
+/// Phases of a smaller share are not shown.
+const UNSEEN: f64 = 0.0005;
 
 /// The table for people.
 pub fn in_words(b: &Bench) -> String {
@@ -69,6 +71,7 @@ fn log(l: &LogCost) -> String {
 fn flame(phases: &BTreeMap<&'static str, PhaseTime>) -> Vec<String> {
     let mut from = 0.0;
     let known = Phase::ALL.into_iter().filter_map(|phase| Some((phase, phases.get(phase.name())?)));
+    let known = known.filter(|(_, time)| time.share >= UNSEEN);
     let line = |(phase, time): (Phase, &PhaseTime)| {
         let cell = |share: f64| (BAR as f64 * share).round() as usize;
         let (start, end) = (cell(from), cell(from + time.share));
