@@ -104,7 +104,7 @@ pub struct Surface {
 }
 
 /// A body in the fluid. One coupled step calls `place`, then the fluid steps, then `load`, then `advance`.
-pub trait WettedBody: Send {
+pub trait WettedBody: Send + Sync {
     /// Name, as in output columns.
     fn name(&self) -> &str;
 

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use sph_core::audit::FluidEnergy;
-use sph_core::{Breakdown, Fluid, Walls, Yielding};
+use sph_core::sweep;
+use sph_core::{Breakdown, Fluid, Phase, Phases, Walls, Yielding};
 
 use crate::body::{BodyError, WettedBody};
 use crate::contact::{take_back, throw_back};
@@ -80,6 +81,7 @@ pub struct Coupled {
     play: f64,
     stopped: u64,
     audit: MomentumAudit,
+    mass: f64,
     energy_at_start: f64,
     fluid_at_start: FluidEnergy,
 }
@@ -149,13 +151,16 @@ impl Coupled {
             stopped: 0,
             play: PLAY * spacing,
             audit: MomentumAudit::default(),
+            mass: 0.0,
             energy_at_start: 0.0,
             fluid_at_start: FluidEnergy::default(),
         };
         coupled.load_bodies();
-        coupled.audit.balance = coupled.balance();
-        coupled.energy_at_start = coupled.energy();
+        coupled.mass = coupled.fluid.mass();
+        coupled.audit.balance = coupled.balance(coupled.fluid.momentum());
         coupled.fluid_at_start = coupled.fluid.energy();
+        coupled.energy_at_start = coupled.energy(&coupled.fluid_at_start);
+        coupled.fluid.phases = Phases::default();
         Ok(coupled)
     }
 
@@ -167,6 +172,11 @@ impl Coupled {
 
     /// One step of `dt` [s].
     pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
+        sweep::within_pool(|| self.advance(dt))
+    }
+
+    fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {
+        let outer = self.fluid.phases.begin(Phase::Coupling);
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
         }
@@ -176,14 +186,19 @@ impl Coupled {
         self.begin(&owners, dt);
         self.exchange.agree(&mut self.fluid, &mut self.walls, owners, |fluid, walls| fluid.step(walls, dt))?;
         self.load_bodies(); //                                          Hᵀ: boundary particles → bodies
+        self.fluid.phases.begin(Phase::Structure);
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
+        self.fluid.phases.begin(Phase::Coupling);
         let taken_back = self.take_back(dt); //                           contact with thin plates
         let thrown_back = self.throw_back(dt); //                         contact of single particles
+        self.fluid.phases.begin(Phase::Audit);
         self.note_work(dt, taken_back.iter().zip(&thrown_back).map(|(a, b)| a + b));
         self.close_momentum(dt);
-        self.refuse_collision()
+        self.refuse_collision()?;
+        self.fluid.phases.go_on_with(outer);
+        Ok(())
     }
 
     /// PB6: the velocities that a projection's walls begin a step with, whatever accelerations a scheme then finds.
@@ -301,19 +316,26 @@ impl Coupled {
 
     /// Fluid particles beyond a wall's surface, or behind the plane of symmetry.
     pub fn penetration(&self) -> Penetration {
-        let p = &self.fluid.particles;
-        let mut found = Penetration::default();
-        for k in 0..p.len() {
-            let at = [p.x[k], p.y[k]];
-            let behind = self.fluid.parameters.mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at);
-            let plane = std::iter::once((behind, ""));
-            let bodies = self.members.iter().map(|m| (m.body.clearance(at), m.body.name()));
-            let nearest = plane.chain(bodies).min_by(|a, b| a.0.total_cmp(&b.0));
-            if let Some((clearance, owner)) = nearest {
-                found.count(p.id[k], at, clearance, owner);
+        let (p, mirror) = (&self.fluid.particles, self.fluid.parameters.mirror);
+        let bodies: Vec<&dyn WettedBody> = self.bodies().collect();
+        let search = |targets: Range<usize>| {
+            let mut found = Penetration::default();
+            for k in targets {
+                let at = [p.x[k], p.y[k]];
+                let (mut nearest, mut owner) = (mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at), None);
+                for (j, body) in bodies.iter().enumerate() {
+                    let clearance = body.clearance(at);
+                    if clearance < nearest {
+                        (nearest, owner) = (clearance, Some(j));
+                    }
+                }
+                if nearest < 0.0 {
+                    found.count(p.id[k], at, nearest, owner.map_or("", |j| bodies[j].name()));
+                }
             }
-        }
-        found
+            found
+        };
+        sweep::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
     }
 
     /// Momentum closure so far.
@@ -334,20 +356,25 @@ impl Coupled {
     /// Energy that left the balance since the start [J/m] (THEORY E22): fluid and free bodies, less the
     /// work done on the system by bodies whose motion is given. Negative: dissipated.
     pub fn energy_drift(&self) -> f64 {
-        self.energy() - self.energy_at_start
+        self.energy_drift_with(&self.fluid.energy())
     }
 
-    fn energy(&self) -> f64 {
+    /// The same, where the fluid's energy now is known.
+    pub fn energy_drift_with(&self, fluid: &FluidEnergy) -> f64 {
+        self.energy(fluid) - self.energy_at_start
+    }
+
+    fn energy(&self, fluid: &FluidEnergy) -> f64 {
         let of = |m: &Member| {
             let e = m.body.energy();
             if m.body.prescribed() { e.work } else { e.kinetic + e.potential + e.elastic - e.support }
         };
-        self.fluid.energy().total() + self.members.iter().map(of).sum::<f64>()
+        fluid.total() + self.members.iter().map(of).sum::<f64>()
     }
 
-    /// Momentum held less impulses from outside, but for gravity on the fluid.
-    fn balance(&self) -> [f64; 2] {
-        let mut total = self.fluid.momentum();
+    /// Momentum held less impulses from outside, but for gravity on the fluid, whose own momentum is given.
+    fn balance(&self, of_fluid: [f64; 2]) -> [f64; 2] {
+        let mut total = of_fluid;
         for m in &self.members {
             let ledger = m.body.ledger();
             for k in 0..2 {
@@ -358,14 +385,13 @@ impl Coupled {
     }
 
     fn close_momentum(&mut self, dt: f64) {
-        let (now, weight) = (self.balance(), self.fluid.mass());
-        let p = &self.fluid.particles;
-        let held: f64 = (0..p.len()).map(|k| p.mass[k] * p.u[k].hypot(p.v[k])).sum();
-        let pushed: f64 = (0..self.walls.len()).map(|k| self.walls.fx[k].hypot(self.walls.fy[k])).sum();
+        let (of_fluid, held) = self.fluid.momentum_and_its_scale();
+        let (now, w) = (self.balance(of_fluid), &self.walls);
+        let [pushed] = sweep::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
         let symmetric = self.fluid.parameters.mirror.is_some();
         for k in 0..2 {
-            let gravity = if symmetric && k == 0 { 0.0 } else { dt * weight * self.fluid.parameters.gravity[k] };
+            let gravity = if symmetric && k == 0 { 0.0 } else { dt * self.mass * self.fluid.parameters.gravity[k] };
             let gap = now[k] - self.audit.balance[k] - gravity;
             if scale > 0.0 {
                 self.audit.worst = self.audit.worst.max(gap.abs() / scale);

@@ -26,11 +26,18 @@ pub struct Penetration {
 }
 
 impl Penetration {
-    /// Count one particle, at `clearance` [m] from the wall of `owner`.
+    /// What was found among these and among `later` ones.
+    pub(crate) fn and(self, later: Penetration) -> Penetration {
+        let count = self.count + later.count;
+        let worst = match (self.worst, later.worst) {
+            (Some(a), Some(b)) => Some(if b.depth > a.depth { b } else { a }),
+            (a, b) => a.or(b),
+        };
+        Penetration { count, worst }
+    }
+
+    /// Count one particle, at `clearance` [m], which is negative, from the wall of `owner`.
     pub(crate) fn count(&mut self, id: u32, at: [f64; 2], clearance: f64, owner: &str) {
-        if clearance >= 0.0 {
-            return;
-        }
         self.count += 1;
         if self.worst.as_ref().is_none_or(|worst| -clearance > worst.depth) {
             self.worst = Some(Breach { id, at, depth: -clearance, owner: owner.to_string() });

@@ -9,7 +9,7 @@ use crate::pose::{Rigid, Shape};
 use crate::rows::Arrangement;
 
 /// A motion law: time [s] → motion of the body's origin.
-pub type Law = Box<dyn Fn(f64) -> Rigid + Send>;
+pub type Law = Box<dyn Fn(f64) -> Rigid + Send + Sync>;
 
 /// See the module's text.
 pub struct PrescribedBody {

@@ -1,5 +1,6 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
+mod bench;
 mod chart;
 mod study;
 
@@ -61,13 +62,15 @@ enum Command {
     Study(study::StudyArgs),
     /// Chart error against cost: each way to a number whose value is known.
     Chart(chart::ChartArgs),
+    /// Measure the speed of this machine and of the steps on it, as ratios in one run.
+    Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
     Validate(ValidateArgs),
     /// Describe every key of a scene file.
     Keywords,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone)]
 struct SceneArgs {
     /// Name of a built-in scene, or path of a TOML file.
     scene: String,
@@ -86,6 +89,9 @@ struct RunArgs {
     /// Replace a run that the folder holds.
     #[arg(long)]
     force: bool,
+    /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
+    #[arg(long, value_name = "MB")]
+    log_budget: Option<f64>,
 }
 
 #[derive(Args)]
@@ -184,6 +190,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Check(args) => check(cli, args),
         Command::Study(args) => study::run_study(cli, args),
         Command::Chart(args) => chart::run_charts(cli, args),
+        Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Keywords => keywords(cli),
     }
@@ -245,7 +252,9 @@ fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
 fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
     static STEPPING: AtomicBool = AtomicBool::new(false);
-    let loaded = load(&args.scene)?;
+    let SceneArgs { scene, mut sets } = args.scene.clone();
+    sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
+    let loaded = load(&SceneArgs { scene, sets })?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
     let mut first: Option<Instant> = None;
     let handler = move || {
@@ -266,6 +275,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     let options = RunOptions {
         out: Some(out.clone()),
         force: args.force,
+        without_log: false,
         interrupt: Some(&INTERRUPTED),
         progress: Some(&tell),
         warnings: loaded.warnings.clone(),

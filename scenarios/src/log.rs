@@ -11,15 +11,16 @@
 //!
 //! Metadata `splashdown` (`scene`, `version`) and `scene.resolved.toml` (`toml`) and the
 //! attachment `scene.resolved.toml` come first in the file. Log time and publish time are both
-//! the simulated time [ns]; the wall clock is nowhere, and compression runs on the calling
-//! thread, so that the same calls write the same bytes.
+//! the simulated time [ns]; the wall clock is nowhere, and compression runs on one thread, so that
+//! the same calls write the same bytes.
 //!
 //! # A run that is killed
 //!
 //! The file only ever grows: a chunk is built in memory and appended whole, and handed to the
 //! operating system before [`LogWriter::frame`] and [`LogWriter::note`] return. A process killed
 //! at any moment thus leaves a prefix of the file it would have finished, holding everything up
-//! to the last frame or note that returned; samples taken since then are lost. A writer dropped
+//! to the last frame or note that returned; samples taken since then are lost. A run writes through a
+//! [`BackgroundLog`], which may have two frames on their way to the file: those are lost too. A writer dropped
 //! without [`LogWriter::finish`] (an early return, a panic) still completes the file, as far as
 //! the disk allows, but reports no error.
 //!
@@ -30,9 +31,12 @@
 //! both kinds of file, the second with `--truncated`; `mcap recover` turns a prefix into a
 //! complete file.
 
+mod background;
 mod bodies;
+mod budget;
 mod container;
 mod error;
+mod frame;
 mod level;
 mod particles;
 mod pose;
@@ -44,8 +48,11 @@ use std::path::Path;
 
 use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate};
 
+pub use background::{BackgroundLog, Logged};
 pub use bodies::BodyView;
+pub use budget::Budget;
 pub use error::LogError;
+pub use frame::Frame;
 pub use level::Level;
 pub use particles::ParticleView;
 
@@ -129,16 +136,24 @@ impl LogWriter {
         walls: &ParticleView<'_>,
         bodies: &[BodyView<'_>],
     ) -> Result<(), LogError> {
-        let stamp = Stamp::from_seconds(time)?;
-        let fluid = particles::point_cloud(FLUID, stamp, fluid)?;
-        let walls = particles::point_cloud(WALLS, stamp, walls)?;
-        let scene = bodies::scene_update(stamp, bodies);
-        let tf = bodies::frame_transforms(stamp, bodies);
+        self.write(&Frame::new(time, fluid, walls, bodies)?)
+    }
 
-        self.container.write_typed(&mut self.fluid, stamp, &fluid)?;
-        self.container.write_typed(&mut self.walls, stamp, &walls)?;
-        self.container.write_typed(&mut self.scene, stamp, &scene)?;
-        self.container.write_typed(&mut self.tf, stamp, &tf)?;
+    /// Writes one picture of the run, as [`LogWriter::frame`] does.
+    ///
+    /// # Errors
+    /// [`LogError::Write`] if the disk refuses it.
+    pub fn write(&mut self, frame: &Frame) -> Result<(), LogError> {
+        let Frame { stamp, fluid, walls, scene, tf, .. } = frame;
+        self.container.write_typed(&mut self.fluid, *stamp, fluid)?;
+        self.container.write_typed(&mut self.walls, *stamp, walls)?;
+        self.container.write_typed(&mut self.scene, *stamp, scene)?;
+        self.container.write_typed(&mut self.tf, *stamp, tf)?;
+        self.flush()
+    }
+
+    /// Hands every sample so far to the operating system.
+    fn flush(&mut self) -> Result<(), LogError> {
         self.container.flush()
     }
 

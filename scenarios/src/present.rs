@@ -2,14 +2,16 @@
 
 mod panels;
 
+use sph_core::{Phase, sweep};
+
 use crate::compare::{self, Comparison};
 use crate::observe::{GaugeResult, RuleResult};
 use crate::report::{
-    Block, Chart, Curve, FlowFrame, FlowView, Mark, Report, Status as PageStatus, Table, flow_png, render,
+    Bar, Block, Chart, Curve, FlowFrame, FlowView, Mark, Part, Report, Status as PageStatus, Table, flow_png, render,
 };
 use crate::run::Outcome;
 use crate::scene::{Scene, Symmetry};
-use crate::summary::{Compressibility, Projection, Status, Summary};
+use crate::summary::{Compressibility, Log, Projection, Status, Summary};
 
 /// References of more points than this are drawn as lines.
 const MANY: usize = 60;
@@ -30,6 +32,7 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
         sections.push(("Force by four rules".into(), force_rules_section(summary)));
     }
     sections.push(("Audit".into(), vec![audit_table(summary)]));
+    sections.push(("Cost".into(), vec![cost_bar(summary)]));
     sections.push((
         "Scene as run".into(),
         vec![Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() }],
@@ -62,6 +65,7 @@ fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
         row(&["threads", &s.threads.to_string(), ""]),
         row(&["particle updates", &format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s"]),
     ];
+    rows.extend(s.log.iter().flat_map(log_rows));
     rows.extend(s.compressibility.iter().flat_map(compressibility_rows));
     rows.extend(s.projection.iter().flat_map(projection_rows));
     let head = row(&["quantity", "value", "unit"]);
@@ -76,6 +80,18 @@ fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
     blocks.extend(s.compressibility.as_ref().map(|c| Block::Text(compressibility_in_words(c))));
     blocks.extend(gauge_table(s));
     blocks
+}
+
+fn log_rows(log: &Log) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        row(&["log", &format!("{:.1}", 1e-6 * log.bytes as f64), "MB"]),
+        row(&["frames of particles in the log", &log.frames.to_string(), ""]),
+    ];
+    if let Some(budget) = log.budget_megabytes {
+        rows.push(row(&["size that the log was to stay below", &format!("{budget:.1}"), "MB"]));
+        rows.push(row(&["frames left out for that", &log.frames_left_out.to_string(), ""]));
+    }
+    rows
 }
 
 fn compressibility_rows(c: &Compressibility) -> Vec<Vec<String>> {
@@ -204,6 +220,13 @@ fn audit_table(s: &Summary) -> Block {
     Block::Table(Table { title: "Conservation".into(), head: row(&["quantity", "value"]), rows })
 }
 
+/// Where the wall time went, in the order of a step.
+fn cost_bar(s: &Summary) -> Block {
+    let known = Phase::ALL.into_iter().filter_map(|phase| Some((phase, s.phases.get(phase.name())?)));
+    let parts = known.map(|(phase, time)| Part { label: phase.name().into(), size: time.seconds }).collect();
+    Block::Bar(Bar { title: format!("Wall time by part of the run, {} threads", s.threads), unit: "s".into(), parts })
+}
+
 fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
     let mirror_x = scene.symmetry == Symmetry::X;
     let (x, y) = window(scene);
@@ -216,9 +239,11 @@ fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
     values.sort_by(f32::total_cmp);
     let top = values.get(values.len().saturating_sub(1) * 995 / 1000).map_or(1.0, |v| f64::from(*v).max(1e-6));
     let view = FlowView { x, y, value: [0.0, top], width_px: 1100, label: "pressure [kPa]".into(), mirror_x };
+    let mut drawn = vec![Vec::new(); frames.len()];
+    sweep::update_pieces(&mut drawn, 1, |k, png| png[0] = flow_png(&frames[k], &view));
     let picture =
-        |f: &FlowFrame| Block::Picture { png: flow_png(f, &view), caption: format!("Pressure at t = {:.5} s", f.time) };
-    frames.iter().map(picture).collect()
+        |(f, png): (&FlowFrame, _)| Block::Picture { png, caption: format!("Pressure at t = {:.5} s", f.time) };
+    frames.iter().zip(drawn).map(picture).collect()
 }
 
 /// The part of the flow worth looking at [m]: the fine zone and as much again, or the whole tank.

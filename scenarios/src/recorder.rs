@@ -1,6 +1,7 @@
 //! What a run records: its observers, when they look, and the summary of what they saw.
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use fsi_coupling::Coupled;
 use sph_core::{Fluid, Solver};
@@ -8,7 +9,7 @@ use tracing::warn;
 
 use crate::balance::{held, structure_gap};
 use crate::compare::{self, Comparison, ReferenceCurve};
-use crate::log::Level;
+use crate::log::{Level, Logged};
 use crate::observe::{
     EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
     SimilarityWindow,
@@ -17,7 +18,7 @@ use crate::panel_result::PanelResult;
 use crate::run::RunError;
 use crate::scene::{Scene, known_compressibility_error};
 use crate::summary::{
-    Audit, Compressibility, Coupling, Particles, Peak, Projection, Status, Summary, WorstPenetration,
+    Audit, Compressibility, Coupling, Log, Particles, Peak, Projection, Status, Summary, WorstPenetration, phase_times,
 };
 
 /// Means are taken over the run from this share of it on.
@@ -37,6 +38,7 @@ pub(crate) struct Recorder {
     end: f64,
     ledger: EnergyLedger,
     energy_of_body: f64,
+    time_of_log: Duration,
     told_until: f64,
     told_crossing: bool,
 }
@@ -62,6 +64,7 @@ impl Recorder {
             end: scene.time.end,
             ledger: EnergyLedger::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
+            time_of_log: Duration::ZERO,
             told_until: f64::NEG_INFINITY,
             told_crossing: false,
         })
@@ -86,8 +89,8 @@ impl Recorder {
 
     fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let penetration = system.penetration();
-        let frame = Frame { system, gauges: &gauges, penetration: &penetration, particles };
+        let (held, penetration) = (system.fluid.holdings(), system.penetration());
+        let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
         if let (Some(breach), None) = (&penetration.worst, self.ledger.worst_penetration()) {
             let first = WorstPenetration::new(breach, frame.time(), frame.time()).to_string();
             warn!("{first}");
@@ -106,9 +109,16 @@ impl Recorder {
             rules.observe(&frame)?;
         }
         if let Some(log) = &mut self.log {
+            let start = Instant::now();
             log.observe(&frame)?;
+            self.time_of_log += start.elapsed();
         }
         Ok(())
+    }
+
+    /// Time that the log took since this was asked last.
+    pub fn time_of_log(&mut self) -> Duration {
+        std::mem::take(&mut self.time_of_log)
     }
 
     /// Say aloud, and in the log, what has broken since the last sample.
@@ -144,11 +154,11 @@ impl Recorder {
     /// A run that stops early shows its last state and says why.
     pub fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let penetration = system.penetration();
-        let frame = Frame { system, gauges: &gauges, penetration: &penetration, particles: true };
+        let (held, penetration) = (system.fluid.holdings(), system.penetration());
+        let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true };
         self.pictures.keep(&frame);
         if let Some(log) = &mut self.log {
-            log.observe(&frame)?;
+            log.keep(&frame)?;
             let (level, text) = match status {
                 Status::Failed => (Level::Error, message.unwrap_or("failed")),
                 _ => (Level::Warning, "interrupted by the user"),
@@ -167,6 +177,7 @@ impl Recorder {
         message: Option<String>,
         wall: f64,
         volume: f64,
+        log: Option<Logged>,
     ) -> Summary {
         let fluid = &system.fluid;
         let since = LATE * fluid.time;
@@ -191,6 +202,13 @@ impl Recorder {
             wall_time_s: wall,
             particle_updates_per_s: fluid.particles.len() as f64 * fluid.steps as f64 / wall,
             threads: rayon::current_num_threads(),
+            phases: phase_times(&fluid.phases),
+            log: log.map(|Logged { bytes, frames, left_out }| Log {
+                bytes,
+                frames,
+                frames_left_out: left_out,
+                budget_megabytes: scene.report.log_budget,
+            }),
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: self.ledger.rest(since),

@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
+use sph_core::Phase;
 use tracing::{debug, info, warn};
 
 use crate::build;
 use crate::compare::{self, ReferenceCurve};
-use crate::observe::{FlowPictures, ObserveError, Series};
+use crate::observe::{FlowPictures, LogObserver, ObserveError, Series};
 use crate::present;
 use crate::recorder::Recorder;
 use crate::reference::ReferenceError;
@@ -56,6 +57,8 @@ pub struct RunOptions<'a> {
     pub out: Option<PathBuf>,
     /// Replace a run that is there.
     pub force: bool,
+    /// Write no `log.mcap`.
+    pub without_log: bool,
     /// Set from outside to end the run cleanly.
     pub interrupt: Option<&'a AtomicBool>,
     /// Called with (time, steps): when the stepping begins, and now and then.
@@ -94,7 +97,8 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         clear(dir)?;
         write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
     }
-    let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), file("log.mcap").as_deref(), &system)?;
+    let log = file("log.mcap").filter(|_| !options.without_log);
+    let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
     let (start, volume) = (Instant::now(), system.fluid.volume());
     info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
 
@@ -107,9 +111,12 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     if status != Status::Completed {
         recorder.last_words(&system, status, message.as_deref())?;
     }
+    system.fluid.phases.begin(Phase::Log);
+    let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
+    system.fluid.phases.end();
     let wall = start.elapsed().as_secs_f64();
     info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
-    let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume);
+    let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
     recorder.series.flush()?;
     if summary.audit.work > LARGEST_WORK_GAP {
         warn!(
@@ -117,9 +124,6 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
              bends; take a smaller time.step or fluid.cfl",
             100.0 * summary.audit.work
         );
-    }
-    if let Some(log) = recorder.log {
-        log.finish()?;
     }
     let outcome = Outcome { summary, series: recorder.series, references, pictures: recorder.pictures };
     if let Some(dir) = &options.out {
@@ -140,11 +144,12 @@ fn advance(
     if let Some(tell) = options.progress {
         tell(0.0, 0);
     }
-    recorder.observe(system)?;
+    observe(system, recorder)?;
     while system.fluid.time < scene.time.end {
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Ok(Ok(Status::Interrupted));
         }
+        system.fluid.phases.begin(Phase::Integration);
         let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
         let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
         match stepped {
@@ -158,7 +163,7 @@ fn advance(
             Ok(_) => {}
         }
         debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
-        recorder.observe(system)?;
+        observe(system, recorder)?;
         if told.elapsed() > PROGRESS_EVERY {
             told = Instant::now();
             if let Some(tell) = options.progress {
@@ -167,6 +172,15 @@ fn advance(
         }
     }
     Ok(Ok(Status::Completed))
+}
+
+/// Observe if something is due, and say whose time that was.
+fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveError> {
+    let outer = system.fluid.phases.begin(Phase::Observers);
+    recorder.observe(system)?;
+    system.fluid.phases.hand_over(Phase::Log, recorder.time_of_log());
+    system.fluid.phases.go_on_with(outer);
+    Ok(())
 }
 
 fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::Breach;
 use serde::Serialize;
+use sph_core::{Phase, Phases};
 
 use crate::compare::Comparison;
 use crate::observe::{GaugeResult, RuleResult, SimilarityResult};
@@ -166,6 +167,36 @@ pub struct Projection {
     pub pinned_last: Option<usize>,
 }
 
+/// The log.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Log {
+    /// Size of the file [bytes].
+    pub bytes: u64,
+    /// Frames of particles in it.
+    pub frames: u64,
+    /// Frames that were due and are not in it, since the budget had no room for them.
+    pub frames_left_out: u64,
+    /// Size that it was to stay below [MB]; absent where there was none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub budget_megabytes: Option<f64>,
+}
+
+/// Wall time of a part of the run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PhaseTime {
+    /// Wall time [s].
+    pub seconds: f64,
+    /// Over that of all parts [-].
+    pub share: f64,
+}
+
+/// The parts of a run that took time, by name.
+pub fn phase_times(phases: &Phases) -> BTreeMap<&'static str, PhaseTime> {
+    let total = phases.total().max(f64::MIN_POSITIVE);
+    let time = |phase: Phase| PhaseTime { seconds: phases.seconds(phase), share: phases.seconds(phase) / total };
+    Phase::ALL.into_iter().map(|phase| (phase.name(), time(phase))).filter(|(_, time)| time.seconds > 0.0).collect()
+}
+
 /// Everything a script may want to know of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
@@ -192,6 +223,11 @@ pub struct Summary {
     pub particle_updates_per_s: f64,
     /// Threads used.
     pub threads: usize,
+    /// Where the wall time went, by part of the run.
+    pub phases: BTreeMap<&'static str, PhaseTime>,
+    /// The log, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub log: Option<Log>,
     /// Extremes of the series, by column.
     pub peaks: BTreeMap<String, Peak>,
     /// Means of the series over the last fifth of the run, by column.

@@ -5,6 +5,7 @@ use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
 use crate::neighbours::Lists;
 use crate::pair::{Row, kernel_and_slope};
+use crate::phases::Phase;
 use crate::sweep;
 use crate::wall_model::WallModel;
 use crate::walls::Walls;
@@ -97,6 +98,7 @@ impl Fluid {
         if self.yielding.is_empty() || self.parameters.walls.model != WallModel::Extrapolated {
             return;
         }
+        self.phases.begin(Phase::Coupling);
         let (kernel, rho0) = (self.parameters.kernel, self.parameters.eos.rho0);
         let (fluid, rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let mut levers = vec![Lever::default(); walls.len()];

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
 use crate::pair::{self, Row};
+use crate::phases::Phase;
 use crate::search::Search;
 use crate::sweep;
 use crate::walls::Walls;
@@ -116,6 +117,7 @@ impl Fluid {
     /// L5 if `linear`, else L4, now; walls where they stand at the end of the step.
     pub fn smooth_density(&mut self, walls: &Walls, linear: bool) {
         self.pack(walls, 0.0);
+        self.phases.begin(Phase::Density);
         let mut smooth = std::mem::take(&mut self.density_rate); // free between rates
         self.parameters.kernel.run(Filter {
             fluid: &self.rows.fluid,

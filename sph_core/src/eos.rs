@@ -29,6 +29,21 @@ impl Tait {
         }
     }
 
+    /// Elastic energy over that at ρ₀ [J/kg] (THEORY E22): ∫ p/ρ² dρ.
+    #[inline]
+    pub fn energy(&self, rho: f64) -> f64 {
+        let s = rho / self.rho0;
+        let growth = if self.gamma == 7.0 {
+            let s2 = s * s;
+            (s2 * s2 * s2 - 1.0) / 6.0
+        } else if self.gamma == 1.0 {
+            s.ln()
+        } else {
+            (s.powf(self.gamma - 1.0) - 1.0) / (self.gamma - 1.0)
+        };
+        self.c0 * self.c0 / self.gamma * (growth + 1.0 / s - 1.0)
+    }
+
     /// Density [kg/m³] of a pressure [Pa]; the inverse of [`Tait::pressure`], valid for p > −B.
     pub fn density(&self, pressure: f64) -> f64 {
         let b = self.rho0 * self.c0 * self.c0 / self.gamma;
@@ -46,6 +61,20 @@ mod tests {
             let law = Tait { rho0: 1000.0, c0: 60.0, gamma };
             for p in [-2e4, 0.0, 1e3, 4e5] {
                 assert!((law.pressure(law.density(p)) - p).abs() < 1e-6 * p.abs().max(1.0), "gamma {gamma}, p {p}");
+            }
+        }
+    }
+
+    /// E22: the slope of the energy over ρ is p/ρ².
+    #[test]
+    fn elastic_energy_is_the_work_of_the_pressure() {
+        for gamma in [1.0, 1.4, 7.0] {
+            let law = Tait { rho0: 1000.0, c0: 60.0, gamma };
+            assert_eq!(law.energy(1000.0), 0.0);
+            for rho in [960.0, 1010.0, 1100.0] {
+                let slope = (law.energy(rho + 0.01) - law.energy(rho - 0.01)) / 0.02;
+                let work = law.pressure(rho) / (rho * rho);
+                assert!((slope / work - 1.0).abs() < 1e-6, "gamma {gamma}, rho {rho}: {slope}, {work}");
             }
         }
     }

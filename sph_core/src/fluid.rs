@@ -8,6 +8,7 @@ use crate::multistep::{self, History};
 use crate::pair::{Extrapolated, Gathered};
 use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, Seed};
+use crate::phases::{Phase, Phases};
 use crate::projection::{self, Projection};
 use crate::restart::{Saved, set_lists_aside};
 use crate::rows::Rows;
@@ -59,6 +60,8 @@ pub struct Fluid {
     pub projection: Projection,
     /// The thesis's projection (THEORY J1–J16).
     pub thesis: Thesis,
+    /// Where the time goes.
+    pub phases: Phases,
 }
 
 /// Steps that a neighbour list is made to last.
@@ -112,6 +115,7 @@ impl Fluid {
             displaced: false,
             projection: Projection::default(),
             thesis: Thesis::default(),
+            phases: Phases::default(),
         };
         let n = fluid.particles.len();
         fluid.derived.resize(n);
@@ -159,6 +163,7 @@ impl Fluid {
     /// carry the force now and the mean force of the step.
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
+        let outer = self.phases.begin(Phase::Integration);
         self.note_beginning(walls);
         sweep::within_pool(|| match self.parameters.solver {
             Solver::WeaklyCompressible => {
@@ -171,7 +176,9 @@ impl Fluid {
         self.fold();
         self.time += dt;
         self.steps += 1;
-        self.check()
+        let sound = self.check();
+        self.phases.go_on_with(outer);
+        sound
     }
 
     fn integrate(&mut self, walls: &mut Walls, dt: f64) {
@@ -198,6 +205,7 @@ impl Fluid {
     /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
+        self.phases.begin(Phase::Density);
         let gather = DensityRate {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,
@@ -240,7 +248,9 @@ impl Fluid {
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let pushing = self.parameters.walls.model.has_pressure();
         let gather = Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing };
+        self.phases.begin(Phase::Momentum);
         self.parameters.sweep(&gather, &mut self.gathered);
+        self.phases.begin(Phase::Walls);
         self.wall_force.resize(walls.len(), [0.0; 2]);
         if pushing {
             let gather = WallForce { fluid, walls: wall_rows, search, constants, wall_nu };
@@ -255,6 +265,7 @@ impl Fluid {
 
     /// Make the lists if they no longer hold, then pack what the sweeps read.
     pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
+        self.phases.begin(Phase::Search);
         self.rows.place_walls(walls, offset);
         let Parameters { mirror, periodic, .. } = self.parameters;
         if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
@@ -270,6 +281,7 @@ impl Fluid {
             set_lists_aside(&mut self.saved, &mut self.search);
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }
+        self.phases.begin(Phase::Pack);
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
     }
 }

@@ -10,6 +10,7 @@
 
 mod added_mass;
 pub mod audit;
+mod bytes;
 pub mod cells;
 pub mod density_filter;
 pub mod dissipation;
@@ -29,6 +30,7 @@ pub mod neighbours;
 pub mod pair;
 pub mod parameters;
 pub mod particles;
+pub mod phases;
 pub mod probe;
 pub mod projection;
 mod repulsive;
@@ -60,6 +62,7 @@ pub use integrator::Integrator;
 pub use kernel::Kernel;
 pub use parameters::{Parameters, Slip};
 pub use particles::{Particles, Seed};
+pub use phases::{Phase, Phases};
 pub use projection::Projecting;
 pub use screen::{Passage, Screen};
 pub use solver::Solver;

@@ -11,9 +11,8 @@ const SUSPECT: f64 = 0.6;
 impl Fluid {
     /// Fluid particles that may be beyond a wall's surface, in the particles' order.
     pub fn suspects(&self, walls: &Walls) -> Vec<usize> {
-        let mut heights = vec![f64::INFINITY; self.particles.len()];
-        sweep::gather_into(&mut heights, |k| self.height_over_nearest(k, walls));
-        (0..heights.len()).filter(|&k| heights[k] < SUSPECT).collect()
+        let near = |k: &usize| self.height_over_nearest(*k, walls) < SUSPECT;
+        sweep::by_chunk(self.particles.len(), |targets| targets.filter(near).collect::<Vec<usize>>()).concat()
     }
 
     /// Height over the nearest wall particle along its normal, in wall spacings; infinity far from walls.

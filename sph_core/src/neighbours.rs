@@ -10,6 +10,7 @@
 
 use std::ops::Range;
 
+use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
 use crate::lanes::{self, LANES, Number, Task};
 use crate::sweep::{self, CHUNK};
@@ -161,15 +162,20 @@ impl Lists {
         self.chunks[k / CHUNK].alike[k % CHUNK / LANES]
     }
 
+    /// What the lists hold on to [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        of_vector(&self.chunks)
+            + self
+                .chunks
+                .iter()
+                .map(|c| of_vector(&c.start) + of_vector(&c.entries) + of_vector(&c.alike))
+                .sum::<usize>()
+    }
+
     /// Number of listed pairs.
     pub fn pairs(&self) -> usize {
         let bits: u32 = self.chunks.iter().flat_map(|c| &c.entries).map(|e| e.bits().count_ones()).sum();
         bits as usize
-    }
-
-    /// Bytes held.
-    pub fn bytes(&self) -> usize {
-        self.chunks.iter().map(|c| 4 * (c.entries.capacity() + c.start.capacity()) + c.alike.capacity()).sum()
     }
 }
 
@@ -246,6 +252,11 @@ impl Skin {
         self.y.clear();
         self.y.extend_from_slice(y);
         self.allowance = allowance;
+    }
+
+    /// What it holds on to [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        [&self.x, &self.y, &self.allowance].map(of_vector).iter().sum()
     }
 
     /// True if nobody has moved farther than its allowance.

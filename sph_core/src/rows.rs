@@ -1,5 +1,6 @@
 //! What the sweeps read: fluid and walls packed row by row, images behind them.
 
+use crate::bytes::of_vector;
 use crate::images::Mirror;
 use crate::lanes::Number;
 use crate::neighbours::Spread;
@@ -134,6 +135,14 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
+    /// What the rows hold on to [bytes].
+    pub fn bytes(&self) -> usize {
+        let Rows { fluid, walls, faces, mirror_points, screens, wall_x, wall_y } = self;
+        let numbers = [&mirror_points.0, &mirror_points.1, wall_x, wall_y];
+        let of_walls = of_vector(walls) + of_vector(faces) + of_vector(screens);
+        of_vector(fluid) + of_walls + numbers.map(of_vector).iter().sum::<usize>()
+    }
+
     /// Put the walls where they are `offset` seconds from the step's end.
     pub fn place_walls(&mut self, walls: &Walls, offset: f64) {
         self.wall_x.clear();

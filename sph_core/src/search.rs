@@ -1,5 +1,6 @@
 //! Who may meet whom: neighbour lists for fluid and walls, images included, remade when a skin is used up.
 
+use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
 use crate::images::{Mirror, Periodic};
 use crate::neighbours::{Lists, Skin};
@@ -147,6 +148,16 @@ impl Search {
         self.wall_skin.reset(walls.x, walls.y, wall_allowance);
         self.rebuilds += 1;
         self.flag_surface(derived);
+    }
+
+    /// What lists and skins hold on to [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        let lists = [&self.fluid, &self.walls_of_fluid, &self.fluid_of_wall, &self.fluid_of_mirror];
+        let skins = [&self.skin, &self.wall_skin, &self.mirror_skin];
+        let images = [&self.fluid_images, &self.wall_images].map(of_vector);
+        let shifts = [&self.fluid_shifts, &self.wall_shifts].map(of_vector);
+        lists.map(Lists::bytes).iter().chain(&skins.map(Skin::bytes)).chain(&images).chain(&shifts).sum::<usize>()
+            + of_vector(&self.scratch)
     }
 
     /// The particle behind listed index `j` of `n` particles and their images.

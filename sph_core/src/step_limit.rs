@@ -13,6 +13,44 @@ const VISCOUS: f64 = 0.125;
 /// A step this many times smaller than the acoustic limit of water at rest means breakdown.
 const COLLAPSE: f64 = 1e-4;
 
+/// What bounds the step: roots and products that grow with these are left until the least is known, which rounds the same.
+#[derive(Clone, Copy)]
+struct Bounds {
+    /// C h/(c + |v|) [s].
+    acoustic: f64,
+    /// h/|a| [s²].
+    force: f64,
+    /// h [m].
+    h: f64,
+}
+
+impl Bounds {
+    const NONE: Bounds = Bounds { acoustic: f64::INFINITY, force: f64::INFINITY, h: f64::INFINITY };
+
+    #[inline(always)]
+    fn of(cfl: f64, c: f64, h: f64, [u, v]: [f64; 2], [ax, ay]: [f64; 2]) -> Bounds {
+        let (speed, acceleration) = ((u * u + v * v).sqrt(), (ax * ax + ay * ay).sqrt());
+        Bounds { acoustic: cfl * h / (c + speed), force: h / acceleration, h }
+    }
+
+    #[inline(always)]
+    fn min(self, other: Bounds) -> Bounds {
+        let (acoustic, force) = (self.acoustic.min(other.acoustic), self.force.min(other.force));
+        Bounds { acoustic, force, h: self.h.min(other.h) }
+    }
+
+    /// The least of `n`.
+    fn least(n: usize, of: impl Fn(usize) -> Bounds + Sync) -> Bounds {
+        let chunks = sweep::by_chunk(n, |targets| targets.map(&of).fold(Bounds::NONE, Bounds::min));
+        chunks.into_iter().fold(Bounds::NONE, Bounds::min)
+    }
+
+    /// The step [s] (E17).
+    fn dt(self, nu: f64) -> f64 {
+        self.acoustic.min(FORCE * self.force.sqrt()).min(VISCOUS * self.h * self.h / nu)
+    }
+}
+
 impl Fluid {
     /// Speed of sound at particle `k` [m/s]: c₀, and in a gas hotter than at rest more.
     fn sound_speed(&self, k: usize) -> f64 {
@@ -38,20 +76,17 @@ impl Fluid {
         }
         let (p, q) = (&self.particles, &self.parameters);
         let c0 = q.eos.c0;
-        let limit = |c: f64, h: f64, u: f64, v: f64, ax: f64, ay: f64| {
-            let (speed, acceleration) = ((u * u + v * v).sqrt(), (ax * ax + ay * ay).sqrt());
-            (q.cfl * h / (c + speed)).min(FORCE * (h / acceleration).sqrt()).min(VISCOUS * h * h / q.nu)
-        };
-        let of_fluid = |k: usize| limit(self.sound_speed(k), p.h[k], p.u[k], p.v[k], p.ax[k], p.ay[k]);
-        let of_wall = |k: usize| limit(c0, walls.h[k], walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]);
-        let (dt, at_rest) = sweep::within_pool(|| {
-            let dt = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall));
-            (dt, q.cfl * sweep::least(p.len(), |k| p.h[k]) / c0)
-        });
-        if p.is_empty() || dt > COLLAPSE * at_rest {
+        let of_fluid = |k: usize| Bounds::of(q.cfl, self.sound_speed(k), p.h[k], [p.u[k], p.v[k]], [p.ax[k], p.ay[k]]);
+        let w = walls;
+        let of_wall = |k: usize| Bounds::of(q.cfl, c0, w.h[k], [w.u[k], w.v[k]], [w.ax[k], w.ay[k]]);
+        let (fluid, wall) =
+            sweep::within_pool(|| (Bounds::least(p.len(), of_fluid), Bounds::least(walls.len(), of_wall)));
+        let dt = fluid.dt(q.nu).min(wall.dt(q.nu));
+        if p.is_empty() || dt > COLLAPSE * (q.cfl * fluid.h / c0) {
             return Ok(dt);
         }
-        let k = (0..p.len()).min_by(|&a, &b| of_fluid(a).total_cmp(&of_fluid(b))).unwrap_or(0);
+        let of = |k: usize| of_fluid(k).dt(q.nu);
+        let k = (0..p.len()).min_by(|&a, &b| of(a).total_cmp(&of(b))).unwrap_or(0);
         Err(self.collapsed(k, dt))
     }
 

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
 use crate::pair::{self, Row};
+use crate::phases::Phase;
 use crate::search::Search;
 use crate::sweep;
 use crate::walls::Walls;
@@ -63,6 +64,7 @@ impl Fluid {
             return;
         }
         self.pack(walls, offset);
+        self.phases.begin(Phase::Density);
         self.parameters.kernel.run(Summation {
             fluid: &self.rows.fluid,
             walls: &self.rows.walls,

@@ -13,6 +13,12 @@ pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
     if rayon::current_thread_index().is_some() { task() } else { rayon::scope(|_| task()) }
 }
 
+/// Do `task` with a pool of `threads` of its own.
+pub fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("a system that gives threads").install(task)
+}
+
 /// `out[k] ← gather(k)` for every target k.
 pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
     out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
@@ -29,6 +35,35 @@ pub fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
             change(c * CHUNK + k, slot);
         }
     });
+}
+
+/// `of(targets)` for every chunk of `n` targets, in order.
+pub fn by_chunk<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
+    (0..n.div_ceil(CHUNK)).into_par_iter().map(|c| of(c * CHUNK..((c + 1) * CHUNK).min(n))).collect()
+}
+
+/// Sums that a chunk is added up in, in turn, so that no addition waits for the one before it.
+const LANES: usize = 4;
+
+/// Σ `value(k)` over `n` targets: the sums of the chunks, added in order.
+pub fn sum<const N: usize>(n: usize, value: impl Fn(usize) -> [f64; N] + Sync) -> [f64; N] {
+    let add = |mut sum: [f64; N], part: [f64; N]| {
+        (0..N).for_each(|i| sum[i] += part[i]);
+        sum
+    };
+    let of_chunk = |targets: std::ops::Range<usize>| {
+        let (mut lanes, whole) = ([[0.0; N]; LANES], targets.len() / LANES * LANES);
+        for k in targets.clone().step_by(LANES).take(whole / LANES) {
+            for (l, lane) in lanes.iter_mut().enumerate() {
+                *lane = add(*lane, value(k + l));
+            }
+        }
+        for (lane, k) in lanes.iter_mut().zip(targets.start + whole..targets.end) {
+            *lane = add(*lane, value(k));
+        }
+        lanes.into_iter().fold([0.0; N], add)
+    };
+    by_chunk(n, of_chunk).into_iter().fold([0.0; N], add)
 }
 
 /// The least `value(k)` of `n` (infinity when there are none); `min` is exact, so any order gives the same bits.
@@ -94,4 +129,23 @@ pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mu
 /// `change(c, piece)` for every piece of `length` of `out`.
 pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usize, &mut [T]) + Sync) {
     out.par_chunks_mut(length).enumerate().for_each(|(c, piece)| change(c, piece));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_take_every_target_once() {
+        for n in [0, 1, 3, 4, 127, 128, 129, 1000] {
+            let [count, total] = sum(n, |k| [1.0, k as f64]);
+            assert_eq!([count, total], [n as f64, (n * n.saturating_sub(1) / 2) as f64], "{n} targets");
+        }
+    }
+
+    #[test]
+    fn chunks_come_in_order() {
+        let firsts = by_chunk(1000, |targets| targets.start);
+        assert_eq!(firsts, (0..1000).step_by(CHUNK).collect::<Vec<_>>());
+    }
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
 use crate::pair::{self, Gathered, Row};
+use crate::phases::Phase;
 use crate::search::Search;
 use crate::sweep;
 
@@ -153,6 +154,7 @@ impl Fluid {
         if self.parameters.turbulence == Turbulence::None {
             return;
         }
+        self.phases.begin(Phase::Momentum);
         self.evaluate_stress();
         self.parameters.kernel.run(Divergence {
             fluid: &self.rows.fluid,

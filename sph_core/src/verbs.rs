@@ -3,6 +3,7 @@
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
 use crate::particles::SURFACE_LAMBDA;
+use crate::phases::Phase;
 use crate::sweep;
 
 /// Share of the gap between volume correction and its target closed in a force sweep.
@@ -17,6 +18,7 @@ const LARGEST_STRAIN: f64 = 0.3;
 impl Fluid {
     /// v ← v + Δt a.
     pub(crate) fn kick(&mut self, dt: f64) {
+        self.phases.begin(Phase::Integration);
         let p = &mut self.particles;
         sweep::each([&mut p.u, &mut p.v], |at, [u, v]| {
             let (ax, ay) = (&p.ax[at.clone()], &p.ay[at]);
@@ -41,6 +43,7 @@ impl Fluid {
 
     /// ρ ← ρ + Δt dρ/dt.
     pub(crate) fn compress(&mut self, dt: f64) {
+        self.phases.begin(Phase::Integration);
         sweep::each([&mut self.particles.rho], |at, [rho]| {
             let rate = &self.density_rate[at];
             for k in 0..rate.len() {
@@ -52,6 +55,7 @@ impl Fluid {
 
     /// ρ ← ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ with the rate about the step's middle: second order.
     pub(crate) fn compress_about_middle(&mut self, dt: f64) {
+        self.phases.begin(Phase::Integration);
         sweep::each([&mut self.particles.rho], |at, [rho]| {
             let rate = &self.density_rate[at];
             for k in 0..rate.len() {
@@ -98,6 +102,7 @@ impl Fluid {
 
     /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
+        self.phases.begin(Phase::Integration);
         if let Some(gas) = self.parameters.gas {
             return self.gas_state(gas); //           L9
         }
@@ -118,6 +123,7 @@ impl Fluid {
 
     /// a = F/m + g.
     pub(crate) fn accelerate(&mut self) {
+        self.phases.begin(Phase::Integration);
         let (p, g, gathered) = (&mut self.particles, self.parameters.gravity, &self.gathered);
         sweep::each([&mut p.ax, &mut p.ay], |at, [ax, ay]| {
             let (gathered, mass) = (&gathered[at.clone()], &p.mass[at]);

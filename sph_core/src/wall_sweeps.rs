@@ -5,6 +5,7 @@ use crate::fluid::Fluid;
 use crate::mirror_point::MirrorState;
 use crate::pair::Extrapolated;
 use crate::parameters::Slip;
+use crate::phases::Phase;
 use crate::repulsive::{push_fluid, push_walls};
 use crate::sweeps::WallState;
 use crate::wall_model::WallModel;
@@ -41,6 +42,7 @@ impl Fluid {
 
     /// E9: pressures of the walls extrapolated from the fluid.
     pub(crate) fn extrapolate_to_walls(&mut self, walls: &mut Walls) {
+        self.phases.begin(Phase::Walls);
         self.extrapolated.resize(walls.len(), Extrapolated::default());
         let gather = WallState {
             fluid: &self.rows.fluid,
@@ -55,6 +57,7 @@ impl Fluid {
 
     /// W3: pressures of the walls from their mirror points.
     pub(crate) fn read_mirror_points(&mut self, walls: &mut Walls) {
+        self.phases.begin(Phase::Walls);
         self.extrapolated.resize(walls.len(), Extrapolated::default());
         self.parameters.kernel.run(MirrorState {
             fluid: &self.rows.fluid,
@@ -68,6 +71,7 @@ impl Fluid {
 
     /// W2: pressures of the walls from their densities; they show the fluid their own velocity.
     pub(crate) fn state_of_dynamic_walls(&mut self, walls: &mut Walls) {
+        self.phases.begin(Phase::Walls);
         let found = self.dynamic_walls.pressures(self.parameters.eos).enumerate();
         self.extrapolated.clear();
         self.extrapolated

@@ -1,6 +1,6 @@
 //! However a run ends, what it has written can be read.
 
-use crate::command::{Ended, Workplace, read_log};
+use crate::command::{Ended, Workplace, binary, read_log};
 
 /// A run that takes long and writes a frame every few steps.
 const LONG: [&str; 6] =
@@ -90,6 +90,50 @@ fn a_pressure_that_does_not_converge_fails_with_the_log_intact() {
     assert!(log.complete && log.fluid_frames >= 1);
     assert!(log.notes.iter().any(|note| contains(note, message)), "the log does not say what failed");
     assert!(place.text("out/report.html").contains("did not converge"));
+}
+
+/// A disk that takes no more (a limit on the size of files) ends the run with exit 1 and the file's name; what is in the log can be
+/// read.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_ends_the_run() {
+    let place = Workplace::new();
+    // 512 or 1024 bytes a block, as the shell has it: less than three frames in either case
+    let limited = "trap '' XFSZ; ulimit -f 1200; exec \"$0\" \"$@\"";
+    let output = std::process::Command::new("sh")
+        .args(["-c", limited])
+        .arg(binary())
+        .args(LONG)
+        .args(OUT)
+        .current_dir(place.path("."))
+        .output()
+        .expect("a shell");
+    let ended = Ended::from(output);
+    assert_eq!(ended.code, Some(1), "{}", ended.message);
+    ended.says(&["cannot write the log", "log.mcap"]);
+    let log = read_log(&place.read("out/log.mcap"));
+    assert!(log.fluid_frames >= 1 && !log.complete, "{} frames", log.fluid_frames);
+}
+
+/// `--log-budget` keeps the log small with fewer frames, the last one among them, and the summary says how many are missing.
+#[test]
+fn a_budget_keeps_the_log_small() {
+    let place = Workplace::new();
+    let short = ["--set", "time.end=0.05", "--set", "time.frame_every=0.001", "--log-budget", "1.5"];
+    let ended = place.run(&[&LONG[..4], &short, &OUT].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let (summary, bytes) = (place.summary("out"), place.read("out/log.mcap"));
+    let log = read_log(&bytes);
+    assert!(log.complete && bytes.len() <= 1_500_000, "{} bytes", bytes.len());
+    assert_eq!(summary["log"]["bytes"], bytes.len());
+    assert_eq!(summary["log"]["frames"], log.fluid_frames);
+    assert_eq!(summary["log"]["budget_megabytes"], 1.5);
+    let left_out = summary["log"]["frames_left_out"].as_u64().expect("a count");
+    assert!(left_out > 10 && log.fluid_frames >= 3, "{left_out} left out, {} kept", log.fluid_frames);
+    assert!(place.text("out/scene.resolved.toml").contains("log_budget = 1.5"));
+    let refused = place.run(&[&LONG[..4], &["--log-budget", "0"], &OUT].concat());
+    assert_eq!(refused.code, Some(2), "{}", refused.message);
+    refused.says(&["report.log_budget", "above 0"]);
 }
 
 fn contains(bytes: &[u8], text: &str) -> bool {

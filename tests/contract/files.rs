@@ -92,6 +92,11 @@ fn the_summary_has_the_keys_of_the_contract() {
         "/particle_updates_per_s",
         "/peaks/wedge.fy_N_per_m/value",
         "/peaks/wedge.fy_N_per_m/time_s",
+        "/phases/density/seconds",
+        "/phases/density/share",
+        "/phases/momentum/seconds",
+        "/phases/observers/seconds",
+        "/phases/log/seconds",
         "/audit/momentum",
         "/audit/energy",
         "/audit/volume",
@@ -114,6 +119,15 @@ fn the_summary_has_the_keys_of_the_contract() {
     ] {
         has(&summary, path, Value::is_f64);
     }
+    let phases = summary["phases"].as_object().expect("phases");
+    let shares: f64 = phases.values().map(|phase| phase["share"].as_f64().expect("a share")).sum();
+    let seconds: f64 = phases.values().map(|phase| phase["seconds"].as_f64().expect("seconds")).sum();
+    let wall = summary["wall_time_s"].as_f64().expect("a number");
+    assert!(
+        (shares - 1.0).abs() < 1e-9 && seconds > 0.9 * wall && seconds <= wall,
+        "{seconds} of {wall} s: {phases:?}"
+    );
+    assert!(place.text("out/report.html").contains(">momentum "), "no bar of the parts of the run");
     has(&summary, "/similarity/window_s", |v| {
         v.as_array().is_some_and(|a| a.len() == 2 && a.iter().all(Value::is_f64))
     });

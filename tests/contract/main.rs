@@ -5,6 +5,7 @@
 
 mod command;
 
+mod bench;
 mod bits;
 mod chart;
 mod endings;

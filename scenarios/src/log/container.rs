@@ -14,6 +14,9 @@ use mcap::{Attachment, Compression, McapResult, WriteOptions};
 
 use super::{LogError, Stamp};
 
+/// Level of compression: at 3, the usual one, packed particles take more than twice the time and come out half a per cent smaller.
+const LEVEL: u32 = 1;
+
 /// A topic and the number of messages it holds.
 pub(super) struct Topic {
     id: u16,
@@ -41,6 +44,7 @@ impl Container {
             .library(format!("{library} {}", mcap::LIBRARY_IDENTIFIER))
             .compression(Some(Compression::Zstd))
             .compression_threads(0)
+            .compression_level(LEVEL)
             .chunk_size(None)
             .disable_seeking(true)
             .create(NoSeek::new(BufWriter::new(file)));

@@ -9,7 +9,7 @@ use mcap::McapError;
 #[derive(Debug, thiserror::Error)]
 pub enum LogError {
     /// The file cannot be opened for writing.
-    #[error("cannot create the log {}", path.display())]
+    #[error("cannot create the log {}: {source}", path.display())]
     Create {
         /// The file.
         path: PathBuf,
@@ -17,12 +17,18 @@ pub enum LogError {
         source: io::Error,
     },
     /// The file does not take what is written to it; nothing more can be written.
-    #[error("cannot write the log {}", path.display())]
+    #[error("cannot write the log {}: {source}", path.display())]
     Write {
         /// The file.
         path: PathBuf,
         /// What the container says.
         source: McapError,
+    },
+    /// The log has ended, for a reason that was told before.
+    #[error("the log {} has ended", path.display())]
+    Ended {
+        /// The file.
+        path: PathBuf,
     },
     /// A time that a log cannot carry: its clock counts from 0 s and ends before 2³² s.
     #[error("cannot log the time {time} s: it must lie in [0, 2^32) s")]

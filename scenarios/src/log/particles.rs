@@ -2,6 +2,7 @@
 
 use foxglove::messages::packed_element_field::NumericType;
 use foxglove::messages::{PackedElementField, PointCloud};
+use sph_core::sweep;
 
 use super::pose::identity_pose;
 use super::{LogError, Stamp, WORLD_FRAME};
@@ -20,6 +21,9 @@ const FIELDS: [(&str, NumericType); 8] = [
 
 const FIELD_SIZE: usize = 4;
 const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
+
+/// Points that are packed in one go.
+const PIECE: usize = 1024;
 
 /// The particles of one frame; every slice has shape (number of particles).
 ///
@@ -72,23 +76,12 @@ pub(super) fn point_cloud(
     particles: &ParticleView<'_>,
 ) -> Result<PointCloud, LogError> {
     let count = particles.len(topic)?;
-    let mut data = Vec::with_capacity(count * POINT_SIZE);
-    for i in 0..count {
-        let (vx, vy) = (particles.vx[i], particles.vy[i]);
-        let values = [
-            particles.x[i],
-            particles.y[i],
-            0.0,
-            particles.pressure[i],
-            (vx * vx + vy * vy).sqrt(),
-            particles.density[i],
-            particles.spacing[i],
-        ];
-        for value in values {
-            data.extend_from_slice(&(value as f32).to_le_bytes());
+    let mut data = vec![0; count * POINT_SIZE];
+    sweep::update_pieces(&mut data, PIECE * POINT_SIZE, |piece, bytes| {
+        for (k, point) in bytes.chunks_exact_mut(POINT_SIZE).enumerate() {
+            pack(point, particles, piece * PIECE + k);
         }
-        data.extend_from_slice(&particles.id[i].to_le_bytes());
-    }
+    });
     Ok(PointCloud {
         timestamp: Some(stamp.timestamp()),
         frame_id: WORLD_FRAME.to_owned(),
@@ -97,6 +90,25 @@ pub(super) fn point_cloud(
         fields: packed_fields(),
         data: data.into(),
     })
+}
+
+/// Packs particle `i` into the bytes of a point.
+fn pack(point: &mut [u8], particles: &ParticleView<'_>, i: usize) {
+    let (vx, vy) = (particles.vx[i], particles.vy[i]);
+    let values = [
+        particles.x[i],
+        particles.y[i],
+        0.0,
+        particles.pressure[i],
+        (vx * vx + vy * vy).sqrt(),
+        particles.density[i],
+        particles.spacing[i],
+    ];
+    let (numbers, id) = point.split_at_mut(values.len() * FIELD_SIZE);
+    for (field, value) in numbers.chunks_exact_mut(FIELD_SIZE).zip(values) {
+        field.copy_from_slice(&(value as f32).to_le_bytes());
+    }
+    id.copy_from_slice(&particles.id[i].to_le_bytes());
 }
 
 /// The description of a packed point that goes with every cloud.

@@ -71,10 +71,7 @@ impl EnergyLedger {
 impl Observer for EnergyLedger {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let system = frame.system;
-        let p = &system.fluid.particles;
-        let mass: f64 = p.mass.iter().sum();
-        let height = p.mass.iter().zip(&p.y).map(|(m, y)| m * y).sum::<f64>() / mass;
-        let energy = system.fluid_energy();
+        let energy = frame.held.energy;
         let of_bodies: f64 = system.bodies().map(|b| b.energy().kinetic + b.energy().work.abs()).sum();
         let fall = energy.potential - system.fluid_energy_at_start().potential;
         self.moving = self.moving.max(energy.kinetic + of_bodies);
@@ -86,8 +83,8 @@ impl Observer for EnergyLedger {
                 self.worst = Some(WorstPenetration::new(breach, frame.time(), since));
             }
         }
-        self.fastest = self.fastest.max(system.fluid.top_speed());
-        self.entries.push(Entry { time: frame.time(), kinetic: energy.kinetic, height });
+        self.fastest = self.fastest.max(frame.held.top_speed);
+        self.entries.push(Entry { time: frame.time(), kinetic: energy.kinetic, height: frame.held.height });
         Ok(())
     }
 }

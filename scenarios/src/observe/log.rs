@@ -2,13 +2,17 @@
 
 use std::path::Path;
 
+use sph_core::audit::Holdings;
+use sph_core::sweep;
+
 use super::{Frame, ObserveError, Observer};
-use crate::log::{BodyView, Level, LogMetadata, LogWriter, ParticleView};
+use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogMetadata, Logged, ParticleView};
 use crate::scene::Scene;
 
 /// Writes the log.
 pub struct LogObserver {
-    writer: LogWriter,
+    writer: BackgroundLog,
+    end: f64,
     panels: Vec<(String, Vec<String>)>,
     gauges: Vec<String>,
 }
@@ -21,7 +25,9 @@ impl LogObserver {
         let panels = scene.body.iter().flat_map(|body| &body.panels);
         let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        Ok(LogObserver { writer: LogWriter::create(path, &metadata)?, panels, gauges })
+        let end = scene.time.end;
+        let budget = scene.report.log_budget.map(|megabytes| Budget { bytes: (1e6 * megabytes) as u64, end });
+        Ok(LogObserver { writer: BackgroundLog::create(path, &metadata, budget)?, end, panels, gauges })
     }
 
     /// Note what went wrong, or why a run stopped.
@@ -30,7 +36,7 @@ impl LogObserver {
     }
 
     /// Complete the file.
-    pub fn finish(self) -> Result<u64, ObserveError> {
+    pub fn finish(self) -> Result<Logged, ObserveError> {
         Ok(self.writer.finish()?)
     }
 
@@ -52,7 +58,7 @@ impl LogObserver {
                 self.gauges.iter().map(String::as_str).zip(frame.gauges.iter().copied()).collect();
             self.writer.sample(t, "gauges", &named)?;
         }
-        let (energy, momentum) = (system.fluid_energy(), system.fluid.momentum());
+        let Holdings { energy, momentum, volume, top_speed, .. } = *frame.held;
         let audit = [
             ("momentum_x_N_s_per_m", momentum[0]),
             ("momentum_y_N_s_per_m", momentum[1]),
@@ -60,10 +66,10 @@ impl LogObserver {
             ("kinetic_J_per_m", energy.kinetic),
             ("potential_J_per_m", energy.potential),
             ("elastic_J_per_m", energy.elastic),
-            ("energy_drift_J_per_m", system.energy_drift()),
-            ("volume_m2", system.fluid.volume()),
+            ("energy_drift_J_per_m", system.energy_drift_with(&energy)),
+            ("volume_m2", volume),
             ("penetrated", frame.penetration.count as f64),
-            ("top_speed_m_per_s", system.fluid.top_speed()),
+            ("top_speed_m_per_s", top_speed),
         ];
         self.writer.sample(t, "audit", &audit)?;
         Ok(())
@@ -79,14 +85,17 @@ fn join(loops: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     loops.iter().flat_map(|l| l.iter().copied().chain([l[0], home])).collect()
 }
 
-impl Observer for LogObserver {
-    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+impl LogObserver {
+    /// Keep the state now, due or not: the last word of a run that stops early.
+    pub fn keep(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         self.curves(frame)?;
-        if !frame.particles {
-            return Ok(());
-        }
+        self.picture(frame, true)
+    }
+
+    fn picture(&mut self, frame: &Frame<'_>, last: bool) -> Result<(), ObserveError> {
         let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
-        let spacing: Vec<f64> = (0..p.len()).map(|k| (p.mass[k] / p.rho[k]).sqrt()).collect();
+        let mut spacing = vec![0.0; p.len()];
+        sweep::gather_into(&mut spacing, |k| (p.mass[k] / p.rho[k]).sqrt());
         let fluid = ParticleView {
             x: &p.x,
             y: &p.y,
@@ -117,6 +126,13 @@ impl Observer for LogObserver {
             .iter()
             .map(|(name, m, outline)| BodyView { name, position: m.position, angle: m.angle, outline })
             .collect();
-        Ok(self.writer.frame(frame.time(), &fluid, &walls, &bodies)?)
+        Ok(self.writer.frame(log::Frame::new(frame.time(), &fluid, &walls, &bodies)?, last)?)
+    }
+}
+
+impl Observer for LogObserver {
+    fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
+        self.curves(frame)?;
+        if frame.particles { self.picture(frame, frame.time() >= self.end) } else { Ok(()) }
     }
 }

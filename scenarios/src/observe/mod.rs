@@ -18,6 +18,7 @@ mod volume;
 use std::io;
 
 use fsi_coupling::{Coupled, Penetration};
+use sph_core::audit::Holdings;
 
 use crate::log::LogError;
 
@@ -41,6 +42,8 @@ pub struct Frame<'a> {
     pub system: &'a Coupled,
     /// Pressure of each gauge [Pa], in the scene's order.
     pub gauges: &'a [f64],
+    /// What the fluid holds.
+    pub held: &'a Holdings,
     /// Fluid particles beyond a wall's surface.
     pub penetration: &'a Penetration,
     /// True where particles are due as well as curves.

@@ -1,5 +1,6 @@
 //! The report of a run: one HTML page that needs nothing else.
 
+use super::bar::{Bar, bar_svg};
 use super::chart::{Chart, untitled_svg};
 use super::markup::escape;
 use super::table::{Table, table_html};
@@ -15,6 +16,8 @@ pub enum Block {
     Table(Table),
     /// A chart; its title becomes the caption.
     Chart(Chart),
+    /// A whole and its parts; its title becomes the caption.
+    Bar(Bar),
     /// A picture, such as those of [`flow_png`](super::flow_png).
     Picture {
         /// The PNG file.
@@ -155,6 +158,7 @@ fn block(block: &Block, numbers: &mut Numbers) -> String {
             table_html(table, numbers.tables)
         }
         Block::Chart(chart) => figure("chart", &untitled_svg(chart), &chart.title, numbers),
+        Block::Bar(bar) => figure("bar", &bar_svg(bar), &bar.title, numbers),
         Block::Picture { png, caption } => {
             let (data, alt) = (STANDARD.encode(png), escape(caption));
             let image = format!(r#"<img src="data:image/png;base64,{data}" alt="{alt}" />"#);

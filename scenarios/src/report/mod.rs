@@ -4,6 +4,7 @@
 //! [`chart_svg`] draws curves, [`render`] puts pictures, charts, tables and text on one
 //! self-contained HTML page. Same input, same bytes.
 
+mod bar;
 mod canvas;
 mod chart;
 mod colour;
@@ -16,6 +17,7 @@ mod table;
 mod text;
 mod ticks;
 
+pub use bar::{Bar, Part};
 pub use chart::{Chart, Curve, Mark, chart_svg};
 pub use colour::{Rgb, viridis};
 pub use flow::{FlowFrame, FlowView, flow_png};

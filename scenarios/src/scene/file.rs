@@ -52,6 +52,7 @@ pub struct ObserveFile {
 #[serde(default, deny_unknown_fields)]
 pub struct ReportFile {
     pub force_rules: Option<bool>,
+    pub log_budget: Option<f64>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

@@ -198,6 +198,7 @@ static KEYWORDS: &[Keyword] = &[
     key("observe.level", "m", "[]", "places x of the columns level1_m, level2_m ...: height of the water there over still water, counted by volume, also what flies above; not below a body"),
     key("observe.volume", "-", "false", "the column volume_m2, and water in the summary: volume below the water's surface, found from above; for tanks without a body"),
     key("report.force_rules", "", "false", "compare the force on the body by four rules: true | false (INDAT fex 1 | 2 | 3: FEX_2D, FEX_2D2, FEX_2D3; FEX_2D4 has no number)"),
+    key("report.log_budget", "MB", "absent", "size that log.mcap stays below: frames of particles are left out, evenly over the run, curves and notes are not; absent: every frame that is due (command line: --log-budget)"),
     key("coupling.scheme", "", "weak; added_mass with body.panels, and for free bodies with solver = incompressible", "weak: one exchange a step | added_mass: body's acceleration and wall pressures found together, without iterations; for light bodies | aitken | iqn_ils: the step repeated until they agree (no INDAT switch: the thesis exchanges once a step)"),
     key("coupling.tolerance", "-", "1e-6", "aitken, iqn_ils: mismatch of the body's acceleration, relative, at which a step is done"),
     key("coupling.max_iterations", "-", "50", "aitken, iqn_ils: repetitions of a step after which one that still disagrees ends the run with an error"),

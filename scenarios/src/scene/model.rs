@@ -84,6 +84,9 @@ pub struct Observe {
 pub struct Report {
     /// Compare the force on the body by four rules.
     pub force_rules: bool,
+    /// Size that the log stays below [MB], with fewer frames of particles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub log_budget: Option<f64>,
 }
 
 /// Mirror plane of the flow.

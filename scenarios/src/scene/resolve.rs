@@ -1,7 +1,9 @@
 //! From a scene as written to a scene as run: defaults, ranges, and the values left to the program.
 
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
-use super::file::{CompareFile, CouplingFile, FluidFile, GaugeFile, ResolutionFile, SceneFile, TankFile, TimeFile};
+use super::file::{
+    CompareFile, CouplingFile, FluidFile, GaugeFile, ReportFile, ResolutionFile, SceneFile, TankFile, TimeFile,
+};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{
     Compare, Coupling, CouplingScheme, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice,
@@ -100,7 +102,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
         fluid,
         tank,
         body,
-        report: Report { force_rules: file.report.force_rules.unwrap_or(false) },
+        report: resolve_report(&file.report)?,
         coupling,
         projection: resolve_projection(&file.projection, solver)?,
         thesis: resolve_thesis(file.thesis, solver)?,
@@ -109,6 +111,11 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
 
 /// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
 /// its mass.
+fn resolve_report(file: &ReportFile) -> Result<Report, Problem> {
+    let log_budget = file.log_budget.map(|size| positive("report.log_budget", size)).transpose()?;
+    Ok(Report { force_rules: file.force_rules.unwrap_or(false), log_budget })
+}
+
 fn resolve_coupling(file: &CouplingFile, solver: Solver, fluid: &Fluid, yields: bool) -> Result<Coupling, Problem> {
     let solves_both = matches!(solver, Solver::WeaklyCompressible | Solver::Incompressible);
     let holding = yields && solves_both && fluid.walls == WallModel::Extrapolated;

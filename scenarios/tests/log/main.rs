@@ -1,5 +1,6 @@
 //! The log of a run: what is in it, what is left of it after a kill, what it refuses.
 
+mod background;
 mod content;
 mod killed;
 mod refused;
@@ -70,18 +71,28 @@ fn path_in(folder: &TempDir) -> PathBuf {
     folder.path().join("log.mcap")
 }
 
-/// Writes frame `k` and the samples that precede it.
-fn write_frame(log: &mut LogWriter, k: usize) -> Result<(), LogError> {
+/// Hands frame `k` to `show`.
+fn picture<T>(k: usize, show: impl FnOnce(f64, &ParticleView<'_>, &ParticleView<'_>, &[BodyView<'_>]) -> T) -> T {
     let time = time_of(k);
-    log.sample(time, "body/wedge", &[("y_m", 0.1 + 0.2 * k as f64), ("force_y_N", f64::NAN)])?;
-    log.sample(time, "audit", &[("mass_kg", 1000.0)])?;
     let wedge = BodyView {
         name: "wedge",
         position: [0.25, 1.5 - time],
         angle: FRAC_PI_2,
         outline: &[[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]],
     };
-    log.frame(time, &Row::new(50, k).view(), &Row::new(7, 0).view(), &[wedge])
+    show(time, &Row::new(50, k).view(), &Row::new(7, 0).view(), &[wedge])
+}
+
+/// Hands the samples that precede frame `k` to `take`.
+fn samples(k: usize, mut take: impl FnMut(f64, &str, &[(&str, f64)]) -> Result<(), LogError>) -> Result<(), LogError> {
+    take(time_of(k), "body/wedge", &[("y_m", 0.1 + 0.2 * k as f64), ("force_y_N", f64::NAN)])?;
+    take(time_of(k), "audit", &[("mass_kg", 1000.0)])
+}
+
+/// Writes frame `k` and the samples that precede it.
+fn write_frame(log: &mut LogWriter, k: usize) -> Result<(), LogError> {
+    samples(k, |time, channel, values| log.sample(time, channel, values))?;
+    picture(k, |time, fluid, walls, bodies| log.frame(time, fluid, walls, bodies))
 }
 
 /// Writes a log of [`FRAMES`] frames and one note, and returns its bytes.

@@ -3,7 +3,7 @@ use super::charts::{chart, curve};
 use super::pictures::{particles, view};
 use super::xml::assert_well_formed;
 use base64::Engine;
-use scenarios::report::{Block, Mark, Report, Status, Table, chart_svg, flow_png, render};
+use scenarios::report::{Bar, Block, Mark, Part, Report, Status, Table, chart_svg, flow_png, render};
 
 fn report(blocks: Vec<Block>) -> Report {
     Report {
@@ -12,6 +12,10 @@ fn report(blocks: Vec<Block>) -> Report {
         status: Status::Completed,
         sections: vec![("One".into(), blocks), (HOSTILE.into(), vec![]), ("Three".into(), vec![])],
     }
+}
+
+fn part(label: &str, size: f64) -> Part {
+    Part { label: label.into(), size }
 }
 
 fn every_block() -> Report {
@@ -26,6 +30,12 @@ fn every_block() -> Report {
         Block::Table(table),
         Block::Chart(hostile),
         Block::Chart(chart(vec![])),
+        Block::Bar(Bar {
+            title: HOSTILE.into(),
+            unit: HOSTILE.into(),
+            parts: vec![part(HOSTILE, 1.0), part("b", f64::NAN)],
+        }),
+        Block::Bar(Bar::default()),
         Block::Picture { png: flow_png(&frame, &view), caption: HOSTILE.into() },
         Block::Code { title: HOSTILE.into(), text: format!("a = 1\n  {HOSTILE}") },
     ])

@@ -1,6 +1,7 @@
 //! Accelerations and forces from the pressures that a projection found (THEORY I10–I12, I16).
 
 use crate::fluid::Fluid;
+use crate::phases::Phase;
 use crate::sweep;
 use crate::walls::Walls;
 
@@ -31,6 +32,7 @@ impl Fluid {
             [walls.mean_fx[k], walls.mean_fy[k]] = force;
             walls.mean_swing[k] = walls.swing(k, -dt, force);
         }
+        self.phases.begin(Phase::Momentum);
         self.find_head();
         self.find_normals();
         let mut corrections = std::mem::take(&mut self.projection.corrections);

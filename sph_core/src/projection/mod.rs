@@ -38,6 +38,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
+use crate::phases::Phase;
 use crate::solver::Solver;
 use crate::walls::Walls;
 
@@ -104,11 +105,13 @@ pub struct Projection {
 /// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
 pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
     fluid.pack(walls, -dt); //           who is near whom at r
+    fluid.phases.begin(Phase::Density);
     fluid.find_air(walls); //       holes between particles (I5)
     fluid.dry_walls(walls); //      walls that no water meets (I5)
     fluid.survey(walls, dt); //          C, ∇C, ∇·u*, A
     fluid.expose(); //               who feels air (I5)
     fluid.close_surface(); //            s
+    fluid.phases.begin(Phase::Pressure);
     match fluid.parameters.solver {
         Solver::IncompressibleExplicit => fluid.sweep_pressure(dt), // the same, one sweep (EX3)
         _ => fluid.solve_pressure(walls, dt)?, // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)

@@ -18,6 +18,7 @@ mod surface;
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
+use crate::phases::Phase;
 use crate::sweep;
 use crate::walls::Walls;
 
@@ -70,6 +71,7 @@ struct Trial {
 pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
     fluid.pack(walls, -dt); //                        who is near whom at r_n
     fluid.gather_viscosity(walls);
+    fluid.phases.begin(Phase::Pressure);
     let mut thesis = std::mem::take(&mut fluid.thesis);
     let found = thesis.advance(fluid, walls, dt);
     fluid.thesis = thesis;

@@ -1,0 +1,170 @@
+//! A block of fluid: what a force costs, by the number of particles and by the way the pairs are summed.
+
+use std::f64::consts::TAU;
+use std::time::Instant;
+
+use serde::Serialize;
+use sph_core::eos::Tait;
+use sph_core::images::Periodic;
+use sph_core::{Fluid, Parameters, Phase, Seed, Walls, sweep};
+
+use super::BenchError;
+
+/// Speed of sound over that of the vortices.
+const SOUND: f64 = 10.0;
+/// Distances between particles vary by about this share of the spacing.
+const JITTER: f64 = 0.1;
+/// Steps that put particles and lists into the state of a run.
+const WARM_UP: usize = 2;
+
+/// A way to sum over pairs: its name, and what chooses it. The first is the reference that the others are measured by.
+pub(super) const PATHS: [(&str, fn(&mut Parameters)); 2] =
+    [("one at a time", |parameters| parameters.wide = false), ("side by side", |parameters| parameters.wide = true)];
+
+/// A block that was stepped on one thread.
+#[derive(Clone, Debug, Serialize)]
+pub struct Block {
+    /// Particles.
+    pub particles: usize,
+    /// Neighbours of each within the kernel, mean.
+    pub neighbours: f64,
+    /// How pairs were summed.
+    pub path: &'static str,
+    /// Steps.
+    pub steps: usize,
+    /// Forces on particles a second on one thread, the whole step counted [1/s].
+    pub evaluations_per_core_second: f64,
+    /// The same, if a step were its two sweeps over pairs and nothing else [1/s].
+    pub sweeps_only_per_core_second: f64,
+    /// Speed of the whole step over that of the reference path [-].
+    pub over_reference: f64,
+}
+
+/// The same block with two threads.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Speedup {
+    /// Threads.
+    pub threads: usize,
+    /// Particles.
+    pub particles: usize,
+    /// Time with one thread over time with these [-].
+    pub speedup: f64,
+}
+
+/// What a particle takes.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Memory {
+    /// Particles.
+    pub particles: usize,
+    /// Held by state, rows and lists, counted [bytes].
+    pub bytes_per_particle: f64,
+    /// Most that the process has held so far, where the system says [bytes].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_resident_bytes: Option<u64>,
+}
+
+/// A doubly periodic box of Taylor & Green's vortices on a jittered lattice of `particles` [about], h/Δx = 1.5.
+fn vortices(particles: usize, choose: fn(&mut Parameters)) -> Result<Fluid, BenchError> {
+    let cells = (particles as f64).sqrt().round() as usize;
+    let (dx, cell) = (1.0 / cells as f64, Some([0.0, 1.0]));
+    let eos = Tait { rho0: 1000.0, c0: SOUND, gamma: 7.0 };
+    let mut parameters = Parameters { periodic: Some(Periodic { x: cell, y: cell }), ..Parameters::usual(eos) };
+    choose(&mut parameters);
+    let mut dice = Dice(1);
+    let seed = |k: usize| {
+        let centre = |i: usize, throw: f64| (i as f64 + 0.5 + JITTER * throw) * dx;
+        let [x, y] = [centre(k % cells, dice.throw()), centre(k / cells, dice.throw())];
+        let velocity = [-(TAU * x).cos() * (TAU * y).sin(), (TAU * x).sin() * (TAU * y).cos()];
+        Seed { at: [x, y], velocity, area: dx * dx, pressure: 0.0 }
+    };
+    let seeds: Vec<Seed> = (0..cells * cells).map(seed).collect();
+    let mut fluid = Fluid::new(parameters, &seeds);
+    fluid.initialise(&mut Walls::default())?;
+    advance(&mut fluid, WARM_UP)?;
+    Ok(fluid)
+}
+
+/// Wall time of some steps [s].
+fn advance(fluid: &mut Fluid, steps: usize) -> Result<f64, BenchError> {
+    let (mut walls, start) = (Walls::default(), Instant::now());
+    for _ in 0..steps {
+        fluid.phases.begin(Phase::Integration);
+        let dt = fluid.stable_dt(&walls)?;
+        fluid.step(&mut walls, dt)?;
+        fluid.phases.end();
+    }
+    Ok(start.elapsed().as_secs_f64())
+}
+
+/// Every path over the same block, on one thread.
+pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, BenchError> {
+    let mut blocks: Vec<Block> = Vec::new();
+    for (path, choose) in PATHS {
+        let block = sweep::on_threads(1, || {
+            let mut fluid = vortices(particles, choose)?;
+            let in_sweeps =
+                |fluid: &Fluid| fluid.phases.seconds(Phase::Density) + fluid.phases.seconds(Phase::Momentum);
+            let before = in_sweeps(&fluid);
+            let seconds = advance(&mut fluid, steps)?;
+            let evaluations = (fluid.particles.len() * steps) as f64;
+            Ok::<_, BenchError>(Block {
+                particles: fluid.particles.len(),
+                neighbours: neighbours(&fluid),
+                path,
+                steps,
+                evaluations_per_core_second: evaluations / seconds,
+                sweeps_only_per_core_second: evaluations / (in_sweeps(&fluid) - before),
+                over_reference: 1.0,
+            })
+        })?;
+        let reference = blocks.first().map_or(block.evaluations_per_core_second, |b| b.evaluations_per_core_second);
+        blocks.push(Block { over_reference: block.evaluations_per_core_second / reference, ..block });
+    }
+    Ok(blocks)
+}
+
+/// The block as it is stepped by default, on one thread and on two by turns.
+pub(super) fn speedup(particles: usize, steps: usize) -> Result<(Speedup, Memory), BenchError> {
+    let (_, fastest) = PATHS[PATHS.len() - 1];
+    let mut fluid = sweep::on_threads(2, || vortices(particles, fastest))?;
+    let mut seconds = [0.0; 2];
+    for threads in [1, 2, 2, 1] {
+        seconds[threads - 1] += sweep::on_threads(threads, || advance(&mut fluid, steps))?;
+    }
+    let particles = fluid.particles.len();
+    let bytes_per_particle = fluid.bytes() as f64 / particles as f64;
+    let memory = Memory { particles, bytes_per_particle, peak_resident_bytes: peak_resident() };
+    Ok((Speedup { threads: 2, particles, speedup: seconds[0] / seconds[1] }, memory))
+}
+
+/// Mean number of neighbours within the kernel, of every hundredth particle.
+fn neighbours(fluid: &Fluid) -> f64 {
+    let p = &fluid.particles;
+    let meets = |k: usize, j: usize| {
+        let apart = |a: f64, b: f64| ((a - b).abs()).min(1.0 - (a - b).abs()); // the box repeats
+        apart(p.x[k], p.x[j]).hypot(apart(p.y[k], p.y[j])) < p.h[k] + p.h[j]
+    };
+    let listed = |k: usize| fluid.search.fluid.of(k).map(|j| fluid.search.source(j, p.len()));
+    let some = (0..p.len()).step_by(100);
+    let met: usize = some.clone().map(|k| listed(k).filter(|&j| meets(k, j)).count()).sum();
+    met as f64 / some.len() as f64
+}
+
+/// Most memory that the process has held [bytes], where the system says.
+fn peak_resident() -> Option<u64> {
+    let said = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = said.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(1024 * line.trim().trim_end_matches("kB").trim().parse::<u64>().ok()?)
+}
+
+/// Evenly spread numbers from −½ to ½, the same every time (Marsaglia 2003).
+struct Dice(u64);
+
+impl Dice {
+    fn throw(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    }
+}

@@ -1,0 +1,186 @@
+//! Where the wall time of a run goes.
+//!
+//! A run is a sequence of phases: each begins where the one before it ends, so that no time is counted twice. A verb of the
+//! step names its phase where its work begins; two readings of the clock an evaluation are all it costs.
+
+use std::time::{Duration, Instant};
+
+/// A part of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Neighbour lists: whether they hold, and making them.
+    Search,
+    /// Packing the rows that the sweeps read.
+    Pack,
+    /// The sweep of the continuity equation (E4, E5); of a projection its survey of pairs.
+    Density,
+    /// The pressure equation of a projection, or the thesis's step.
+    Pressure,
+    /// The sweep of the momentum equation (E6–E8).
+    Momentum,
+    /// Pressures of the walls, and forces on them (E9).
+    Walls,
+    /// Step limit, kick, drift, shift, equation of state, and the check of the state.
+    Integration,
+    /// Between fluid and bodies: places, loads, contact, and what schemes repeat.
+    Coupling,
+    /// The bodies' own step.
+    Structure,
+    /// Momentum and work of every step.
+    Audit,
+    /// Samples, gauges, pictures and curves.
+    Observers,
+    /// Handing over the log, and waiting for the disk.
+    Log,
+}
+
+impl Phase {
+    /// All of them, in the order of a step.
+    pub const ALL: [Phase; 12] = [
+        Phase::Search,
+        Phase::Pack,
+        Phase::Density,
+        Phase::Pressure,
+        Phase::Momentum,
+        Phase::Walls,
+        Phase::Integration,
+        Phase::Coupling,
+        Phase::Structure,
+        Phase::Audit,
+        Phase::Observers,
+        Phase::Log,
+    ];
+
+    /// Its name in a summary.
+    pub fn name(self) -> &'static str {
+        match self {
+            Phase::Search => "search",
+            Phase::Pack => "pack",
+            Phase::Density => "density",
+            Phase::Pressure => "pressure",
+            Phase::Momentum => "momentum",
+            Phase::Walls => "walls",
+            Phase::Integration => "integration",
+            Phase::Coupling => "coupling",
+            Phase::Structure => "structure",
+            Phase::Audit => "audit",
+            Phase::Observers => "observers",
+            Phase::Log => "log",
+        }
+    }
+}
+
+/// Wall time by phase.
+#[derive(Clone, Debug, Default)]
+pub struct Phases {
+    spent: [Duration; Phase::ALL.len()],
+    present: Option<(Phase, Instant)>,
+}
+
+impl Phases {
+    /// From now on the time is `phase`'s; whose it was before.
+    pub fn begin(&mut self, phase: Phase) -> Option<Phase> {
+        self.go_on_with(Some(phase))
+    }
+
+    /// From now on the time is that of `phase`, or nobody's; whose it was before.
+    pub fn go_on_with(&mut self, phase: Option<Phase>) -> Option<Phase> {
+        let now = Instant::now();
+        let before = self.present.take();
+        if let Some((phase, since)) = before {
+            self.spent[phase as usize] += now - since;
+        }
+        self.present = phase.map(|phase| (phase, now));
+        before.map(|(phase, _)| phase)
+    }
+
+    /// From now on the time is nobody's.
+    pub fn end(&mut self) {
+        self.go_on_with(None);
+    }
+
+    /// `spent` of the present phase's time is `other`'s.
+    pub fn hand_over(&mut self, other: Phase, spent: Duration) {
+        let Some((phase, since)) = self.present else { return };
+        let now = Instant::now();
+        let spent = spent.min(now - since);
+        self.spent[other as usize] += spent;
+        self.spent[phase as usize] += now - since - spent;
+        self.present = Some((phase, now));
+    }
+
+    /// Time of `phase` so far [s].
+    pub fn seconds(&self, phase: Phase) -> f64 {
+        self.spent[phase as usize].as_secs_f64()
+    }
+
+    /// Time of all phases so far [s].
+    pub fn total(&self) -> f64 {
+        self.spent.iter().sum::<Duration>().as_secs_f64()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spin(time: Duration) {
+        let start = Instant::now();
+        while start.elapsed() < time {
+            std::hint::spin_loop();
+        }
+    }
+
+    #[test]
+    fn every_moment_belongs_to_one_phase() {
+        let (mut phases, tick) = (Phases::default(), Duration::from_millis(3));
+        spin(tick); // nobody's
+        let start = Instant::now();
+        phases.begin(Phase::Density);
+        spin(tick);
+        phases.begin(Phase::Momentum);
+        spin(2 * tick);
+        phases.begin(Phase::Density);
+        spin(tick);
+        phases.end();
+        let all = start.elapsed().as_secs_f64();
+        spin(tick);
+        phases.end();
+        assert!(phases.total() <= all && phases.total() > 0.99 * all, "{} of {all} s", phases.total());
+        for phase in [Phase::Density, Phase::Momentum] {
+            assert!(phases.seconds(phase) >= 2.0 * tick.as_secs_f64(), "{phase:?}");
+        }
+        assert_eq!(phases.total(), phases.seconds(Phase::Density) + phases.seconds(Phase::Momentum));
+    }
+
+    #[test]
+    fn a_part_that_interrupts_gives_the_time_back() {
+        let mut phases = Phases::default();
+        assert_eq!(phases.begin(Phase::Coupling), None);
+        let outer = phases.begin(Phase::Density);
+        assert_eq!(phases.go_on_with(outer), Some(Phase::Density));
+        assert_eq!(phases.go_on_with(None), Some(Phase::Coupling));
+    }
+
+    #[test]
+    fn a_part_that_is_handed_over_is_counted_once() {
+        let (mut phases, tick) = (Phases::default(), Duration::from_millis(2));
+        phases.begin(Phase::Observers);
+        let start = Instant::now();
+        spin(3 * tick);
+        phases.hand_over(Phase::Log, tick);
+        phases.end();
+        let all = start.elapsed().as_secs_f64();
+        assert_eq!(phases.seconds(Phase::Log), tick.as_secs_f64());
+        let kept = phases.seconds(Phase::Observers);
+        assert!(kept >= 2.0 * tick.as_secs_f64() && kept < 1.01 * all - tick.as_secs_f64(), "{kept} of {all} s");
+    }
+
+    #[test]
+    fn names_are_distinct_and_in_place() {
+        for (k, phase) in Phase::ALL.into_iter().enumerate() {
+            assert_eq!(phase as usize, k);
+            assert_eq!(Phase::ALL.iter().filter(|other| other.name() == phase.name()).count(), 1);
+        }
+    }
+}
