@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use crate::lanes::LANES;
+use crate::sweep;
 
 /// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +25,8 @@ pub struct Point {
 
 /// Reaches within one level differ by less than this factor.
 const LEVEL_RATIO: f64 = 1.5;
+/// Reaches beyond that many levels are in the last one.
+const MOST_LEVELS: usize = 64;
 /// Width and height of a cell in reaches of a level's widest point: strips two rows of a usual fluid high, and fine
 /// columns in them, so that a few points that follow one another are near each other.
 const CELL: [f64; 2] = [0.45, 1.25];
@@ -55,12 +58,11 @@ impl Cells {
         let Some(least) = points.iter().map(|p| p.reach).reduce(f64::min) else {
             return cells;
         };
-        let level_of = |p: &Point| (p.reach / least).log(LEVEL_RATIO).floor().max(0.0) as usize;
-        let levels: Vec<usize> = points.iter().map(level_of).collect();
-        let count = levels.iter().max().map_or(0, |&l| l + 1);
-        let mut members: Vec<Vec<u32>> = vec![Vec::new(); count];
-        for (k, &l) in levels.iter().enumerate() {
-            members[l].push(k as u32);
+        let ends: [f64; MOST_LEVELS - 1] = std::array::from_fn(|l| least * LEVEL_RATIO.powi(l as i32 + 1));
+        let mut members: Vec<Vec<u32>> = vec![Vec::new(); MOST_LEVELS];
+        for (k, p) in points.iter().enumerate() {
+            let level = ends.iter().position(|&end| p.reach < end).unwrap_or(MOST_LEVELS - 1);
+            members[level].push(k as u32);
         }
         for member in members.iter().filter(|m| !m.is_empty()) {
             cells.push_level(points, member);
@@ -85,7 +87,8 @@ impl Cells {
         let [columns, rows] = [0, 1].map(|k| (extent[k] / cell[k]) as usize + 1);
         let start = vec![0; columns * rows + 1];
         let mut level = Level { origin: lo, inverse: cell.map(|side| 1.0 / side), columns, rows, widest, start };
-        let cell: Vec<u32> = member.iter().map(|k| level.cell_of(&of(k)) as u32).collect();
+        let mut cell = vec![0_u32; member.len()];
+        sweep::gather_into(&mut cell, |k| level.cell_of(&of(&member[k])) as u32);
         for &c in &cell {
             level.start[c as usize + 1] += 1;
         }

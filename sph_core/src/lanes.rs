@@ -108,6 +108,16 @@ pub(crate) fn run<T: Task>(wide: bool, task: T) -> T::Out {
     task.run(0.0)
 }
 
+/// Do `task`, compiled for the processor found: plain loops over slices then go as wide as it can.
+#[inline(always)]
+pub(crate) fn widely<T>(task: impl FnOnce() -> T) -> T {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(processor) = pulp::x86::V3::try_new() {
+        return processor.vectorize(task);
+    }
+    task()
+}
+
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
     use super::{LANES, Number};

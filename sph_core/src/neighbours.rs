@@ -89,24 +89,26 @@ impl Lists {
             list.entries.clear();
             list.alike.clear();
             list.start.push(0);
-            let mut runs = Vec::new();
+            let (mut runs, mut found) = (Vec::new(), Vec::new());
             for first in targets.clone().step_by(LANES) {
                 let last = (first + LANES).min(targets.end);
                 let mut at = [target(first); LANES];
                 for k in first + 1..last {
                     at[k - first] = target(k);
                 }
-                let from = list.entries.len();
                 runs.clear();
+                let from = found.len();
                 cells.for_each_run(&at[..last - first], |run| runs.push(run));
                 let count = last - first;
-                lanes::run(true, Meeting { points: cells.points(), runs: &runs, at, count, found: &mut list.entries });
-                list.start.push(list.entries.len() as u32);
+                lanes::run(true, Meeting { points: cells.points(), runs: &runs, at, count, found: &mut found });
+                list.start.push(found.len() as u32);
                 let h = size.0(first);
                 let alike = (first..last).all(|k| size.0(k) == h)
-                    && list.entries[from..].iter().all(|e| size.1(e.index()) == h);
+                    && found[from..].iter().all(|e: &Entry| size.1(e.index()) == h);
                 list.alike.push(alike);
             }
+            list.entries.reserve_exact(found.len()); // no more than is needed: lists are most of the memory
+            list.entries.extend_from_slice(&found);
         });
     }
 

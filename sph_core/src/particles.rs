@@ -5,6 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::sweep;
+
 /// One fluid particle as a filler makes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seed {
@@ -90,8 +92,8 @@ impl Particles {
 
 /// `array[k] ← array[order[k]]`, through `scratch`.
 fn permute(array: &mut Vec<f64>, order: &[u32], scratch: &mut Vec<f64>) {
-    scratch.clear();
-    scratch.extend(order.iter().map(|&from| array[from as usize]));
+    scratch.resize(order.len(), 0.0);
+    sweep::gather_into(scratch, |k| array[order[k] as usize]);
     std::mem::swap(array, scratch);
 }
 
@@ -117,8 +119,10 @@ impl Derived {
     }
 
     pub(crate) fn permute(&mut self, order: &[u32]) {
-        fn gather<T: Copy>(array: &mut Vec<T>, order: &[u32]) {
-            *array = order.iter().map(|&from| array[from as usize]).collect();
+        fn gather<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32]) {
+            let mut sorted = vec![T::default(); order.len()];
+            sweep::gather_into(&mut sorted, |k| array[order[k] as usize]);
+            *array = sorted;
         }
         gather(&mut self.pressure, order);
         gather(&mut self.volume, order);

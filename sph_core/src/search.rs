@@ -6,6 +6,7 @@ use crate::images::{Mirror, Periodic};
 use crate::neighbours::{Lists, Skin};
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA};
 use crate::sight::{Listed, ThinWalls};
+use crate::sweep;
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
 const SKIN: f64 = 0.06;
@@ -80,13 +81,16 @@ impl Search {
         wrap(particles, periodic);
         let allow = |h: f64, u: f64, v: f64| SKIN * h + (u * u + v * v).sqrt() * life;
         let n = particles.len();
-        let mut allowance: Vec<f64> = (0..n).map(|k| allow(particles.h[k], particles.u[k], particles.v[k])).collect();
+        let mut allowance = vec![0.0; n];
+        sweep::gather_into(&mut allowance, |k| allow(particles.h[k], particles.u[k], particles.v[k]));
         if let Some(thin) = walls.thin {
             thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // T4
         }
         let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
         let own = |x: &[f64], y: &[f64], reach: &[f64]| -> Vec<Point> {
-            (0..x.len()).map(|k| Point { x: x[k], y: y[k], reach: reach[k], index: k as u32 }).collect()
+            let mut points = vec![Point { x: 0.0, y: 0.0, reach: 0.0, index: 0 }; x.len()];
+            sweep::gather_into(&mut points, |k| Point { x: x[k], y: y[k], reach: reach[k], index: k as u32 });
+            points
         };
 
         // sort the fluid physically, so that a neighbourhood is a few contiguous runs
@@ -199,7 +203,7 @@ impl Search {
         let n = derived.surroundings.len();
         let around = &derived.surroundings;
         let at_surface = |k: usize| around[k].lambda < SURFACE_LAMBDA;
-        crate::sweep::gather_into(&mut derived.near_surface, |k| {
+        sweep::gather_into(&mut derived.near_surface, |k| {
             at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
         });
     }
