@@ -145,13 +145,12 @@ impl Rows {
 
     /// Put the walls where they are `offset` seconds from the step's end.
     pub fn place_walls(&mut self, walls: &Walls, offset: f64) {
-        self.wall_x.clear();
-        self.wall_y.clear();
-        for k in 0..walls.len() {
+        self.wall_x.resize(walls.len(), 0.0);
+        self.wall_y.resize(walls.len(), 0.0);
+        sweep::update_both(&mut self.wall_x, &mut self.wall_y, |k, x, y| {
             let [dx, dy] = walls.displacement(k, offset);
-            self.wall_x.push(walls.x[k] + dx);
-            self.wall_y.push(walls.y[k] + dy);
-        }
+            (*x, *y) = (walls.x[k] + dx, walls.y[k] + dy);
+        });
         self.screens.clear();
         self.screens.extend(walls.screens.iter().map(|screen| screen.at(offset, walls.dt)));
     }
@@ -197,16 +196,20 @@ impl Rows {
             fill: p.mass[k] / p.rho[k],
             h: p.h[k],
         });
-        self.walls.clear();
-        self.faces.clear();
-        for k in 0..walls.len() {
-            let (x, y, u, v) = (self.wall_x[k], self.wall_y[k], walls.u[k], walls.v[k]);
-            let (h, volume, nx, ny) = (walls.h[k], walls.volume[k], walls.nx[k], walls.ny[k]);
-            self.walls.push(Row { x, y, u, v, p: walls.pressure[k], volume, fill: volume, h });
-            let near = found.get(k).map_or([u, v], |f| f.velocity);
+        self.walls.resize(walls.len(), Row::default());
+        self.faces.resize(walls.len(), Face::default());
+        let (wall_x, wall_y) = (&self.wall_x, &self.wall_y);
+        sweep::gather_into(&mut self.walls, |k| {
+            let volume = walls.volume[k];
+            let (x, y, u, v, p) = (wall_x[k], wall_y[k], walls.u[k], walls.v[k], walls.pressure[k]);
+            Row { x, y, u, v, p, volume, fill: volume, h: walls.h[k] }
+        });
+        sweep::gather_into(&mut self.faces, |k| {
+            let (x, y, nx, ny) = (wall_x[k], wall_y[k], walls.nx[k], walls.ny[k]);
+            let near = found.get(k).map_or([walls.u[k], walls.v[k]], |f| f.velocity);
             let vt = near[1] * nx - near[0] * ny;
-            self.faces.push(Face { x, y, nx, ny, vn: u * nx + v * ny, vt, volume, h });
-        }
+            Face { x, y, nx, ny, vn: walls.u[k] * nx + walls.v[k] * ny, vt, volume: walls.volume[k], h: walls.h[k] }
+        });
         self.repeat(n, search);
         let Some(mirror) = mirror else { return };
         for (k, &source) in search.fluid_images.iter().enumerate() {
