@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
-use sph_core::Phase;
+use sph_core::{Phase, sweep};
 use tracing::{debug, info, warn};
 
 use crate::build;
@@ -62,7 +62,7 @@ pub struct RunOptions<'a> {
     /// Set from outside to end the run cleanly.
     pub interrupt: Option<&'a AtomicBool>,
     /// Called with (time, steps): when the stepping begins, and now and then.
-    pub progress: Option<&'a dyn Fn(f64, u64)>,
+    pub progress: Option<&'a (dyn Fn(f64, u64) + Sync)>,
     /// Doubts about the scene, for the report.
     pub warnings: Vec<String>,
 }
@@ -102,7 +102,8 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     let (start, volume) = (Instant::now(), system.fluid.volume());
     info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
 
-    let ended = advance(scene, &mut system, &mut recorder, options)?;
+    // on a thread of the pool from beginning to end: no step has to wake it
+    let ended = sweep::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
 
     let (status, message) = match ended {
         Ok(status) => (status, None),

@@ -119,8 +119,8 @@ fn a_full_disk_ends_the_run() {
 #[test]
 fn a_budget_keeps_the_log_small() {
     let place = Workplace::new();
-    let short = ["--set", "time.end=0.05", "--set", "time.frame_every=0.001", "--log-budget", "1.5"];
-    let ended = place.run(&[&LONG[..4], &short, &OUT].concat());
+    let tank = ["run", "hydrostatic_tank", "--set", "resolution.spacing=0.02", "--set", "time.end=0.1"];
+    let ended = place.run(&[&tank[..], &["--log-budget", "1.5"], &OUT].concat());
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let (summary, bytes) = (place.summary("out"), place.read("out/log.mcap"));
     let log = read_log(&bytes);
@@ -131,7 +131,7 @@ fn a_budget_keeps_the_log_small() {
     let left_out = summary["log"]["frames_left_out"].as_u64().expect("a count");
     assert!(left_out > 10 && log.fluid_frames >= 3, "{left_out} left out, {} kept", log.fluid_frames);
     assert!(place.text("out/scene.resolved.toml").contains("log_budget = 1.5"));
-    let refused = place.run(&[&LONG[..4], &["--log-budget", "0"], &OUT].concat());
+    let refused = place.run(&[&tank[..], &["--log-budget", "0"], &OUT].concat());
     assert_eq!(refused.code, Some(2), "{}", refused.message);
     refused.says(&["report.log_budget", "above 0"]);
 }

@@ -17,9 +17,17 @@ const JITTER: f64 = 0.1;
 /// Steps that put particles and lists into the state of a run.
 const WARM_UP: usize = 2;
 
-/// A way to sum over pairs: its name, and what chooses it. The first is the reference that the others are measured by.
-pub(super) const PATHS: [(&str, fn(&mut Parameters)); 2] =
-    [("one at a time", |parameters| parameters.wide = false), ("side by side", |parameters| parameters.wide = true)];
+/// A way to sum over pairs.
+pub(super) struct PairPath {
+    pub name: &'static str,
+    choose: fn(&mut Parameters),
+}
+
+/// All of them; the first is the reference that the others are measured by.
+pub(super) const PATHS: [PairPath; 2] = [
+    PairPath { name: "one at a time", choose: |parameters| parameters.wide = false },
+    PairPath { name: "side by side", choose: |parameters| parameters.wide = true },
+];
 
 /// A block that was stepped on one thread.
 #[derive(Clone, Debug, Serialize)]
@@ -99,7 +107,7 @@ fn advance(fluid: &mut Fluid, steps: usize) -> Result<f64, BenchError> {
 /// Every path over the same block, on one thread.
 pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, BenchError> {
     let mut blocks: Vec<Block> = Vec::new();
-    for (path, choose) in PATHS {
+    for PairPath { name: path, choose } in PATHS {
         let block = sweep::on_threads(1, || {
             let mut fluid = vortices(particles, choose)?;
             let in_sweeps =
@@ -125,8 +133,7 @@ pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, Bench
 
 /// The block as it is stepped by default, on one thread and on two by turns.
 pub(super) fn speedup(particles: usize, steps: usize) -> Result<(Speedup, Memory), BenchError> {
-    let (_, fastest) = PATHS[PATHS.len() - 1];
-    let mut fluid = sweep::on_threads(2, || vortices(particles, fastest))?;
+    let mut fluid = sweep::on_threads(2, || vortices(particles, PATHS[PATHS.len() - 1].choose))?;
     let mut seconds = [0.0; 2];
     for threads in [1, 2, 2, 1] {
         seconds[threads - 1] += sweep::on_threads(threads, || advance(&mut fluid, steps))?;

@@ -51,7 +51,7 @@ fn block(b: &Block) -> String {
         b.path,
         1e-6 * b.evaluations_per_core_second,
         1e-6 * b.sweeps_only_per_core_second,
-        super::block::PATHS[0].0,
+        super::block::PATHS[0].name,
         b.over_reference
     )
 }

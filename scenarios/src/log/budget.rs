@@ -34,7 +34,7 @@ impl Budget {
         if last {
             return at.now + raw <= room;
         }
-        let pace = room.saturating_sub(at.start) as f64 * (time / self.end).clamp(0.0, 1.0);
+        let pace = room.saturating_sub(at.start + 2 * raw) as f64 * (time / self.end).clamp(0.0, 1.0);
         let in_time = at.frames == 0 || (at.now - at.start) as f64 <= pace;
         in_time && at.now + 2 * raw <= room
     }
@@ -66,9 +66,9 @@ mod tests {
                 assert!(file <= bytes, "{file} of {bytes}");
                 assert!(file + 4 * raw > bytes.min(101 * size), "{file} of {bytes}: frames left out that had room");
                 assert_eq!([kept.first(), kept.last()], [Some(&0), Some(&100)], "{bytes}, {size}");
-                let gaps = || kept.windows(2).map(|pair| pair[1] - pair[0]);
-                let (widest, narrowest) = (gaps().max(), gaps().take(kept.len() - 2).min());
-                assert!(widest <= narrowest.map(|n| 2 * n + 2), "{bytes}, {size}: {kept:?}");
+                let gaps: Vec<usize> = kept.windows(2).map(|pair| pair[1] - pair[0]).collect();
+                let (widest, narrowest) = (gaps.iter().max(), gaps[..gaps.len() - 1].iter().min());
+                assert!(widest <= narrowest.map(|n| n + 2).as_ref(), "{bytes}, {size}: {kept:?}");
             }
         }
     }

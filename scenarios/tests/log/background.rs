@@ -23,10 +23,13 @@ fn write_frame(log: &mut BackgroundLog, k: usize) -> Result<(), LogError> {
     log.frame(frame, k + 1 == FRAMES)
 }
 
-fn complete(path: &Path, budget: Option<Budget>) -> Logged {
+fn complete(path: &Path, particles: usize, budget: Option<Budget>) -> Logged {
     let mut log = create(path, budget);
     for k in 0..FRAMES {
-        write_frame(&mut log, k).expect("the frame is taken");
+        samples(k, |time, channel, values| log.sample(time, channel, values)).expect("the samples are taken");
+        let row = Row::new(particles, k);
+        let frame = picture(k, |time, _, walls, bodies| Frame::new(time, &row.view(), walls, bodies));
+        log.frame(frame.expect("a frame"), k + 1 == FRAMES).expect("the frame is taken");
     }
     log.note(time_of(FRAMES), Level::Warning, "the wedge is submerged").expect("the note is taken");
     log.finish().expect("the log is finished")
@@ -36,7 +39,7 @@ fn complete(path: &Path, budget: Option<Budget>) -> Logged {
 fn both_writers_write_the_same_bytes() {
     let folder = TempDir::new().unwrap();
     let (at_once, meanwhile) = (folder.path().join("at_once.mcap"), folder.path().join("meanwhile.mcap"));
-    let logged = complete(&meanwhile, None);
+    let logged = complete(&meanwhile, 50, None);
     let bytes = complete_log(&at_once);
     assert!(bytes == fs::read(&meanwhile).unwrap());
     assert_eq!(logged, Logged { bytes: bytes.len() as u64, frames: FRAMES as u64, left_out: 0 });
@@ -57,9 +60,10 @@ fn a_dropped_log_is_complete() {
 fn a_budget_leaves_out_frames_and_nothing_else() {
     let folder = TempDir::new().unwrap();
     let path = path_in(&folder);
-    let whole = complete_log(&path).len() as u64;
-    let budget = 64_000 + (whole - 10_000) / 2;
-    let logged = complete(&path, Some(Budget { bytes: budget, end: time_of(FRAMES - 1) }));
+    let particles = 4000;
+    let whole = complete(&path, particles, None).bytes;
+    let budget = whole * 3 / 4;
+    let logged = complete(&path, particles, Some(Budget { bytes: budget, end: time_of(FRAMES - 1) }));
     assert!(logged.bytes < whole && logged.bytes <= budget, "{} of {budget} bytes", logged.bytes);
     assert_eq!(logged.frames + logged.left_out, FRAMES as u64);
     assert!(logged.frames >= 2 && logged.left_out >= 2, "{logged:?}");
