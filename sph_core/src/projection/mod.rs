@@ -15,6 +15,7 @@ mod lattice;
 pub mod matrix;
 mod motion;
 mod multigrid;
+mod nearby;
 mod null_space;
 mod poisson;
 mod raster;
@@ -43,7 +44,7 @@ use crate::walls::Walls;
 
 use air::Air;
 use bodies::Bodies;
-use forces::Correction;
+use forces::Push;
 use survey::Survey;
 
 /// What a projection does not change during a run.
@@ -76,7 +77,7 @@ pub struct Projection {
     pub(crate) air: Air,
     /// Excess of each row's diagonal: the free surface (I7).
     pub(crate) excess: Vec<f64>,
-    pub(crate) corrections: Vec<Correction>,
+    pub(crate) pushes: Vec<Push>,
     pub(crate) wet: Vec<f64>,
     /// Normals of the surface (I16).
     pub(crate) normals: Vec<[f64; 2]>,

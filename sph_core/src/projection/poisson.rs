@@ -63,7 +63,7 @@ impl Fluid {
         let strongest = -sweep::least(n, |k| -(projection.source[k] / volume(k)).abs());
         projection.scale.resize(n, 0.0);
         sweep::gather_into(&mut projection.scale, |k| volume(k) * strongest.max(f64::MIN_POSITIVE));
-        projection.matrix.assemble(&projection.survey, &projection.excess);
+        projection.matrix.assemble(&projection.survey, &projection.excess, &self.search);
         projection.clear_pins(n);
         let x = &mut self.derived.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
