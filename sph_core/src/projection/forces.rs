@@ -109,7 +109,7 @@ impl Fluid {
         let (survey, air) = (&self.projection.survey, self.projection.air.exposure[k]);
         let (around, [xx, xy, yy]) = (&survey.around[k], survey.spread[k]);
         let pressure = self.derived.pressure[k];
-        let weight = g[0].hypot(g[1]) * rho;
+        let weight = (g[0] * g[0] + g[1] * g[1]).sqrt() * rho;
         let dx = (p.mass[k] / p.rho[k]).sqrt();
         // I10: a row of a flat surface feels the whole of a linear pressure
         let closure = if air > 0.0 { lattice.closure(around.filling) } else { Closure::default() };

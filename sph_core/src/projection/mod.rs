@@ -100,6 +100,8 @@ pub struct Projection {
     head: f64,
     /// The last step's pressures [Pa].
     pub(crate) before: Vec<f64>,
+    /// For how many steps each particle has been pinned, by identity (I8).
+    kept: Vec<u8>,
 }
 
 /// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
@@ -115,9 +117,7 @@ pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), 
         _ => fluid.solve_pressure(walls, dt)?, // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)
     }
     fluid.push(walls, dt); //            a = g − ∇p/ρ, F
-    fluid.kick(dt); //                   u' = u + Δt a
-    fluid.drift(dt); //                  r' = r + Δt u'
-    fluid.rearrange(dt); //              r' ← r' + δr
+    fluid.advance(dt); //                u' = u + Δt a, r' = r + Δt u' + δr
     fluid.projection.last_dt = dt;
     Ok(())
 }

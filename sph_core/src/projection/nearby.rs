@@ -61,15 +61,17 @@ impl Nearby {
         for &j in listed {
             let b = &rows[j as usize];
             let (dx, dy, h) = (a.x - b.x, a.y - b.y, 0.5 * (a.h + b.h));
-            let r2 = dx * dx + dy * dy;
             // written in any case, and over again by the next where this one is too far: no branch
-            let slot = count % Self::MOST;
-            self.index[slot] = j;
+            self.index[count % Self::MOST] = j;
+            count += usize::from(dx * dx + dy * dy < 4.0 * h * h);
+        }
+        for slot in 0..count.min(Self::MOST) {
+            let b = &rows[self.index[slot] as usize];
+            let (dx, dy) = (a.x - b.x, a.y - b.y);
             (self.dx[slot], self.dy[slot]) = (dx, dy);
-            (self.r2[slot], self.h[slot]) = (r2, h);
+            (self.r2[slot], self.h[slot]) = (dx * dx + dy * dy, 0.5 * (a.h + b.h));
             (self.du[slot], self.dv[slot]) = (b.u - a.u, b.v - a.v);
             self.fill[slot] = b.fill;
-            count += usize::from(r2 < 4.0 * h * h);
         }
         self.count = count;
         // whole lanes: the rest has no volume, half a support away
@@ -91,7 +93,10 @@ impl Nearby {
         let link = &mut self.link[..count];
         let (of_link, of_brake) = (-2.0 / c.rho0, -c.rho0 * c.alpha * c.c0 * a.fill);
         for i in 0..count {
-            let inverse = 1.0 / h[i];
+            // one division for two: over h and over r² + 0.01 h²
+            let blunt = r2[i] + 0.01 * h[i] * h[i];
+            let both = 1.0 / (h[i] * blunt);
+            let inverse = both * blunt;
             let q = r2[i].sqrt() * inverse;
             let i2 = inverse * inverse;
             let peak = K::ALPHA * i2;
@@ -101,7 +106,7 @@ impl Nearby {
             link[i] = of_link * ((a.fill * fill[i]) * slope);
             let parting = du[i] * dx[i] + dv[i] * dy[i]; // −v_ab·r_ab
             let closing = if parting > 0.0 { parting } else { 0.0 };
-            brake[i] = of_brake * h[i] * closing / (r2[i] + 0.01 * h[i] * h[i]);
+            brake[i] = of_brake * closing * (h[i] * h[i] * both);
         }
     }
 
