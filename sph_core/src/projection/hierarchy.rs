@@ -54,9 +54,12 @@ impl Hierarchy {
 
     /// Row k is that of `id[k]`, who may have stood elsewhere before: so has its aggregate.
     pub fn name(&mut self, id: &[u32]) {
+        if self.id == id {
+            return;
+        }
         if self.id.len() != id.len() {
             self.made_at.clear(); // other rows: of no use
-        } else if self.id != id && self.made_at.len() == id.len() {
+        } else if self.made_at.len() == id.len() {
             let Hierarchy { multigrid, components, made_at, place, .. } = self;
             let from = || id.iter().map(|&i| place[i as usize]);
             *made_at = from().map(|k| made_at[k as usize]).collect();

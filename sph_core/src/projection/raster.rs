@@ -323,6 +323,22 @@ mod tests {
         }
     }
 
+    /// Within two cells along both axes of the only open one, and nowhere else; across the edge of a word too.
+    #[test]
+    fn an_open_cell_is_seen_as_far_as_is_asked() {
+        let mut raster = Raster::default();
+        raster.lay([0.0; 2], [80.0, 20.0], 1.0);
+        raster.covered.fill(u64::MAX);
+        let open = (64, 9);
+        raster.covered[open.1 * raster.words + 1] = !1;
+        for row in 0..raster.rows as i32 {
+            for column in 0..raster.columns as i32 {
+                let near = (column - open.0).abs() <= 2 && (row - open.1 as i32).abs() <= 2;
+                assert_eq!(raster.is_open_within(column, row, 2), near, "{column} {row}");
+            }
+        }
+    }
+
     proptest! {
         /// Against every cell tested against every disc, and a flood from cell to cell.
         #[test]
