@@ -65,7 +65,7 @@ pub struct Projecting {
 
 impl Default for Projecting {
     fn default() -> Projecting {
-        Projecting { tolerance: 1e-3, most_iterations: 2000, relaxation: 3.0, calming: 0.15, shift: 1.0 }
+        Projecting { tolerance: 3e-4, most_iterations: 2000, relaxation: 3.0, calming: 0.15, shift: 1.0 }
     }
 }
 
