@@ -128,6 +128,20 @@ pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mu
     });
 }
 
+/// [`update_chunks`] of two arrays at once.
+pub fn update_both_chunks<T: Send, S: Send>(
+    parts: &mut [S],
+    a: &mut [T],
+    b: &mut [T],
+    change: impl Fn(std::ops::Range<usize>, &mut [T], &mut [T]) -> S + Sync,
+) {
+    debug_assert_eq!(parts.len(), a.len().div_ceil(CHUNK));
+    let chunks = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK));
+    parts.par_iter_mut().zip(chunks).enumerate().for_each(|(c, (part, (a, b)))| {
+        *part = change(c * CHUNK..c * CHUNK + a.len(), a, b);
+    });
+}
+
 /// `change(c, piece)` for every piece of `length` of `out`.
 pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usize, &mut [T]) + Sync) {
     out.par_chunks_mut(length).enumerate().for_each(|(c, piece)| change(c, piece));

@@ -72,7 +72,7 @@ impl<G: Gather, K: Shape, D: PairDissipation> Task for Piece<'_, G, K, D> {
 }
 
 /// `lists` where `wanted`, else none.
-fn listed(lists: &Lists, wanted: bool) -> &Lists {
+pub(crate) fn listed(lists: &Lists, wanted: bool) -> &Lists {
     if wanted { lists } else { &NONE }
 }
 

@@ -202,7 +202,7 @@ static KEYWORDS: &[Keyword] = &[
     key("coupling.scheme", "", "weak; added_mass with body.panels, and for free bodies with solver = incompressible", "weak: one exchange a step | added_mass: body's acceleration and wall pressures found together, without iterations; for light bodies | aitken | iqn_ils: the step repeated until they agree (no INDAT switch: the thesis exchanges once a step)"),
     key("coupling.tolerance", "-", "1e-6", "aitken, iqn_ils: mismatch of the body's acceleration, relative, at which a step is done"),
     key("coupling.max_iterations", "-", "50", "aitken, iqn_ils: repetitions of a step after which one that still disagrees ends the run with an error"),
-    key("projection.tolerance", "-", "1e-4", "solver incompressible: share of the largest right-hand side that no residual of the pressure equation exceeds, 1e-12 to 0.1 (no INDAT switch)"),
+    key("projection.tolerance", "-", "3e-4", "solver incompressible: share of the largest right-hand side that no residual of the pressure equation exceeds, 1e-12 to 0.1 (no INDAT switch)"),
     key("projection.most_iterations", "", "2000", "solver incompressible: iterations after which a pressure equation has failed"),
     key("projection.relaxation", "-", "3.0", "time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY I9)"),
     key("projection.calming", "-", "0.15", "viscosity over h sqrt(|g| h), which brings water to rest (THEORY I12); 0 is none"),

@@ -81,6 +81,13 @@ impl Aggregates {
         }
     }
 
+    /// Rows have other places: row k is the one that was row `from[k]`.
+    pub fn rename(&mut self, from: impl Iterator<Item = u32>) {
+        let renamed: Vec<u32> = from.map(|k| self.of[k as usize]).collect();
+        self.of = renamed;
+        self.list(self.len());
+    }
+
     /// Sort the rows by aggregate.
     fn list(&mut self, count: usize) {
         let Aggregates { of, starts, members } = self;

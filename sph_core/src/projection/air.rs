@@ -16,6 +16,9 @@ const FEEL: [f64; 2] = [0.1, 0.5];
 /// Share of a filling whose lack shows air for certain, unless rows of a flat surface lack less [-].
 const FAINT: f64 = 0.001;
 
+/// Relative error of spacings that are a power of two apart [-].
+const ROUNDING: f64 = 1e-9;
+
 /// How near air is.
 #[derive(Clone, Debug, Default)]
 pub struct Air {
@@ -28,7 +31,11 @@ pub struct Air {
 
 /// Doublings of the least spacing that a spacing is worth: which raster it looks at.
 fn level(dx: f64, least: f64) -> usize {
-    ((dx / least).log2() + 1e-9).floor().max(0.0) as usize
+    let (mut level, mut next) = (0, 2.0 * (1.0 - ROUNDING) * least);
+    while dx >= next {
+        (level, next) = (level + 1, 2.0 * next);
+    }
+    level
 }
 
 impl Air {
@@ -54,25 +61,27 @@ impl Fluid {
         let ratio = self.parameters.smoothing_ratio;
         let air = &self.projection.air;
         let n = walls.len();
+        let (fluid, rows, mirror) = (&self.rows.fluid, &self.rows.walls, self.parameters.mirror);
+        let near_mirror_points = &self.search.fluid_of_mirror;
         let wet = &mut self.projection.wet;
         wet.resize(n, 1.0);
-        for k in 0..n {
-            let (x, y) = (self.rows.walls[k].x, self.rows.walls[k].y);
+        crate::sweep::gather_into(wet, |k| {
+            let (x, y) = (rows[k].x, rows[k].y);
             let (x, y) = (x + 2.0 * walls.depth[k] * walls.nx[k], y + 2.0 * walls.depth[k] * walls.ny[k]);
             let dx = walls.h[k] / ratio;
-            let fluid = &self.rows.fluid;
             let square = |j: u32| (fluid[j as usize].x - x).powi(2) + (fluid[j as usize].y - y).powi(2);
-            let nearest = self.search.fluid_of_mirror.of(k).map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
+            let nearest = near_mirror_points.of(k).map(square).fold(f64::INFINITY, f64::min).sqrt() / dx;
             let apart = ((nearest - 0.75) / 0.25).clamp(0.0, 1.0);
-            wet[k] = 1.0;
-            if apart > 0.0 {
-                let x = self.parameters.mirror.map_or(x, |m| if x < m.at { m.reflect(x) } else { x });
-                let d = 1.4 * dx;
-                let places = [(d, 0.0), (-d, 0.0), (0.0, d), (0.0, -d), (d, d), (d, -d), (-d, d), (-d, -d)];
-                let share = places.iter().map(|(a, b)| air.share_at(x + a, y + b, dx)).fold(0.0, f64::max);
-                wet[k] -= apart * share;
+            if apart == 0.0 {
+                return 1.0;
             }
-        }
+            let x = mirror.map_or(x, |m| if x < m.at { m.reflect(x) } else { x });
+            let d = 1.4 * dx;
+            let places = [(d, 0.0), (-d, 0.0), (0.0, d), (0.0, -d), (d, d), (d, -d), (-d, d), (-d, -d)];
+            let share = places.iter().map(|(a, b)| air.share_at(x + a, y + b, dx)).fold(0.0, f64::max);
+            1.0 - apart * share
+        });
+        let wet = &self.projection.wet;
         for (k, row) in self.rows.walls.iter_mut().enumerate() {
             let k = if k < n { k } else { self.search.wall_images[k - n] as usize };
             row.volume *= wet[k];
@@ -168,12 +177,14 @@ impl Fluid {
             let raster = &rasters[level(dx, least)];
             let [x, y] = raster.cell([p.x[k], p.y[k]]);
             let (ci, cj) = ((x + 0.5) as i32, (y + 0.5) as i32);
-            if !raster.may_have_air(ci, cj, (feel[1] * dx / raster.side).ceil() as i32 + 1) {
+            let reach = (feel[1] * dx / raster.side).ceil() as i32 + 1;
+            if !(raster.may_have_air(ci, cj, reach) && raster.is_open_within(ci, cj, reach)) {
                 return 0.0;
             }
             let mut best = 0.0_f64;
             for &(i, j, r) in offsets {
-                if (r - 0.75) * raster.side > feel[1] * dx {
+                // a cell so far away shows no more than this
+                if feel[1] - (r - 0.75) * raster.side / dx <= best * (feel[1] - feel[0]) {
                     break;
                 }
                 let (a, b) = (ci + i, cj + j);
@@ -187,9 +198,6 @@ impl Fluid {
                 let (rx, ry) = (f64::from(a) - x, f64::from(b) - y);
                 let r = (rx * rx + ry * ry).sqrt() * raster.side / dx;
                 best = best.max(share * ((feel[1] - r) / (feel[1] - feel[0])).clamp(0.0, 1.0));
-                if best == 1.0 {
-                    break;
-                }
             }
             best * lack
         });

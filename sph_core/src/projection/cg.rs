@@ -66,6 +66,8 @@ pub struct PressureSolver {
     direction: Vec<f64>,
     image: Vec<f64>,
     guess: Vec<f64>,
+    /// 1/scale, of the residual (PS3).
+    weight: Vec<f64>,
     sums: Vec<f64>,
 }
 
@@ -79,13 +81,19 @@ impl PressureSolver {
     /// hierarchy still serves (PS8).
     pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
         let n = a.rows();
-        let PressureSolver { inverse, residual, preconditioned, direction, image, guess, .. } = self;
-        let arrays = [inverse, residual, preconditioned, direction, image, guess];
+        let PressureSolver { inverse, residual, preconditioned, direction, image, guess, weight, .. } = self;
+        let arrays = [inverse, residual, preconditioned, direction, image, guess, weight];
         for array in arrays {
             array.resize(n, 0.0);
         }
         self.sums.resize(n.div_ceil(CHUNK), 0.0);
         sweep::within_pool(|| self.hierarchy.prepare(a, x, y, h));
+    }
+
+    /// PS8: the rows stand in another order than in the solves before, row k for the particle `id[k]` of 0, 1, 2, …; to be
+    /// said before [`prepare`](Self::prepare), every time or never.
+    pub fn name(&mut self, id: &[u32]) {
+        self.hierarchy.name(id);
     }
 
     /// How often a hierarchy was made.
@@ -170,9 +178,12 @@ impl PressureSolver {
             preconditioned,
             direction,
             image,
+            weight,
             sums,
             ..
         } = self;
+        sweep::gather_into(weight, |i| 1.0 / scale[i]);
+        let weight = &*weight;
         sweep::gather_into(inverse, |i| if pinned[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] });
         let inverse = &*inverse;
         sweep::update(x, |i, x| {
@@ -194,7 +205,7 @@ impl PressureSolver {
         apply(a, ranks, inverse, x, image, sums);
         sweep::gather_into(residual, |i| if inverse[i] == 0.0 { 0.0 } else { b[i] - image[i] });
         null_space.remove(residual);
-        let mut worst = largest(residual, scale, sums);
+        let mut worst = largest(residual, weight, sums);
         direction.fill(0.0);
         let (mut old, mut iterations) = (f64::INFINITY, 0);
         let mut mark = (0, worst);
@@ -218,12 +229,11 @@ impl PressureSolver {
                 return Err(give_up(residual, scale, iterations, worst));
             }
             let alpha = rz / energy;
-            sweep::update_both(x, residual, |i, x, r| {
-                *x += alpha * direction[i];
-                *r -= alpha * image[i];
-            });
-            null_space.remove(residual);
-            worst = largest(residual, scale, sums);
+            worst = go(x, residual, alpha, (direction, image), weight, sums);
+            if null_space.is_felt() {
+                null_space.remove(residual);
+                worst = largest(residual, weight, sums);
+            }
             iterations += 1;
         }
         null_space.remove(x);
@@ -246,17 +256,42 @@ fn apply(a: &Matrix, ranks: &[RankOne], inverse: &[f64], x: &[f64], y: &mut [f64
     energy
 }
 
-/// PS3: the largest |r_i|/scale_i; not a number if any is not.
-fn largest(residual: &mut [f64], scale: &[f64], parts: &mut [f64]) -> f64 {
-    let worse = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
-    sweep::update_chunks(parts, residual, |rows, chunk| {
-        chunk.iter().zip(&scale[rows]).fold(0.0, |w, (r, s)| worse(w, if *r == 0.0 { 0.0 } else { r.abs() / s }))
+/// PS2: x ← x + α p, r ← r − α A p; returns the largest |r_i|/scale_i.
+fn go(
+    x: &mut [f64],
+    residual: &mut [f64],
+    alpha: f64,
+    (p, image): (&[f64], &[f64]),
+    weight: &[f64],
+    parts: &mut [f64],
+) -> f64 {
+    sweep::update_both_chunks(parts, x, residual, |rows, x, r| {
+        let (p, image, weight) = (&p[rows.clone()], &image[rows.clone()], &weight[rows]);
+        let mut worst = 0.0;
+        for k in 0..x.len() {
+            x[k] += alpha * p[k];
+            r[k] -= alpha * image[k];
+            worst = worse(worst, r[k].abs() * weight[k]);
+        }
+        worst
     });
     parts.iter().fold(0.0, |w, &p| worse(w, p))
 }
 
+/// PS3: the largest |r_i|/scale_i; not a number if any is not.
+fn largest(residual: &mut [f64], weight: &[f64], parts: &mut [f64]) -> f64 {
+    sweep::update_chunks(parts, residual, |rows, chunk| {
+        chunk.iter().zip(&weight[rows]).fold(0.0, |w, (r, s)| worse(w, r.abs() * s))
+    });
+    parts.iter().fold(0.0, |w, &p| worse(w, p))
+}
+
+fn worse(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
 fn give_up(residual: &[f64], scale: &[f64], iterations: usize, worst: f64) -> NotConverged {
     let share = |i: usize| residual[i].abs() / scale[i];
-    let row = (0..residual.len()).find(|&i| share(i) == worst || share(i).is_nan()).unwrap_or(0);
+    let row = (0..residual.len()).max_by(|&i, &k| share(i).total_cmp(&share(k))).unwrap_or(0);
     NotConverged { iterations, residual: worst, worst: row }
 }

@@ -20,14 +20,17 @@ impl Fluid {
         let projection = &mut self.projection;
         projection.clear_pins(self.particles.len());
         projection.before.clone_from(&self.derived.pressure);
-        let survey = &projection.survey;
+        let (survey, search, n) = (&projection.survey, &self.search, self.particles.len());
         let (source, excess, before) = (&projection.source, &projection.excess, &projection.before);
         sweep::gather_into(&mut self.derived.pressure, |k| {
             let (mut sum, mut diagonal) = (source[k], excess[k]);
-            let (columns, values) = survey.row(k);
-            for (&j, value) in columns.iter().zip(values) {
-                sum += value * before[j as usize];
-                diagonal += value;
+            let (near, values) = survey.row(k);
+            for (&j, value) in near.iter().zip(values) {
+                let source = search.source(j, n);
+                if source != k {
+                    sum += value * before[source];
+                    diagonal += value;
+                }
             }
             if diagonal > 0.0 { sum / diagonal } else { 0.0 }
         });

@@ -21,9 +21,9 @@ impl Preconditioner {
 }
 
 /// A row that has gone so far, in smoothing lengths, has other neighbours.
-const FAR: f64 = 0.3;
+const FAR: f64 = 0.6;
 /// A hierarchy serves while no larger share of its rows has gone far [-].
-const FEW_MOVED: f64 = 0.02;
+const FEW_MOVED: f64 = 0.2;
 
 /// A preconditioner and the connected parts of the matrix, made for one matrix and kept for those that are like it.
 #[derive(Clone, Debug, Default)]
@@ -37,6 +37,9 @@ pub(crate) struct Hierarchy {
     made_at: Vec<[f64; 2]>,
     now_at: Vec<[f64; 2]>,
     moved: Vec<u32>,
+    /// Whose rows those of the hierarchy are, and where each stands; empty where nobody said.
+    id: Vec<u32>,
+    place: Vec<u32>,
     /// Made for an earlier matrix.
     old: bool,
     /// Most iterations of the solves with the matrix that it was made for.
@@ -47,6 +50,30 @@ pub(crate) struct Hierarchy {
 impl Hierarchy {
     pub fn with(kind: Preconditioner) -> Hierarchy {
         Hierarchy { kind, ..Hierarchy::default() }
+    }
+
+    /// Row k is that of `id[k]`, who may have stood elsewhere before: so has its aggregate.
+    pub fn name(&mut self, id: &[u32]) {
+        if self.id == id {
+            return;
+        }
+        if self.id.len() != id.len() {
+            self.made_at.clear(); // other rows: of no use
+        } else if self.made_at.len() == id.len() {
+            let Hierarchy { multigrid, components, made_at, place, .. } = self;
+            let from = || id.iter().map(|&i| place[i as usize]);
+            *made_at = from().map(|k| made_at[k as usize]).collect();
+            if self.kind == Preconditioner::Aggregates {
+                multigrid.rename(from());
+                components.spread(multigrid.first().1);
+            }
+        }
+        self.id.clear();
+        self.id.extend_from_slice(id);
+        self.place.resize(id.len(), 0);
+        for (k, &i) in id.iter().enumerate() {
+            self.place[i as usize] = k as u32;
+        }
     }
 
     /// Keep what serves, else make it anew.

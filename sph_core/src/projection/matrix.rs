@@ -1,8 +1,11 @@
 //! The matrix of the pressure equation (THEORY PS1).
 
-use crate::sweep;
+use std::ops::Range;
 
-use super::survey::Survey;
+use crate::search::Search;
+use crate::sweep::{self, CHUNK};
+
+use super::survey::{Rows as Pairs, Survey};
 
 /// Row sums below this share of the diagonal are zero but for rounding [-].
 const NO_EXCESS: f64 = 1e-10;
@@ -33,28 +36,35 @@ pub struct RankOne {
 
 impl Matrix {
     /// I6: the rows that a survey found, each with its excess on the diagonal.
-    pub(super) fn assemble(&mut self, survey: &Survey, excess: &[f64]) {
+    pub(super) fn assemble(&mut self, survey: &Survey, excess: &[f64], search: &Search) {
         let n = excess.len();
         self.starts.resize(n + 1, 0);
         self.diagonal.resize(n, 0.0);
-        let mut end = 0;
-        for k in 0..n {
-            self.starts[k] = end;
-            end += survey.row(k).0.len();
+        let ends = survey.chunks().iter().scan(0, |end, found| {
+            *end += found.pairs() - found.own_images;
+            Some(*end)
+        });
+        let ends: Vec<usize> = ends.collect();
+        let pairs = ends.last().copied().unwrap_or(0);
+        self.starts[n] = pairs;
+        self.columns.resize(pairs, 0);
+        self.values.resize(pairs, 0.0);
+        let (mut columns, mut values) = (&mut self.columns[..], &mut self.values[..]);
+        let mut pieces = Vec::with_capacity(ends.len());
+        let mut first = 0;
+        for ((starts, diagonal), &end) in
+            self.starts[..n].chunks_mut(CHUNK).zip(self.diagonal.chunks_mut(CHUNK)).zip(&ends)
+        {
+            let (own_columns, rest) = columns.split_at_mut(end - first);
+            let (own_values, rest_of_values) = values.split_at_mut(end - first);
+            (columns, values) = (rest, rest_of_values);
+            pieces.push(Piece { first, starts, columns: own_columns, values: own_values, diagonal });
+            first = end;
         }
-        self.starts[n] = end;
-        self.columns.resize(end, 0);
-        self.values.resize(end, 0.0);
-        for k in 0..n {
-            let (columns, values) = survey.row(k);
-            self.columns[self.starts[k]..self.starts[k + 1]].copy_from_slice(columns);
-            let mut sum = excess[k];
-            for (out, value) in self.values[self.starts[k]..self.starts[k + 1]].iter_mut().zip(values) {
-                *out = -value;
-                sum += value;
-            }
-            self.diagonal[k] = sum;
-        }
+        let found = survey.chunks();
+        sweep::for_each_chunk(&mut pieces, n, |rows, piece| {
+            piece.fill(&found[rows.start / CHUNK], rows, excess, search)
+        });
     }
 
     /// No rows; the memory stays.
@@ -120,6 +130,47 @@ impl Matrix {
             sum
         });
         sums.iter().sum()
+    }
+}
+
+/// The rows of a chunk, to be written.
+struct Piece<'a> {
+    first: usize,
+    starts: &'a mut [usize],
+    columns: &'a mut [u32],
+    values: &'a mut [f64],
+    diagonal: &'a mut [f64],
+}
+
+impl Piece<'_> {
+    /// The rows as found; an image stands for its source, and a row's own images for nobody.
+    fn fill(&mut self, found: &Pairs, rows: Range<usize>, excess: &[f64], search: &Search) {
+        let n = excess.len();
+        let mut end = 0;
+        for (slot, k) in rows.enumerate() {
+            self.starts[slot] = self.first + end;
+            let (near, values) = found.row(slot);
+            let mut sum = excess[k];
+            if search.fluid_images.is_empty() {
+                let run = end..end + near.len();
+                self.columns[run.clone()].copy_from_slice(near);
+                for (out, value) in self.values[run].iter_mut().zip(values) {
+                    *out = -value;
+                    sum += value;
+                }
+                end += near.len();
+            } else {
+                for (&j, value) in near.iter().zip(values) {
+                    let source = search.source(j, n);
+                    if source != k {
+                        (self.columns[end], self.values[end]) = (source as u32, -value);
+                        sum += value;
+                        end += 1;
+                    }
+                }
+            }
+            self.diagonal[slot] = sum;
+        }
     }
 }
 

@@ -15,6 +15,7 @@ mod lattice;
 pub mod matrix;
 mod motion;
 mod multigrid;
+mod nearby;
 mod null_space;
 mod poisson;
 mod raster;
@@ -44,7 +45,7 @@ use crate::walls::Walls;
 
 use air::Air;
 use bodies::Bodies;
-use forces::Correction;
+use forces::Push;
 use survey::Survey;
 
 /// What a projection does not change during a run.
@@ -65,7 +66,7 @@ pub struct Projecting {
 
 impl Default for Projecting {
     fn default() -> Projecting {
-        Projecting { tolerance: 1e-4, most_iterations: 2000, relaxation: 3.0, calming: 0.15, shift: 1.0 }
+        Projecting { tolerance: 3e-4, most_iterations: 2000, relaxation: 3.0, calming: 0.15, shift: 1.0 }
     }
 }
 
@@ -77,7 +78,7 @@ pub struct Projection {
     pub(crate) air: Air,
     /// Excess of each row's diagonal: the free surface (I7).
     pub(crate) excess: Vec<f64>,
-    pub(crate) corrections: Vec<Correction>,
+    pub(crate) pushes: Vec<Push>,
     pub(crate) wet: Vec<f64>,
     /// Normals of the surface (I16).
     pub(crate) normals: Vec<[f64; 2]>,
@@ -100,6 +101,8 @@ pub struct Projection {
     head: f64,
     /// The last step's pressures [Pa].
     pub(crate) before: Vec<f64>,
+    /// For how many steps each particle has been pinned, by identity (I8).
+    kept: Vec<u8>,
 }
 
 /// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
@@ -117,9 +120,7 @@ pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), 
         _ => fluid.solve_pressure(walls, dt)?, // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)
     }
     fluid.push(walls, dt); //            a = g − ∇p/ρ, F
-    fluid.kick(dt); //                   u' = u + Δt a
-    fluid.drift(dt); //                  r' = r + Δt u'
-    fluid.rearrange(dt); //              r' ← r' + δr
+    fluid.advance(dt); //                u' = u + Δt a, r' = r + Δt u' + δr
     fluid.projection.last_dt = dt;
     Ok(())
 }

@@ -12,27 +12,26 @@ const FALL: f64 = 0.25;
 const GROWTH: f64 = 1.1;
 
 impl Fluid {
-    /// I13: shifting, along the surface near air.
-    pub(super) fn rearrange(&mut self, dt: f64) {
-        if !self.parameters.shifting {
-            return;
-        }
-        let strength = self.parameters.projecting.shift;
+    /// I1: u' = u + Δt a, r' = r + Δt u' + δr (I13: shifting, along the surface near air).
+    pub(super) fn advance(&mut self, dt: f64) {
+        let strength = if self.parameters.shifting { self.parameters.projecting.shift } else { 0.0 };
+        let (surroundings, exposure) = (&self.derived.surroundings, &self.projection.air.exposure);
         let p = &mut self.particles;
-        for k in 0..p.x.len() {
-            let crowding = self.derived.surroundings[k].crowding;
-            let scale = -2.0 * strength * p.h[k] * dt * p.u[k].hypot(p.v[k]);
-            let mut shift = crowding.map(|c| scale * c);
-            let exposed = self.projection.air.exposure[k];
-            if exposed > 0.0 {
-                // −∇C is the surface's normal there: what is left of a shift along ∇C is nothing of its exposed share
-                shift = shift.map(|s| (1.0 - exposed) * s);
-            }
-            let limit = LONGEST_SHIFT * p.h[k];
-            let shrink = limit / shift[0].hypot(shift[1]).max(limit);
-            p.x[k] += shrink * shift[0];
-            p.y[k] += shrink * shift[1];
-        }
+        let (ax, ay, h) = (&p.ax, &p.ay, &p.h);
+        sweep::update_both(&mut p.u, &mut p.v, |k, u, v| {
+            *u += dt * ax[k];
+            *v += dt * ay[k];
+        });
+        let (u, v) = (&p.u, &p.v);
+        sweep::update_both(&mut p.x, &mut p.y, |k, x, y| {
+            let scale = -2.0 * strength * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
+            // −∇C is the surface's normal there: what is left of a shift along ∇C is nothing of its exposed share
+            let [a, b] = surroundings[k].crowding.map(|c| (1.0 - exposure[k]) * (scale * c));
+            let limit = LONGEST_SHIFT * h[k];
+            let shrink = limit / (a * a + b * b).sqrt().max(limit);
+            *x += dt * u[k] + shrink * a;
+            *y += dt * v[k] + shrink * b;
+        });
     }
 
     /// Smallest smoothing length [m].
@@ -43,7 +42,7 @@ impl Fluid {
     /// I14: the step of a projection [s].
     pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
         let (p, q, cfl) = (&self.particles, &self.parameters, self.courant());
-        let limit = |h: f64, u: f64, v: f64| cfl * h / u.hypot(v);
+        let limit = |h: f64, u: f64, v: f64| cfl * h / (u * u + v * v).sqrt();
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k]);
         let h = self.least_length();

@@ -94,6 +94,11 @@ impl Multigrid {
         *coarsest = if last.rows() <= 4 * FEW { factor(last) } else { None };
     }
 
+    /// The rows of the matrix have other places; see [`Aggregates::rename`].
+    pub fn rename(&mut self, from: impl Iterator<Item = u32>) {
+        self.aggregates.rename(from);
+    }
+
     /// The matrix of the first coarser level, and the row of it that each row belongs to.
     pub fn first(&self) -> (&Matrix, &[u32]) {
         (&self.levels[0].a, &self.aggregates.of)

@@ -53,11 +53,20 @@ impl Components {
         match aggregates {
             None => self.of.extend_from_slice(&self.node),
             Some(aggregates) => {
-                let alone = self.floating.len() as u32; // no couplings: fixed by the diagonal, or empty
-                self.floating.push(false);
-                self.of.extend(aggregates.iter().map(|&c| self.node.get(c as usize).copied().unwrap_or(alone)));
+                self.floating.push(false); // the last part: no couplings, fixed by the diagonal, or empty
+                self.spread(aggregates);
             }
         }
+    }
+
+    /// The parts of rows are those of the aggregates that they belong to.
+    pub fn spread(&mut self, aggregates: &[u32]) {
+        if !self.floating.contains(&true) {
+            return;
+        }
+        let alone = self.floating.len() as u32 - 1;
+        self.of.clear();
+        self.of.extend(aggregates.iter().map(|&c| self.node.get(c as usize).copied().unwrap_or(alone)));
     }
 }
 
@@ -140,6 +149,11 @@ impl NullSpace {
         if norm > NO_SHARE * length.sqrt() {
             self.felt.push(share.iter().map(|s| s / norm).collect());
         }
+    }
+
+    /// Whether there is anything to take out.
+    pub fn is_felt(&self) -> bool {
+        !self.part.is_empty()
     }
 
     /// Take the null space's part out of `v`.

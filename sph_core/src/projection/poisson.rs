@@ -63,15 +63,16 @@ impl Fluid {
         let strongest = -sweep::least(n, |k| -(projection.source[k] / volume(k)).abs());
         projection.scale.resize(n, 0.0);
         sweep::gather_into(&mut projection.scale, |k| volume(k) * strongest.max(f64::MIN_POSITIVE));
-        projection.matrix.assemble(&projection.survey, &projection.excess);
-        projection.clear_pins(n);
+        projection.matrix.assemble(&projection.survey, &projection.excess, &self.search);
         let x = &mut self.derived.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
+        projection.keep_pins(x, &p.id);
+        projection.solver.name(&p.id);
         projection.solver.prepare(&projection.matrix, &p.x, &p.y, &p.h);
         let surroundings = (&self.rows, &self.search, &self.parameters);
         let mut meeting = Meeting::of(surroundings, &p.id, &mut self.yielding, walls, 1.0 / lattice.gradient);
         projection.before.clone_from(x);
-        for _ in 0..PIN_ROUNDS {
+        for round in 0..PIN_ROUNDS {
             let Projection { solver, matrix, source, scale, pinned, bodies, iterations, solves, .. } = &mut *projection;
             let found = solver.persist(matrix, source, scale, pinned, x, &stop).and_then(|solved| {
                 *iterations += solved.iterations as u64;
@@ -91,10 +92,11 @@ impl Fluid {
                     time: self.time,
                 });
             }
-            if projection.pin_slack(x, &self.search, self.parameters.ventilation) == 0 {
+            if !projection.revise_pins(x, &self.search, self.parameters.ventilation, round == 0) {
                 break;
             }
         }
+        projection.remember_pins(&p.id);
         meeting.conclude();
         Ok(())
     }

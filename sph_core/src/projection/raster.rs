@@ -7,7 +7,7 @@ const MARGIN: f64 = 8.0;
 /// Rows of cells that are covered together.
 const BAND: usize = 32;
 /// Cells along a block's side.
-const BLOCK: usize = 16;
+const BLOCK: usize = 8;
 /// The mark of air that is nothing but air.
 const ALL: f64 = 253.0;
 
@@ -156,6 +156,20 @@ impl Raster {
         span(row, self.rows).any(|row| span(column, self.columns).any(|column| self.airy[row * blocks + column]))
     }
 
+    /// False where every cell at most `reach` away, along both axes, is covered.
+    pub fn is_open_within(&self, column: i32, row: i32, reach: i32) -> bool {
+        let clamp = |at: i32, cells: usize| at.clamp(0, cells as i32 - 1) as usize;
+        let (from, to) = (clamp(column - reach, self.columns), clamp(column + reach, self.columns));
+        (clamp(row - reach, self.rows)..=clamp(row + reach, self.rows)).any(|row| {
+            let words = &self.covered[row * self.words..][..self.words];
+            (from / 64..=to / 64).any(|word| {
+                let low = if word == from / 64 { from % 64 } else { 0 };
+                let high = if word == to / 64 { to % 64 } else { 63 };
+                !words[word] & (u64::MAX << low) & (u64::MAX >> (63 - high)) != 0
+            })
+        })
+    }
+
     /// How much the cell is air [-], the cell inside the raster.
     #[inline(always)]
     pub fn air(&self, column: usize, row: usize) -> f64 {
@@ -168,10 +182,11 @@ impl Disc {
     fn cover(&self, cells: &mut [u64], words: usize, columns: usize, first: usize) {
         let last = first + cells.len() / words;
         let rows = from_above(self.y - self.radius).max(first)..(self.y + self.radius + 1.0) as usize;
+        let square = self.radius * self.radius;
         for row in rows.start..rows.end.min(last) {
-            let dy = row as f64 - self.y;
-            let half = (self.radius * self.radius - dy * dy).max(0.0).sqrt();
-            let (from, to) = (from_above(self.x - half), ((self.x + half + 1.0).max(0.0) as usize).min(columns));
+            let dy = row as u32 as f64 - self.y;
+            let half = (square - dy * dy).max(0.0).sqrt();
+            let (from, to) = (from_above(self.x - half), (below(self.x + half + 1.0)).min(columns));
             set(&mut cells[(row - first) * words..][..words], from, to);
         }
     }
@@ -179,8 +194,13 @@ impl Disc {
 
 /// The least whole number from `a` on, 0 at least.
 fn from_above(a: f64) -> usize {
-    let whole = a.max(0.0) as usize;
-    whole + usize::from((whole as f64) < a)
+    let whole = below(a);
+    whole + usize::from(f64::from(whole as u32) < a)
+}
+
+/// The largest whole number up to `a`, 0 at least.
+fn below(a: f64) -> usize {
+    a as u32 as usize
 }
 
 /// Set the bits `from..to`.
@@ -189,6 +209,10 @@ fn set(words: &mut [u64], from: usize, to: usize) {
         return;
     }
     let (first, last) = (from / 64, (to - 1) / 64);
+    if first == last {
+        words[first] |= (u64::MAX >> (63 - (to - 1 - from))) << (from % 64);
+        return;
+    }
     for word in first..=last {
         let low = if word == first { from % 64 } else { 0 };
         let high = if word == last { (to - 1) % 64 } else { 63 };
@@ -295,6 +319,22 @@ mod tests {
                 let r = (at(0, column) - 0.5).hypot(at(1, row) - 0.5);
                 let expected = if r < 0.41 { 0.0 } else { 1.0 };
                 assert!((r - 0.45).abs() < 0.04 || coarse.air(column, row) == expected, "{column} {row}: {r}");
+            }
+        }
+    }
+
+    /// Within two cells along both axes of the only open one, and nowhere else; across the edge of a word too.
+    #[test]
+    fn an_open_cell_is_seen_as_far_as_is_asked() {
+        let mut raster = Raster::default();
+        raster.lay([0.0; 2], [80.0, 20.0], 1.0);
+        raster.covered.fill(u64::MAX);
+        let open = (64, 9);
+        raster.covered[open.1 * raster.words + 1] = !1;
+        for row in 0..raster.rows as i32 {
+            for column in 0..raster.columns as i32 {
+                let near = (column - open.0).abs() <= 2 && (row - open.1 as i32).abs() <= 2;
+                assert_eq!(raster.is_open_within(column, row, 2), near, "{column} {row}");
             }
         }
     }

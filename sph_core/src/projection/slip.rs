@@ -7,7 +7,8 @@ impl Fluid {
     /// I16: unit normals of the surface where air is felt, into the water; elsewhere zero.
     pub(super) fn find_normals(&mut self) {
         let (search, rows, kernel) = (&self.search, &self.rows.fluid, self.parameters.kernel);
-        let (around, air) = (&self.projection.survey.around, &self.projection.air.exposure);
+        let (survey, air) = (&self.projection.survey, &self.projection.air.exposure);
+        let around = &survey.around;
         let mirrored = self.parameters.mirror.is_some();
         let n = self.particles.len();
         self.projection.normals.resize(n, [0.0; 2]);
@@ -17,15 +18,16 @@ impl Fluid {
             }
             let a = &rows[k];
             let mut sum = around[k].crowding.map(|c| a.fill * kernel.value(0.0, a.h) * c);
-            for j in search.fluid.of(k) {
+            for &j in survey.row(k).0 {
                 let b = &rows[j as usize];
-                let weight = b.fill * kernel.value((a.x - b.x).hypot(a.y - b.y), 0.5 * (a.h + b.h));
+                let (dx, dy) = (a.x - b.x, a.y - b.y);
+                let weight = b.fill * kernel.value((dx * dx + dy * dy).sqrt(), 0.5 * (a.h + b.h));
                 let [x, y] = around[search.source(j, n)].crowding;
                 let side = if mirrored && j as usize >= n { -1.0 } else { 1.0 };
                 sum[0] += weight * side * x;
                 sum[1] += weight * y;
             }
-            let length = sum[0].hypot(sum[1]);
+            let length = (sum[0] * sum[0] + sum[1] * sum[1]).sqrt();
             if length > 0.0 { sum.map(|s| s / length) } else { [0.0; 2] }
         });
     }

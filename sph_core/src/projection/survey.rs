@@ -1,14 +1,15 @@
-//! One sweep over the pairs: geometry, divergence and the matrix's rows (THEORY I2–I6).
+//! One sweep over the pairs: geometry, divergence, viscosity and the matrix's rows (THEORY I2–I6, I12).
 
 use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
-use crate::pair::{Face, Row, bond};
+use crate::pair::{Constants, Face, Row, bond};
 use crate::particles::Surroundings;
 use crate::search::Search;
 use crate::sweep::{self, CHUNK};
 use crate::walls::Walls;
 
 use super::lattice::Lattice;
+use super::nearby::{Nearby, Sums};
 
 /// What the pairs give.
 #[derive(Clone, Debug, Default)]
@@ -20,27 +21,55 @@ pub struct Survey {
     pub divergence: Vec<f64>,
     /// −Σ V r⊗∇W.
     pub spread: Vec<[f64; 3]>,
+    /// κ times the viscous force [N/m] (I12).
+    pub drag: Vec<[f64; 2]>,
 }
 
+/// The pairs of a chunk of targets, by row.
 #[derive(Clone, Debug, Default)]
-struct Rows {
+pub(super) struct Rows {
     ends: Vec<u32>,
-    columns: Vec<u32>,
+    near: Vec<u32>,
     values: Vec<f64>,
-    around: Vec<Surroundings>,
-    divergence: Vec<f64>,
-    spread: Vec<[f64; 3]>,
+    /// Rows have their own mirror images among them, which the matrix has not.
+    pub own_images: usize,
+}
+
+impl Rows {
+    /// Of the chunk's row k: who is near, as listed, and 2 V_i V_j |slope|/ρ.
+    #[inline(always)]
+    pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
+        let from = if k == 0 { 0 } else { self.ends[k - 1] as usize };
+        let to = self.ends[k] as usize;
+        (&self.near[from..to], &self.values[from..to])
+    }
+
+    /// Number of pairs.
+    pub fn pairs(&self) -> usize {
+        self.near.len()
+    }
 }
 
 impl Survey {
-    /// Off-diagonals of row k, positive: a_ij = 2 V_i V_j |slope|/ρ.
+    /// Who is near row k, as listed (images count), and off-diagonals, positive: a_ij = 2 V_i V_j |slope|/ρ.
+    #[inline(always)]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
-        let rows = &self.chunks[k / CHUNK];
-        let k = k % CHUNK;
-        let from = if k == 0 { 0 } else { rows.ends[k - 1] as usize };
-        let to = rows.ends[k] as usize;
-        (&rows.columns[from..to], &rows.values[from..to])
+        self.chunks[k / CHUNK].row(k % CHUNK)
     }
+
+    /// The pairs, by chunks of targets.
+    pub(super) fn chunks(&self) -> &[Rows] {
+        &self.chunks
+    }
+}
+
+/// What a chunk of targets finds.
+struct Found<'a> {
+    rows: &'a mut Rows,
+    around: &'a mut [Surroundings],
+    divergence: &'a mut [f64],
+    spread: &'a mut [[f64; 3]],
+    drag: &'a mut [[f64; 2]],
 }
 
 struct Task<'a> {
@@ -50,43 +79,42 @@ struct Task<'a> {
     n: usize,
     kicks: &'a [[f64; 2]],
     walls: &'a [Row],
-    inverse_rho: f64,
-    chunks: &'a mut [Rows],
+    constants: Constants,
+    /// 1/κ (I4).
+    inverse: f64,
+    found: Vec<Found<'a>>,
 }
 
 impl WithKernel for Task<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Task { fluid, faces, search, n, kicks, walls, inverse_rho, chunks } = self;
-        sweep::for_each_chunk(chunks, n, |targets, rows| {
+        let Task { fluid, faces, search, n, kicks, walls, constants, inverse, mut found } = self;
+        sweep::for_each_chunk(&mut found, n, |targets, out| {
+            let Found { rows, around, divergence, spread, drag } = out;
             rows.ends.clear();
-            rows.columns.clear();
+            rows.near.clear();
             rows.values.clear();
-            rows.around.clear();
-            rows.divergence.clear();
-            rows.spread.clear();
-            for k in targets {
+            rows.own_images = 0;
+            let mut nearby = Nearby::default();
+            for (slot, k) in targets.enumerate() {
                 let a = &fluid[k];
-                let own = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
-                let (mut filling, mut crowding, mut spread, mut divergence) = (own, [0.0; 2], [0.0; 3], 0.0);
-                for j in search.fluid.of(k) {
-                    let b = &fluid[j as usize];
-                    let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { continue };
-                    filling += b.fill * ab.w::<K>();
-                    let pull = b.fill * ab.slope;
-                    crowding[0] += pull * ab.dx;
-                    crowding[1] += pull * ab.dy;
-                    spread[0] -= pull * ab.dx * ab.dx;
-                    spread[1] -= pull * ab.dx * ab.dy;
-                    spread[2] -= pull * ab.dy * ab.dy;
-                    divergence += pull * ((b.u - a.u) * ab.dx + (b.v - a.v) * ab.dy);
-                    let source = search.source(j, n);
-                    if source != k {
-                        rows.columns.push(source as u32);
-                        rows.values.push(-2.0 * a.fill * pull * inverse_rho);
+                let mut sums = Sums::default();
+                let (mut listed, mut more) = (search.fluid.of(k), true);
+                while more {
+                    more = nearby.gather(a, &mut listed, fluid);
+                    nearby.weigh::<K>(a, &constants);
+                    sums.add(&nearby, a, &constants);
+                    rows.near.extend_from_slice(nearby.listed());
+                    rows.values.extend_from_slice(nearby.links());
+                    if !search.fluid_images.is_empty() {
+                        rows.own_images += nearby.listed().iter().filter(|&&j| search.source(j, n) == k).count();
                     }
                 }
-                let fluid_filling = filling;
+                rows.ends.push(rows.near.len() as u32);
+                let own = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
+                let fluid_filling = own + sums.filling();
+                let (mut filling, mut crowding, mut arms) = (fluid_filling, sums.crowding(), sums.spread());
+                let mut rate = sums.divergence();
                 for j in search.walls_of_fluid.of(k) {
                     let w = &faces[j as usize];
                     let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
@@ -95,28 +123,28 @@ impl WithKernel for Task<'_> {
                     let pull = wet * aw.slope;
                     crowding[0] += pull * aw.dx;
                     crowding[1] += pull * aw.dy;
-                    spread[0] -= pull * aw.dx * aw.dx;
-                    spread[1] -= pull * aw.dx * aw.dy;
-                    spread[2] -= pull * aw.dy * aw.dy;
+                    arms[0] -= pull * aw.dx * aw.dx;
+                    arms[1] -= pull * aw.dx * aw.dy;
+                    arms[2] -= pull * aw.dy * aw.dy;
                     let un = a.u * w.nx + a.v * w.ny;
                     let rn = aw.dx * w.nx + aw.dy * w.ny;
-                    divergence += 2.0 * w.volume * aw.slope * (w.vn - un) * rn;
+                    rate += 2.0 * w.volume * aw.slope * (w.vn - un) * rn;
                     let kick = kicks[j as usize];
-                    divergence += 2.0 * pull * (kick[0] * aw.dx + kick[1] * aw.dy);
+                    rate += 2.0 * pull * (kick[0] * aw.dx + kick[1] * aw.dy);
                 }
-                let (mean, half) = (0.5 * (spread[0] + spread[2]), 0.5 * (spread[0] - spread[2]));
-                let lambda = mean - (half * half + spread[1] * spread[1]).sqrt();
-                rows.ends.push(rows.columns.len() as u32);
-                rows.around.push(Surroundings { filling, fluid_filling, crowding, lambda });
-                rows.divergence.push(divergence);
-                rows.spread.push(spread);
+                let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
+                let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
+                around[slot] = Surroundings { filling, fluid_filling, crowding, lambda };
+                divergence[slot] = inverse * rate;
+                spread[slot] = arms;
+                drag[slot] = sums.drag();
             }
         });
     }
 }
 
 impl Fluid {
-    /// I2–I6.
+    /// I2–I6, I12.
     pub(super) fn survey(&mut self, walls: &Walls, dt: f64) {
         let n = self.particles.len();
         let (kernel, g) = (self.parameters.kernel, self.parameters.gravity);
@@ -132,8 +160,23 @@ impl Fluid {
             let side = if k < walls.len() { 1.0 } else { -1.0 };
             kicks.push([dt * (side * walls.ax[source] - g[0]), dt * (walls.ay[source] - g[1])]);
         }
-        let survey = &mut self.projection.survey;
-        survey.chunks.resize(n.div_ceil(CHUNK), Rows::default());
+        let constants = self.constants_of_projection();
+        let Survey { chunks, around, divergence, spread, drag } = &mut self.projection.survey;
+        chunks.resize(n.div_ceil(CHUNK), Rows::default());
+        around.resize(n, Surroundings::default());
+        divergence.resize(n, 0.0);
+        spread.resize(n, [0.0; 3]);
+        drag.resize(n, [0.0; 2]);
+        let pieces = around.chunks_mut(CHUNK).zip(divergence.chunks_mut(CHUNK));
+        let pieces = pieces.zip(spread.chunks_mut(CHUNK).zip(drag.chunks_mut(CHUNK)));
+        let found = chunks.iter_mut().zip(pieces);
+        let found = found.map(|(rows, ((around, divergence), (spread, drag)))| Found {
+            rows,
+            around,
+            divergence,
+            spread,
+            drag,
+        });
         kernel.run(Task {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,
@@ -141,23 +184,17 @@ impl Fluid {
             n,
             kicks: &kicks,
             walls: &self.rows.walls,
-            inverse_rho: 1.0 / self.parameters.eos.rho0,
-            chunks: &mut survey.chunks,
+            constants,
+            inverse: 1.0 / lattice.gradient,
+            found: found.collect(),
         });
-        survey.around.resize(n, Surroundings::default());
-        survey.divergence.resize(n, 0.0);
         if self.steps == 0 {
             // where spacings grow, a lattice at rest is not filled to the last per cent
-            for k in 0..n {
-                let around = survey.chunks[k / CHUNK].around[k % CHUNK];
-                let graded = around.lambda > 0.9 && (around.filling - lattice.filling).abs() < 0.1;
-                self.particles.theta[k] = if graded { around.filling } else { lattice.filling };
-            }
+            let around = &self.projection.survey.around;
+            sweep::update(&mut self.particles.theta, |k, theta| {
+                let graded = around[k].lambda > 0.9 && (around[k].filling - lattice.filling).abs() < 0.1;
+                *theta = if graded { around[k].filling } else { lattice.filling };
+            });
         }
-        let (chunks, inverse) = (&survey.chunks, 1.0 / lattice.gradient);
-        sweep::gather_into(&mut survey.around, |k| chunks[k / CHUNK].around[k % CHUNK]);
-        survey.spread.resize(n, [0.0; 3]);
-        sweep::gather_into(&mut survey.spread, |k| chunks[k / CHUNK].spread[k % CHUNK]);
-        sweep::gather_into(&mut survey.divergence, |k| inverse * chunks[k / CHUNK].divergence[k % CHUNK]);
     }
 }

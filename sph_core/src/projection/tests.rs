@@ -227,6 +227,40 @@ fn a_clone_goes_on_to_the_same_bits() {
     assert_eq!(solver.set_ups(), 1);
 }
 
+/// Rows that stand in another order are known by name: nothing is made anew, and the iterations are as many.
+#[test]
+fn rows_in_another_order_keep_their_hierarchy() {
+    let mut dice = Dice(7);
+    let s = thrown(900, 1, 1, &mut dice);
+    let (scale, pinned, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-9, most_iterations: 500 });
+    let order: Vec<u32> = (0..900).map(|k| (k * 7) % 900).map(|k| if k < 450 { k + 450 } else { k - 450 }).collect();
+    let mut place = vec![0; 900];
+    order.iter().enumerate().for_each(|(k, &i)| place[i as usize] = k as u32);
+    let mut turned = Matrix { starts: vec![0], ..Matrix::default() };
+    for &i in &order {
+        for (j, value) in s.a.row(i as usize) {
+            turned.columns.push(place[j]);
+            turned.values.push(value);
+        }
+        turned.starts.push(turned.columns.len());
+        turned.diagonal.push(s.a.diagonal[i as usize]);
+    }
+    let by_order = |v: &[f64]| -> Vec<f64> { order.iter().map(|&i| v[i as usize]).collect() };
+    let mut solver = PressureSolver::default();
+    let names: Vec<u32> = (0..900).collect();
+    solver.name(&names);
+    solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
+    let mut x = vec![0.0; 900];
+    let first = solver.solve(&s.a, &[], &s.b, &scale, &pinned, &mut x, &stop).expect("converged");
+    solver.name(&order);
+    solver.prepare(&turned, &by_order(&s.at[0]), &by_order(&s.at[1]), &by_order(&s.at[2]));
+    let mut y = vec![0.0; 900];
+    let second = solver.solve(&turned, &[], &by_order(&s.b), &scale, &pinned, &mut y, &stop).expect("converged");
+    assert_eq!(solver.set_ups(), 1);
+    assert!(second.iterations.abs_diff(first.iterations) <= 1, "{first:?} {second:?}");
+    assert!(largest_difference(&y, &by_order(&x)) < 1e-7);
+}
+
 #[test]
 fn bodies_and_pins_at_the_surface_cost_no_iterations() {
     let mut dice = Dice(11);
