@@ -19,7 +19,7 @@ fn create(path: &Path, budget: Option<Budget>) -> BackgroundLog {
 
 fn write_frame(log: &mut BackgroundLog, k: usize) -> Result<(), LogError> {
     samples(k, |time, channel, values| log.sample(time, channel, values))?;
-    let frame = picture(k, |time, fluid, walls, bodies| Frame::new(time, fluid, walls, bodies))?;
+    let frame = picture(k, Frame::new)?;
     log.frame(frame, k + 1 == FRAMES)
 }
 
