@@ -23,6 +23,33 @@ pub struct Point {
     pub index: u32,
 }
 
+impl Point {
+    /// True if the two may meet.
+    #[inline(always)]
+    fn meets(&self, other: &Point) -> bool {
+        let (dx, dy, cut) = (self.x - other.x, self.y - other.y, self.reach + other.reach);
+        dx * dx + dy * dy < cut * cut
+    }
+}
+
+/// The box of some points, and their longest reach.
+struct Extent {
+    lo: [f64; 2],
+    hi: [f64; 2],
+    reach: f64,
+}
+
+impl Extent {
+    fn of(points: &[Point]) -> Extent {
+        let none = Extent { lo: [f64::MAX; 2], hi: [f64::MIN; 2], reach: 0.0 };
+        points.iter().fold(none, |Extent { lo, hi, reach }, p| Extent {
+            lo: [lo[0].min(p.x), lo[1].min(p.y)],
+            hi: [hi[0].max(p.x), hi[1].max(p.y)],
+            reach: reach.max(p.reach),
+        })
+    }
+}
+
 /// Reaches within one level differ by less than this factor.
 const LEVEL_RATIO: f64 = 1.5;
 /// Reaches beyond that many levels are in the last one.
@@ -72,12 +99,7 @@ impl Cells {
 
     fn push_level(&mut self, points: &[Point], member: &[u32]) {
         let of = |k: &u32| points[*k as usize];
-        let (mut lo, mut hi, mut widest) = ([f64::MAX; 2], [f64::MIN; 2], 0.0_f64);
-        for p in member.iter().map(of) {
-            lo = [lo[0].min(p.x), lo[1].min(p.y)];
-            hi = [hi[0].max(p.x), hi[1].max(p.y)];
-            widest = widest.max(p.reach);
-        }
+        let Extent { lo, hi, reach: widest } = Extent::of(&member.iter().map(of).collect::<Vec<_>>());
         let mut cell = CELL.map(|share| share * widest);
         let extent = [hi[0] - lo[0], hi[1] - lo[1]];
         let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
@@ -121,34 +143,39 @@ impl Cells {
 
     /// True if any point lies within `reach` + its own reach of (x, y).
     pub fn any_within(&self, x: f64, y: f64, reach: f64) -> bool {
+        let at = Point { x, y, reach, index: u32::MAX };
         let mut any = false;
-        self.for_each_within(x, y, reach, |_| any = true);
+        self.for_each_run(&[at], |run| any = any || self.points[run].iter().any(|p| at.meets(p)));
         any
     }
 
     /// Call `found` with every point within `reach` + its own reach of (x, y), in sorted order.
     #[inline]
     pub fn for_each_within(&self, x: f64, y: f64, reach: f64, mut found: impl FnMut(&Point)) {
-        self.for_each_run(&[Point { x, y, reach, index: u32::MAX }], |run| {
-            for p in &self.points[run] {
-                let (dx, dy, cut) = (x - p.x, y - p.y, reach + p.reach);
-                if dx * dx + dy * dy < cut * cut {
-                    found(p);
-                }
-            }
-        });
+        let at = Point { x, y, reach, index: u32::MAX };
+        self.for_each_run(&[at], |run| self.points[run].iter().filter(|p| at.meets(p)).for_each(&mut found));
     }
 
     /// Call `found` with runs of [`Cells::points`], in order and none twice: among them are all that any point of `at` (at
     /// most [`LANES`]) may meet.
     #[inline]
     pub fn for_each_run(&self, at: &[Point], mut found: impl FnMut(Range<usize>)) {
+        let all = Extent::of(at);
         for level in &self.levels {
+            let cut = all.reach + level.widest;
+            let columns = level.span(0, all.lo[0], all.hi[0], cut);
+            let (Some([c0, c1]), Some([r0, r1])) = (columns, level.span(1, all.lo[1], all.hi[1], cut)) else {
+                continue;
+            };
+            if all.hi[0] - all.lo[0] <= cut {
+                (r0..=r1).for_each(|row| found(level.run(row, [c0, c1]))); // near each other: one box for all
+                continue;
+            }
             let mut boxes = [[0; 4]; LANES];
             let mut touching = 0;
             for p in at {
                 let cut = p.reach + level.widest;
-                if let (Some([c0, c1]), Some([r0, r1])) = (level.span(0, p.x, cut), level.span(1, p.y, cut)) {
+                if let (Some([c0, c1]), Some([r0, r1])) = (level.span(0, p.x, p.x, cut), level.span(1, p.y, p.y, cut)) {
                     boxes[touching] = [c0, c1, r0, r1];
                     touching += 1;
                 }
@@ -190,11 +217,11 @@ impl Level {
         of(c0)..of(c1 + 1)
     }
 
-    /// Cells of one axis that [at − cut, at + cut] touches: columns (0) or rows (1).
+    /// Cells of one axis that [from − cut, to + cut] touches: columns (0) or rows (1).
     #[inline(always)]
-    fn span(&self, axis: usize, at: f64, cut: f64) -> Option<[usize; 2]> {
-        let (offset, cells) = (at - self.origin[axis], [self.columns, self.rows][axis]);
-        let (lo, hi) = ((offset - cut) * self.inverse[axis], (offset + cut) * self.inverse[axis]);
+    fn span(&self, axis: usize, from: f64, to: f64, cut: f64) -> Option<[usize; 2]> {
+        let (origin, cells) = (self.origin[axis], [self.columns, self.rows][axis]);
+        let (lo, hi) = ((from - origin - cut) * self.inverse[axis], (to - origin + cut) * self.inverse[axis]);
         if hi < 0.0 || lo >= cells as f64 {
             return None;
         }

@@ -65,7 +65,7 @@ pub struct Fluid {
 }
 
 /// Steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 8.0;
+const LIST_LIFE: f64 = 12.0;
 /// The same of a projection's, in which fast particles go far.
 const LONG_LIFE: f64 = 2.5;
 

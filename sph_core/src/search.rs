@@ -116,11 +116,7 @@ impl Search {
         self.wall_images.clear();
         if let Some(mirror) = mirror {
             // an image is needed where it meets somebody in front of the plane
-            let widest = |points: &[Point]| points.iter().map(|p| p.reach).fold(0.0, f64::max);
-            let widest = widest(&fluid).max(widest(&wall));
-            let meets = |cells: &Cells, p: &Point| {
-                p.x - mirror.at < p.reach + widest && cells.any_within(mirror.reflect(p.x), p.y, p.reach)
-            };
+            let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
             let mirrored_cells = Cells::build(&mirrored);
             let needed = |p: &&Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
             self.fluid_images.extend(fluid.iter().filter(needed).map(|p| p.index));
