@@ -329,9 +329,7 @@ impl Coupled {
                         (nearest, owner) = (clearance, Some(j));
                     }
                 }
-                if nearest < 0.0 {
-                    found.count(p.id[k], at, nearest, owner.map_or("", |j| bodies[j].name()));
-                }
+                found.count(p.id[k], at, nearest, owner.map_or("", |j| bodies[j].name()));
             }
             found
         };

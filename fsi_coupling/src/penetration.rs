@@ -36,8 +36,11 @@ impl Penetration {
         Penetration { count, worst }
     }
 
-    /// Count one particle, at `clearance` [m], which is negative, from the wall of `owner`.
+    /// Count one particle, at `clearance` [m] from the wall of `owner`, if it is beyond it.
     pub(crate) fn count(&mut self, id: u32, at: [f64; 2], clearance: f64, owner: &str) {
+        if clearance >= 0.0 {
+            return;
+        }
         self.count += 1;
         if self.worst.as_ref().is_none_or(|worst| -clearance > worst.depth) {
             self.worst = Some(Breach { id, at, depth: -clearance, owner: owner.to_string() });

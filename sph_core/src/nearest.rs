@@ -17,27 +17,31 @@ impl Fluid {
 
     /// Height over the nearest wall particle along its normal, in wall spacings; infinity far from walls.
     fn height_over_nearest(&self, k: usize, walls: &Walls) -> f64 {
-        let (x, y) = (self.particles.x[k], self.particles.y[k]);
-        let apart = |j: u32| [x - self.rows.walls[j as usize].x, y - self.rows.walls[j as usize].y];
-        let (mut least, mut nearest) = (f64::INFINITY, None);
+        let (x, y, n) = (self.particles.x[k], self.particles.y[k], walls.len());
+        let (mut least, mut height) = (f64::INFINITY, f64::INFINITY);
         for j in self.search.walls_of_fluid.of(k) {
-            let [dx, dy] = apart(j);
+            let (source, side, [sx, sy]) = self.wall_source(j as usize, n);
+            let wall_x = if side > 0.0 { walls.x[source] + sx } else { self.reflect(walls.x[source]) };
+            let (dx, dy) = (x - wall_x, y - (walls.y[source] + sy));
             let r2 = dx * dx + dy * dy;
             if r2 < least {
-                (least, nearest) = (r2, Some(j));
+                least = r2;
+                height = (dx * side * walls.nx[source] + dy * walls.ny[source]) / walls.h[source];
             }
         }
-        let Some(j) = nearest else { return f64::INFINITY };
-        let ([dx, dy], (source, side)) = (apart(j), self.wall_source(j as usize, walls.len()));
-        (dx * side * walls.nx[source] + dy * walls.ny[source]) / walls.h[source] * self.parameters.smoothing_ratio
+        height * self.parameters.smoothing_ratio
     }
 
-    /// The wall particle behind a listed index, and −1 for a reflection.
-    fn wall_source(&self, j: usize, walls: usize) -> (usize, f64) {
+    /// The wall particle behind a listed index, −1 for a reflection, and how far a repeated one is translated [m].
+    fn wall_source(&self, j: usize, walls: usize) -> (usize, f64, [f64; 2]) {
         if j < walls {
-            return (j, 1.0);
+            return (j, 1.0, [0.0; 2]);
         }
-        let side = if self.search.wall_shifts.is_empty() { -1.0 } else { 1.0 };
-        (self.search.wall_images[j - walls] as usize, side)
+        let source = self.search.wall_images[j - walls] as usize;
+        self.search.wall_shifts.get(j - walls).map_or((source, -1.0, [0.0; 2]), |&shift| (source, 1.0, shift))
+    }
+
+    fn reflect(&self, x: f64) -> f64 {
+        self.parameters.mirror.map_or(x, |mirror| mirror.reflect(x))
     }
 }

@@ -54,6 +54,8 @@ pub(crate) trait Spread {
 #[derive(Clone, Debug, Default)]
 pub struct Lists {
     chunks: Vec<ChunkList>,
+    /// How many.
+    targets: usize,
     /// Targets are points too, and stand in their own lists.
     among: bool,
     /// Some pairs within reach do not see each other (T1).
@@ -68,7 +70,7 @@ struct ChunkList {
 }
 
 /// Empty lists.
-pub(crate) static NONE: Lists = Lists { chunks: Vec::new(), among: false, struck: false };
+pub(crate) static NONE: Lists = Lists { chunks: Vec::new(), targets: 0, among: false, struck: false };
 
 impl Lists {
     /// For each of `n` targets, everyone in `cells` within reach. `among`: target k is point k, and not its own neighbour.
@@ -82,7 +84,7 @@ impl Lists {
         size: (impl Fn(usize) -> f64 + Sync, impl Fn(u32) -> f64 + Sync),
     ) {
         assert!(cells.points().len() <= MOST_POINTS, "no more than {MOST_POINTS} particles");
-        (self.among, self.struck) = (among, false);
+        (self.targets, self.among, self.struck) = (n, among, false);
         self.chunks.resize(n.div_ceil(CHUNK), ChunkList::default());
         sweep::for_each_chunk(&mut self.chunks, n, |targets, list| {
             list.start.clear();
@@ -176,8 +178,8 @@ impl Lists {
 
     /// Number of listed pairs.
     pub fn pairs(&self) -> usize {
-        let bits: u32 = self.chunks.iter().flat_map(|c| &c.entries).map(|e| e.bits().count_ones()).sum();
-        bits as usize
+        let met: u32 = self.chunks.iter().flat_map(|c| &c.entries).map(|e| e.bits().count_ones()).sum();
+        met as usize - if self.among { self.targets } else { 0 } // a target's meeting itself
     }
 }
 
