@@ -12,6 +12,7 @@ mod flexible;
 mod force_rules;
 mod gas;
 mod gauges;
+mod grading;
 mod heaving_box;
 mod host;
 mod host_input;
