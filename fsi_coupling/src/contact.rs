@@ -31,7 +31,7 @@ pub(crate) fn take_back(
 
 /// Throw particle `k` back if it is beyond the surface of `body`; the work of the blow on the body [J/m].
 pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody, dt: f64) -> f64 {
-    let mirrored = fluid.parameters.mirror.is_some();
+    let mirror = fluid.parameters.mirror;
     let p = &mut fluid.particles;
     let at = [p.x[k], p.y[k]];
     if body.clearance(at) >= 0.0 {
@@ -40,7 +40,9 @@ pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody,
     let surface = body.surface(at);
     let n = surface.normal;
     let above = ABOVE * p.h[k];
-    [p.x[k], p.y[k]] = [surface.at[0] + above * n[0], surface.at[1] + above * n[1]];
+    let x = surface.at[0] + above * n[0];
+    p.x[k] = mirror.map_or(x, |m| x.max(m.at)); // at a keel the surface ends in the plane
+    p.y[k] = surface.at[1] + above * n[1];
     let approach = (p.u[k] - surface.velocity[0]) * n[0] + (p.v[k] - surface.velocity[1]) * n[1];
     if approach >= 0.0 {
         return 0.0;
@@ -53,7 +55,7 @@ pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody,
     let blow = [p.mass[k] * stopped * n[0], p.mass[k] * stopped * n[1]];
     let size = p.mass[k] * stopped;
     let work = blow[0] * surface.velocity[0] + blow[1] * surface.velocity[1] + 0.5 * size * size * yields;
-    if mirrored {
+    if mirror.is_some() {
         body.strike_both(surface.at, blow);
         return 2.0 * work;
     }
