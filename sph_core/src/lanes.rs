@@ -1,6 +1,6 @@
 //! One number, or the same number of four targets side by side: the pair physics is written once for both.
 //!
-//! [`run`] does a task with the widest lanes this processor has: four f64 (AVX2 and FMA, found at run time), else one.
+//! `run` does a task with the widest lanes this processor has: four f64 (AVX2 and FMA, found at run time), else one.
 //! Every lane sums its own target's neighbours in the list's order, so lanes never change what is added to what.
 
 use std::ops::{Add, Div, Mul, Sub};

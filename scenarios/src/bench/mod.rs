@@ -1,7 +1,7 @@
 //! `splashdown bench`: how fast this machine is, how fast the steps are on it, and where their time goes; as ratios within one
 //! run wherever that is possible, since seconds of a busy machine mean little.
 //!
-//! [`calibrate`] measures the machine, [`block`] a block of fluid without walls, [`runs`] whole runs, [`words`] is the table.
+//! `calibrate` measures the machine, `block` a block of fluid without walls, `runs` whole runs, `words` is the table.
 
 mod block;
 mod calibrate;
