@@ -146,11 +146,13 @@ mod tests {
         let all = start.elapsed().as_secs_f64();
         spin(tick);
         phases.end();
-        assert!(phases.total() <= all && phases.total() > 0.99 * all, "{} of {all} s", phases.total());
+        let spun = 4.0 * tick.as_secs_f64(); // within phases; a busy machine may add to it, and between the clocks' readings
+        assert!((spun..=all).contains(&phases.total()), "{} of {all} s, {spun} s spun", phases.total());
         for phase in [Phase::Density, Phase::Momentum] {
             assert!(phases.seconds(phase) >= 2.0 * tick.as_secs_f64(), "{phase:?}");
         }
-        assert_eq!(phases.total(), phases.seconds(Phase::Density) + phases.seconds(Phase::Momentum));
+        let parts = phases.seconds(Phase::Density) + phases.seconds(Phase::Momentum);
+        assert!((phases.total() - parts).abs() < 1e-12);
     }
 
     #[test]
@@ -165,15 +167,15 @@ mod tests {
     #[test]
     fn a_part_that_is_handed_over_is_counted_once() {
         let (mut phases, tick) = (Phases::default(), Duration::from_millis(2));
-        phases.begin(Phase::Observers);
         let start = Instant::now();
+        phases.begin(Phase::Observers);
         spin(3 * tick);
         phases.hand_over(Phase::Log, tick);
         phases.end();
         let all = start.elapsed().as_secs_f64();
         assert_eq!(phases.seconds(Phase::Log), tick.as_secs_f64());
         let kept = phases.seconds(Phase::Observers);
-        assert!(kept >= 2.0 * tick.as_secs_f64() && kept < 1.01 * all - tick.as_secs_f64(), "{kept} of {all} s");
+        assert!(kept >= 2.0 * tick.as_secs_f64() && kept <= all - tick.as_secs_f64() + 1e-9, "{kept} of {all} s");
     }
 
     #[test]
