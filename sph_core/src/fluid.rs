@@ -239,12 +239,11 @@ impl Fluid {
 
     /// The same pairs twice, once for each side: action equals reaction to rounding.
     pub(crate) fn gather_forces(&mut self, walls: &mut Walls) {
-        let (mut constants, wall_nu) = (self.parameters.constants(), self.parameters.wall_nu());
-        if self.parameters.solver.projects() {
-            let g = constants.gravity[0].hypot(constants.gravity[1]);
-            constants.c0 = (g * self.least_length()).sqrt();
-            constants.alpha = 8.0 * self.parameters.projecting.calming;
-        }
+        let wall_nu = self.parameters.wall_nu();
+        let constants = match self.parameters.solver.projects() {
+            true => self.constants_of_projection(),
+            false => self.parameters.constants(),
+        };
         let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
         let pushing = self.parameters.walls.model.has_pressure();
         let gather = Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing };

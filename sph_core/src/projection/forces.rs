@@ -87,7 +87,7 @@ impl Fluid {
     }
 
     /// I12: E7 with √(|g| h) in the place of c₀.
-    pub(super) fn constants_of_projection(&self) -> Constants {
+    pub(crate) fn constants_of_projection(&self) -> Constants {
         let g = self.parameters.gravity;
         let c0 = (g[0].hypot(g[1]) * self.least_length()).sqrt();
         Constants { c0, alpha: 8.0 * self.parameters.projecting.calming, ..self.parameters.constants() }
