@@ -94,6 +94,15 @@ impl Tiling {
         Tiling { lattice, ..self }
     }
 
+    /// The same rectangle in rows whose areas are halves of halves (THEORY E25): those are what particles become that are
+    /// halved later. Only the last row of each side is stretched to where the basin ends.
+    pub fn by_halves(mut self) -> Tiling {
+        for rows in [&mut self.left, &mut self.right, &mut self.down] {
+            *rows = halved(rows, self.basin.spacing);
+        }
+        self
+    }
+
     /// Call `make` with every cell: the fine zone first, then ring after ring.
     pub fn for_each(&self, mut make: impl FnMut(Cell)) {
         let s = self.basin.spacing;
@@ -197,6 +206,27 @@ fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     let g = 0.5 * (low + high);
     let fit = distance / total(g, n);
     (1..=n).map(|k| fit * spacing * g.powi(k as i32)).collect()
+}
+
+/// E25: rows of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
+/// up what remains.
+fn halved(rows: &[f64], spacing: f64) -> Vec<f64> {
+    let distance: f64 = rows.iter().sum();
+    let mut made = Vec::new();
+    let (mut reached, mut next) = (0.0, 0);
+    let mut given = 0.0;
+    while reached < distance * (1.0 - 1e-9) {
+        while next + 1 < rows.len() && given + rows[next] <= reached {
+            given += rows[next];
+            next += 1;
+        }
+        let level = (2.0 * (rows[next] / spacing).log2()).floor();
+        let row = spacing * (0.5 * level).exp2();
+        let left = distance - reached;
+        made.push(if left < 1.5 * row { left } else { row });
+        reached += made[made.len() - 1];
+    }
+    made
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
 use structure_fe::Damping;
 
 use crate::filling::fill;
+use crate::follow::Follower;
 use crate::scene::{Body, DiffusionForm, Motion, Oscillation, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
@@ -42,16 +43,19 @@ pub(crate) fn tank(scene: &Scene) -> Tank {
 pub fn tiling(scene: &Scene) -> Tiling {
     let x = scene.water_sides();
     let middle = scene.fine_zone_center();
-    let [half_width, fine_depth] = scene.resolution.fine_zone;
-    Tiling::new(Basin {
+    let [half_width, fine_depth] = match Follower::of(scene) {
+        Some(follower) => [follower.zone().half_width, follower.zone().depth],
+        None => scene.resolution.fine_zone,
+    };
+    let tiling = Tiling::new(Basin {
         x,
         y: [-scene.tank.depth, 0.0],
         fine_x: [(middle - half_width).max(x[0]), (middle + half_width).min(x[1])],
         fine_depth,
         spacing: scene.resolution.spacing,
         growth: scene.resolution.growth,
-    })
-    .on(scene.resolution.lattice)
+    });
+    if scene.resolution.follow { tiling.by_halves() } else { tiling.on(scene.resolution.lattice) }
 }
 
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.

@@ -12,6 +12,7 @@ pub mod cli;
 pub mod compare;
 mod embedded;
 mod filling;
+pub mod follow;
 pub mod forecast;
 pub mod log;
 pub mod observe;

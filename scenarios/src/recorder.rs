@@ -200,7 +200,7 @@ impl Recorder {
             steps: fluid.steps,
             time_end_s: fluid.time,
             wall_time_s: wall,
-            particle_updates_per_s: fluid.particles.len() as f64 * fluid.steps as f64 / wall,
+            particle_updates_per_s: fluid.updates as f64 / wall,
             threads: rayon::current_num_threads(),
             phases: phase_times(&fluid.phases),
             log: log.map(|Logged { bytes, frames, left_out }| Log {

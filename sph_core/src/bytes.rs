@@ -12,13 +12,14 @@ impl Fluid {
     /// What a weakly compressible fluid holds on to: state, rows and neighbour lists [bytes]. Not counted: what other solvers and
     /// integrators, options and saved states need beside that, and what a search needs while it lasts.
     pub fn bytes(&self) -> usize {
-        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id, energy } = &self.particles;
+        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id, energy, halvings } = &self.particles;
         let Derived { pressure, volume, surroundings, near_surface } = &self.derived;
         let numbers = [x, y, u, v, rho, mass, h, theta, ax, ay, energy, pressure, volume];
         let rates = [&self.density_rate, &self.heating, &self.scratch];
         let state: usize = numbers.into_iter().chain(rates).map(of_vector).sum();
         state
             + of_vector(id)
+            + of_vector(halvings)
             + of_vector(surroundings)
             + of_vector(near_surface)
             + of_vector(&self.gathered)

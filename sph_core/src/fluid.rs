@@ -10,6 +10,7 @@ use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, Seed};
 use crate::phases::{Phase, Phases};
 use crate::projection::{self, Projection};
+use crate::resolution::FineZone;
 use crate::restart::{Saved, set_lists_aside};
 use crate::rows::Rows;
 use crate::search::Search;
@@ -34,10 +35,15 @@ pub struct Fluid {
     pub time: f64,
     /// Steps taken.
     pub steps: u64,
+    /// Particles moved, over all steps.
+    pub updates: u64,
     /// Neighbour lists.
     pub search: Search,
     /// Owners of walls whose acceleration is found together with their pressures (THEORY C2); the others' is given.
     pub yielding: Vec<Yielding>,
+    /// Where water that is too coarse is split when the lists are made anew (THEORY E25); `None` leaves it as it is. For
+    /// [`Solver::WeaklyCompressible`] with [`Integrator::Symplectic`], which keep nothing by identity from step to step.
+    pub fine_zone: Option<FineZone>,
     pub(crate) rows: Rows,
     pub(crate) old: Old,
     pub(crate) density_rate: Vec<f64>,
@@ -95,8 +101,10 @@ impl Fluid {
             derived: Derived::default(),
             time: 0.0,
             steps: 0,
+            updates: 0,
             search: Search::default(),
             yielding: Vec::new(),
+            fine_zone: None,
             rows: Rows::default(),
             old: Old::default(),
             density_rate: Vec::new(),
@@ -176,6 +184,7 @@ impl Fluid {
         self.fold();
         self.time += dt;
         self.steps += 1;
+        self.updates += self.particles.len() as u64;
         let sound = self.check();
         self.phases.go_on_with(outer);
         sound
@@ -270,14 +279,15 @@ impl Fluid {
         if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
             self.rows.place_mirror_points(walls);
         }
-        let kinematics = self.rows.kinematics(walls);
-        if self.displaced || !self.search.holds(&self.particles, &kinematics) {
+        if self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
             self.displaced = false;
+            self.refine(); //                        E25
             let life = match self.parameters.solver.projects() {
                 true => LONG_LIFE * self.projection_dt(walls),
                 false => LIST_LIFE * self.acoustic_limit(),
             };
             set_lists_aside(&mut self.saved, &mut self.search);
+            let kinematics = self.rows.kinematics(walls);
             self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
         }
         self.phases.begin(Phase::Pack);

@@ -47,6 +47,8 @@ pub struct Particles {
     pub id: Vec<u32>,
     /// Specific internal energy e [J/kg] of a gas (THEORY L10); 0 for water.
     pub energy: Vec<f64>,
+    /// How often it was halved (THEORY E25).
+    pub halvings: Vec<u8>,
 }
 
 impl Particles {
@@ -75,17 +77,22 @@ impl Particles {
         self.ax.push(0.0);
         self.ay.push(0.0);
         self.energy.push(energy);
+        self.halvings.push(0);
     }
 
     /// Put particle `order[k]` at place k, in every array.
     pub(crate) fn permute(&mut self, order: &[u32], scratch: &mut Vec<f64>) {
-        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id, energy } = self;
+        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id, energy, halvings } = self;
         for array in [x, y, u, v, rho, mass, h, theta, ax, ay, energy] {
             permute(array, order, scratch);
         }
         let old = id.clone();
         for (k, &from) in order.iter().enumerate() {
             id[k] = old[from as usize];
+        }
+        let old = halvings.clone();
+        for (k, &from) in order.iter().enumerate() {
+            halvings[k] = old[from as usize];
         }
     }
 }

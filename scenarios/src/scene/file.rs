@@ -91,6 +91,7 @@ pub struct ResolutionFile {
     pub fine_zone: Option<[f64; 2]>,
     pub lattice: Option<Lattice>,
     pub packing: Option<bool>,
+    pub follow: Option<bool>,
 }
 
 #[derive(Debug, Clone, Default, Deserialize)]

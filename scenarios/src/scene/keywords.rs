@@ -103,6 +103,7 @@ static KEYWORDS: &[Keyword] = &[
     key("resolution.fine_zone", "m", "auto", "[half width from the body's middle, depth below still water]; auto: holds the spray root to the end, or the whole tank without an impact"),
     key("resolution.lattice", "", "square", "square | staggered: body-centred squares of side sqrt(2) dx, growth 1 only (INDAT lattice 1 | 2: SC | BCC)"),
     key("resolution.packing", "", "false; true if incompressible with a body", "pack the water round the body before the run: as much as there is room for, evenly (Colagrossi et al. 2012); not round a polyline: true | false"),
+    key("resolution.follow", "", "false", "the fine zone grows with the draught of a body that enters the water, coarse particles being halved; weakly compressible with the symplectic integrator: true | false"),
     key("fluid.density", "kg/m^3", "1000.0", "density of the undisturbed water (INDAT rho0)"),
     key("fluid.sound_speed", "m/s", "auto", "speed of sound; ideal_gas: of its temperature; auto: compressibility costs an impact fluid.compressibility_error of its force; at least 10 times the flow's fastest known speed; with an incompressible solver nothing but the size of an auto tank comes from it (INDAT coef, which makes B = density sound_speed^2/eos_exponent)"),
     key("fluid.compressibility_error", "-", "0.01", "share of the force that compressibility may cost"),

@@ -134,6 +134,8 @@ pub struct Resolution {
     pub lattice: Lattice,
     /// Pack the water round the body before the run (Q6).
     pub packing: bool,
+    /// The fine zone grows with the draught instead of holding the last spray root from the start (E25).
+    pub follow: bool,
 }
 
 /// The rectangle of water and its walls.
@@ -389,6 +391,12 @@ impl Body {
             _ => 0.0,
         };
         self.velocity[0].hypot(self.velocity[1]) + spin * arms.fold(0.0, f64::max) + oscillation
+    }
+
+    /// Depth of its lowest point below the still surface at t = 0 [m]; negative above it.
+    pub fn draught(&self) -> f64 {
+        let [min, _] = polygon::bounding_box(&self.placed_outline());
+        -min[1]
     }
 
     /// x midway between the body's left and right ends at t = 0 [m].

@@ -186,7 +186,7 @@ fn resolve_resolution(
         let expected = format!("\"square\" with resolution.growth = {growth}: a staggered lattice needs growth = 1");
         return Err(Problem::new("resolution.lattice", "\"staggered\"", expected));
     }
-    Ok(Resolution { spacing, growth, fine_zone, lattice, packing: file.packing.unwrap_or(snug) })
+    Ok(Resolution { spacing, growth, fine_zone, lattice, packing: file.packing.unwrap_or(snug), follow: file.follow.unwrap_or(false) })
 }
 
 fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: f64) -> Result<Fluid, Problem> {
