@@ -94,7 +94,7 @@ impl Tiling {
         Tiling { lattice, ..self }
     }
 
-    /// The same rectangle in rows whose areas are halves of halves (THEORY E25): those are what particles become that are
+    /// The same rectangle in rows whose areas are halves of halves (THEORY E26): those are what particles become that are
     /// halved later. Only the last row of each side is stretched to where the basin ends.
     pub fn by_halves(mut self) -> Tiling {
         for rows in [&mut self.left, &mut self.right, &mut self.down] {
@@ -208,7 +208,7 @@ fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     (1..=n).map(|k| fit * spacing * g.powi(k as i32)).collect()
 }
 
-/// E25: rows of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
+/// E26: rows of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
 /// up what remains.
 fn halved(rows: &[f64], spacing: f64) -> Vec<f64> {
     let distance: f64 = rows.iter().sum();

@@ -110,6 +110,7 @@ pub(crate) fn parameters(scene: &Scene) -> Parameters {
         nu: fluid.kinematic_viscosity,
         delta: fluid.density_diffusion,
         shifting: fluid.shifting,
+        settling: fluid.settling,
         volume_correction: fluid.volume_correction,
         slip: fluid.wall_slip,
         wall_stretch: fluid.wall_stretch,

@@ -1,9 +1,13 @@
-//! Resolution that follows: the fine zone of an impact, as wide and deep as the present draught wants it (THEORY E25).
+//! Resolution that follows: the fine zone of an impact, as wide and deep as the present draught wants it (THEORY E26).
 
-use fsi_coupling::{Coupled, WettedBody};
+use fsi_coupling::Coupled;
 use sph_core::FineZone;
 
+use crate::observe::gauges;
 use crate::scene::{Entry, Scene, auto_fine_zone};
+
+/// Thickness of the fine layer beside the body [spacings].
+const LAYER: f64 = 8.0;
 
 /// The fine zone of a scene whose resolution follows its body.
 pub struct Follower {
@@ -22,7 +26,7 @@ impl Follower {
         let (spacing, slope) = (scene.resolution.spacing, scene.resolution.growth - 1.0);
         let last = auto_fine_zone(&entry, spacing);
         let share = std::array::from_fn(|k| scene.resolution.fine_zone[k] / last[k]);
-        let zone = FineZone { middle: scene.fine_zone_center(), half_width: 0.0, depth: 0.0, spacing, slope };
+        let zone = FineZone { middle: scene.fine_zone_center(), layer: LAYER * spacing, spacing, slope, ..FineZone::default() };
         let start = [body.draught(), body.position[1]];
         scene.resolution.follow.then(|| Follower { entry, start, share, zone }.at(start[0]))
     }
@@ -40,14 +44,19 @@ impl Follower {
     }
 
     /// The zone now.
-    pub fn zone(&self) -> FineZone {
-        self.zone
+    pub fn zone(&self) -> &FineZone {
+        &self.zone
     }
 
     /// Let the zone grow to what the body's place now wants.
     pub fn follow(&mut self, system: &mut Coupled) {
-        let Some(motion) = system.bodies().find_map(WettedBody::motion) else { return };
+        let Some((motion, outline)) = system.bodies().find_map(|b| Some((b.motion()?, b.outline()?))) else { return };
         self.grow(self.start[0] + self.start[1] - motion.position[1]);
-        system.fluid.fine_zone = Some(self.zone);
+        self.zone.edges.clear();
+        for corners in outline.loops() {
+            let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+            self.zone.edges.extend(ends.map(|(a, b)| [gauges::on(&motion, *a), gauges::on(&motion, *b)]));
+        }
+        system.fluid.fine_zone = Some(self.zone.clone());
     }
 }

@@ -24,8 +24,11 @@ const THESIS_COST: f64 = 1e-4;
 pub struct Forecast {
     /// Name of the scene.
     pub scene: String,
-    /// Fluid particles, counted.
+    /// Fluid particles at the start, counted.
     pub fluid_particles: usize,
+    /// Fluid particles at the end, estimated, where the fine zone grows; absent where they stay as many.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fluid_particles_at_end: Option<u64>,
     /// Wall particles, estimated.
     pub wall_particles: u64,
     /// Memory, estimated [MiB].
@@ -89,7 +92,10 @@ pub struct ExchangeForecast {
 /// Look ahead without running.
 pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let fluid_particles = tiling(scene).count();
-    let (_, wall_particles) = particle_estimate(scene);
+    let (last, wall_particles) = particle_estimate(scene);
+    let fluid_particles_at_end = scene.resolution.follow.then_some(last);
+    // an area grows with the square of the draught: a third of what is added is there in the mean
+    let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
     let fluid = &scene.fluid;
     let h = fluid.smoothing_ratio * scene.resolution.spacing;
     let fastest = scene.fastest_speed();
@@ -112,11 +118,12 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     Forecast {
         scene: scene.name.clone(),
         fluid_particles,
+        fluid_particles_at_end,
         wall_particles,
         memory_mib: memory_estimate(scene) as f64 / f64::from(1 << 20),
         step_s: step,
         steps: steps as u64,
-        core_seconds: cost * fluid_particles as f64 * steps,
+        core_seconds: cost * (fluid_particles as f64 + added) * steps,
         sound_speed_m_per_s: sound,
         mach: sound.map(|sound| fastest / sound),
         compressibility_error: entry
@@ -147,9 +154,10 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
 impl Forecast {
     /// In plain words.
     pub fn to_text(&self) -> String {
+        let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
         let mut lines = vec![
             format!("scene        {}", self.scene),
-            format!("particles    {} fluid, about {} wall", self.fluid_particles, self.wall_particles),
+            format!("particles    {} fluid{growing}, about {} wall", self.fluid_particles, self.wall_particles),
             format!("memory       about {:.0} MiB", self.memory_mib),
             format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
             format!("cost         about {:.0} core-seconds", self.core_seconds),

@@ -41,7 +41,7 @@ pub struct Fluid {
     pub search: Search,
     /// Owners of walls whose acceleration is found together with their pressures (THEORY C2); the others' is given.
     pub yielding: Vec<Yielding>,
-    /// Where water that is too coarse is split when the lists are made anew (THEORY E25); `None` leaves it as it is. For
+    /// Where water that is too coarse is split when the lists are made anew (THEORY E26); `None` leaves it as it is. For
     /// [`Solver::WeaklyCompressible`] with [`Integrator::Symplectic`], which keep nothing by identity from step to step.
     pub fine_zone: Option<FineZone>,
     pub(crate) rows: Rows,
@@ -162,6 +162,7 @@ impl Fluid {
         self.start_dynamic_walls(walls);
         self.evaluate_forces(walls, 0.0);
         self.search.flag_surface(&mut self.derived);
+        self.settle(walls);
         walls.mean_fx.clone_from(&walls.fx);
         walls.mean_fy.clone_from(&walls.fy);
         self.check()
@@ -281,7 +282,7 @@ impl Fluid {
         }
         if self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
             self.displaced = false;
-            self.refine(); //                        E25
+            self.refine(); //                        E26
             let life = match self.parameters.solver.projects() {
                 true => LONG_LIFE * self.projection_dt(walls),
                 false => LIST_LIFE * self.acoustic_limit(),

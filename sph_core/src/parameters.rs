@@ -48,6 +48,8 @@ pub struct Parameters {
     pub delta: f64,
     /// Shift particles towards an even spread (E13).
     pub shifting: bool,
+    /// Shift κ h² ∇C in each step, whatever the speed, away from the surface: κ [-] (E13).
+    pub settling: f64,
     /// Correct the volumes by the filling ΣVW (E12).
     pub volume_correction: bool,
     /// What the fluid does along a wall.
@@ -111,6 +113,7 @@ impl Parameters {
             nu: 0.0,
             delta: 0.3,
             shifting: true,
+            settling: 0.1,
             volume_correction: false,
             slip: Slip::Free,
             wall_stretch: false,

@@ -47,7 +47,7 @@ pub struct Particles {
     pub id: Vec<u32>,
     /// Specific internal energy e [J/kg] of a gas (THEORY L10); 0 for water.
     pub energy: Vec<f64>,
-    /// How often it was halved (THEORY E25).
+    /// How often it was halved (THEORY E26).
     pub halvings: Vec<u8>,
 }
 

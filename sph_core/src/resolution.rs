@@ -1,12 +1,13 @@
-//! Particles where they matter: water that is coarser than wished is split while the wish moves (THEORY E25).
+//! Particles where they matter: water that is coarser than wished is split while the wish moves (THEORY E26).
 
 use serde::{Deserialize, Serialize};
 
 use crate::fluid::Fluid;
 use crate::particles::{Derived, Particles};
 
-/// Where water is to be resolved: finely in a rectangle below the still surface y = 0, by spacings that grow around it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Where water is to be resolved: finely in a rectangle below the still surface y = 0 and in a layer beside a body, by
+/// spacings that grow around them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FineZone {
     /// x of its middle [m].
     pub middle: f64,
@@ -14,6 +15,10 @@ pub struct FineZone {
     pub half_width: f64,
     /// Depth of its bottom below the still surface [m].
     pub depth: f64,
+    /// The body's edges, from one end to the other [m].
+    pub edges: Vec<[[f64; 2]; 2]>,
+    /// Thickness of the layer beside them [m].
+    pub layer: f64,
     /// Spacing inside [m].
     pub spacing: f64,
     /// Growth of the spacing with the distance from it [-]: rows that grow by 1.1 have 0.1.
@@ -21,12 +26,22 @@ pub struct FineZone {
 }
 
 impl FineZone {
-    /// E25: the spacing wished for at a place [m].
-    pub fn spacing_at(&self, [x, y]: [f64; 2]) -> f64 {
-        let beside = (x - self.middle).abs() - self.half_width;
-        let below = -y - self.depth;
-        self.spacing + self.slope * beside.max(below).max(0.0)
+    /// E26: the spacing wished for at a place [m].
+    pub fn spacing_at(&self, at: [f64; 2]) -> f64 {
+        let beside = (at[0] - self.middle).abs() - self.half_width;
+        let below = -at[1] - self.depth;
+        let from_layer = |edge: &[[f64; 2]; 2]| distance(at, edge) - self.layer;
+        let far = self.edges.iter().map(from_layer).fold(beside.max(below), f64::min);
+        self.spacing + self.slope * far.max(0.0)
     }
+}
+
+/// Distance of a point from an edge [m].
+fn distance([x, y]: [f64; 2], [a, b]: &[[f64; 2]; 2]) -> f64 {
+    let (along, to) = ([b[0] - a[0], b[1] - a[1]], [x - a[0], y - a[1]]);
+    let length2 = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
+    let share = ((to[0] * along[0] + to[1] * along[1]) / length2).clamp(0.0, 1.0);
+    (to[0] - share * along[0]).hypot(to[1] - share * along[1])
 }
 
 /// A particle is split that stands for more than this times the area wished for: its halves stand for as much less.
@@ -37,10 +52,10 @@ const ARM: f64 = 0.25 * std::f64::consts::SQRT_2;
 const BESIDE_WALL: f64 = 0.02;
 
 impl Fluid {
-    /// E25: halve every particle that is coarser than the fine zone wants it. Mass, momentum, energy, volume and the centre
+    /// E26: halve every particle that is coarser than the fine zone wants it. Mass, momentum, energy, volume and the centre
     /// of mass stay what they are. True if there was one.
     pub(crate) fn refine(&mut self) -> bool {
-        let Some(zone) = self.fine_zone else { return false };
+        let Some(zone) = &self.fine_zone else { return false };
         let (p, d, rho0) = (&mut self.particles, &mut self.derived, self.parameters.eos.rho0);
         let wholes = p.len();
         for k in 0..wholes {
@@ -52,16 +67,21 @@ impl Fluid {
                 d.halve(k);
             }
         }
-        let n = p.len();
+        self.fit();
+        self.particles.len() > wholes
+    }
+
+    /// Make what a sweep writes as long as there are particles.
+    pub(crate) fn fit(&mut self) {
+        let n = self.particles.len();
         self.density_rate.resize(n, 0.0);
         self.gathered.resize(n, Default::default());
         self.heating.resize(n, 0.0);
-        n > wholes
     }
 }
 
 impl Particles {
-    /// E25: particle `k` of the given spacing [m] becomes two, of which one is the last. A square lattice, halved all over
+    /// E26: particle `k` of the given spacing [m] becomes two, of which one is the last. A square lattice, halved all over
     /// along its diagonals, is a square lattice again, turned by 45° and finer by √2; halved along x, it is upright again.
     fn halve(&mut self, k: usize, spacing: f64) {
         let upright = self.halvings[k].is_multiple_of(2);

@@ -5,6 +5,7 @@ use crate::fluid::Fluid;
 use crate::particles::SURFACE_LAMBDA;
 use crate::phases::Phase;
 use crate::sweep;
+use crate::walls::Walls;
 
 /// Share of the gap between volume correction and its target closed in a force sweep.
 const VOLUME_RELAXATION: f64 = 0.1;
@@ -12,6 +13,10 @@ const VOLUME_RELAXATION: f64 = 0.1;
 const FILLING: [f64; 2] = [0.9, 1.12];
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
+/// Settled water would be shifted by no more than this [h].
+const SETTLED: f64 = 1e-4;
+/// Sweeps that settling may take.
+const SETTLING_SWEEPS: u32 = 60;
 /// Largest |ρ/ρ₀ − 1| that is believed.
 const LARGEST_STRAIN: f64 = 0.3;
 
@@ -66,17 +71,20 @@ impl Fluid {
         self.dynamic_walls.compress_about_middle(dt);
     }
 
-    /// E13: δr = −2h Δt |v| ∇C, at most 0.02 h, where the neighbourhood is full.
+    /// E13: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, where the neighbourhood is full; κ away from the surface only.
     pub(crate) fn shift(&mut self, dt: f64) {
         if !self.parameters.shifting {
             return;
         }
-        let (p, around, at_surface) = (&mut self.particles, &self.derived.surroundings, self.parameters.shift_surface);
+        let (p, d, at_surface) = (&mut self.particles, &self.derived, self.parameters.shift_surface);
+        let settling = self.parameters.settling;
         sweep::each([&mut p.x, &mut p.y], |at, [x, y]| {
-            let (u, v, h, around) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()], &around[at]);
+            let (u, v, h) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()]);
+            let (around, beside) = (&d.surroundings[at.clone()], &d.near_surface[at]);
             for k in 0..u.len() {
                 let full = around[k].lambda >= SURFACE_LAMBDA || at_surface;
-                let scale = -2.0 * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
+                let settling = if beside[k] { 0.0 } else { settling };
+                let scale = -h[k] * (2.0 * dt * (u[k] * u[k] + v[k] * v[k]).sqrt() + settling * h[k]);
                 let [dx, dy] = [scale * around[k].crowding[0], scale * around[k].crowding[1]];
                 let (length, limit) = ((dx * dx + dy * dy).sqrt(), LONGEST_SHIFT * h[k]);
                 let shrink = if length > limit { limit / length } else { 1.0 };
@@ -85,6 +93,26 @@ impl Fluid {
                 y[k] += share * dy;
             }
         });
+    }
+
+    /// E13 before time starts: shift until the largest shift is a 10⁻⁴ of h, so that Σ V ∇W of rows that grow is nothing.
+    pub(crate) fn settle(&mut self, walls: &mut Walls) {
+        let farthest = |fluid: &Fluid| {
+            let (p, d) = (&fluid.particles, &fluid.derived);
+            let reach = |k: usize| match d.near_surface[k] || d.surroundings[k].lambda < SURFACE_LAMBDA {
+                true => 0.0,
+                false => p.h[k] * d.surroundings[k].crowding[0].hypot(d.surroundings[k].crowding[1]),
+            };
+            fluid.parameters.settling * -sweep::least(p.len(), |k| -reach(k))
+        };
+        for _ in 0..SETTLING_SWEEPS {
+            if farthest(self) < SETTLED {
+                break;
+            }
+            self.shift(0.0);
+            self.evaluate_forces(walls, 0.0);
+            self.search.flag_surface(&mut self.derived);
+        }
     }
 
     /// E12: relax θ towards 1/S inside the fluid, towards 1 near its surface.

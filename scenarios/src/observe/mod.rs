@@ -5,7 +5,7 @@ mod flow;
 mod force_rules;
 mod front;
 mod gauge_record;
-mod gauges;
+pub(crate) mod gauges;
 mod ledger;
 mod level;
 mod log;

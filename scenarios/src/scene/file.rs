@@ -108,6 +108,7 @@ pub struct FluidFile {
     pub kinematic_viscosity: Option<f64>,
     pub density_diffusion: Option<f64>,
     pub shifting: Option<bool>,
+    pub settling: Option<f64>,
     pub volume_correction: Option<bool>,
     pub wall_slip: Option<WallSlip>,
     pub wall_stretch: Option<bool>,

@@ -114,6 +114,7 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.kinematic_viscosity", "m^2/s", "0.0", "kinematic viscosity (INDAT i_viscos 2 | 3: viscos_val; 3 with fluid.turbulence); 0 is none"),
     key("fluid.density_diffusion", "-", "0.3", "coefficient delta of density diffusion; 0 is none; absent or 0 with dissipation = riemann, and with an incompressible solver"),
     key("fluid.shifting", "", "true", "particle shifting: true | false"),
+    key("fluid.settling", "-", "0.1", "share of h^2 grad C that particles are shifted by in each step, whatever their speed, away from the surface (THEORY E13), 0 to 0.3; without effect where fluid.shifting is false or the solver is a projection"),
     key("fluid.volume_correction", "", "false", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
     key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),
     key("fluid.wall_stretch", "", "false", "true: behind walls the water is stretched along them like that in front; sound along walls is nearer its speed and particles keep their volume better; noisier at coarse spacing"),

@@ -36,6 +36,7 @@ mod resolve;
 mod resolve_body;
 mod resolve_panel;
 mod resolve_projection;
+mod resolve_resolution;
 mod resolve_thesis;
 mod source;
 mod start;

@@ -134,7 +134,7 @@ pub struct Resolution {
     pub lattice: Lattice,
     /// Pack the water round the body before the run (Q6).
     pub packing: bool,
-    /// The fine zone grows with the draught instead of holding the last spray root from the start (E25).
+    /// The fine zone grows with the draught instead of holding the last spray root from the start (E26).
     pub follow: bool,
 }
 

@@ -28,6 +28,8 @@ pub struct Fluid {
     pub density_diffusion: f64,
     /// Particle shifting.
     pub shifting: bool,
+    /// Share κ of h² ∇C that particles are shifted by in each step, whatever their speed [-].
+    pub settling: f64,
     /// Particle volumes corrected for the drift that shifting leaves beside walls.
     pub volume_correction: bool,
     /// Tangential condition on walls.

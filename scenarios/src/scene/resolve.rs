@@ -13,6 +13,7 @@ use super::model::{IdealGas, Solver, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
 use super::resolve_projection::{resolve_projection, settle_projection};
+use super::resolve_resolution::{Grown, resolve_resolution};
 use super::resolve_thesis::{resolve_thesis, settle_thesis};
 use super::start::{resolve_block, resolve_surface};
 use fsi_coupling::Shape;
@@ -82,6 +83,8 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
         ));
     }
     let snug = solver.is_incompressible() && solid;
+    let grown = Grown { solver, fluid: &fluid, entry: entry.as_ref(), body: body.as_ref() };
+    let resolution = resolve_resolution(&file.resolution, spacing, fine_zone, snug, &grown)?;
     Ok(Scene {
         name: word("name", name)?,
         description: file.description.unwrap_or_default(),
@@ -97,7 +100,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
             level: file.observe.level.unwrap_or_default(),
             volume: file.observe.volume.unwrap_or(false),
         },
-        resolution: resolve_resolution(&file.resolution, spacing, fine_zone, snug)?,
+        resolution,
         time,
         fluid,
         tank,
@@ -171,24 +174,6 @@ fn resolve_time(file: &TimeFile) -> Result<Time, Problem> {
     })
 }
 
-fn resolve_resolution(
-    file: &ResolutionFile,
-    spacing: f64,
-    fine_zone: [f64; 2],
-    snug: bool,
-) -> Result<Resolution, Problem> {
-    for length in fine_zone {
-        positive("resolution.fine_zone", length)?;
-    }
-    let growth = within("resolution.growth", file.growth.unwrap_or(1.1), 1.0..=2.0)?;
-    let lattice = file.lattice.unwrap_or_default();
-    if lattice == Lattice::Staggered && growth != 1.0 {
-        let expected = format!("\"square\" with resolution.growth = {growth}: a staggered lattice needs growth = 1");
-        return Err(Problem::new("resolution.lattice", "\"staggered\"", expected));
-    }
-    Ok(Resolution { spacing, growth, fine_zone, lattice, packing: file.packing.unwrap_or(snug), follow: file.follow.unwrap_or(false) })
-}
-
 fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: f64) -> Result<Fluid, Problem> {
     let compressibility_error = within(
         "fluid.compressibility_error",
@@ -219,6 +204,7 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         kinematic_viscosity: not_negative("fluid.kinematic_viscosity", file.kinematic_viscosity.unwrap_or(0.0))?,
         density_diffusion: coefficient("fluid.density_diffusion", file.density_diffusion, 0.3, dissipation)?,
         shifting: file.shifting.unwrap_or(true),
+        settling: within("fluid.settling", file.settling.unwrap_or(0.1), 0.0..=0.3)?,
         volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
         wall_stretch: file.wall_stretch.unwrap_or(false),
