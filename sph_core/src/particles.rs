@@ -37,7 +37,7 @@ pub struct Particles {
     pub mass: Vec<f64>,
     /// Smoothing length [m].
     pub h: Vec<f64>,
-    /// Volume correction θ [-] (THEORY E12): V = θ m/ρ.
+    /// Volume correction θ [-] (THEORY E12): V = θ m/ρ; empty where volumes are not corrected.
     pub theta: Vec<f64>,
     /// Horizontal acceleration at the end of the last step [m/s²].
     pub ax: Vec<f64>,
@@ -45,11 +45,35 @@ pub struct Particles {
     pub ay: Vec<f64>,
     /// Identity, stable through sorting.
     pub id: Vec<u32>,
-    /// Specific internal energy e [J/kg] of a gas (THEORY L10); 0 for water.
+    /// Specific internal energy e [J/kg] of a gas (THEORY L10); empty for water.
     pub energy: Vec<f64>,
 }
 
 impl Particles {
+    /// Room for `n` particles, and none yet.
+    pub(crate) fn with_capacity(n: usize) -> Particles {
+        let numbers = || Vec::with_capacity(n);
+        Particles {
+            x: numbers(),
+            y: numbers(),
+            u: numbers(),
+            v: numbers(),
+            rho: numbers(),
+            mass: numbers(),
+            h: numbers(),
+            theta: numbers(),
+            ax: numbers(),
+            ay: numbers(),
+            id: Vec::with_capacity(n),
+            energy: numbers(),
+        }
+    }
+
+    /// Specific internal energy of particle `k` [J/kg]; 0 for water.
+    pub(crate) fn energy_of(&self, k: usize) -> f64 {
+        self.energy.get(k).copied().unwrap_or(0.0)
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.x.len()
@@ -78,10 +102,11 @@ impl Particles {
     }
 
     /// Put particle `order[k]` at place k, in every array.
-    pub(crate) fn permute(&mut self, order: &[u32], scratch: &mut Vec<f64>) {
+    pub(crate) fn permute(&mut self, order: &[u32]) {
         let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id, energy } = self;
-        for array in [x, y, u, v, rho, mass, h, theta, ax, ay, energy] {
-            permute(array, order, scratch);
+        let mut scratch = Vec::new();
+        for array in [x, y, u, v, rho, mass, h, theta, ax, ay, energy].into_iter().filter(|a| !a.is_empty()) {
+            permute(array, order, &mut scratch);
         }
         let old = id.clone();
         for (k, &from) in order.iter().enumerate() {
@@ -102,7 +127,7 @@ fn permute(array: &mut Vec<f64>, order: &[u32], scratch: &mut Vec<f64>) {
 pub struct Derived {
     /// Pressure [Pa].
     pub pressure: Vec<f64>,
-    /// Corrected volume θ m/ρ per metre of span [m²].
+    /// Corrected volume θ m/ρ per metre of span [m²]; empty where it is m/ρ.
     pub volume: Vec<f64>,
     /// Geometry of the neighbourhood.
     pub surroundings: Vec<Surroundings>,
@@ -120,6 +145,9 @@ impl Derived {
 
     pub(crate) fn permute(&mut self, order: &[u32]) {
         fn gather<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32]) {
+            if array.is_empty() {
+                return;
+            }
             let mut sorted = vec![T::default(); order.len()];
             sweep::gather_into(&mut sorted, |k| array[order[k] as usize]);
             *array = sorted;
@@ -128,6 +156,11 @@ impl Derived {
         gather(&mut self.volume, order);
         gather(&mut self.surroundings, order);
         gather(&mut self.near_surface, order);
+    }
+
+    /// Volume per metre of span of particle `k` of `p` [m²].
+    pub fn volume_of(&self, k: usize, p: &Particles) -> f64 {
+        self.volume.get(k).copied().unwrap_or_else(|| p.mass[k] / p.rho[k])
     }
 
     /// E3: does the fluid here hold no tension? Spray does not; nor, with `ventilation`, does what touches both a wall and

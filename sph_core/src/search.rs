@@ -3,9 +3,10 @@
 use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
 use crate::images::{Mirror, Periodic};
-use crate::neighbours::{Lists, Skin};
+use crate::neighbours::Lists;
 use crate::particles::{Derived, Particles, SURFACE_LAMBDA};
 use crate::sight::{Listed, ThinWalls};
+use crate::skin::Skin;
 use crate::sweep;
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
@@ -57,7 +58,6 @@ pub struct Search {
     skin: Skin,
     wall_skin: Skin,
     mirror_skin: Skin,
-    scratch: Vec<f64>,
 }
 
 impl Search {
@@ -96,7 +96,7 @@ impl Search {
         // sort the fluid physically, so that a neighbourhood is a few contiguous runs
         let mut fluid_cells = Cells::build(&own(&particles.x, &particles.y, &reach));
         let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
-        particles.permute(&order, &mut self.scratch);
+        particles.permute(&order);
         derived.permute(&order);
         allowance = order.iter().map(|&k| allowance[k as usize]).collect();
         reach = order.iter().map(|&k| reach[k as usize]).collect();
@@ -147,21 +147,25 @@ impl Search {
             let Search { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
             thin.strike(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
         }
-        self.skin.reset(&particles.x, &particles.y, allowance);
-        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, wall_allowance.clone());
-        self.wall_skin.reset(walls.x, walls.y, wall_allowance);
+        self.skin.reset(&particles.x, &particles.y, &allowance);
+        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, &wall_allowance);
+        self.wall_skin.reset(walls.x, walls.y, &wall_allowance);
         self.rebuilds += 1;
         self.flag_surface(derived);
     }
 
     /// What lists and skins hold on to [bytes].
-    pub(crate) fn bytes(&self) -> usize {
-        let lists = [&self.fluid, &self.walls_of_fluid, &self.fluid_of_wall, &self.fluid_of_mirror];
-        let skins = [&self.skin, &self.wall_skin, &self.mirror_skin];
-        let images = [&self.fluid_images, &self.wall_images].map(of_vector);
-        let shifts = [&self.fluid_shifts, &self.wall_shifts].map(of_vector);
-        lists.map(Lists::bytes).iter().chain(&skins.map(Skin::bytes)).chain(&images).chain(&shifts).sum::<usize>()
-            + of_vector(&self.scratch)
+    pub(crate) fn bytes(&self) -> [(&'static str, usize); 4] {
+        let of_walls = [&self.fluid_of_wall, &self.fluid_of_mirror].map(Lists::bytes).iter().sum::<usize>();
+        let skins = [&self.skin, &self.wall_skin, &self.mirror_skin].map(Skin::bytes).iter().sum::<usize>();
+        let images = [&self.fluid_images, &self.wall_images].map(of_vector).iter().sum::<usize>();
+        let shifts = [&self.fluid_shifts, &self.wall_shifts].map(of_vector).iter().sum::<usize>();
+        [
+            ("lists of fluid", self.fluid.bytes()),
+            ("lists of walls", self.walls_of_fluid.bytes() + of_walls),
+            ("skins", skins),
+            ("images", images + shifts),
+        ]
     }
 
     /// The particle behind listed index `j` of `n` particles and their images.

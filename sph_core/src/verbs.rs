@@ -88,7 +88,7 @@ impl Fluid {
     }
 
     /// E12: relax θ towards 1/S inside the fluid, towards 1 near its surface.
-    pub(crate) fn correct_volumes(&mut self) {
+    pub(crate) fn relax_volumes(&mut self) {
         if !self.parameters.volume_correction {
             return;
         }
@@ -109,30 +109,43 @@ impl Fluid {
         let (eos, ventilation) = (self.parameters.eos, self.parameters.ventilation);
         let (p, d) = (&mut self.particles, &mut self.derived);
         let (around, beside) = (&d.surroundings, &d.near_surface);
-        sweep::each([&mut p.rho, &mut d.pressure, &mut d.volume], |at, [rho, pressure, volume]| {
-            let (around, beside) = (&around[at.clone()], &beside[at.clone()]);
-            let (theta, mass) = (&p.theta[at.clone()], &p.mass[at]);
-            for k in 0..theta.len() {
+        sweep::each([&mut p.rho, &mut d.pressure], |at, [rho, pressure]| {
+            let (around, beside) = (&around[at.clone()], &beside[at]);
+            for k in 0..around.len() {
                 let slack = around[k].slack(beside[k], ventilation);
                 rho[k] = if slack && rho[k] < eos.rho0 { eos.rho0 } else { rho[k] };
                 pressure[k] = eos.pressure(rho[k]);
-                volume[k] = theta[k] * mass[k] / rho[k];
             }
+        });
+        self.correct_volumes();
+    }
+
+    /// V = θ m/ρ, where that is not m/ρ.
+    pub(crate) fn correct_volumes(&mut self) {
+        let p = &self.particles;
+        sweep::update(&mut self.derived.volume, |k, volume| *volume = p.theta[k] * p.mass[k] / p.rho[k]);
+    }
+
+    /// F ← F + `more` [N/m].
+    pub(crate) fn add_forces(&mut self, more: &[[f64; 2]]) {
+        let p = &mut self.particles;
+        sweep::update_both(&mut p.ax, &mut p.ay, |k, x, y| {
+            *x += more[k][0];
+            *y += more[k][1];
         });
     }
 
-    /// a = F/m + g.
+    /// a = F/m + g, in place of F.
     pub(crate) fn accelerate(&mut self) {
         self.phases.begin(Phase::Integration);
-        let (p, g, gathered) = (&mut self.particles, self.parameters.gravity, &self.gathered);
+        let (p, g) = (&mut self.particles, self.parameters.gravity);
         sweep::each([&mut p.ax, &mut p.ay], |at, [ax, ay]| {
-            let (gathered, mass) = (&gathered[at.clone()], &p.mass[at]);
+            let mass = &p.mass[at];
             for k in 0..mass.len() {
-                ax[k] = gathered[k].force[0] / mass[k] + g[0];
-                ay[k] = gathered[k].force[1] / mass[k] + g[1];
+                ax[k] = ax[k] / mass[k] + g[0];
+                ay[k] = ay[k] / mass[k] + g[1];
             }
         });
-        sweep::update(&mut self.derived.surroundings, |k, around| *around = gathered[k].around);
     }
 
     /// Every state finite, every density believable.

@@ -74,7 +74,7 @@ impl Fluid {
                 constants: self.constants_of_projection(),
                 wall_nu: self.parameters.wall_nu(),
             };
-            self.parameters.sweep_walls(&gather, &mut self.wall_force);
+            self.parameters.sweep_walls(&gather, &mut self.wall_force[..]);
         } else {
             self.repel();
         }
