@@ -76,8 +76,11 @@ pub(crate) struct Entries {
 }
 
 impl Entries {
-    /// Those `found`, cluster by cluster as `start` says.
+    /// Those `found`, cluster by cluster as `start` says. Nothing is kept for nobody.
     pub fn new(found: &[Entry], start: &[u32]) -> Entries {
+        if found.is_empty() {
+            return Entries::default();
+        }
         let mut stretches: Vec<Stretch> = Vec::new();
         let (mut within, mut starts) = (Vec::with_capacity(found.len()), Vec::with_capacity(start.len()));
         starts.push([0; 2]);
@@ -101,7 +104,7 @@ impl Entries {
         Entries { start: starts, stretches, within }
     }
 
-    /// How many clusters.
+    /// How many clusters; none where nobody meets anybody.
     pub fn clusters(&self) -> usize {
         self.start.len().saturating_sub(1)
     }
@@ -109,7 +112,9 @@ impl Entries {
     /// Entries of cluster `c`.
     #[inline(always)]
     pub fn of(&self, c: usize) -> Met<'_> {
-        let ([from, first], [to, last]) = (self.start[c], self.start[c + 1]);
+        let Some(&[[from, first], [to, last]]) = self.start.get(c..c + 2).and_then(|s| s.as_array()) else {
+            return Met::default();
+        };
         let stretches = self.stretches[first as usize..last as usize].iter();
         Met { begin: 0, here: [].iter(), later: &self.within[from as usize..to as usize], stretches }
     }
@@ -129,6 +134,23 @@ pub(crate) struct Met<'a> {
     stretches: std::slice::Iter<'a, Stretch>,
 }
 
+/// The way of an entry from its stretch's begin, and a bit for each target.
+#[inline(always)]
+pub(crate) fn within_and_bits(e: u16) -> (usize, u32) {
+    (usize::from(e) & ((1 << WITHIN_BITS) - 1), u32::from(e) >> WITHIN_BITS)
+}
+
+impl<'a> Met<'a> {
+    /// The next stretch: where it begins, and its entries. For who takes entries by stretches, none by [`Met::next`].
+    #[inline(always)]
+    pub fn stretch(&mut self) -> Option<(u32, &'a [u16])> {
+        let stretch = self.stretches.next()?;
+        let (here, later) = self.later.split_at(stretch.count() as usize);
+        self.later = later;
+        Some((stretch.begin(), here))
+    }
+}
+
 impl Iterator for Met<'_> {
     /// Index, and a bit for each target.
     type Item = (u32, u32);
@@ -136,12 +158,11 @@ impl Iterator for Met<'_> {
     fn next(&mut self) -> Option<(u32, u32)> {
         loop {
             if let Some(&e) = self.here.next() {
-                let e = u32::from(e);
-                return Some((self.begin + (e & ((1 << WITHIN_BITS) - 1)), e >> WITHIN_BITS));
+                let (within, bits) = within_and_bits(e);
+                return Some((self.begin + within as u32, bits));
             }
-            let stretch = self.stretches.next()?;
-            let (here, later) = self.later.split_at(stretch.count() as usize);
-            (self.begin, self.here, self.later) = (stretch.begin(), here.iter(), later);
+            let (begin, here) = self.stretch()?;
+            (self.begin, self.here) = (begin, here.iter());
         }
     }
 }
@@ -154,7 +175,7 @@ mod tests {
         let found: Vec<Entry> = indices.iter().map(|&j| Entry::new(j, j % 15 + 1)).collect();
         let half = (found.len() / 2) as u32;
         let entries = Entries::new(&found, &[0, half, half, found.len() as u32]);
-        assert_eq!((entries.clusters(), entries.of(1).count()), (3, 0));
+        assert_eq!((entries.clusters(), entries.of(1).count()), (if found.is_empty() { 0 } else { 3 }, 0));
         (0..3).flat_map(|c| entries.of(c)).collect()
     }
 

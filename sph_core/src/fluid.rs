@@ -40,6 +40,7 @@ pub struct Fluid {
     pub yielding: Vec<Yielding>,
     pub(crate) rows: Rows,
     pub(crate) old: Old,
+    /// dρ/dt [kg/(m³ s)], from its sweep until the equation of state, in the array that pressures have otherwise.
     pub(crate) density_rate: Vec<f64>,
     pub(crate) history: History,
     pub(crate) heating: Vec<f64>,
@@ -127,7 +128,6 @@ impl Fluid {
         if parameters.gas.is_none() {
             fluid.particles.energy = Vec::new();
         }
-        fluid.density_rate.resize(n, 0.0);
         fluid
     }
 
@@ -208,6 +208,7 @@ impl Fluid {
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
         self.phases.begin(Phase::Density);
+        self.density_rate = std::mem::take(&mut self.derived.pressure); // of no use until they follow from new densities
         let gather = DensityRate {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,

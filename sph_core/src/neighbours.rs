@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
-use crate::entries::{Entries, Entry, MOST_POINTS, Met};
+use crate::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
 use crate::lanes::{self, LANES, Number, Task};
 use crate::sweep::{self, CHUNK};
 
@@ -126,7 +126,8 @@ impl Lists {
     /// are points too meet themselves.
     #[inline(always)]
     pub(crate) fn around<'a, R: Number, T: Spread>(&'a self, first: usize, zero: R, rows: &'a [T]) -> Around<'a, R, T> {
-        Around { entries: self.cluster(first), rows, lane: (first % LANES) as u32, struck: self.struck, zero }
+        let (met, lane) = (self.cluster(first), (first % LANES) as u32);
+        Around { met, here: [].iter(), rows, near: rows, lane, struck: self.struck, zero }
     }
 
     /// True if the targets beside `k` and all that they may meet have one smoothing length.
@@ -152,7 +153,10 @@ impl Lists {
 
 /// See [`Lists::around`]. An iterator of its own, all of it to be inlined where lanes are known.
 pub(crate) struct Around<'a, R, T> {
-    entries: Met<'a>,
+    met: Met<'a>,
+    /// Entries of the present stretch, and the rows from its begin on.
+    here: std::slice::Iter<'a, u16>,
+    near: &'a [T],
     rows: &'a [T],
     lane: u32,
     struck: bool,
@@ -164,12 +168,17 @@ impl<R: Number, T: Spread> Iterator for Around<'_, R, T> {
     #[inline(always)]
     fn next(&mut self) -> Option<T::Over<R>> {
         loop {
-            let (index, bits) = self.entries.next()?;
+            let Some(&e) = self.here.next() else {
+                let (begin, here) = self.met.stretch()?;
+                (self.near, self.here) = (&self.rows[begin as usize..], here.iter());
+                continue;
+            };
+            let (within, bits) = within_and_bits(e);
             let bits = bits >> self.lane;
             if R::WIDTH == 1 && bits & 1 == 0 {
                 continue;
             }
-            let row = self.rows[index as usize].spread(self.zero);
+            let row = self.near[within].spread(self.zero);
             return Some(if self.struck { T::only(row, bits) } else { row });
         }
     }

@@ -137,7 +137,7 @@ pub(crate) struct Rows {
 /// As many rows as that, with room for a few more images and no more: rows are much of the memory.
 fn resize(rows: &mut Vec<Row>, n: usize) {
     if rows.capacity() < n {
-        rows.reserve_exact(n + n / 64 - rows.len());
+        rows.reserve_exact(n + n / 128 - rows.len());
     }
     rows.resize(n, Row::default());
 }
@@ -197,7 +197,8 @@ impl Rows {
         sweep::gather_into(&mut self.fluid[..n], |k| {
             let fill = p.mass[k] / p.rho[k];
             let volume = d.volume.get(k).copied().unwrap_or(fill);
-            Row { x: p.x[k], y: p.y[k], u: p.u[k], v: p.v[k], p: d.pressure[k], volume, fill, h: p.h[k] }
+            let pressure = d.pressure.get(k).copied().unwrap_or(0.0); // none, and of no use, beside rates of density
+            Row { x: p.x[k], y: p.y[k], u: p.u[k], v: p.v[k], p: pressure, volume, fill, h: p.h[k] }
         });
         self.walls.resize(walls.len(), Row::default());
         self.faces.resize(walls.len(), Face::default());

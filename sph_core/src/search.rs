@@ -118,9 +118,9 @@ impl Search {
             // an image is needed where it meets somebody in front of the plane
             let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
             let mirrored_cells = Cells::build(&mirrored);
-            let needed = |p: &&Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
-            self.fluid_images.extend(fluid.iter().filter(needed).map(|p| p.index));
-            self.wall_images.extend(wall.iter().filter(|p| meets(&fluid_cells, p)).map(|p| p.index));
+            let needed = |p: &Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
+            self.fluid_images = those(&fluid, needed);
+            self.wall_images = those(&wall, |p| meets(&fluid_cells, p));
             append_images(&mut fluid, &self.fluid_images, mirror);
             append_images(&mut wall, &self.wall_images, mirror);
             (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
@@ -183,21 +183,15 @@ impl Search {
         for shift in periodic.shifts() {
             let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
             let meets = |cells: &Cells, p: &Point| cells.any_within(p.x, p.y, p.reach);
-            for k in 0..fluids {
-                let p = moved(fluid[k]);
-                if meets(own_fluid, &p) || meets(own_wall, &p) {
-                    fluid.push(Point { index: fluid.len() as u32, ..p });
-                    self.fluid_images.push(k as u32);
-                    self.fluid_shifts.push(shift);
-                }
+            for k in those(&fluid[..fluids], |p| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p))) {
+                fluid.push(Point { index: fluid.len() as u32, ..moved(fluid[k as usize]) });
+                self.fluid_images.push(k);
+                self.fluid_shifts.push(shift);
             }
-            for k in 0..walls {
-                let p = moved(wall[k]);
-                if meets(own_fluid, &p) {
-                    wall.push(Point { index: wall.len() as u32, ..p });
-                    self.wall_images.push(k as u32);
-                    self.wall_shifts.push(shift);
-                }
+            for k in those(&wall[..walls], |p| meets(own_fluid, &moved(*p))) {
+                wall.push(Point { index: wall.len() as u32, ..moved(wall[k as usize]) });
+                self.wall_images.push(k);
+                self.wall_shifts.push(shift);
             }
         }
     }
@@ -211,6 +205,14 @@ impl Search {
             at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
         });
     }
+}
+
+/// Indices of the `points` that are wanted, in order.
+fn those(points: &[Point], wanted: impl Fn(&Point) -> bool + Sync) -> Vec<u32> {
+    let of_chunk = |targets: std::ops::Range<usize>| -> Vec<u32> {
+        points[targets].iter().filter(|p| wanted(p)).map(|p| p.index).collect()
+    };
+    sweep::by_chunk(points.len(), of_chunk).concat()
 }
 
 /// V1: whoever has left the cell enters it through the opposite plane.

@@ -103,6 +103,9 @@ impl Fluid {
     /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
         self.phases.begin(Phase::Integration);
+        if self.derived.pressure.is_empty() {
+            self.derived.pressure = std::mem::take(&mut self.density_rate);
+        }
         if let Some(gas) = self.parameters.gas {
             return self.gas_state(gas); //           L9
         }
