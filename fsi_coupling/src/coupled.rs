@@ -9,6 +9,7 @@ use sph_core::{Breakdown, Fluid, Phase, Phases, Walls, Yielding};
 use crate::body::{BodyError, WettedBody};
 use crate::contact::{take_back, throw_back};
 use crate::exchange::{Agreement, Exchange, Scheme};
+use crate::focus::Focus;
 use crate::penetration::{Penetration, run_into};
 use crate::rows::Arrangement;
 use crate::work_audit::WorkAudit;
@@ -78,6 +79,7 @@ pub struct Coupled {
     members: Vec<Member>,
     exchange: Exchange,
     saved: Option<Saved>,
+    pub(crate) focus: Option<Focus>,
     play: f64,
     stopped: u64,
     audit: MomentumAudit,
@@ -148,6 +150,7 @@ impl Coupled {
             members,
             exchange,
             saved: None,
+            focus: None,
             stopped: 0,
             play: PLAY * spacing,
             audit: MomentumAudit::default(),
@@ -177,6 +180,7 @@ impl Coupled {
 
     fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {
         let outer = self.fluid.phases.begin(Phase::Coupling);
+        self.refocus(); //                                              E26
         for m in &self.members {
             m.body.place(dt, self.walls.slice_mut(m.range.clone())); // H: bodies → boundary particles
         }

@@ -22,7 +22,11 @@ pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let seeds = fill(scene, body.as_deref())?;
     let fluid = Fluid::new(parameters(scene), &seeds);
     let bodies = body.into_iter().chain([Box::new(tank(scene)) as Box<dyn WettedBody>]).collect();
-    Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)
+    let system = Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)?;
+    Ok(match Follower::of(scene) {
+        Some(follower) => system.focused(Box::new(move |motion, outline| follower.zone(motion, outline))),
+        None => system,
+    })
 }
 
 /// The scene's body, if it has one, where it starts.
@@ -44,7 +48,7 @@ pub fn tiling(scene: &Scene) -> Tiling {
     let x = scene.water_sides();
     let middle = scene.fine_zone_center();
     let [half_width, fine_depth] = match Follower::of(scene) {
-        Some(follower) => [follower.zone().half_width, follower.zone().depth],
+        Some(follower) => follower.at_start(),
         None => scene.resolution.fine_zone,
     };
     let tiling = Tiling::new(Basin {

@@ -9,7 +9,6 @@ use sph_core::{Phase, sweep};
 use tracing::{debug, info, warn};
 
 use crate::build;
-use crate::follow::Follower;
 use crate::compare::{self, ReferenceCurve};
 use crate::observe::{FlowPictures, LogObserver, ObserveError, Series};
 use crate::present;
@@ -147,13 +146,9 @@ fn advance(
         tell(0.0, 0);
     }
     observe(system, recorder)?;
-    let mut follower = Follower::of(scene);
     while system.fluid.time < scene.time.end {
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Ok(Ok(Status::Interrupted));
-        }
-        if let Some(follower) = &mut follower {
-            follower.follow(system);
         }
         system.fluid.phases.begin(Phase::Integration);
         let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);

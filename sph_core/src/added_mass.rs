@@ -130,8 +130,6 @@ impl Fluid {
         let mut on_fluid = vec![[0.0; 2]; self.particles.len()];
         let (lists, images) = (&search.walls_of_fluid, &search.wall_images[..]);
         kernel.run(Relief { fluid, walls: rows, lists, images, pressure: &relief, out: &mut on_fluid });
-        for (sum, change) in self.gathered.iter_mut().zip(&on_fluid) {
-            sum.force = [sum.force[0] + change[0], sum.force[1] + change[1]];
-        }
+        self.add_forces(&on_fluid);
     }
 }

@@ -119,6 +119,7 @@ impl Fluid {
         self.pack(walls, 0.0);
         self.phases.begin(Phase::Density);
         let mut smooth = std::mem::take(&mut self.density_rate); // free between rates
+        smooth.resize(self.particles.len(), 0.0);
         self.parameters.kernel.run(Filter {
             fluid: &self.rows.fluid,
             rho: &self.particles.rho,

@@ -5,7 +5,7 @@ use crate::error::Breakdown;
 use crate::ideal_gas::Heat;
 use crate::integrator::{self, Integrator, Old};
 use crate::multistep::{self, History};
-use crate::pair::{Extrapolated, Gathered};
+use crate::pair::Extrapolated;
 use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles, Seed};
 use crate::phases::{Phase, Phases};
@@ -16,7 +16,7 @@ use crate::rows::Rows;
 use crate::search::Search;
 use crate::solver::Solver;
 use crate::sweep;
-use crate::sweeps::{DensityRate, Momentum, WallForce};
+use crate::sweeps::{DensityRate, Forces, Momentum, WallForce};
 use crate::thesis::{self, Thesis};
 use crate::turbulence::Stress;
 use crate::wall_model::WallModel;
@@ -46,8 +46,8 @@ pub struct Fluid {
     pub fine_zone: Option<FineZone>,
     pub(crate) rows: Rows,
     pub(crate) old: Old,
+    /// dρ/dt [kg/(m³ s)], from its sweep until the equation of state, in the array that pressures have otherwise.
     pub(crate) density_rate: Vec<f64>,
-    pub(crate) gathered: Vec<Gathered>,
     pub(crate) history: History,
     pub(crate) heating: Vec<f64>,
     pub(crate) heat: Vec<Heat>,
@@ -89,7 +89,7 @@ impl Fluid {
                 periodic.shortest()
             );
         }
-        let mut particles = Particles::default();
+        let mut particles = Particles::with_capacity(seeds.len());
         for seed in seeds {
             let still = if parameters.solver.is_incompressible() { 0.0 } else { seed.pressure };
             let (rho, energy) = parameters.state_at(still);
@@ -108,7 +108,6 @@ impl Fluid {
             rows: Rows::default(),
             old: Old::default(),
             density_rate: Vec::new(),
-            gathered: Vec::new(),
             extrapolated: Vec::new(),
             wall_force: Vec::new(),
             history: History::default(),
@@ -131,9 +130,12 @@ impl Fluid {
             fluid.derived.pressure = seeds.iter().map(|seed| seed.pressure).collect();
             fluid.derived.volume = seeds.iter().map(|seed| seed.area).collect();
         }
-        fluid.density_rate.resize(n, 0.0);
-        fluid.gathered.resize(n, Gathered::default());
-        fluid.heating.resize(n, 0.0);
+        if !parameters.keeps_volumes() {
+            (fluid.particles.theta, fluid.derived.volume) = (Vec::new(), Vec::new());
+        }
+        if parameters.gas.is_none() {
+            fluid.particles.energy = Vec::new();
+        }
         fluid
     }
 
@@ -216,6 +218,7 @@ impl Fluid {
     pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
         self.pack(walls, offset);
         self.phases.begin(Phase::Density);
+        self.density_rate = std::mem::take(&mut self.derived.pressure); // of no use until they follow from new densities
         let gather = DensityRate {
             fluid: &self.rows.fluid,
             faces: &self.rows.faces,
@@ -224,7 +227,7 @@ impl Fluid {
             constants: self.parameters.diffusion_constants(),
             reflecting: self.parameters.walls.model.reflects(),
         };
-        self.parameters.sweep(&gather, &mut self.density_rate);
+        self.parameters.sweep(&gather, &mut self.density_rate[..]);
         if self.parameters.walls.model == WallModel::Dynamic {
             self.evaluate_dynamic_walls();
         }
@@ -244,10 +247,11 @@ impl Fluid {
         self.gather_turbulence(); //                 L8
         self.yield_walls(walls, offset); //          C1–C3: where owners of walls yield
         self.accelerate();
-        self.correct_volumes();
+        self.relax_volumes();
     }
 
-    /// The same pairs twice, once for each side: action equals reaction to rounding.
+    /// The same pairs twice, once for each side: action equals reaction to rounding. Until [`Fluid::accelerate`] the
+    /// particles' accelerations are forces [N/m].
     pub(crate) fn gather_forces(&mut self, walls: &mut Walls) {
         let wall_nu = self.parameters.wall_nu();
         let constants = match self.parameters.solver.projects() {
@@ -258,12 +262,13 @@ impl Fluid {
         let pushing = self.parameters.walls.model.has_pressure();
         let gather = Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing };
         self.phases.begin(Phase::Momentum);
-        self.parameters.sweep(&gather, &mut self.gathered);
+        let Particles { ax, ay, .. } = &mut self.particles;
+        self.parameters.sweep(&gather, Forces { x: ax, y: ay, around: &mut self.derived.surroundings });
         self.phases.begin(Phase::Walls);
         self.wall_force.resize(walls.len(), [0.0; 2]);
         if pushing {
             let gather = WallForce { fluid, walls: wall_rows, search, constants, wall_nu };
-            self.parameters.sweep_walls(&gather, &mut self.wall_force);
+            self.parameters.sweep_walls(&gather, &mut self.wall_force[..]);
         } else {
             self.repel();
         }
@@ -280,7 +285,8 @@ impl Fluid {
         if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
             self.rows.place_mirror_points(walls);
         }
-        if self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
+        let stale = self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls));
+        if stale {
             self.displaced = false;
             self.refine(); //                        E26
             let life = match self.parameters.solver.projects() {
@@ -293,5 +299,9 @@ impl Fluid {
         }
         self.phases.begin(Phase::Pack);
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
+        if stale && self.calm_halves(walls) && !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
+            self.displaced = true;
+            self.pack(walls, offset);
+        }
     }
 }

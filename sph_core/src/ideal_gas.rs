@@ -139,6 +139,7 @@ impl Fluid {
     pub(crate) fn evaluate_heating(&mut self) {
         let Some(gas) = self.parameters.gas else { return };
         self.heat.resize(self.particles.len(), Heat::default());
+        self.heating.resize(self.particles.len(), 0.0);
         self.parameters.with_pairs(Heating {
             fluid: &self.rows.fluid,
             walls: &self.rows.walls,
@@ -190,8 +191,8 @@ impl Fluid {
                 p.energy[k] *= relief.powf(gas.gamma - 1.0);
             }
             d.pressure[k] = gas.pressure(p.rho[k], p.energy[k]);
-            d.volume[k] = p.theta[k] * p.mass[k] / p.rho[k];
         }
+        self.correct_volumes();
     }
 }
 

@@ -104,7 +104,7 @@ impl Old {
     fn of(mut self, p: &Particles) -> Old {
         self.0.resize(p.len(), [0.0; 6]);
         for k in 0..p.len() {
-            self.0[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy[k]];
+            self.0[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy_of(k)];
         }
         self
     }
@@ -118,7 +118,9 @@ impl Old {
             p.x[k] = x + 0.5 * dt * (u + p.u[k]);
             p.y[k] = y + 0.5 * dt * (v + p.v[k]);
             p.rho[k] = rho + dt * fluid.density_rate[k];
-            p.energy[k] = energy + dt * fluid.heating[k];
+            if let Some(e) = p.energy.get_mut(k) {
+                *e = energy + dt * fluid.heating[k];
+            }
         }
         fluid.dynamic_walls.correct(dt);
     }

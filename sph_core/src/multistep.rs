@@ -116,8 +116,8 @@ impl History {
         self.now.resize(p.len(), [0.0; 10]);
         self.change.resize(p.len(), [0.0; 4]);
         for k in 0..p.len() {
-            let state = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy[k]];
-            let rates = [p.ax[k], p.ay[k], fluid.density_rate[k], fluid.heating[k]];
+            let state = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy_of(k)];
+            let rates = [p.ax[k], p.ay[k], fluid.density_rate[k], fluid.heating.get(k).copied().unwrap_or(0.0)];
             let now = &mut self.now[p.id[k] as usize];
             now[..6].copy_from_slice(&state);
             now[6..].copy_from_slice(&rates);
@@ -135,7 +135,10 @@ impl History {
             p.x[k] = x + dt * u + dt * dt * bend(0);
             p.y[k] = y + dt * v + dt * dt * bend(1);
             [p.u[k], p.v[k]] = [u + dt * rate(0), v + dt * rate(1)];
-            [p.rho[k], p.energy[k]] = [rho + dt * rate(2), e + dt * rate(3)];
+            p.rho[k] = rho + dt * rate(2);
+            if let Some(energy) = p.energy.get_mut(k) {
+                *energy = e + dt * rate(3);
+            }
         }
     }
 
@@ -143,12 +146,15 @@ impl History {
         let p = &mut fluid.particles;
         for k in 0..p.x.len() {
             let ([x, y, u, v, rho, e, now @ ..], before) = (self.now[p.id[k] as usize], self.change[p.id[k] as usize]);
-            let then = [p.ax[k], p.ay[k], fluid.density_rate[k], fluid.heating[k]];
+            let then = [p.ax[k], p.ay[k], fluid.density_rate[k], fluid.heating.get(k).copied().unwrap_or(0.0)];
             let rate = |c: usize| w.correct[0] * then[c] + w.correct[1] * now[c] + w.correct[2] * before[c];
             p.x[k] = x + dt * u + dt * dt * (then[0] + 2.0 * now[0]) / 6.0;
             p.y[k] = y + dt * v + dt * dt * (then[1] + 2.0 * now[1]) / 6.0;
             [p.u[k], p.v[k]] = [u + dt * rate(0), v + dt * rate(1)];
-            [p.rho[k], p.energy[k]] = [rho + dt * rate(2), e + dt * rate(3)];
+            p.rho[k] = rho + dt * rate(2);
+            if let Some(energy) = p.energy.get_mut(k) {
+                *energy = e + dt * rate(3);
+            }
         }
     }
 
@@ -188,12 +194,14 @@ impl Fluid {
         let p = &mut self.particles;
         for k in 0..p.x.len() {
             let change = &mut change[p.id[k] as usize];
-            let rates = [p.ax[k], p.ay[k], self.density_rate[k], self.heating[k]];
+            let rates = [p.ax[k], p.ay[k], self.density_rate[k], self.heating.get(k).copied().unwrap_or(0.0)];
             *change = [0, 1, 2, 3].map(|c| span * rates[c] - change[c]);
             p.u[k] += change[0];
             p.v[k] += change[1];
             p.rho[k] += change[2];
-            p.energy[k] += change[3];
+            if let Some(energy) = p.energy.get_mut(k) {
+                *energy += change[3];
+            }
         }
     }
 }

@@ -12,33 +12,9 @@ use std::ops::Range;
 
 use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
+use crate::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
 use crate::lanes::{self, LANES, Number, Task};
 use crate::sweep::{self, CHUNK};
-
-/// A neighbour of a cluster: its index, and above it a bit for each target.
-#[derive(Clone, Copy, Debug)]
-struct Entry(u32);
-
-/// Bits of an entry that are the index.
-const INDEX_BITS: u32 = u32::BITS - LANES as u32;
-
-/// Most points that lists can name.
-pub const MOST_POINTS: usize = 1 << INDEX_BITS;
-
-impl Entry {
-    #[inline(always)]
-    fn new(index: u32, bits: u32) -> Entry {
-        Entry(index | bits << INDEX_BITS)
-    }
-    #[inline(always)]
-    fn index(self) -> u32 {
-        self.0 & (MOST_POINTS as u32 - 1)
-    }
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self.0 >> INDEX_BITS
-    }
-}
 
 /// What a sweep reads of a neighbour, spread over the lanes of its targets.
 pub(crate) trait Spread {
@@ -64,10 +40,12 @@ pub struct Lists {
 
 #[derive(Clone, Debug, Default)]
 struct ChunkList {
-    start: Vec<u32>,
-    entries: Vec<Entry>,
-    alike: Vec<bool>,
+    entries: Entries,
+    /// A bit for each cluster: one smoothing length.
+    alike: u32,
 }
+
+const _: () = assert!(CHUNK / LANES <= u32::BITS as usize);
 
 /// Empty lists.
 pub(crate) static NONE: Lists = Lists { chunks: Vec::new(), targets: 0, among: false, struck: false };
@@ -87,12 +65,9 @@ impl Lists {
         (self.targets, self.among, self.struck) = (n, among, false);
         self.chunks.resize(n.div_ceil(CHUNK), ChunkList::default());
         sweep::for_each_chunk(&mut self.chunks, n, |targets, list| {
-            list.start.clear();
-            list.entries.clear();
-            list.alike.clear();
-            list.start.push(0);
+            let (mut start, mut alike) = (vec![0], 0);
             let (mut runs, mut found) = (Vec::new(), Vec::new());
-            for first in targets.clone().step_by(LANES) {
+            for (c, first) in targets.clone().step_by(LANES).enumerate() {
                 let last = (first + LANES).min(targets.end);
                 let mut at = [target(first); LANES];
                 for k in first + 1..last {
@@ -103,14 +78,13 @@ impl Lists {
                 cells.for_each_run(&at[..last - first], |run| runs.push(run));
                 let count = last - first;
                 lanes::run(true, Meeting { points: cells.points(), runs: &runs, at, count, found: &mut found });
-                list.start.push(found.len() as u32);
+                start.push(found.len() as u32);
                 let h = size.0(first);
-                let alike = (first..last).all(|k| size.0(k) == h)
+                let same = (first..last).all(|k| size.0(k) == h)
                     && found[from..].iter().all(|e: &Entry| size.1(e.index()) == h);
-                list.alike.push(alike);
+                alike |= u32::from(same) << c;
             }
-            list.entries.reserve_exact(found.len()); // no more than is needed: lists are most of the memory
-            list.entries.extend_from_slice(&found);
+            *list = ChunkList { entries: Entries::new(&found, &start), alike };
         });
     }
 
@@ -119,30 +93,25 @@ impl Lists {
         let (n, among) = (self.chunks.len() * CHUNK, self.among);
         self.struck = true;
         sweep::for_each_chunk(&mut self.chunks, n, |targets, list| {
-            let (mut from, mut kept) = (0, 0);
-            for i in 0..list.start.len().saturating_sub(1) {
-                let (first, to) = (targets.start + i * LANES, list.start[i + 1] as usize);
-                for read in from..to {
-                    let (j, bits) = (list.entries[read].index(), list.entries[read].bits());
+            let (mut start, mut kept) = (vec![0], Vec::new());
+            for c in 0..list.entries.clusters() {
+                let first = targets.start + c * LANES;
+                for (j, bits) in list.entries.of(c) {
                     let wanted = |k: usize| (among && first + k == j as usize) || keep(first + k, j);
                     let left = (0..LANES).filter(|&k| bits >> k & 1 == 1 && wanted(k)).fold(0, |left, k| left | 1 << k);
                     if left != 0 {
-                        list.entries[kept] = Entry::new(j, left);
-                        kept += 1;
+                        kept.push(Entry::new(j, left));
                     }
                 }
-                from = to;
-                list.start[i + 1] = kept as u32;
+                start.push(kept.len() as u32);
             }
-            list.entries.truncate(kept);
+            list.entries = Entries::new(&kept, &start);
         });
     }
 
     #[inline(always)]
-    fn cluster(&self, k: usize) -> &[Entry] {
-        let Some(list) = self.chunks.get(k / CHUNK) else { return &[] };
-        let c = k % CHUNK / LANES;
-        &list.entries[list.start[c] as usize..list.start[c + 1] as usize]
+    fn cluster(&self, k: usize) -> Met<'_> {
+        self.chunks.get(k / CHUNK).map_or_else(Met::default, |list| list.entries.of(k % CHUNK / LANES))
     }
 
     /// Neighbours of target `k`, itself not among them, in a fixed order.
@@ -150,42 +119,44 @@ impl Lists {
     pub fn of(&self, k: usize) -> impl Iterator<Item = u32> + Clone {
         let own = if self.among { k as u32 } else { u32::MAX };
         let bit = 1 << (k % LANES);
-        self.cluster(k).iter().filter(move |e| e.bits() & bit != 0 && e.index() != own).map(|e| e.index())
+        self.cluster(k).filter(move |&(j, bits)| bits & bit != 0 && j != own).map(|(j, _)| j)
     }
 
     /// What the targets from `first` on, as many as an `R` is wide, read of all that any of them may meet. Targets that
     /// are points too meet themselves.
     #[inline(always)]
     pub(crate) fn around<'a, R: Number, T: Spread>(&'a self, first: usize, zero: R, rows: &'a [T]) -> Around<'a, R, T> {
-        Around { entries: self.cluster(first).iter(), rows, lane: (first % LANES) as u32, struck: self.struck, zero }
+        let (met, lane) = (self.cluster(first), (first % LANES) as u32);
+        Around { met, here: [].iter(), rows, near: rows, lane, struck: self.struck, zero }
     }
 
     /// True if the targets beside `k` and all that they may meet have one smoothing length.
     #[inline(always)]
     pub(crate) fn alike(&self, k: usize) -> bool {
-        self.chunks[k / CHUNK].alike[k % CHUNK / LANES]
+        self.chunks[k / CHUNK].alike >> (k % CHUNK / LANES) & 1 == 1
     }
 
     /// What the lists hold on to [bytes].
     pub(crate) fn bytes(&self) -> usize {
-        of_vector(&self.chunks)
-            + self
-                .chunks
-                .iter()
-                .map(|c| of_vector(&c.start) + of_vector(&c.entries) + of_vector(&c.alike))
-                .sum::<usize>()
+        of_vector(&self.chunks) + self.chunks.iter().map(|c| c.entries.bytes()).sum::<usize>()
     }
 
     /// Number of listed pairs.
     pub fn pairs(&self) -> usize {
-        let met: u32 = self.chunks.iter().flat_map(|c| &c.entries).map(|e| e.bits().count_ones()).sum();
+        let entries = |chunk: &ChunkList| -> u32 {
+            (0..chunk.entries.clusters()).flat_map(|c| chunk.entries.of(c)).map(|(_, bits)| bits.count_ones()).sum()
+        };
+        let met: u32 = self.chunks.iter().map(entries).sum();
         met as usize - if self.among { self.targets } else { 0 } // a target's meeting itself
     }
 }
 
 /// See [`Lists::around`]. An iterator of its own, all of it to be inlined where lanes are known.
 pub(crate) struct Around<'a, R, T> {
-    entries: std::slice::Iter<'a, Entry>,
+    met: Met<'a>,
+    /// Entries of the present stretch, and the rows from its begin on.
+    here: std::slice::Iter<'a, u16>,
+    near: &'a [T],
     rows: &'a [T],
     lane: u32,
     struck: bool,
@@ -197,12 +168,17 @@ impl<R: Number, T: Spread> Iterator for Around<'_, R, T> {
     #[inline(always)]
     fn next(&mut self) -> Option<T::Over<R>> {
         loop {
-            let e = self.entries.next()?;
-            let bits = e.bits() >> self.lane;
+            let Some(&e) = self.here.next() else {
+                let (begin, here) = self.met.stretch()?;
+                (self.near, self.here) = (&self.rows[begin as usize..], here.iter());
+                continue;
+            };
+            let (within, bits) = within_and_bits(e);
+            let bits = bits >> self.lane;
             if R::WIDTH == 1 && bits & 1 == 0 {
                 continue;
             }
-            let row = self.rows[e.index() as usize].spread(self.zero);
+            let row = self.near[within].spread(self.zero);
             return Some(if self.struck { T::only(row, bits) } else { row });
         }
     }
@@ -237,38 +213,5 @@ impl Task for Meeting<'_> {
                 }
             }
         }
-    }
-}
-
-/// Where particles were when the lists were made, and how far each may go before they must be remade.
-#[derive(Clone, Debug, Default)]
-pub struct Skin {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    allowance: Vec<f64>,
-}
-
-impl Skin {
-    /// Note positions and allowances [m].
-    pub fn reset(&mut self, x: &[f64], y: &[f64], allowance: Vec<f64>) {
-        self.x.clear();
-        self.x.extend_from_slice(x);
-        self.y.clear();
-        self.y.extend_from_slice(y);
-        self.allowance = allowance;
-    }
-
-    /// What it holds on to [bytes].
-    pub(crate) fn bytes(&self) -> usize {
-        [&self.x, &self.y, &self.allowance].map(of_vector).iter().sum()
-    }
-
-    /// True if nobody has moved farther than its allowance.
-    pub fn holds(&self, x: &[f64], y: &[f64]) -> bool {
-        self.x.len() == x.len()
-            && sweep::every(x.len(), |k| {
-                let (dx, dy) = (x[k] - self.x[k], y[k] - self.y[k]);
-                dx * dx + dy * dy <= self.allowance[k] * self.allowance[k]
-            })
     }
 }

@@ -211,8 +211,7 @@ impl<R: Number> GatheredOver<R> {
         let (fx, fy, all, fluid) = (force[0].lanes(), force[1].lanes(), filling.lanes(), fluid_filling.lanes());
         let (cx, cy, least) = (crowding[0].lanes(), crowding[1].lanes(), lambda.lanes());
         std::array::from_fn(|k| {
-            let (filling, fluid_filling, crowding) = (all[k], fluid[k], [cx[k], cy[k]]);
-            let around = Surroundings { filling, fluid_filling, crowding, lambda: least[k] };
+            let around = Surroundings::new(all[k], fluid[k], [cx[k], cy[k]], least[k]);
             Gathered { force: [fx[k], fy[k]], around }
         })
     }

@@ -163,6 +163,11 @@ impl Parameters {
         }
     }
 
+    /// Volumes are not m/ρ alone: corrected (E12), or a projection's own.
+    pub(crate) fn keeps_volumes(&self) -> bool {
+        self.volume_correction || self.solver.is_incompressible()
+    }
+
     /// E5, or L12: the same without gravity, so that pressures themselves diffuse.
     pub(crate) fn diffusion_constants(&self) -> Constants {
         let constants = self.constants();

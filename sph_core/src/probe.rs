@@ -68,7 +68,7 @@ impl<'a> Probe<'a> {
             }
             let k = q.index as usize;
             let w = kernel.value((at[0] - q.x).hypot(at[1] - q.y), p.h[k]);
-            take(d.volume[k] * w, q);
+            take(d.volume_of(k, p) * w, q);
         });
     }
 

@@ -3,7 +3,14 @@
 use serde::{Deserialize, Serialize};
 
 use crate::fluid::Fluid;
+use crate::kernel::{Shape, WithKernel};
+use crate::pair::{self, Row};
+use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles};
+use crate::search::Search;
+use crate::sweep;
+use crate::verbs::LONGEST_SHIFT;
+use crate::walls::Walls;
 
 /// Where water is to be resolved: finely in a rectangle below the still surface y = 0 and in a layer beside a body, by
 /// spacings that grow around them.
@@ -26,88 +33,178 @@ pub struct FineZone {
 }
 
 impl FineZone {
-    /// E26: the spacing wished for at a place [m].
-    pub fn spacing_at(&self, at: [f64; 2]) -> f64 {
+    /// E26: the distance from zone and layer at which a spacing [m] is what is wished for [m]; below 0 for a finer one.
+    fn distance_of(&self, spacing: f64) -> f64 {
+        (spacing - self.spacing) / self.slope
+    }
+
+    /// Is a place within `distance` [m] of the rectangle or of the layer? `bounds` are those of the edges.
+    fn is_within(&self, at: [f64; 2], distance: f64, bounds: &Bounds) -> bool {
         let beside = (at[0] - self.middle).abs() - self.half_width;
         let below = -at[1] - self.depth;
-        let from_layer = |edge: &[[f64; 2]; 2]| distance(at, edge) - self.layer;
-        let far = self.edges.iter().map(from_layer).fold(beside.max(below), f64::min);
-        self.spacing + self.slope * far.max(0.0)
+        let from_edge = distance + self.layer;
+        beside.max(below) < distance
+            || bounds.is_within(at, from_edge) && self.edges.iter().any(|edge| from(edge, at) < from_edge)
     }
 }
 
 /// Distance of a point from an edge [m].
-fn distance([x, y]: [f64; 2], [a, b]: &[[f64; 2]; 2]) -> f64 {
+fn from([a, b]: &[[f64; 2]; 2], [x, y]: [f64; 2]) -> f64 {
     let (along, to) = ([b[0] - a[0], b[1] - a[1]], [x - a[0], y - a[1]]);
     let length2 = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
     let share = ((to[0] * along[0] + to[1] * along[1]) / length2).clamp(0.0, 1.0);
     (to[0] - share * along[0]).hypot(to[1] - share * along[1])
 }
 
-/// A particle is split that stands for more than this times the area wished for: its halves stand for as much less.
-const COARSE: f64 = std::f64::consts::SQRT_2;
+/// The smallest upright rectangle around edges: most particles are far from all of them.
+struct Bounds([[f64; 2]; 2]);
+
+impl Bounds {
+    fn of(edges: &[[[f64; 2]; 2]]) -> Bounds {
+        let none = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let wider = |[low, high]: [[f64; 2]; 2], p: &[f64; 2]| {
+            [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
+        };
+        Bounds(edges.iter().flatten().fold(none, wider))
+    }
+
+    fn is_within(&self, at: [f64; 2], distance: f64) -> bool {
+        let Bounds([low, high]) = self;
+        (0..2).all(|i| at[i] > low[i] - distance && at[i] < high[i] + distance)
+    }
+}
+
+/// A particle is halved whose spacing is more than this times the one wished for, 2^¼: the halves' is as much less.
+const COARSE: f64 = 1.189_207_115_002_721;
 /// Halves lie at this many spacings of the whole on either side of where it was.
 const ARM: f64 = 0.25 * std::f64::consts::SQRT_2;
 /// The share of walls in a particle's filling from which on it is left whole: a half might end up behind them.
-const BESIDE_WALL: f64 = 0.02;
+const BESIDE_WALL: f32 = 0.02;
+/// Mark of what has just been stirred.
+const FRESH: u8 = 2;
+/// Shifts that halves settle by at once, and their κ (E13) [-].
+const CALMING: u32 = 10;
+const CALMING_SHARE: f64 = 0.25;
 
 impl Fluid {
-    /// E26: halve every particle that is coarser than the fine zone wants it. Mass, momentum, energy, volume and the centre
-    /// of mass stay what they are. True if there was one.
-    pub(crate) fn refine(&mut self) -> bool {
-        let Some(zone) = &self.fine_zone else { return false };
-        let (p, d, rho0) = (&mut self.particles, &mut self.derived, self.parameters.eos.rho0);
-        let wholes = p.len();
+    /// E26: halve every particle that is coarser than the fine zone wants it. Mass, momentum and the centre of mass stay what
+    /// they are; so do volume and energy, but for the square of what the pressure changes by within a particle.
+    pub fn refine(&mut self) {
+        let Some(zone) = &self.fine_zone else { return };
+        if self.search.rebuilds == 0 {
+            return; // nobody knows yet who is beside a wall
+        }
+        let (p, d, Parameters { eos, gravity, .. }) = (&mut self.particles, &mut self.derived, self.parameters);
+        let (wholes, bounds) = (p.len(), Bounds::of(&zone.edges));
+        p.halvings.resize(wholes, 0);
+        p.stirred.resize(wholes, 0);
         for k in 0..wholes {
-            let area = p.mass[k] / rho0;
-            let wished = zone.spacing_at([p.x[k], p.y[k]]);
-            let free = d.surroundings[k].filling - d.surroundings[k].fluid_filling < BESIDE_WALL;
-            if area > COARSE * wished * wished && free {
-                p.halve(k, area.sqrt());
-                d.halve(k);
+            let spacing = (p.mass[k] / eos.rho0).sqrt();
+            let reach = zone.distance_of(spacing / COARSE);
+            let free = d.surroundings[k].wall_filling < BESIDE_WALL;
+            if reach > 0.0 && free && zone.is_within([p.x[k], p.y[k]], reach, &bounds) {
+                for j in self.search.fluid.of(k) {
+                    p.stirred[self.search.source(j, wholes)] = FRESH;
+                }
+                p.stirred[k] = FRESH;
+                p.halve(k, spacing, gravity, eos.c0);
+                d.halve(k, [k, p.len() - 1].map(|half| eos.pressure(p.rho[half])));
             }
         }
-        self.fit();
-        self.particles.len() > wholes
     }
+}
 
-    /// Make what a sweep writes as long as there are particles.
-    pub(crate) fn fit(&mut self) {
-        let n = self.particles.len();
-        self.density_rate.resize(n, 0.0);
-        self.gathered.resize(n, Default::default());
-        self.heating.resize(n, 0.0);
+impl Fluid {
+    /// E13 at once: what has just been halved, and its neighbours, settle before a force is found with them; `true` if there
+    /// were any.
+    pub(crate) fn calm_halves(&mut self, walls: &Walls) -> bool {
+        let fresh = |&n: &u8| n > 1;
+        if !self.particles.stirred.iter().any(fresh) {
+            return false;
+        }
+        let mut shifts = vec![[0.0; 2]; self.particles.len()];
+        for _ in 0..CALMING {
+            let (p, d, search) = (&self.particles, &self.derived, &self.search);
+            let calming = |k: usize| p.stirred[k] > 1 && !d.near_surface[k] && d.surroundings[k].wall_filling == 0.0;
+            self.parameters.kernel.run(Calming { fluid: &self.rows.fluid, search, calming, out: &mut shifts });
+            for (k, [x, y]) in shifts.iter().enumerate() {
+                self.particles.x[k] += x;
+                self.particles.y[k] += y;
+            }
+            let (p, mirror) = (&self.particles, self.parameters.mirror);
+            self.rows.pack(p, &self.derived, walls, &self.search, mirror, &self.extrapolated);
+        }
+        self.particles.stirred.iter_mut().for_each(|n| *n = (*n).min(1));
+        true
+    }
+}
+
+/// E13: −κ h² ∇C of the particles that are `calming`, at most 0.02 h.
+struct Calming<'a, F> {
+    fluid: &'a [Row],
+    search: &'a Search,
+    calming: F,
+    out: &'a mut [[f64; 2]],
+}
+
+impl<F: Fn(usize) -> bool + Sync> WithKernel for Calming<'_, F> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let Calming { fluid, search, calming, out } = self;
+        sweep::gather_into(out, |k| {
+            if !calming(k) {
+                return [0.0; 2];
+            }
+            let a = &fluid[k];
+            let mut crowding = [0.0; 2];
+            for b in search.fluid.of(k).map(|j| &fluid[j as usize]) {
+                if let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
+                    let pull = b.fill * ab.slope;
+                    crowding = [crowding[0] + pull * ab.dx, crowding[1] + pull * ab.dy];
+                }
+            }
+            let shift = crowding.map(|c| -CALMING_SHARE * a.h * a.h * c);
+            let shrink = (LONGEST_SHIFT * a.h / shift[0].hypot(shift[1])).min(1.0);
+            shift.map(|s| shrink * s)
+        });
     }
 }
 
 impl Particles {
     /// E26: particle `k` of the given spacing [m] becomes two, of which one is the last. A square lattice, halved all over
-    /// along its diagonals, is a square lattice again, turned by 45° and finer by √2; halved along x, it is upright again.
-    fn halve(&mut self, k: usize, spacing: f64) {
+    /// along its diagonals, is a square lattice again, turned by 45° and finer by √2; halved along x, it is upright again. The
+    /// pressure has the gradient that accelerates the whole, under gravity `g` [m/s²], at the speed of sound `c0` [m/s].
+    fn halve(&mut self, k: usize, spacing: f64, g: [f64; 2], c0: f64) {
         let upright = self.halvings[k].is_multiple_of(2);
         let arm = if upright { [0.5f64.sqrt(), 0.5f64.sqrt()] } else { [1.0, 0.0] }.map(|e| ARM * spacing * e);
         self.mass[k] *= 0.5;
         self.h[k] *= 0.5f64.sqrt();
         self.halvings[k] += 1;
         let id = self.len() as u32;
-        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id: ids, energy, halvings } = self;
-        for array in [&mut *x, y, u, v, rho, mass, h, theta, ax, ay, energy] {
+        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id: ids, energy, halvings, stirred } = self;
+        for array in [&mut *x, y, u, v, rho, mass, h, theta, ax, ay, energy].into_iter().filter(|a| !a.is_empty()) {
             array.push(array[k]);
         }
         let last = x.len() - 1;
         (x[k], y[k]) = (x[k] - arm[0], y[k] - arm[1]);
         (x[last], y[last]) = (x[last] + arm[0], y[last] + arm[1]);
+        let denser = ((g[0] - ax[k]) * arm[0] + (g[1] - ay[k]) * arm[1]) / (c0 * c0); // δρ/ρ of ∇p = ρ (g − a)
+        (rho[k], rho[last]) = (rho[k] * (1.0 - denser), rho[last] * (1.0 + denser));
         ids.push(id);
         halvings.push(halvings[k]);
+        stirred.push(FRESH);
     }
 }
 
 impl Derived {
-    /// What a half knows of itself is what the whole knew.
-    fn halve(&mut self, k: usize) {
-        self.volume[k] *= 0.5;
-        self.volume.push(self.volume[k]);
-        self.pressure.push(self.pressure[k]);
+    /// What a half knows of itself is what the whole knew, but for the pressures [Pa].
+    fn halve(&mut self, k: usize, pressures: [f64; 2]) {
+        if !self.volume.is_empty() {
+            self.volume[k] *= 0.5;
+            self.volume.push(self.volume[k]);
+        }
+        self.pressure[k] = pressures[0];
+        self.pressure.push(pressures[1]);
         self.surroundings.push(self.surroundings[k]);
         self.near_surface.push(self.near_surface[k]);
     }

@@ -63,7 +63,6 @@ impl Fluid {
         if let Some(search) = saved.search.take() {
             self.search = Arc::unwrap_or_clone(search);
         }
-        self.fit();
     }
 
     /// Forget the state last saved.

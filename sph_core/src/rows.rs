@@ -134,13 +134,21 @@ pub(crate) struct Rows {
     wall_y: Vec<f64>,
 }
 
+/// As many rows as that, with room for a few more images and no more: rows are much of the memory.
+fn resize(rows: &mut Vec<Row>, n: usize) {
+    if rows.capacity() < n {
+        rows.reserve_exact(n + n / 128 - rows.len());
+    }
+    rows.resize(n, Row::default());
+}
+
 impl Rows {
     /// What the rows hold on to [bytes].
-    pub fn bytes(&self) -> usize {
+    pub fn bytes(&self) -> [(&'static str, usize); 2] {
         let Rows { fluid, walls, faces, mirror_points, screens, wall_x, wall_y } = self;
         let numbers = [&mirror_points.0, &mirror_points.1, wall_x, wall_y];
         let of_walls = of_vector(walls) + of_vector(faces) + of_vector(screens);
-        of_vector(fluid) + of_walls + numbers.map(of_vector).iter().sum::<usize>()
+        [("rows", of_vector(fluid)), ("rows of walls", of_walls + numbers.map(of_vector).iter().sum::<usize>())]
     }
 
     /// Put the walls where they are `offset` seconds from the step's end.
@@ -185,16 +193,12 @@ impl Rows {
         found: &[Extrapolated],
     ) {
         let n = p.len();
-        self.fluid.resize(n + search.fluid_images.len(), Row::default());
-        sweep::gather_into(&mut self.fluid[..n], |k| Row {
-            x: p.x[k],
-            y: p.y[k],
-            u: p.u[k],
-            v: p.v[k],
-            p: d.pressure[k],
-            volume: d.volume[k],
-            fill: p.mass[k] / p.rho[k],
-            h: p.h[k],
+        resize(&mut self.fluid, n + search.fluid_images.len());
+        sweep::gather_into(&mut self.fluid[..n], |k| {
+            let fill = p.mass[k] / p.rho[k];
+            let volume = d.volume.get(k).copied().unwrap_or(fill);
+            let pressure = d.pressure.get(k).copied().unwrap_or(0.0); // none, and of no use, beside rates of density
+            Row { x: p.x[k], y: p.y[k], u: p.u[k], v: p.v[k], p: pressure, volume, fill, h: p.h[k] }
         });
         self.walls.resize(walls.len(), Row::default());
         self.faces.resize(walls.len(), Face::default());

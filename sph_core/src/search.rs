@@ -3,9 +3,10 @@
 use crate::bytes::of_vector;
 use crate::cells::{Cells, Point};
 use crate::images::{Mirror, Periodic};
-use crate::neighbours::{Lists, Skin};
-use crate::particles::{Derived, Particles, SURFACE_LAMBDA};
+use crate::neighbours::Lists;
+use crate::particles::{Derived, Particles};
 use crate::sight::{Listed, ThinWalls};
+use crate::skin::Skin;
 use crate::sweep;
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
@@ -57,7 +58,6 @@ pub struct Search {
     skin: Skin,
     wall_skin: Skin,
     mirror_skin: Skin,
-    scratch: Vec<f64>,
 }
 
 impl Search {
@@ -96,7 +96,7 @@ impl Search {
         // sort the fluid physically, so that a neighbourhood is a few contiguous runs
         let mut fluid_cells = Cells::build(&own(&particles.x, &particles.y, &reach));
         let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
-        particles.permute(&order, &mut self.scratch);
+        particles.permute(&order);
         derived.permute(&order);
         allowance = order.iter().map(|&k| allowance[k as usize]).collect();
         reach = order.iter().map(|&k| reach[k as usize]).collect();
@@ -118,9 +118,9 @@ impl Search {
             // an image is needed where it meets somebody in front of the plane
             let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
             let mirrored_cells = Cells::build(&mirrored);
-            let needed = |p: &&Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
-            self.fluid_images.extend(fluid.iter().filter(needed).map(|p| p.index));
-            self.wall_images.extend(wall.iter().filter(|p| meets(&fluid_cells, p)).map(|p| p.index));
+            let needed = |p: &Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
+            self.fluid_images = those(&fluid, needed);
+            self.wall_images = those(&wall, |p| meets(&fluid_cells, p));
             append_images(&mut fluid, &self.fluid_images, mirror);
             append_images(&mut wall, &self.wall_images, mirror);
             (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
@@ -147,21 +147,25 @@ impl Search {
             let Search { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
             thin.strike(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
         }
-        self.skin.reset(&particles.x, &particles.y, allowance);
-        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, wall_allowance.clone());
-        self.wall_skin.reset(walls.x, walls.y, wall_allowance);
+        self.skin.reset(&particles.x, &particles.y, &allowance);
+        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, &wall_allowance);
+        self.wall_skin.reset(walls.x, walls.y, &wall_allowance);
         self.rebuilds += 1;
         self.flag_surface(derived);
     }
 
     /// What lists and skins hold on to [bytes].
-    pub(crate) fn bytes(&self) -> usize {
-        let lists = [&self.fluid, &self.walls_of_fluid, &self.fluid_of_wall, &self.fluid_of_mirror];
-        let skins = [&self.skin, &self.wall_skin, &self.mirror_skin];
-        let images = [&self.fluid_images, &self.wall_images].map(of_vector);
-        let shifts = [&self.fluid_shifts, &self.wall_shifts].map(of_vector);
-        lists.map(Lists::bytes).iter().chain(&skins.map(Skin::bytes)).chain(&images).chain(&shifts).sum::<usize>()
-            + of_vector(&self.scratch)
+    pub(crate) fn bytes(&self) -> [(&'static str, usize); 4] {
+        let of_walls = [&self.fluid_of_wall, &self.fluid_of_mirror].map(Lists::bytes).iter().sum::<usize>();
+        let skins = [&self.skin, &self.wall_skin, &self.mirror_skin].map(Skin::bytes).iter().sum::<usize>();
+        let images = [&self.fluid_images, &self.wall_images].map(of_vector).iter().sum::<usize>();
+        let shifts = [&self.fluid_shifts, &self.wall_shifts].map(of_vector).iter().sum::<usize>();
+        [
+            ("lists of fluid", self.fluid.bytes()),
+            ("lists of walls", self.walls_of_fluid.bytes() + of_walls),
+            ("skins", skins),
+            ("images", images + shifts),
+        ]
     }
 
     /// The particle behind listed index `j` of `n` particles and their images.
@@ -179,21 +183,15 @@ impl Search {
         for shift in periodic.shifts() {
             let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
             let meets = |cells: &Cells, p: &Point| cells.any_within(p.x, p.y, p.reach);
-            for k in 0..fluids {
-                let p = moved(fluid[k]);
-                if meets(own_fluid, &p) || meets(own_wall, &p) {
-                    fluid.push(Point { index: fluid.len() as u32, ..p });
-                    self.fluid_images.push(k as u32);
-                    self.fluid_shifts.push(shift);
-                }
+            for k in those(&fluid[..fluids], |p| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p))) {
+                fluid.push(Point { index: fluid.len() as u32, ..moved(fluid[k as usize]) });
+                self.fluid_images.push(k);
+                self.fluid_shifts.push(shift);
             }
-            for k in 0..walls {
-                let p = moved(wall[k]);
-                if meets(own_fluid, &p) {
-                    wall.push(Point { index: wall.len() as u32, ..p });
-                    self.wall_images.push(k as u32);
-                    self.wall_shifts.push(shift);
-                }
+            for k in those(&wall[..walls], |p| meets(own_fluid, &moved(*p))) {
+                wall.push(Point { index: wall.len() as u32, ..moved(wall[k as usize]) });
+                self.wall_images.push(k);
+                self.wall_shifts.push(shift);
             }
         }
     }
@@ -202,11 +200,19 @@ impl Search {
     pub fn flag_surface(&self, derived: &mut Derived) {
         let n = derived.surroundings.len();
         let around = &derived.surroundings;
-        let at_surface = |k: usize| around[k].lambda < SURFACE_LAMBDA;
+        let at_surface = |k: usize| around[k].at_surface();
         sweep::gather_into(&mut derived.near_surface, |k| {
             at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
         });
     }
+}
+
+/// Indices of the `points` that are wanted, in order.
+fn those(points: &[Point], wanted: impl Fn(&Point) -> bool + Sync) -> Vec<u32> {
+    let of_chunk = |targets: std::ops::Range<usize>| -> Vec<u32> {
+        points[targets].iter().filter(|p| wanted(p)).map(|p| p.index).collect()
+    };
+    sweep::by_chunk(points.len(), of_chunk).concat()
 }
 
 /// V1: whoever has left the cell enters it through the opposite plane.

@@ -101,6 +101,12 @@ pub fn every(n: usize, holds: impl Fn(usize) -> bool + Sync) -> bool {
     (0..n.div_ceil(PIECE)).into_par_iter().all(all)
 }
 
+/// True if `holds(targets)` for every chunk of `n` targets.
+pub fn every_chunk(n: usize, holds: impl Fn(std::ops::Range<usize>) -> bool + Sync) -> bool {
+    let of = |c: usize| widely(|| holds(c * CHUNK..((c + 1) * CHUNK).min(n)));
+    (0..n.div_ceil(CHUNK)).into_par_iter().all(of)
+}
+
 /// Fill a list for every chunk of `n` targets.
 pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(std::ops::Range<usize>, &mut T) + Sync) {
     lists.par_iter_mut().enumerate().for_each(|(c, list)| fill(c * CHUNK..((c + 1) * CHUNK).min(n), list));
@@ -145,6 +151,11 @@ pub fn update_both_chunks<T: Send, S: Send>(
 /// `change(c, piece)` for every piece of `length` of `out`.
 pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usize, &mut [T]) + Sync) {
     out.par_chunks_mut(length).enumerate().for_each(|(c, piece)| change(c, piece));
+}
+
+/// `change(c, pieces[c])` for every piece.
+pub fn each_piece<T: Send>(pieces: Vec<T>, change: impl Fn(usize, T) + Sync) {
+    pieces.into_par_iter().enumerate().for_each(|(c, piece)| change(c, piece));
 }
 
 #[cfg(test)]

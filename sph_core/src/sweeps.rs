@@ -8,6 +8,7 @@ use crate::lanes::{self, LANES, Number, Task};
 use crate::neighbours::{Lists, NONE};
 use crate::pair::{self, Alike, Constants, Extrapolated, Face, Gathered, Mean, Row};
 use crate::parameters::Parameters;
+use crate::particles::Surroundings;
 use crate::search::Search;
 use crate::sweep::{self, CHUNK};
 
@@ -21,52 +22,78 @@ pub(crate) trait Gather: Sync {
 
 impl Parameters {
     /// `out[k]` ← the sum of target k: one dispatch on kernel and dissipation a sweep, one on the processor a chunk.
-    pub(crate) fn sweep<G: Gather>(&self, gather: &G, out: &mut [G::Sum]) {
+    pub(crate) fn sweep<G: Gather>(&self, gather: &G, out: impl Sums<G::Sum>) {
         self.with_pairs(Sweep { gather, out, wide: self.wide });
     }
 
     /// The same for sums in which fluid does not meet fluid, and nothing dissipates.
-    pub(crate) fn sweep_walls<G: Gather>(&self, gather: &G, out: &mut [G::Sum]) {
+    pub(crate) fn sweep_walls<G: Gather>(&self, gather: &G, out: impl Sums<G::Sum>) {
         self.kernel.run(Sweep { gather, out, wide: self.wide });
     }
 }
 
-struct Sweep<'a, G: Gather> {
+/// Where a sweep puts its sums, a target each.
+pub(crate) trait Sums<S>: Send + Sized {
+    /// Pieces of [`CHUNK`] targets, in order.
+    fn pieces(self) -> Vec<Self>;
+    /// How many targets.
+    fn count(&self) -> usize;
+    /// The sum of target `k`.
+    fn put(&mut self, k: usize, sum: S);
+}
+
+impl<S: Send> Sums<S> for &mut [S] {
+    fn pieces(self) -> Vec<Self> {
+        self.chunks_mut(CHUNK).collect()
+    }
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.len()
+    }
+    #[inline(always)]
+    fn put(&mut self, k: usize, sum: S) {
+        self[k] = sum;
+    }
+}
+
+struct Sweep<'a, G, O> {
     gather: &'a G,
-    out: &'a mut [G::Sum],
+    out: O,
     wide: bool,
 }
 
-impl<G: Gather> WithKernel for Sweep<'_, G> {
+impl<G: Gather, O: Sums<G::Sum>> WithKernel for Sweep<'_, G, O> {
     type Out = ();
     fn with<K: Shape>(self) {
         WithPairs::with::<K, ElasticPair>(self);
     }
 }
 
-impl<G: Gather> WithPairs for Sweep<'_, G> {
+impl<G: Gather, O: Sums<G::Sum>> WithPairs for Sweep<'_, G, O> {
     fn with<K: Shape, D: PairDissipation>(self) {
         let Sweep { gather, out, wide } = self;
-        sweep::update_pieces(out, CHUNK, |c, out| {
-            lanes::run(wide, Piece::<G, K, D> { gather, first: c * CHUNK, out, pairs: PhantomData });
+        sweep::each_piece(out.pieces(), |c, out| {
+            lanes::run(wide, Piece::<G, O, K, D> { gather, first: c * CHUNK, out, pairs: PhantomData });
         });
     }
 }
 
-struct Piece<'a, G: Gather, K, D> {
+struct Piece<'a, G, O, K, D> {
     gather: &'a G,
     first: usize,
-    out: &'a mut [G::Sum],
+    out: O,
     pairs: PhantomData<(K, D)>,
 }
 
-impl<G: Gather, K: Shape, D: PairDissipation> Task for Piece<'_, G, K, D> {
+impl<G: Gather, O: Sums<G::Sum>, K: Shape, D: PairDissipation> Task for Piece<'_, G, O, K, D> {
     type Out = ();
     #[inline(always)]
     fn run<R: Number>(self, zero: R) {
-        for (c, out) in self.out.chunks_mut(R::WIDTH).enumerate() {
-            let sums = self.gather.gather::<R, K, D>(self.first + c * R::WIDTH, zero);
-            out.iter_mut().zip(sums).for_each(|(out, sum)| *out = sum);
+        let Piece { gather, first, mut out, .. } = self;
+        for k in (0..out.count()).step_by(R::WIDTH) {
+            let sums = gather.gather::<R, K, D>(first + k, zero);
+            let here = (out.count() - k).min(R::WIDTH);
+            sums.into_iter().take(here).enumerate().for_each(|(l, sum)| out.put(k + l, sum));
         }
     }
 }
@@ -122,6 +149,30 @@ impl Gather for WallState<'_> {
         let near = search.fluid_of_wall.around(first, zero, fluid);
         let wall = Row::targets(walls, first, zero);
         pair::extrapolate::<R, K>(&wall, acceleration, near, &constants.spread(zero)).lanes()
+    }
+}
+
+/// Where the momentum sweep puts its sums: forces [N/m] where accelerations will stand, and how neighbours lie.
+pub(crate) struct Forces<'a> {
+    pub x: &'a mut [f64],
+    pub y: &'a mut [f64],
+    pub around: &'a mut [Surroundings],
+}
+
+impl Sums<Gathered> for Forces<'_> {
+    fn pieces(self) -> Vec<Self> {
+        let (x, y) = (self.x.chunks_mut(CHUNK), self.y.chunks_mut(CHUNK));
+        let pieces = x.zip(y).zip(self.around.chunks_mut(CHUNK));
+        pieces.map(|((x, y), around)| Forces { x, y, around }).collect()
+    }
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.x.len()
+    }
+    #[inline(always)]
+    fn put(&mut self, k: usize, sum: Gathered) {
+        [self.x[k], self.y[k]] = sum.force;
+        self.around[k] = sum.around;
     }
 }
 

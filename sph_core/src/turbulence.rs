@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::fluid::Fluid;
 use crate::kernel::{Shape, WithKernel};
-use crate::pair::{self, Gathered, Row};
+use crate::pair::{self, Row};
 use crate::phases::Phase;
 use crate::search::Search;
 use crate::sweep;
@@ -90,21 +90,21 @@ struct Divergence<'a> {
     fluid: &'a [Row],
     stress: &'a [Stress],
     search: &'a Search,
-    out: &'a mut [Gathered],
+    out: [&'a mut [f64]; 2],
 }
 
 impl WithKernel for Divergence<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Divergence { fluid, stress, search, out } = self;
+        let Divergence { fluid, stress, search, out: [x, y] } = self;
         let force = |k: usize| {
             let near = search.fluid.of(k).map(|j| (&fluid[j as usize], &stress[j as usize]));
             stress_force::<K>(&fluid[k], &stress[k], near)
         };
-        sweep::update(out, |k, sum| {
-            let [x, y] = force(k);
-            sum.force[0] += x;
-            sum.force[1] += y;
+        sweep::update_both(x, y, |k, x, y| {
+            let force = force(k);
+            *x += force[0];
+            *y += force[1];
         });
     }
 }
@@ -160,7 +160,7 @@ impl Fluid {
             fluid: &self.rows.fluid,
             stress: &self.stress,
             search: &self.search,
-            out: &mut self.gathered,
+            out: [&mut self.particles.ax, &mut self.particles.ay],
         });
     }
 }

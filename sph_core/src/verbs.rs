@@ -2,7 +2,7 @@
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
-use crate::particles::SURFACE_LAMBDA;
+use crate::parameters::Parameters;
 use crate::phases::Phase;
 use crate::sweep;
 use crate::walls::Walls;
@@ -12,7 +12,7 @@ const VOLUME_RELAXATION: f64 = 0.1;
 /// Filling is believed within these bounds only.
 const FILLING: [f64; 2] = [0.9, 1.12];
 /// Longest shift in a step, in smoothing lengths.
-const LONGEST_SHIFT: f64 = 0.02;
+pub(crate) const LONGEST_SHIFT: f64 = 0.02;
 /// Settled water would be shifted by no more than this [h].
 const SETTLED: f64 = 1e-4;
 /// Sweeps that settling may take.
@@ -71,21 +71,26 @@ impl Fluid {
         self.dynamic_walls.compress_about_middle(dt);
     }
 
-    /// E13: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, where the neighbourhood is full; κ away from the surface only.
+    /// E13: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, where the neighbourhood is full; κ for what is stirred by halving (E26).
     pub(crate) fn shift(&mut self, dt: f64) {
-        if !self.parameters.shifting {
-            return;
+        if self.parameters.shifting {
+            self.even_out(dt, false);
         }
+    }
+
+    /// `all` that has no surface in its neighbourhood settles; else only what is stirred.
+    fn even_out(&mut self, dt: f64, all: bool) {
         let (p, d, at_surface) = (&mut self.particles, &self.derived, self.parameters.shift_surface);
-        let settling = self.parameters.settling;
+        let (stirred, settling) = (&p.stirred, self.parameters.settling);
         sweep::each([&mut p.x, &mut p.y], |at, [x, y]| {
             let (u, v, h) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()]);
-            let (around, beside) = (&d.surroundings[at.clone()], &d.near_surface[at]);
+            let (around, beside) = (&d.surroundings[at.clone()], &d.near_surface[at.clone()]);
+            let settles = |k: usize| !beside[k] && (all || stirred.get(at.start + k).is_some_and(|&n| n > 0));
             for k in 0..u.len() {
-                let full = around[k].lambda >= SURFACE_LAMBDA || at_surface;
-                let settling = if beside[k] { 0.0 } else { settling };
-                let scale = -h[k] * (2.0 * dt * (u[k] * u[k] + v[k] * v[k]).sqrt() + settling * h[k]);
-                let [dx, dy] = [scale * around[k].crowding[0], scale * around[k].crowding[1]];
+                let full = !around[k].at_surface() || at_surface;
+                let settling = if settles(k) { settling * h[k] } else { 0.0 };
+                let scale = -h[k] * (2.0 * dt * (u[k] * u[k] + v[k] * v[k]).sqrt() + settling);
+                let [dx, dy] = around[k].crowding().map(|c| scale * c);
                 let (length, limit) = ((dx * dx + dy * dy).sqrt(), LONGEST_SHIFT * h[k]);
                 let shrink = if length > limit { limit / length } else { 1.0 };
                 let share = if full { shrink } else { 0.0 };
@@ -95,28 +100,29 @@ impl Fluid {
         });
     }
 
-    /// E13 before time starts: shift until the largest shift is a 10⁻⁴ of h, so that Σ V ∇W of rows that grow is nothing.
+    /// E13 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W of rows that grow is nothing.
     pub(crate) fn settle(&mut self, walls: &mut Walls) {
-        let farthest = |fluid: &Fluid| {
-            let (p, d) = (&fluid.particles, &fluid.derived);
-            let reach = |k: usize| match d.near_surface[k] || d.surroundings[k].lambda < SURFACE_LAMBDA {
-                true => 0.0,
-                false => p.h[k] * d.surroundings[k].crowding[0].hypot(d.surroundings[k].crowding[1]),
-            };
-            fluid.parameters.settling * -sweep::least(p.len(), |k| -reach(k))
-        };
+        let Parameters { shifting, settling, .. } = self.parameters;
         for _ in 0..SETTLING_SWEEPS {
-            if farthest(self) < SETTLED {
+            let (p, d) = (&self.particles, &self.derived);
+            let shift = |k: usize| match d.near_surface[k] {
+                true => 0.0,
+                false => {
+                    let [x, y] = d.surroundings[k].crowding();
+                    settling * p.h[k] * x.hypot(y)
+                }
+            };
+            if !shifting || -sweep::least(p.len(), |k| -shift(k)) < SETTLED {
                 break;
             }
-            self.shift(0.0);
+            self.even_out(0.0, true);
             self.evaluate_forces(walls, 0.0);
             self.search.flag_surface(&mut self.derived);
         }
     }
 
     /// E12: relax θ towards 1/S inside the fluid, towards 1 near its surface.
-    pub(crate) fn correct_volumes(&mut self) {
+    pub(crate) fn relax_volumes(&mut self) {
         if !self.parameters.volume_correction {
             return;
         }
@@ -131,36 +137,52 @@ impl Fluid {
     /// E3: pressures and volumes from densities. Slack water is never thinner than water at rest: it holds no tension.
     pub(crate) fn equation_of_state(&mut self) {
         self.phases.begin(Phase::Integration);
+        if self.derived.pressure.is_empty() {
+            self.derived.pressure = std::mem::take(&mut self.density_rate);
+        }
         if let Some(gas) = self.parameters.gas {
             return self.gas_state(gas); //           L9
         }
         let (eos, ventilation) = (self.parameters.eos, self.parameters.ventilation);
         let (p, d) = (&mut self.particles, &mut self.derived);
         let (around, beside) = (&d.surroundings, &d.near_surface);
-        sweep::each([&mut p.rho, &mut d.pressure, &mut d.volume], |at, [rho, pressure, volume]| {
-            let (around, beside) = (&around[at.clone()], &beside[at.clone()]);
-            let (theta, mass) = (&p.theta[at.clone()], &p.mass[at]);
-            for k in 0..theta.len() {
+        sweep::each([&mut p.rho, &mut d.pressure], |at, [rho, pressure]| {
+            let (around, beside) = (&around[at.clone()], &beside[at]);
+            for k in 0..around.len() {
                 let slack = around[k].slack(beside[k], ventilation);
                 rho[k] = if slack && rho[k] < eos.rho0 { eos.rho0 } else { rho[k] };
                 pressure[k] = eos.pressure(rho[k]);
-                volume[k] = theta[k] * mass[k] / rho[k];
             }
+        });
+        self.correct_volumes();
+    }
+
+    /// V = θ m/ρ, where that is not m/ρ.
+    pub(crate) fn correct_volumes(&mut self) {
+        let p = &self.particles;
+        sweep::update(&mut self.derived.volume, |k, volume| *volume = p.theta[k] * p.mass[k] / p.rho[k]);
+    }
+
+    /// F ← F + `more` [N/m].
+    pub(crate) fn add_forces(&mut self, more: &[[f64; 2]]) {
+        let p = &mut self.particles;
+        sweep::update_both(&mut p.ax, &mut p.ay, |k, x, y| {
+            *x += more[k][0];
+            *y += more[k][1];
         });
     }
 
-    /// a = F/m + g.
+    /// a = F/m + g, in place of F.
     pub(crate) fn accelerate(&mut self) {
         self.phases.begin(Phase::Integration);
-        let (p, g, gathered) = (&mut self.particles, self.parameters.gravity, &self.gathered);
+        let (p, g) = (&mut self.particles, self.parameters.gravity);
         sweep::each([&mut p.ax, &mut p.ay], |at, [ax, ay]| {
-            let (gathered, mass) = (&gathered[at.clone()], &p.mass[at]);
+            let mass = &p.mass[at];
             for k in 0..mass.len() {
-                ax[k] = gathered[k].force[0] / mass[k] + g[0];
-                ay[k] = gathered[k].force[1] / mass[k] + g[1];
+                ax[k] = ax[k] / mass[k] + g[0];
+                ay[k] = ay[k] / mass[k] + g[1];
             }
         });
-        sweep::update(&mut self.derived.surroundings, |k, around| *around = gathered[k].around);
     }
 
     /// Every state finite, every density believable.

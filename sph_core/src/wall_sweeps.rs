@@ -51,7 +51,7 @@ impl Fluid {
             search: &self.search,
             constants: self.parameters.constants(),
         };
-        self.parameters.sweep_walls(&gather, &mut self.extrapolated);
+        self.parameters.sweep_walls(&gather, &mut self.extrapolated[..]);
         self.dress_walls(walls);
     }
 
@@ -95,9 +95,7 @@ impl Fluid {
             (&self.rows.fluid, &self.rows.faces, &self.search, self.parameters.repulsion());
         let mut pushes = vec![[0.0; 2]; self.particles.len()];
         push_fluid(fluid, faces, search, law, &mut pushes);
-        for (sum, push) in self.gathered.iter_mut().zip(&pushes) {
-            sum.force = [sum.force[0] + push[0], sum.force[1] + push[1]];
-        }
         push_walls(fluid, faces, search, law, &mut self.wall_force);
+        self.add_forces(&pushes);
     }
 }

@@ -9,6 +9,7 @@ mod dissipation;
 mod echo;
 mod elliptic_drop;
 mod flexible;
+mod following;
 mod force_rules;
 mod gas;
 mod gauges;

@@ -22,7 +22,7 @@ use crate::tank::Tank;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
 /// (measured, THEORY D6).
-const BYTES: [u64; 2] = [630, 400];
+const BYTES: [u64; 2] = [385, 480];
 /// More particles than this are refused.
 const MOST_PARTICLES: f64 = 1e9;
 /// Fine zone, where the specification leaves it open: its half width over half the wet surface's breadth, its depth over

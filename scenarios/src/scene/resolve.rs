@@ -1,13 +1,11 @@
 //! From a scene as written to a scene as run: defaults, ranges, and the values left to the program.
 
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
-use super::file::{
-    CompareFile, CouplingFile, FluidFile, GaugeFile, ReportFile, ResolutionFile, SceneFile, TankFile, TimeFile,
-};
+use super::file::{CompareFile, CouplingFile, FluidFile, GaugeFile, ReportFile, SceneFile, TankFile, TimeFile};
 use super::impact::{Entry, LARGEST_COMPRESSIBILITY_ERROR};
 use super::model::{
-    Compare, Coupling, CouplingScheme, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Lattice,
-    Motion, Observe, Report, Resolution, Scene, Tank, Time,
+    Compare, Coupling, CouplingScheme, Dissipation, EquationOfState, Fluid, Gauge, GaugeFrame, Integrator, Motion,
+    Observe, Report, Scene, Tank, Time,
 };
 use super::model::{IdealGas, Solver, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};

@@ -74,7 +74,7 @@ impl Fluid {
                 constants: self.constants_of_projection(),
                 wall_nu: self.parameters.wall_nu(),
             };
-            self.parameters.sweep_walls(&gather, &mut self.wall_force);
+            self.parameters.sweep_walls(&gather, &mut self.wall_force[..]);
         } else {
             self.repel();
         }
@@ -127,7 +127,7 @@ impl Fluid {
         let slope = [xx * g[0] + xy * g[1], xy * g[0] + yy * g[1]];
         let pull = tie * (top - share * base.min(top));
         let lift = (pull + share * 2.0 * base) * inverse / rho;
-        let mut acceleration = [0, 1].map(|i| lift * around.crowding[i] + calm * (inverse * slope[i] - g[i]));
+        let mut acceleration = [0, 1].map(|i| lift * around.crowding()[i] + calm * (inverse * slope[i] - g[i]));
         if air > 0.0 {
             let slip = self.slip(k, air * 2.0 * still - pull, air * bearing);
             acceleration = [0, 1].map(|i| acceleration[i] + inverse * slip[i]);

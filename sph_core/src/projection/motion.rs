@@ -26,7 +26,7 @@ impl Fluid {
         sweep::update_both(&mut p.x, &mut p.y, |k, x, y| {
             let scale = -2.0 * strength * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
             // −∇C is the surface's normal there: what is left of a shift along ∇C is nothing of its exposed share
-            let [a, b] = surroundings[k].crowding.map(|c| (1.0 - exposure[k]) * (scale * c));
+            let [a, b] = surroundings[k].crowding().map(|c| (1.0 - exposure[k]) * (scale * c));
             let limit = LONGEST_SHIFT * h[k];
             let shrink = limit / (a * a + b * b).sqrt().max(limit);
             *x += dt * u[k] + shrink * a;

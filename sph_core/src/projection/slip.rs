@@ -17,12 +17,12 @@ impl Fluid {
                 return [0.0; 2];
             }
             let a = &rows[k];
-            let mut sum = around[k].crowding.map(|c| a.fill * kernel.value(0.0, a.h) * c);
+            let mut sum = around[k].crowding().map(|c| a.fill * kernel.value(0.0, a.h) * c);
             for &j in survey.row(k).0 {
                 let b = &rows[j as usize];
                 let (dx, dy) = (a.x - b.x, a.y - b.y);
                 let weight = b.fill * kernel.value((dx * dx + dy * dy).sqrt(), 0.5 * (a.h + b.h));
-                let [x, y] = around[search.source(j, n)].crowding;
+                let [x, y] = around[search.source(j, n)].crowding();
                 let side = if mirrored && j as usize >= n { -1.0 } else { 1.0 };
                 sum[0] += weight * side * x;
                 sum[1] += weight * y;
@@ -40,7 +40,7 @@ impl Fluid {
         let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
         let [xx, xy, yy] = self.projection.survey.spread[k];
         let spread = [xx * n[0] + xy * n[1], xy * n[0] + yy * n[1]];
-        let along = dot(t, self.projection.survey.around[k].crowding);
+        let along = dot(t, self.projection.survey.around[k].crowding());
         t.map(|t_i| t_i * (pressure / rho * along + bearing * dot(n, g) * dot(t, spread)))
     }
 }

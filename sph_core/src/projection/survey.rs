@@ -134,7 +134,7 @@ impl WithKernel for Task<'_> {
                 }
                 let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
                 let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
-                around[slot] = Surroundings { filling, fluid_filling, crowding, lambda };
+                around[slot] = Surroundings::new(filling, fluid_filling, crowding, lambda);
                 divergence[slot] = inverse * rate;
                 spread[slot] = arms;
                 drag[slot] = sums.drag();

@@ -95,7 +95,7 @@ impl Projection {
         if !ventilated {
             return;
         }
-        let beside_wall = |k: usize| survey.around[k].filling > survey.around[k].fluid_filling;
+        let beside_wall = |k: usize| survey.around[k].wall_filling > 0.0;
         let mut reached: Vec<usize> = (0..n).filter(|&k| slack[k]).collect();
         while let Some(k) = reached.pop() {
             for j in search.fluid.of(k) {

@@ -130,7 +130,7 @@ impl Thesis {
         let (p, g) = (&fluid.particles, fluid.parameters.gravity);
         let before: Vec<[f64; 2]> = (0..p.len()).map(|k| [p.u[k], p.v[k]]).collect();
         let velocity = (0..p.len()).map(|k| {
-            let viscous = fluid.gathered[k].force.map(|f| f / p.mass[k]);
+            let viscous = [p.ax[k], p.ay[k]].map(|force| force / p.mass[k]);
             [0, 1].map(|axis| before[k][axis] + dt * (g[axis] + viscous[axis]))
         });
         let velocity = velocity.collect();
@@ -271,8 +271,5 @@ impl Fluid {
     fn gather_viscosity(&mut self, walls: &mut Walls) {
         self.rows.fluid.iter_mut().chain(&mut self.rows.walls).for_each(|row| row.p = 0.0);
         self.gather_forces(walls);
-        for (around, sum) in self.derived.surroundings.iter_mut().zip(&self.gathered) {
-            *around = sum.around;
-        }
     }
 }

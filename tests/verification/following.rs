@@ -1,0 +1,138 @@
+//! Resolution that follows (THEORY E26): what is halved stays what it was, lies as a lattice, and is not felt.
+
+use evidence::systems::{advance, scene, system, take};
+use fsi_coupling::Coupled;
+use sph_core::eos::Tait;
+use sph_core::{FineZone, Fluid, Parameters, Seed, Walls};
+
+const SPACING: f64 = 0.04;
+const SIDE: usize = 24;
+
+/// A block of water in the void, turning, its pressure growing to the right by `slope` [Pa/m].
+fn block(slope: f64) -> Fluid {
+    let at = |k: usize| [(k % SIDE) as f64 + 0.5, -((k / SIDE) as f64) - 0.5].map(|c| c * SPACING);
+    let seed = |k: usize| {
+        let [x, y] = at(k);
+        Seed { at: [x, y], velocity: [0.3 - y, 0.1 + x], area: SPACING * SPACING, pressure: slope * x }
+    };
+    let parameters = Parameters::usual(Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 });
+    let mut fluid = Fluid::new(parameters, &(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
+    fluid.initialise(&mut Walls::default()).expect("water");
+    fluid
+}
+
+/// The left half, finer by a half.
+fn zone() -> FineZone {
+    let half = 0.5 * SIDE as f64 * SPACING;
+    FineZone { middle: 0.0, half_width: half, depth: 1.0, spacing: 0.5 * SPACING, slope: 0.1, ..FineZone::default() }
+}
+
+/// Mass, momentum, kinetic energy and the centre of mass are those before, to rounding; the volume to the square of the strain.
+#[test]
+fn halves_hold_what_the_whole_held() {
+    let mut fluid = block(1e3);
+    let (before, count) = (fluid.holdings(), fluid.particles.len());
+    fluid.fine_zone = Some(zone());
+    for _ in 0..2 {
+        fluid.refine();
+        let now = fluid.holdings();
+        let same = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.abs(), "{a} became {b}");
+        same(before.mass, now.mass);
+        same(before.height, now.height);
+        same(before.energy.kinetic, now.energy.kinetic);
+        assert!((now.volume / before.volume - 1.0).abs() < 1e-9, "volume {} became {}", before.volume, now.volume);
+        (0..2).for_each(|i| same(before.momentum[i], now.momentum[i]));
+    }
+    assert!(fluid.particles.len() > 5 * count / 2, "the left half in four");
+    let mut ids = fluid.particles.id.clone();
+    ids.sort_unstable();
+    assert!(ids.iter().enumerate().all(|(k, &id)| k == id as usize), "an identity twice");
+}
+
+/// A square lattice halved twice is the square lattice of half the spacing, moved along x by half of that.
+#[test]
+fn halves_of_halves_of_a_lattice_are_a_lattice() {
+    let mut fluid = block(0.0);
+    fluid.fine_zone = Some(zone());
+    fluid.refine();
+    fluid.refine();
+    let (p, fine) = (&fluid.particles, 0.5 * SPACING);
+    for k in (0..p.len()).filter(|&k| p.x[k] < zone().half_width) {
+        assert_eq!(p.halvings[k], 2);
+        assert!((p.h[k] / (1.5 * fine) - 1.0).abs() < 1e-12, "h = {}", p.h[k]);
+        for offset in [p.x[k] / fine, p.y[k] / fine - 0.5] {
+            assert!((offset - offset.round()).abs() < 1e-9, "({}, {})", p.x[k], p.y[k]);
+        }
+    }
+}
+
+/// A wedge that has begun to enter.
+fn entering(sets: &[&str]) -> Coupled {
+    let mut system = system("wedge", &[&["resolution.spacing=0.01"], sets].concat());
+    take(&mut system, 150).expect("a stable run");
+    system
+}
+
+/// A step that is taken back halves the same particles again, to the same bits.
+#[test]
+fn steps_taken_back_come_again_to_the_same_bits() {
+    let mut system = entering(&[]);
+    system.save();
+    let count = system.fluid.particles.len();
+    take(&mut system, 60).expect("a stable run");
+    let once = system.fluid.particles.clone();
+    assert!(once.len() > count, "nothing was halved");
+    system.restore();
+    assert_eq!(system.fluid.particles.len(), count);
+    take(&mut system, 60).expect("a stable run");
+    assert!(once == system.fluid.particles);
+}
+
+/// At the end the water that touches the body is as fine as the scene says, and no particle is finer.
+#[test]
+fn water_at_the_body_is_as_fine_as_asked() {
+    let scene = scene("wedge", &["resolution.spacing=0.01"]);
+    let mut system = entering(&[]);
+    advance(&mut system, 0.6 * scene.time.end, |_| {}).expect("a stable run");
+    let (p, d) = (&system.fluid.particles, &system.fluid.derived);
+    let spacing = |k: usize| (p.mass[k] / 1000.0).sqrt() / 0.01;
+    let body = system.bodies().find(|b| b.motion().is_some()).expect("a wedge");
+    for k in 0..p.len() {
+        assert!(spacing(k) > 0.95, "finer than asked: {}", spacing(k));
+        let beside = d.surroundings[k].wall_filling > 0.02 && body.clearance([p.x[k], p.y[k]]) < 0.05;
+        assert!(!beside || spacing(k) < 1.1, "{} spacings at ({}, {})", spacing(k), p.x[k], p.y[k]);
+    }
+}
+
+/// Root mean square of p − ρ g depth over ρ g H inside a tank of still water in the last half second of two [-], the pressures'
+/// unrest; halves of coarse water come and go on their way, or not.
+fn unrest(spacing: &str, moving: bool) -> f64 {
+    let mut tank = system("hydrostatic_tank", &[spacing, &std::env::var("SET").unwrap_or("fluid.settling=0.1".into())]);
+    let (mut sum, mut count) = (0.0, 0.0);
+    while tank.fluid.time < 2.0 {
+        if moving {
+            let depth = 0.25 * tank.fluid.time;
+            let zone = FineZone { depth, half_width: 0.2, spacing: 0.025, slope: 0.1, ..FineZone::default() };
+            tank.fluid.fine_zone = Some(zone);
+        }
+        take(&mut tank, 1).expect("a stable run");
+        if tank.fluid.time > 1.5 {
+            let (p, d) = (&tank.fluid.particles, &tank.fluid.derived);
+            let error = |k: usize| d.pressure[k] / 9810.0 + p.y[k];
+            let inside: Vec<usize> =
+                (0..p.len()).filter(|&k| p.x[k].abs() < 0.3 && (-0.9..-0.1).contains(&p.y[k])).collect();
+            sum += (inside.iter().map(|&k| error(k).powi(2)).sum::<f64>() / inside.len() as f64).sqrt();
+            count += 1.0;
+        }
+    }
+    sum / count
+}
+
+/// Still water that is being halved stands as still as the coarse it was.
+#[test]
+fn halving_is_not_felt_by_still_water() {
+    let (fine, coarse) = (unrest("resolution.spacing=0.025", false), unrest("resolution.spacing=0.05", false));
+    let halved = unrest("resolution.spacing=0.05", true);
+    println!("error of the pressure over that of the depth: fine {fine:.5}, coarse {coarse:.5}, being halved {halved:.5}");
+    assert!(halved < 2.0 * coarse, "{halved} against {coarse}");
+}
