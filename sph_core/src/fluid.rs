@@ -285,8 +285,7 @@ impl Fluid {
         if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
             self.rows.place_mirror_points(walls);
         }
-        let stale = self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls));
-        if stale {
+        if self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
             self.displaced = false;
             self.refine(); //                        E26
             let life = match self.parameters.solver.projects() {
@@ -299,9 +298,5 @@ impl Fluid {
         }
         self.phases.begin(Phase::Pack);
         self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
-        if stale && self.calm_halves(walls) && !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
-            self.displaced = true;
-            self.pack(walls, offset);
-        }
     }
 }

@@ -49,8 +49,8 @@ pub struct Particles {
     pub energy: Vec<f64>,
     /// How often it was halved (THEORY E26); empty without a fine zone that moves.
     pub halvings: Vec<u8>,
-    /// Above 0 where it, or a neighbour of it, has been halved: it settles (THEORY E13); above 1 where that was just now. Empty likewise.
-    pub stirred: Vec<u8>,
+    /// Has it, or a neighbour of it, been halved? Then it settles (THEORY E13). Empty likewise.
+    pub stirred: Vec<bool>,
 }
 
 impl Particles {

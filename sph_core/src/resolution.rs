@@ -3,14 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::fluid::Fluid;
-use crate::kernel::{Shape, WithKernel};
-use crate::pair::{self, Row};
 use crate::parameters::Parameters;
 use crate::particles::{Derived, Particles};
-use crate::search::Search;
-use crate::sweep;
-use crate::verbs::LONGEST_SHIFT;
-use crate::walls::Walls;
 
 /// Where water is to be resolved: finely in a rectangle below the still surface y = 0 and in a layer beside a body, by
 /// spacings that grow around them.
@@ -80,11 +74,6 @@ const COARSE: f64 = 1.189_207_115_002_721;
 const ARM: f64 = 0.25 * std::f64::consts::SQRT_2;
 /// The share of walls in a particle's filling from which on it is left whole: a half might end up behind them.
 const BESIDE_WALL: f32 = 0.02;
-/// Mark of what has just been stirred.
-const FRESH: u8 = 2;
-/// Shifts that halves settle by at once, and their κ (E13) [-].
-const CALMING: u32 = 10;
-const CALMING_SHARE: f64 = 0.25;
 
 impl Fluid {
     /// E26: halve every particle that is coarser than the fine zone wants it. Mass, momentum and the centre of mass stay what
@@ -97,76 +86,20 @@ impl Fluid {
         let (p, d, Parameters { eos, gravity, .. }) = (&mut self.particles, &mut self.derived, self.parameters);
         let (wholes, bounds) = (p.len(), Bounds::of(&zone.edges));
         p.halvings.resize(wholes, 0);
-        p.stirred.resize(wholes, 0);
+        p.stirred.resize(wholes, false);
         for k in 0..wholes {
             let spacing = (p.mass[k] / eos.rho0).sqrt();
             let reach = zone.distance_of(spacing / COARSE);
             let free = d.surroundings[k].wall_filling < BESIDE_WALL;
             if reach > 0.0 && free && zone.is_within([p.x[k], p.y[k]], reach, &bounds) {
                 for j in self.search.fluid.of(k) {
-                    p.stirred[self.search.source(j, wholes)] = FRESH;
+                    p.stirred[self.search.source(j, wholes)] = true;
                 }
-                p.stirred[k] = FRESH;
+                p.stirred[k] = true;
                 p.halve(k, spacing, gravity, eos.c0);
                 d.halve(k, [k, p.len() - 1].map(|half| eos.pressure(p.rho[half])));
             }
         }
-    }
-}
-
-impl Fluid {
-    /// E13 at once: what has just been halved, and its neighbours, settle before a force is found with them; `true` if there
-    /// were any.
-    pub(crate) fn calm_halves(&mut self, walls: &Walls) -> bool {
-        let fresh = |&n: &u8| n > 1;
-        if !self.particles.stirred.iter().any(fresh) {
-            return false;
-        }
-        let mut shifts = vec![[0.0; 2]; self.particles.len()];
-        for _ in 0..CALMING {
-            let (p, d, search) = (&self.particles, &self.derived, &self.search);
-            let calming = |k: usize| p.stirred[k] > 1 && !d.near_surface[k] && d.surroundings[k].wall_filling == 0.0;
-            self.parameters.kernel.run(Calming { fluid: &self.rows.fluid, search, calming, out: &mut shifts });
-            for (k, [x, y]) in shifts.iter().enumerate() {
-                self.particles.x[k] += x;
-                self.particles.y[k] += y;
-            }
-            let (p, mirror) = (&self.particles, self.parameters.mirror);
-            self.rows.pack(p, &self.derived, walls, &self.search, mirror, &self.extrapolated);
-        }
-        self.particles.stirred.iter_mut().for_each(|n| *n = (*n).min(1));
-        true
-    }
-}
-
-/// E13: −κ h² ∇C of the particles that are `calming`, at most 0.02 h.
-struct Calming<'a, F> {
-    fluid: &'a [Row],
-    search: &'a Search,
-    calming: F,
-    out: &'a mut [[f64; 2]],
-}
-
-impl<F: Fn(usize) -> bool + Sync> WithKernel for Calming<'_, F> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let Calming { fluid, search, calming, out } = self;
-        sweep::gather_into(out, |k| {
-            if !calming(k) {
-                return [0.0; 2];
-            }
-            let a = &fluid[k];
-            let mut crowding = [0.0; 2];
-            for b in search.fluid.of(k).map(|j| &fluid[j as usize]) {
-                if let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
-                    let pull = b.fill * ab.slope;
-                    crowding = [crowding[0] + pull * ab.dx, crowding[1] + pull * ab.dy];
-                }
-            }
-            let shift = crowding.map(|c| -CALMING_SHARE * a.h * a.h * c);
-            let shrink = (LONGEST_SHIFT * a.h / shift[0].hypot(shift[1])).min(1.0);
-            shift.map(|s| shrink * s)
-        });
     }
 }
 
@@ -192,7 +125,7 @@ impl Particles {
         (rho[k], rho[last]) = (rho[k] * (1.0 - denser), rho[last] * (1.0 + denser));
         ids.push(id);
         halvings.push(halvings[k]);
-        stirred.push(FRESH);
+        stirred.push(true);
     }
 }
 

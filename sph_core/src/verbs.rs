@@ -12,7 +12,7 @@ const VOLUME_RELAXATION: f64 = 0.1;
 /// Filling is believed within these bounds only.
 const FILLING: [f64; 2] = [0.9, 1.12];
 /// Longest shift in a step, in smoothing lengths.
-pub(crate) const LONGEST_SHIFT: f64 = 0.02;
+const LONGEST_SHIFT: f64 = 0.02;
 /// Settled water would be shifted by no more than this [h].
 const SETTLED: f64 = 1e-4;
 /// Sweeps that settling may take.
@@ -85,7 +85,7 @@ impl Fluid {
         sweep::each([&mut p.x, &mut p.y], |at, [x, y]| {
             let (u, v, h) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()]);
             let (around, beside) = (&d.surroundings[at.clone()], &d.near_surface[at.clone()]);
-            let settles = |k: usize| !beside[k] && (all || stirred.get(at.start + k).is_some_and(|&n| n > 0));
+            let settles = |k: usize| !beside[k] && (all || stirred.get(at.start + k) == Some(&true));
             for k in 0..u.len() {
                 let full = !around[k].at_surface() || at_surface;
                 let settling = if settles(k) { settling * h[k] } else { 0.0 };
