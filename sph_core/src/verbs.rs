@@ -78,14 +78,17 @@ impl Fluid {
         }
     }
 
-    /// `all` that has no surface in its neighbourhood settles; else only what is stirred.
+    /// `all` that has neither surface nor wall in its neighbourhood settles; else only what is stirred.
     fn even_out(&mut self, dt: f64, all: bool) {
         let (p, d, at_surface) = (&mut self.particles, &self.derived, self.parameters.shift_surface);
         let (stirred, settling) = (&p.stirred, self.parameters.settling);
         sweep::each([&mut p.x, &mut p.y], |at, [x, y]| {
             let (u, v, h) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()]);
             let (around, beside) = (&d.surroundings[at.clone()], &d.near_surface[at.clone()]);
-            let settles = |k: usize| !beside[k] && (all || stirred.get(at.start + k) == Some(&true));
+            let settles = |k: usize| match all {
+                true => !beside[k] && around[k].wall_filling == 0.0,
+                false => !beside[k] && stirred.get(at.start + k) == Some(&true),
+            };
             for k in 0..u.len() {
                 let full = !around[k].at_surface() || at_surface;
                 let settling = if settles(k) { settling * h[k] } else { 0.0 };
@@ -100,19 +103,22 @@ impl Fluid {
         });
     }
 
-    /// E13 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W of rows that grow is nothing.
+    /// E13 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W of rows that grow is nothing. Equal
+    /// particles stay where they are.
     pub(crate) fn settle(&mut self, walls: &mut Walls) {
         let Parameters { shifting, settling, .. } = self.parameters;
-        for _ in 0..SETTLING_SWEEPS {
+        let h = &self.particles.h;
+        let alike = h.iter().all(|&one| (one / h[0] - 1.0).abs() < 1e-9);
+        for _ in 0..if shifting && !alike { SETTLING_SWEEPS } else { 0 } {
             let (p, d) = (&self.particles, &self.derived);
-            let shift = |k: usize| match d.near_surface[k] {
+            let shift = |k: usize| match d.near_surface[k] || d.surroundings[k].wall_filling > 0.0 {
                 true => 0.0,
                 false => {
                     let [x, y] = d.surroundings[k].crowding();
                     settling * p.h[k] * x.hypot(y)
                 }
             };
-            if !shifting || -sweep::least(p.len(), |k| -shift(k)) < SETTLED {
+            if -sweep::least(p.len(), |k| -shift(k)) < SETTLED {
                 break;
             }
             self.even_out(0.0, true);

@@ -37,6 +37,8 @@ fn a_wrong_file_is_refused_with_line_key_given_and_expected() {
         ("[time]", "symmetry = \"x\"\ngravity = [1.0, -9.81]\n[time]", "drop.toml:3:", &["`gravity` = [1, -9.81]", "expected [0, ...]"]),
         ("[time]\nend = 0.001\n[resolution]\nspacing = 0.02\n[body]", "symmetry = \"x\"\n[time]\nend = 0.001\n[resolution]\nspacing = 0.02\n[body]\ncenter_of_mass = [0.1, 0.1]", "drop.toml:8:", &["`body.center_of_mass` = [0.1, 0.1]", "expected [0, ...]"]),
         ("spacing = 0.02", "spacing = 0.02\nlattice = \"staggered\"", "drop.toml:6:", &["`resolution.lattice` = \"staggered\"", "expected \"square\" with resolution.growth = 1.1"]),
+        ("spacing = 0.02", "spacing = 0.02\nfollow = true\ngrowth = 1.0", "drop.toml:6:", &["`resolution.follow` = true", "expected false with resolution.growth = 1"]),
+        ("spacing = 0.02", "spacing = 0.02\nfollow = true\n[fluid]\nintegrator = \"verlet\"", "drop.toml:6:", &["`resolution.follow` = true", "expected false with this fluid.integrator"]),
         ("[time]", "[fluid]\nlimit_pressure = 2\n[time]", "drop.toml:3:", &["`fluid.limit_pressure` = 2", "expected 0 or 1"]),
         ("[time]", "[fluid]\nwalls = \"brick\"\n[time]", "drop.toml:3:", &["`fluid.walls`", "brick", "expected"]),
         ("[time]", "[gauges]\nname = \"g\"\n[time]", "drop.toml:2:", &["`gauges`", "expected a list"]),
