@@ -41,8 +41,9 @@ pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody,
     let n = surface.normal;
     let above = ABOVE * p.h[k];
     let x = surface.at[0] + above * n[0];
-    p.x[k] = mirror.map_or(x, |m| x.max(m.at)); // at a keel the surface ends in the plane
-    p.y[k] = surface.at[1] + above * n[1];
+    p.x[k] = mirror.map_or(x, |m| x.max(m.at)); // at a keel the surface ends in the plane: along the face to it
+    let slope = if n[1].abs() > n[0].abs() * ABOVE { n[0] / n[1] } else { 0.0 };
+    p.y[k] = surface.at[1] + above * n[1] - (p.x[k] - x) * slope;
     let approach = (p.u[k] - surface.velocity[0]) * n[0] + (p.v[k] - surface.velocity[1]) * n[1];
     if approach >= 0.0 {
         return 0.0;
