@@ -3,7 +3,7 @@
 use sph_core::yielding::Lack;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
-use crate::coupled::CouplingError;
+use crate::coupling_error::CouplingError;
 use crate::relaxation::Relaxation;
 
 /// How fluid and bodies agree on a step.

@@ -12,6 +12,7 @@ pub mod carrier;
 mod column_tests;
 mod contact;
 pub mod coupled;
+mod coupling_error;
 pub mod course;
 pub mod exchange;
 pub mod exchange_ratio;
@@ -46,7 +47,8 @@ pub mod water_surface;
 pub mod work_audit;
 
 pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
-pub use coupled::{Coupled, CouplingError};
+pub use coupled::Coupled;
+pub use coupling_error::CouplingError;
 pub use exchange::{Agreement, Iteration, Scheme};
 pub use exchange_ratio::{Beside, PanelExchange, exchange_ratio};
 pub use flexible::{FlexibleSpec, Frame};

@@ -2,7 +2,8 @@
 
 use sph_core::Breakdown;
 
-use crate::coupled::{Coupled, CouplingError};
+use crate::coupled::Coupled;
+use crate::coupling_error::CouplingError;
 
 /// Times that a step is halved before the run fails.
 const MOST_HALVINGS: u32 = 3;

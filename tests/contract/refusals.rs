@@ -39,6 +39,7 @@ fn a_wrong_file_is_refused_with_line_key_given_and_expected() {
         ("spacing = 0.02", "spacing = 0.02\nlattice = \"staggered\"", "drop.toml:6:", &["`resolution.lattice` = \"staggered\"", "expected \"square\" with resolution.growth = 1.1"]),
         ("spacing = 0.02", "spacing = 0.02\nfollow = true\ngrowth = 1.0", "drop.toml:6:", &["`resolution.follow` = true", "expected false with resolution.growth = 1"]),
         ("spacing = 0.02", "spacing = 0.02\nfollow = true\n[fluid]\nintegrator = \"verlet\"", "drop.toml:6:", &["`resolution.follow` = true", "expected false with this fluid.integrator"]),
+        ("spacing = 0.02", "spacing = 0.02\nfollow = true\n[fluid]\nequation_of_state = \"ideal_gas\"", "drop.toml:6:", &["`resolution.follow` = true", "expected false with an ideal gas"]),
         ("[time]", "[fluid]\nlimit_pressure = 2\n[time]", "drop.toml:3:", &["`fluid.limit_pressure` = 2", "expected 0 or 1"]),
         ("[time]", "[fluid]\nwalls = \"brick\"\n[time]", "drop.toml:3:", &["`fluid.walls`", "brick", "expected"]),
         ("[time]", "[gauges]\nname = \"g\"\n[time]", "drop.toml:2:", &["`gauges`", "expected a list"]),

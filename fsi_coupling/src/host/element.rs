@@ -9,7 +9,8 @@ use super::nodes::HostNodes;
 use super::snapshot::Snapshot;
 use super::spec::FluidElementSpec;
 use super::topology::Topology;
-use crate::coupled::{Coupled, CouplingError};
+use crate::coupled::Coupled;
+use crate::coupling_error::CouplingError;
 use crate::penetration::Penetration;
 use crate::polygon::bounding_box;
 

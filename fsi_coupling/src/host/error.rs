@@ -1,7 +1,7 @@
 //! What a host is told when something is wrong: which key, node or particle, where, when.
 
 use crate::body::BodyError;
-use crate::coupled::CouplingError;
+use crate::coupling_error::CouplingError;
 
 /// Bad input, or a step that failed. Nothing of the element has changed when a step's input is refused; after
 /// [`HostError::Step`] the element waits for `restore`.

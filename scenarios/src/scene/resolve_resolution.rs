@@ -47,6 +47,7 @@ impl Grown<'_> {
             (growth == 1.0, "false with resolution.growth = 1: all the water is fine"),
             (thin, "false with a polyline, whose sides see different water"),
             (self.solver != Solver::WeaklyCompressible, "false with this solver: only \"weakly_compressible\" halves particles"),
+            (self.fluid.gas().is_some(), "false with an ideal gas: halves get their pressures from Tait's equation"),
             (
                 self.fluid.integrator != Integrator::Symplectic,
                 "false with this fluid.integrator: \"symplectic\" is the one that keeps nothing of a particle from step to step",
