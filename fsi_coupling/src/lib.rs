@@ -42,6 +42,7 @@ pub mod sampling;
 pub mod shape;
 mod skin;
 pub mod tank;
+pub mod theory;
 pub mod thin;
 pub mod water_surface;
 pub mod work_audit;

@@ -1,0 +1,104 @@
+//! The vertical motion of a section that enters water, by a theory's loads.
+
+use super::loads::{Load, Loads};
+use super::rung::{OutOfRange, Rung};
+
+/// How the section moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Course {
+    /// On at its speed.
+    Constant,
+    /// By its weight and the water's load: mass of the whole section [kg/m].
+    Free(f64),
+}
+
+/// A section on its way into the water.
+#[derive(Clone, Debug)]
+pub struct Entry<'a> {
+    /// Its loads.
+    pub loads: &'a Loads,
+    /// How it moves.
+    pub course: Course,
+    /// Draught of the keel at t = 0 [m]; negative above the water.
+    pub draught: f64,
+    /// Downward speed at t = 0 [m/s].
+    pub speed: f64,
+    /// Acceleration of gravity, downward [m/s²].
+    pub gravity: f64,
+    /// Density of the water ρ [kg/m³].
+    pub density: f64,
+}
+
+/// The section at a moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instant {
+    /// Time [s].
+    pub time: f64,
+    /// Draught of the keel [m].
+    pub draught: f64,
+    /// Downward speed [m/s].
+    pub speed: f64,
+    /// Downward acceleration [m/s²].
+    pub rate: f64,
+    /// Upward force of the water [N/m], buoyancy included.
+    pub force: f64,
+    /// Half width of the wetted bottom [m].
+    pub wetted: f64,
+}
+
+/// Least number of steps of the integration.
+const STEPS: f64 = 400.0;
+
+impl Entry<'_> {
+    /// The section at `times` [s], which increase from 0 on: the classical Runge–Kutta method.
+    ///
+    /// # Errors
+    /// The body stops going down (models of entry know no way out), or its wetted bottom leaves the model's range.
+    pub fn follow(&self, times: &[f64]) -> Result<Vec<Instant>, OutOfRange> {
+        let end = times.last().copied().unwrap_or(0.0);
+        let (mut state, mut now) = ([self.draught, self.speed], 0.0);
+        let mut instants = Vec::with_capacity(times.len());
+        for &time in times {
+            let steps = ((time - now) / end.max(f64::MIN_POSITIVE) * STEPS).ceil().max(1.0);
+            let dt = (time - now) / steps;
+            for _ in 0..steps as usize {
+                state = self.step(state, dt);
+            }
+            now = time;
+            let instant = self.instant(time, state);
+            self.refuse(&instant)?;
+            instants.push(instant);
+        }
+        Ok(instants)
+    }
+
+    /// LM12: (m + ρM) dV/dt = m g − ρA V² − ρ g S, or V constant.
+    fn instant(&self, time: f64, [draught, speed]: [f64; 2]) -> Instant {
+        let Load { wetted, slam, added_mass, .. } = self.loads.at(draught);
+        let rho = self.density;
+        let steady = rho * (slam * speed * speed + self.gravity * self.loads.section().still_area(draught));
+        let rate = match self.course {
+            Course::Constant => 0.0,
+            Course::Free(mass) => (mass * self.gravity - steady) / (mass + rho * added_mass),
+        };
+        Instant { time, draught, speed, rate, force: steady + rho * added_mass * rate, wetted }
+    }
+
+    fn step(&self, [h, v]: [f64; 2], dt: f64) -> [f64; 2] {
+        let slope = |[h, v]: [f64; 2]| [v, self.instant(0.0, [h, v]).rate];
+        let ahead = |[a, b]: [f64; 2], dt: f64| [h + dt * a, v + dt * b];
+        let k1 = slope([h, v]);
+        let k2 = slope(ahead(k1, 0.5 * dt));
+        let k3 = slope(ahead(k2, 0.5 * dt));
+        let k4 = slope(ahead(k3, dt));
+        std::array::from_fn(|i| [h, v][i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
+    }
+
+    fn refuse(&self, now: &Instant) -> Result<(), OutOfRange> {
+        if now.speed <= 0.0 && now.draught > 0.0 {
+            let what = format!("a body that leaves the water, from t = {:.4} s on", now.time);
+            return Err(OutOfRange { what, range: "bodies on their way down".into(), next: Rung::Wcsph });
+        }
+        self.loads.rung().covers(self.loads.section(), now.wetted)
+    }
+}

@@ -1,0 +1,184 @@
+//! What a section bears at a draught, by each theory: F = A(h) V² + M(h) dV/dt, and the pressures.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::rung::{OutOfRange, Rung};
+use super::section::Section;
+use super::similarity::SimilarityFlow;
+
+/// Draughts that loads are tabled at.
+const NODES: usize = 400;
+/// Widest wetted half width in the table, over the half breadth at the chines.
+const WIDEST: f64 = 40.0;
+/// The finest node stands at this share of the half breadth.
+const FINEST: f64 = 1e-4;
+
+/// Load of a section per metre, for water of density ρ = 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// Half width of the wetted bottom c [m].
+    pub wetted: f64,
+    /// dc/dh [-].
+    pub spreading: f64,
+    /// A: force over V² [m].
+    pub slam: f64,
+    /// M: force over dV/dt [m²].
+    pub added_mass: f64,
+}
+
+/// Loads of a section at any draught (THEORY LM2–LM5, LM10).
+#[derive(Clone, Debug)]
+pub struct Loads {
+    rung: Rung,
+    section: Section,
+    flow: Option<SimilarityFlow>,
+    /// [h, c, A, M/c²], from the least draught.
+    table: Vec<[f64; 4]>,
+}
+
+impl Loads {
+    /// Loads of a section by a theory.
+    ///
+    /// # Errors
+    /// A rung that is no theory, or does not hold for this section from its first touch on.
+    pub fn new(rung: Rung, section: &Section) -> Result<Loads, OutOfRange> {
+        rung.covers(section, 0.0)?;
+        let flow = match (rung, section.deadrise_deg()) {
+            (Rung::Similarity, Some(deadrise)) => SimilarityFlow::solve(deadrise),
+            _ => None,
+        };
+        let b = section.half_breadth();
+        let ratio = (WIDEST / FINEST).powf(1.0 / (NODES - 2) as f64);
+        let mut widths: Vec<f64> = (0..NODES - 1).map(|k| b * FINEST * ratio.powi(k as i32)).collect();
+        if rung == Rung::VonKarman {
+            widths.retain(|c| *c < b);
+            widths.push(b);
+        }
+        let mut loads = Loads { rung, section: section.clone(), flow, table: Vec::new() };
+        let row = |c: f64| {
+            let (h, Load { slam, added_mass, .. }) = loads.at_width(c);
+            [h, c, slam, added_mass / (c * c)]
+        };
+        let mut table: Vec<[f64; 4]> = widths.into_iter().map(row).collect();
+        let [_, c, slam, mass] = table[0];
+        let round = table[1][1] / c < 0.9 * table[1][0] / table[0][0]; // A of a round bottom does not begin with nothing
+        table.insert(0, [0.0, 0.0, if round { slam } else { 0.0 }, mass]);
+        loads.table = table;
+        Ok(loads)
+    }
+
+    /// The theory.
+    pub fn rung(&self) -> Rung {
+        self.rung
+    }
+
+    /// The section.
+    pub fn section(&self) -> &Section {
+        &self.section
+    }
+
+    /// The exact flow, where the theory has one.
+    pub fn flow(&self) -> Option<&SimilarityFlow> {
+        self.flow.as_ref()
+    }
+
+    /// The load at a draught h [m].
+    pub fn at(&self, draught: f64) -> Load {
+        let after = self.table.partition_point(|row| row[0] <= draught).clamp(1, self.table.len() - 1);
+        let ([h0, c0, a0, m0], [h1, c1, a1, m1]) = (self.table[after - 1], self.table[after]);
+        if draught <= 0.0 {
+            return Load::default();
+        }
+        if draught > h1 {
+            // a plate of the breadth, or the last that was tabled
+            let slam = if self.rung == Rung::VonKarman { 0.0 } else { a1 };
+            return Load { wetted: c1, spreading: 0.0, slam, added_mass: m1 * c1 * c1 };
+        }
+        let share = (draught - h0) / (h1 - h0);
+        let between = |from: f64, to: f64| from + share * (to - from);
+        let wetted = between(c0, c1);
+        Load {
+            wetted,
+            spreading: (c1 - c0) / (h1 - h0),
+            slam: between(a0, a1),
+            added_mass: between(m0, m1) * wetted * wetted,
+        }
+    }
+
+    /// Pressure [Pa] on the face at distance x from the plane of symmetry [m], at draught h [m], speed V [m/s] and its rate
+    /// dV/dt [m/s²], in water of density ρ [kg/m³]. Von Karman's momentum has none: `None`.
+    pub fn pressure(&self, x: f64, draught: f64, speed: f64, rate: f64, density: f64) -> Option<f64> {
+        if self.rung == Rung::VonKarman {
+            return None;
+        }
+        let Load { wetted: c, spreading, .. } = self.at(draught);
+        let x = x.abs();
+        if draught <= 0.0 || x > self.section.half_breadth() {
+            return Some(0.0);
+        }
+        if let Some(flow) = &self.flow {
+            let quasi_steady = 0.5 * speed * speed * flow.pressure_coefficient(x / draught);
+            let added = if x < c { rate * ((c * c - x * x).sqrt() + self.section.height(x) - draught) } else { 0.0 };
+            return Some(density * (quasi_steady + added));
+        }
+        if x >= c {
+            return Some(0.0);
+        }
+        let root = (c * c - x * x).sqrt();
+        let slope = self.section.slope(x);
+        let (mut over_v2, mut over_rate) = (spreading * c / root, root);
+        if self.rung == Rung::Mlm {
+            let across = 1.0 / (1.0 + slope * slope);
+            over_v2 -= 0.5 * (across * (c / root).powi(2) + 1.0 - across);
+            over_rate += self.section.height(x) - draught;
+        }
+        let pressure = density * (over_v2 * speed * speed + over_rate * rate);
+        Some(if self.rung == Rung::Mlm && over_v2 < 0.0 { 0.0 } else { pressure })
+    }
+
+    /// The draught at which c is wet, and the load there.
+    fn at_width(&self, c: f64) -> (f64, Load) {
+        let (section, b) = (&self.section, self.section.half_breadth());
+        let (draught, spreading) = match self.rung {
+            Rung::VonKarman => (section.height(c), 1.0 / section.slope(c).max(1e-12)),
+            _ => (section.wagner_draught(c), 1.0 / section.wagner_slope(c)),
+        };
+        let wet = c.min(b);
+        let [slam, added_mass] = match self.rung {
+            Rung::VonKarman => [PI * c * spreading, FRAC_PI_2 * c * c], // LM3
+            Rung::Wagner => wagner(c, spreading, wet),
+            Rung::Similarity => {
+                let flow = self.flow.as_ref().map_or(0.0, |flow| flow.force_coefficient);
+                [flow * draught, mlm(section, c, draught, spreading, wet)[1]] // LM10
+            }
+            _ => mlm(section, c, draught, spreading, wet),
+        };
+        (draught, Load { wetted: c, spreading, slam, added_mass })
+    }
+}
+
+/// LM4 (Wagner 1932): ∫ c ċ/√(c² − x²) and ∫ √(c² − x²) over |x| < wet.
+fn wagner(c: f64, spreading: f64, wet: f64) -> [f64; 2] {
+    let angle = (wet / c).asin();
+    [2.0 * spreading * c * angle, wet * (c * c - wet * wet).max(0.0).sqrt() + c * c * angle]
+}
+
+/// LM5 (Korobkin 2004): the same with the square terms and the body's shape, over |x| < wet where the part over V² is above
+/// nothing. With x = c sin θ the pieces of a straight bottom integrate to θ, artanh(sin θ) and sin θ.
+fn mlm(section: &Section, c: f64, draught: f64, spreading: f64, wet: f64) -> [f64; 2] {
+    let (mut slam, mut mass) = (0.0, wagner(c, spreading, wet)[1]);
+    for [from, to, height, slope] in section.pieces().take_while(|[from, ..]| *from < wet) {
+        let (from, to) = (from, to.min(wet));
+        let across = 1.0 / (1.0 + slope * slope);
+        // p > 0 ⇔ ½ across q² − spreading q + ½ (1 − across) < 0 for q = c/√(c² − x²) = 1/cos θ
+        let largest = (spreading + (spreading * spreading - across * (1.0 - across)).max(0.0).sqrt()) / across;
+        let end = c * (1.0 - 1.0 / (largest * largest)).max(0.0).sqrt();
+        let (sin0, sin1) = (from / c, to.min(end) / c);
+        if sin1 > sin0 {
+            let dense = |s: f64| spreading * c * s.asin() - 0.5 * across * c * s.atanh() - 0.5 * (1.0 - across) * c * s;
+            slam += 2.0 * (dense(sin1) - dense(sin0));
+        }
+        mass += 2.0 * (to - from) * (height - draught + 0.5 * slope * (to - from));
+    }
+    [slam, mass]
+}

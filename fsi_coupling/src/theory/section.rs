@@ -1,0 +1,176 @@
+//! The bottom of a symmetric body, as entry theories see it.
+
+use super::rung::{OutOfRange, Rung};
+use crate::Shape;
+
+/// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
+const LEAST_DEADRISE_DEG: f64 = 4.0;
+/// Deadrise of the plates by which a bottom goes on past its chines (Tassin, Korobkin & Cooker 2014) [deg].
+const CONTINUATION_DEG: f64 = 60.0;
+/// Corners of half an arc.
+const ARC_CORNERS: usize = 96;
+
+/// Half of a symmetric bottom: height f(x) over the keel, rising from the keel at x = 0 to the chine, and past it the plates by
+/// which theories let it go on where the flow has left it (THEORY LM1).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    corners: Vec<[f64; 2]>,
+    slopes: Vec<f64>,
+}
+
+impl Section {
+    /// Corners [m] from the keel to the chine, shape (n, 2); the first is the origin of the section.
+    pub fn new(corners: &[[f64; 2]]) -> Result<Section, OutOfRange> {
+        let [x0, y0] = *corners.first().ok_or_else(|| not_a_section("no corners"))?;
+        let corners: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
+        if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
+            return Err(not_a_section("a bottom whose half breadth does not grow from keel to chine"));
+        }
+        let slopes: Vec<f64> = corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect();
+        if slopes.windows(2).any(|w| w[1] < w[0] - 1e-9) || slopes[0] < 0.0 {
+            return Err(not_a_section("a bottom that is not convex"));
+        }
+        Ok(Section { corners, slopes })
+    }
+
+    /// A wedge of the given deadrise [deg] and breadth [m].
+    pub fn wedge(deadrise_deg: f64, breadth: f64) -> Result<Section, OutOfRange> {
+        let half = 0.5 * breadth;
+        Section::new(&[[0.0, 0.0], [half, half * deadrise_deg.to_radians().tan()]])?.steep_enough()
+    }
+
+    /// The arc of a circle of the given radius and chord [m].
+    pub fn arc(radius: f64, breadth: f64) -> Result<Section, OutOfRange> {
+        let end = (0.5 * breadth / radius).min(1.0).asin();
+        let at = |k: usize| end * (k as f64 / ARC_CORNERS as f64).powf(1.5);
+        let corner = |k: usize| [radius * at(k).sin(), 2.0 * radius * (0.5 * at(k)).sin().powi(2)];
+        let corners: Vec<[f64; 2]> = (0..=ARC_CORNERS).map(corner).collect();
+        Section::new(&corners)
+    }
+
+    /// The bottom of an upright body.
+    pub fn of(shape: &Shape) -> Result<Section, OutOfRange> {
+        match shape {
+            Shape::Wedge { deadrise_deg, breadth, .. } => Section::wedge(*deadrise_deg, *breadth),
+            Shape::Arc { radius, breadth, .. } => Section::arc(*radius, *breadth),
+            Shape::Box { .. } => Err(not_a_section("a flat bottom")),
+            Shape::Polyline { .. } => Err(not_a_section("an open plate")),
+            Shape::Polygon { points } => Section::of_polygon(points),
+        }
+    }
+
+    fn of_polygon(points: &[[f64; 2]]) -> Result<Section, OutOfRange> {
+        let keel = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1])).unwrap_or(0);
+        let n = points.len();
+        let half = |step: usize| {
+            let mut corners = vec![points[keel]];
+            for k in 1..n {
+                let (next, last) = (points[(keel + k * step) % n], corners[corners.len() - 1]);
+                if (next[0] - last[0]).abs() <= 1e-9 || (next[0] - last[0]) * if step == 1 { 1.0 } else { -1.0 } < 0.0 {
+                    break;
+                }
+                corners.push(next);
+            }
+            corners
+        };
+        let (right, left) = (half(1), half(n - 1));
+        let [x0, _] = points[keel];
+        let alike = |a: &[f64; 2], b: &[f64; 2]| (a[0] + b[0] - 2.0 * x0).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6;
+        if right.len() != left.len() || !right.iter().zip(&left).all(|(a, b)| alike(a, b)) {
+            return Err(not_a_section("a section that is not symmetric about its keel"));
+        }
+        Section::new(&right)?.steep_enough()
+    }
+
+    fn steep_enough(self) -> Result<Section, OutOfRange> {
+        match self.slopes[0] < 0.999 * LEAST_DEADRISE_DEG.to_radians().tan() {
+            true => Err(not_a_section("a deadrise below 4 degrees")),
+            false => Ok(self),
+        }
+    }
+
+    /// Half breadth at the chines [m].
+    pub fn half_breadth(&self) -> f64 {
+        self.corners[self.corners.len() - 1][0]
+    }
+
+    /// Height of the chines over the keel [m].
+    pub fn chine_height(&self) -> f64 {
+        self.corners[self.corners.len() - 1][1]
+    }
+
+    /// Deadrise of a wedge [deg]; `None` for other bottoms.
+    pub fn deadrise_deg(&self) -> Option<f64> {
+        (self.slopes.len() == 1).then(|| self.slopes[0].atan().to_degrees())
+    }
+
+    /// Steepest deadrise of the faces within the half width `reach` [m], in degrees.
+    pub fn steepest_within(&self, reach: f64) -> f64 {
+        let wet = self.corners.iter().zip(&self.slopes).filter(|(c, _)| c[0] < reach);
+        wet.fold(self.slopes[0], |most, (_, s)| most.max(*s)).atan().to_degrees()
+    }
+
+    /// Straight pieces as [x from, x to, f at the first, slope] [m, m, m, -]: the faces, then the plate that goes on.
+    pub fn pieces(&self) -> impl Iterator<Item = [f64; 4]> + '_ {
+        let faces = self.corners.windows(2).zip(&self.slopes).map(|(w, s)| [w[0][0], w[1][0], w[0][1], *s]);
+        let plate = CONTINUATION_DEG.to_radians().tan().max(self.slopes[self.slopes.len() - 1]);
+        faces.chain([[self.half_breadth(), f64::INFINITY, self.chine_height(), plate]])
+    }
+
+    /// Height f over the keel at distance x from the plane of symmetry [m].
+    pub fn height(&self, x: f64) -> f64 {
+        let piece = self.pieces().find(|[_, to, ..]| x.abs() <= *to);
+        piece.map_or(f64::INFINITY, |[from, _, f, slope]| f + slope * (x.abs() - from))
+    }
+
+    /// Slope df/dx there [-].
+    pub fn slope(&self, x: f64) -> f64 {
+        self.pieces().find(|[_, to, ..]| x.abs() <= *to).map_or(f64::INFINITY, |[.., slope]| slope)
+    }
+
+    /// Half width of the body's cut with the still water at draught h [m].
+    pub fn still_half_width(&self, draught: f64) -> f64 {
+        let at = self.corners.partition_point(|c| c[1] < draught);
+        match at {
+            0 => 0.0,
+            n if n == self.corners.len() => self.half_breadth(),
+            n => self.corners[n - 1][0] + (draught - self.corners[n - 1][1]) / self.slopes[n - 1],
+        }
+    }
+
+    /// Area of the body below still water at draught h [m²], both halves; sides rise upright from the chines.
+    pub fn still_area(&self, draught: f64) -> f64 {
+        let mut area = 0.0;
+        for w in self.corners.windows(2) {
+            let ([x0, y0], [x1, y1]) = (w[0], w[1]);
+            let top = draught.min(y1);
+            if draught > y0 {
+                let x = if y1 > y0 { x0 + (x1 - x0) * (top - y0) / (y1 - y0) } else { x1 };
+                area += (x0 + x) * (top - y0);
+            }
+        }
+        area + 2.0 * self.half_breadth() * (draught - self.chine_height()).max(0.0)
+    }
+
+    /// LM2 (Wagner 1932): draught [m] at which the pile-up wets the half width c, h(c) = (2/π) ∫₀^{π/2} f(c sin θ) dθ.
+    pub fn wagner_draught(&self, c: f64) -> f64 {
+        self.kinks(c).map(|(x, bend)| bend * ((c * c - x * x).sqrt() - x * (x / c).acos())).sum::<f64>()
+            * std::f64::consts::FRAC_2_PI
+    }
+
+    /// Its slope dh/dc [-].
+    pub fn wagner_slope(&self, c: f64) -> f64 {
+        self.kinks(c).map(|(x, bend)| bend * (1.0 - (x / c).powi(2)).sqrt()).sum::<f64>() * std::f64::consts::FRAC_2_PI
+    }
+
+    /// Places below c where the slope changes [m], and by how much [-].
+    fn kinks(&self, c: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let mut before = 0.0;
+        let bends = self.pieces().map(move |[from, _, _, slope]| (from, slope - std::mem::replace(&mut before, slope)));
+        bends.take_while(move |(x, _)| *x < c)
+    }
+}
+
+fn not_a_section(what: &str) -> OutOfRange {
+    OutOfRange { what: what.into(), range: "upright convex bottoms, symmetric, of a deadrise of 4° and more".into(), next: Rung::Wcsph }
+}

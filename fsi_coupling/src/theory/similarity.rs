@@ -1,0 +1,127 @@
+//! Entry of a wedge at constant speed: the exact solution without gravity and viscosity (THEORY LM10).
+
+use super::dobrovolskaya::{Dobrovolskaya, integral};
+
+/// Deadrises that are solved [deg].
+pub const DEADRISES: [f64; 2] = [4.0, 80.0];
+/// Step of the usual grids: force and largest pressure are within 2·10⁻⁴ of twice as fine ones.
+const USUAL_STEP: f64 = 0.4;
+/// Points of the profile between two of the grid.
+const BETWEEN: usize = 8;
+
+/// The flow about a wedge at constant speed V, in units of V t, ½ρV² and ρV³t.
+#[derive(Clone, Debug)]
+pub struct SimilarityFlow {
+    /// Deadrise [deg].
+    pub deadrise_deg: f64,
+    /// Force on both faces F/(ρV³t) [-].
+    pub force_coefficient: f64,
+    /// Largest pressure coefficient [-].
+    pub cp_max: f64,
+    /// Height of it above still water, over V t [-]; −1 is the keel.
+    pub z_max: f64,
+    /// Pressure coefficient at the keel [-].
+    pub cp_keel: f64,
+    /// Angle between free surface and face at the jet's tip [deg].
+    pub contact_angle_deg: f64,
+    /// The jet's tip, [x, y]/(V t) [-].
+    pub tip: [f64; 2],
+    /// Where the free surface is vertical, beside the jet's root, x/(V t) [-]; the tip's where it nowhere is.
+    pub turn: f64,
+    /// Along the face from keel to tip: x/(V t) and pressure coefficient [-], shape (n, 2).
+    pub profile: Vec<[f64; 2]>,
+    /// Free surface from the tip outwards: [x, y]/(V t) [-], shape (n, 2).
+    pub surface: Vec<[f64; 2]>,
+}
+
+impl SimilarityFlow {
+    /// Solve for a deadrise of 4 to 80 degrees; `None` outside.
+    pub fn solve(deadrise_deg: f64) -> Option<SimilarityFlow> {
+        SimilarityFlow::with_step(deadrise_deg, USUAL_STEP)
+    }
+
+    /// The same on grids of another step [-].
+    pub fn with_step(deadrise_deg: f64, step: f64) -> Option<SimilarityFlow> {
+        let [least, most] = DEADRISES;
+        let solvable = (least..=most).contains(&deadrise_deg);
+        let solved = solvable.then(|| Dobrovolskaya::solve(deadrise_deg.to_radians(), step)).flatten()?;
+        Some(SimilarityFlow::from(&solved))
+    }
+
+    /// Pressure coefficient at x/(V t) on the face [-]; none beyond the tip.
+    pub fn pressure_coefficient(&self, x: f64) -> f64 {
+        let after = self.profile.partition_point(|p| p[0] <= x.abs());
+        match after {
+            0 => self.cp_keel,
+            n if n == self.profile.len() => 0.0,
+            n => {
+                let ([x0, p0], [x1, p1]) = (self.profile[n - 1], self.profile[n]);
+                p0 + (p1 - p0) * (x.abs() - x0) / (x1 - x0)
+            }
+        }
+    }
+
+    fn from(d: &Dobrovolskaya) -> SimilarityFlow {
+        let (sin, cos) = d.beta.sin_cos();
+        let [lengths, speeds] = &d.face;
+        let length = integral(lengths, d.step, lengths[0] / d.contact);
+        let speed = integral(speeds, d.step, speeds[0] / (0.5 - d.contact));
+        // Bernoulli along the face: dp = ρ (s − v) dv, from the tip, where p is nothing
+        let rate: Vec<f64> = (0..length.len()).map(|k| (length[k] - speed[k]) * speeds[k]).collect();
+        let pressure = integral(&rate, d.step, 0.0);
+        let (scale, whole) = (d.scale, length[length.len() - 1]);
+        let cp: Vec<f64> = pressure.iter().map(|p| 2.0 * p * scale * scale).collect();
+        let force: f64 = cp.iter().zip(lengths).map(|(cp, s)| cp * s * scale * d.step * cos).sum();
+        let from_keel: Vec<f64> = length.iter().map(|s| (whole - s) * scale).collect();
+
+        let fine = |values: &[f64]| finer(values, BETWEEN);
+        let (arcs, cps) = (fine(&from_keel), fine(&cp));
+        let top = (0..cps.len()).max_by(|&a, &b| cps[a].total_cmp(&cps[b])).unwrap_or(0);
+        let mut profile: Vec<[f64; 2]> = arcs.iter().zip(&cps).map(|(s, p)| [s * cos, *p]).rev().collect();
+        profile.dedup_by(|b, a| b[0] - a[0] < 1e-12);
+
+        let tip = [whole * scale * cos, whole * scale * sin - 1.0];
+        let surface = surface(d, tip);
+        let turned = surface.windows(2).find(|w| w[1][0] > w[0][0]).map_or(tip[0], |w| w[0][0]);
+        SimilarityFlow {
+            deadrise_deg: d.beta.to_degrees(),
+            force_coefficient: force,
+            cp_max: cps[top],
+            z_max: arcs[top] * sin - 1.0,
+            cp_keel: cp[cp.len() - 1],
+            contact_angle_deg: 180.0 * d.contact,
+            tip,
+            turn: turned,
+            profile,
+            surface,
+        }
+    }
+}
+
+/// The free surface from the jet's tip outwards, a point a step of the grid.
+fn surface(d: &Dobrovolskaya, tip: [f64; 2]) -> Vec<[f64; 2]> {
+    let left: Vec<f64> = d.fall.iter().rev().scan(0.0, |sum, m| Some(std::mem::replace(sum, *sum + m * d.step) + 0.5 * m * d.step)).collect();
+    let angle = |k: usize| -std::f64::consts::PI * left[left.len() - 1 - k];
+    let density = |k: usize| d.scale * (d.y[k] + d.log_stretch[k]).exp();
+    let along = |of: fn(f64) -> f64, start: f64| {
+        let rate: Vec<f64> = (0..d.y.len()).map(|k| density(k) * of(angle(k))).collect();
+        integral(&rate, d.step, start + rate[0] / d.contact)
+    };
+    along(f64::cos, tip[0]).into_iter().zip(along(f64::sin, tip[1])).map(|(x, y)| [x, y]).collect()
+}
+
+/// `times` as many points by polynomials through six.
+fn finer(values: &[f64], times: usize) -> Vec<f64> {
+    const THROUGH: usize = 6;
+    let n = values.len();
+    let at = |k: usize| {
+        let place = k as f64 / times as f64;
+        let first = (place as usize).saturating_sub(2).min(n - THROUGH);
+        let weight = |i: usize| {
+            let others = (first..first + THROUGH).filter(|&j| j != i);
+            others.map(|j| (place - j as f64) / (i as f64 - j as f64)).product::<f64>()
+        };
+        (first..first + THROUGH).map(|i| values[i] * weight(i)).sum()
+    };
+    (0..=times * (n - 1)).map(at).collect()
+}
