@@ -29,6 +29,7 @@ mod strips;
 mod study;
 mod symmetry;
 mod taylor_green;
+mod theory;
 mod thesis_projection;
 mod thin_walls;
 mod transfer;

@@ -165,7 +165,8 @@ impl Trial {
     /// Newton's step.
     fn correction(&self, k: &Kernels) -> Vec<f64> {
         let n = self.fall.len();
-        let Trial { arc: [density, length], face: [lengths, speeds], integrals: [along, rate], contact, fall, .. } = self;
+        let Trial { arc: [density, length], face: [lengths, speeds], integrals: [along, rate], contact, fall, .. } =
+            self;
         let mut weights = lengths.clone();
         weights[0] += lengths[0] * (1.0 / (contact * k.step) - 0.5);
         let mut jacobian = Mat::<f64>::zeros(n + 1, n + 1);
@@ -200,7 +201,8 @@ impl Trial {
 fn start(k: &Kernels, beta: f64) -> Trial {
     let degrees = beta.to_degrees();
     let contact = 0.002_62 * degrees.powi(2) * (-0.0112 * degrees + 6e-5 * degrees * degrees).exp() / 180.0;
-    let roots = [(3.0, -8.2), (4.0, -7.6), (10.0, -6.0), (20.0, -4.8), (30.0, -4.2), (45.0, -3.9), (60.0, -3.8), (80.0, -5.0)];
+    let roots =
+        [(3.0, -8.2), (4.0, -7.6), (10.0, -6.0), (20.0, -4.8), (30.0, -4.2), (45.0, -3.9), (60.0, -3.8), (80.0, -5.0)];
     let after = roots.iter().position(|(at, _)| *at > degrees).unwrap_or(roots.len() - 1).max(1);
     let ((b0, y0), (b1, y1)) = (roots[after - 1], roots[after]);
     let root = y0 + (y1 - y0) * (degrees - b0) / (b1 - b0);

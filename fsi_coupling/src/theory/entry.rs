@@ -27,6 +27,8 @@ pub struct Entry<'a> {
     pub gravity: f64,
     /// Density of the water ρ [kg/m³].
     pub density: f64,
+    /// Does still water bear the part of the section below it?
+    pub buoyancy: bool,
 }
 
 /// The section at a moment.
@@ -76,7 +78,8 @@ impl Entry<'_> {
     fn instant(&self, time: f64, [draught, speed]: [f64; 2]) -> Instant {
         let Load { wetted, slam, added_mass, .. } = self.loads.at(draught);
         let rho = self.density;
-        let steady = rho * (slam * speed * speed + self.gravity * self.loads.section().still_area(draught));
+        let area = if self.buoyancy { self.loads.section().still_area(draught) } else { 0.0 };
+        let steady = rho * (slam * speed * speed + self.gravity * area);
         let rate = match self.course {
             Course::Constant => 0.0,
             Course::Free(mass) => (mass * self.gravity - steady) / (mass + rho * added_mass),

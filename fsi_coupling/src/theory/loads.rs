@@ -50,10 +50,8 @@ impl Loads {
         let b = section.half_breadth();
         let ratio = (WIDEST / FINEST).powf(1.0 / (NODES - 2) as f64);
         let mut widths: Vec<f64> = (0..NODES - 1).map(|k| b * FINEST * ratio.powi(k as i32)).collect();
-        if rung == Rung::VonKarman {
-            widths.retain(|c| *c < b);
-            widths.push(b);
-        }
+        widths.retain(|c| *c < 0.999 * b || *c > 1.001 * b && rung != Rung::VonKarman);
+        widths.insert(widths.partition_point(|c| *c < b), b); // loads have a corner where the chines get wet
         let mut loads = Loads { rung, section: section.clone(), flow, table: Vec::new() };
         let row = |c: f64| {
             let (h, Load { slam, added_mass, .. }) = loads.at_width(c);

@@ -16,6 +16,8 @@ const ARC_CORNERS: usize = 96;
 pub struct Section {
     corners: Vec<[f64; 2]>,
     slopes: Vec<f64>,
+    /// Do the corners stand for a curve?
+    smooth: bool,
 }
 
 impl Section {
@@ -30,7 +32,7 @@ impl Section {
         if slopes.windows(2).any(|w| w[1] < w[0] - 1e-9) || slopes[0] < 0.0 {
             return Err(not_a_section("a bottom that is not convex"));
         }
-        Ok(Section { corners, slopes })
+        Ok(Section { corners, slopes, smooth: false })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -45,7 +47,7 @@ impl Section {
         let at = |k: usize| end * (k as f64 / ARC_CORNERS as f64).powf(1.5);
         let corner = |k: usize| [radius * at(k).sin(), 2.0 * radius * (0.5 * at(k)).sin().powi(2)];
         let corners: Vec<[f64; 2]> = (0..=ARC_CORNERS).map(corner).collect();
-        Section::new(&corners)
+        Ok(Section { smooth: true, ..Section::new(&corners)? })
     }
 
     /// The bottom of an upright body.
@@ -125,7 +127,22 @@ impl Section {
 
     /// Slope df/dx there [-].
     pub fn slope(&self, x: f64) -> f64 {
-        self.pieces().find(|[_, to, ..]| x.abs() <= *to).map_or(f64::INFINITY, |[.., slope]| slope)
+        let (x, last) = (x.abs(), self.slopes.len() - 1);
+        let k = self.corners.partition_point(|c| c[0] < x).saturating_sub(1);
+        if k > last {
+            return self.pieces().last().map_or(f64::INFINITY, |[.., slope]| slope);
+        }
+        if !self.smooth {
+            return self.slopes[k];
+        }
+        // at a corner the curve has the mean slope of the chords beside it, at its ends that of the parabola
+        let at = |k: usize| match k {
+            0 => 0.0,
+            k if k > last => 2.0 * self.slopes[last] - 0.5 * (self.slopes[last - 1] + self.slopes[last]),
+            k => 0.5 * (self.slopes[k - 1] + self.slopes[k]),
+        };
+        let ([x0, _], [x1, _]) = (self.corners[k], self.corners[k + 1]);
+        at(k) + (at(k + 1) - at(k)) * (x - x0) / (x1 - x0)
     }
 
     /// Half width of the body's cut with the still water at draught h [m].
@@ -172,5 +189,9 @@ impl Section {
 }
 
 fn not_a_section(what: &str) -> OutOfRange {
-    OutOfRange { what: what.into(), range: "upright convex bottoms, symmetric, of a deadrise of 4° and more".into(), next: Rung::Wcsph }
+    OutOfRange {
+        what: what.into(),
+        range: "upright convex bottoms, symmetric, of a deadrise of 4° and more".into(),
+        next: Rung::Wcsph,
+    }
 }

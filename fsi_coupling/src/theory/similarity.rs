@@ -76,7 +76,7 @@ impl SimilarityFlow {
 
         let fine = |values: &[f64]| finer(values, BETWEEN);
         let (arcs, cps) = (fine(&from_keel), fine(&cp));
-        let top = (0..cps.len()).max_by(|&a, &b| cps[a].total_cmp(&cps[b])).unwrap_or(0);
+        let (top, cp_max) = peak(&cps);
         let mut profile: Vec<[f64; 2]> = arcs.iter().zip(&cps).map(|(s, p)| [s * cos, *p]).rev().collect();
         profile.dedup_by(|b, a| b[0] - a[0] < 1e-12);
 
@@ -86,8 +86,11 @@ impl SimilarityFlow {
         SimilarityFlow {
             deadrise_deg: d.beta.to_degrees(),
             force_coefficient: force,
-            cp_max: cps[top],
-            z_max: arcs[top] * sin - 1.0,
+            cp_max,
+            z_max: top.map_or(-1.0, |place| {
+                let (k, share) = (place as usize, place.fract());
+                (arcs[k] + share * (arcs[k + 1] - arcs[k])) * sin - 1.0
+            }),
             cp_keel: cp[cp.len() - 1],
             contact_angle_deg: 180.0 * d.contact,
             tip,
@@ -98,16 +101,29 @@ impl SimilarityFlow {
     }
 }
 
-/// The free surface from the jet's tip outwards, a point a step of the grid.
+/// The free surface from the jet's tip outwards, a point a step of the grid behind it.
 fn surface(d: &Dobrovolskaya, tip: [f64; 2]) -> Vec<[f64; 2]> {
-    let left: Vec<f64> = d.fall.iter().rev().scan(0.0, |sum, m| Some(std::mem::replace(sum, *sum + m * d.step) + 0.5 * m * d.step)).collect();
-    let angle = |k: usize| -std::f64::consts::PI * left[left.len() - 1 - k];
+    let fallen = integral(&d.fall, d.step, 0.0);
+    let whole = d.step * d.fall.iter().sum::<f64>();
+    let angle = |k: usize| -std::f64::consts::PI * (whole - fallen[k]);
     let density = |k: usize| d.scale * (d.y[k] + d.log_stretch[k]).exp();
     let along = |of: fn(f64) -> f64, start: f64| {
         let rate: Vec<f64> = (0..d.y.len()).map(|k| density(k) * of(angle(k))).collect();
         integral(&rate, d.step, start + rate[0] / d.contact)
     };
-    along(f64::cos, tip[0]).into_iter().zip(along(f64::sin, tip[1])).map(|(x, y)| [x, y]).collect()
+    let points = along(f64::cos, tip[0]).into_iter().zip(along(f64::sin, tip[1])).map(|(x, y)| [x, y]);
+    std::iter::once(tip).chain(points).collect()
+}
+
+/// Place of the largest value between points, `None` at the end, and that value: by the parabola through the three highest.
+fn peak(values: &[f64]) -> (Option<f64>, f64) {
+    let top = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
+    if top == 0 || top + 2 >= values.len() {
+        return (None, values[values.len() - 1]);
+    }
+    let [left, middle, right] = [values[top - 1], values[top], values[top + 1]];
+    let off = 0.5 * (left - right) / (left - 2.0 * middle + right);
+    (Some(top as f64 + off), middle - 0.25 * (left - right) * off)
 }
 
 /// `times` as many points by polynomials through six.
