@@ -14,6 +14,7 @@ mod embedded;
 mod filling;
 pub mod follow;
 pub mod forecast;
+pub mod ladder;
 pub mod log;
 pub mod observe;
 pub mod panel_result;

@@ -195,6 +195,7 @@ impl Recorder {
             status,
             message,
             model: model(scene.solver),
+            choice: scene.choice.clone(),
             version: env!("CARGO_PKG_VERSION"),
             particles: Particles { fluid: fluid.particles.len(), wall: system.walls.len() },
             steps: fluid.steps,
@@ -211,14 +212,14 @@ impl Recorder {
             }),
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
-            rest: self.ledger.rest(since),
+            rest: Some(self.ledger.rest(since)),
             water: self.series.water(since),
-            coupling: Coupling {
+            coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
                 iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,
                 iterations_max: agreement.most_iterations,
                 residual_worst: agreement.worst_residual,
-            },
+            }),
             audit: Audit {
                 momentum: system.momentum_audit().worst,
                 energy: system.energy_drift() / self.ledger.scale(),

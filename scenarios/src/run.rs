@@ -4,12 +4,14 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use fsi_coupling::theory::OutOfRange;
 use fsi_coupling::{Coupled, CouplingError};
 use sph_core::{Phase, sweep};
 use tracing::{debug, info, warn};
 
 use crate::build;
 use crate::compare::{self, ReferenceCurve};
+use crate::ladder;
 use crate::observe::{FlowPictures, LogObserver, ObserveError, Series};
 use crate::present;
 use crate::recorder::Recorder;
@@ -41,6 +43,9 @@ pub enum RunError {
     /// The scene cannot be built.
     #[error(transparent)]
     Build(#[from] CouplingError),
+    /// The model cannot do the scene.
+    #[error("model = \"{0}\" holds for {1}")]
+    Theory(&'static str, OutOfRange),
 }
 
 impl RunError {
@@ -91,12 +96,12 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     if let Some(dir) = &options.out {
         refuse_occupied(dir, options.force)?;
     }
-    let mut system = build::build(scene)?;
-    if let Some(dir) = &options.out {
-        std::fs::create_dir_all(dir).map_err(|e| RunError::Write(dir.display().to_string(), e))?;
-        clear(dir)?;
-        write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
+    if scene.model.is_theory() {
+        prepare(scene, options)?;
+        return keep(scene, ladder::run(scene, options, references)?, options);
     }
+    let mut system = build::build(scene)?;
+    prepare(scene, options)?;
     let log = file("log.mcap").filter(|_| !options.without_log);
     let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
     let (start, volume) = (Instant::now(), system.fluid.volume());
@@ -126,7 +131,19 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
             100.0 * summary.audit.work
         );
     }
-    let outcome = Outcome { summary, series: recorder.series, references, pictures: recorder.pictures };
+    keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)
+}
+
+/// The folder, without a former run's files and with the scene.
+fn prepare(scene: &Scene, options: &RunOptions<'_>) -> Result<(), RunError> {
+    let Some(dir) = &options.out else { return Ok(()) };
+    std::fs::create_dir_all(dir).map_err(|e| RunError::Write(dir.display().to_string(), e))?;
+    clear(dir)?;
+    write(&dir.join("scene.resolved.toml"), &scene.to_toml())
+}
+
+/// Summary and report of what came out.
+fn keep(scene: &Scene, outcome: Outcome, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
     if let Some(dir) = &options.out {
         write(&dir.join("summary.json"), &outcome.summary.to_json())?;
         write(&dir.join("report.html"), &present::report(scene, &outcome, &options.warnings))?;

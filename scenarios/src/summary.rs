@@ -207,8 +207,11 @@ pub struct Summary {
     /// What went wrong, if anything did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
-    /// The model that was run: `wcsph`, or the name of an incompressible solver.
+    /// The model that was run: a theory, `wcsph`, or the name of an incompressible solver.
     pub model: &'static str,
+    /// Why this model, where it was left to the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub choice: Option<String>,
     /// Version of the program.
     pub version: &'static str,
     /// Numbers of particles.
@@ -234,10 +237,12 @@ pub struct Summary {
     pub means: BTreeMap<String, f64>,
     /// Conservation.
     pub audit: Audit,
-    /// How well water and body agreed.
-    pub coupling: Coupling,
-    /// Coming to rest.
-    pub rest: Rest,
+    /// How well water and body agreed; absent without particles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coupling: Option<Coupling>,
+    /// Coming to rest; absent without particles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rest: Option<Rest>,
     /// The water's volume, where the scene asks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub water: Option<Water>,

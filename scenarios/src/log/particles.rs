@@ -29,7 +29,7 @@ const PIECE: usize = 1024;
 ///
 /// The log keeps single precision (relative rounding 6·10⁻⁸) and the speed √(vx² + vy²) [m/s]
 /// in place of the velocity. Values that are not finite are written as they are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct ParticleView<'a> {
     /// Horizontal positions [m].
     pub x: &'a [f64],

@@ -67,6 +67,21 @@ impl Series {
         Ok(Series { columns, rows: Vec::new(), front, levels, volume, file })
     }
 
+    /// Take a row, in the order of the columns.
+    pub fn push(&mut self, row: Vec<f64>) -> Result<(), ObserveError> {
+        if let Some((path, file)) = &mut self.file {
+            let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
+            writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;
+        }
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// Names of a body's columns, after its own name and a dot.
+    pub fn body_columns() -> [&'static str; 10] {
+        BODY.map(|(name, _)| name)
+    }
+
     /// Names of the columns; the first is `time_s`.
     pub fn columns(&self) -> &[String] {
         &self.columns
@@ -145,11 +160,7 @@ impl Observer for Series {
         row.extend(self.front.then(|| front(&frame.system.fluid)));
         row.extend(self.levels.read(&frame.system.fluid));
         row.extend(self.volume.as_ref().map(|volume| volume.read(&frame.system.fluid)));
-        if let Some((path, file)) = &mut self.file {
-            let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
-            writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;
-        }
-        self.rows.push(row);
+        self.push(row)?;
         if frame.particles {
             self.flush()?;
         }

@@ -12,6 +12,8 @@ use super::model::{
     Integrator, Kernel, Lattice, Motion, Norm, Similarity, Symmetry, Turbulence, WallModel, WallSlip,
 };
 use super::model_panel::{Panel, TheoryName};
+use super::resolve_model::ModelName;
+use crate::ladder::Want;
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
 use sph_core::{Solver, ThesisSettings};
@@ -22,6 +24,9 @@ pub struct SceneFile {
     pub name: Option<String>,
     pub description: Option<String>,
     pub source: Option<String>,
+    pub model: Option<ModelName>,
+    pub want: Option<Want>,
+    pub within: Option<f64>,
     pub solver: Option<Solver>,
     pub symmetry: Option<Symmetry>,
     pub gravity: Option<[f64; 2]>,

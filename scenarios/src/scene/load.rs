@@ -15,6 +15,7 @@ use super::model::Scene;
 use super::overrides::apply_set;
 use super::problem::{Problem, significant};
 use super::resolve::resolve;
+use super::resolve_model::settle_model;
 use super::source::Source;
 use super::warnings::warnings;
 
@@ -88,9 +89,9 @@ impl Loaded {
 fn read(value: Value) -> Result<Scene, Problem> {
     refuse_absurd_numbers("", &value)?;
     let file = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
-    let scene = resolve(file)?;
+    let (scene, ask) = resolve(file)?;
     check(&scene)?;
-    Ok(scene)
+    settle_model(scene, ask)
 }
 
 /// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.

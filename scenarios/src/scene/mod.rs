@@ -34,6 +34,7 @@ mod panels;
 mod problem;
 mod resolve;
 mod resolve_body;
+mod resolve_model;
 mod resolve_panel;
 mod resolve_projection;
 mod resolve_resolution;
@@ -58,7 +59,7 @@ pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_text};
 pub use model::{
     Block, Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
-    Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank, Time,
+    Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Rung, Scene, Similarity, Symmetry, Tank, Time,
     WallSlip,
 };
 pub use model_panel::{Panel, TheoryName};

@@ -16,6 +16,7 @@ pub use super::model_panel::Panel;
 pub use super::model_projection::Projection;
 use fsi_coupling::Shape;
 use fsi_coupling::polygon;
+pub use fsi_coupling::theory::Rung;
 pub use sph_core::{Solver, ThesisSettings};
 
 /// A scene as it is run. It serialises to TOML with the keys of a scene file, and that text loads to the same scene.
@@ -30,7 +31,12 @@ pub struct Scene {
     pub description: String,
     /// Where its numbers come from.
     pub source: String,
-    /// What gives the pressure.
+    /// The model: a theory of entry, or particles.
+    pub model: Rung,
+    /// Why this model, where it was left to the program.
+    #[serde(skip)]
+    pub choice: Option<String>,
+    /// What gives the pressure of particles.
     pub solver: Solver,
     /// Mirror plane.
     pub symmetry: Symmetry,

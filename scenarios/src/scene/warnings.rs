@@ -36,6 +36,9 @@ const LARGEST_GROWTH: f64 = 1.2;
 
 /// Doubts about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
 pub fn warnings(scene: &Scene) -> Vec<String> {
+    if scene.model.is_theory() {
+        return Vec::new(); // of particles
+    }
     let mut warnings =
         if scene.solver.is_incompressible() { projection_warnings(scene) } else { sound_warnings(scene) };
     warnings.extend(thesis_warnings(scene));

@@ -1,0 +1,87 @@
+//! How far off a model was where it was measured, in the case that is nearest to a scene.
+
+use fsi_coupling::theory::{Rung, Section, SimilarityFlow};
+
+use super::{Theory, Want};
+use crate::compare;
+use crate::observe::Series;
+use crate::scene::{self, Motion, Scene};
+
+/// An error that was measured.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Measured {
+    /// Its size [-].
+    pub error: f64,
+    /// In which case, against what.
+    pub case: String,
+}
+
+/// The free drop that theories are measured by: a wedge of 25°, against boundary elements.
+const DROP: &str = "wedge25";
+/// Deadrises beside the drop's that it speaks for [deg].
+const BESIDE_DROP: f64 = 15.0;
+/// Largest error of the similarity solution's numbers against an independent program's (`tests/verification/theory.rs`) [-].
+const SIMILARITY_ERROR: f64 = 4e-4;
+
+/// The error of a theory where it was measured nearest to this scene: against the exact solution at the same deadrise, and for
+/// free drops against the validated one. `None` where nothing was measured near.
+pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> {
+    let deadrise = theory.loads.section().deadrise_deg()?;
+    let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
+    let rung = theory.loads.rung();
+    let dropped = match falls {
+        true if (deadrise - drop_deadrise()?).abs() > BESIDE_DROP => return None,
+        true => drop_error(rung)?,
+        false => 0.0,
+    };
+    let against = format!("a wedge of {deadrise:.4} degrees at constant speed, against the similarity solution");
+    let and_drop = format!("the free drop {DROP}, against boundary elements");
+    let with_drop = |error: f64| Measured {
+        error: error + dropped,
+        case: if falls { format!("{against}, and {and_drop}") } else { against.clone() },
+    };
+    match want {
+        Want::Strain => None,
+        Want::Motion if falls => Some(Measured { error: dropped, case: and_drop }),
+        Want::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
+        Want::PeakForce | Want::History => Some(with_drop(coefficient_errors(rung, deadrise)?[0]?)),
+        Want::PeakPressure => Some(with_drop(coefficient_errors(rung, deadrise)?[1]?)),
+    }
+}
+
+/// Errors of force and largest pressure on a wedge at constant speed; of a quantity that the theory does not have, `None`.
+fn coefficient_errors(rung: Rung, deadrise_deg: f64) -> Option<[Option<f64>; 2]> {
+    if rung == Rung::Similarity {
+        return Some([Some(SIMILARITY_ERROR); 2]);
+    }
+    let exact = SimilarityFlow::solve(deadrise_deg)?;
+    let theory = Theory::at_constant_speed(rung, Section::wedge(deadrise_deg, 1e3).ok()?).ok()?;
+    let force = (theory.loads.at(1.0).slam / exact.force_coefficient - 1.0).abs();
+    let pressure = theory.peak_pressure(0).map(|[p, _]| (2.0 * p / exact.cp_max - 1.0).abs());
+    Some([Some(force), pressure.filter(|_| rung != Rung::VonKarman)])
+}
+
+fn drop_deadrise() -> Option<f64> {
+    let scene = scene::load(DROP, &[]).ok()?.scene;
+    Section::of(&scene.body?.shape).ok()?.deadrise_deg()
+}
+
+/// RMS error of the drop's speed over its speed at contact, up to where this theory can follow [-].
+fn drop_error(rung: Rung) -> Option<f64> {
+    let mut scene = scene::load(DROP, &[]).ok()?.scene;
+    let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?.clone();
+    let theory = loop {
+        match Theory::of(&scene, rung) {
+            Ok(theory) => break theory,
+            Err(_) if scene.time.end > 0.2 * compare.window[1] => scene.time.end *= 0.95,
+            Err(_) => return None,
+        }
+    };
+    let body = scene.body.as_ref()?;
+    let mut series = Series::new(&scene, None).ok()?;
+    for k in 0..theory.instants.len() {
+        series.push(super::run::row(&scene, body, &theory, k)).ok()?;
+    }
+    let reference = compare::curve(&compare).ok()?;
+    Some(compare::against_curve(&compare, &reference, &series)?.error.abs())
+}

@@ -1,0 +1,154 @@
+//! A run by a theory: the files of a run, in milliseconds.
+
+use std::collections::BTreeMap;
+use std::time::Instant as Clock;
+
+use fsi_coupling::theory::{Instant, Rung};
+
+use super::Theory;
+use crate::compare::{self, ReferenceCurve};
+use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
+use crate::observe::{FlowPictures, ObserveError, Series, SimilarityResult};
+use crate::reference::WedgeSimilarity;
+use crate::run::{Outcome, RunError, RunOptions};
+use crate::scene::{Body, Scene};
+use crate::summary::{Audit, Log, Particles, Peak, Status, Summary};
+
+/// Points of a pressure profile, in x/(V t) up to the jet's tip.
+const PROFILE: usize = 800;
+
+/// Run a scene whose model is a theory; `out` is ready for files.
+pub(crate) fn run(
+    scene: &Scene,
+    options: &RunOptions<'_>,
+    references: Vec<ReferenceCurve>,
+) -> Result<Outcome, RunError> {
+    let start = Clock::now();
+    let theory = Theory::of(scene, scene.model).map_err(|e| RunError::Theory(scene.model.name(), e))?;
+    let body = scene.body.as_ref().expect("a theory has a body");
+    let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
+    let mut series = Series::new(scene, file("series.csv").as_deref())?;
+    for k in 0..theory.instants.len() {
+        series.push(row(scene, body, &theory, k))?;
+    }
+    series.flush()?;
+    let log = file("log.mcap").filter(|_| !options.without_log);
+    let log = log.map(|path| write_log(scene, body, &theory, &path)).transpose()?;
+    let exact = compare::similarity_of(scene);
+    let similarity = scene.similarity.and_then(|_| similarity(scene, &theory, exact.as_ref()));
+    let mut comparison: Vec<_> =
+        scene.compare.iter().zip(&references).filter_map(|(c, r)| compare::against_curve(c, r, &series)).collect();
+    comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
+    let end = theory.instants.last().map_or(0.0, |i| i.time);
+    let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
+    let summary = Summary {
+        scene: scene.name.clone(),
+        status: Status::Completed,
+        message: None,
+        model: scene.model.name(),
+        choice: scene.choice.clone(),
+        version: env!("CARGO_PKG_VERSION"),
+        particles: Particles { fluid: 0, wall: 0 },
+        steps: theory.instants.len() as u64,
+        time_end_s: end,
+        wall_time_s: start.elapsed().as_secs_f64(),
+        particle_updates_per_s: 0.0,
+        threads: 1,
+        phases: BTreeMap::new(),
+        log: log.map(|Logged { bytes, frames, left_out }| Log {
+            bytes,
+            frames,
+            frames_left_out: left_out,
+            budget_megabytes: scene.report.log_budget,
+        }),
+        peaks: series.peaks().map(peak).collect(),
+        means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
+        audit: Audit::default(),
+        coupling: None,
+        rest: None,
+        water: None,
+        compressibility: None,
+        similarity,
+        force_rules: Vec::new(),
+        comparison,
+        panels: BTreeMap::new(),
+        gauges: BTreeMap::new(),
+        projection: None,
+    };
+    Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
+}
+
+/// A row of the series, in the order of its columns.
+pub(super) fn row(scene: &Scene, body: &Body, theory: &Theory, k: usize) -> Vec<f64> {
+    let Instant { time, draught, speed, rate, force, .. } = theory.instants[k];
+    let [x, y] = body.position;
+    let sunk = draught - body.draught();
+    let mut row = vec![time, x, y - sunk, 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
+    let middle = body.middle() - x;
+    row.extend(scene.gauges.iter().map(|g| theory.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN)));
+    row
+}
+
+/// Poses of the body, and its curves.
+fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path) -> Result<Logged, ObserveError> {
+    let toml = scene.to_toml();
+    let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
+    let budget = scene.report.log_budget.map(|mb| Budget { bytes: (1e6 * mb) as u64, end: scene.time.end });
+    let mut log = BackgroundLog::create(path, &metadata, budget)?;
+    let outline = body.shape.outline();
+    let none = ParticleView::default();
+    let mut next = 0.0;
+    for (k, now) in theory.instants.iter().enumerate() {
+        let values = row(scene, body, theory, k);
+        let names = Series::body_columns();
+        let named: Vec<(&str, f64)> = names.into_iter().zip(values[1..].iter().copied()).collect();
+        log.sample(now.time, &format!("body/{}", body.name), &named)?;
+        let last = k + 1 == theory.instants.len();
+        if now.time >= next || last {
+            next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);
+            let view = BodyView { name: &body.name, position: [values[1], values[2]], angle: 0.0, outline: &outline };
+            log.frame(Frame::new(now.time, &none, &none, &[view])?, last)?;
+        }
+    }
+    Ok(log.finish()?)
+}
+
+/// The similarity solution's numbers, by this theory.
+fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
+    let rho = scene.fluid.density;
+    let over = |i: &Instant| i.force / (rho * i.speed.powi(2) * i.draught);
+    let late: Vec<usize> = theory.late().collect();
+    let (first, last) = (*late.first()?, *late.last()?);
+    let n = late.len() as f64;
+    let mean = late.iter().map(|&k| over(&theory.instants[k])).sum::<f64>() / n;
+    let sd = (late.iter().map(|&k| (over(&theory.instants[k]) - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let Instant { draught, speed, wetted, .. } = theory.instants[last];
+    let dynamic = 0.5 * rho * speed * speed;
+    let [peak, place] = theory.peak_pressure(last).unwrap_or([f64::NAN; 2]);
+    let tan = theory.loads.section().slope(0.0);
+    let reach = 1.3 * wetted / draught;
+    let profile: Option<Vec<[f64; 2]>> = (theory.loads.rung() != Rung::VonKarman).then(|| {
+        let x = (0..PROFILE).map(|k| reach * (k as f64 + 0.5) / PROFILE as f64);
+        x.map(|x| [x, theory.pressure(last, x * draught).unwrap_or(0.0) / dynamic]).collect()
+    });
+    let profile = profile.unwrap_or_default();
+    let finite = theory.peak_pressure(last).is_some();
+    let error = exact.filter(|_| finite).map(|e| e.profile_error(&profile, 0.8 * std::f64::consts::FRAC_PI_2 / tan));
+    let z = place * tan / draught - 1.0;
+    Some(SimilarityResult {
+        window_s: [theory.instants[first].time, theory.instants[last].time],
+        spacings_per_draught: f64::INFINITY,
+        force_coefficient: mean,
+        force_coefficient_sd: sd,
+        cp_max: peak / dynamic,
+        cp_max_sd: 0.0,
+        cp_max_of_mean: peak / dynamic,
+        z_max_over_vt: z,
+        profile_error: error,
+        profile_error_snapshot: error,
+        cp_noise: None,
+        z_max_error: exact.filter(|_| finite).map(|e| (z - e.z_max_over_vt) / e.z_max_over_vt.abs()),
+        impulse_coefficient: mean,
+        profile,
+    })
+}

@@ -1,0 +1,49 @@
+//! Every model of a scene: can it do it, what does it cost, how far off was it.
+
+use std::time::Instant;
+
+use fsi_coupling::theory::{OutOfRange, Rung};
+use serde::Serialize;
+
+use super::{Measured, Theory, Want, measured};
+use crate::scene::Scene;
+
+/// A model, for a scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct Assessment {
+    /// The model.
+    pub rung: Rung,
+    /// Why it cannot do the scene; absent where it can.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<String>,
+    /// Core-seconds, measured for theories, estimated for particles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub core_seconds: Option<f64>,
+    /// Its error where it was measured nearest to the scene; absent where nothing was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<Measured>,
+}
+
+/// Every theory, from the cheapest, for what is wanted of a scene.
+pub fn rungs(scene: &Scene, want: Want) -> Vec<Assessment> {
+    let theories = Rung::ALL.into_iter().filter(|rung| rung.is_theory());
+    theories
+        .map(|rung| {
+            let start = Instant::now();
+            match Theory::of(scene, rung) {
+                Ok(theory) => Assessment {
+                    rung,
+                    obstacle: None,
+                    core_seconds: Some(start.elapsed().as_secs_f64()),
+                    measured: measured(scene, &theory, want),
+                },
+                Err(OutOfRange { what, range, .. }) => Assessment {
+                    rung,
+                    obstacle: Some(format!("holds for {range}, not {what}")),
+                    core_seconds: None,
+                    measured: None,
+                },
+            }
+        })
+        .collect()
+}

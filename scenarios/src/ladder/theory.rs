@@ -1,0 +1,122 @@
+//! A scene as an entry theory sees it.
+
+use fsi_coupling::theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
+
+use crate::scene::{Body, GaugeFrame, Motion, Scene, Shape};
+
+/// Width of the window that means are taken over, the last fifth of the run.
+const LATE: f64 = 0.8;
+/// Points along the face in which the largest pressure is looked for.
+const POINTS: usize = 4000;
+
+/// A theory's account of a scene.
+#[derive(Clone, Debug)]
+pub struct Theory {
+    /// Loads of the body's section.
+    pub loads: Loads,
+    /// The section at every sample of the scene.
+    pub instants: Vec<Instant>,
+    density: f64,
+}
+
+impl Theory {
+    /// Follow the body of a scene into the water.
+    ///
+    /// # Errors
+    /// What of the scene is beyond this rung, its range, and the next rung that can do it.
+    pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
+        let (body, section, course) = symmetric_entry(scene)?;
+        let loads = Loads::new(rung, &section)?;
+        let density = scene.fluid.density;
+        let instants = {
+            let entry = Entry {
+                loads: &loads,
+                course,
+                draught: body.draught(),
+                speed: -body.velocity[1],
+                gravity: -scene.gravity[1],
+                density,
+                buoyancy: true,
+            };
+            entry.follow(&sample_times(scene))?
+        };
+        Ok(Theory { loads, instants, density })
+    }
+
+    /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
+    ///
+    /// # Errors
+    /// As [`Loads::new`].
+    pub fn at_constant_speed(rung: Rung, section: Section) -> Result<Theory, OutOfRange> {
+        let loads = Loads::new(rung, &section)?;
+        let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
+        let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
+        Ok(Theory { loads, instants: vec![now], density: 1.0 })
+    }
+
+    /// Pressure at distance x from the keel's plane at sample k [Pa]; `None` where the theory has none.
+    pub fn pressure(&self, k: usize, x: f64) -> Option<f64> {
+        let Instant { draught, speed, rate, .. } = self.instants[k];
+        self.loads.pressure(x, draught, speed, rate, self.density)
+    }
+
+    /// Largest pressure along the face at sample k [Pa], and its x [m]; `None` where the theory has none, or it is infinite.
+    pub fn peak_pressure(&self, k: usize) -> Option<[f64; 2]> {
+        if self.loads.rung() == Rung::Wagner {
+            return None; // infinite at the spray root
+        }
+        let reach = self.instants[k].wetted.min(self.loads.section().half_breadth());
+        let at = |i: usize| {
+            let x = reach * i as f64 / POINTS as f64;
+            Some([self.pressure(k, x)?, x])
+        };
+        (0..=POINTS)
+            .map(at)
+            .try_fold([0.0, 0.0], |top: [f64; 2], here| here.map(|p| if p[0] > top[0] { p } else { top }))
+    }
+
+    /// Samples of the last fifth of the run.
+    pub fn late(&self) -> impl Iterator<Item = usize> + '_ {
+        let end = self.instants.last().map_or(0.0, |i| i.time);
+        (0..self.instants.len()).filter(move |k| self.instants[*k].time >= LATE * end)
+    }
+}
+
+/// Times of the rows of the series [s].
+fn sample_times(scene: &Scene) -> Vec<f64> {
+    let (every, end) = (scene.time.sample_every, scene.time.end);
+    let rows = (end / every - 1e-9).ceil() as usize;
+    (0..=rows).map(|k| (k as f64 * every).min(end)).collect()
+}
+
+/// The body of a scene that is nothing but a symmetric section going straight down into still water.
+fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange> {
+    let refuse = |what: &str| OutOfRange {
+        what: what.into(),
+        range: "a rigid symmetric body that goes straight down into still water".into(),
+        next: Rung::Wcsph,
+    };
+    let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
+    scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
+    let tank = &scene.tank;
+    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block.is_none();
+    let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
+    let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
+    let obstacles = [
+        (lopsided, "a body that is tilted, turns or moves sideways"),
+        (scene.gravity[0] != 0.0, "gravity that pulls sideways"),
+        (!body.panels.is_empty(), "panels that bend"),
+        (!still || tank.water_width < tank.width, "water that is not at rest"),
+        (on_tank, "gauges on the tank"),
+        (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),
+    ];
+    if let Some((_, what)) = obstacles.into_iter().find(|(stands, _)| *stands) {
+        return Err(refuse(what));
+    }
+    let course = match &body.motion {
+        Motion::ConstantVelocity => Course::Constant,
+        Motion::Free(freedom) if freedom.y => Course::Free(freedom.mass),
+        _ => return Err(refuse("a body that is held or swings")),
+    };
+    Ok((body, Section::of(&body.shape)?, course))
+}
