@@ -307,16 +307,24 @@ fn progress_bar(cli: &Cli) -> ProgressBar {
 }
 
 fn in_words(s: &Summary) -> String {
-    let mut lines = vec![format!(
-        "{}: {} particles, {} steps, {:.1} s of wall time",
-        s.scene, s.particles.fluid, s.steps, s.wall_time_s
-    )];
+    let theory = s.particles.fluid == 0;
+    let mut lines = vec![match theory {
+        true => format!("{}: {}, {:.1} ms of wall time", s.scene, s.model, 1e3 * s.wall_time_s),
+        false => format!(
+            "{}: {} particles, {} steps, {:.1} s of wall time",
+            s.scene, s.particles.fluid, s.steps, s.wall_time_s
+        ),
+    }];
+    lines.extend(s.choice.iter().map(|why| format!("  model chosen: {why}")));
     for c in &s.comparison {
         let verdict = match c.tolerance {
             None => "drawn only".to_string(),
             Some(t) => format!("{} {t}", if c.passes() { "within" } else { "OUTSIDE" }),
         };
         lines.push(format!("  {} against {}: error {:.4} ({verdict})", c.quantity, c.reference, c.error));
+    }
+    if theory {
+        return lines.join("\n");
     }
     lines.push(format!(
         "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",

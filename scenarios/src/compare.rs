@@ -108,13 +108,13 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
     Some(Comparison { reference, quantity, ours, theirs, error, tolerance })
 }
 
-/// Compare the similarity numbers with the exact solution, where it is tabulated.
+/// Compare the similarity numbers with the exact solution, where there is one.
 pub fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Comparison> {
     let Some(exact) = similarity_of(scene) else {
         return Vec::new();
     };
     let line = |quantity: &str, ours: f64, theirs: f64, tolerance: f64| Comparison {
-        reference: "wedge_similarity/summary.csv".into(),
+        reference: exact.source.into(),
         quantity: quantity.into(),
         ours,
         theirs,

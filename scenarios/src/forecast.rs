@@ -4,10 +4,12 @@ use serde::Serialize;
 use sph_core::Solver;
 
 use crate::build::tiling;
+use crate::ladder::{Assessment, Want, rungs};
 use crate::scene::{
     CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
 };
+use fsi_coupling::theory::Rung;
 
 /// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
 /// order of magnitude of an estimate, not a promise.
@@ -58,6 +60,13 @@ pub struct Forecast {
     pub added_mass_ratios: Option<[f64; 3]>,
     /// What one exchange a step makes of an error in a panel's acceleration, by panel (THEORY C12).
     pub panels: Vec<PanelForecast>,
+    /// The model that runs the scene.
+    pub model: &'static str,
+    /// Why, where it was left to the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub choice: Option<String>,
+    /// The theories: which can do the scene, at what cost, how far off they were for the largest force.
+    pub ladder: Vec<Assessment>,
     /// Doubts, in plain words.
     pub warnings: Vec<String>,
 }
@@ -147,7 +156,22 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
                 }),
             })
             .collect(),
+        model: scene.model.name(),
+        choice: scene.choice.clone(),
+        ladder: scene.entry().map_or(Vec::new(), |_| rungs(scene, Want::PeakForce)),
         warnings: warnings.to_vec(),
+    }
+}
+
+/// A theory in a line.
+fn step_of_ladder(a: &Assessment) -> String {
+    let name = format!("  {:<15}", a.rung.name());
+    match (&a.obstacle, a.core_seconds, &a.measured) {
+        (Some(obstacle), ..) => format!("{name}{obstacle}"),
+        (None, Some(cost), Some(m)) => {
+            format!("{name}{:.1} ms, largest force {:.2} % off in {}", 1e3 * cost, 100.0 * m.error, m.case)
+        }
+        (None, cost, _) => format!("{name}{:.1} ms, measured nowhere near this scene", 1e3 * cost.unwrap_or(0.0)),
     }
 }
 
@@ -155,13 +179,21 @@ impl Forecast {
     /// In plain words.
     pub fn to_text(&self) -> String {
         let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
-        let mut lines = vec![
-            format!("scene        {}", self.scene),
+        let mut lines = vec![format!("scene        {}", self.scene), format!("model        {}", self.model)];
+        lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
+        lines.extend(self.ladder.iter().map(step_of_ladder));
+        if !self.ladder.is_empty() {
+            lines.push(format!("  {:<15}about {:.0} core-seconds", "particles", self.core_seconds));
+        }
+        if Rung::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
+            return lines.join("\n");
+        }
+        lines.extend([
             format!("particles    {} fluid{growing}, about {} wall", self.fluid_particles, self.wall_particles),
             format!("memory       about {:.0} MiB", self.memory_mib),
             format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
             format!("cost         about {:.0} core-seconds", self.core_seconds),
-        ];
+        ]);
         if let Some((sound, mach)) = self.sound_speed_m_per_s.zip(self.mach) {
             lines.push(format!("sound speed  {sound:.1} m/s, Mach {mach:.3} at the fastest known speed"));
         }

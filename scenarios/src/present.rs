@@ -1,5 +1,6 @@
 //! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
 
+mod ladder;
 mod panels;
 
 use sph_core::{Phase, sweep};
@@ -12,6 +13,7 @@ use crate::report::{
 use crate::run::Outcome;
 use crate::scene::{Scene, Symmetry};
 use crate::summary::{Compressibility, Log, Projection, Status, Summary};
+use ladder::Theories;
 
 /// References of more points than this are drawn as lines.
 const MANY: usize = 60;
@@ -23,16 +25,23 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     if !summary.comparison.is_empty() {
         sections.push(("Against references".into(), vec![comparison_table(&summary.comparison)]));
     }
-    sections.push(("Flow".into(), pictures(scene, outcome.pictures.frames())));
+    if !scene.model.is_theory() {
+        sections.push(("Flow".into(), pictures(scene, outcome.pictures.frames())));
+    }
     sections.push(("Curves".into(), charts(scene, outcome)));
+    if scene.entry().is_some() {
+        sections.push(("Ladder".into(), ladder::ladder_table(scene)));
+    }
     if !summary.panels.is_empty() {
         sections.push(("Panels".into(), panels::panels_section(summary)));
     }
     if !summary.force_rules.is_empty() {
         sections.push(("Force by four rules".into(), force_rules_section(summary)));
     }
-    sections.push(("Audit".into(), vec![audit_table(summary)]));
-    sections.push(("Cost".into(), vec![cost_bar(summary)]));
+    if !scene.model.is_theory() {
+        sections.push(("Audit".into(), vec![audit_table(summary)]));
+        sections.push(("Cost".into(), vec![cost_bar(summary)]));
+    }
     sections.push((
         "Scene as run".into(),
         vec![Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() }],
@@ -54,17 +63,21 @@ fn row(cells: &[&str]) -> Vec<String> {
 }
 
 fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
-    let mut rows = vec![
-        row(&["model", s.model, ""]),
-        row(&["fluid particles", &s.particles.fluid.to_string(), ""]),
-        row(&["wall particles", &s.particles.wall.to_string(), ""]),
-        row(&["finest spacing", &format!("{:.4}", 1e3 * scene.resolution.spacing), "mm"]),
-        row(&["steps", &s.steps.to_string(), ""]),
+    let mut rows = vec![row(&["model", s.model, ""])];
+    if !scene.model.is_theory() {
+        rows.extend([
+            row(&["fluid particles", &s.particles.fluid.to_string(), ""]),
+            row(&["wall particles", &s.particles.wall.to_string(), ""]),
+            row(&["finest spacing", &format!("{:.4}", 1e3 * scene.resolution.spacing), "mm"]),
+            row(&["steps", &s.steps.to_string(), ""]),
+            row(&["particle updates", &format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s"]),
+        ]);
+    }
+    rows.extend([
         row(&["time reached", &format!("{:.6}", s.time_end_s), "s"]),
-        row(&["wall time", &format!("{:.1}", s.wall_time_s), "s"]),
+        row(&["wall time", &format!("{:.3}", s.wall_time_s), "s"]),
         row(&["threads", &s.threads.to_string(), ""]),
-        row(&["particle updates", &format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s"]),
-    ];
+    ]);
     rows.extend(s.log.iter().flat_map(log_rows));
     rows.extend(s.compressibility.iter().flat_map(compressibility_rows));
     rows.extend(s.projection.iter().flat_map(projection_rows));
@@ -270,8 +283,9 @@ fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
     let times = series.times();
     let ours = |name: &str, scale: f64| {
         let y: Option<Vec<f64>> = series.column(name).map(|c| c.iter().map(|v| scale * v).collect());
-        Curve { label: "splashdown".into(), mark: Mark::Line, x: times.clone(), y: y.unwrap_or_default() }
+        Curve { label: outcome.summary.model.into(), mark: Mark::Line, x: times.clone(), y: y.unwrap_or_default() }
     };
+    let theories = Theories::beside(scene);
     let mut drawn: Vec<&str> = Vec::new();
     for compare in &scene.compare {
         if drawn.contains(&compare.quantity.as_str()) {
@@ -288,26 +302,29 @@ fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
                 curves.push(Curve { label: short(&other.reference), mark, x, y });
             }
         }
+        curves.extend(theories.curves(&compare.quantity, compare.scale));
         blocks.push(chart(&format!("{} against references", compare.quantity), "t [s]", &compare.quantity, curves));
     }
     if let Some(similarity) = &outcome.summary.similarity {
-        blocks.push(profile_chart(scene, &similarity.profile));
+        blocks.push(profile_chart(scene, &similarity.profile, theories.profiles()));
     }
     for name in series.columns().iter().skip(1).filter(|n| !drawn.contains(&n.as_str())) {
         let curve = ours(name, 1.0);
         let moves = curve.y.iter().any(|v| (v - curve.y[0]).abs() > 1e-12);
         if moves {
-            blocks.push(chart(name, "t [s]", name, vec![curve]));
+            let curves = std::iter::once(curve).chain(theories.curves(name, 1.0)).collect();
+            blocks.push(chart(name, "t [s]", name, curves));
         }
     }
     blocks
 }
 
-fn profile_chart(scene: &Scene, profile: &[[f64; 2]]) -> Block {
+fn profile_chart(scene: &Scene, profile: &[[f64; 2]], theories: Vec<Curve>) -> Block {
     let split = |points: &[[f64; 2]]| points.iter().map(|p| (p[0], p[1])).unzip();
     let (x, y): (Vec<f64>, Vec<f64>) = split(profile);
     let end = x.last().copied().unwrap_or(1.0);
-    let mut curves = vec![Curve { label: "splashdown".into(), mark: Mark::Line, x, y }];
+    let mut curves = vec![Curve { label: scene.model.name().into(), mark: Mark::Line, x, y }];
+    curves.extend(theories);
     if let Some(exact) = compare::similarity_of(scene) {
         let (x, y) = split(&exact.profile);
         curves.push(Curve { label: "similarity solution".into(), mark: Mark::Dashed, x, y });

@@ -2,6 +2,7 @@
 //!
 //! The project's own tables (`tests/reference`) are part of the program; a scene may name a file of its own.
 
+use fsi_coupling::theory::SimilarityFlow;
 use include_dir::{Dir, include_dir};
 
 static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/reference");
@@ -91,9 +92,14 @@ fn builtin_names() -> Vec<String> {
     TABLES.dirs().flat_map(|d| d.files()).map(|f| f.path().display().to_string()).collect()
 }
 
+/// The similarity solution's numbers that an independent program computed.
+const TABLE: &str = "wedge_similarity/summary.csv";
+
 /// The similarity solution's numbers for a wedge at constant speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WedgeSimilarity {
+    /// Where it is from.
+    pub source: &'static str,
     /// F/(ρV³t), both sides.
     pub force_coefficient: f64,
     /// Largest Cp on the face.
@@ -105,15 +111,30 @@ pub struct WedgeSimilarity {
 }
 
 impl WedgeSimilarity {
-    /// The tabulated solution for a deadrise angle [deg], if it is one of those tabulated.
+    /// The solution for a deadrise angle [deg]: that of an independent program where it is tabulated, else our own (THEORY
+    /// LM10), for 4 to 80 degrees.
     pub fn at(deadrise_deg: f64) -> Option<WedgeSimilarity> {
-        let summary = Table::load("wedge_similarity/summary.csv").ok()?;
+        WedgeSimilarity::tabulated(deadrise_deg).or_else(|| {
+            let flow = SimilarityFlow::solve(deadrise_deg)?;
+            Some(WedgeSimilarity {
+                source: "similarity solution (THEORY LM10)",
+                force_coefficient: flow.force_coefficient,
+                cp_max: flow.cp_max,
+                z_max_over_vt: flow.z_max,
+                profile: flow.profile,
+            })
+        })
+    }
+
+    fn tabulated(deadrise_deg: f64) -> Option<WedgeSimilarity> {
+        let summary = Table::load(TABLE).ok()?;
         let row = summary.rows.iter().find(|r| (r[0] - deadrise_deg).abs() < 1e-9)?;
         let name = format!("wedge_similarity/cp_beta{deadrise_deg:.0}.csv");
         let table = Table::load(&name).ok()?;
         let (x, cp) = (table.column(&name, "x_over_Vt").ok()?, table.column(&name, "Cp").ok()?);
         let profile = x.into_iter().zip(cp).map(|(x, cp)| [x, cp]).collect();
-        Some(WedgeSimilarity { force_coefficient: row[3], cp_max: row[1], z_max_over_vt: row[2], profile })
+        let (force_coefficient, cp_max, z_max_over_vt) = (row[3], row[1], row[2]);
+        Some(WedgeSimilarity { source: TABLE, force_coefficient, cp_max, z_max_over_vt, profile })
     }
 }
 
@@ -153,7 +174,9 @@ mod tests {
             }
         }
         assert_eq!(WedgeSimilarity::at(30.0).unwrap().force_coefficient, 14.0201);
-        assert!(WedgeSimilarity::at(33.0).is_none());
+        assert!(WedgeSimilarity::tabulated(33.0).is_none() && WedgeSimilarity::at(85.0).is_none());
+        let between = WedgeSimilarity::at(33.0).unwrap().force_coefficient;
+        assert!(between < 14.0201 && between > 8.0, "{between}");
         let exact = WedgeSimilarity::at(45.0).unwrap();
         assert!(exact.profile_error(&exact.profile, 1.25) < 1e-12);
         let tenth_off: Vec<[f64; 2]> = exact.profile.iter().map(|p| [p[0], p[1] + 0.1 * exact.cp_max]).collect();

@@ -57,6 +57,12 @@ impl Entry<'_> {
     /// # Errors
     /// The body stops going down (models of entry know no way out), or its wetted bottom leaves the model's range.
     pub fn follow(&self, times: &[f64]) -> Result<Vec<Instant>, OutOfRange> {
+        let (instants, end) = self.follow_while_in_range(times);
+        end.map_or(Ok(instants), Err)
+    }
+
+    /// The same up to where the model's range ends, and why it does.
+    pub fn follow_while_in_range(&self, times: &[f64]) -> (Vec<Instant>, Option<OutOfRange>) {
         let end = times.last().copied().unwrap_or(0.0);
         let (mut state, mut now) = ([self.draught, self.speed], 0.0);
         let mut instants = Vec::with_capacity(times.len());
@@ -68,10 +74,12 @@ impl Entry<'_> {
             }
             now = time;
             let instant = self.instant(time, state);
-            self.refuse(&instant)?;
+            if let Err(refused) = self.refuse(&instant) {
+                return (instants, Some(refused));
+            }
             instants.push(instant);
         }
-        Ok(instants)
+        (instants, None)
     }
 
     /// LM12: (m + ρM) dV/dt = m g − ρA V² − ρ g S, or V constant.

@@ -3,11 +3,11 @@
 use fsi_coupling::theory::Rung;
 
 use super::{Want, rungs};
-use crate::scene::Scene;
+use crate::scene::{Scene, significant};
 
 /// The cheapest model whose measured error meets the tolerance, and why, in a sentence.
 pub fn choose(scene: &Scene, want: Want, within: f64) -> (Rung, String) {
-    let per_cent = |share: f64| format!("{:.3} %", 100.0 * share);
+    let per_cent = |share: f64| format!("{} %", significant(100.0 * share));
     let assessed = rungs(scene, want);
     let near = |m: &&super::Measured| m.error <= within;
     let found = assessed.iter().find_map(|a| a.measured.as_ref().filter(near).map(|m| (a.rung, m)));

@@ -5,7 +5,7 @@ use fsi_coupling::theory::{Rung, Section, SimilarityFlow};
 use super::{Theory, Want};
 use crate::compare;
 use crate::observe::Series;
-use crate::scene::{self, Motion, Scene};
+use crate::scene::{self, Motion, Scene, significant};
 
 /// An error that was measured.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -34,7 +34,8 @@ pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> 
         true => drop_error(rung)?,
         false => 0.0,
     };
-    let against = format!("a wedge of {deadrise:.4} degrees at constant speed, against the similarity solution");
+    let against =
+        format!("a wedge of {} degrees at constant speed, against the similarity solution", significant(deadrise));
     let and_drop = format!("the free drop {DROP}, against boundary elements");
     let with_drop = |error: f64| Measured {
         error: error + dropped,
@@ -68,20 +69,11 @@ fn drop_deadrise() -> Option<f64> {
 
 /// RMS error of the drop's speed over its speed at contact, up to where this theory can follow [-].
 fn drop_error(rung: Rung) -> Option<f64> {
-    let mut scene = scene::load(DROP, &[]).ok()?.scene;
-    let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?.clone();
-    let theory = loop {
-        match Theory::of(&scene, rung) {
-            Ok(theory) => break theory,
-            Err(_) if scene.time.end > 0.2 * compare.window[1] => scene.time.end *= 0.95,
-            Err(_) => return None,
-        }
-    };
-    let body = scene.body.as_ref()?;
+    let scene = scene::load(DROP, &[]).ok()?.scene;
+    let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?;
+    let (theory, _) = Theory::while_in_range(&scene, rung).ok()?;
     let mut series = Series::new(&scene, None).ok()?;
-    for k in 0..theory.instants.len() {
-        series.push(super::run::row(&scene, body, &theory, k)).ok()?;
-    }
-    let reference = compare::curve(&compare).ok()?;
-    Some(compare::against_curve(&compare, &reference, &series)?.error.abs())
+    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
+    let reference = compare::curve(compare).ok()?;
+    Some(compare::against_curve(compare, &reference, &series)?.error.abs())
 }

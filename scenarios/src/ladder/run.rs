@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Instant as Clock;
 
-use fsi_coupling::theory::{Instant, Rung};
+use fsi_coupling::theory::Instant;
 
 use super::Theory;
 use crate::compare::{self, ReferenceCurve};
@@ -28,8 +28,8 @@ pub(crate) fn run(
     let body = scene.body.as_ref().expect("a theory has a body");
     let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
     let mut series = Series::new(scene, file("series.csv").as_deref())?;
-    for k in 0..theory.instants.len() {
-        series.push(row(scene, body, &theory, k))?;
+    for row in theory.rows(scene) {
+        series.push(row)?;
     }
     series.flush()?;
     let log = file("log.mcap").filter(|_| !options.without_log);
@@ -78,17 +78,6 @@ pub(crate) fn run(
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
 }
 
-/// A row of the series, in the order of its columns.
-pub(super) fn row(scene: &Scene, body: &Body, theory: &Theory, k: usize) -> Vec<f64> {
-    let Instant { time, draught, speed, rate, force, .. } = theory.instants[k];
-    let [x, y] = body.position;
-    let sunk = draught - body.draught();
-    let mut row = vec![time, x, y - sunk, 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
-    let middle = body.middle() - x;
-    row.extend(scene.gauges.iter().map(|g| theory.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN)));
-    row
-}
-
 /// Poses of the body, and its curves.
 fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path) -> Result<Logged, ObserveError> {
     let toml = scene.to_toml();
@@ -98,8 +87,8 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
     let outline = body.shape.outline();
     let none = ParticleView::default();
     let mut next = 0.0;
-    for (k, now) in theory.instants.iter().enumerate() {
-        let values = row(scene, body, theory, k);
+    let rows = theory.rows(scene);
+    for (k, (now, values)) in theory.instants.iter().zip(&rows).enumerate() {
         let names = Series::body_columns();
         let named: Vec<(&str, f64)> = names.into_iter().zip(values[1..].iter().copied()).collect();
         log.sample(now.time, &format!("body/{}", body.name), &named)?;
@@ -122,16 +111,11 @@ fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -
     let n = late.len() as f64;
     let mean = late.iter().map(|&k| over(&theory.instants[k])).sum::<f64>() / n;
     let sd = (late.iter().map(|&k| (over(&theory.instants[k]) - mean).powi(2)).sum::<f64>() / n).sqrt();
-    let Instant { draught, speed, wetted, .. } = theory.instants[last];
+    let Instant { draught, speed, .. } = theory.instants[last];
     let dynamic = 0.5 * rho * speed * speed;
     let [peak, place] = theory.peak_pressure(last).unwrap_or([f64::NAN; 2]);
     let tan = theory.loads.section().slope(0.0);
-    let reach = 1.3 * wetted / draught;
-    let profile: Option<Vec<[f64; 2]>> = (theory.loads.rung() != Rung::VonKarman).then(|| {
-        let x = (0..PROFILE).map(|k| reach * (k as f64 + 0.5) / PROFILE as f64);
-        x.map(|x| [x, theory.pressure(last, x * draught).unwrap_or(0.0) / dynamic]).collect()
-    });
-    let profile = profile.unwrap_or_default();
+    let profile = theory.profile(last, PROFILE);
     let finite = theory.peak_pressure(last).is_some();
     let error = exact.filter(|_| finite).map(|e| e.profile_error(&profile, 0.8 * std::f64::consts::FRAC_PI_2 / tan));
     let z = place * tan / draught - 1.0;

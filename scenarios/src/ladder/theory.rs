@@ -25,10 +25,19 @@ impl Theory {
     /// # Errors
     /// What of the scene is beyond this rung, its range, and the next rung that can do it.
     pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
+        let (theory, end) = Theory::while_in_range(scene, rung)?;
+        end.map_or(Ok(theory), Err)
+    }
+
+    /// The same up to where the rung's range ends, and why it does.
+    ///
+    /// # Errors
+    /// What of the scene is beyond this rung from the start.
+    pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, course) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
         let density = scene.fluid.density;
-        let instants = {
+        let (instants, end) = {
             let entry = Entry {
                 loads: &loads,
                 course,
@@ -38,9 +47,9 @@ impl Theory {
                 density,
                 buoyancy: true,
             };
-            entry.follow(&sample_times(scene))?
+            entry.follow_while_in_range(&sample_times(scene))
         };
-        Ok(Theory { loads, instants, density })
+        Ok((Theory { loads, instants, density }, end))
     }
 
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
@@ -58,6 +67,31 @@ impl Theory {
     pub fn pressure(&self, k: usize, x: f64) -> Option<f64> {
         let Instant { draught, speed, rate, .. } = self.instants[k];
         self.loads.pressure(x, draught, speed, rate, self.density)
+    }
+
+    /// Rows of the series: time, then the body's columns and the gauges; what the theory does not have is no number.
+    pub fn rows(&self, scene: &Scene) -> Vec<Vec<f64>> {
+        let Some(body) = &scene.body else { return Vec::new() };
+        let [x, y] = body.position;
+        let (floats, middle) = (body.draught(), body.middle() - x);
+        let row = |(k, now): (usize, &Instant)| {
+            let Instant { time, draught, speed, rate, force, .. } = *now;
+            let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
+            let gauges = scene.gauges.iter().map(|g| self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN));
+            motion.into_iter().chain(gauges).collect()
+        };
+        self.instants.iter().enumerate().map(row).collect()
+    }
+
+    /// Pressure coefficient p/(½ρV²) along the face at sample k, at `points` places x/(V t), h for V t [-], shape (n, 2); empty
+    /// where the theory has no pressures.
+    pub fn profile(&self, k: usize, points: usize) -> Vec<[f64; 2]> {
+        let Instant { draught, speed, wetted, .. } = self.instants[k];
+        let at = |i: usize| {
+            let x = 1.3 * wetted * (i as f64 + 0.5) / points as f64;
+            self.pressure(k, x).map(|p| [x / draught, 2.0 * p / (self.density * speed * speed)])
+        };
+        (0..points).map(at).collect::<Option<_>>().unwrap_or_default()
     }
 
     /// Largest pressure along the face at sample k [Pa], and its x [m]; `None` where the theory has none, or it is infinite.

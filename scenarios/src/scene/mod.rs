@@ -65,4 +65,5 @@ pub use model::{
 pub use model_panel::{Panel, TheoryName};
 pub use overrides::apply_set;
 pub use panels::panel_length;
+pub(crate) use problem::significant;
 pub use warnings::warnings;

@@ -1,0 +1,76 @@
+//! The ladder in a report: what every theory says of the same scene, over one another.
+
+use fsi_coupling::theory::Rung;
+
+use super::row;
+use crate::ladder::{Assessment, Theory, Want, rungs};
+use crate::observe::Series;
+use crate::report::{Block, Curve, Mark, Table};
+use crate::scene::Scene;
+
+/// Points of a pressure profile.
+const PROFILE: usize = 400;
+
+/// What the theories say that hold for a scene, each as far as it holds.
+pub(super) struct Theories {
+    told: Vec<(Rung, Theory, Vec<Vec<f64>>)>,
+    columns: Vec<String>,
+}
+
+impl Theories {
+    /// All but the one that was run.
+    pub fn beside(scene: &Scene) -> Theories {
+        let others = Rung::ALL.into_iter().filter(|rung| rung.is_theory() && *rung != scene.model);
+        let told = others.filter_map(|rung| {
+            let (theory, _) = Theory::while_in_range(scene, rung).ok()?;
+            let rows = theory.rows(scene);
+            (rows.len() > 1).then_some((rung, theory, rows))
+        });
+        let body = scene.body.iter().flat_map(|b| Series::body_columns().map(|c| format!("{}.{c}", b.name)));
+        let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name));
+        let columns = std::iter::once("time_s".to_string()).chain(body).chain(gauges).collect();
+        Theories { told: told.collect(), columns }
+    }
+
+    /// What they say of a column of the series, times `scale`.
+    pub fn curves(&self, column: &str, scale: f64) -> Vec<Curve> {
+        let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
+        let told = self.told.iter().filter(|(_, _, rows)| rows.iter().all(|row| row[k].is_finite()));
+        let curve = |(rung, _, rows): &(Rung, Theory, Vec<Vec<f64>>)| Curve {
+            label: rung.name().into(),
+            mark: Mark::Dashed,
+            x: rows.iter().map(|row| row[0]).collect(),
+            y: rows.iter().map(|row| scale * row[k]).collect(),
+        };
+        told.map(curve).collect()
+    }
+
+    /// Their pressure coefficients along the face, at their last moments.
+    pub fn profiles(&self) -> Vec<Curve> {
+        let curve = |(rung, theory, _): &(Rung, Theory, Vec<Vec<f64>>)| {
+            theory.peak_pressure(theory.instants.len() - 1)?; // infinite, or none: not to be drawn
+            let (x, y) = theory.profile(theory.instants.len() - 1, PROFILE).into_iter().map(|p| (p[0], p[1])).unzip();
+            Some(Curve { label: rung.name().into(), mark: Mark::Dashed, x, y })
+        };
+        self.told.iter().filter_map(curve).collect()
+    }
+}
+
+/// The ladder as a table: can it do the scene, what does it cost, how far off was it for `want`.
+pub(super) fn ladder_table(scene: &Scene) -> Vec<Block> {
+    let want = Want::PeakForce;
+    let line = |a: Assessment| {
+        let cost = a.core_seconds.map_or(String::new(), |s| format!("{:.1}", 1e3 * s));
+        let error = a.measured.as_ref().map_or(String::new(), |m| format!("{:.2}", 100.0 * m.error));
+        let said = a.obstacle.or(a.measured.map(|m| m.case)).unwrap_or("measured nowhere near this scene".into());
+        row(&[a.rung.name(), &cost, &error, &said])
+    };
+    let head = row(&["theory", "cost [ms]", "error of the largest force [%]", "measured where, or why not"]);
+    let table = Table {
+        title: "Theories of this entry".into(),
+        head,
+        rows: rungs(scene, want).into_iter().map(line).collect(),
+    };
+    let why = scene.choice.iter().map(|why| Block::Text(format!("Model chosen: {why}.")));
+    why.chain([Block::Table(table)]).collect()
+}
