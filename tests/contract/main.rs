@@ -10,5 +10,6 @@ mod bits;
 mod chart;
 mod endings;
 mod files;
+mod ladder;
 mod refusals;
 mod study;
