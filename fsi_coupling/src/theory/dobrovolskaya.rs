@@ -10,11 +10,13 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 /// Range of y = ln|u| on the free surface: m falls like e^(y/2) to the left and e^(−3y/2) to the right.
-const SURFACE: [f64; 2] = [-36.0, 20.0];
-/// Range of t on the face, u = 1/(1 + e^−t).
-const FACE: [f64; 2] = [-60.0, 60.0];
-/// Range of t on the plane of symmetry, u = 1 + e^t.
-const AXIS: [f64; 2] = [-100.0, 60.0];
+const SURFACE: [f64; 2] = [-48.0, 20.0];
+/// ζ′(−2): the trapezoidal rule past a logarithm's singularity lacks h ln(h/2π) m + ζ′(−2) h³ m″ (Sidi & Israeli 1988).
+const SINGULAR: f64 = -0.030_448_457_058_393_27;
+/// Least t on the face, u = 1/(1 + e^−t), and largest on the plane of symmetry, u = 1 + e^t.
+const FROM_KEEL: f64 = 60.0;
+/// Speeds beside the keel fall like e^(−t (1/2 − β/π)): this many times e.
+const FALLEN: f64 = 25.0;
 /// Largest residual of a solution.
 const SOLVED: f64 = 1e-9;
 /// Iterations of Newton's method: 6 to 14 are needed.
@@ -57,26 +59,29 @@ fn log_distance(z: f64) -> f64 {
     z.max(0.0) + (-(-z.abs()).exp_m1()).ln()
 }
 
-/// ∫ up to every point, the values below the first one being `tail`: trapezoids less h²/12 of the slope's change, order 4.
+/// ∫ up to every point, the values below the first one being `tail`: trapezoids less h²/12 f′ and more h⁴/720 f‴ of the ends (Euler and
+/// Maclaurin), order 6 away from the range's ends.
 pub(super) fn integral(f: &[f64], step: f64, tail: f64) -> Vec<f64> {
-    let slope = |k: usize| match k {
-        0 => 2.0 * (f[1] - f[0]),
-        k if k + 1 == f.len() => 2.0 * (f[k] - f[k - 1]),
-        k => f[k + 1] - f[k - 1],
+    let n = f.len();
+    let end = |k: usize| match k {
+        0 => (f[1] - f[0]) / 12.0,
+        k if k + 1 == n => (f[k] - f[k - 1]) / 12.0,
+        k if k == 1 || k + 2 == n => (f[k + 1] - f[k - 1]) / 24.0,
+        k => (82.0 * (f[k + 1] - f[k - 1]) - 11.0 * (f[k + 2] - f[k - 2])) / 1440.0,
     };
     let mut sum = tail;
-    let trapezoids = (0..f.len()).map(|k| {
+    let trapezoids = (0..n).map(|k| {
         sum += if k == 0 { 0.0 } else { 0.5 * step * (f[k - 1] + f[k]) };
         sum
     });
-    trapezoids.enumerate().map(|(k, sum)| sum - step / 24.0 * (slope(k) - slope(0))).collect()
+    trapezoids.enumerate().map(|(k, sum)| sum - step * (end(k) - end(0))).collect()
 }
 
 /// The grids, and what m at each point of the surface adds to ln|dζ/du| elsewhere.
 struct Kernels {
     step: f64,
     y: Vec<f64>,
-    /// On the surface: h ln|1 − e^(y_j − y_i)|; the singular entry is that of the trapezoidal rule, h ln(h/2π).
+    /// On the surface: h ln|1 − e^(y_j − y_i)|; the entries about the singularity are those of the trapezoidal rule corrected for it.
     surface: Mat<f64>,
     /// ln u and ln(1 − u) on the face.
     face_logs: Vec<[f64; 2]>,
@@ -85,16 +90,20 @@ struct Kernels {
 }
 
 impl Kernels {
-    fn new(step: f64) -> Kernels {
+    fn new(beta: f64, step: f64) -> Kernels {
         let y = points(SURFACE, step);
         let n = y.len();
         let apart: Vec<f64> = (0..2 * n - 1)
             .map(|k| match k as isize - (n as isize - 1) {
-                0 => step * (step / (2.0 * PI)).ln(),
+                0 => step * ((step / (2.0 * PI)).ln() - 2.0 * SINGULAR),
+                d if d.abs() == 1 => step * (log_distance(step * d as f64) + SINGULAR),
                 d => step * log_distance(step * d as f64),
             })
             .collect();
-        let face_logs: Vec<[f64; 2]> = points(FACE, step).into_iter().map(|t| [-softplus(-t), -softplus(t)]).collect();
+        let face_logs: Vec<[f64; 2]> = points([-FROM_KEEL, FALLEN / (0.5 - beta / PI)], step)
+            .into_iter()
+            .map(|t| [-softplus(-t), -softplus(t)])
+            .collect();
         Kernels {
             surface: Mat::from_fn(n, n, |i, j| apart[n - 1 + j - i]),
             face: Mat::from_fn(face_logs.len(), n, |i, j| step * softplus(y[j] - face_logs[i][0])),
@@ -219,7 +228,7 @@ fn start(k: &Kernels, beta: f64) -> Trial {
 impl Dobrovolskaya {
     /// Solve for a deadrise [rad] on grids of the given step; `None` where Newton's method does not arrive.
     pub fn solve(beta: f64, step: f64) -> Option<Dobrovolskaya> {
-        let k = Kernels::new(step);
+        let k = Kernels::new(beta, step);
         let mut trial = start(&k, beta);
         for _ in 0..MOST_ITERATIONS {
             if trial.error() < SOLVED {
@@ -242,7 +251,7 @@ impl Dobrovolskaya {
         let Trial { fall, contact, log_stretch, face: [lengths, speeds], integrals: [along, rate], .. } = trial;
         let strength = along / rate;
         // LM9: on the plane of symmetry the water's speed falls from V at the keel to nothing
-        let fallen: f64 = points(AXIS, k.step)
+        let fallen: f64 = points([-FALLEN / (0.5 - beta / PI), FROM_KEEL], k.step)
             .into_iter()
             .map(|t| {
                 let log_u = softplus(t);

@@ -21,7 +21,7 @@ const DROP: &str = "wedge25";
 /// Deadrises beside the drop's that it speaks for [deg].
 const BESIDE_DROP: f64 = 15.0;
 /// Largest error of the similarity solution's numbers against an independent program's (`tests/verification/theory.rs`) [-].
-const SIMILARITY_ERROR: f64 = 4e-4;
+const SIMILARITY_ERROR: f64 = 1e-4;
 
 /// The error of a theory where it was measured nearest to this scene: against the exact solution at the same deadrise, and for
 /// free drops against the validated one. `None` where nothing was measured near.

@@ -10,12 +10,13 @@ use super::builtin::builtin;
 use super::check::check;
 use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+use super::file::SceneFile;
 use super::keywords;
 use super::model::Scene;
 use super::overrides::apply_set;
 use super::problem::{Problem, significant};
 use super::resolve::resolve;
-use super::resolve_model::settle_model;
+use super::resolve_model::{fill_in, halved, settle_model};
 use super::source::Source;
 use super::warnings::warnings;
 
@@ -88,9 +89,15 @@ impl Loaded {
 
 fn read(value: Value) -> Result<Scene, Problem> {
     refuse_absurd_numbers("", &value)?;
-    let file = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
-    let (scene, ask) = resolve(file)?;
-    check(&scene)?;
+    let file: SceneFile = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
+    let sensible = |file: SceneFile| {
+        let (scene, ask) = resolve(file)?;
+        check(&scene)?;
+        Ok((scene, ask))
+    };
+    let file = fill_in(file)?;
+    let half = halved(&file).and_then(|half| sensible(half).ok());
+    let (scene, ask) = half.map_or_else(|| sensible(file), Ok)?;
     settle_model(scene, ask)
 }
 

@@ -2,8 +2,11 @@
 
 use serde::Deserialize;
 
-use super::model::{Rung, Scene, Solver};
+use super::file::SceneFile;
+use super::impact::Entry;
+use super::model::{Rung, Scene, Solver, Symmetry};
 use super::problem::{Problem, within};
+use super::resolve_body::resolve_body;
 use crate::ladder::{Theory, Want, choose};
 
 /// The key `model`.
@@ -74,6 +77,29 @@ pub(super) fn resolve_model(
         Some(ModelName::Wcsph) => named(Rung::Wcsph),
         Some(ModelName::Incompressible) => named(Rung::Incompressible),
     }
+}
+
+/// Left to the program, the end of an entry is when a body that kept its speed would be this many times as deep as when its
+/// spray root is at the chines: past the largest force.
+const PAST_CHINES: f64 = 2.0;
+
+/// A scene with `model = "auto"` and no end: the end from how long the entry takes.
+pub(super) fn fill_in(mut file: SceneFile) -> Result<SceneFile, Problem> {
+    let (Some(ModelName::Auto), None, Some(body)) = (file.model, file.time.end, &file.body) else { return Ok(file) };
+    let body = resolve_body(body.clone(), Symmetry::None, file.resolution.spacing)?;
+    let gravity = file.gravity.unwrap_or([0.0, -9.81]);
+    if let Some(entry) = Entry::of(&body, gravity, file.fluid.density.unwrap_or(1000.0), 0.0) {
+        let gap = (-body.draught()).max(0.0);
+        let fall = 2.0 * gap / (entry.speed - body.velocity[1]); // at the mean of first and last speed
+        file.time.end = Some(fall + PAST_CHINES * entry.bottom.draught_at(entry.half_breadth) / entry.speed);
+    }
+    Ok(file)
+}
+
+/// The same scene by half, where `model = "auto"` and nothing is said of symmetry; it may not be symmetric.
+pub(super) fn halved(file: &SceneFile) -> Option<SceneFile> {
+    let left_out = file.model == Some(ModelName::Auto) && file.symmetry.is_none();
+    left_out.then(|| SceneFile { symmetry: Some(Symmetry::X), ..file.clone() })
 }
 
 /// A scene with its model found, or refused where the one named cannot do it.
