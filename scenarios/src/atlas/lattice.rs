@@ -1,4 +1,4 @@
-//! Sums over a square lattice of spacing 1, on which each particle has the volume 1.
+//! Sums over lattices on which each particle has the volume 1.
 
 use sph_core::Kernel;
 
@@ -11,7 +11,7 @@ pub(super) struct Neighbour {
     pub slope: f64,
 }
 
-/// The neighbours within the support of a kernel with h = `ratio` spacings.
+/// The neighbours on a square lattice within the support of a kernel with h = `ratio` spacings.
 pub(super) fn neighbours(kernel: Kernel, ratio: f64) -> Vec<Neighbour> {
     let reach = (2.0 * ratio).ceil() as i32;
     let cells = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| [f64::from(i), f64::from(j)]));
@@ -25,6 +25,22 @@ pub(super) fn neighbours(kernel: Kernel, ratio: f64) -> Vec<Neighbour> {
 pub(super) fn filling(neighbours: &[Neighbour], above: f64) -> f64 {
     let below = neighbours.iter().filter(|n| n.at[1] <= above + 0.5);
     -0.5 * below.map(|n| n.slope * (n.at[0] * n.at[0] + n.at[1] * n.at[1])).sum::<f64>()
+}
+
+/// What a hexagonal lattice of pairs holds more than one of single particles, Σ_pairs w − Σ w over all within the support
+/// with w = W − W(2h): the energy whose gradient is the force under a uniform pressure (M5) [1/spacing²].
+pub(super) fn gain_of_pairs(kernel: Kernel, ratio: f64) -> f64 {
+    2.0 * hexagonal(kernel, ratio, 2.0) - hexagonal(kernel, ratio, 1.0)
+}
+
+/// Σ W − W(2h) over a hexagonal lattice with an `area` for each site, itself included.
+fn hexagonal(kernel: Kernel, ratio: f64, area: f64) -> f64 {
+    let side = (2.0 * area / 3.0_f64.sqrt()).sqrt();
+    let reach = (2.0 * ratio / side * 1.2).ceil() as i32;
+    let edge = kernel.value(2.0 * ratio * (1.0 - f64::EPSILON), ratio);
+    let sites = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| [f64::from(i), f64::from(j)]));
+    let distances = sites.map(|[i, j]| side * (i + 0.5 * j).hypot(0.75_f64.sqrt() * j));
+    distances.filter(|&r| r < 2.0 * ratio).map(|r| kernel.value(r, ratio) - edge).sum()
 }
 
 #[cfg(test)]
