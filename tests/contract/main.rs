@@ -11,4 +11,5 @@ mod chart;
 mod endings;
 mod files;
 mod refusals;
+mod stability;
 mod study;

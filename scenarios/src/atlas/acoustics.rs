@@ -40,7 +40,9 @@ struct Wave {
 pub(super) fn largest_courant(integrator: Integrator, euler_every: u32, medium: Medium) -> f64 {
     let waves = waves(medium);
     let grows = |courant: f64| {
-        waves.iter().any(|w| growth(integrator, euler_every, courant * w.frequency, courant * w.damping) > 1.0 + HARMLESS)
+        waves
+            .iter()
+            .any(|w| growth(integrator, euler_every, courant * w.frequency, courant * w.damping) > 1.0 + HARMLESS)
     };
     let steps = (LARGEST / RESOLUTION) as u32;
     let coarse = 20;

@@ -25,7 +25,7 @@ use crate::scene::SceneError;
 pub use map::{Axis, Choice, Key, Map};
 pub use page::{page, table};
 pub use picture::svg;
-pub use sweep::{Point, point, sweep};
+pub use sweep::{Point, foretold, point, sweep};
 pub use theory::Theory;
 pub use verdict::{Bound, Verdict};
 

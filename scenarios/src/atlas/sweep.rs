@@ -75,6 +75,12 @@ pub fn point(map: &Map, at: &str) -> Result<(Point, Vec<String>), AtlasError> {
     Ok((run_point(map, &scene, x, y)?, sets_of(map, x, y)))
 }
 
+/// The parameters of a place of a map over the theory's limit [-], without a run; `None` where no theory speaks.
+pub fn foretold(map: &Map, x: &str, y: &str) -> Result<Option<f64>, AtlasError> {
+    let scene = scene_of(map, x, y)?;
+    Ok(map.theory.and_then(|theory| theory.ratio(&scene)))
+}
+
 fn sets_of(map: &Map, x: &str, y: &str) -> Vec<String> {
     let own = [(&map.x, x), (&map.y, y)].into_iter().flat_map(|(axis, place)| axis.sets(place).unwrap_or_default());
     map.set.iter().cloned().chain(own).collect()

@@ -63,11 +63,8 @@ fn courant(scene: &Scene) -> Option<f64> {
     let fluid = &scene.fluid;
     let h = fluid.smoothing_ratio * scene.resolution.spacing;
     let courant = scene.time.step.map_or(fluid.cfl, |step| step * fluid.sound_speed / h);
-    let medium = Medium {
-        kernel: fluid.kernel,
-        smoothing_ratio: fluid.smoothing_ratio,
-        diffusion: fluid.density_diffusion,
-    };
+    let medium =
+        Medium { kernel: fluid.kernel, smoothing_ratio: fluid.smoothing_ratio, diffusion: fluid.density_diffusion };
     let limit = largest_courant(fluid.integrator, fluid.verlet_correction_every, medium);
     (!scene.solver.is_incompressible()).then_some(courant / limit)
 }
@@ -123,7 +120,9 @@ mod tests {
 
     #[test]
     fn kernels_with_positive_transforms_do_not_pair() {
-        let of = |kernel: &str| ratio(Theory::Pairing, "column", &[&format!("fluid.kernel={kernel}"), "fluid.smoothing_ratio=2"]);
+        let of = |kernel: &str| {
+            ratio(Theory::Pairing, "column", &[&format!("fluid.kernel={kernel}"), "fluid.smoothing_ratio=2"])
+        };
         assert!((of("cubic_spline") - 2.0 / 1.271).abs() < 2e-3, "{}", of("cubic_spline"));
         assert!(of("gaussian") > 1.0);
         assert_eq!([of("wendland_c2"), of("wendland_c4"), of("quadratic")], [0.0; 3]);

@@ -81,9 +81,7 @@ fn failure(map: &Map, summary: &Summary) -> Option<String> {
             Some(format!("energy grew by {:.3} of what was exchanged", audit.energy))
         }
         () if beyond(audit.momentum, map.most_momentum_gap) => Some(format!("momentum open by {:.1e}", audit.momentum)),
-        () if audit.penetrated > 0 => {
-            Some(audit.worst_penetration.as_ref().map_or(String::new(), ToString::to_string))
-        }
+        () if audit.penetrated > 0 => Some(audit.worst_penetration.as_ref().map_or(String::new(), ToString::to_string)),
         () => None,
     }
 }
