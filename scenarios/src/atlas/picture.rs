@@ -9,7 +9,8 @@ const CELL: [f64; 2] = [46.0, 30.0];
 /// Below the cells: ticks, label, legend.
 const BELOW: f64 = 78.0;
 const RIGHT: f64 = 20.0;
-const LEAST_WIDTH: f64 = 640.0;
+/// Room for the legend.
+const LEAST_WIDTH: f64 = 740.0;
 
 /// A cell for each point, coloured and marked by its verdict, its command in its tooltip; the theory's boundary over them.
 ///
