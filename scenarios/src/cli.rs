@@ -2,6 +2,7 @@
 
 mod bench;
 mod chart;
+mod stability;
 mod study;
 
 use std::io::{IsTerminal, Write};
@@ -62,6 +63,8 @@ enum Command {
     Study(study::StudyArgs),
     /// Chart error against cost: each way to a number whose value is known.
     Chart(chart::ChartArgs),
+    /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
+    Stability(stability::StabilityArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
@@ -190,6 +193,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Check(args) => check(cli, args),
         Command::Study(args) => study::run_study(cli, args),
         Command::Chart(args) => chart::run_charts(cli, args),
+        Command::Stability(args) => stability::run_maps(cli, args),
         Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Keywords => keywords(cli),
@@ -277,6 +281,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
         force: args.force,
         without_log: false,
         interrupt: Some(&INTERRUPTED),
+        most_steps: None,
         progress: Some(&tell),
         warnings: loaded.warnings.clone(),
     };

@@ -2,8 +2,10 @@
 //!
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observe`] watches,
 //! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`study`] extrapolates from
-//! several runs, [`chart`] sets their error against their cost, [`bench`] measures the speed on this machine. [`cli`] is a thin shell.
+//! several runs, [`chart`] sets their error against their cost, [`atlas`] maps where they are stable,
+//! [`bench`] measures the speed on this machine. [`cli`] is a thin shell.
 
+pub mod atlas;
 pub mod balance;
 pub mod bench;
 pub mod build;
@@ -17,6 +19,7 @@ pub mod forecast;
 pub mod ladder;
 pub mod log;
 pub mod observe;
+mod order;
 pub mod panel_result;
 pub mod present;
 mod recorder;

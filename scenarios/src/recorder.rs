@@ -14,6 +14,7 @@ use crate::observe::{
     EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
     SimilarityWindow,
 };
+use crate::order::order;
 use crate::panel_result::PanelResult;
 use crate::run::RunError;
 use crate::scene::{Scene, known_compressibility_error};
@@ -213,6 +214,7 @@ impl Recorder {
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: Some(self.ledger.rest(since)),
+            order: order(&fluid.particles),
             water: self.series.water(since),
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,

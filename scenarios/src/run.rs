@@ -66,10 +66,21 @@ pub struct RunOptions<'a> {
     pub without_log: bool,
     /// Set from outside to end the run cleanly.
     pub interrupt: Option<&'a AtomicBool>,
+    /// Steps after which a run that has not come to its end has failed.
+    pub most_steps: Option<u64>,
     /// Called with (time, steps): when the stepping begins, and now and then.
     pub progress: Option<&'a (dyn Fn(f64, u64) + Sync)>,
     /// Doubts about the scene, for the report.
     pub warnings: Vec<String>,
+}
+
+/// Why a run stopped before its end.
+#[derive(Debug, thiserror::Error)]
+enum Breakdown {
+    #[error(transparent)]
+    Step(#[from] CouplingError),
+    #[error("not at its end after {0} steps, but at t = {1:.6} s")]
+    Endless(u64, f64),
 }
 
 /// A finished run in memory.
@@ -157,7 +168,7 @@ fn advance(
     system: &mut Coupled,
     recorder: &mut Recorder,
     options: &RunOptions<'_>,
-) -> Result<Result<Status, CouplingError>, RunError> {
+) -> Result<Result<Status, Breakdown>, RunError> {
     let mut told = Instant::now();
     if let Some(tell) = options.progress {
         tell(0.0, 0);
@@ -167,11 +178,14 @@ fn advance(
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Ok(Ok(Status::Interrupted));
         }
+        if options.most_steps.is_some_and(|most| system.fluid.steps >= most) {
+            return Ok(Err(Breakdown::Endless(system.fluid.steps, system.fluid.time)));
+        }
         system.fluid.phases.begin(Phase::Integration);
         let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
         let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
         match stepped {
-            Err(breakdown) => return Ok(Err(breakdown)),
+            Err(breakdown) => return Ok(Err(breakdown.into())),
             Ok((asked, taken)) if taken < asked => {
                 warn!(
                     "pressure not converged: a step of {taken:.3e} s in the place of {asked:.3e} s to t = {}",

@@ -54,6 +54,15 @@ pub struct Rest {
     pub center_swing_m: f64,
 }
 
+/// How the particles lie at the end: those that pair, or clump, are nearer than a spacing.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Order {
+    /// Least distance between two particles, over the mean of their spacings [-].
+    pub nearest_least: f64,
+    /// Median over the particles of the distance to the nearest, over the same [-].
+    pub nearest_median: f64,
+}
+
 /// What became of the water's volume by the place of its surface (THEORY Q7).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Water {
@@ -243,6 +252,9 @@ pub struct Summary {
     /// Coming to rest; absent without particles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rest: Option<Rest>,
+    /// How the particles lie at the end; absent where there is but one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<Order>,
     /// The water's volume, where the scene asks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub water: Option<Water>,

@@ -12,4 +12,5 @@ mod endings;
 mod files;
 mod ladder;
 mod refusals;
+mod stability;
 mod study;

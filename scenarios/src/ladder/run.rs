@@ -66,6 +66,7 @@ pub(crate) fn run(
         audit: Audit::default(),
         coupling: None,
         rest: None,
+        order: None,
         water: None,
         compressibility: None,
         similarity,

@@ -18,6 +18,13 @@ pub enum Block {
     Chart(Chart),
     /// A whole and its parts; its title becomes the caption.
     Bar(Bar),
+    /// A drawing that is an SVG element.
+    Drawing {
+        /// The element, shown as it is.
+        svg: String,
+        /// What it shows.
+        caption: String,
+    },
     /// A picture, such as those of [`flow_png`](super::flow_png).
     Picture {
         /// The PNG file.
@@ -137,7 +144,7 @@ fn header(report: &Report) -> String {
 
 /// The blocks of a section; figures that follow each other stand side by side.
 fn content(blocks: &[Block], numbers: &mut Numbers) -> String {
-    let is_figure = |block: &Block| matches!(block, Block::Chart(_) | Block::Picture { .. });
+    let is_figure = |block: &Block| matches!(block, Block::Chart(_) | Block::Drawing { .. } | Block::Picture { .. });
     let mut html = String::new();
     for group in blocks.chunk_by(|a, b| is_figure(a) && is_figure(b)) {
         let inner: String = group.iter().map(|b| block(b, numbers)).collect();
@@ -159,6 +166,7 @@ fn block(block: &Block, numbers: &mut Numbers) -> String {
         }
         Block::Chart(chart) => figure("chart", &untitled_svg(chart), &chart.title, numbers),
         Block::Bar(bar) => figure("bar", &bar_svg(bar), &bar.title, numbers),
+        Block::Drawing { svg, caption } => figure("drawing", svg, caption, numbers),
         Block::Picture { png, caption } => {
             let (data, alt) = (STANDARD.encode(png), escape(caption));
             let image = format!(r#"<img src="data:image/png;base64,{data}" alt="{alt}" />"#);

@@ -7,7 +7,7 @@ pub(super) fn printable(text: &str) -> String {
 }
 
 /// `text` as element content or as an attribute value between quotes.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in printable(text).chars() {
         match c {

@@ -22,4 +22,5 @@ pub use chart::{Chart, Curve, Mark, chart_svg};
 pub use colour::{Rgb, viridis};
 pub use flow::{FlowFrame, FlowView, flow_png};
 pub use html::{Block, Report, Status, render};
+pub(crate) use markup::escape;
 pub use table::Table;

@@ -1,6 +1,5 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
-use super::limits::check_step;
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
 use super::problem::{Problem, significant};
 use super::start::check_start;
@@ -32,7 +31,6 @@ const BODY_COLUMNS: [&str; 10] = [
 const GAUGE_COLUMNS: [&str; 1] = ["p_Pa"];
 
 pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
-    check_step(scene)?;
     check_water(scene)?;
     check_start(scene)?;
     check_levels(scene)?;

@@ -56,7 +56,7 @@ pub use impact::{
     known_compressibility_error, sound_speed_for,
 };
 pub use keywords::{Keyword, keywords};
-pub use load::{Loaded, load, load_text};
+pub use load::{Loaded, load, load_beyond_limits, load_text};
 pub use model::{
     Block, Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
     Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Rung, Scene, Similarity, Symmetry, Tank, Time,
