@@ -94,7 +94,7 @@ static KEYWORDS: &[Keyword] = &[
     key("want", "", "peak_force", "what model = \"auto\" is chosen for: peak_force | peak_pressure | history | strain | motion"),
     key("within", "-", "0.05", "largest error that model = \"auto\" may have had where it was measured, 0 to 1"),
     key("solver", "", "weakly_compressible", "what gives the pressure: weakly_compressible (an equation of state), incompressible (a projection), incompressible_explicit (the projection with one pressure sweep a step: as weakly compressible as its step is long, THEORY EX4), incompressible_thesis (Pilorget 2010)"),
-    key("symmetry", "", "none; with model = \"auto\" x where the scene is symmetric", "none | x: simulate x >= 0 only, with a mirror at x = 0"),
+    key("symmetry", "", "none", "none | x: simulate x >= 0 only, with a mirror at x = 0; left out with model = \"auto\": x where the scene is symmetric"),
     key("gravity", "m/s^2", "[0.0, -9.81]", "acceleration of gravity [x, y]"),
     key("similarity", "", "absent", "wedge: judge by the similarity solution of a wedge at constant speed (Dobrovolskaya 1969)"),
     key("time.end", "s", "required; with model = \"auto\" of an entry: past the largest force", "end of the simulated time, which starts at 0"),

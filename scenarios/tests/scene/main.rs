@@ -148,6 +148,7 @@ const DEFAULTS_IN_WORDS: [&str; 14] = [
     "24, none shorter than 2 spacings, at least 8",
     "yield_stress",
     "weak; added_mass with body.panels, and for free bodies with solver = incompressible",
+    "wcsph; the solver's where there is one",
 ];
 
 /// A panel for the body of `DROP`.
@@ -177,6 +178,7 @@ fn a_key_left_out_has_the_default_that_its_keyword_declares() {
         let silent = if keyword.path.starts_with("body.panels") { format!("{silent}{PANEL}") } else { silent };
         let silent = match keyword.path.split('.').next() {
             Some("projection") => format!("solver = \"incompressible\"\n{silent}"),
+            Some("want" | "within") => format!("model = \"auto\"\n{silent}"),
             Some("thesis") => format!("solver = \"incompressible_thesis\"\n{silent}"),
             _ => silent,
         };
