@@ -133,7 +133,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 14] = [
+const DEFAULTS_IN_WORDS: [&str; 15] = [
     "false; true if incompressible with a body",
     "absent",
     "end/500",
