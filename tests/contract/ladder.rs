@@ -133,6 +133,7 @@ fn a_model_out_of_its_range_is_refused() {
         ("wedge", &["model=mlm", "body.mass=20", "time.end=0.3"], &["leaves the water", "\"wcsph\""]),
         ("fuselage_section", &["model=similarity"], &["no wedge", "\"wcsph\""]),
         ("dam_break", &["model=mlm"], &["without a body"]),
+        ("wedge_constant", &["model=mlm", "tank.depth=8.0"], &["four wetted half widths", "\"wcsph\""]),
         ("wedge", &["model=mlm", "solver=incompressible"], &["`solver`", "\"mlm\""]),
         ("wedge", &["want=motion"], &["`want`", "auto"]),
         ("wedge", &["model=auto", "within=2.0"], &["`within` = 2", "0 to 1"]),

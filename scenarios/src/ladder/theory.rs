@@ -2,7 +2,8 @@
 
 use fsi_coupling::theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
 
-use crate::scene::{Body, GaugeFrame, Motion, Scene, Shape};
+use crate::scene::{Body, GaugeFrame, Motion, Scene, Shape, significant};
+use fsi_coupling::polygon;
 
 /// Width of the window that means are taken over, the last fifth of the run.
 const LATE: f64 = 0.8;
@@ -49,7 +50,11 @@ impl Theory {
             };
             entry.follow_while_in_range(&sample_times(scene))
         };
-        Ok((Theory { loads, instants, density }, end))
+        let open = instants.iter().take_while(|now| !is_confined(scene, body, now)).count();
+        let closed =
+            instants.get(open).map(|now| refuse(&format!("from t = {} s on {CONFINED}", significant(now.time))));
+        let instants = instants[..open].to_vec();
+        Ok((Theory { loads, instants, density }, closed.or(end)))
     }
 
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
@@ -116,6 +121,26 @@ impl Theory {
     }
 }
 
+/// Least depth and half width of water that feels unbounded, in wetted half widths.
+const UNBOUNDED: f64 = 4.0;
+/// What is beyond theories that know neither walls nor a deck.
+const CONFINED: &str = "a body that is under water, or water less than four wetted half widths wide or deep";
+
+/// Is the body under water, or near a wall or the floor?
+fn is_confined(scene: &Scene, body: &Body, now: &Instant) -> bool {
+    let [min, max] = polygon::bounding_box(&body.placed_outline());
+    let room = scene.tank.depth.min(0.5 * scene.tank.width - body.middle().abs());
+    now.draught > max[1] - min[1] || UNBOUNDED * now.wetted > room
+}
+
+fn refuse(what: &str) -> OutOfRange {
+    OutOfRange {
+        what: what.into(),
+        range: "a rigid symmetric body that goes straight down into still water".into(),
+        next: Rung::Wcsph,
+    }
+}
+
 /// Times of the rows of the series [s].
 fn sample_times(scene: &Scene) -> Vec<f64> {
     let (every, end) = (scene.time.sample_every, scene.time.end);
@@ -125,11 +150,6 @@ fn sample_times(scene: &Scene) -> Vec<f64> {
 
 /// The body of a scene that is nothing but a symmetric section going straight down into still water.
 fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange> {
-    let refuse = |what: &str| OutOfRange {
-        what: what.into(),
-        range: "a rigid symmetric body that goes straight down into still water".into(),
-        next: Rung::Wcsph,
-    };
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
     let tank = &scene.tank;
