@@ -1,7 +1,7 @@
-//! The program carries its scenes, reference data, validation cases and charts: rebuild when they change.
+//! The program carries its scenes, reference data, validation cases, charts and bands: rebuild when they change.
 
 fn main() {
-    for folder in ["scenes", "../tests/reference", "../tests/validation", "../tests/charts"] {
+    for folder in ["scenes", "../tests/reference", "../tests/validation", "../tests/charts", "../tests/bands"] {
         println!("cargo:rerun-if-changed={folder}");
     }
 }

@@ -282,9 +282,8 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
         true => Some(study::coarser_runs(cli, &given, &args.quantities, &out, args.force)?),
         false => None,
     };
-    let studied = coarser
-        .as_ref()
-        .map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
+    let studied =
+        coarser.as_ref().map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
     let bar = progress_bar(cli);
     let tell = |time: f64, steps: u64| {
         STEPPING.store(true, Ordering::Relaxed);

@@ -5,7 +5,16 @@ use serde_json::Value;
 use crate::command::Workplace;
 
 const RUN: [&str; 10] = [
-    "run", "wedge_constant", "--set", "time.end=0.5", "--set", "resolution.spacing=0.025", "--out", "out", "--threads", "1",
+    "run",
+    "wedge_constant",
+    "--set",
+    "time.end=0.5",
+    "--set",
+    "resolution.spacing=0.025",
+    "--out",
+    "out",
+    "--threads",
+    "1",
 ];
 
 /// The finest run's files, with a bar for each main number: its middle is the value that the study extrapolates to.

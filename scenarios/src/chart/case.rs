@@ -178,9 +178,7 @@ impl Family {
             (Some(key), true) => {
                 Some(format!("`values` of `{}` is empty: expected at least one value of `{key}`", self.name))
             }
-            (None, false) => {
-                Some(format!("`values` of `{}` belong to no key: expected `vary` to name one", self.name))
-            }
+            (None, false) => Some(format!("`values` of `{}` belong to no key: expected `vary` to name one", self.name)),
             _ => None,
         }
     }

@@ -15,7 +15,8 @@ use crate::summary::Summary;
 
 /// The charts of this program, as `splashdown chart --all --fits tests/charts/fits.json` wrote them.
 static CHARTED: LazyLock<Vec<ChartFit>> = LazyLock::new(|| {
-    serde_json::from_str(include_str!("../../../tests/charts/fits.json")).expect("tests/charts/fits.json is a list of fits")
+    serde_json::from_str(include_str!("../../../tests/charts/fits.json"))
+        .expect("tests/charts/fits.json is a list of fits")
 });
 
 /// Standard deviations above the law that 90 % of lognormally scattered errors stay below [-].
@@ -94,7 +95,8 @@ impl Likeness {
             Motion::ConstantVelocity if scene.similarity.is_some() => false,
             _ => return None,
         };
-        let upright = matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
+        let upright =
+            matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
         let sound = (!scene.solver.is_incompressible()).then_some(scene.fluid.sound_speed);
         (upright && body.panels.is_empty()).then(|| Likeness {
             kind: Kind {
@@ -159,7 +161,8 @@ fn near_bars(fits: &[ChartFit], scene: &Scene, summary: &Summary) -> ErrorBars {
 fn between(own: &Likeness, fits: &[&ChartFit]) -> Option<(f64, String)> {
     let error = |fit: &ChartFit| fit.law.at(own.spacings) * (NINETY_PERCENT * fit.law.scatter).exp();
     let nearest = |below: bool| {
-        let side = fits.iter().filter(|f| (f.deadrise_deg <= own.deadrise_deg) == below || f.deadrise_deg == own.deadrise_deg);
+        let side =
+            fits.iter().filter(|f| (f.deadrise_deg <= own.deadrise_deg) == below || f.deadrise_deg == own.deadrise_deg);
         let distance = |f: &ChartFit| (f.deadrise_deg - own.deadrise_deg).abs();
         side.copied().min_by(|a, b| distance(a).total_cmp(&distance(b)).then(error(b).total_cmp(&error(a))))
     };
@@ -191,8 +194,7 @@ fn fit(measured: &Measured, family: &Family, quantity: &Quantity, scene: &Scene)
     let likeness = Likeness::of(scene)?;
     let (path, share_of) = number_of(quantity, scene)?;
     let seen = measured.seen(quantity).into_iter().filter(|s| s.point.family == family.name);
-    let points: Vec<[f64; 2]> =
-        seen.filter_map(|s| Some([s.run.spacings_per_draught?, s.reading.error])).collect();
+    let points: Vec<[f64; 2]> = seen.filter_map(|s| Some([s.run.spacings_per_draught?, s.reading.error])).collect();
     let law = PowerLaw::fit(points.iter().copied())?;
     let ends = points.iter().fold([f64::INFINITY, 0.0], |e: [f64; 2], p| [e[0].min(p[0]), e[1].max(p[0])]);
     Some(ChartFit {
@@ -214,6 +216,7 @@ fn number_of(quantity: &Quantity, scene: &Scene) -> Option<(String, ShareOf)> {
         return Some((path.clone(), ShareOf::Value));
     }
     let column = quantity.comparison.as_ref().filter(|column| column.ends_with(".vy_m_per_s"))?;
-    let compared = scene.compare.iter().find(|c| c.quantity == *column && Some(&c.reference) == quantity.against.as_ref())?;
+    let compared =
+        scene.compare.iter().find(|c| c.quantity == *column && Some(&c.reference) == quantity.against.as_ref())?;
     (compared.norm == Norm::RmsOverFirst).then(|| (format!("means/{column}"), ShareOf::ContactSpeed))
 }

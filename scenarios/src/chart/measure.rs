@@ -52,11 +52,9 @@ fn same_conditions<'a>(new: &Measured, before: &'a Measured) -> Result<&'a Measu
     let conditions = |m: &Measured| (m.case.scene.clone(), m.threads, m.version.clone());
     match conditions(new) == conditions(before) {
         true => Ok(before),
-        false => Err(ChartError::Conditions {
-            name: new.case.name.clone(),
-            before: in_words(before),
-            now: in_words(new),
-        }),
+        false => {
+            Err(ChartError::Conditions { name: new.case.name.clone(), before: in_words(before), now: in_words(new) })
+        }
     }
 }
 

@@ -43,7 +43,8 @@ pub fn table(measured: &Measured) -> Result<String, ChartError> {
     for quantity in &case.quantity {
         text += &format!("\n### {}, {}\n", case.name, quantity.name);
         for table in tables(measured, quantity, &peers) {
-            text += &format!("\n{}\n\n| {} |\n|{}\n", table.title, table.head.join(" | "), "---|".repeat(table.head.len()));
+            text +=
+                &format!("\n{}\n\n| {} |\n|{}\n", table.title, table.head.join(" | "), "---|".repeat(table.head.len()));
             table.rows.iter().for_each(|row| text += &format!("| {} |\n", row.join(" | ")));
         }
     }
@@ -67,22 +68,35 @@ fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table
         .collect();
     let title = format!("{}.{}", quantity.in_words(), sources.concat());
     let mut tables = vec![Table { title, head: head(&HEAD), rows }];
-    let laws: Vec<Vec<String>> = measured.case.family.iter().filter_map(|f| {
-        let Trend { law, verdict } = measured.trend(quantity, f)?;
-        let spread = 100.0 * law.scatter.exp_m1();
-        let numbers = [format!("{:.2}", 100.0 * law.factor), format!("{:+.2} ± {:.2}", law.exponent, law.exponent_error), format!("{spread:.0}")];
-        Some([vec![f.name.clone()], numbers.to_vec(), vec![verdict.to_string()]].concat())
-    }).collect();
+    let laws: Vec<Vec<String>> = measured
+        .case
+        .family
+        .iter()
+        .filter_map(|f| {
+            let Trend { law, verdict } = measured.trend(quantity, f)?;
+            let spread = 100.0 * law.scatter.exp_m1();
+            let numbers = [
+                format!("{:.2}", 100.0 * law.factor),
+                format!("{:+.2} ± {:.2}", law.exponent, law.exponent_error),
+                format!("{spread:.0}"),
+            ];
+            Some([vec![f.name.clone()], numbers.to_vec(), vec![verdict.to_string()]].concat())
+        })
+        .collect();
     if !laws.is_empty() {
         tables.push(Table { title: "Error against cost, fitted.".into(), head: head(&TREND_HEAD), rows: laws });
     }
-    let lost: Vec<Vec<String>> = measured.points.iter().filter_map(|p| {
-        let why = match &p.outcome {
-            Outcome::Failed(why) => why,
-            Outcome::Done(run) => run.missing.get(&quantity.name)?,
-        };
-        Some(vec![p.name(), why.clone()])
-    }).collect();
+    let lost: Vec<Vec<String>> = measured
+        .points
+        .iter()
+        .filter_map(|p| {
+            let why = match &p.outcome {
+                Outcome::Failed(why) => why,
+                Outcome::Done(run) => run.missing.get(&quantity.name)?,
+            };
+            Some(vec![p.name(), why.clone()])
+        })
+        .collect();
     if !lost.is_empty() {
         tables.push(Table { title: "Without a number.".into(), head: head(&["run", "why"]), rows: lost });
     }

@@ -17,6 +17,9 @@ pub(super) struct ChartArgs {
     /// Draw a chart that was measured before, from its JSON file, without running it (repeatable).
     #[arg(long, value_name = "FILE", conflicts_with_all = ["cases", "all", "resume"])]
     from: Vec<PathBuf>,
+    /// Override a key in every run whose family does not set it, e.g. --set fluid.cfl=0.4 (repeatable).
+    #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "from")]
+    sets: Vec<String>,
     /// Take up charts that --out holds: only runs that are missing there, or failed, are made.
     #[arg(long)]
     resume: bool,
@@ -76,7 +79,8 @@ pub(super) fn run_charts(cli: &Cli, args: &ChartArgs) -> Result<u8, Stop> {
 /// Measure the charts; each run is kept as soon as it is done.
 fn measure(cli: &Cli, args: &ChartArgs) -> Result<Vec<Measured>, Stop> {
     let mut charts = Vec::new();
-    for case in chart::select(&args.cases)? {
+    for mut case in chart::select(&args.cases)? {
+        case.set.extend_from_slice(&args.sets);
         let file = args.out.join(format!("{}.json", case.name));
         let before = match args.resume && file.exists() {
             true => Some(chart::stored(&file)?),

@@ -58,23 +58,17 @@ impl Coarser {
     /// The error bars of the scene's own run: of the given numbers, or else of its main ones.
     pub fn error_bars(&self, scene: &Scene, summary: &Summary, quantities: &[String]) -> ErrorBars {
         let own = json(summary);
-        let share = match scene.solver.is_incompressible() {
-            true => Some(0.0),
-            false => {
-                let root = scene.entry().map(|entry| entry.root_speed());
-                root.map_or(Some(0.0), |root| known_compressibility_error(root, scene.fluid.sound_speed))
-            }
-        };
+        let share = sound_share(scene);
         let usual = main_numbers(scene, &own);
         let paths = if quantities.is_empty() { &usual } else { quantities };
         let bar = |path: &String| Some((path.clone(), self.error_bar(scene, &own, path, share)?));
         paths.iter().filter_map(bar).collect()
     }
 
-    /// `share`: what compressibility takes of a force [-]; `None` where nothing is known of it.
+    /// `share`: what the speed of sound takes of the number [-]; `None` where nothing is known of it.
     fn error_bar(&self, scene: &Scene, own: &Value, path: &str, share: Option<f64>) -> Option<ErrorBar> {
         let value = number(own, path)?;
-        let sample = |spacing: f64, value: f64| Sample { spacing, law: 0.0, value };
+        let sample = |spacing: f64, value: f64| Sample { spacing, law: 1.0, value }; // one sound speed
         let mut samples = vec![sample(scene.resolution.spacing, value)];
         for (spacing, json) in &self.runs {
             samples.push(sample(*spacing, number(json, path)?));
@@ -84,8 +78,8 @@ impl Coarser {
         let sound = share.unwrap_or(0.0) * fit.extrapolated.abs();
         let mut method = METHOD.to_string();
         match share {
-            Some(share) if share > 0.0 => method += &format!("; {:.2} % for the speed of sound (E19)", 100.0 * share),
-            Some(_) => {}
+            Some(0.0) => {}
+            Some(share) => method += &format!("; {:.2} % for the speed of sound", 100.0 * share),
             None => method += "; the speed of sound's share is unknown",
         }
         if sd > 0.0 {
@@ -97,6 +91,17 @@ impl Coarser {
         };
         let band = fit.uncertainty * fit.extrapolated.abs() + sound + sd;
         Some(ErrorBar { value, extrapolated: Some(fit.extrapolated), band, order: fit.order, verdict, method })
+    }
+}
+
+/// What the speed of sound takes of a number [-]: E19 with an entry, M² of the fastest known speed without, as in the laws of
+/// G6; `None` where neither holds.
+fn sound_share(scene: &Scene) -> Option<f64> {
+    let sound = scene.fluid.sound_speed;
+    match scene.entry() {
+        _ if scene.solver.is_incompressible() => Some(0.0),
+        Some(entry) => known_compressibility_error(entry.root_speed(), sound),
+        None => Some((scene.fastest_speed() / sound).powi(2)),
     }
 }
 
