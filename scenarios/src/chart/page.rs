@@ -76,7 +76,7 @@ fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table
             let Trend { law, verdict } = measured.trend(quantity, f)?;
             let spread = 100.0 * law.scatter.exp_m1();
             let numbers = [
-                format!("{:.2}", 100.0 * law.factor),
+                percent(law.factor),
                 format!("{:+.2} ± {:.2}", law.exponent, law.exponent_error),
                 format!("{spread:.0}"),
             ];
@@ -162,13 +162,19 @@ fn row(first: [String; 2], reading: &Reading, particles: usize, steps: u64, core
     let numbers = [
         number(reading.value),
         format!("{:+.2}", 100.0 * reading.bias),
-        format!("{:.2}", 100.0 * reading.scatter),
-        format!("{:.2}", 100.0 * reading.error),
+        percent(reading.scatter),
+        percent(reading.error),
         particles.to_string(),
         steps.to_string(),
         if core_seconds < 0.1 { format!("{core_seconds:.1e}") } else { format!("{core_seconds:.1}") },
     ];
     first.into_iter().chain(numbers).collect()
+}
+
+/// In percent; of small ones more digits.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent > 0.0 && percent < 0.095 { format!("{percent:.4}") } else { format!("{percent:.2}") }
 }
 
 /// Six digits, in powers of ten where they would not show otherwise.
