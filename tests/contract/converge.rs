@@ -70,6 +70,6 @@ fn error_bars_refuse_what_they_cannot_use() {
     refused(&unknown.concat(), &["--quantity similarity/force", "expected the path of a number", "similarity/cp_max"]);
     refused(&[&RUN[..], &["--quantity", "time_end_s"]].concat(), &["--converge"]);
     let coarse = [&RUN[..], &["--converge", "--set", "resolution.spacing=1.0"]].concat();
-    refused(&coarse, &["resolution.spacing"]);
+    refused(&coarse, &["--converge of a spacing of 1 m", "4 times as coarse", "`resolution.spacing` = 4"]);
     refused(&["bands", "nothing"], &["case of bands `nothing`", "wedge_30"]);
 }

@@ -220,3 +220,64 @@ fn number_of(quantity: &Quantity, scene: &Scene) -> Option<(String, ShareOf)> {
         scene.compare.iter().find(|c| c.quantity == *column && Some(&c.reference) == quantity.against.as_ref())?;
     (compared.norm == Norm::RmsOverFirst).then(|| (format!("means/{column}"), ShareOf::ContactSpeed))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn charted(case: &str, deadrise_deg: f64, factor: f64) -> ChartFit {
+        ChartFit {
+            case: case.into(),
+            family: "weakly compressible".into(),
+            kind: likeness(20.0, 0.02).kind,
+            deadrise_deg,
+            mach: Some(0.05),
+            number: "similarity/force_coefficient".into(),
+            share_of: ShareOf::Value,
+            law: PowerLaw { factor, exponent: -1.0, exponent_error: 0.1, scatter: 0.0 },
+            spacings: [20.0, 60.0],
+        }
+    }
+
+    fn likeness(deadrise_deg: f64, spacing: f64) -> Likeness {
+        let sets = [format!("body.deadrise_deg={deadrise_deg:?}"), format!("resolution.spacing={spacing:?}")];
+        Likeness::of(&scene::load("wedge_constant", &sets).expect("a scene").scene).expect("a wedge")
+    }
+
+    #[test]
+    fn between_charts_the_error_goes_geometrically_and_falls_with_the_resolution() {
+        let fits = [charted("twenty", 20.0, 1.0), charted("worse", 20.0, 4.0), charted("forty", 40.0, 1.0)];
+        let all: Vec<&ChartFit> = fits.iter().collect();
+        let at = |deadrise: f64, spacing: f64| between(&likeness(deadrise, spacing), &all);
+        let (error, from) = at(30.0, 0.025).expect("between");
+        assert!((error - 2.0 / 40.0).abs() < 1e-12 && from == "worse and forty", "{error} {from}");
+        assert!((at(20.0, 0.025).expect("charted").0 - 4.0 / 40.0).abs() < 1e-12);
+        assert!((at(41.0, 0.02).expect("beside").0 - 1.0 / 50.0).abs() < 1e-12);
+        assert_eq!(at(45.0, 0.025), None);
+    }
+
+    #[test]
+    fn what_is_coarse_fast_or_of_another_kind_is_not_near() {
+        let (fit, own) = (charted("twenty", 20.0, 1.0), likeness(20.0, 0.02));
+        assert!(own.is_near(&fit));
+        assert!(!likeness(20.0, 0.1).is_near(&fit), "k = 10");
+        assert!(!Likeness { mach: Some(0.06), ..own }.is_near(&fit));
+        let gaussian = scene::load("wedge_constant", &["fluid.kernel=gaussian".into()]).expect("a scene").scene;
+        assert!(!Likeness::of(&gaussian).expect("a wedge").is_near(&fit));
+        let bent = scene::load("elastic_wedge", &[]).expect("a scene").scene;
+        assert!(
+            Likeness::of(&bent).is_none()
+                && Likeness::of(&scene::load("floating_box", &[]).expect("a scene").scene).is_none()
+        );
+    }
+
+    #[test]
+    fn the_programs_own_fits_are_of_its_charts() {
+        let cases = crate::chart::cases().expect("they parse");
+        assert!(!CHARTED.is_empty());
+        for fit in CHARTED.iter() {
+            let case = cases.iter().find(|c| c.name == fit.case).unwrap_or_else(|| panic!("{}", fit.case));
+            assert!(case.family.iter().any(|f| f.name == fit.family), "{}: {}", fit.case, fit.family);
+        }
+    }
+}

@@ -27,7 +27,12 @@ pub fn coarser(scene: &str, sets: &[String], tell: impl Fn(usize, f64)) -> Resul
     let at = |times: f64| {
         let mut sets = sets.to_vec();
         sets.push(format!("resolution.spacing={:?}", times * spacing));
-        Ok(scene::load(scene, &sets)?.scene)
+        let loaded = scene::load(scene, &sets).map_err(|why| StudyError::Input {
+            key: "--converge",
+            given: format!("of a spacing of {spacing} m"),
+            expected: format!("one that can be run {times} times as coarse too; {why}"),
+        });
+        Ok(loaded?.scene)
     };
     let scenes = COARSER.map(at).into_iter().collect::<Result<Vec<_>, StudyError>>()?;
     let mut done = Coarser { runs: Vec::new(), core_seconds: 0.0 };
