@@ -69,7 +69,7 @@ fn error_bars_refuse_what_they_cannot_use() {
     let unknown = [&RUN[..], &["--converge", "--quantity", "similarity/force", "--set", "resolution.spacing=0.04"]];
     refused(&unknown.concat(), &["--quantity similarity/force", "expected the path of a number", "similarity/cp_max"]);
     refused(&[&RUN[..], &["--quantity", "time_end_s"]].concat(), &["--converge"]);
-    let coarse = [&RUN[..], &["--converge", "--set", "resolution.spacing=1.0"]].concat();
-    refused(&coarse, &["--converge of a spacing of 1 m", "4 times as coarse", "`resolution.spacing` = 4"]);
+    let coarse = [&RUN[..], &["--converge", "--set", "resolution.spacing=0.4"]].concat();
+    refused(&coarse, &["--converge of a spacing of 0.4 m", "4 times as coarse", "`resolution.spacing` = 1.6"]);
     refused(&["bands", "nothing"], &["case of bands `nothing`", "wedge_30"]);
 }
