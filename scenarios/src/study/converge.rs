@@ -6,7 +6,7 @@ use super::fit::{Sample, fit};
 use super::{StudyError, listed_numbers};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::run::{self, RunOptions};
-use crate::scene::{self, Scene, known_compressibility_error};
+use crate::scene::{self, Motion, Scene, known_compressibility_error};
 use crate::summary::{Status, Summary};
 
 /// Spacings of the coarser runs over the scene's own: in the ratio 2, since in the ratio √2 the scatter between runs moves the
@@ -111,15 +111,17 @@ fn sound_share(scene: &Scene) -> Option<f64> {
 }
 
 /// Paths of what a scene is run for: the similarity solution's numbers, or else the peaks of force, acceleration,
-/// deflection and pressure; where nothing moves but the water, what its gauges read in the mean, and its periods.
+/// deflection and pressure, and a free body's mean speed over the last fifth of the run; where nothing moves but the water,
+/// what its gauges read in the mean, and its periods.
 fn main_numbers(scene: &Scene, json: &Value) -> Vec<String> {
     let mut paths: Vec<String> = Vec::new();
     if scene.similarity.is_some() {
         paths.extend(["force_coefficient", "impulse_coefficient", "cp_max"].map(|key| format!("similarity/{key}")));
     } else if let Some(body) = &scene.body {
-        let motion = ["fy_N_per_m", "ay_m_per_s2", "vy_m_per_s"].map(|unit| format!("{}.{unit}", body.name));
+        let motion = ["fy_N_per_m", "ay_m_per_s2"].map(|unit| format!("{}.{unit}", body.name));
         let panels = body.panels.iter().flat_map(|p| p.columns()).filter(|c| c.ends_with("deflection_m"));
         paths.extend(motion.into_iter().chain(panels).map(|column| format!("peaks/{column}/value")));
+        paths.extend(matches!(body.motion, Motion::Free(_)).then(|| format!("means/{}.vy_m_per_s", body.name)));
         paths.extend(scene.gauges.iter().map(|g| format!("gauges/{}/peak_pa", g.name)));
     } else {
         paths.extend(scene.gauges.iter().map(|g| format!("means/{}.p_Pa", g.name)));
