@@ -1,7 +1,8 @@
-//! The program carries its scenes, reference data, validation cases, charts and maps: rebuild when they change.
+//! The program carries its scenes, reference data, validation cases, charts, bands and maps: rebuild when they change.
 
 fn main() {
-    for folder in ["scenes", "../tests/reference", "../tests/validation", "../tests/charts", "../tests/maps"] {
+    let data = ["reference", "validation", "charts", "bands", "maps"].map(|folder| format!("../tests/{folder}"));
+    for folder in data.iter().map(String::as_str).chain(["scenes"]) {
         println!("cargo:rerun-if-changed={folder}");
     }
 }

@@ -1,5 +1,6 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
+mod bands;
 mod bench;
 mod chart;
 mod stability;
@@ -15,6 +16,7 @@ use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use tracing_subscriber::EnvFilter;
 
+use crate::error_bar::ErrorBars;
 use crate::forecast::forecast;
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{self, Loaded, SceneError};
@@ -69,6 +71,8 @@ enum Command {
     Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
     Validate(ValidateArgs),
+    /// Count how often the error bars of `run --converge` hold an exact value.
+    Bands(bands::BandsArgs),
     /// Describe every key of a scene file.
     Keywords,
 }
@@ -95,6 +99,12 @@ struct RunArgs {
     /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
     #[arg(long, value_name = "MB")]
     log_budget: Option<f64>,
+    /// Run at 4 and 2 times the spacing first, and say what the main numbers tend to, with error bars.
+    #[arg(long)]
+    converge: bool,
+    /// A number for an error bar, by its path in summary.json (repeatable; default: the scene's main ones).
+    #[arg(long = "quantity", value_name = "PATH", requires = "converge")]
+    quantities: Vec<String>,
 }
 
 #[derive(Args)]
@@ -196,6 +206,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Stability(args) => stability::run_maps(cli, args),
         Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
+        Command::Bands(args) => bands::run_bands(cli, args),
         Command::Keywords => keywords(cli),
     }
 }
@@ -258,7 +269,8 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
     static STEPPING: AtomicBool = AtomicBool::new(false);
     let SceneArgs { scene, mut sets } = args.scene.clone();
     sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
-    let loaded = load(&SceneArgs { scene, sets })?;
+    let given = SceneArgs { scene, sets };
+    let loaded = load(&given)?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
     let mut first: Option<Instant> = None;
     let handler = move || {
@@ -269,13 +281,26 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
         }
     };
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
+    let coarser = match args.converge {
+        true if loaded.scene.model.is_theory() => {
+            let text = format!(
+                "--converge: expected a model of particles, not {}: it has no spacing",
+                loaded.scene.model.name()
+            );
+            return Err(Stop::Input(text));
+        }
+        true => Some(study::coarser_runs(cli, &given, &args.quantities, &out, args.force)?),
+        false => None,
+    };
+    let studied =
+        coarser.as_ref().map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
     let bar = progress_bar(cli);
     let tell = |time: f64, steps: u64| {
         STEPPING.store(true, Ordering::Relaxed);
         bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
         bar.set_message(format!("t = {time:.5} s, step {steps}"));
     };
-    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
     let options = RunOptions {
         out: Some(out.clone()),
         force: args.force,
@@ -284,6 +309,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
         most_steps: None,
         progress: Some(&tell),
         warnings: loaded.warnings.clone(),
+        error_bars: studied.as_ref().map(|of| of as &(dyn Fn(&Summary) -> ErrorBars + Sync)),
     };
     let outcome = run(&loaded.scene, &options);
     bar.finish_and_clear();
@@ -328,6 +354,10 @@ fn in_words(s: &Summary) -> String {
         };
         lines.push(format!("  {} against {}: error {:.4} ({verdict})", c.quantity, c.reference, c.error));
     }
+    lines.extend(s.error_bars.iter().map(|(path, bar)| {
+        let order = bar.order.map_or(String::new(), |p| format!(", order {p:.2}"));
+        format!("  {path}: {:.5e} ± {:.1e}{order}; {} ({})", bar.middle(), bar.band, bar.verdict, bar.method)
+    }));
     if theory {
         return lines.join("\n");
     }

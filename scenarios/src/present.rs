@@ -1,5 +1,6 @@
 //! `report.html`: what was run, pictures of the flow, curves over references, audit, cost.
 
+mod error_bars;
 mod ladder;
 mod panels;
 
@@ -24,6 +25,9 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     let mut sections = vec![("Run".to_string(), run_section(scene, summary, warnings))];
     if !summary.comparison.is_empty() {
         sections.push(("Against references".into(), vec![comparison_table(&summary.comparison)]));
+    }
+    if !summary.error_bars.is_empty() {
+        sections.push(("Error bars".into(), error_bars::error_bars_section(summary)));
     }
     if !scene.model.is_theory() {
         sections.push(("Flow".into(), pictures(scene, outcome.pictures.frames())));

@@ -9,6 +9,7 @@ use tracing::warn;
 
 use crate::balance::{held, structure_gap};
 use crate::compare::{self, Comparison, ReferenceCurve};
+use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observe::{
     EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
@@ -236,6 +237,7 @@ impl Recorder {
             similarity,
             force_rules: self.force_rules.as_ref().map_or(Vec::new(), |rules| rules.result(since)),
             comparison,
+            error_bars: ErrorBars::new(),
             panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
             gauges: self.gauges.results(),
             projection: projection(scene.solver, fluid),

@@ -10,7 +10,9 @@ use sph_core::{Phase, sweep};
 use tracing::{debug, info, warn};
 
 use crate::build;
+use crate::chart;
 use crate::compare::{self, ReferenceCurve};
+use crate::error_bar::ErrorBars;
 use crate::ladder;
 use crate::observe::{FlowPictures, LogObserver, ObserveError, Series};
 use crate::present;
@@ -72,6 +74,8 @@ pub struct RunOptions<'a> {
     pub progress: Option<&'a (dyn Fn(f64, u64) + Sync)>,
     /// Doubts about the scene, for the report.
     pub warnings: Vec<String>,
+    /// Where the error bars are from: a convergence study; charts measured before, if absent.
+    pub error_bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
 }
 
 /// Why a run stopped before its end.
@@ -133,7 +137,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     system.fluid.phases.end();
     let wall = start.elapsed().as_secs_f64();
     info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
-    let summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
+    let mut summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
     recorder.series.flush()?;
     if summary.audit.work > LARGEST_WORK_GAP {
         warn!(
@@ -141,6 +145,9 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
              bends; take a smaller time.step or fluid.cfl",
             100.0 * summary.audit.work
         );
+    }
+    if summary.status == Status::Completed {
+        summary.error_bars = options.error_bars.map_or_else(|| chart::error_bars(scene, &summary), |of| of(&summary));
     }
     keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)
 }
@@ -215,7 +222,8 @@ fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveE
     Ok(())
 }
 
-fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {
+/// An error where a folder holds a run that is not to be replaced.
+pub(crate) fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {
     if dir.is_file() {
         return Err(RunError::NotAFolder(dir.display().to_string()));
     }

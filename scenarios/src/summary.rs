@@ -7,6 +7,7 @@ use serde::Serialize;
 use sph_core::{Phase, Phases};
 
 use crate::compare::Comparison;
+use crate::error_bar::ErrorBars;
 use crate::observe::{GaugeResult, RuleResult, SimilarityResult};
 use crate::panel_result::PanelResult;
 use crate::scene::CouplingScheme;
@@ -269,6 +270,9 @@ pub struct Summary {
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
+    /// What main numbers may be off by, where charts or a convergence study tell (THEORY G6, G7).
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub error_bars: ErrorBars,
     /// What the body's panels have borne, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub panels: BTreeMap<String, PanelResult>,

@@ -15,22 +15,30 @@ pub(super) struct ChartArgs {
     #[arg(long, conflicts_with = "cases")]
     all: bool,
     /// Draw a chart that was measured before, from its JSON file, without running it (repeatable).
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["cases", "all"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["cases", "all", "resume"])]
     from: Vec<PathBuf>,
-    /// Folder for NAME.json, NAME.svg and NAME.html.
+    /// Override a key in every run whose family does not set it, e.g. --set fluid.cfl=0.4 (repeatable).
+    #[arg(long = "set", value_name = "KEY=VALUE", conflicts_with = "from")]
+    sets: Vec<String>,
+    /// Take up charts that --out holds: only runs that are missing there, or failed, are made.
+    #[arg(long)]
+    resume: bool,
+    /// Folder for NAME.json, NAME.html and NAME_QUANTITY.svg.
     #[arg(long, value_name = "DIR", default_value = "runs/charts")]
     out: PathBuf,
     /// Write the tables to this Markdown file.
     #[arg(long, value_name = "FILE")]
     table: Option<PathBuf>,
+    /// Write the laws that error bars of other runs are taken from to this JSON file.
+    #[arg(long, value_name = "FILE")]
+    fits: Option<PathBuf>,
 }
 
 impl From<ChartError> for Stop {
     fn from(error: ChartError) -> Stop {
         match error {
             ChartError::Scene(e) => e.into(),
-            ChartError::Run(e) => e.into(),
-            ChartError::Ended { .. } => Stop::Failed(error.to_string()),
+            ChartError::Write(..) => Stop::Failed(error.to_string()),
             other => Stop::Input(other.to_string()),
         }
     }
@@ -43,42 +51,61 @@ pub(super) fn run_charts(cli: &Cli, args: &ChartArgs) -> Result<u8, Stop> {
         }
         return Ok(DONE);
     }
-    let mut charts = Vec::new();
-    for file in &args.from {
-        charts.push(chart::stored(file)?);
-    }
-    if args.from.is_empty() {
-        for case in chart::select(&args.cases)? {
-            let tell = |k: usize, of: usize, family: &str, at: f64| {
-                if !cli.quiet {
-                    eprintln!("{}, run {k} of {of}: {family}, {at} …", case.name);
-                }
-            };
-            let measured = chart::measure(&case, tell)?;
-            keep(&measured, &args.out)?; // each as soon as it is there: the next may fail
-            charts.push(measured);
-        }
-    } else {
-        charts.iter().try_for_each(|measured| keep(measured, &args.out))?;
-    }
-    let tables: Vec<String> = charts.iter().map(|c| format!("## {}\n\n{}", c.case.name, chart::table(c))).collect();
+    let charts = match args.from.is_empty() {
+        true => measure(cli, args)?,
+        false => args.from.iter().map(|file| chart::stored(file)).collect::<Result<Vec<_>, _>>()?,
+    };
+    charts.iter().try_for_each(|measured| draw(measured, &args.out))?;
+    let tables = charts.iter().map(|c| Ok(format!("## {}\n\n{}", c.case.name, chart::table(c)?)));
+    let tables = tables.collect::<Result<Vec<_>, ChartError>>()?.join("\n");
     match cli.json {
         true => say(format_args!("{}", serde_json::to_string_pretty(&charts).unwrap_or_default())),
-        false => say(format_args!("{}", tables.join("\n").trim_end())),
+        false => say(format_args!("{}", tables.trim_end())),
     }
     if let Some(path) = &args.table {
         let head = "# Error against cost\n\nWritten by `splashdown chart --table`.\n\n";
-        let text = format!("{head}{}", tables.join("\n"));
-        std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
+        write(path, &format!("{head}{tables}"))?;
     }
-    Ok(DONE)
+    if let Some(path) = &args.fits {
+        let laws = charts.iter().map(chart::fits).collect::<Result<Vec<_>, _>>()?.concat();
+        write(path, &serde_json::to_string_pretty(&laws).unwrap_or_default())?;
+    }
+    match charts.iter().find(|c| c.points.iter().all(|p| p.run().is_none())) {
+        Some(empty) => Err(Stop::Failed(format!("no run of {} gave a number", empty.case.name))),
+        None => Ok(DONE),
+    }
 }
 
-fn keep(measured: &Measured, out: &Path) -> Result<(), Stop> {
-    let wrong = |e: std::io::Error| Stop::Failed(format!("cannot write to {}: {e}", out.display()));
-    let file = |ending: &str| out.join(format!("{}.{ending}", measured.case.name));
-    std::fs::create_dir_all(out).map_err(wrong)?;
-    std::fs::write(file("json"), measured.to_json()).map_err(wrong)?;
-    std::fs::write(file("svg"), chart::svg(measured)).map_err(wrong)?;
-    std::fs::write(file("html"), chart::page(measured)).map_err(wrong)
+/// Measure the charts; each run is kept as soon as it is done.
+fn measure(cli: &Cli, args: &ChartArgs) -> Result<Vec<Measured>, Stop> {
+    let mut charts = Vec::new();
+    for mut case in chart::select(&args.cases)? {
+        case.set.extend_from_slice(&args.sets);
+        let file = args.out.join(format!("{}.json", case.name));
+        let before = match args.resume && file.exists() {
+            true => Some(chart::stored(&file)?),
+            false => None,
+        };
+        let tell = |k: usize, of: usize, run: &str| {
+            if !cli.quiet {
+                eprintln!("{}, run {k} of {of}: {run} …", case.name);
+            }
+        };
+        charts.push(chart::measure(&case, before.as_ref(), tell, |measured| write(&file, &measured.to_json()))?);
+    }
+    Ok(charts)
+}
+
+fn draw(measured: &Measured, out: &Path) -> Result<(), ChartError> {
+    let name = &measured.case.name;
+    write(&out.join(format!("{name}.json")), &measured.to_json())?;
+    write(&out.join(format!("{name}.html")), &chart::page(measured)?)?;
+    let mut quantities = measured.case.quantity.iter();
+    quantities.try_for_each(|q| write(&out.join(format!("{name}_{}.svg", q.name)), &chart::svg(measured, q)?))
+}
+
+/// Write a file, and the folders on the way to it.
+fn write(path: &Path, text: &str) -> Result<(), ChartError> {
+    let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+    folder.and_then(|()| std::fs::write(path, text)).map_err(|e| ChartError::Write(path.display().to_string(), e))
 }

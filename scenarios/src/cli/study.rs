@@ -1,11 +1,12 @@
-//! `splashdown study`.
+//! `splashdown study`, and the coarser runs of `run --converge`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::{Cli, DONE, SceneArgs, Stop, say};
-use crate::study::{Plan, Study, StudyError, page, study};
+use crate::run::refuse_occupied;
+use crate::study::{Coarser, Plan, Study, StudyError, coarser, page, study};
 
 #[derive(Args)]
 pub(super) struct StudyArgs {
@@ -67,6 +68,24 @@ pub(super) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
         false => say(format_args!("{}", done.to_text())),
     }
     Ok(DONE)
+}
+
+/// The runs of `run --converge` before the scene's own.
+pub(super) fn coarser_runs(
+    cli: &Cli,
+    given: &SceneArgs,
+    quantities: &[String],
+    out: &Path,
+    force: bool,
+) -> Result<Coarser, Stop> {
+    refuse_occupied(out, force)?; // before the runs, not after them
+    let runs = coarser(&given.scene, &given.sets, |k, dx| {
+        if !cli.quiet {
+            eprintln!("coarser run {k} of 2: spacing {dx:.6} m …");
+        }
+    })?;
+    runs.refuse_unknown(quantities)?;
+    Ok(runs)
 }
 
 fn keep(study: &Study, out: &PathBuf) -> Result<(), Stop> {

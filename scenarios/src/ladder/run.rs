@@ -5,13 +5,14 @@ use std::time::Instant as Clock;
 
 use fsi_coupling::theory::Instant;
 
-use super::Theory;
+use super::{Measured, Theory, Want, measured};
 use crate::compare::{self, ReferenceCurve};
+use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
 use crate::observe::{FlowPictures, ObserveError, Series, SimilarityResult};
 use crate::reference::WedgeSimilarity;
 use crate::run::{Outcome, RunError, RunOptions};
-use crate::scene::{Body, Scene};
+use crate::scene::{Body, Gauge, Scene};
 use crate::summary::{Audit, Log, Particles, Peak, Status, Summary};
 
 /// Points of a pressure profile, in x/(V t) up to the jet's tip.
@@ -66,6 +67,7 @@ pub(crate) fn run(
         audit: Audit::default(),
         coupling: None,
         rest: None,
+        error_bars: error_bars(scene, body, &theory, &series),
         order: None,
         water: None,
         compressibility: None,
@@ -77,6 +79,24 @@ pub(crate) fn run(
         projection: None,
     };
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
+}
+
+/// What the numbers of a run by a theory may be off by, where that was measured nearest to the scene (THEORY LM11).
+fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
+    let bar = |want: Want, path: String, value: f64| {
+        let Measured { error, case } = measured(scene, theory, want)?;
+        let (method, verdict) = (format!("measured in {case}"), "as far off as it was there".into());
+        Some((path, ErrorBar { value, extrapolated: None, band: error * value.abs(), order: None, verdict, method }))
+    };
+    let column = format!("{}.fy_N_per_m", body.name);
+    let peak = series.peaks().find(|(name, ..)| *name == column);
+    let force = peak.and_then(|(name, value, _)| bar(Want::PeakForce, format!("peaks/{name}/value"), value));
+    let pressure = |gauge: &Gauge| {
+        let column = format!("{}.p_Pa", gauge.name);
+        let (name, value, _) = series.peaks().find(|(name, ..)| *name == column)?;
+        bar(Want::PeakPressure, format!("peaks/{name}/value"), value)
+    };
+    force.into_iter().chain(scene.gauges.iter().filter_map(pressure)).collect()
 }
 
 /// Poses of the body, and its curves.

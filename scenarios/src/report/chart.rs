@@ -41,6 +41,17 @@ pub enum Mark {
     Dashed,
     /// A marker at each point, no line.
     Points,
+    /// The outline of a marker at each point, no line.
+    Hollow,
+}
+
+/// A thin straight line in the colour of a curve, such as a law fitted to it; it has no entry in the legend.
+#[derive(Clone, Copy, Debug)]
+pub struct TrendLine {
+    /// Index of the curve.
+    pub curve: usize,
+    /// Both ends (x, y).
+    pub ends: [[f64; 2]; 2],
 }
 
 /// A sequence of points (x, y). If the two arrays differ in length, the longer one's surplus is
@@ -68,6 +79,8 @@ pub struct Chart {
     pub y_label: String,
     /// The curves, first at the bottom.
     pub curves: Vec<Curve>,
+    /// Straight lines that belong to curves, drawn where the axes that follow from the curves show them.
+    pub trends: Vec<TrendLine>,
     /// Ends of the x axis; absent, they follow from the curves.
     pub x_range: Option<[f64; 2]>,
     /// Ends of the y axis; absent, they follow from what the x axis shows of the curves.
@@ -92,21 +105,21 @@ pub(super) fn untitled_svg(chart: &Chart) -> String {
 
 fn draw(chart: &Chart, title: &str) -> String {
     let mut curves: Vec<_> = chart.curves.iter().map(|curve| shown(curve, chart.logarithmic)).collect();
-    let has_markers = chart.curves.iter().any(|curve| curve.mark == Mark::Points);
+    let has_markers = chart.curves.iter().any(|curve| is_marked(curve.mark));
     let x_margin = if has_markers { 0.03 } else { 0.0 };
     let x_range = match chart.logarithmic {
         true => decades(&curves, 0),
         false => proper_range(chart.x_range.unwrap_or_else(|| extent(&curves, 0, x_margin))),
     };
     for (points, curve) in curves.iter_mut().zip(&chart.curves) {
-        *points = within(points, x_range, curve.mark != Mark::Points);
+        *points = within(points, x_range, !is_marked(curve.mark));
     }
     let y_range = match chart.logarithmic {
         true => decades(&curves, 1),
         false => proper_range(chart.y_range.unwrap_or_else(|| extent(&curves, 1, 0.05))),
     };
 
-    let mut plots = Vec::new();
+    let mut plots: Vec<Plot> = chart.trends.iter().map(|t| trend(t, STYLES[t.curve % STYLES.len()].0)).collect();
     let mut legend = Vec::new();
     for ((curve, points), style) in chart.curves.iter().zip(&curves).zip(STYLES.into_iter().cycle()) {
         let mut points = decimate(points, POINTS_PER_CURVE);
@@ -133,6 +146,8 @@ fn draw(chart: &Chart, title: &str) -> String {
 
 /// The plot of a curve's points, and its entry in the legend.
 fn plot(curve: &Curve, points: &[[f64; 2]], (colour, marker): Style) -> (Plot, LegendEntry) {
+    let is_hollow = curve.mark == Mark::Hollow;
+    let marker = if is_hollow { MarkerShape::Circle } else { marker }; // crosses have no inside
     let data = points.iter().map(|&[x, y]| (x, y));
     let line = LinePlot::new().with_color(colour).with_stroke_width(1.6);
     // A line needs two points; a single one is a result too.
@@ -145,12 +160,24 @@ fn plot(curve: &Curve, points: &[[f64; 2]], (colour, marker): Style) -> (Plot, L
             (plot.into(), LegendShape::Line, dasharray)
         }
         _ => {
-            let plot = ScatterPlot::new().with_data(data).with_color(colour).with_size(4.0);
+            let mut plot = ScatterPlot::new().with_data(data).with_color(colour).with_size(4.0);
+            if is_hollow {
+                plot = plot.with_marker_opacity(0.0).with_marker_stroke_width(1.4);
+            }
             (plot.with_marker(marker).into(), LegendShape::Marker(marker), None)
         }
     };
     let (label, color) = (label(&curve.label), colour.into());
     (plot, LegendEntry { label, color, shape, dasharray })
+}
+
+fn is_marked(mark: Mark) -> bool {
+    matches!(mark, Mark::Points | Mark::Hollow)
+}
+
+fn trend(line: &TrendLine, colour: &str) -> Plot {
+    let ends = line.ends.into_iter().map(|[x, y]| (x, y));
+    LinePlot::new().with_data(ends).with_color(colour).with_stroke_width(0.8).into()
 }
 
 /// The points of a curve that have a place on paper.

@@ -18,7 +18,7 @@ mod text;
 mod ticks;
 
 pub use bar::{Bar, Part};
-pub use chart::{Chart, Curve, Mark, chart_svg};
+pub use chart::{Chart, Curve, Mark, TrendLine, chart_svg};
 pub use colour::{Rgb, viridis};
 pub use flow::{FlowFrame, FlowView, flow_png};
 pub use html::{Block, Report, Status, render};

@@ -3,8 +3,9 @@
 //! A scene is run at every pair of a few spacings and sound speeds; [`fit`] extrapolates to zero spacing and infinite
 //! sound speed, with the observed order and an uncertainty (THEORY G6). The words "not converged" are part of the answer.
 
+mod bands;
+mod converge;
 mod fit;
-mod least_squares;
 mod page;
 mod table;
 
@@ -17,6 +18,8 @@ use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError, compressibility_error};
 use crate::summary::{Status, Summary};
 
+pub use bands::{BandCase, BandLine, band_cases, hold, select_bands, to_markdown};
+pub use converge::{Coarser, coarser};
 pub use fit::{Fit, Sample, fit};
 pub use page::page;
 
@@ -87,6 +90,9 @@ pub enum StudyError {
     /// A run did not reach its end.
     #[error("the run at spacing {0} m and sound speed {1} m/s ended early: {2}")]
     Ended(f64, f64, String),
+    /// A case of bands is wrong, or there is none of that name.
+    #[error("case of bands `{0}`: {1}")]
+    Case(String, String),
     /// A value is wrong.
     #[error("{key} {given}: expected {expected}")]
     Input {
@@ -100,10 +106,15 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    fn unknown_quantity(path: &str, known: &[String]) -> StudyError {
+        let expected = format!("the path of a number in summary.json: {}", known.join(", "));
+        StudyError::Input { key: "--quantity", given: path.to_string(), expected }
+    }
+
     /// True if the user's input is at fault.
     pub fn is_input(&self) -> bool {
         match self {
-            StudyError::Scene(_) | StudyError::Input { .. } => true,
+            StudyError::Scene(_) | StudyError::Case(..) | StudyError::Input { .. } => true,
             StudyError::Run(error) => error.is_input(),
             StudyError::Ended(..) => false,
         }
@@ -194,12 +205,15 @@ fn point(plan: &Plan, scene: &Scene) -> Result<Point, StudyError> {
 /// The number at a path of a summary.
 fn number(summary: &Summary, path: &str) -> Result<f64, StudyError> {
     let json = serde_json::to_value(summary).unwrap_or_default();
-    json.pointer(&format!("/{path}")).and_then(Value::as_f64).ok_or_else(|| {
-        let mut known = Vec::new();
-        numbers("", &json, &mut known);
-        let expected = format!("the path of a number in summary.json: {}", known.join(", "));
-        StudyError::Input { key: "--quantity", given: path.to_string(), expected }
-    })
+    let found = json.pointer(&format!("/{path}")).and_then(Value::as_f64);
+    found.ok_or_else(|| StudyError::unknown_quantity(path, &listed_numbers(&json)))
+}
+
+/// Paths of all numbers of a summary.
+fn listed_numbers(json: &Value) -> Vec<String> {
+    let mut known = Vec::new();
+    numbers("", json, &mut known);
+    known
 }
 
 /// Paths of all numbers below a value.

@@ -1,6 +1,6 @@
 use super::HOSTILE;
 use super::xml::assert_well_formed;
-use scenarios::report::{Chart, Curve, Mark, chart_svg};
+use scenarios::report::{Chart, Curve, Mark, TrendLine, chart_svg};
 
 pub fn curve(mark: Mark, x: Vec<f64>, y: Vec<f64>) -> Curve {
     Curve { label: format!("{mark:?}"), mark, x, y }
@@ -108,4 +108,16 @@ fn curves_differ_in_colour_and_the_same_chart_in_nothing() {
     assert_eq!(colours.len(), 7);
     chart_svg(&chart(vec![line(1)]));
     assert_eq!(chart_svg(&seven), svg);
+}
+
+#[test]
+fn hollow_marks_are_outlines_and_trends_have_their_curves_colour() {
+    let dots = |mark| chart(vec![curve(mark, vec![1.0, 10.0, 100.0], vec![9.0, 3.0, 1.0])]);
+    let [full, hollow] = [Mark::Points, Mark::Hollow].map(|mark| chart_svg(&Chart { logarithmic: true, ..dots(mark) }));
+    assert_eq!([&full, &hollow].map(|svg| svg.matches("fill-opacity=\"0\"").count()), [0, 3]);
+    let trends = vec![TrendLine { curve: 0, ends: [[1.0, 9.0], [100.0, 1.0]] }];
+    let with = chart_svg(&Chart { logarithmic: true, trends, ..dots(Mark::Points) });
+    let lines = |svg: &str| svg.matches("stroke=\"#0072b2\"").count();
+    assert_eq!(lines(&with), lines(&full) + 1);
+    assert_well_formed(&with);
 }

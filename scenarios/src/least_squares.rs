@@ -2,7 +2,7 @@
 
 /// Coefficients x that make Σ_i (Σ_k x_k a_k[i] − b[i])² least, for the columns a_k; modified Gram–Schmidt (Björck 1967).
 /// `None` where the columns are not independent.
-pub(super) fn least_squares(columns: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
+pub(crate) fn least_squares(columns: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
     let n = columns.len();
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
     let mut q = columns.to_vec();

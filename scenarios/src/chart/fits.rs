@@ -1,0 +1,283 @@
+//! Error bars of a run from charts that were measured before (THEORY G7).
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::case::{Family, Quantity};
+use super::measured::Measured;
+use super::power_law::PowerLaw;
+use crate::error_bar::{ErrorBar, ErrorBars};
+use crate::scene::{self, Bottom, Kernel, Motion, Norm, Scene, SceneError, Shape};
+use crate::summary::Summary;
+
+/// The charts of this program, as `splashdown chart --all --fits tests/charts/fits.json` wrote them.
+static CHARTED: LazyLock<Vec<ChartFit>> = LazyLock::new(|| {
+    serde_json::from_str(include_str!("../../../tests/charts/fits.json"))
+        .expect("tests/charts/fits.json is a list of fits")
+});
+
+/// Standard deviations above the law that 90 % of lognormally scattered errors stay below [-].
+const NINETY_PERCENT: f64 = 1.2816;
+/// Runs this much coarser or finer than a chart's are still near [-].
+const BEYOND: f64 = 1.3;
+/// Spray roots this much nearer to the speed of sound than a chart's are still near [-].
+const FASTER: f64 = 1.1;
+/// Deadrise beside a charted one that is still near [deg].
+const BESIDE: f64 = 2.0;
+
+/// The fall of an error with the resolution, for runs of one kind.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct ChartFit {
+    /// The chart.
+    pub case: String,
+    /// Its family.
+    pub family: String,
+    /// What the runs are like.
+    pub kind: Kind,
+    /// Deadrise [deg].
+    pub deadrise_deg: f64,
+    /// Speed of the spray root over that of sound [-]; absent where water is incompressible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mach: Option<f64>,
+    /// Path of the number in `summary.json`, with `BODY` for the body's name.
+    pub number: String,
+    /// What the error is a share of.
+    pub share_of: ShareOf,
+    /// Error over k, spacings in the draught [-].
+    pub law: PowerLaw,
+    /// Least and largest k charted [-].
+    pub spacings: [f64; 2],
+}
+
+/// What must be equal for an error to carry over.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Kind {
+    /// Whether the wedge falls freely; else its speed is constant.
+    pub falls: bool,
+    /// What gives the pressure.
+    pub solver: String,
+    /// Smoothing kernel.
+    pub kernel: Kernel,
+    /// Smoothing length over spacing [-].
+    pub smoothing_ratio: f64,
+}
+
+/// What an error is a share of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ShareOf {
+    /// The number itself.
+    Value,
+    /// The speed at contact.
+    ContactSpeed,
+}
+
+/// A wedge's entry as a chart sees it.
+struct Likeness {
+    kind: Kind,
+    body: String,
+    deadrise_deg: f64,
+    mach: Option<f64>,
+    contact_speed: f64,
+    spacings: f64,
+}
+
+impl Likeness {
+    /// `None` for anything but a rigid wedge that enters at constant speed without gravity, or falls.
+    fn of(scene: &Scene) -> Option<Likeness> {
+        let (body, entry) = (scene.body.as_ref()?, scene.entry()?);
+        let Shape::Wedge { deadrise_deg, .. } = body.shape else { return None };
+        let falls = match &body.motion {
+            Motion::Free(_) => true,
+            Motion::ConstantVelocity if scene.similarity.is_some() => false,
+            _ => return None,
+        };
+        let upright =
+            matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
+        let sound = (!scene.solver.is_incompressible()).then_some(scene.fluid.sound_speed);
+        (upright && body.panels.is_empty()).then(|| Likeness {
+            kind: Kind {
+                falls,
+                solver: scene.solver.name().into(),
+                kernel: scene.fluid.kernel,
+                smoothing_ratio: scene.fluid.smoothing_ratio,
+            },
+            body: body.name.clone(),
+            deadrise_deg,
+            mach: sound.map(|sound| entry.root_speed() / sound),
+            contact_speed: entry.speed,
+            spacings: entry.attached_draught() / scene.resolution.spacing,
+        })
+    }
+
+    fn is_near(&self, fit: &ChartFit) -> bool {
+        let [coarse, fine] = fit.spacings;
+        let slower = match (self.mach, fit.mach) {
+            (Some(own), Some(charted)) => own <= FASTER * charted,
+            _ => true,
+        };
+        self.kind == fit.kind && slower && self.spacings >= coarse / BEYOND && self.spacings <= BEYOND * fine
+    }
+}
+
+/// The error bars of a run that is near a charted one; none where nothing is near.
+pub fn error_bars(scene: &Scene, summary: &Summary) -> ErrorBars {
+    near_bars(&CHARTED, scene, summary)
+}
+
+fn near_bars(fits: &[ChartFit], scene: &Scene, summary: &Summary) -> ErrorBars {
+    let Some(own) = Likeness::of(scene) else { return ErrorBars::new() };
+    let mut by_number: BTreeMap<&str, Vec<&ChartFit>> = BTreeMap::new();
+    for fit in fits.iter().filter(|fit| own.is_near(fit)) {
+        by_number.entry(&fit.number).or_default().push(fit);
+    }
+    if by_number.is_empty() {
+        return ErrorBars::new();
+    }
+    let json = serde_json::to_value(summary).unwrap_or_default();
+    let bar = |(number, fits): (&str, Vec<&ChartFit>)| {
+        let path = number.replace("BODY", &own.body);
+        let value = json.pointer(&format!("/{path}")).and_then(Value::as_f64)?;
+        let (error, from) = between(&own, &fits)?;
+        let whole = match fits[0].share_of {
+            ShareOf::Value => value.abs(),
+            ShareOf::ContactSpeed => own.contact_speed,
+        };
+        let method = format!(
+            "chart of {from}, {}: its error at {:.0} spacings in the draught, with its scatter",
+            fits[0].family, own.spacings
+        );
+        let verdict = "holds 90 % of the charted law's scatter".into();
+        Some((path, ErrorBar { value, extrapolated: None, band: error * whole, order: None, verdict, method }))
+    };
+    by_number.into_iter().filter_map(bar).collect()
+}
+
+/// The error that 90 % stay below at the run's deadrise, linear in its logarithm between two charted ones [-], and the
+/// charts' names. Of several charts at one deadrise, the largest.
+fn between(own: &Likeness, fits: &[&ChartFit]) -> Option<(f64, String)> {
+    let error = |fit: &ChartFit| fit.law.at(own.spacings) * (NINETY_PERCENT * fit.law.scatter).exp();
+    let nearest = |below: bool| {
+        let side =
+            fits.iter().filter(|f| (f.deadrise_deg <= own.deadrise_deg) == below || f.deadrise_deg == own.deadrise_deg);
+        let distance = |f: &ChartFit| (f.deadrise_deg - own.deadrise_deg).abs();
+        side.copied().min_by(|a, b| distance(a).total_cmp(&distance(b)).then(error(b).total_cmp(&error(a))))
+    };
+    let (low, high) = match (nearest(true), nearest(false)) {
+        (Some(low), Some(high)) => (low, high),
+        (Some(one), None) | (None, Some(one)) if (one.deadrise_deg - own.deadrise_deg).abs() <= BESIDE => (one, one),
+        _ => return None,
+    };
+    if low.deadrise_deg == high.deadrise_deg {
+        return Some((error(low), low.case.clone()));
+    }
+    let share = (own.deadrise_deg - low.deadrise_deg) / (high.deadrise_deg - low.deadrise_deg);
+    let error = error(low).powf(1.0 - share) * error(high).powf(share);
+    Some((error, format!("{} and {}", low.case, high.case)))
+}
+
+/// The laws of a chart that carry over to other runs.
+pub fn fits(measured: &Measured) -> Result<Vec<ChartFit>, SceneError> {
+    let mut fits = Vec::new();
+    for family in measured.case.family.iter().filter(|f| f.vary.as_deref() == Some("resolution.spacing")) {
+        let Some((_, set)) = family.runs(&measured.case).into_iter().next() else { continue };
+        let scene = scene::load(&measured.case.scene, &set)?.scene;
+        fits.extend(measured.case.quantity.iter().filter_map(|q| fit(measured, family, q, &scene)));
+    }
+    Ok(fits)
+}
+
+fn fit(measured: &Measured, family: &Family, quantity: &Quantity, scene: &Scene) -> Option<ChartFit> {
+    let likeness = Likeness::of(scene)?;
+    let (path, share_of) = number_of(quantity, scene)?;
+    let seen = measured.seen(quantity).into_iter().filter(|s| s.point.family == family.name);
+    let points: Vec<[f64; 2]> = seen.filter_map(|s| Some([s.run.spacings_per_draught?, s.reading.error])).collect();
+    let law = PowerLaw::fit(points.iter().copied())?;
+    let ends = points.iter().fold([f64::INFINITY, 0.0], |e: [f64; 2], p| [e[0].min(p[0]), e[1].max(p[0])]);
+    Some(ChartFit {
+        case: measured.case.name.clone(),
+        family: family.name.clone(),
+        number: path.replace(&format!("/{}.", likeness.body), "/BODY."),
+        kind: likeness.kind,
+        deadrise_deg: likeness.deadrise_deg,
+        mach: likeness.mach,
+        share_of,
+        law,
+        spacings: ends,
+    })
+}
+
+/// The number that a quantity's error is an error of; `None` for errors of curves that are no share of a number.
+fn number_of(quantity: &Quantity, scene: &Scene) -> Option<(String, ShareOf)> {
+    if let Some(path) = &quantity.value {
+        return Some((path.clone(), ShareOf::Value));
+    }
+    let column = quantity.comparison.as_ref().filter(|column| column.ends_with(".vy_m_per_s"))?;
+    let compared =
+        scene.compare.iter().find(|c| c.quantity == *column && Some(&c.reference) == quantity.against.as_ref())?;
+    (compared.norm == Norm::RmsOverFirst).then(|| (format!("means/{column}"), ShareOf::ContactSpeed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn charted(case: &str, deadrise_deg: f64, factor: f64) -> ChartFit {
+        ChartFit {
+            case: case.into(),
+            family: "weakly compressible".into(),
+            kind: likeness(20.0, 0.02).kind,
+            deadrise_deg,
+            mach: Some(0.05),
+            number: "similarity/force_coefficient".into(),
+            share_of: ShareOf::Value,
+            law: PowerLaw { factor, exponent: -1.0, exponent_error: 0.1, scatter: 0.0 },
+            spacings: [20.0, 60.0],
+        }
+    }
+
+    fn likeness(deadrise_deg: f64, spacing: f64) -> Likeness {
+        let sets = [format!("body.deadrise_deg={deadrise_deg:?}"), format!("resolution.spacing={spacing:?}")];
+        Likeness::of(&scene::load("wedge_constant", &sets).expect("a scene").scene).expect("a wedge")
+    }
+
+    #[test]
+    fn between_charts_the_error_goes_geometrically_and_falls_with_the_resolution() {
+        let fits = [charted("twenty", 20.0, 1.0), charted("worse", 20.0, 4.0), charted("forty", 40.0, 1.0)];
+        let all: Vec<&ChartFit> = fits.iter().collect();
+        let at = |deadrise: f64, spacing: f64| between(&likeness(deadrise, spacing), &all);
+        let (error, from) = at(30.0, 0.025).expect("between");
+        assert!((error - 2.0 / 40.0).abs() < 1e-12 && from == "worse and forty", "{error} {from}");
+        assert!((at(20.0, 0.025).expect("charted").0 - 4.0 / 40.0).abs() < 1e-12);
+        assert!((at(41.0, 0.02).expect("beside").0 - 1.0 / 50.0).abs() < 1e-12);
+        assert_eq!(at(45.0, 0.025), None);
+    }
+
+    #[test]
+    fn what_is_coarse_fast_or_of_another_kind_is_not_near() {
+        let (fit, own) = (charted("twenty", 20.0, 1.0), likeness(20.0, 0.02));
+        assert!(own.is_near(&fit));
+        assert!(!likeness(20.0, 0.1).is_near(&fit), "k = 10");
+        assert!(!Likeness { mach: Some(0.06), ..own }.is_near(&fit));
+        let gaussian = scene::load("wedge_constant", &["fluid.kernel=gaussian".into()]).expect("a scene").scene;
+        assert!(!Likeness::of(&gaussian).expect("a wedge").is_near(&fit));
+        let bent = scene::load("elastic_wedge", &[]).expect("a scene").scene;
+        assert!(
+            Likeness::of(&bent).is_none()
+                && Likeness::of(&scene::load("floating_box", &[]).expect("a scene").scene).is_none()
+        );
+    }
+
+    #[test]
+    fn the_programs_own_fits_are_of_its_charts() {
+        let cases = crate::chart::cases().expect("they parse");
+        assert!(!CHARTED.is_empty());
+        for fit in CHARTED.iter() {
+            let case = cases.iter().find(|c| c.name == fit.case).unwrap_or_else(|| panic!("{}", fit.case));
+            assert!(case.family.iter().any(|f| f.name == fit.family), "{}: {}", fit.case, fit.family);
+        }
+    }
+}

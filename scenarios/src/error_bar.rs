@@ -1,0 +1,39 @@
+//! What a number of a run may be off by.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+/// A number of `summary.json` with its band.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ErrorBar {
+    /// The run's own.
+    pub value: f64,
+    /// What it tends to, by a convergence study; absent where none was made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub extrapolated: Option<f64>,
+    /// Half width about the extrapolated value, or else about the run's own, in the number's unit.
+    pub band: f64,
+    /// Observed order [-]; absent where none was observed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<f64>,
+    /// "converged", or "not converged" and why; of a charted band, what it holds.
+    pub verdict: String,
+    /// How the band was found.
+    pub method: String,
+}
+
+/// Error bars, by path in `summary.json`.
+pub type ErrorBars = BTreeMap<String, ErrorBar>;
+
+impl ErrorBar {
+    /// The middle of the band.
+    pub fn middle(&self) -> f64 {
+        self.extrapolated.unwrap_or(self.value)
+    }
+
+    /// True where the band holds a value.
+    pub fn holds(&self, value: f64) -> bool {
+        (self.middle() - value).abs() <= self.band
+    }
+}

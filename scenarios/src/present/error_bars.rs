@@ -1,0 +1,28 @@
+//! The error bars of `report.html`.
+
+use super::row;
+use crate::report::{Block, Table};
+use crate::summary::Summary;
+
+/// Main numbers with their bands.
+pub(super) fn error_bars_section(summary: &Summary) -> Vec<Block> {
+    let text = "What main numbers may be off by. The band is about the extrapolated value where a convergence study was made, \
+                else about the run's own.";
+    let rows = summary.error_bars.iter().map(|(path, bar)| {
+        let known = |value: Option<f64>, digits: usize| value.map_or("–".into(), |v| format!("{v:.digits$}"));
+        let percent = 100.0 * (bar.band / bar.middle()).abs();
+        row(&[
+            path,
+            &format!("{:.5e}", bar.value),
+            &bar.extrapolated.map_or("–".into(), |v| format!("{v:.5e}")),
+            &format!("{:.2e}", bar.band),
+            &format!("{percent:.2}"),
+            &known(bar.order, 2),
+            &bar.verdict,
+            &bar.method,
+        ])
+    });
+    let head = ["number", "value", "extrapolated", "band ±", "band [%]", "order", "verdict", "method"];
+    let table = Table { title: "Error bars".into(), head: row(&head), rows: rows.collect() };
+    vec![Block::Text(text.into()), Block::Table(table)]
+}
