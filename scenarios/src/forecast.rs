@@ -98,6 +98,31 @@ pub struct ExchangeForecast {
     pub spectral_radius: f64,
 }
 
+/// Estimated cost of a scene's particles [core-seconds].
+pub fn core_seconds(scene: &Scene) -> f64 {
+    let (particles, _) = particle_estimate(scene);
+    cost_of_step(scene.solver) * particles as f64 * (scene.time.end / step(scene)).ceil()
+}
+
+/// Cost of a particle and step [s].
+fn cost_of_step(solver: Solver) -> f64 {
+    match solver {
+        Solver::WeaklyCompressible => COST,
+        Solver::Incompressible | Solver::IncompressibleExplicit => PROJECTION_COST,
+        Solver::IncompressibleThesis => THESIS_COST,
+    }
+}
+
+/// Step at the start [s].
+fn step(scene: &Scene) -> f64 {
+    let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
+    let fastest = match scene.solver.is_incompressible() {
+        true => scene.projection_speed(),
+        false => scene.fluid.sound_speed + scene.fastest_speed(),
+    };
+    scene.time.step.unwrap_or(scene.fluid.cfl * h / fastest).min(scene.time.end)
+}
+
 /// Look ahead without running.
 pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let fluid_particles = tiling(scene).count();
@@ -106,19 +131,9 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     // an area grows with the square of the draught: a third of what is added is there in the mean
     let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
     let fluid = &scene.fluid;
-    let h = fluid.smoothing_ratio * scene.resolution.spacing;
     let fastest = scene.fastest_speed();
     let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
-    let longest = match sound {
-        Some(sound) => fluid.cfl * h / (sound + fastest),
-        None => fluid.cfl * h / scene.projection_speed(),
-    };
-    let step = scene.time.step.unwrap_or(longest).min(scene.time.end);
-    let cost = match scene.solver {
-        Solver::WeaklyCompressible => COST,
-        Solver::Incompressible | Solver::IncompressibleExplicit => PROJECTION_COST,
-        Solver::IncompressibleThesis => THESIS_COST,
-    };
+    let (step, cost) = (step(scene), cost_of_step(scene.solver));
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };

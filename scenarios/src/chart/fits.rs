@@ -28,6 +28,11 @@ const FASTER: f64 = 1.1;
 /// Deadrise beside a charted one that is still near [deg].
 const BESIDE: f64 = 2.0;
 
+/// Spacings in the draught among which a resolution is looked for [-], and how many.
+const COARSEST: f64 = 8.0;
+const FINEST: f64 = 150.0;
+const RESOLUTIONS: u32 = 120;
+
 /// The fall of an error with the resolution, for runs of one kind.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct ChartFit {
@@ -126,6 +131,32 @@ impl Likeness {
 /// The error bars of a run that is near a charted one; none where nothing is near.
 pub fn error_bars(scene: &Scene, summary: &Summary) -> ErrorBars {
     near_bars(&CHARTED, scene, summary)
+}
+
+/// The error that 90 % of charted runs like this one stay below [-], and the charts' names; for a number of the summary as charts
+/// have it, with `BODY` for the body's name. `None` where nothing is near.
+pub fn charted_error(scene: &Scene, number: &str) -> Option<(f64, String)> {
+    error_of(&CHARTED, &Likeness::of(scene)?, number)
+}
+
+/// The coarsest spacing [m] at which that error is at most `within`; `None` where no charted resolution is so good.
+pub fn spacing_within(scene: &Scene, number: &str, within: f64) -> Option<f64> {
+    coarsest(&CHARTED, Likeness::of(scene)?, scene.resolution.spacing, number, within)
+}
+
+fn error_of(fits: &[ChartFit], own: &Likeness, number: &str) -> Option<(f64, String)> {
+    let near: Vec<&ChartFit> = fits.iter().filter(|fit| fit.number == number && own.is_near(fit)).collect();
+    between(own, &near)
+}
+
+fn coarsest(fits: &[ChartFit], own: Likeness, spacing: f64, number: &str, within: f64) -> Option<f64> {
+    let draught = own.spacings * spacing;
+    let mut own = own;
+    (0..=RESOLUTIONS).find_map(|k| {
+        own.spacings = COARSEST * (FINEST / COARSEST).powf(f64::from(k) / f64::from(RESOLUTIONS));
+        let (error, _) = error_of(fits, &own, number)?;
+        (error <= within).then_some(draught / own.spacings)
+    })
 }
 
 fn near_bars(fits: &[ChartFit], scene: &Scene, summary: &Summary) -> ErrorBars {
@@ -254,6 +285,15 @@ mod tests {
         assert!((at(20.0, 0.025).expect("charted").0 - 4.0 / 40.0).abs() < 1e-12);
         assert!((at(41.0, 0.02).expect("beside").0 - 1.0 / 50.0).abs() < 1e-12);
         assert_eq!(at(45.0, 0.025), None);
+    }
+
+    #[test]
+    fn the_coarsest_spacing_within_a_tolerance_is_the_laws() {
+        let fits = [charted("thirty", 30.0, 1.0)]; // error 1/k
+        let at = |within: f64| coarsest(&fits, likeness(30.0, 0.02), 0.02, "similarity/force_coefficient", within);
+        let spacing = at(0.025).expect("k = 40");
+        assert!((1.0 / spacing - 40.0).abs() < 1.0 && 1.0 / spacing >= 40.0 - 1e-9, "{spacing}");
+        assert_eq!(at(0.01), None, "k = 100 is beyond the chart");
     }
 
     #[test]

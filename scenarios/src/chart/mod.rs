@@ -15,7 +15,7 @@ mod power_law;
 use crate::scene::SceneError;
 
 pub use case::{Case, Family, Quantity, Reading, Setting, cases, select};
-pub use fits::{ChartFit, Kind, ShareOf, error_bars, fits};
+pub use fits::{ChartFit, Kind, ShareOf, charted_error, error_bars, fits, spacing_within};
 pub use measure::{measure, stored};
 pub use measured::{Measured, Outcome, Point, Run, Seen, Trend};
 pub use page::{page, svg, table};

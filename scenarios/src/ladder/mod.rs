@@ -10,7 +10,7 @@ mod run;
 mod rungs;
 mod theory;
 
-pub use choose::choose;
+pub use choose::{Choice, charted_number, choose};
 pub use measured::{Measured, measured};
 pub(crate) use run::run;
 pub use rungs::{Assessment, rungs};

@@ -17,7 +17,7 @@ use super::model::Scene;
 use super::overrides::apply_set;
 use super::problem::{Problem, significant};
 use super::resolve::resolve;
-use super::resolve_model::{fill_in, halved, settle_model};
+use super::resolve_model::{Ask, check_model, settle_auto};
 use super::source::Source;
 use super::warnings::warnings;
 
@@ -95,7 +95,7 @@ impl Loaded {
     /// An error where the particles would need more than `limit` [bytes].
     pub fn fits_in_memory(&self, limit: u64) -> Result<(), SceneError> {
         let bytes = memory_estimate(&self.scene);
-        if bytes <= limit {
+        if bytes <= limit || self.scene.model.is_theory() {
             return Ok(());
         }
         let (fluid, wall) = particle_estimate(&self.scene);
@@ -115,17 +115,17 @@ fn read(value: Value, limits: Limits) -> Result<Scene, Problem> {
     refuse_absurd_numbers("", &value)?;
     let file: SceneFile = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
     let sensible = |file: SceneFile| {
-        let (scene, ask) = resolve(file)?;
+        let scene = resolve(file)?;
         if limits == Limits::Kept {
             check_step(&scene)?;
         }
         check(&scene)?;
-        Ok((scene, ask))
+        Ok(scene)
     };
-    let file = fill_in(file)?;
-    let half = halved(&file).and_then(|half| sensible(half).ok());
-    let (scene, ask) = half.map_or_else(|| sensible(file), Ok)?;
-    settle_model(scene, ask)
+    match Ask::of(&file)? {
+        Some(ask) => settle_auto(file, ask, sensible),
+        None => check_model(sensible(file)?),
+    }
 }
 
 /// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.

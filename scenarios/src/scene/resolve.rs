@@ -10,7 +10,7 @@ use super::model::{
 use super::model::{IdealGas, Solver, Turbulence, WallModel};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_body::resolve_body;
-use super::resolve_model::{Ask, resolve_model};
+use super::resolve_model::resolve_model;
 use super::resolve_projection::{resolve_projection, settle_projection};
 use super::resolve_resolution::{Grown, resolve_resolution};
 use super::resolve_thesis::{resolve_thesis, settle_thesis};
@@ -29,10 +29,10 @@ const RUN_UP: f64 = 3.0;
 const TAIT_EXPONENT: f64 = 7.0;
 const AIR_EXPONENT: f64 = 1.4;
 
-pub(super) fn resolve(mut file: SceneFile) -> Result<(Scene, Option<Ask>), Problem> {
+pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
     let name = required("name", file.name, "a word for file names")?;
     let symmetry = file.symmetry.unwrap_or_default();
-    let (model, solver, ask) = resolve_model(file.model, file.solver, file.want, file.within)?;
+    let (model, solver) = resolve_model(file.model, file.solver)?;
     let gravity = file.gravity.unwrap_or([0.0, -9.81]);
     let time = resolve_time(&file.time)?;
     let body = file.body.map(|body| resolve_body(body, symmetry, file.resolution.spacing)).transpose()?;
@@ -84,7 +84,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<(Scene, Option<Ask>), Probl
     let snug = solver.is_incompressible() && solid;
     let grown = Grown { solver, fluid: &fluid, entry: entry.as_ref(), body: body.as_ref() };
     let resolution = resolve_resolution(&file.resolution, spacing, fine_zone, snug, &grown)?;
-    let scene = Scene {
+    Ok(Scene {
         name: word("name", name)?,
         description: file.description.unwrap_or_default(),
         source: file.source.unwrap_or_default(),
@@ -110,8 +110,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<(Scene, Option<Ask>), Probl
         coupling,
         projection: resolve_projection(&file.projection, solver)?,
         thesis: resolve_thesis(file.thesis, solver)?,
-    };
-    Ok((scene, ask))
+    })
 }
 
 /// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
