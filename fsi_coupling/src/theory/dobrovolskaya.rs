@@ -164,7 +164,7 @@ impl Trial {
     }
 
     fn error(&self) -> f64 {
-        self.residual.iter().fold(0.0, |worst, r| f64::max(worst, r.abs())) // a NaN is kept below
+        self.residual.iter().fold(0.0, |worst, r| f64::max(worst, r.abs()))
     }
 
     fn norm(&self) -> f64 {
@@ -238,7 +238,9 @@ impl Dobrovolskaya {
             let farthest = by.iter().fold(0.0, |far, d| f64::max(far, d.abs()));
             let mut share = (LONGEST_MOVE / farthest).min(1.0);
             let mut next = trial.moved(&k, beta, &by, share);
-            while !(next.norm() < (1.0 - 0.1 * share) * trial.norm()) && share > 1e-3 {
+            // a residual that is no number does not fall either
+            let falls = |next: &Trial, share: f64| next.norm() < (1.0 - 0.1 * share) * trial.norm();
+            while !falls(&next, share) && share > 1e-3 {
                 share *= 0.5;
                 next = trial.moved(&k, beta, &by, share);
             }

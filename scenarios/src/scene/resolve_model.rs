@@ -113,7 +113,7 @@ pub(super) fn settle_auto(
     let solvers = file.solver.map_or(vec![Solver::WeaklyCompressible, Solver::Incompressible], |solver| vec![solver]);
     let mut of_particles = Vec::new();
     for solver in solvers {
-        match fine_enough(SceneFile { solver: Some(solver), ..file.clone() }, ask, &resolved) {
+        match fine_enough(SceneFile { solver: Some(solver), ..file.clone() }, ask, resolved) {
             Ok(scene) => of_particles.push(scene),
             Err(problem) if of_particles.is_empty() => return Err(problem),
             Err(_) => {} // the other solver can
