@@ -3,6 +3,7 @@
 //! [`Section`] is the bottom, [`Rung`] the ladder of models and their ranges, [`Loads`] what a section bears at a draught,
 //! [`Entry`] its motion. [`SimilarityFlow`] is the exact flow about a wedge.
 
+pub mod ditching;
 mod dobrovolskaya;
 mod entry;
 mod loads;
