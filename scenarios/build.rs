@@ -1,7 +1,7 @@
 //! The program carries its scenes, reference data, validation cases and charts: rebuild when they change.
 
 fn main() {
-    for folder in ["scenes", "../tests/reference", "../tests/validation", "../tests/charts"] {
+    for folder in ["scenes", "ditching", "../tests/reference", "../tests/validation", "../tests/charts"] {
         println!("cargo:rerun-if-changed={folder}");
     }
 }

@@ -2,6 +2,7 @@
 
 mod bench;
 mod chart;
+mod ditch;
 mod study;
 
 use std::io::{IsTerminal, Write};
@@ -62,6 +63,8 @@ enum Command {
     Study(study::StudyArgs),
     /// Chart error against cost: each way to a number whose value is known.
     Chart(chart::ChartArgs),
+    /// Land an aeroplane on water by its sections (2D+t).
+    Ditch(ditch::DitchArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
@@ -190,6 +193,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Check(args) => check(cli, args),
         Command::Study(args) => study::run_study(cli, args),
         Command::Chart(args) => chart::run_charts(cli, args),
+        Command::Ditch(args) => ditch::run_ditch(cli, args),
         Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Keywords => keywords(cli),

@@ -2,7 +2,7 @@
 //!
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observe`] watches,
 //! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`study`] extrapolates from
-//! several runs, [`chart`] sets their error against their cost, [`bench`] measures the speed on this machine. [`cli`] is a thin shell.
+//! several runs, [`chart`] sets their error against their cost, [`ditching`] lands aeroplanes by their sections, [`bench`] measures the speed on this machine. [`cli`] is a thin shell.
 
 pub mod balance;
 pub mod bench;
@@ -10,6 +10,7 @@ pub mod build;
 pub mod chart;
 pub mod cli;
 pub mod compare;
+pub mod ditching;
 mod embedded;
 mod filling;
 pub mod follow;

@@ -6,6 +6,7 @@ mod closed_tank;
 mod conservation;
 mod coupling;
 mod dissipation;
+mod ditching;
 mod echo;
 mod elliptic_drop;
 mod flexible;

@@ -3,23 +3,17 @@
 use std::fs;
 use std::io::ErrorKind;
 
-use serde_path_to_error as tracked;
-use toml::{Table, Value};
-
 use super::builtin::builtin;
 use super::check::check;
 use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+use super::file::SceneFile;
 use super::keywords;
 use super::model::Scene;
-use super::overrides::apply_set;
 use super::problem::{Problem, significant};
 use super::resolve::resolve;
 use super::source::Source;
 use super::warnings::warnings;
-
-/// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
-const LARGEST_NUMBER: f64 = 1e12;
 
 /// A scene that can be run, and what is doubtful about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,12 +45,10 @@ pub fn load(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
 
 /// Loads a scene from its text; `name` stands for the file in messages.
 pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec() };
-    let mut table: Table = text.parse().map_err(|error| source.syntax_error(&error))?;
-    for set in sets {
-        apply_set(&mut table, set)?;
-    }
-    let scene = read(Value::Table(table)).map_err(|problem| source.error(problem))?;
+    let source =
+        Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), keys: keywords::keywords() };
+    let file = source.read()?;
+    let scene = checked(file).map_err(|problem| source.error(problem))?;
     Ok(Loaded { warnings: warnings(&scene), scene, source })
 }
 
@@ -85,58 +77,8 @@ impl Loaded {
     }
 }
 
-fn read(value: Value) -> Result<Scene, Problem> {
-    refuse_absurd_numbers("", &value)?;
-    let file = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
+fn checked(file: SceneFile) -> Result<Scene, Problem> {
     let scene = resolve(file)?;
     check(&scene)?;
     Ok(scene)
-}
-
-/// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.
-fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
-    match value {
-        Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
-            Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))
-        }
-        Value::Array(items) => {
-            let mut items = items.iter().enumerate();
-            items.try_for_each(|(i, item)| refuse_absurd_numbers(&format!("{path}[{i}]"), item))
-        }
-        Value::Table(table) => table.iter().try_for_each(|(key, value)| {
-            let dot = if path.is_empty() { "" } else { "." };
-            refuse_absurd_numbers(&format!("{path}{dot}{key}"), value)
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Serde's names of types in a user's words.
-fn plain(complaint: &str) -> String {
-    let said = complaint.replace("expected f64", "expected a number");
-    let said = said.replace("expected u32", &format!("expected a whole number from 0 to {}", u32::MAX));
-    let said = said.replace("expected i64", "expected a whole number");
-    let said =
-        said.replace("expected a sequence", "expected a list (of tables: a heading in double brackets, [[...]])");
-    let said = said.replace("expected fewer elements in array", "expected two numbers");
-    match said.split_once("expected struct ") {
-        Some((given, _)) => format!("{given}expected a table of keys"),
-        None => said,
-    }
-}
-
-/// Serde's complaint about a value or a key.
-fn unreadable(error: &tracked::Error<toml::de::Error>) -> Problem {
-    let key = error.path().to_string();
-    let complaint = error.inner().message();
-    let sentence = match complaint.starts_with("unknown field") {
-        false => format!("`{key}`: {}", plain(complaint)),
-        true => match keywords::nearest(&key) {
-            Some(known) => {
-                format!("unknown key `{key}`: expected a key of a scene, such as `{known}`")
-            }
-            None => format!("unknown key `{key}`: expected a key of a scene"),
-        },
-    };
-    Problem { key, sentence }
 }

@@ -31,14 +31,15 @@ mod model_panel;
 mod model_projection;
 mod overrides;
 mod panels;
-mod problem;
+pub(crate) mod problem;
+mod read;
 mod resolve;
 mod resolve_body;
 mod resolve_panel;
 mod resolve_projection;
 mod resolve_resolution;
 mod resolve_thesis;
-mod source;
+pub(crate) mod source;
 mod start;
 mod warnings;
 

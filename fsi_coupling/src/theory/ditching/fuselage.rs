@@ -107,7 +107,10 @@ impl Fuselage {
             }
             match s.form {
                 Form::Radius(r) if !(r >= 0.5 * s.breadth && r.is_finite()) => {
-                    return refuse(k, format!("radius {r} m: expected at least half the breadth, {} m", 0.5 * s.breadth));
+                    return refuse(
+                        k,
+                        format!("radius {r} m: expected at least half the breadth, {} m", 0.5 * s.breadth),
+                    );
                 }
                 form => form.section(s.breadth).map_err(|e| FuselageError { station: k, why: e.to_string() })?,
             };

@@ -63,6 +63,13 @@ impl Hull {
         self.rung
     }
 
+    /// The form of the station nearest to a place [m from the nose], of the breadth there.
+    pub fn form(&self, x: f64) -> Form {
+        let (k, share) = self.fuselage.between(x);
+        let nearest = &self.fuselage.stations()[if share < 0.5 { k } else { k + 1 }];
+        nearest.form.scaled(self.fuselage.breadth(x) / nearest.breadth)
+    }
+
     /// DT3: load at a place x [m from the nose] and a draught h [m]. With the breadth b and a form's table for b = 1,
     /// A = b Â(h/b) and M = b² M̂(h/b); between stations of different forms the mean by distance.
     pub fn at(&self, x: f64, draught: f64) -> Bearing {
@@ -97,7 +104,9 @@ impl Hull {
 
 fn alike(a: Form, b: Form) -> bool {
     match (a, b) {
-        (Form::Radius(a), Form::Radius(b)) | (Form::DeadriseDeg(a), Form::DeadriseDeg(b)) => (a / b - 1.0).abs() < ALIKE,
+        (Form::Radius(a), Form::Radius(b)) | (Form::DeadriseDeg(a), Form::DeadriseDeg(b)) => {
+            (a / b - 1.0).abs() < ALIKE
+        }
         _ => false,
     }
 }

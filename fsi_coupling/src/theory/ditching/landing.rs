@@ -274,8 +274,7 @@ impl Landing<'_> {
             shares = next;
         }
         let load = |e: &Entering| share(e, acceleration) * e.force(acceleration);
-        let strips: Vec<(Strip, f64)> =
-            strips.into_iter().map(|s| (s, s.entry.as_ref().map_or(0.0, load))).collect();
+        let strips: Vec<(Strip, f64)> = strips.into_iter().map(|s| (s, s.entry.as_ref().map_or(0.0, load))).collect();
         let mut force = steady;
         force[1] -= lift - craft.mass * water.gravity;
         force[2] -= trimming;
