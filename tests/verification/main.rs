@@ -18,6 +18,7 @@ mod grading;
 mod heaving_box;
 mod host;
 mod host_input;
+mod hydroelastic;
 mod integrators;
 mod kernel_sums;
 mod options;
