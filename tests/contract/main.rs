@@ -8,6 +8,7 @@ mod command;
 mod bench;
 mod bits;
 mod chart;
+mod ditch;
 mod endings;
 mod files;
 mod refusals;

@@ -109,7 +109,7 @@ fn momentum_and_energy_go_to_the_water() {
         entries.map(|e| e.mass * e.at.speed).sum()
     };
     let left_behind = |m: &Moment| {
-        let last = m.strips.iter().filter_map(|(s, _)| s.entry).last();
+        let last = m.strips.iter().filter_map(|(s, _)| s.entry).next_back();
         last.map_or(0.0, |e| if e.at.x > 19.9 { e.mass / e.length * e.at.speed * e.at.velocity[0] } else { 0.0 })
     };
     let power = |m: &Moment| m.strips.iter().filter_map(|(s, f)| Some(f * s.entry?.at.speed)).sum::<f64>();

@@ -79,7 +79,10 @@ fn stiff_faces_are_wagners_wedge() {
         let n = 400;
         let place = |k: usize| b.wetted * (k as f64 + 0.5) / n as f64;
         let momentum: f64 = (0..n).map(|k| -2.0 * wedge.potential(b, place(k)) * b.wetted / n as f64).sum();
-        assert!((momentum / (0.5 * std::f64::consts::PI * b.wetted.powi(2) * 10.0) - 1.0).abs() < 5e-3, "{b:?} {momentum}");
+        assert!(
+            (momentum / (0.5 * std::f64::consts::PI * b.wetted.powi(2) * 10.0) - 1.0).abs() < 5e-3,
+            "{b:?} {momentum}"
+        );
     }
 }
 

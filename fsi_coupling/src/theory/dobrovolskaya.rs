@@ -229,7 +229,8 @@ impl Dobrovolskaya {
             let farthest = by.iter().fold(0.0, |far, d| f64::max(far, d.abs()));
             let mut share = (LONGEST_MOVE / farthest).min(1.0);
             let mut next = trial.moved(&k, beta, &by, share);
-            while !(next.norm() < (1.0 - 0.1 * share) * trial.norm()) && share > 1e-3 {
+            let falls = |next: &Trial, share: f64| next.norm() < (1.0 - 0.1 * share) * trial.norm();
+            while !falls(&next, share) && share > 1e-3 {
                 share *= 0.5;
                 next = trial.moved(&k, beta, &by, share);
             }
