@@ -17,5 +17,5 @@ pub use keywords::keywords;
 pub use load::{builtin, load, load_text};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WaterKeys, WingKeys};
 pub use run::{FILES, Landed, follow, run};
-pub use sections::{SectionScene, section_scenes};
+pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use summary::{Peak, Summary};
