@@ -1,7 +1,5 @@
 //! The wetted bottom of a fuselage: keel line, breadth and form of the sections along it.
 
-use std::f64::consts::FRAC_PI_2;
-
 use serde::{Deserialize, Serialize};
 
 use super::monotone::Monotone;
@@ -160,10 +158,5 @@ impl Fuselage {
         let after = self.stations.partition_point(|s| s.x <= x).clamp(1, self.stations.len() - 1);
         let [a, b] = [self.stations[after - 1].x, self.stations[after].x];
         (after - 1, ((x - a) / (b - a)).clamp(0.0, 1.0))
-    }
-
-    /// Angle of the keel to the body axis at a place [rad], within ±π/2; above nothing where the keel rises aft.
-    pub fn upsweep(&self, x: f64) -> f64 {
-        self.keel(x).slope.atan().clamp(-FRAC_PI_2, FRAC_PI_2)
     }
 }
