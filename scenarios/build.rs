@@ -2,7 +2,7 @@
 
 fn main() {
     let data = ["reference", "validation", "charts", "bands", "maps"].map(|folder| format!("../tests/{folder}"));
-    for folder in data.iter().map(String::as_str).chain(["scenes"]) {
+    for folder in data.iter().map(String::as_str).chain(["scenes", "ditching"]) {
         println!("cargo:rerun-if-changed={folder}");
     }
 }

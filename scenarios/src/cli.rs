@@ -3,6 +3,7 @@
 mod bands;
 mod bench;
 mod chart;
+mod ditch;
 mod stability;
 mod study;
 
@@ -67,6 +68,8 @@ enum Command {
     Chart(chart::ChartArgs),
     /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
     Stability(stability::StabilityArgs),
+    /// Land an aeroplane on water by its sections (2D+t).
+    Ditch(ditch::DitchArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
@@ -204,6 +207,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Study(args) => study::run_study(cli, args),
         Command::Chart(args) => chart::run_charts(cli, args),
         Command::Stability(args) => stability::run_maps(cli, args),
+        Command::Ditch(args) => ditch::run_ditch(cli, args),
         Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validate_cases(cli, args),
         Command::Bands(args) => bands::run_bands(cli, args),

@@ -2,8 +2,8 @@
 //!
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observe`] watches,
 //! [`compare`] judges against [`reference`] data, [`present`] writes the report. [`study`] extrapolates from
-//! several runs, [`chart`] sets their error against their cost, [`atlas`] maps where they are stable,
-//! [`bench`] measures the speed on this machine. [`cli`] is a thin shell.
+//! several runs, [`chart`] sets their error against their cost, [`atlas`] maps where they are stable, [`ditching`] lands
+//! aeroplanes by their sections, [`bench`] measures the speed on this machine. [`cli`] is a thin shell.
 
 pub mod atlas;
 pub mod balance;
@@ -12,6 +12,7 @@ pub mod build;
 pub mod chart;
 pub mod cli;
 pub mod compare;
+pub mod ditching;
 mod embedded;
 pub mod error_bar;
 mod filling;

@@ -9,6 +9,7 @@ mod bench;
 mod bits;
 mod chart;
 mod converge;
+mod ditch;
 mod endings;
 mod files;
 mod ladder;

@@ -30,23 +30,23 @@ pub fn keywords() -> &'static [Keyword] {
     KEYWORDS
 }
 
-/// The keyword at `path`, where `gauges[2].at` and `gauges[].at` are the same.
-pub(super) fn find(path: &str) -> Option<&'static Keyword> {
+/// The keyword of `keys` at `path`, where `gauges[2].at` and `gauges[].at` are the same.
+pub(super) fn find(keys: &'static [Keyword], path: &str) -> Option<&'static Keyword> {
     let path = without_indices(path);
     // An item of a list belongs to the key of the list.
     let key = path.trim_end_matches("[]");
-    KEYWORDS.iter().find(|keyword| keyword.path == key)
+    keys.iter().find(|keyword| keyword.path == key)
 }
 
 /// The known path nearest to an unknown one: few edits of the last word, few changes of table.
-pub(super) fn nearest(path: &str) -> Option<&'static str> {
+pub(super) fn nearest(keys: &'static [Keyword], path: &str) -> Option<&'static str> {
     let path = without_indices(path);
     let (table, key) = path.rsplit_once('.').unwrap_or(("", &path));
     let cost = |keyword: &&Keyword| {
         let (its_table, its_key) = keyword.path.rsplit_once('.').unwrap_or(("", keyword.path));
         3 * edit_distance(key, its_key) + edit_distance(table, its_table).min(2)
     };
-    let best = KEYWORDS.iter().min_by_key(cost)?;
+    let best = keys.iter().min_by_key(cost)?;
     // More than a third of the word changed is another word.
     (cost(&best) <= key.chars().count() + 2).then_some(best.path)
 }
@@ -231,17 +231,17 @@ mod tests {
 
     #[test]
     fn a_typing_error_finds_its_keyword() {
-        assert_eq!(nearest("resolution.spaceing"), Some("resolution.spacing"));
-        assert_eq!(nearest("gauges[0].nane"), Some("gauges[].name"));
-        assert_eq!(nearest("spacing"), Some("resolution.spacing"));
-        assert_eq!(nearest("body.colour"), None);
+        assert_eq!(nearest(KEYWORDS, "resolution.spaceing"), Some("resolution.spacing"));
+        assert_eq!(nearest(KEYWORDS, "gauges[0].nane"), Some("gauges[].name"));
+        assert_eq!(nearest(KEYWORDS, "spacing"), Some("resolution.spacing"));
+        assert_eq!(nearest(KEYWORDS, "body.colour"), None);
     }
 
     #[test]
     fn an_item_of_a_list_belongs_to_the_key_of_the_list() {
-        assert_eq!(find("body.points[3][1]").map(|k| k.path), Some("body.points"));
-        assert_eq!(find("gauges[12].at[0]").map(|k| k.path), Some("gauges[].at"));
-        assert_eq!(find("body"), None);
+        assert_eq!(find(KEYWORDS, "body.points[3][1]").map(|k| k.path), Some("body.points"));
+        assert_eq!(find(KEYWORDS, "gauges[12].at[0]").map(|k| k.path), Some("gauges[].at"));
+        assert_eq!(find(KEYWORDS, "body"), None);
     }
 
     /// The fields that serde knows in a table, from its answer to an unknown one.

@@ -3,9 +3,6 @@
 use std::fs;
 use std::io::ErrorKind;
 
-use serde_path_to_error as tracked;
-use toml::{Table, Value};
-
 use super::builtin::builtin;
 use super::check::check;
 use super::error::SceneError;
@@ -14,15 +11,11 @@ use super::file::SceneFile;
 use super::keywords;
 use super::limits::check_step;
 use super::model::Scene;
-use super::overrides::apply_set;
 use super::problem::{Problem, significant};
 use super::resolve::resolve;
 use super::resolve_model::{Ask, check_model, settle_auto};
 use super::source::Source;
 use super::warnings::warnings;
-
-/// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
-const LARGEST_NUMBER: f64 = 1e12;
 
 /// Whether steps at which the scheme is known to break down are refused (THEORY H4).
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -77,12 +70,10 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 }
 
 fn load_under(name: &str, text: &str, sets: &[String], limits: Limits) -> Result<Loaded, SceneError> {
-    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec() };
-    let mut table: Table = text.parse().map_err(|error| source.syntax_error(&error))?;
-    for set in sets {
-        apply_set(&mut table, set)?;
-    }
-    let scene = read(Value::Table(table), limits).map_err(|problem| source.error(problem))?;
+    let source =
+        Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), keys: keywords::keywords() };
+    let file = source.read()?;
+    let scene = checked(file, limits).map_err(|problem| source.error(problem))?;
     Ok(Loaded { warnings: warnings(&scene), scene, source })
 }
 
@@ -111,9 +102,7 @@ impl Loaded {
     }
 }
 
-fn read(value: Value, limits: Limits) -> Result<Scene, Problem> {
-    refuse_absurd_numbers("", &value)?;
-    let file: SceneFile = tracked::deserialize(value).map_err(|error| unreadable(&error))?;
+fn checked(file: SceneFile, limits: Limits) -> Result<Scene, Problem> {
     let sensible = |file: SceneFile| {
         let scene = resolve(file)?;
         if limits == Limits::Kept {
@@ -126,52 +115,4 @@ fn read(value: Value, limits: Limits) -> Result<Scene, Problem> {
         Some(ask) => settle_auto(file, ask, sensible),
         None => check_model(sensible(file)?),
     }
-}
-
-/// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.
-fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
-    match value {
-        Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
-            Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))
-        }
-        Value::Array(items) => {
-            let mut items = items.iter().enumerate();
-            items.try_for_each(|(i, item)| refuse_absurd_numbers(&format!("{path}[{i}]"), item))
-        }
-        Value::Table(table) => table.iter().try_for_each(|(key, value)| {
-            let dot = if path.is_empty() { "" } else { "." };
-            refuse_absurd_numbers(&format!("{path}{dot}{key}"), value)
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Serde's names of types in a user's words.
-fn plain(complaint: &str) -> String {
-    let said = complaint.replace("expected f64", "expected a number");
-    let said = said.replace("expected u32", &format!("expected a whole number from 0 to {}", u32::MAX));
-    let said = said.replace("expected i64", "expected a whole number");
-    let said =
-        said.replace("expected a sequence", "expected a list (of tables: a heading in double brackets, [[...]])");
-    let said = said.replace("expected fewer elements in array", "expected two numbers");
-    match said.split_once("expected struct ") {
-        Some((given, _)) => format!("{given}expected a table of keys"),
-        None => said,
-    }
-}
-
-/// Serde's complaint about a value or a key.
-fn unreadable(error: &tracked::Error<toml::de::Error>) -> Problem {
-    let key = error.path().to_string();
-    let complaint = error.inner().message();
-    let sentence = match complaint.starts_with("unknown field") {
-        false => format!("`{key}`: {}", plain(complaint)),
-        true => match keywords::nearest(&key) {
-            Some(known) => {
-                format!("unknown key `{key}`: expected a key of a scene, such as `{known}`")
-            }
-            None => format!("unknown key `{key}`: expected a key of a scene"),
-        },
-    };
-    Problem { key, sentence }
 }

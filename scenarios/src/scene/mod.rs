@@ -31,7 +31,8 @@ mod model_panel;
 mod model_projection;
 mod overrides;
 mod panels;
-mod problem;
+pub(crate) mod problem;
+mod read;
 mod resolve;
 mod resolve_body;
 mod resolve_model;
@@ -39,7 +40,7 @@ mod resolve_panel;
 mod resolve_projection;
 mod resolve_resolution;
 mod resolve_thesis;
-mod source;
+pub(crate) mod source;
 mod start;
 mod warnings;
 

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 /// A wrong value: the key, and a sentence that names it, what was given and what was expected.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Problem {
+pub(crate) struct Problem {
     pub key: String,
     pub sentence: String,
 }
@@ -28,25 +28,25 @@ pub(crate) fn significant(value: f64) -> String {
     rounded.to_string()
 }
 
-pub(super) fn required<T>(key: &str, value: Option<T>, what: &str) -> Result<T, Problem> {
+pub(crate) fn required<T>(key: &str, value: Option<T>, what: &str) -> Result<T, Problem> {
     value.ok_or_else(|| Problem::missing(key, what))
 }
 
-pub(super) fn positive(key: &str, value: f64) -> Result<f64, Problem> {
+pub(crate) fn positive(key: &str, value: f64) -> Result<f64, Problem> {
     match value > 0.0 && value.is_finite() {
         true => Ok(value),
         false => Err(Problem::new(key, value, "a finite number above 0")),
     }
 }
 
-pub(super) fn not_negative(key: &str, value: f64) -> Result<f64, Problem> {
+pub(crate) fn not_negative(key: &str, value: f64) -> Result<f64, Problem> {
     match value >= 0.0 {
         true => Ok(value),
         false => Err(Problem::new(key, value, "a number of at least 0")),
     }
 }
 
-pub(super) fn within(key: &str, value: f64, range: RangeInclusive<f64>) -> Result<f64, Problem> {
+pub(crate) fn within(key: &str, value: f64, range: RangeInclusive<f64>) -> Result<f64, Problem> {
     match range.contains(&value) {
         true => Ok(value),
         false => {
@@ -57,7 +57,7 @@ pub(super) fn within(key: &str, value: f64, range: RangeInclusive<f64>) -> Resul
 }
 
 /// A word that can be part of a file or column name: letters, digits, `_` and `-`.
-pub(super) fn word(key: &str, value: String) -> Result<String, Problem> {
+pub(crate) fn word(key: &str, value: String) -> Result<String, Problem> {
     let fits = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     match !value.is_empty() && value.chars().all(fits) {
         true => Ok(value),

@@ -13,16 +13,18 @@ use super::problem::Problem;
 
 /// A scene's text and the `--set` arguments that change it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Source {
+pub(crate) struct Source {
     pub name: String,
     pub text: String,
     pub sets: Vec<String>,
+    /// The keys that such a file has.
+    pub keys: &'static [Keyword],
 }
 
 impl Source {
     /// Puts a problem in its place: the last `--set` argument that wrote the key, else its line in the text.
     pub fn error(&self, problem: Problem) -> SceneError {
-        let help = keywords::find(&problem.key).map(Keyword::help);
+        let help = keywords::find(self.keys, &problem.key).map(Keyword::help);
         match self.sets.iter().rfind(|set| writes(set, &problem.key)) {
             Some(argument) => SceneError::Set { argument: argument.clone(), problem: problem.sentence, help },
             None => self.error_at(self.span(&problem.key), problem.sentence, help),
@@ -52,7 +54,7 @@ impl Source {
         let Ok(document) = DeTable::parse(&self.text) else {
             return 0..0;
         };
-        let known = keywords::find(key).is_some();
+        let known = keywords::find(self.keys, key).is_some();
         let mut span = 0..0;
         let mut value = &DeValue::Table(document.into_inner());
         for segment in segments(key) {

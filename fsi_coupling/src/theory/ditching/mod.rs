@@ -1,0 +1,15 @@
+//! An aeroplane from sections: 2D+t (THEORY DT1–DT8).
+//!
+//! The fuselage enters planes of water that stand still and across its way; what a [`Section`](super::Section) bears in each is a
+//! theory's [`Load`](super::Load). [`Fuselage`] is the hull, [`Hull`] what it bears, [`Landing`] its motion in the plane of symmetry.
+
+mod fuselage;
+mod hull;
+mod landing;
+mod monotone;
+mod strip;
+
+pub use fuselage::{Form, Fuselage, FuselageError, Keel, Station};
+pub use hull::{Bearing, Hull};
+pub use landing::{Aeroplane, Ended, Landing, Moment, Run, Water, Wing};
+pub use strip::{Attitude, Entering, Passage, Strip};

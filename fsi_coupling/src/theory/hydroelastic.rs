@@ -1,0 +1,258 @@
+//! A wedge whose faces bend, entering at constant speed: dry modes of a plate strip on Wagner's load (THEORY HM1–HM5).
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+use structure_fe::{Material, Section};
+
+/// Points on a quarter of the circle x = c cos θ, for Simpson's rule: even.
+const POINTS: usize = 48;
+/// Odd orders of sin kθ in the potential.
+const ORDERS: usize = 16;
+
+/// How the ends of a face are held, at keel and chine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// Free to turn: sin(nπx/L).
+    Pinned,
+    /// Not.
+    Clamped,
+}
+
+/// A symmetric wedge with elastic faces on its way into the water, at constant speed and without gravity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElasticWedge {
+    /// Deadrise β [deg].
+    pub deadrise_deg: f64,
+    /// Downward speed of keel and chines V [m/s].
+    pub speed: f64,
+    /// Density of the water ρ [kg/m³].
+    pub density: f64,
+    /// Length of a face L, taken as its half breadth [m].
+    pub length: f64,
+    /// Thickness of a face [m].
+    pub thickness: f64,
+    /// What it is made of.
+    pub material: Material,
+    /// How it is held.
+    pub held: Held,
+    /// Number of modes.
+    pub modes: usize,
+    /// Number of steps of c, from touch to chine.
+    pub steps: usize,
+}
+
+/// The wedge at a moment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bent {
+    /// Time since the touch [s].
+    pub time: f64,
+    /// Half width of the wetted bottom c [m].
+    pub wetted: f64,
+    /// Amplitudes of the modes [m], away from the water.
+    pub amplitudes: Vec<f64>,
+    /// Their rates [m/s].
+    pub rates: Vec<f64>,
+}
+
+/// A mode of the face: kL, and 1 − σ of a clamped one (HM1).
+#[derive(Clone, Copy, Debug)]
+struct Mode {
+    root: f64,
+    lack: f64,
+}
+
+impl Mode {
+    fn new(held: Held, n: usize) -> Mode {
+        match held {
+            Held::Pinned => Mode { root: n as f64 * PI, lack: 0.0 },
+            Held::Clamped => {
+                let mut root = (n as f64 + 0.5) * PI;
+                for _ in 0..20 {
+                    root -= (root.cos() - 1.0 / root.cosh()) / (-root.sin() + root.tanh() / root.cosh());
+                }
+                Mode { root, lack: (root.cos() - root.sin() - (-root).exp()) / (root.sinh() - root.sin()) }
+            }
+        }
+    }
+
+    /// ψ at x/L.
+    fn shape(&self, held: Held, s: f64) -> f64 {
+        let z = self.root * s;
+        match held {
+            Held::Pinned => z.sin(),
+            Held::Clamped => (-z).exp() + self.lack * z.sinh() - z.cos() + (1.0 - self.lack) * z.sin(),
+        }
+    }
+
+    /// L² d²ψ/dx².
+    fn bend(&self, held: Held, s: f64) -> f64 {
+        let z = self.root * s;
+        let over = match held {
+            Held::Pinned => -z.sin(),
+            Held::Clamped => (-z).exp() + self.lack * z.sinh() + z.cos() - (1.0 - self.lack) * z.sin(),
+        };
+        self.root * self.root * over
+    }
+
+    /// ∫ψ² dx/L.
+    fn norm(held: Held) -> f64 {
+        match held {
+            Held::Pinned => 0.5,
+            Held::Clamped => 1.0,
+        }
+    }
+}
+
+/// HM3: what the modes do to the water at a wetted half width.
+struct Wet {
+    /// S_mn = ∫₀^c φ_n ψ_m dx [m²].
+    added: Mat<f64>,
+    /// f_m = ∫₀^c √(c² − x²) ψ_m dx [m²].
+    pushed: Vec<f64>,
+    /// (2/π) ∫ ψ_m(c sin θ) dθ over a quarter [-].
+    lifted: Vec<f64>,
+}
+
+impl ElasticWedge {
+    /// From the touch until the chine is wet, at steps of equal c: the classical Runge–Kutta method in c (HM4).
+    ///
+    /// `None` where the face bends so fast that the water does not advance on it, as the wetted width is no measure of time then, and
+    /// where steps are too long for the stiffest mode (ω Δt < 2.8).
+    pub fn enter(&self) -> Option<Vec<Bent>> {
+        let modes = self.modes();
+        let n = modes.len();
+        let dc = self.length / self.steps as f64;
+        // time, amplitudes, momenta
+        let mut state = vec![0.0; 1 + 2 * n];
+        let mut bent = vec![Bent { time: 0.0, wetted: 0.0, amplitudes: vec![0.0; n], rates: vec![0.0; n] }];
+        for step in 0..self.steps {
+            let c = dc * step as f64;
+            let ahead = |k: &[f64], by: f64| -> Vec<f64> { state.iter().zip(k).map(|(s, k)| s + by * k).collect() };
+            let k1 = self.slope(&modes, c, &state)?;
+            let k2 = self.slope(&modes, c + 0.5 * dc, &ahead(&k1, 0.5 * dc))?;
+            let k3 = self.slope(&modes, c + 0.5 * dc, &ahead(&k2, 0.5 * dc))?;
+            let k4 = self.slope(&modes, c + dc, &ahead(&k3, dc))?;
+            for (i, value) in state.iter_mut().enumerate() {
+                *value += dc / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+            }
+            let wet = self.wet(&modes, c + dc);
+            let rates = self.rates(&wet, &state[1 + n..]);
+            bent.push(Bent { time: state[0], wetted: c + dc, amplitudes: state[1..=n].to_vec(), rates });
+        }
+        Some(bent)
+    }
+
+    /// Deflection at x/L, away from the water [m].
+    pub fn deflection(&self, bent: &Bent, share: f64) -> f64 {
+        self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.shape(self.held, share)).sum()
+    }
+
+    /// Strain −½ t d²w/dx² of the outer fibre there [-].
+    pub fn strain(&self, bent: &Bent, share: f64) -> f64 {
+        let bend: f64 = self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.bend(self.held, share)).sum();
+        -0.5 * self.thickness * bend / (self.length * self.length)
+    }
+
+    fn modes(&self) -> Vec<Mode> {
+        (1..=self.modes).map(|n| Mode::new(self.held, n)).collect()
+    }
+
+    /// HM4: d(t, a, P)/dc.
+    fn slope(&self, modes: &[Mode], c: f64, state: &[f64]) -> Option<Vec<f64>> {
+        let n = modes.len();
+        let (amplitudes, momenta) = state[1..].split_at(n);
+        let wet = self.wet(modes, c);
+        let rates = self.rates(&wet, momenta);
+        // HM2, its derivative: V dt = (2/π) tan β dc + d(Σ a_n lifted_n)
+        let small = 1e-5 * self.length;
+        let [less, more] = [c - small, c + small].map(|c| self.lifted(modes, c.abs()));
+        let steeper: f64 = (0..n).map(|k| amplitudes[k] * (more[k] - less[k]) / (2.0 * small)).sum();
+        let rising: f64 = rates.iter().zip(&wet.lifted).map(|(rate, lifted)| rate * lifted).sum();
+        let advance = 2.0 / PI * self.deadrise_deg.to_radians().tan() + steeper;
+        let dt = advance / (self.speed - rising);
+        if !(dt > 0.0 && dt.is_finite()) {
+            return None;
+        }
+        let stiffness = Section::strip(self.thickness).bending_stiffness(&self.material) * Mode::norm(self.held);
+        let sprung = |(m, a): (&Mode, &f64)| -stiffness * m.root.powi(4) / self.length.powi(3) * a * dt;
+        let motion = rates.iter().map(|rate| rate * dt);
+        Some(std::iter::once(dt).chain(motion).chain(modes.iter().zip(amplitudes).map(sprung)).collect())
+    }
+
+    /// HM4: (m G + ρ S) ȧ = P + ρ V f.
+    fn rates(&self, wet: &Wet, momenta: &[f64]) -> Vec<f64> {
+        let n = momenta.len();
+        let mass = Section::strip(self.thickness).mass_per_length(&self.material) * Mode::norm(self.held) * self.length;
+        let matrix = Mat::from_fn(n, n, |i, j| self.density * wet.added[(i, j)] + if i == j { mass } else { 0.0 });
+        let right = Mat::from_fn(n, 1, |i, _| momenta[i] + self.density * self.speed * wet.pushed[i]);
+        matrix.partial_piv_lu().solve(&right).col(0).iter().copied().collect()
+    }
+
+    /// HM3 with x = c cos θ: φ_n = Σ b_k sin kθ over odd k, b_k = (4c/πk) ∫ ψ_n sin θ sin kθ dθ over a quarter.
+    fn wet(&self, modes: &[Mode], c: f64) -> Wet {
+        let n = modes.len();
+        let angles = (0..=POINTS).map(|p| FRAC_PI_2 * p as f64 / POINTS as f64);
+        let mut orders = vec![[0.0; ORDERS]; n];
+        for (p, angle) in angles.enumerate() {
+            let weight = simpson(p) * angle.sin();
+            let sines: [f64; ORDERS] = std::array::from_fn(|j| weight * ((2 * j + 1) as f64 * angle).sin());
+            for (mode, b) in modes.iter().zip(&mut orders) {
+                let shape = mode.shape(self.held, c * angle.cos() / self.length);
+                (0..ORDERS).for_each(|j| b[j] += shape * sines[j]);
+            }
+        }
+        for b in &mut orders {
+            (0..ORDERS).for_each(|j| b[j] *= 4.0 * c / (PI * (2 * j + 1) as f64));
+        }
+        let between =
+            |i: usize, j: usize| (0..ORDERS).map(|k| (2 * k + 1) as f64 * orders[i][k] * orders[j][k]).sum::<f64>();
+        Wet {
+            added: Mat::from_fn(n, n, |i, j| 0.25 * PI * between(i, j)),
+            pushed: orders.iter().map(|b| 0.25 * PI * c * b[0]).collect(),
+            lifted: self.lifted(modes, c),
+        }
+    }
+
+    fn lifted(&self, modes: &[Mode], c: f64) -> Vec<f64> {
+        let at = |p: usize| c * (FRAC_PI_2 * p as f64 / POINTS as f64).sin() / self.length;
+        let mean = |m: &Mode| 2.0 / PI * (0..=POINTS).map(|p| simpson(p) * m.shape(self.held, at(p))).sum::<f64>();
+        modes.iter().map(mean).collect()
+    }
+
+    /// HM5: potential on the face at x [m], over which p = −ρ dφ/dt [m²/s].
+    pub fn potential(&self, bent: &Bent, x: f64) -> f64 {
+        let c = bent.wetted;
+        if x >= c {
+            return 0.0;
+        }
+        let angle = (x / c).acos();
+        let modes = self.modes();
+        let bending: f64 = modes.iter().zip(&bent.rates).map(|(m, rate)| rate * self.single(m, c, angle)).sum();
+        bending - self.speed * c * angle.sin()
+    }
+
+    /// φ of one mode at an angle.
+    fn single(&self, mode: &Mode, c: f64, at: f64) -> f64 {
+        let order = |j: usize| {
+            let k = (2 * j + 1) as f64;
+            let part = |p: usize| {
+                let angle = FRAC_PI_2 * p as f64 / POINTS as f64;
+                simpson(p) * angle.sin() * (k * angle).sin() * mode.shape(self.held, c * angle.cos() / self.length)
+            };
+            4.0 * c / (PI * k) * (0..=POINTS).map(part).sum::<f64>() * (k * at).sin()
+        };
+        (0..ORDERS).map(order).sum()
+    }
+}
+
+/// Simpson's weights on a quarter of the circle.
+fn simpson(point: usize) -> f64 {
+    let step = FRAC_PI_2 / POINTS as f64 / 3.0;
+    match point {
+        0 | POINTS => step,
+        odd if odd % 2 == 1 => 4.0 * step,
+        _ => 2.0 * step,
+    }
+}

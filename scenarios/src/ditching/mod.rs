@@ -1,0 +1,21 @@
+//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY DT1–DT8).
+//!
+//! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
+//! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`keywords`] has the keys.
+
+mod check;
+mod keywords;
+mod load;
+mod model;
+mod page;
+mod run;
+mod sections;
+mod series;
+mod summary;
+
+pub use keywords::keywords;
+pub use load::{builtin, load, load_text};
+pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WaterKeys, WingKeys};
+pub use run::{FILES, Landed, follow, run};
+pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
+pub use summary::{Peak, Summary};

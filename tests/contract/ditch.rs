@@ -1,0 +1,65 @@
+//! `splashdown ditch`: files, keys, exit codes, and what it refuses.
+
+use serde_json::Value;
+
+use crate::command::Workplace;
+
+const SHORT: [&str; 6] = ["ditch", "mercure", "--set", "landing.end=0.5", "--out", "out"];
+
+/// Four files; the summary on stdout; the resolved landing lands to the same bits; a second one does not replace the first.
+#[test]
+fn a_landing_writes_its_files() {
+    let place = Workplace::new();
+    let ended = place.run(&[&SHORT[..], &["--json"]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let summary = place.summary("out");
+    assert_eq!(serde_json::from_str::<Value>(&ended.stdout).expect("JSON on stdout"), summary);
+    assert_eq!((&summary["status"], &summary["model"]), (&"completed".into(), &"mlm".into()));
+    assert!(summary["load_factor"]["value"].as_f64().expect("a number") > 1.0);
+    let series = place.text("out/series.csv");
+    assert!(series.starts_with("time_s,x_m,z_m,pitch_deg,") && series.lines().count() == 102, "{}", series.len());
+    let page = place.text("out/report.html");
+    assert!(page.matches("<svg").count() == 12 && !page.contains("src=\"http"), "charts, no network");
+
+    let again = place.run(&["ditch", "out/scene.resolved.toml", "--out", "again", "--quiet"]);
+    assert_eq!(again.code, Some(0), "{}", again.message);
+    assert_eq!(place.text("again/series.csv"), series);
+    let occupied = place.run(&SHORT);
+    assert_eq!(occupied.code, Some(2));
+    occupied.says(&["already holds a run", "--force"]);
+    assert_eq!(place.run(&[&SHORT[..], &["--force", "--quiet"]].concat()).code, Some(0));
+}
+
+#[test]
+fn sections_of_a_landing_can_be_checked_and_run() {
+    let place = Workplace::new();
+    let ended = place.run(&[&SHORT[..], &["--export-sections", "sections", "--sections", "2", "--quiet"]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    let files: Vec<_> = std::fs::read_dir(place.path("sections")).expect("a folder").flatten().collect();
+    assert_eq!(files.len(), 2);
+    for file in files {
+        let checked = place.run(&["check", file.path().to_str().expect("a path")]);
+        assert_eq!(checked.code, Some(0), "{}", checked.message);
+    }
+}
+
+/// Wrong input ends with 2 and leaves nothing; a landing that leaves the method's range ends with 1 and keeps what it had.
+#[test]
+fn a_landing_refuses_what_it_cannot_use() {
+    let place = Workplace::new();
+    let refused = |arguments: &[&str], says: &[&str]| {
+        let ended = place.run(&[&["ditch"], arguments, &["--out", "none"]].concat());
+        assert_eq!(ended.code, Some(2), "{}", ended.message);
+        ended.says(says);
+        assert!(!place.path("none").exists());
+    };
+    refused(&["mercury"], &["neither a built-in scene nor a file", "mercure"]);
+    refused(&["mercure", "--set", "landing.end=-1"], &["landing.end", "above 0"]);
+    refused(&["mercure", "--set", "landing.speeed=70"], &["unknown key", "landing.speed"]);
+    let steep = ["--set", "landing.angle_of_attack_deg=5", "--set", "landing.flight_path_deg=-5", "--out", "up"];
+    let ended = place.run(&[&["ditch", "mercure"], &steep[..]].concat());
+    assert_eq!(ended.code, Some(1), "{}", ended.message);
+    ended.says(&["a pitch of 40", "degrees at t ="]);
+    assert_eq!(place.summary("up")["status"], "failed");
+    assert!(place.text("up/report.html").contains("a pitch of 40"));
+}

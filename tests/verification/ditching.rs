@@ -1,0 +1,252 @@
+//! 2D+t (THEORY DT1–DT8): exact limits of planing, what is conserved, trends of model tests, refusals.
+
+use std::time::Instant;
+
+use fsi_coupling::theory::ditching::{
+    Aeroplane, Attitude, Ended, Form, Fuselage, Hull, Landing, Moment, Station, Water, Wing,
+};
+use fsi_coupling::theory::{Loads, Rung, Section};
+use scenarios::ditching::{self, Landed};
+
+const RHO: f64 = 1000.0;
+
+fn station(x: f64, keel: f64, breadth: f64, form: Form) -> Station {
+    Station { x, keel, breadth, form }
+}
+
+/// A prismatic wedge of 20 m, 4 m broad.
+fn prism(rung: Rung, deadrise: f64) -> Hull {
+    let ends = [0.0, 20.0].map(|x| station(x, 0.0, 4.0, Form::DeadriseDeg(deadrise)));
+    Hull::new(Fuselage::new(&ends).expect("a fuselage"), rung).expect("in range")
+}
+
+/// A landing without air and friction.
+fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
+    let wing = Wing {
+        area: 0.0,
+        chord: 1.0,
+        lift_slope: 0.0,
+        zero_lift: 0.0,
+        pitch_stiffness: 0.0,
+        pitch_damping: 0.0,
+        air_density: 0.0,
+    };
+    Landing {
+        hull,
+        aeroplane: Aeroplane { mass, inertia: 25.0 * mass, centre: [10.0, 0.5], wing },
+        water: Water { density: RHO, gravity, friction: 0.0, suction: 1.0 },
+        pitch: 0.1,
+        path: -0.05,
+        speed: 40.0,
+        strips: 400,
+        step: 2e-4,
+        sample_every: 10,
+        end: 0.3,
+        least_speed: 1.0,
+    }
+}
+
+/// The pressure of entry on all strips at no acceleration: forward, up, nose up.
+fn pressing(now: &Moment) -> [f64; 3] {
+    let entries = now.strips.iter().filter_map(|(s, _)| s.entry);
+    entries.fold([0.0; 3], |sum, e| [0, 1, 2].map(|k| sum[k] + e.pressing * e.lever[k]))
+}
+
+/// A wedge hull that planes at constant speed and trim τ: per length ρ A U² tan² τ, A in proportion to the draught, which falls
+/// from h at the transom to nothing: ∫ = ½ ρ (A/h) h² U² tan τ upwards, and its tangent backwards. Its centre is h/(3 tan τ) ahead of the
+/// transom. For von Karman A/h = π/tan² β, for Wagner π³/(4 tan² β).
+#[test]
+fn a_prismatic_wedge_planes_as_the_integral_over_its_length_says() {
+    let (deadrise, pitch, speed, draught) = (25.0_f64, 0.1_f64, 40.0, 0.3);
+    let tan2 = deadrise.to_radians().tan().powi(2);
+    let pi = std::f64::consts::PI;
+    for (rung, per_draught) in
+        [(Rung::VonKarman, pi / tan2), (Rung::Wagner, pi.powi(3) / (4.0 * tan2)), (Rung::Mlm, slope_of_mlm(deadrise))]
+    {
+        let hull = prism(rung, deadrise);
+        let landing = landing(&hull, 0.0, 5e4);
+        let mut attitude = Attitude { place: [0.0, 0.0, pitch], rate: [speed, 0.0, 0.0] };
+        attitude.place[1] = -draught - attitude.of_point([10.0, 0.5], [20.0, 0.0])[1];
+        let [fx, fz, moment] = pressing(&landing.moment(0.0, attitude));
+        let exact = 0.5 * RHO * per_draught * draught * draught * speed * speed * pitch.tan();
+        assert!((fz / exact - 1.0).abs() < 1e-3, "{rung:?}: {fz}, exact {exact}");
+        assert!((fx / (-exact * pitch.tan()) - 1.0).abs() < 1e-3, "{rung:?}: {fx}");
+        // the force stands across the keel, a distance s ahead of the transom along it
+        let (ahead, above) = (-10.0 + draught / (3.0 * pitch.sin()), -0.5);
+        let lever =
+            ahead * pitch.cos() - above * pitch.sin() + (ahead * pitch.sin() + above * pitch.cos()) * pitch.tan();
+        assert!((moment / (exact * lever) - 1.0).abs() < 1e-3, "{rung:?}: {moment}, exact {}", exact * lever);
+    }
+}
+
+fn slope_of_mlm(deadrise: f64) -> f64 {
+    Loads::new(Rung::Mlm, &Section::wedge(deadrise, 4.0).expect("a section")).expect("in range").at(0.1).slam / 0.1
+}
+
+/// A hull that tapers, curves and pitches: what it loses in upward momentum the planes of water hold, those it has left too, and what
+/// it loses in energy is the work Σ f ḣ.
+#[test]
+fn momentum_and_energy_go_to_the_water() {
+    let wedge = Form::DeadriseDeg(25.0);
+    let stations = [
+        station(0.0, 0.0, 6.0, wedge),
+        station(8.0, 0.0, 6.0, wedge),
+        station(14.0, 0.02, 5.0, wedge),
+        station(20.0, 0.08, 4.0, wedge),
+    ];
+    let hull = Hull::new(Fuselage::new(&stations).expect("a fuselage"), Rung::VonKarman).expect("in range");
+    let mut landing = landing(&hull, 0.0, 5e4);
+    (landing.strips, landing.sample_every) = (1000, 1);
+    let run = landing.follow();
+    assert_eq!(run.ended, Ended::Time);
+    let Aeroplane { mass, inertia, .. } = landing.aeroplane;
+    let energy = |m: &Moment| {
+        let [u, w, q] = m.attitude.rate;
+        0.5 * mass * (u * u + w * w) + 0.5 * inertia * q * q
+    };
+    let held = |m: &Moment| -> f64 {
+        let entries = m.strips.iter().filter_map(|(s, _)| s.entry);
+        entries.map(|e| e.mass * e.at.speed).sum()
+    };
+    let left_behind = |m: &Moment| {
+        let last = m.strips.iter().filter_map(|(s, _)| s.entry).next_back();
+        last.map_or(0.0, |e| if e.at.x > 19.9 { e.mass / e.length * e.at.speed * e.at.velocity[0] } else { 0.0 })
+    };
+    let power = |m: &Moment| m.strips.iter().filter_map(|(s, f)| Some(f * s.entry?.at.speed)).sum::<f64>();
+    let (mut wake, mut work) = (0.0, 0.0);
+    for pair in run.moments.windows(2) {
+        wake += 0.5 * landing.step * (left_behind(&pair[0]) + left_behind(&pair[1]));
+        work += 0.5 * landing.step * (power(&pair[0]) + power(&pair[1]));
+    }
+    let (first, last) = (&run.moments[0], &run.moments[run.moments.len() - 1]);
+    let gained = mass * (last.attitude.rate[1] - first.attitude.rate[1]);
+    let given = held(last) + wake;
+    assert!(gained > 0.3 * mass, "the water stops it: {gained}");
+    assert!(wake > 0.2 * given, "planes are left behind: {wake} of {given}");
+    assert!((given / gained - 1.0).abs() < 0.01, "{given} in the water, {gained} gained");
+    let lost = energy(first) - energy(last);
+    assert!((work / lost - 1.0).abs() < 1e-3, "{work} of work, {lost} lost");
+}
+
+fn mercure(sets: &[&str]) -> Landed {
+    let sets: Vec<String> = sets.iter().map(|s| s.to_string()).collect();
+    ditching::follow(&ditching::load("mercure", &sets).expect("a landing"))
+}
+
+fn mercure_at(attack: f64, path: f64, mass: f64, more: &[&str]) -> Landed {
+    let keys = [
+        format!("landing.angle_of_attack_deg={attack:?}"),
+        format!("landing.flight_path_deg={path:?}"),
+        format!("aeroplane.mass={mass:?}"),
+    ];
+    mercure(&keys.iter().map(String::as_str).chain(more.iter().copied()).collect::<Vec<_>>())
+}
+
+/// Table 1 of Pilorget (2010), after the IMFL: loads fall as the angle of attack rises to 12° and above, and are level from
+/// 15° to 18°; a steeper path and a larger mass make them larger, but for 18°, where 2° is no worse than 1°.
+#[test]
+fn loads_of_a_mercure_follow_the_trends_of_model_tests() {
+    let attacks = [9.0, 12.0, 15.0, 18.0];
+    let peaks = |path: f64, mass: f64| {
+        attacks.map(|attack| {
+            let s = mercure_at(attack, path, mass, &[]).summary;
+            assert!((1.0..8.0).contains(&s.load_factor.value), "{attack}, {path}, {mass}: {:?}", s.load_factor);
+            assert!(s.deceleration_g.value > 0.5 && s.deceleration_g.value < 8.0, "{:?}", s.deceleration_g);
+            [s.az_g.value, s.fz_n.value]
+        })
+    };
+    let (light, heavy) = (44.7e3, 49.0e3);
+    let all = [(-1.0, light), (-2.0, light), (-1.0, heavy), (-2.0, heavy)].map(|(path, mass)| peaks(path, mass));
+    for row in &all {
+        let g = row.map(|[az, _]| az);
+        assert!(g[0] > 1.1 * g[1] && g[1] > 1.1 * g[2], "falls with the angle of attack: {g:?}");
+        assert!(g[3] < g[1] && (g[3] / g[2] - 1.0).abs() < 0.15, "and is level above 15 degrees: {g:?}");
+    }
+    for k in 0..3 {
+        for [flat, steep] in [[&all[0], &all[1]], [&all[2], &all[3]]] {
+            assert!(steep[k][0] > 1.08 * flat[k][0], "steeper at {}: {steep:?}, {flat:?}", attacks[k]);
+        }
+    }
+    for k in 0..4 {
+        for [light, heavy] in [[&all[0], &all[2]], [&all[1], &all[3]]] {
+            assert!(heavy[k][1] > 1.08 * light[k][1], "heavier at {}: {heavy:?}, {light:?}", attacks[k]);
+        }
+    }
+}
+
+/// Without suction nothing holds the tail: the nose comes down and slams, the harder the higher it was, against the trend.
+#[test]
+fn without_suction_the_nose_comes_down_and_slams() {
+    let of = |attack: f64| mercure_at(attack, -1.0, 44.7e3, &["water.suction=0.0"]).summary;
+    let (low, high) = (of(12.0), of(18.0));
+    assert!(low.pitch_deg[1] < 2.0 && high.pitch_deg[1] < 2.0, "{:?} {:?}", low.pitch_deg, high.pitch_deg);
+    assert!(high.az_g.value > 1.5 * low.az_g.value, "{:?} {:?}", high.az_g, low.az_g);
+    let held = mercure_at(12.0, -1.0, 44.7e3, &[]).summary;
+    assert!(held.pitch_deg[1] > 8.0 && held.pitch_deg[2] > 18.0, "suction trims it up: {:?}", held.pitch_deg);
+}
+
+#[test]
+fn a_landing_takes_seconds_has_no_grid_in_it_and_ends_slow_where_it_may() {
+    let start = Instant::now();
+    let usual = mercure(&[]).summary;
+    assert!(start.elapsed().as_secs_f64() < 20.0, "{:?}", start.elapsed());
+    let finer = mercure(&["landing.strips=400", "landing.step=0.0005"]).summary;
+    assert!((usual.az_g.value / finer.az_g.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.az_g, finer.az_g);
+    assert!((usual.fz_n.value / finer.fz_n.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.fz_n, finer.fz_n);
+    let slow = mercure(&["landing.least_speed=55.0"]);
+    assert_eq!(slow.run.ended, Ended::Slow);
+    assert!(slow.summary.time_end_s < 5.0 && slow.summary.speed_m_per_s[1] < 55.0);
+    let again = mercure(&[]).summary;
+    assert_eq!(again.az_g.value.to_bits(), usual.az_g.value.to_bits());
+}
+
+/// At rest on the water, level, the weight is that of the water displaced.
+#[test]
+fn it_floats_at_its_weight() {
+    let hull = prism(Rung::Wagner, 25.0);
+    let landing = landing(&hull, 9.81, 5e4);
+    let attitude = Attitude { place: [0.0, 0.5 - 0.4, 0.0], rate: [0.0; 3] };
+    let [fx, fz, moment] = landing.moment(0.0, attitude).force;
+    let area = 0.4 * 0.4 / 25f64.to_radians().tan();
+    assert!((fz / (RHO * 9.81 * area * 20.0) - 1.0).abs() < 1e-9 && fx == 0.0, "{fx} {fz}");
+    assert!(moment.abs() < 1e-6 * fz, "{moment}");
+}
+
+#[test]
+fn sections_are_scenes_that_can_be_run() {
+    let scene = ditching::load("mercure", &[]).expect("a landing");
+    let sections = ditching::section_scenes(&scene, &ditching::follow(&scene), 3);
+    assert_eq!(sections.len(), 3);
+    for section in &sections {
+        let loaded = scenarios::scene::load_text(&section.name, &section.text, &[]).expect("a scene");
+        assert_eq!(loaded.scene.name, section.name);
+        assert!(loaded.scene.body.is_some_and(|b| b.velocity[1] < -1.0), "{}", section.text);
+    }
+}
+
+#[test]
+fn wrong_landings_are_refused_with_key_and_place() {
+    let refused = |sets: &[&str], says: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|s| s.to_string()).collect();
+        let text = ditching::load("mercure", &sets).expect_err("refused").to_string();
+        says.iter().for_each(|s| assert!(text.contains(s), "{text} does not say {s}"));
+    };
+    refused(&["landing.flight_path_deg=1.0"], &["landing.flight_path_deg", "a number from -15"]);
+    refused(&["landing.angle_of_attack_deg=0.5"], &["landing.angle_of_attack_deg", "an attitude of 0 to 30 degrees"]);
+    refused(&["landing.angle_of_atack_deg=9"], &["unknown key", "landing.angle_of_attack_deg"]);
+    refused(&["water.suction=2"], &["water.suction", "from 0 to 1"]);
+    refused(&["stations[3].x=1.0"], &["stations[3]", "expected more than the 1.6 m before"]);
+    refused(&["stations[4].radius=0.5"], &["stations[4]", "at least half the breadth"]);
+    refused(&["stations[6].breadth=3.89"], &["stations[6]", "faces of 4 to 60 degrees"]);
+    refused(&["stations[12].keel=9.0"], &["stations[", "to the axis: expected up to 60"]);
+    refused(&["stations[2].deadrise_deg=20"], &["stations[2].deadrise_deg", "not both"]);
+    refused(&["model=wcsph"], &["model", "von_karman, wagner or mlm"]);
+    refused(&["model=similarity"], &["stations[0]", "wedges of 4 to 80 degrees"]);
+    refused(&["landing.least_speed=90"], &["landing.least_speed", "less than the speed of landing"]);
+    refused(&["wing.lift_slope=0"], &["landing.angle_of_attack_deg", "landing.speed"]);
+    let text = "name = \"a\"\n[landing]\nangle_of_attack_deg = 9\nflight_path_deg = -40\nend = 1\n[aeroplane]\nmass = 1e4\n\
+                radius_of_gyration = 3\ncenter_of_mass = [5, 0]\n[wing]\narea = 40\nchord = 2\nlift_slope = 4\nzero_lift_deg = -5\n\
+                [[stations]]\nx = 0\nkeel = 0\nbreadth = 1\ndeadrise_deg = 20\n";
+    let error = ditching::load_text("mine.toml", text, &[]).expect_err("refused").to_string();
+    assert!(error.contains("mine.toml:4"), "{error}");
+}
