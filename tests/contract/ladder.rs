@@ -52,6 +52,8 @@ fn auto_takes_the_cheapest_model_that_is_right() {
         assert_eq!(model, right, "{deadrise} {want} {within}: {why}");
         assert!(why.contains("off in a wedge of") && why.starts_with(right), "{why}");
     }
+    let (model, why) = chosen(&place, "elastic_wedge", &["want=strain", "within=0.06", "time.end=0.0024"]);
+    assert!(model == "wagner" && why.contains("elastic_wedge"), "{why}");
     let (model, why) = chosen(&place, "wedge25", &["want=motion", "within=0.02"]);
     assert!(model == "mlm" && why.contains("wedge25"), "{why}");
     for (scene, sets) in [
@@ -133,6 +135,8 @@ fn a_model_out_of_its_range_is_refused() {
         ("wedge", &["model=mlm", "body.mass=20", "time.end=0.3"], &["leaves the water", "\"wcsph\""]),
         ("fuselage_section", &["model=similarity"], &["no wedge", "\"wcsph\""]),
         ("dam_break", &["model=mlm"], &["without a body"]),
+        ("elastic_wedge", &["model=mlm"], &["panels that bend", "\"wcsph\""]),
+        ("elastic_wedge", &["model=wagner", "time.end=0.003"], &["wet chines", "\"wcsph\""]),
         ("wedge_constant", &["model=mlm", "tank.depth=8.0"], &["four wetted half widths", "\"wcsph\""]),
         ("wedge", &["model=mlm", "solver=incompressible"], &["`solver`", "\"mlm\""]),
         ("wedge", &["want=motion"], &["`want`", "auto"]),

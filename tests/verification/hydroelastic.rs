@@ -86,6 +86,21 @@ fn stiff_faces_are_wagners_wedge() {
     }
 }
 
+/// Momentum by reciprocity is −ρ ∫φ dx over both faces, however they bend.
+#[test]
+fn the_momentum_of_the_water_is_the_integral_of_its_potential() {
+    let wedge = aluminium(30.0, 0.04, Held::Clamped);
+    let bent = wedge.enter().expect("it enters");
+    for b in bent.iter().skip(50).step_by(50) {
+        // x = c sin θ takes the root out of the potential
+        let n = 200;
+        let angle = |k: usize| 0.5 * std::f64::consts::PI * (k as f64 + 0.5) / n as f64;
+        let part = |k: usize| wedge.potential(b, b.wetted * angle(k).sin()) * b.wetted * angle(k).cos();
+        let sum: f64 = (0..n).map(part).sum::<f64>() * 0.5 * std::f64::consts::PI / n as f64;
+        assert!((wedge.momentum(b) / (-2.0 * wedge.density * sum) - 1.0).abs() < 2e-3, "{b:?}");
+    }
+}
+
 /// Scolan's benchmark: clamped faces, beside the coupled computations of Fourey (2010) and Li (2015), which differ from each other by
 /// some per cent of the peak. The linear theory takes no account of the slope and the deflection of the face in its flow.
 #[test]

@@ -221,6 +221,14 @@ impl ElasticWedge {
         modes.iter().map(mean).collect()
     }
 
+    /// Momentum of the water on both sides, −ρ∫φ dx [N s/m]: its rate is the force on the wedge. ∫φ_n dx is f_n by reciprocity.
+    pub fn momentum(&self, bent: &Bent) -> f64 {
+        let c = bent.wetted;
+        let pushed = self.wet(&self.modes(), c).pushed;
+        let bending: f64 = pushed.iter().zip(&bent.rates).map(|(f, rate)| f * rate).sum();
+        2.0 * self.density * (0.25 * PI * c * c * self.speed - bending)
+    }
+
     /// HM5: potential on the face at x [m], over which p = −ρ dφ/dt [m²/s].
     pub fn potential(&self, bent: &Bent, x: f64) -> f64 {
         let c = bent.wetted;

@@ -20,6 +20,11 @@ pub struct Measured {
 const DROP: &str = "wedge25";
 /// Deadrises beside the drop's that it speaks for [deg].
 const BESIDE_DROP: f64 = 15.0;
+/// The bending wedge that the modal beam is measured by, of 10°, against others' computations.
+const BENCHMARK: &str = "elastic_wedge";
+const BENCHMARK_DEADRISE: f64 = 10.0;
+/// Deadrises beside it that it speaks for [deg].
+const BESIDE_BENCHMARK: f64 = 5.0;
 /// Largest error of the similarity solution's numbers against an independent program's (`tests/verification/theory.rs`) [-].
 const SIMILARITY_ERROR: f64 = 1e-4;
 
@@ -27,6 +32,12 @@ const SIMILARITY_ERROR: f64 = 1e-4;
 /// free drops against the validated one. `None` where nothing was measured near.
 pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> {
     let deadrise = theory.loads.section().deadrise_deg()?;
+    if theory.bends() {
+        return match want {
+            Want::Strain if (deadrise - BENCHMARK_DEADRISE).abs() < BESIDE_BENCHMARK => bent_error(),
+            _ => None,
+        };
+    }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
     let rung = theory.loads.rung();
     let dropped = match falls {
@@ -60,6 +71,18 @@ fn coefficient_errors(rung: Rung, deadrise_deg: f64) -> Option<[Option<f64>; 2]>
     let force = (theory.loads.at(1.0).slam / exact.force_coefficient - 1.0).abs();
     let pressure = theory.peak_pressure(0).map(|[p, _]| (2.0 * p / exact.cp_max - 1.0).abs());
     Some([Some(force), pressure.filter(|_| rung != Rung::VonKarman)])
+}
+
+/// Largest RMS error of the benchmark's deflection over its peak, of those that others computed [-].
+fn bent_error() -> Option<Measured> {
+    let scene = scene::load(BENCHMARK, &[]).ok()?.scene;
+    let (theory, _) = Theory::while_in_range(&scene, Rung::Wagner).ok()?;
+    let mut series = Series::new(&scene, None).ok()?;
+    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
+    let judged = scene.compare.iter().filter(|c| c.tolerance.is_some());
+    let errors = judged.filter_map(|c| compare::against_curve(c, &compare::curve(c).ok()?, &series));
+    let error = errors.map(|c| c.error.abs()).reduce(f64::max)?;
+    Some(Measured { error, case: format!("the deflection of {BENCHMARK}, against others' computations") })
 }
 
 fn drop_deadrise() -> Option<f64> {

@@ -4,6 +4,7 @@
 //! it costs, whether it can do the scene, and how far off it was where it was measured; [`choose`] takes the cheapest that is
 //! near enough.
 
+mod bent;
 mod choose;
 mod measured;
 mod run;

@@ -2,7 +2,8 @@
 
 use fsi_coupling::theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
 
-use crate::scene::{Body, GaugeFrame, Motion, Scene, Shape, significant};
+use super::bent::Faces;
+use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
 use fsi_coupling::polygon;
 
 /// Width of the window that means are taken over, the last fifth of the run.
@@ -18,6 +19,8 @@ pub struct Theory {
     /// The section at every sample of the scene.
     pub instants: Vec<Instant>,
     density: f64,
+    /// Its faces, where they bend.
+    faces: Option<Faces>,
 }
 
 impl Theory {
@@ -38,6 +41,9 @@ impl Theory {
         let (body, section, course) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
         let density = scene.fluid.density;
+        if !body.panels.is_empty() {
+            return bending(scene, rung, body, loads);
+        }
         let (instants, end) = {
             let entry = Entry {
                 loads: &loads,
@@ -54,7 +60,7 @@ impl Theory {
         let closed =
             instants.get(open).map(|now| refuse(&format!("from t = {} s on {CONFINED}", significant(now.time))));
         let instants = instants[..open].to_vec();
-        Ok((Theory { loads, instants, density }, closed.or(end)))
+        Ok((Theory { loads, instants, density, faces: None }, closed.or(end)))
     }
 
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
@@ -65,13 +71,18 @@ impl Theory {
         let loads = Loads::new(rung, &section)?;
         let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
         let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
-        Ok(Theory { loads, instants: vec![now], density: 1.0 })
+        Ok(Theory { loads, instants: vec![now], density: 1.0, faces: None })
     }
 
     /// Pressure at distance x from the keel's plane at sample k [Pa]; `None` where the theory has none.
     pub fn pressure(&self, k: usize, x: f64) -> Option<f64> {
         let Instant { draught, speed, rate, .. } = self.instants[k];
         self.loads.pressure(x, draught, speed, rate, self.density)
+    }
+
+    /// Do its faces bend?
+    pub fn bends(&self) -> bool {
+        self.faces.is_some()
     }
 
     /// Rows of the series: time, then the body's columns and the gauges; what the theory does not have is no number.
@@ -82,8 +93,12 @@ impl Theory {
         let row = |(k, now): (usize, &Instant)| {
             let Instant { time, draught, speed, rate, force, .. } = *now;
             let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
-            let gauges = scene.gauges.iter().map(|g| self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN));
-            motion.into_iter().chain(gauges).collect()
+            let gauge = |g: &Gauge| self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN);
+            let rest = match &self.faces {
+                Some(faces) => faces.values(time),
+                None => scene.gauges.iter().map(gauge).collect(),
+            };
+            motion.into_iter().chain(rest).collect()
         };
         self.instants.iter().enumerate().map(row).collect()
     }
@@ -119,6 +134,22 @@ impl Theory {
         let end = self.instants.last().map_or(0.0, |i| i.time);
         (0..self.instants.len()).filter(move |k| self.instants[*k].time >= LATE * end)
     }
+}
+
+/// The same scene with faces that bend: by Wagner's load on a modal beam.
+fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+    if rung != Rung::Wagner {
+        return Err(OutOfRange {
+            what: "panels that bend".into(),
+            range: "rigid bodies".into(),
+            next: if rung < Rung::Wagner { Rung::Wagner } else { Rung::Wcsph },
+        });
+    }
+    let faces = Faces::of(scene, body)?;
+    let times = sample_times(scene);
+    let instants = faces.instants(&times);
+    let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
+    Ok((Theory { loads, instants, density: scene.fluid.density, faces: Some(faces) }, end))
 }
 
 /// Least depth and half width of water that feels unbounded, in wetted half widths.
@@ -159,7 +190,6 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     let obstacles = [
         (lopsided, "a body that is tilted, turns or moves sideways"),
         (scene.gravity[0] != 0.0, "gravity that pulls sideways"),
-        (!body.panels.is_empty(), "panels that bend"),
         (!still || tank.water_width < tank.width, "water that is not at rest"),
         (on_tank, "gauges on the tank"),
         (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),

@@ -1,0 +1,116 @@
+//! A wedge whose faces bend, by Wagner's load on a modal beam (THEORY HM1–HM5).
+
+use fsi_coupling::PanelEnd;
+use fsi_coupling::theory::{Bent, ElasticWedge, Held, Instant, OutOfRange, Rung};
+
+use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
+
+/// Modes, and steps from touch to chine.
+const MODES: usize = 8;
+const STEPS: usize = 200;
+/// Places along the face at which the largest stress is looked for.
+const PLACES: usize = 40;
+
+/// The faces of a scene's wedge on their way into the water.
+#[derive(Clone, Debug)]
+pub(super) struct Faces {
+    wedge: ElasticWedge,
+    bent: Vec<Bent>,
+    /// Momentum of the water [N s/m], potential at each gauge [m²/s], and values of the panel's columns, at every step.
+    momenta: Vec<f64>,
+    potentials: Vec<Vec<f64>>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Faces {
+    /// Of a scene by half whose only panel is the whole face.
+    pub fn of(scene: &Scene, body: &Body) -> Result<Faces, OutOfRange> {
+        let refuse = |what: &str| OutOfRange {
+            what: what.into(),
+            range:
+                "faces that bend from keel to chine, of a wedge at constant speed without gravity, simulated by half"
+                    .into(),
+            next: Rung::Wcsph,
+        };
+        let (Shape::Wedge { deadrise_deg, breadth, .. }, [panel]) = (&body.shape, &body.panels[..]) else {
+            return Err(refuse("other panels"));
+        };
+        let (half, near) = (0.5 * breadth, |a: f64, b: f64| (a - b).abs() < 1e-3 * breadth);
+        let whole = near(panel.from[0], 0.0) && near(panel.from[1], 0.0) && near(panel.to[0], half);
+        let steady = body.motion == Motion::ConstantVelocity && scene.gravity == [0.0, 0.0];
+        if scene.symmetry != Symmetry::X || !whole || !steady || body.draught().abs() > 1e-9 * breadth {
+            return Err(refuse("another panel, course or start"));
+        }
+        if panel.yield_stress.is_some() || panel.rupture_strain.is_some() {
+            return Err(refuse("a panel that may yield or break"));
+        }
+        let held = match panel.ends {
+            [PanelEnd::Clamped, PanelEnd::Clamped] => Held::Clamped,
+            [PanelEnd::Pinned | PanelEnd::Sliding, PanelEnd::Pinned | PanelEnd::Sliding] => Held::Pinned,
+            _ => return Err(refuse("ends that are held in two ways")),
+        };
+        let wedge = ElasticWedge {
+            deadrise_deg: *deadrise_deg,
+            speed: -body.velocity[1],
+            density: scene.fluid.density,
+            length: half,
+            thickness: panel.thickness,
+            material: panel.material(),
+            held,
+            modes: MODES,
+            steps: STEPS,
+        };
+        let bent = wedge.enter().ok_or_else(|| refuse("a face that bends as fast as the water comes"))?;
+        let momenta = bent.iter().map(|b| wedge.momentum(b)).collect();
+        let at = |b: &Bent| scene.gauges.iter().map(|g| wedge.potential(b, g.at[0].abs())).collect();
+        let potentials = bent.iter().map(at).collect();
+        let columns = bent.iter().map(|b| columns(&wedge, panel, b)).collect();
+        Ok(Faces { wedge, bent, momenta, potentials, columns })
+    }
+
+    /// The wedge at `times` [s] up to when its chines get wet.
+    pub fn instants(&self, times: &[f64]) -> Vec<Instant> {
+        let end = self.bent[self.bent.len() - 1].time;
+        let at = |&time: &f64| {
+            let (k, share) = self.between(time);
+            let wetted = self.bent[k].wetted + share * (self.bent[k + 1].wetted - self.bent[k].wetted);
+            let (speed, force) = (self.wedge.speed, self.rate(k, |k| self.momenta[k]));
+            Instant { time, draught: speed * time, speed, rate: 0.0, force, wetted }
+        };
+        times.iter().take_while(|time| **time <= end).map(at).collect()
+    }
+
+    /// Values of the panel's columns, then of the gauges, at a time [s].
+    pub fn values(&self, time: f64) -> Vec<f64> {
+        let (k, share) = self.between(time);
+        let column = |c: usize| self.columns[k][c] + share * (self.columns[k + 1][c] - self.columns[k][c]);
+        let pressure = |g: usize| 0.0 - self.wedge.density * self.rate(k, |k| self.potentials[k][g]);
+        let (panel, gauges) = (self.columns[k].len(), self.potentials[k].len());
+        (0..panel).map(column).chain((0..gauges).map(pressure)).collect()
+    }
+
+    /// The step that a time is in, and how far in it.
+    fn between(&self, time: f64) -> (usize, f64) {
+        let k = self.bent.partition_point(|b| b.time <= time).clamp(1, self.bent.len() - 1) - 1;
+        (k, (time - self.bent[k].time) / (self.bent[k + 1].time - self.bent[k].time))
+    }
+
+    /// d/dt of a quantity in step k.
+    fn rate(&self, k: usize, of: impl Fn(usize) -> f64) -> f64 {
+        (of(k + 1) - of(k)) / (self.bent[k + 1].time - self.bent[k].time)
+    }
+}
+
+/// Values of the panel's columns, in the order of [`Panel::columns`].
+fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &Bent) -> Vec<f64> {
+    let (sin, cos) = wedge.deadrise_deg.to_radians().sin_cos();
+    let modulus = wedge.material.youngs_modulus / (1.0 - wedge.material.poissons_ratio.powi(2));
+    let watched = panel.watch.iter().flat_map(|&place| {
+        let (w, strain) = (wedge.deflection(bent, place), wedge.strain(bent, place));
+        let moment = -modulus * wedge.thickness.powi(2) / 6.0 * strain; // D d²w/dx²
+        [-w * sin, w * cos, w, moment, strain, -strain]
+    });
+    let places = (0..=PLACES).map(|i| i as f64 / PLACES as f64);
+    let largest = places.map(|place| wedge.strain(bent, place).abs()).fold(0.0, f64::max);
+    watched.chain([modulus * largest]).collect()
+}
