@@ -21,8 +21,8 @@ type Style = (&'static str, MarkerShape);
 
 /// Colours and markers, in the order of the curves, then from the start again. The colours are
 /// those of M. Okabe and K. Ito, *Color Universal Design* (2008), without yellow and black: they
-/// read on white and on black.
-const STYLES: [Style; 7] = [
+/// read on white and on black; then two of P. Tol's (2021), for charts with many curves.
+const STYLES: [Style; 9] = [
     ("#0072b2", MarkerShape::Circle),
     ("#d55e00", MarkerShape::Square),
     ("#009e73", MarkerShape::Triangle),
@@ -30,6 +30,8 @@ const STYLES: [Style; 7] = [
     ("#e69f00", MarkerShape::Cross),
     ("#56b4e9", MarkerShape::Plus),
     ("#808080", MarkerShape::Star),
+    ("#332288", MarkerShape::Diamond),
+    ("#882255", MarkerShape::Square),
 ];
 
 /// How a curve is drawn.
