@@ -54,7 +54,7 @@ fn auto_takes_the_cheapest_model_that_is_right() {
     }
     let (model, why) = chosen(&place, "elastic_wedge", &["want=strain", "within=0.06", "time.end=0.0024"]);
     assert!(model == "wagner" && why.contains("elastic_wedge"), "{why}");
-    let (model, why) = chosen(&place, "wedge25", &["want=motion", "within=0.02"]);
+    let (model, why) = chosen(&place, "wedge25", &["want=motion", "within=0.04"]);
     assert!(model == "mlm" && why.contains("wedge25"), "{why}");
     for (scene, sets) in [
         ("fuselage_section", &["want=peak_force"][..]),
@@ -118,6 +118,39 @@ fn a_theory_leaves_the_files_of_a_run() {
     let again = place.run(&["run", "out/scene.resolved.toml", "--out", "again", "--quiet"]);
     assert_eq!(again.code, Some(0), "{}", again.message);
     assert_eq!(place.read("out/series.csv"), place.read("again/series.csv"));
+}
+
+/// An error bar of a theory holds the exact force, whichever way the theory is off; at 4° von Karman's is less than half of it.
+#[test]
+fn error_bars_of_theories_hold_the_exact_force() {
+    let place = Workplace::new();
+    for (deadrise, exact) in [("10", 212.954_65), ("20", 42.271_55), ("30", 14.020_1), ("45", 3.447_74)] {
+        for model in ["von_karman", "wagner", "mlm", "similarity"] {
+            let sets = [format!("body.deadrise_deg={deadrise}"), format!("model={model}"), "body.breadth=24".into()];
+            let sets: Vec<&str> = sets.iter().flat_map(|set: &String| ["--set", set.as_str()]).collect();
+            let run = [&["run", "wedge_constant", "--json", "--force", "--out", "out"], &sets[..]].concat();
+            let bar = &json(&place, &run)["error_bars"]["peaks/wedge.fy_N_per_m/value"];
+            let number = |key: &str| bar[key].as_f64().unwrap_or_else(|| panic!("{key} in {bar}"));
+            assert!((number("value") - 1000.0 * exact).abs() <= number("band"), "{model} at {deadrise}: {bar}");
+        }
+    }
+}
+
+/// A gauge on the deck had the pressure of the bottom below it; a stiff face was taken for one that bends too fast.
+#[test]
+fn gauges_off_the_bottom_have_no_pressure_and_stiff_faces_enter() {
+    let place = Workplace::new();
+    let scene = "name = \"w\"\n[time]\nend = 0.02\n[resolution]\nspacing = 0.01\n[body]\nname = \"w\"\nshape = \"wedge\"\n\
+                 deadrise_deg = 20.0\nbreadth = 1.0\nside_height = 0.4\nmass = 100.0\nvelocity = [0.0, -3.0]\nfree = [\"y\"]\n\
+                 [[gauges]]\nname = \"bottom\"\nat = [0.1, 0.0363970]\n[[gauges]]\nname = \"deck\"\nat = [0.1, 0.581985]\n";
+    std::fs::write(place.path("gauged.toml"), scene).expect("a file");
+    let summary = json(&place, &["run", "gauged.toml", "--set", "model=mlm", "--json", "--out", "out"]);
+    let peak = |name: &str| summary["peaks"][name]["value"].as_f64();
+    assert!(peak("bottom.p_Pa").is_some_and(|p| p > 1e4) && peak("deck.p_Pa").is_none(), "{summary}");
+
+    let stiff = ["--set", "model=wagner", "--set", "time.end=0.01", "--set", "body.velocity=[0.0, -5.0]"];
+    let ended = place.run(&[&["run", "elastic_wedge", "--quiet", "--out", "stiff"], &stiff[..]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
 }
 
 /// Beyond its range a model is refused, with the range and the next model that can.

@@ -83,7 +83,7 @@ impl Rung {
                 refuse("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into())
             }
             _ if steepest > most + 1e-6 => {
-                refuse(format!("a face of {:.1} degrees", steepest), format!("faces of 4 to {most} degrees"))
+                refuse(format!("a face of {steepest:.2} degrees"), format!("faces of 4 to {most} degrees"))
             }
             _ => Ok(()),
         }

@@ -64,6 +64,10 @@ impl Section {
     fn of_polygon(points: &[[f64; 2]]) -> Result<Section, OutOfRange> {
         let keel = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1])).unwrap_or(0);
         let n = points.len();
+        let level = |k: usize| (points[k][1] - points[keel][1]).abs() < 1e-9;
+        if level((keel + 1) % n) || level((keel + n - 1) % n) {
+            return Err(not_a_section("a flat bottom"));
+        }
         let half = |step: usize| {
             let mut corners = vec![points[keel]];
             for k in 1..n {

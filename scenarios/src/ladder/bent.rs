@@ -8,6 +8,11 @@ use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 /// Modes, and steps from touch to chine.
 const MODES: usize = 8;
 const STEPS: usize = 200;
+/// Most steps, and how far the stiffest mode may turn in one [rad]: 2.8 is unstable.
+const MOST_STEPS: usize = 4000;
+const LONGEST_TURN: f64 = 1.5;
+/// Deepest deflection that is small, over the length.
+const DEEPEST: f64 = 0.1;
 /// Places along the face at which the largest stress is looked for.
 const PLACES: usize = 40;
 
@@ -49,7 +54,7 @@ impl Faces {
             [PanelEnd::Pinned | PanelEnd::Sliding, PanelEnd::Pinned | PanelEnd::Sliding] => Held::Pinned,
             _ => return Err(refuse("ends that are held in two ways")),
         };
-        let wedge = ElasticWedge {
+        let mut wedge = ElasticWedge {
             deadrise_deg: *deadrise_deg,
             speed: -body.velocity[1],
             density: scene.fluid.density,
@@ -60,7 +65,21 @@ impl Faces {
             modes: MODES,
             steps: STEPS,
         };
-        let bent = wedge.enter().ok_or_else(|| refuse("a face that bends as fast as the water comes"))?;
+        // of stiff faces the high modes do not move, and need short steps
+        while wedge.modes > 1 && steps_for(&wedge) > MOST_STEPS {
+            wedge.modes -= 1;
+        }
+        wedge.steps = steps_for(&wedge);
+        let mut bent = wedge.enter().ok_or_else(|| refuse("a face that bends as fast as the water comes"))?;
+        let (every, last) = (wedge.steps / STEPS, bent[bent.len() - 1].clone());
+        bent = bent.into_iter().step_by(every).collect();
+        if bent[bent.len() - 1].time < last.time {
+            bent.push(last);
+        }
+        let deep = bent.iter().map(|b| wedge.deflection(b, 0.5).abs()).fold(0.0, f64::max);
+        if deep > DEEPEST * half {
+            return Err(refuse("a face that bends by more than a tenth of its length"));
+        }
         let momenta = bent.iter().map(|b| wedge.momentum(b)).collect();
         let at = |b: &Bent| scene.gauges.iter().map(|g| wedge.potential(b, g.at[0].abs())).collect();
         let potentials = bent.iter().map(at).collect();
@@ -99,6 +118,17 @@ impl Faces {
     fn rate(&self, k: usize, of: impl Fn(usize) -> f64) -> f64 {
         (of(k + 1) - of(k)) / (self.bent[k + 1].time - self.bent[k].time)
     }
+}
+
+/// Steps from touch to chine that the stiffest mode allows, dry: ω = (kL)² √(D/m)/L².
+fn steps_for(wedge: &ElasticWedge) -> usize {
+    let ElasticWedge { thickness, material, length, .. } = wedge;
+    let half = if wedge.held == Held::Clamped { 0.5 } else { 0.0 };
+    let root = (wedge.modes as f64 + half) * std::f64::consts::PI;
+    let stiffness = material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)) * thickness.powi(2) / 12.0;
+    let turn = root.powi(2) * (stiffness / material.density).sqrt() / length.powi(2);
+    let lasts = std::f64::consts::FRAC_2_PI * wedge.deadrise_deg.to_radians().tan() * length / wedge.speed;
+    ((turn * lasts / LONGEST_TURN).ceil() as usize).max(STEPS)
 }
 
 /// Values of the panel's columns, in the order of [`Panel::columns`].

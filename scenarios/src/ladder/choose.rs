@@ -66,6 +66,8 @@ fn reason(theories: &[Assessment]) -> String {
     if let Some((rung, m)) = measured.min_by(|a, b| a.1.error.total_cmp(&b.1.error)) {
         return format!("the best theory, {}, is {} % off in {}", rung.name(), significant(100.0 * m.error), m.case);
     }
-    let obstacle = theories.iter().find_map(|a| a.obstacle.as_ref());
+    let with_obstacle = || theories.iter().filter(|a| a.obstacle.is_some());
+    let nearest = with_obstacle().find(|a| a.begins).or(with_obstacle().next());
+    let obstacle = nearest.and_then(|a| a.obstacle.as_ref());
     obstacle.map_or("no theory was measured near this scene".into(), |obstacle| format!("a theory {obstacle}"))
 }

@@ -40,14 +40,19 @@ pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> 
     }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
     let rung = theory.loads.rung();
+    let past_chines = theory.instants.iter().any(|now| now.wetted >= theory.loads.section().half_breadth());
+    if past_chines && want == Want::History {
+        return None; // loads were measured on faces alone
+    }
     let dropped = match falls {
         true if (deadrise - drop_deadrise()?).abs() > BESIDE_DROP => return None,
-        true => drop_error(rung)?,
+        true => drop_error(scene, theory)?,
         false => 0.0,
     };
     let against =
         format!("a wedge of {} degrees at constant speed, against the similarity solution", significant(deadrise));
-    let and_drop = format!("the free drop {DROP}, against boundary elements");
+    let and_drop =
+        format!("free drops: the best theory in {DROP}, against boundary elements, and this one beside it here");
     let with_drop = |error: f64| Measured {
         error: error + dropped,
         case: if falls { format!("{against}, and {and_drop}") } else { against.clone() },
@@ -90,8 +95,19 @@ fn drop_deadrise() -> Option<f64> {
     Section::of(&scene.body?.shape).ok()?.deadrise_deg()
 }
 
-/// RMS error of the drop's speed over its speed at contact, up to where this theory can follow [-].
-fn drop_error(rung: Rung) -> Option<f64> {
+/// RMS error of a drop's speed over that at contact [-]: what the best theory was off in the validated drop, and what this one is
+/// off the best in the scene's own, as far as both go.
+fn drop_error(scene: &Scene, theory: &Theory) -> Option<f64> {
+    let best = [Rung::Similarity, Rung::Mlm].into_iter().find_map(|rung| Theory::of(scene, rung).ok())?;
+    let here = theory.instants.iter().zip(&best.instants);
+    let squares: Vec<f64> = here.map(|(a, b)| (a.speed - b.speed).powi(2)).collect();
+    let fastest = best.instants.iter().map(|now| now.speed).fold(0.0, f64::max);
+    let apart = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / fastest;
+    Some(apart + validated_drop_error(best.loads.rung())?)
+}
+
+/// RMS error of the validated drop's speed over that at contact [-], up to where the theory can follow.
+fn validated_drop_error(rung: Rung) -> Option<f64> {
     let scene = scene::load(DROP, &[]).ok()?.scene;
     let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?;
     let (theory, _) = Theory::while_in_range(&scene, rung).ok()?;

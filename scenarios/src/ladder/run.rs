@@ -81,12 +81,23 @@ pub(crate) fn run(
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
 }
 
+/// How far a true value may be from one that is off by the share `error` of the true one, over the one that is off [-].
+fn reach(error: f64) -> f64 {
+    match error < 1.0 {
+        true => error / (1.0 - error) * (1.0 + 1e-9), // it may be too low
+        false => 1.0,                                 // it is too high
+    }
+}
+
 /// What the numbers of a run by a theory may be off by, where that was measured nearest to the scene (THEORY LM11).
 fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
     let bar = |want: Want, path: String, value: f64| {
         let Measured { error, case } = measured(scene, theory, want)?;
         let (method, verdict) = (format!("measured in {case}"), "as far off as it was there".into());
-        Some((path, ErrorBar { value, extrapolated: None, band: error * value.abs(), order: None, verdict, method }))
+        Some((
+            path,
+            ErrorBar { value, extrapolated: None, band: reach(error) * value.abs(), order: None, verdict, method },
+        ))
     };
     let column = format!("{}.fy_N_per_m", body.name);
     let peak = series.peaks().find(|(name, ..)| *name == column);

@@ -13,6 +13,9 @@ use crate::scene::Scene;
 pub struct Assessment {
     /// The model.
     pub rung: Rung,
+    /// Can it begin with the scene?
+    #[serde(skip)]
+    pub begins: bool,
     /// Why it cannot do the scene; absent where it can.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<String>,
@@ -33,12 +36,14 @@ pub fn rungs(scene: &Scene, want: Want) -> Vec<Assessment> {
             match Theory::of(scene, rung) {
                 Ok(theory) => Assessment {
                     rung,
+                    begins: true,
                     obstacle: None,
                     core_seconds: Some(start.elapsed().as_secs_f64()),
                     measured: measured(scene, &theory, want),
                 },
                 Err(OutOfRange { what, range, .. }) => Assessment {
                     rung,
+                    begins: Theory::while_in_range(scene, rung).is_ok(),
                     obstacle: Some(format!("holds for {range}, not {what}")),
                     core_seconds: None,
                     measured: None,

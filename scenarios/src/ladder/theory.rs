@@ -56,9 +56,11 @@ impl Theory {
             };
             entry.follow_while_in_range(&sample_times(scene))
         };
-        let open = instants.iter().take_while(|now| !is_confined(scene, body, now)).count();
-        let closed =
-            instants.get(open).map(|now| refuse(&format!("from t = {} s on {CONFINED}", significant(now.time))));
+        let open = instants.iter().take_while(|now| confined(scene, body, now).is_none()).count();
+        let closed = instants.get(open).and_then(|now| {
+            let what = confined(scene, body, now)?;
+            Some(refuse(&format!("from t = {} s on {what}", significant(now.time))))
+        });
         let instants = instants[..open].to_vec();
         Ok((Theory { loads, instants, density, faces: None }, closed.or(end)))
     }
@@ -93,7 +95,10 @@ impl Theory {
         let row = |(k, now): (usize, &Instant)| {
             let Instant { time, draught, speed, rate, force, .. } = *now;
             let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
-            let gauge = |g: &Gauge| self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN);
+            let gauge = |g: &Gauge| match self.is_on_bottom(body, g) {
+                true => self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN),
+                false => f64::NAN, // of sides and deck theories of entry say nothing
+            };
             let rest = match &self.faces {
                 Some(faces) => faces.values(time),
                 None => scene.gauges.iter().map(gauge).collect(),
@@ -101,6 +106,15 @@ impl Theory {
             motion.into_iter().chain(rest).collect()
         };
         self.instants.iter().enumerate().map(row).collect()
+    }
+
+    /// Is a gauge on the bottom, not on a side or the deck?
+    fn is_on_bottom(&self, body: &Body, gauge: &Gauge) -> bool {
+        let [low, high] = polygon::bounding_box(&body.shape.outline());
+        let section = self.loads.section();
+        let x = gauge.at[0] - 0.5 * (low[0] + high[0]);
+        let off = (gauge.at[1] - low[1] - section.height(x)).abs();
+        x.abs() <= section.half_breadth() && off < 1e-2 * section.half_breadth()
     }
 
     /// Pressure coefficient p/(½ρV²) along the face at sample k, at `points` places x/(V t), h for V t [-], shape (n, 2); empty
@@ -154,14 +168,14 @@ fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theo
 
 /// Least depth and half width of water that feels unbounded, in wetted half widths.
 const UNBOUNDED: f64 = 4.0;
-/// What is beyond theories that know neither walls nor a deck.
-const CONFINED: &str = "a body that is under water, or water less than four wetted half widths wide or deep";
-
-/// Is the body under water, or near a wall or the floor?
-fn is_confined(scene: &Scene, body: &Body, now: &Instant) -> bool {
+/// What of this moment is beyond theories that know neither a deck nor walls.
+fn confined(scene: &Scene, body: &Body, now: &Instant) -> Option<&'static str> {
     let [min, max] = polygon::bounding_box(&body.placed_outline());
     let room = scene.tank.depth.min(0.5 * scene.tank.width - body.middle().abs());
-    now.draught > max[1] - min[1] || UNBOUNDED * now.wetted > room
+    let near = "water less than four wetted half widths wide or deep (a larger tank.width or tank.depth would do)";
+    (now.draught > max[1] - min[1])
+        .then_some("a body that is under water")
+        .or((UNBOUNDED * now.wetted > room).then_some(near))
 }
 
 fn refuse(what: &str) -> OutOfRange {
@@ -189,7 +203,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
         (lopsided, "a body that is tilted, turns or moves sideways"),
-        (scene.gravity[0] != 0.0, "gravity that pulls sideways"),
+        (scene.gravity[0] != 0.0 || scene.gravity[1] > 0.0, "gravity that pulls sideways or up"),
         (!still || tank.water_width < tank.width, "water that is not at rest"),
         (on_tank, "gauges on the tank"),
         (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),

@@ -25,6 +25,9 @@ const FRAMES: f64 = 50.0;
 const FREEBOARD: f64 = 1.25;
 const RUN_UP: f64 = 3.0;
 
+/// Least half width of an automatic tank over the body's.
+const BESIDE_BODY: f64 = 1.5;
+
 /// Exponents of the equations of state, where the scene does not say: water's in Tait's law, air's.
 const TAIT_EXPONENT: f64 = 7.0;
 const AIR_EXPONENT: f64 = 1.4;
@@ -61,6 +64,7 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
             let fine_zone = file.resolution.fine_zone.unwrap_or_else(|| auto_fine_zone(entry, spacing));
             let [beside, below] = auto_reach(fluid.sound_speed, time.end, fine_zone);
             let off_center = body.as_ref().map_or(0.0, |body| body.middle().abs());
+            let beside = beside.max(BESIDE_BODY * entry.half_breadth); // a short run may need less than the body does
             let width = file.tank.width.unwrap_or(2.0 * (beside + off_center));
             let depth = file.tank.depth.unwrap_or(below);
             (resolve_tank(&file.tank, width, depth)?, fine_zone)

@@ -53,6 +53,14 @@ impl Ask {
         match file.model {
             Some(ModelName::Auto) => {
                 let (want, within) = (file.want.unwrap_or_default(), tolerance.unwrap_or(USUAL_TOLERANCE));
+                let bends = file.body.as_ref().is_some_and(|body| !body.panels.is_empty());
+                if want == Want::Strain && !bends {
+                    return Err(Problem::new(
+                        "want",
+                        "\"strain\"",
+                        "something else without body.panels: nothing bends",
+                    ));
+                }
                 Ok(Some(Ask { want, within }))
             }
             _ if asks => {

@@ -4,7 +4,7 @@ use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
 use super::exchange::{light_body, light_panels};
 use super::impact::{Entry, known_compressibility_error};
-use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Scene};
+use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Rung, Scene};
 use super::panels::doubtful_panels;
 use super::problem::significant;
 use super::resolve_projection::projection_warnings;
@@ -37,7 +37,7 @@ const LARGEST_GROWTH: f64 = 1.2;
 /// Doubts about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
 pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.model.is_theory() {
-        return Vec::new(); // of particles
+        return theory_warnings(scene);
     }
     let mut warnings =
         if scene.solver.is_incompressible() { projection_warnings(scene) } else { sound_warnings(scene) };
@@ -74,6 +74,18 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         )
     }));
     warnings
+}
+
+/// Doubts about a run by a theory.
+fn theory_warnings(scene: &Scene) -> Vec<String> {
+    let short = scene.entry().filter(|entry| entry.final_draught <= 0.0).map(|entry| {
+        let above = significant(-entry.final_draught);
+        format!("the body does not reach the water: at the end of the run it is {above} m above it")
+    });
+    let singular = (scene.model == Rung::Wagner && !scene.gauges.is_empty()).then(|| {
+        "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
+    });
+    short.into_iter().chain(singular).collect()
 }
 
 /// Doubts about water that carries sound: how fast, in which steps, how far, and beside what.

@@ -124,6 +124,10 @@ impl StudyError {
 /// Make a study; `tell` hears of each run before it starts: its number, how many there are, spacing and sound speed.
 pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study, StudyError> {
     let base = scene::load(&plan.scene, &plan.sets)?.scene;
+    if base.model.is_theory() {
+        let expected = "a model of particles: a theory has no spacing".to_string();
+        return Err(StudyError::Input { key: "model", given: base.model.name().into(), expected });
+    }
     let own = base.resolution.spacing;
     let spacings = chosen("--spacings", &plan.spacings, &[2.0 * own, SQRT_2 * own, own])?;
     let own = base.fluid.sound_speed;
