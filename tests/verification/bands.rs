@@ -5,18 +5,7 @@ use scenarios::study::{hold, select_bands};
 /// Nine of ten bars hold the exact value.
 #[test]
 fn bars_of_coarse_studies_hold_exact_values() {
-    assert_held(&["wedge_30_coarse", "wedge_45_coarse", "still_water_coarse"], 8);
-}
-
-/// All cases: minutes.
-#[test]
-#[ignore = "minutes: every case of tests/bands"]
-fn bars_of_all_studies_hold_exact_values() {
-    assert_held(&[], 30);
-}
-
-fn assert_held(names: &[&str], least: usize) {
-    let names: Vec<String> = names.iter().map(|n| n.to_string()).collect();
+    let names = ["wedge_30_coarse", "wedge_45_coarse", "still_water_coarse"].map(String::from);
     let cases = select_bands(&names).expect("they are there");
     let lines: Vec<_> = cases.iter().flat_map(|case| hold(case).expect("it runs")).collect();
     let lost: Vec<String> = lines
@@ -24,7 +13,7 @@ fn assert_held(names: &[&str], least: usize) {
         .filter(|l| !l.holds)
         .map(|l| format!("{} {}: {} outside {} ± {}", l.case, l.path, l.exact, l.bar.middle(), l.bar.band))
         .collect();
-    assert!(lines.len() >= least, "{} bars", lines.len());
+    assert!(lines.len() >= 8, "{} bars", lines.len());
     assert!(10 * lost.len() <= lines.len(), "{} of {}: {}", lost.len(), lines.len(), lost.join("; "));
     // a bar as wide as the number itself would hold anything
     let share = |l: &scenarios::study::BandLine| (l.bar.band / l.exact).abs();

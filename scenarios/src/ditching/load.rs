@@ -9,6 +9,7 @@ use include_dir::{Dir, include_dir};
 use super::check::checked;
 use super::keywords::keywords;
 use super::model::Scene;
+use crate::embedded::texts;
 use crate::scene::SceneError;
 use crate::scene::source::Source;
 
@@ -16,14 +17,7 @@ static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");
 
 /// Name and text of each built-in landing, by name.
 pub fn builtin() -> &'static [(&'static str, &'static str)] {
-    static SCENES: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
-        let scene = |file: &'static include_dir::File<'_>| {
-            Some((file.path().file_name()?.to_str()?.strip_suffix(".toml")?, file.contents_utf8()?))
-        };
-        let mut scenes: Vec<_> = FILES.files().filter_map(scene).collect();
-        scenes.sort_unstable();
-        scenes
-    });
+    static SCENES: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| texts(&FILES));
     &SCENES
 }
 

@@ -33,17 +33,19 @@ pub fn rungs(scene: &Scene, want: Want) -> Vec<Assessment> {
     theories
         .map(|rung| {
             let start = Instant::now();
-            match Theory::of(scene, rung) {
-                Ok(theory) => Assessment {
+            let followed = Theory::while_in_range(scene, rung);
+            let begins = followed.is_ok();
+            match followed {
+                Ok((theory, None)) => Assessment {
                     rung,
-                    begins: true,
+                    begins,
                     obstacle: None,
                     core_seconds: Some(start.elapsed().as_secs_f64()),
                     measured: measured(scene, &theory, want),
                 },
-                Err(OutOfRange { what, range, .. }) => Assessment {
+                Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => Assessment {
                     rung,
-                    begins: Theory::while_in_range(scene, rung).is_ok(),
+                    begins,
                     obstacle: Some(format!("holds for {range}, not {what}")),
                     core_seconds: None,
                     measured: None,

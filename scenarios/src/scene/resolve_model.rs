@@ -1,6 +1,7 @@
 //! `model`, `want`, `within`: which model runs the scene.
 
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 
 use super::file::SceneFile;
 use super::impact::Entry;
@@ -11,23 +12,26 @@ use crate::chart::spacing_within;
 use crate::ladder::{Choice, Theory, Want, charted_number, choose};
 
 /// The key `model`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelName {
     /// The cheapest that is near enough.
     Auto,
-    /// Added mass of a flat plate.
-    VonKarman,
-    /// With the water's pile-up.
-    Wagner,
-    /// Modified Logvinovich model.
-    Mlm,
-    /// The exact flow about a wedge.
-    Similarity,
-    /// Weakly compressible particles.
-    Wcsph,
-    /// Incompressible particles.
-    Incompressible,
+    /// This one.
+    Named(Rung),
+}
+
+impl<'de> Deserialize<'de> for ModelName {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ModelName, D::Error> {
+        let word = String::deserialize(from)?;
+        if word == "auto" {
+            return Ok(ModelName::Auto);
+        }
+        let named = Rung::ALL.into_iter().find(|rung| rung.name() == word);
+        named.map(ModelName::Named).ok_or_else(|| {
+            let known = Rung::ALL.map(|rung| format!("`{}`", rung.name())).join(", ");
+            D::Error::custom(format!("unknown variant `{word}`, expected one of `auto`, {known}"))
+        })
+    }
 }
 
 /// What `auto` is to find a model for.
@@ -77,12 +81,7 @@ pub(super) fn resolve_model(model: Option<ModelName>, solver: Option<Solver>) ->
     let of_solver = |solver: Solver| if solver.is_incompressible() { Rung::Incompressible } else { Rung::Wcsph };
     let rung = match model {
         None | Some(ModelName::Auto) => of_solver(solver.unwrap_or_default()),
-        Some(ModelName::VonKarman) => Rung::VonKarman,
-        Some(ModelName::Wagner) => Rung::Wagner,
-        Some(ModelName::Mlm) => Rung::Mlm,
-        Some(ModelName::Similarity) => Rung::Similarity,
-        Some(ModelName::Wcsph) => Rung::Wcsph,
-        Some(ModelName::Incompressible) => Rung::Incompressible,
+        Some(ModelName::Named(rung)) => rung,
     };
     let usual = if rung == Rung::Incompressible { Solver::Incompressible } else { Solver::WeaklyCompressible };
     let solver = solver.unwrap_or(usual);
