@@ -15,7 +15,9 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
-use tracing_subscriber::EnvFilter;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::error_bar::ErrorBars;
 use crate::forecast::forecast;
@@ -34,9 +36,6 @@ const INPUT: u8 = 2;
 /// A second Ctrl-C or SIGTERM after this long means: at once. Sooner it is the same request, sent to the process and
 /// to its group.
 const IMPATIENT: Duration = Duration::from_secs(1);
-
-/// Memory taken for granted where the system does not say how much there is [bytes].
-const USUAL_MEMORY: u64 = 8 << 30;
 
 #[derive(Parser)]
 #[command(name = "splashdown", version, about = "Water impact and ditching of sections, in two dimensions")]
@@ -180,16 +179,12 @@ pub fn main() -> ExitCode {
     ExitCode::from(code)
 }
 
-/// Events of a run go to stderr; `SPLASHDOWN_LOG=debug` (or any tracing filter) shows more than warnings.
+/// Events of a run go to stderr. `SPLASHDOWN_LOG=debug` shows more than warnings; `MODULE=LEVEL,…` selects by module.
 fn trace(quiet: bool) {
-    let usual = if quiet { "error" } else { "warn" };
-    let filter = EnvFilter::try_from_env("SPLASHDOWN_LOG").unwrap_or_else(|_| EnvFilter::new(usual));
-    tracing_subscriber::fmt()
-        .with_env_filter(filter)
-        .with_writer(std::io::stderr)
-        .without_time()
-        .with_target(false)
-        .init();
+    let default = Targets::new().with_default(if quiet { LevelFilter::ERROR } else { LevelFilter::WARN });
+    let asked = std::env::var("SPLASHDOWN_LOG").ok().and_then(|filter| filter.parse::<Targets>().ok());
+    let lines = tracing_subscriber::fmt::layer().with_writer(std::io::stderr).without_time().with_target(false);
+    tracing_subscriber::registry().with(asked.unwrap_or(default)).with(lines).init();
 }
 
 fn start(cli: &Cli) -> Result<u8, Stop> {
@@ -249,12 +244,14 @@ fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
     Ok(loaded)
 }
 
-/// Memory that is free to take [bytes].
+/// Memory that the system can still give [bytes]; all of it where the system does not tell.
 fn available_memory() -> u64 {
-    let said = std::fs::read_to_string("/proc/meminfo").unwrap_or_default();
-    let line = said.lines().find_map(|l| l.strip_prefix("MemAvailable:"));
-    let kib = line.and_then(|l| l.trim().trim_end_matches("kB").trim().parse::<u64>().ok());
-    kib.map_or(USUAL_MEMORY, |k| k * 1024)
+    let mut system = sysinfo::System::new();
+    system.refresh_memory_specifics(sysinfo::MemoryRefreshKind::nothing().with_ram());
+    match system.available_memory() {
+        0 => u64::MAX,
+        bytes => bytes,
+    }
 }
 
 fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
