@@ -39,6 +39,7 @@ pub mod rigid;
 pub mod rigid_yield;
 pub mod rows;
 pub mod sampling;
+pub mod settings;
 pub mod shape;
 mod skin;
 pub mod tank;
