@@ -69,10 +69,10 @@ impl<'s> Node<'s> {
         let mut word = None;
         let mut value = self;
         for option in self.list("anyOf") {
-            match (option.text("const"), option.kind()) {
-                (Some(text), _) => word = Some(text),
-                (None, Some("null")) => {}
-                (None, _) => value = option,
+            match (option.words_of_option().as_slice(), option.kind()) {
+                ([text], _) => word = Some(*text),
+                (_, Some("null")) => {}
+                _ => value = option,
             }
         }
         (value, word)
