@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::observe::{Series, SimilarityResult};
+use crate::observers::{Series, SimilarityResult};
 use crate::reference::{ReferenceError, Table, WedgeSimilarity};
 use crate::scene::{Compare, Norm, Scene, Shape, Similarity};
 

@@ -3,7 +3,7 @@
 use fsi_coupling::{Motion, Outline};
 use sph_core::FineZone;
 
-use crate::observe::gauges;
+use crate::observers::gauges;
 use crate::scene::{Entry, Scene, auto_fine_zone};
 
 /// Thickness of the fine layer beside the body [spacings].

@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::embedded;
+use crate::run::summary::Summary;
 use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError};
-use crate::summary::Summary;
 
 static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
 
@@ -151,7 +151,7 @@ pub fn run_case(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Validat
         let coarse = serde_json::to_value(run_with(case, &coarser.set, None)?.1).unwrap_or_default();
         lines.extend(coarser.error_falls.iter().map(|path| falls(case, coarser, path, &json, &coarse, cost)));
     }
-    let finished = summary.status == crate::summary::Status::Completed;
+    let finished = summary.status == crate::run::summary::Status::Completed;
     lines.iter_mut().for_each(|l| l.holds &= finished);
     Ok(lines)
 }

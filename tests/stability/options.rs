@@ -1,9 +1,9 @@
 //! Every option runs a dam break to its end, or fails as it is known to.
 
 use evidence::systems::scene;
+use scenarios::run::summary::{Status, Summary};
 use scenarios::run::{self, RunOptions};
 use scenarios::scene;
-use scenarios::summary::{Status, Summary};
 
 /// A coarse dam break to its end, 1.8 s.
 fn dam_break(sets: &[&str]) -> Summary {

@@ -1,7 +1,7 @@
 //! Echoes: the tank that a scene gets by default is not felt before the end of the run.
 
 use evidence::systems::scene;
-use scenarios::observe::SimilarityResult;
+use scenarios::observers::SimilarityResult;
 use scenarios::run::{RunOptions, run};
 
 /// The 30° wedge to Vt/Δx = 20 in a tank `factor` times as wide and deep as the default.

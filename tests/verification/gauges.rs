@@ -1,7 +1,7 @@
 //! Gauges of a length and a bandwidth (THEORY G1, G2), in water at rest.
 
 use evidence::systems::scene;
-use scenarios::observe::LowPass;
+use scenarios::observers::LowPass;
 use scenarios::run::{Outcome, RunOptions, run};
 
 /// Half depth of the tank [m] times ρ g: the mean pressure of every gauge centred there [Pa].

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::Map;
-use crate::summary::{Status, Summary};
+use crate::run::summary::{Status, Summary};
 
 /// What a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]

@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 
 use super::BenchError;
+use crate::run::summary::{PhaseTime, Summary};
 use crate::run::{RunOptions, run};
 use crate::scene::{self, Scene};
-use crate::summary::{PhaseTime, Summary};
 
 /// A column of water of 1 m x 2 m lets go; 20 000 particles.
 const COLUMN: &str = include_str!("column.toml");

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::ChartError;
 use crate::embedded;
-use crate::summary::Summary;
+use crate::run::summary::Summary;
 
 static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/charts");
 

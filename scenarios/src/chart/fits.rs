@@ -10,8 +10,8 @@ use super::case::{Family, Quantity};
 use super::measured::Measured;
 use super::power_law::PowerLaw;
 use crate::error_bar::{ErrorBar, ErrorBars};
+use crate::run::summary::Summary;
 use crate::scene::{self, Bottom, Kernel, Motion, Norm, Scene, SceneError, Shape};
-use crate::summary::Summary;
 
 /// The charts of this program, as `splashdown chart --all --fits scenarios/cases/charts/fits.json` wrote them.
 static CHARTED: LazyLock<Vec<ChartFit>> = LazyLock::new(|| {

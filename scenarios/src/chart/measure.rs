@@ -6,9 +6,9 @@ use std::path::Path;
 use super::ChartError;
 use super::case::{Case, name_of, sound};
 use super::measured::{Measured, Outcome, Point, Run};
+use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene};
-use crate::summary::Status;
 
 /// Run every point of a case, except those that `before` holds.
 ///

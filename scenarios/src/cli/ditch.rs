@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::{Cli, DONE, SceneArgs, Stop, say};
 use crate::ditching::{self, Landed, SectionError, SectionResult};
-use crate::summary::Status;
+use crate::run::summary::Status;
 
 #[derive(Args)]
 pub(super) struct DitchArgs {

@@ -21,9 +21,9 @@ use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::error_bar::ErrorBars;
 use crate::forecast::forecast;
+use crate::run::summary::{Status, Summary};
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{self, Loaded, SceneError};
-use crate::summary::{Status, Summary};
 use crate::validate::{self, ValidateError};
 
 /// Done.

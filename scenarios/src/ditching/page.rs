@@ -6,7 +6,7 @@ use super::check::hull;
 use super::model::Scene;
 use super::run::Landed;
 use crate::report::{Block, Chart, Curve, Mark, Report, Status as PageStatus, Table, render};
-use crate::summary::Status;
+use crate::run::summary::Status;
 
 /// Side views, as shares of the time to the end.
 const VIEWS: [f64; 4] = [0.0, 0.1, 0.25, 0.6];

@@ -8,9 +8,9 @@ use serde::Serialize;
 use super::check::hull;
 use super::model::Scene;
 use super::run::Landed;
+use crate::run::summary::Status;
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{SceneError, load_text};
-use crate::summary::Status;
 
 /// Particle spacings over the breadth of a section.
 const SPACINGS: f64 = 200.0;

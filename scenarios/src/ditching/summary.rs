@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::model::Scene;
 use super::series::COLUMNS;
-use crate::summary::Status;
+use crate::run::summary::Status;
 
 /// The numbers of a landing.
 #[derive(Clone, Debug, Serialize)]

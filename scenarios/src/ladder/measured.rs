@@ -4,7 +4,7 @@ use fsi_coupling::entry_theory::{Rung, Section, SimilarityFlow};
 
 use super::{Theory, Want};
 use crate::compare;
-use crate::observe::Series;
+use crate::observers::Series;
 use crate::scene::{self, Motion, Scene, significant};
 
 /// An error that was measured.

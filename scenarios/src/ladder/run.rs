@@ -9,11 +9,11 @@ use super::{Measured, Theory, Want, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
-use crate::observe::{FlowPictures, ObserveError, Series, SimilarityResult};
+use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult};
 use crate::reference::WedgeSimilarity;
+use crate::run::summary::{Audit, Log, Particles, Peak, Status, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
 use crate::scene::{Body, Gauge, Scene};
-use crate::summary::{Audit, Log, Particles, Peak, Status, Summary};
 
 /// Points of a pressure profile, in x/(V t) up to the jet's tip.
 const PROFILE: usize = 800;

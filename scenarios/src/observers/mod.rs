@@ -6,13 +6,14 @@ mod force_rules;
 mod front;
 mod gauge_record;
 pub(crate) mod gauges;
-mod ledger;
 mod level;
-mod log;
 mod low_pass;
+mod penetration;
+mod run_log;
 mod sensing;
 mod series;
 mod similarity;
+mod totals;
 mod volume;
 
 use std::io;
@@ -27,13 +28,14 @@ pub use force_rules::{ForceRules, RuleResult};
 pub use front::FRONT;
 pub use gauge_record::GaugeResult;
 pub use gauges::{GaugeReader, Reading};
-pub use ledger::EnergyLedger;
 pub use level::columns as level_columns;
-pub use log::LogObserver;
 pub use low_pass::LowPass;
+pub use penetration::WorstPenetration;
+pub use run_log::LogObserver;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
-pub use volume::VOLUME;
+pub use totals::{Rest, Totals};
+pub use volume::{VOLUME, Water};
 
 /// What an observer sees.
 #[derive(Clone, Copy)]

@@ -8,10 +8,9 @@ use fsi_coupling::{Motion, PanelState};
 
 use super::front::{FRONT, front};
 use super::level::{self, LevelReader};
-use super::volume::{VOLUME, VolumeReader};
+use super::volume::{VOLUME, VolumeReader, Water};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
-use crate::summary::Water;
 
 /// The sampled curves.
 pub struct Series {

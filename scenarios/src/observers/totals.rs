@@ -1,8 +1,23 @@
 //! Energies and positions over the run: what the audit and the state of rest are measured by.
 
+use serde::Serialize;
+
+use super::penetration::WorstPenetration;
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
-use crate::summary::{Rest, WorstPenetration};
+
+/// What became of the water's motion: for scenes that should come, or stay, to rest.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Rest {
+    /// Largest kinetic energy of the fluid at any sample [J/m].
+    pub kinetic_peak_j_per_m: f64,
+    /// Mean kinetic energy of the fluid over the last fifth of the run [J/m].
+    pub kinetic_end_j_per_m: f64,
+    /// Mean rise of the fluid's centre of mass over the last fifth of the run [m].
+    pub center_rise_m: f64,
+    /// Largest deviation from that mean in the last fifth [m].
+    pub center_swing_m: f64,
+}
 
 /// One sample.
 struct Entry {
@@ -13,7 +28,7 @@ struct Entry {
 
 /// Gathers the fluid's energies at every sample.
 #[derive(Default)]
-pub struct EnergyLedger {
+pub struct Totals {
     entries: Vec<Entry>,
     ripple: f64,
     moving: f64,
@@ -24,12 +39,12 @@ pub struct EnergyLedger {
     fastest: f64,
 }
 
-impl EnergyLedger {
+impl Totals {
     /// An empty ledger for a scene.
-    pub fn new(scene: &Scene) -> EnergyLedger {
+    pub fn new(scene: &Scene) -> Totals {
         let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
         let ripple = 0.5 * scene.fluid.density * g * spacing * spacing * scene.tank.width;
-        EnergyLedger { ripple, ..EnergyLedger::default() }
+        Totals { ripple, ..Totals::default() }
     }
 
     /// The largest energy that changed hands [J/m]: what a drift is measured by. At least that of a ripple as
@@ -68,7 +83,7 @@ impl EnergyLedger {
     }
 }
 
-impl Observer for EnergyLedger {
+impl Observer for Totals {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let system = frame.system;
         let energy = frame.held.energy;

@@ -1,5 +1,6 @@
 //! The volume of the water by the place of its surface (THEORY Q7).
 
+use serde::Serialize;
 use sph_core::Fluid;
 use sph_core::probe::Probe;
 
@@ -7,6 +8,17 @@ use crate::scene::{Scene, Symmetry};
 
 /// The column.
 pub const VOLUME: &str = "volume_m2";
+
+/// What became of the water's volume by the place of its surface (THEORY Q7).
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Water {
+    /// Volume per metre of span at the start [m²].
+    pub volume_start_m2: f64,
+    /// Change of the volume to its mean over the last fifth of the run, over the start's [-].
+    pub volume_drift: f64,
+    /// Largest change at any sample, over the start's [-].
+    pub volume_drift_worst: f64,
+}
 
 /// Columns and steps downwards, per spacing.
 const CELLS: f64 = 2.0;

@@ -13,6 +13,7 @@ mod flow;
 mod footer;
 mod html;
 mod markup;
+pub(crate) mod run_page;
 mod table;
 mod text;
 mod ticks;

@@ -13,6 +13,11 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
+/// A row of cells.
+pub(crate) fn row(cells: &[&str]) -> Vec<String> {
+    cells.iter().map(|c| c.to_string()).collect()
+}
+
 /// The table in HTML; a table with a title is given `number` in its caption.
 pub(super) fn table_html(table: &Table, number: usize) -> String {
     let columns = table.rows.iter().map(Vec::len).fold(table.head.len(), usize::max);

@@ -1,11 +1,19 @@
-//! Distances to nearest neighbours: do particles pair?
+//! Distances between nearest neighbours, which show whether particles pair.
 
+use serde::Serialize;
 use sph_core::Particles;
 
-use crate::summary::Order;
+/// How regularly the particles lie at the end of a run: particles that pair, or clump, are nearer than a spacing.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct ParticleOrder {
+    /// Least distance between two particles, over the mean of their spacings [-].
+    pub nearest_least: f64,
+    /// Median over the particles of the distance to the nearest, over the same [-].
+    pub nearest_median: f64,
+}
 
-/// Of all particles where they are now; `None` where there are less than two, or one is nowhere.
-pub(crate) fn order(particles: &Particles) -> Option<Order> {
+/// The order of all particles; `None` for fewer than two, or if a position is not finite.
+pub(super) fn particle_order(particles: &Particles) -> Option<ParticleOrder> {
     let p = particles;
     if p.len() < 2 || p.x.iter().chain(&p.y).any(|place| !place.is_finite()) {
         return None;
@@ -17,7 +25,7 @@ pub(crate) fn order(particles: &Particles) -> Option<Order> {
         let distance = (p.x[a] - p.x[b]).hypot(p.y[a] - p.y[b]);
         distance / (0.5 * (spacing(a) + spacing(b)))
     };
-    // a strip as wide as the coarsest spacing, and what is nearer than that lies in it
+    // nearer particles than the coarsest spacing lie in a strip of this half width
     let reach = 2.0 * (0..p.len()).map(spacing).fold(0.0, f64::max);
     let nearest = |place: usize| {
         let a = along[place];
@@ -28,7 +36,7 @@ pub(crate) fn order(particles: &Particles) -> Option<Order> {
     };
     let mut gaps: Vec<f64> = (0..p.len()).map(nearest).collect();
     gaps.sort_by(f64::total_cmp);
-    Some(Order { nearest_least: gaps[0], nearest_median: gaps[gaps.len() / 2] })
+    Some(ParticleOrder { nearest_least: gaps[0], nearest_median: gaps[gaps.len() / 2] })
 }
 
 #[cfg(test)]
@@ -42,10 +50,10 @@ mod tests {
         let parameters = Parameters::usual(Tait { rho0: 1000.0, c0: 10.0, gamma: 7.0 });
         let seed = |x: f64, y: f64| Seed { at: [x, y], velocity: [0.0; 2], area: 1.0, pressure: 0.0 };
         let mut seeds: Vec<Seed> = (0..25).map(|k| seed(f64::from(k % 5), f64::from(k / 5))).collect();
-        let whole = order(&Fluid::new(parameters, &seeds).particles).expect("25 particles");
+        let whole = particle_order(&Fluid::new(parameters, &seeds).particles).expect("25 particles");
         assert!((whole.nearest_least - 1.0).abs() < 1e-9 && (whole.nearest_median - 1.0).abs() < 1e-9, "{whole:?}");
         seeds[12].at[1] -= 0.75;
-        let paired = order(&Fluid::new(parameters, &seeds).particles).expect("25 particles");
+        let paired = particle_order(&Fluid::new(parameters, &seeds).particles).expect("25 particles");
         assert!((paired.nearest_least - 0.25).abs() < 1e-9 && (paired.nearest_median - 1.0).abs() < 1e-9, "{paired:?}");
     }
 }

@@ -7,21 +7,21 @@ use fsi_coupling::Coupled;
 use sph_core::{Fluid, Solver};
 use tracing::warn;
 
-use crate::balance::{held, structure_gap};
+use super::energy_balance::{held, structure_gap};
+use super::error::RunError;
+use super::panel_result::PanelResult;
+use super::particle_order::particle_order;
+use super::summary::{
+    Audit, Compressibility, Coupling, Log, Particles, Peak, Projection, Status, Summary, phase_times,
+};
 use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
-use crate::observe::{
-    EnergyLedger, FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series,
-    SimilarityWindow,
+use crate::observers::{
+    FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow,
+    Totals, WorstPenetration,
 };
-use crate::order::order;
-use crate::panel_result::PanelResult;
-use crate::run::RunError;
 use crate::scene::{Scene, known_compressibility_error};
-use crate::summary::{
-    Audit, Compressibility, Coupling, Log, Particles, Peak, Projection, Status, Summary, WorstPenetration, phase_times,
-};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -38,7 +38,7 @@ pub(crate) struct Recorder {
     next_frame: f64,
     every: [f64; 2],
     end: f64,
-    ledger: EnergyLedger,
+    totals: Totals,
     energy_of_body: f64,
     time_of_log: Duration,
     told_until: f64,
@@ -64,7 +64,7 @@ impl Recorder {
             next_frame: 0.0,
             every: [scene.time.sample_every, scene.time.frame_every],
             end: scene.time.end,
-            ledger: EnergyLedger::new(scene),
+            totals: Totals::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
             time_of_log: Duration::ZERO,
             told_until: f64::NEG_INFINITY,
@@ -93,7 +93,7 @@ impl Recorder {
         let gauges = self.gauges.read(system);
         let (held, penetration) = (system.fluid.holdings(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
-        if let (Some(breach), None) = (&penetration.worst, self.ledger.worst_penetration()) {
+        if let (Some(breach), None) = (&penetration.worst, self.totals.worst_penetration()) {
             let first = WorstPenetration::new(breach, frame.time(), frame.time()).to_string();
             warn!("{first}");
             if let Some(log) = &mut self.log {
@@ -101,7 +101,7 @@ impl Recorder {
             }
         }
         self.tell_ruptures(system)?;
-        self.ledger.observe(&frame)?;
+        self.totals.observe(&frame)?;
         self.series.observe(&frame)?;
         self.pictures.observe(&frame)?;
         if let Some(window) = &mut self.similarity {
@@ -214,8 +214,8 @@ impl Recorder {
             }),
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
-            rest: Some(self.ledger.rest(since)),
-            order: order(&fluid.particles),
+            rest: Some(self.totals.rest(since)),
+            order: particle_order(&fluid.particles),
             water: self.series.water(since),
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
@@ -225,12 +225,12 @@ impl Recorder {
             }),
             audit: Audit {
                 momentum: system.momentum_audit().worst,
-                energy: system.energy_drift() / self.ledger.scale(),
+                energy: system.energy_drift() / self.totals.scale(),
                 work: body.map_or(0.0, |k| system.work_audit(k).residual()),
                 structure: body.map_or(0.0, |k| structure_gap(system, k, self.energy_of_body)),
                 volume: fluid.volume() / volume - 1.0,
-                penetrated: self.ledger.penetrated(),
-                worst_penetration: self.ledger.worst_penetration().cloned(),
+                penetrated: self.totals.penetrated(),
+                worst_penetration: self.totals.worst_penetration().cloned(),
                 stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
             },
             compressibility: self.compressibility(scene),
@@ -250,7 +250,7 @@ impl Recorder {
         let share = scene.entry().and_then(|entry| known_compressibility_error(entry.root_speed(), sound));
         (!scene.solver.is_incompressible()).then(|| Compressibility {
             sound_speed_m_per_s: sound,
-            mach_reached: self.ledger.fastest() / sound,
+            mach_reached: self.totals.fastest() / sound,
             force_error_estimate: share,
             force_corrected: share.map(|share| 1.0 / (1.0 - share)),
         })

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::Breach;
 use serde::Serialize;
 use sph_core::{Phase, Phases};
 
+use super::panel_result::PanelResult;
+use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
-use crate::observe::{GaugeResult, RuleResult, SimilarityResult};
-use crate::panel_result::PanelResult;
+use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, WorstPenetration};
 use crate::scene::CouplingScheme;
 
 /// How a run ended.
@@ -40,78 +40,6 @@ pub struct Peak {
     pub value: f64,
     /// When [s].
     pub time_s: f64,
-}
-
-/// What became of the water's motion: for scenes that should come, or stay, to rest.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Rest {
-    /// Largest kinetic energy of the fluid at any sample [J/m].
-    pub kinetic_peak_j_per_m: f64,
-    /// Mean kinetic energy of the fluid over the last fifth of the run [J/m].
-    pub kinetic_end_j_per_m: f64,
-    /// Mean rise of the fluid's centre of mass over the last fifth of the run [m].
-    pub center_rise_m: f64,
-    /// Largest deviation from that mean in the last fifth [m].
-    pub center_swing_m: f64,
-}
-
-/// How the particles lie at the end: those that pair, or clump, are nearer than a spacing.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Order {
-    /// Least distance between two particles, over the mean of their spacings [-].
-    pub nearest_least: f64,
-    /// Median over the particles of the distance to the nearest, over the same [-].
-    pub nearest_median: f64,
-}
-
-/// What became of the water's volume by the place of its surface (THEORY Q7).
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Water {
-    /// Volume per metre of span at the start [m²].
-    pub volume_start_m2: f64,
-    /// Change of the volume to its mean over the last fifth of the run, over the start's [-].
-    pub volume_drift: f64,
-    /// Largest change at any sample, over the start's [-].
-    pub volume_drift_worst: f64,
-}
-
-/// The fluid particle found deepest beyond a wall's surface.
-#[derive(Clone, Debug, Serialize)]
-pub struct WorstPenetration {
-    /// The particle.
-    pub particle: u32,
-    /// Whose wall; empty for the plane of symmetry.
-    pub wall: String,
-    /// Where [m].
-    pub x_m: f64,
-    /// Where [m].
-    pub y_m: f64,
-    /// How deep beyond the surface [m].
-    pub depth_m: f64,
-    /// When [s].
-    pub time_s: f64,
-    /// When the first particle was found beyond a wall [s].
-    pub first_s: f64,
-}
-
-impl WorstPenetration {
-    /// A breach seen at `time_s` [s], in a run whose first was seen at `first_s` [s].
-    pub fn new(breach: &Breach, time_s: f64, first_s: f64) -> WorstPenetration {
-        let Breach { id, at: [x_m, y_m], depth, ref owner } = *breach;
-        WorstPenetration { particle: id, wall: owner.clone(), x_m, y_m, depth_m: depth, time_s, first_s }
-    }
-}
-
-impl std::fmt::Display for WorstPenetration {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let wall = if self.wall.is_empty() { "the plane of symmetry" } else { &self.wall };
-        write!(
-            f,
-            "water beyond a wall since t = {:.5} s; deepest: particle {} at ({:.5}, {:.5}) m, {:.2e} m beyond `{wall}` at \
-             t = {:.5} s",
-            self.first_s, self.particle, self.x_m, self.y_m, self.depth_m, self.time_s
-        )
-    }
 }
 
 /// Conservation over the run (THEORY E21, E22).
@@ -255,7 +183,7 @@ pub struct Summary {
     pub rest: Option<Rest>,
     /// How the particles lie at the end; absent where there is but one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub order: Option<Order>,
+    pub order: Option<ParticleOrder>,
     /// The water's volume, where the scene asks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub water: Option<Water>,

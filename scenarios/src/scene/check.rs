@@ -3,7 +3,7 @@
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
 use super::problem::{Problem, significant};
 use super::start::check_start;
-use crate::observe::{FRONT, VOLUME, level_columns};
+use crate::observers::{FRONT, VOLUME, level_columns};
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;

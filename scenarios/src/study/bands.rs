@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::{StudyError, coarser};
 use crate::embedded;
 use crate::error_bar::ErrorBar;
+use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene;
-use crate::summary::Status;
 
 static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
 

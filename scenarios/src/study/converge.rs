@@ -5,9 +5,9 @@ use serde_json::Value;
 use super::fit::{Sample, fit};
 use super::{StudyError, listed_numbers};
 use crate::error_bar::{ErrorBar, ErrorBars};
+use crate::run::summary::{Status, Summary};
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Motion, Scene, known_compressibility_error};
-use crate::summary::{Status, Summary};
 
 /// Spacings of the coarser runs over the scene's own: in the ratio 2, since in the ratio √2 the scatter between runs moves the
 /// order by 0.3.

@@ -14,9 +14,9 @@ use std::f64::consts::SQRT_2;
 use serde::Serialize;
 use serde_json::Value;
 
+use crate::run::summary::{Status, Summary};
 use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError, compressibility_error};
-use crate::summary::{Status, Summary};
 
 pub use bands::{BandCase, BandLine, band_cases, hold, select_bands, to_markdown};
 pub use converge::{Coarser, coarser};

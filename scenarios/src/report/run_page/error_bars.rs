@@ -1,8 +1,8 @@
 //! The error bars of `report.html`.
 
-use super::row;
+use crate::report::table::row;
 use crate::report::{Block, Table};
-use crate::summary::Summary;
+use crate::run::summary::Summary;
 
 /// Main numbers with their bands.
 pub(super) fn error_bars_section(summary: &Summary) -> Vec<Block> {

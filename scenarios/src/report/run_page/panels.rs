@@ -1,8 +1,8 @@
 //! What the page of a run says of panels.
 
-use crate::panel_result::{Extremes, PanelResult};
 use crate::report::{Block, Table};
-use crate::summary::Summary;
+use crate::run::summary::Summary;
+use crate::run::{Extremes, PanelResult};
 
 /// Extremes over every step, by panel; nothing without panels.
 pub(super) fn panels_section(summary: &Summary) -> Vec<Block> {

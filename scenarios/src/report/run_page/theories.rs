@@ -2,9 +2,9 @@
 
 use fsi_coupling::entry_theory::Rung;
 
-use super::row;
 use crate::ladder::{Assessment, Theory, Want, rungs};
-use crate::observe::Series;
+use crate::observers::Series;
+use crate::report::table::row;
 use crate::report::{Block, Curve, Mark, Table};
 use crate::scene::Scene;
 
@@ -57,7 +57,7 @@ impl Theories {
 }
 
 /// The ladder as a table: can it do the scene, what does it cost, how far off was it for `want`.
-pub(super) fn ladder_table(scene: &Scene) -> Vec<Block> {
+pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
     let want = Want::PeakForce;
     let line = |a: Assessment| {
         let cost = a.core_seconds.map_or(String::new(), |s| format!("{:.1}", 1e3 * s));

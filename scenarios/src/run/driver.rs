@@ -1,0 +1,152 @@
+//! The loop of a run: step until the end, observe, and keep what was computed even if the run fails.
+
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use fsi_coupling::{Coupled, CouplingError};
+use sph_core::{Phase, sweep};
+use tracing::{debug, info, warn};
+
+use super::error::RunError;
+use super::files::{prepare, refuse_occupied, write};
+use super::outcome::{Outcome, RunOptions};
+use super::recorder::Recorder;
+use super::summary::Status;
+use crate::build;
+use crate::chart;
+use crate::compare;
+use crate::ladder;
+use crate::observers::{LogObserver, ObserveError};
+use crate::report::run_page;
+use crate::scene::Scene;
+
+/// Why a run stopped before its end.
+#[derive(Debug, thiserror::Error)]
+enum Breakdown {
+    #[error(transparent)]
+    Step(#[from] CouplingError),
+    #[error("end time not reached after {0} steps: t = {1:.6} s")]
+    Endless(u64, f64),
+}
+
+/// Share of the exchanged work that may be lost without a warning [-].
+const LARGEST_WORK_GAP: f64 = 0.01;
+/// Interval between two calls of the progress function.
+const PROGRESS_EVERY: Duration = Duration::from_millis(100);
+
+/// Run a scene.
+pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+    let references = scene.compare.iter().map(compare::curve).collect::<Result<Vec<_>, _>>()?;
+    let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
+    if let Some(dir) = &options.out {
+        refuse_occupied(dir, options.force)?;
+    }
+    if scene.model.is_theory() {
+        start_folder(scene, options)?;
+        return keep(scene, ladder::run(scene, options, references)?, options);
+    }
+    let mut system = build::build(scene)?;
+    start_folder(scene, options)?;
+    let log = file("log.mcap").filter(|_| !options.without_log);
+    let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
+    let (start, volume) = (Instant::now(), system.fluid.volume());
+    info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
+
+    // on one thread of the pool for the whole run: no step wakes the pool
+    let ended = sweep::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
+
+    let (status, message) = match ended {
+        Ok(status) => (status, None),
+        Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
+    };
+    if status != Status::Completed {
+        recorder.last_words(&system, status, message.as_deref())?;
+    }
+    system.fluid.phases.begin(Phase::Log);
+    let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
+    system.fluid.phases.end();
+    let wall = start.elapsed().as_secs_f64();
+    info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
+    let mut summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
+    recorder.series.flush()?;
+    if summary.audit.work > LARGEST_WORK_GAP {
+        warn!(
+            "{:.1} % of the work of the water on the body did not reach the body: the step is too long for how fast the body \
+             bends; set a smaller time.step or fluid.cfl",
+            100.0 * summary.audit.work
+        );
+    }
+    if summary.status == Status::Completed {
+        summary.error_bars = options.error_bars.map_or_else(|| chart::error_bars(scene, &summary), |of| of(&summary));
+    }
+    keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)
+}
+
+/// Empty the folder and write the resolved scene into it.
+fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<(), RunError> {
+    let Some(dir) = &options.out else { return Ok(()) };
+    prepare(dir)?;
+    write(&dir.join("scene.resolved.toml"), &scene.to_toml())
+}
+
+/// Write summary and report.
+fn keep(scene: &Scene, outcome: Outcome, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+    if let Some(dir) = &options.out {
+        write(&dir.join("summary.json"), &outcome.summary.to_json())?;
+        write(&dir.join("report.html"), &run_page::report(scene, &outcome, &options.warnings))?;
+    }
+    Ok(outcome)
+}
+
+/// Step to the end. The inner error is the breakdown that stopped the run.
+fn advance(
+    scene: &Scene,
+    system: &mut Coupled,
+    recorder: &mut Recorder,
+    options: &RunOptions<'_>,
+) -> Result<Result<Status, Breakdown>, RunError> {
+    let mut told = Instant::now();
+    if let Some(tell) = options.progress {
+        tell(0.0, 0);
+    }
+    observe(system, recorder)?;
+    while system.fluid.time < scene.time.end {
+        if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Ok(Ok(Status::Interrupted));
+        }
+        if options.most_steps.is_some_and(|most| system.fluid.steps >= most) {
+            return Ok(Err(Breakdown::Endless(system.fluid.steps, system.fluid.time)));
+        }
+        system.fluid.phases.begin(Phase::Integration);
+        let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
+        let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
+        match stepped {
+            Err(breakdown) => return Ok(Err(breakdown.into())),
+            Ok((asked, taken)) if taken < asked => {
+                warn!(
+                    "pressure not converged: a step of {taken:.3e} s instead of {asked:.3e} s to t = {}",
+                    system.fluid.time
+                );
+            }
+            Ok(_) => {}
+        }
+        debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
+        observe(system, recorder)?;
+        if told.elapsed() > PROGRESS_EVERY {
+            told = Instant::now();
+            if let Some(tell) = options.progress {
+                tell(system.fluid.time, system.fluid.steps);
+            }
+        }
+    }
+    Ok(Ok(Status::Completed))
+}
+
+/// Observe if something is due; the time counts as that of the observers and of the log.
+fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveError> {
+    let outer = system.fluid.phases.begin(Phase::Observers);
+    recorder.observe(system)?;
+    system.fluid.phases.hand_over(Phase::Log, recorder.time_of_log());
+    system.fluid.phases.go_on_with(outer);
+    Ok(())
+}
