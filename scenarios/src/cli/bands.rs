@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{Cli, DONE, Stop, say};
+use super::shared::{DONE, Output, Stop, say, write};
 use crate::study;
 
 #[derive(Args)]
@@ -19,7 +19,7 @@ pub(super) struct BandsArgs {
     table: Option<PathBuf>,
 }
 
-pub(super) fn run_bands(cli: &Cli, args: &BandsArgs) -> Result<u8, Stop> {
+pub(super) fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     if args.cases.is_empty() && !args.all {
         for case in study::band_cases()? {
             say(format_args!("{:<24} {}", case.name, case.about));
@@ -28,21 +28,16 @@ pub(super) fn run_bands(cli: &Cli, args: &BandsArgs) -> Result<u8, Stop> {
     }
     let mut lines = Vec::new();
     for case in study::select_bands(&args.cases)? {
-        if !cli.quiet {
-            eprintln!("{} …", case.name);
-        }
+        output.progress(format_args!("{} …", case.name));
         lines.extend(study::hold(&case)?);
     }
     let table = study::to_markdown(&lines);
-    match cli.json {
-        true => say(format_args!("{}", serde_json::to_string_pretty(&lines).unwrap_or_default())),
-        false => say(format_args!("{}", table.trim_end())),
-    }
+    output.result(&lines, &table);
     if let Some(path) = &args.table {
         let text = format!(
             "# Error bars\n\nWritten by `splashdown bands --all --table docs/src/validation/error_bars.md`.\n\n{table}"
         );
-        std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
+        write(path, &text)?;
     }
     Ok(DONE)
 }

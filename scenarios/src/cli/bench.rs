@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{Cli, DONE, Stop, say};
+use super::shared::{DONE, Output, Stop, say, write};
 use crate::bench::{self, BenchError, Extent};
 
 #[derive(Args)]
@@ -26,21 +26,19 @@ impl From<BenchError> for Stop {
     }
 }
 
-pub(super) fn run_bench(cli: &Cli, args: &BenchArgs) -> Result<u8, Stop> {
+pub(super) fn run_bench(output: &Output, args: &BenchArgs) -> Result<u8, Stop> {
     let extent = if args.full { Extent::FULL } else { Extent::QUICK };
     let tell = |what: &str| {
-        if !cli.quiet {
-            eprintln!("{what} …");
-        }
+        output.progress(format_args!("{what} …"));
     };
     let measured = bench::measure(&extent, tell)?;
     let json = serde_json::to_string_pretty(&measured).unwrap_or_default();
-    match cli.json {
-        true => say(format_args!("{json}")),
-        false => say(format_args!("{}", bench::in_words(&measured))),
+    match output.json {
+        true => say(&json),
+        false => say(bench::in_words(&measured)),
     }
     if let Some(path) = &args.out {
-        std::fs::write(path, json).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
+        write(path, &json)?;
     }
     Ok(DONE)
 }

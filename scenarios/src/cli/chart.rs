@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{Cli, DONE, Stop, say};
+use super::shared::{DONE, Output, Stop, say};
 use crate::chart::{self, ChartError, Measured};
 
 #[derive(Args)]
@@ -44,7 +44,7 @@ impl From<ChartError> for Stop {
     }
 }
 
-pub(super) fn run_charts(cli: &Cli, args: &ChartArgs) -> Result<u8, Stop> {
+pub(super) fn run_charts(output: &Output, args: &ChartArgs) -> Result<u8, Stop> {
     if args.cases.is_empty() && !args.all && args.from.is_empty() {
         for case in chart::cases()? {
             say(format_args!("{:<24} {}", case.name, case.about));
@@ -52,16 +52,13 @@ pub(super) fn run_charts(cli: &Cli, args: &ChartArgs) -> Result<u8, Stop> {
         return Ok(DONE);
     }
     let charts = match args.from.is_empty() {
-        true => measure(cli, args)?,
+        true => measure(output, args)?,
         false => args.from.iter().map(|file| chart::stored(file)).collect::<Result<Vec<_>, _>>()?,
     };
     charts.iter().try_for_each(|measured| draw(measured, &args.out))?;
     let tables = charts.iter().map(|c| Ok(format!("## {}\n\n{}", c.case.name, chart::table(c)?)));
     let tables = tables.collect::<Result<Vec<_>, ChartError>>()?.join("\n");
-    match cli.json {
-        true => say(format_args!("{}", serde_json::to_string_pretty(&charts).unwrap_or_default())),
-        false => say(format_args!("{}", tables.trim_end())),
-    }
+    output.result(&charts, &tables);
     if let Some(path) = &args.table {
         let head = "# Error against cost\n\nWritten by `splashdown chart --table`.\n\n";
         write(path, &format!("{head}{tables}"))?;
@@ -77,7 +74,7 @@ pub(super) fn run_charts(cli: &Cli, args: &ChartArgs) -> Result<u8, Stop> {
 }
 
 /// Measure the charts; each run is kept as soon as it is done.
-fn measure(cli: &Cli, args: &ChartArgs) -> Result<Vec<Measured>, Stop> {
+fn measure(output: &Output, args: &ChartArgs) -> Result<Vec<Measured>, Stop> {
     let mut charts = Vec::new();
     for mut case in chart::select(&args.cases)? {
         case.set.extend_from_slice(&args.sets);
@@ -87,9 +84,7 @@ fn measure(cli: &Cli, args: &ChartArgs) -> Result<Vec<Measured>, Stop> {
             false => None,
         };
         let tell = |k: usize, of: usize, run: &str| {
-            if !cli.quiet {
-                eprintln!("{}, run {k} of {of}: {run} …", case.name);
-            }
+            output.progress(format_args!("{}, run {k} of {of}: {run} …", case.name));
         };
         charts.push(chart::measure(&case, before.as_ref(), tell, |measured| write(&file, &measured.to_json()))?);
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{Cli, DONE, SceneArgs, Stop, say};
+use super::shared::{DONE, Output, SceneArgs, Stop, say};
 use crate::ditching::{self, Landed, SectionError, SectionResult};
 use crate::run::summary::Status;
 
@@ -29,7 +29,7 @@ pub(super) struct DitchArgs {
     sections: usize,
 }
 
-pub(super) fn run_ditch(cli: &Cli, args: &DitchArgs) -> Result<u8, Stop> {
+pub(super) fn run_ditch(output: &Output, args: &DitchArgs) -> Result<u8, Stop> {
     let scene = ditching::load(&args.scene.scene, &args.scene.sets)?;
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("ditch_{}", scene.name)));
     let landed = ditching::run(&scene, &out, args.force)?;
@@ -37,13 +37,13 @@ pub(super) fn run_ditch(cli: &Cli, args: &DitchArgs) -> Result<u8, Stop> {
         Some(folder) => export(&scene, &landed, args, folder)?,
         None => Vec::new(),
     };
-    if cli.json && !sections.is_empty() {
+    if output.json && !sections.is_empty() {
         let both = serde_json::json!({"landing": landed.summary, "sections": sections});
-        say(format_args!("{}", serde_json::to_string_pretty(&both).unwrap_or_default()));
-    } else if cli.json {
-        say(format_args!("{}", landed.summary.to_json()));
-    } else if !cli.quiet {
-        say(format_args!("{}", landed.summary.to_text()));
+        say(serde_json::to_string_pretty(&both).unwrap_or_default());
+    } else if output.json {
+        say(landed.summary.to_json());
+    } else if !output.quiet {
+        say(landed.summary.to_text());
         for s in &sections {
             let ours =
                 format!("{:.0} N/m by theory, {:.0} N/m by particles", s.by_theory_n_per_m, s.by_particles_n_per_m);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{Cli, DONE, Stop, say};
+use super::shared::{DONE, Output, Stop, say, write};
 use crate::atlas::{self, AtlasError, Map, Measured};
 
 #[derive(Args)]
@@ -38,9 +38,9 @@ impl From<AtlasError> for Stop {
     }
 }
 
-pub(super) fn run_maps(cli: &Cli, args: &StabilityArgs) -> Result<u8, Stop> {
+pub(super) fn run_maps(output: &Output, args: &StabilityArgs) -> Result<u8, Stop> {
     if let Some(at) = &args.point {
-        return run_point(cli, &args.maps, at);
+        return run_point(output, &args.maps, at);
     }
     if args.maps.is_empty() && !args.all && args.from.is_empty() {
         for map in atlas::maps()? {
@@ -56,19 +56,16 @@ pub(super) fn run_maps(cli: &Cli, args: &StabilityArgs) -> Result<u8, Stop> {
     }
     if args.from.is_empty() {
         for map in atlas::select(&args.maps)? {
-            let measured = sweep(cli, &map)?;
+            let measured = sweep(output, &map)?;
             keep(&measured, &args.out)?; // each as soon as it is there: the next may fail
             made.push(measured);
         }
     }
     let tables: Vec<String> = made.iter().map(|m| format!("## {}\n\n{}", m.map.name, atlas::table(m))).collect();
-    match cli.json {
-        true => say(format_args!("{}", serde_json::to_string_pretty(&made).unwrap_or_default())),
-        false => say(format_args!("{}", tables.join("\n").trim_end())),
-    }
+    output.result(&made, &tables.join("\n"));
     if let Some(path) = &args.table {
         let text = format!("{HEAD}{}", tables.join("\n"));
-        std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
+        write(path, &text)?;
     }
     Ok(DONE)
 }
@@ -77,23 +74,27 @@ const HEAD: &str = "# Stability atlas\n\nWritten by `splashdown stability --all 
                     failed; in brackets where theory says otherwise. The last column counts the cells between the boundary found \
                     and the theory's.\n\n";
 
-fn sweep(cli: &Cli, map: &Map) -> Result<Measured, Stop> {
+fn sweep(output: &Output, map: &Map) -> Result<Measured, Stop> {
     let tell = |done: usize, of: usize, point: &atlas::Point| {
-        if !cli.quiet {
-            eprintln!("{}, {done} of {of}: {}, {}: {}", map.name, point.x, point.y, point.verdict.name());
-        }
+        output.progress(format_args!(
+            "{}, {done} of {of}: {}, {}: {}",
+            map.name,
+            point.x,
+            point.y,
+            point.verdict.name()
+        ));
     };
     Ok(atlas::sweep(map, tell)?)
 }
 
-fn run_point(cli: &Cli, maps: &[String], at: &str) -> Result<u8, Stop> {
+fn run_point(output: &Output, maps: &[String], at: &str) -> Result<u8, Stop> {
     let [name] = maps else {
         return Err(Stop::Input(format!("--point {at}: expected one map, {} given", maps.len())));
     };
     for map in atlas::select(std::slice::from_ref(name))? {
         let (point, sets) = atlas::point(&map, at)?;
-        if cli.json {
-            say(format_args!("{}", serde_json::to_string_pretty(&point).unwrap_or_default()));
+        if output.json {
+            say(serde_json::to_string_pretty(&point).unwrap_or_default());
             continue;
         }
         say(format_args!("{} at {}, {}: {}: {}", map.name, point.x, point.y, point.verdict.name(), point.why));

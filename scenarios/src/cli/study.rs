@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{Cli, DONE, SceneArgs, Stop, say};
+use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
 use crate::run::refuse_occupied;
 use crate::study::{Coarser, Plan, Study, StudyError, coarser, page, study};
 
@@ -43,8 +43,8 @@ impl From<StudyError> for Stop {
 /// Files of a study.
 const FILES: [&str; 2] = ["study.json", "study.html"];
 
-pub(super) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
-    let name = super::load(&args.scene)?.scene.name;
+pub(super) fn run_study(output: &Output, args: &StudyArgs) -> Result<u8, Stop> {
+    let name = load(&args.scene)?.scene.name;
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("{name}_study")));
     if let (Some(held), false) = (FILES.iter().find(|file| out.join(file).exists()), args.force) {
         let text = format!("{} already holds a study ({held}): choose another --out, or --force", out.display());
@@ -58,21 +58,19 @@ pub(super) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
         sound_speeds: args.sound_speeds.clone(),
     };
     let done = study(&plan, |k, of, dx, c| {
-        if !cli.quiet {
-            eprintln!("run {k} of {of}: spacing {dx:.6} m, sound speed {c:.2} m/s …");
-        }
+        output.progress(format_args!("run {k} of {of}: spacing {dx:.6} m, sound speed {c:.2} m/s …"));
     })?;
     keep(&done, &out)?;
-    match cli.json {
-        true => say(format_args!("{}", done.to_json())),
-        false => say(format_args!("{}", done.to_text())),
+    match output.json {
+        true => say(done.to_json()),
+        false => say(done.to_text()),
     }
     Ok(DONE)
 }
 
 /// The runs of `run --converge` before the scene's own.
 pub(super) fn coarser_runs(
-    cli: &Cli,
+    output: &Output,
     given: &SceneArgs,
     quantities: &[String],
     out: &Path,
@@ -80,9 +78,7 @@ pub(super) fn coarser_runs(
 ) -> Result<Coarser, Stop> {
     refuse_occupied(out, force)?; // before the runs, not after them
     let runs = coarser(&given.scene, &given.sets, |k, dx| {
-        if !cli.quiet {
-            eprintln!("coarser run {k} of 2: spacing {dx:.6} m …");
-        }
+        output.progress(format_args!("coarser run {k} of 2: spacing {dx:.6} m …"));
     })?;
     runs.refuse_unknown(quantities)?;
     Ok(runs)

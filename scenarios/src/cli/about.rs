@@ -1,0 +1,40 @@
+//! `splashdown list`, `keywords` and `check`: what there is, and what a run would cost.
+
+use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
+use crate::forecast::forecast;
+use crate::scene;
+
+pub(super) fn list(output: &Output) -> Result<u8, Stop> {
+    let mut scenes = Vec::new();
+    for (name, _) in scene::builtin() {
+        scenes.push((name, scene::load(name, &[])?.scene.description));
+    }
+    if output.json {
+        let names: Vec<_> = scenes.iter().map(|(n, d)| serde_json::json!({"scene": n, "description": d})).collect();
+        say(serde_json::Value::from(names));
+    } else {
+        scenes.iter().for_each(|(name, description)| say(format_args!("{name:<20} {description}")));
+    }
+    Ok(DONE)
+}
+
+pub(super) fn keywords(output: &Output) -> Result<u8, Stop> {
+    for k in scene::keywords() {
+        if output.json {
+            say(format_args!(
+                "{}",
+                serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc})
+            ));
+        } else {
+            say(format_args!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default));
+        }
+    }
+    Ok(DONE)
+}
+
+pub(super) fn check(output: &Output, args: &SceneArgs) -> Result<u8, Stop> {
+    let loaded = load(args)?;
+    let forecast = forecast(&loaded.scene, &loaded.warnings);
+    output.result(&forecast, &forecast.to_text());
+    Ok(DONE)
+}

@@ -1,0 +1,145 @@
+//! `splashdown run`.
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
+use super::study;
+use crate::error_bar::ErrorBars;
+use crate::run::summary::{Status, Summary};
+use crate::run::{RunOptions, run};
+
+/// A second Ctrl-C or SIGTERM after this long means: at once. Sooner it is the same request, sent to the process and
+/// to its group.
+const IMPATIENT: Duration = Duration::from_secs(1);
+
+#[derive(Args)]
+pub(super) struct RunArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Folder for the run's files (default: runs/SCENE).
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace a run that the folder holds.
+    #[arg(long)]
+    force: bool,
+    /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
+    #[arg(long, value_name = "MB")]
+    log_budget: Option<f64>,
+    /// Run at 4 and 2 times the spacing first, and say what the main numbers tend to, with error bars.
+    #[arg(long)]
+    converge: bool,
+    /// A number for an error bar, by its path in summary.json (repeatable; default: the scene's main ones).
+    #[arg(long = "quantity", value_name = "PATH", requires = "converge")]
+    quantities: Vec<String>,
+}
+
+pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
+    static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+    static STEPPING: AtomicBool = AtomicBool::new(false);
+    let SceneArgs { scene, mut sets } = args.scene.clone();
+    sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
+    let given = SceneArgs { scene, sets };
+    let loaded = load(&given)?;
+    loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
+    let mut first: Option<Instant> = None;
+    let handler = move || {
+        INTERRUPTED.store(true, Ordering::Relaxed);
+        let asked_again = first.get_or_insert_with(Instant::now).elapsed() > IMPATIENT;
+        if asked_again || !STEPPING.load(Ordering::Relaxed) {
+            std::process::exit(130); // asked twice, or nothing to keep yet: at once
+        }
+    };
+    ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
+    let coarser = match args.converge {
+        true if loaded.scene.model.is_theory() => {
+            let text = format!(
+                "--converge: expected a model of particles, not {}: it has no spacing",
+                loaded.scene.model.name()
+            );
+            return Err(Stop::Input(text));
+        }
+        true => Some(study::coarser_runs(output, &given, &args.quantities, &out, args.force)?),
+        false => None,
+    };
+    let studied =
+        coarser.as_ref().map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
+    let bar = progress_bar(output);
+    let tell = |time: f64, steps: u64| {
+        STEPPING.store(true, Ordering::Relaxed);
+        bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
+        bar.set_message(format!("t = {time:.5} s, step {steps}"));
+    };
+    let options = RunOptions {
+        out: Some(out.clone()),
+        force: args.force,
+        without_log: false,
+        interrupt: Some(&INTERRUPTED),
+        most_steps: None,
+        progress: Some(&tell),
+        warnings: loaded.warnings.clone(),
+        error_bars: studied.as_ref().map(|of| of as &(dyn Fn(&Summary) -> ErrorBars + Sync)),
+    };
+    let outcome = run(&loaded.scene, &options);
+    bar.finish_and_clear();
+    let summary = outcome?.summary;
+    if output.json {
+        say(summary.to_json());
+    } else if !output.quiet {
+        say(in_words(&summary));
+        say(format_args!("files in {}: open report.html", out.display()));
+    }
+    match summary.status {
+        Status::Completed => Ok(DONE),
+        Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),
+        Status::Interrupted => Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s))),
+    }
+}
+
+fn progress_bar(output: &Output) -> ProgressBar {
+    if output.quiet || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(1000);
+    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {elapsed} elapsed, {eta} to go  {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
+}
+
+fn in_words(s: &Summary) -> String {
+    let theory = s.particles.fluid == 0;
+    let mut lines = vec![match theory {
+        true => format!("{}: {}, {:.1} ms of wall time", s.scene, s.model, 1e3 * s.wall_time_s),
+        false => format!(
+            "{}: {} particles, {} steps, {:.1} s of wall time",
+            s.scene, s.particles.fluid, s.steps, s.wall_time_s
+        ),
+    }];
+    lines.extend(s.choice.iter().map(|why| format!("  model chosen: {why}")));
+    for c in &s.comparison {
+        let verdict = match c.tolerance {
+            None => "drawn only".to_string(),
+            Some(t) => format!("{} {t}", if c.passes() { "within" } else { "OUTSIDE" }),
+        };
+        lines.push(format!("  {} against {}: error {:.4} ({verdict})", c.quantity, c.reference, c.error));
+    }
+    lines.extend(s.error_bars.iter().map(|(path, bar)| {
+        let order = bar.order.map_or(String::new(), |p| format!(", order {p:.2}"));
+        format!("  {path}: {:.5e} ± {:.1e}{order}; {} ({})", bar.middle(), bar.band, bar.verdict, bar.method)
+    }));
+    if theory {
+        return lines.join("\n");
+    }
+    lines.push(format!(
+        "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",
+        s.audit.momentum, s.audit.energy, s.audit.volume, s.audit.penetrated
+    ));
+    lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  NOT TIGHT: {worst}")));
+    lines.join("\n")
+}

@@ -1,0 +1,105 @@
+//! What the commands share: exit codes, output, arguments that name a scene.
+
+use std::io::Write;
+use std::path::Path;
+
+use clap::Args;
+use serde::Serialize;
+
+use crate::run::RunError;
+use crate::scene::{self, Loaded, SceneError};
+
+/// Exit code: done.
+pub(super) const DONE: u8 = 0;
+/// Exit code: the run failed.
+pub(super) const FAILED: u8 = 1;
+/// Exit code: the input was wrong.
+pub(super) const INPUT: u8 = 2;
+
+/// How a command prints.
+#[derive(Args)]
+pub(super) struct Output {
+    /// Say nothing but errors.
+    #[arg(long, global = true)]
+    pub quiet: bool,
+    /// Print machine-readable output on stdout.
+    #[arg(long, global = true)]
+    pub json: bool,
+}
+
+impl Output {
+    /// Print a result: `value` as JSON with `--json`, else `text`.
+    pub fn result(&self, value: &impl Serialize, text: &str) {
+        match self.json {
+            true => say(&to_json(value)),
+            false => say(text.trim_end()),
+        }
+    }
+
+    /// Print progress on stderr, unless `--quiet`.
+    pub fn progress(&self, text: std::fmt::Arguments<'_>) {
+        if !self.quiet {
+            eprintln!("{text}");
+        }
+    }
+}
+
+/// Print a line on stdout; a reader that closed the pipe does not stop the command.
+pub(super) fn say(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stdout(), "{text}");
+}
+
+/// Indented JSON.
+pub(super) fn to_json(value: &impl Serialize) -> String {
+    serde_json::to_string_pretty(value).unwrap_or_default()
+}
+
+/// Write a text file.
+pub(super) fn write(path: &Path, text: &str) -> Result<(), Stop> {
+    std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))
+}
+
+#[derive(Args, Clone)]
+pub(super) struct SceneArgs {
+    /// Name of a built-in scene, or path of a TOML file.
+    pub scene: String,
+    /// Override a key, e.g. --set body.deadrise_deg=20 (repeatable).
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub sets: Vec<String>,
+}
+
+/// Load a scene and refuse one that does not fit in memory.
+pub(super) fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
+    let loaded = scene::load(&args.scene, &args.sets)?;
+    loaded.fits_in_memory(available_memory())?;
+    Ok(loaded)
+}
+
+/// Memory that the system can still give [bytes]; all of it where the system does not tell.
+fn available_memory() -> u64 {
+    let mut system = sysinfo::System::new();
+    system.refresh_memory_specifics(sysinfo::MemoryRefreshKind::nothing().with_ram());
+    match system.available_memory() {
+        0 => u64::MAX,
+        bytes => bytes,
+    }
+}
+
+/// Why the process ends with a code other than 0.
+pub(super) enum Stop {
+    Scene(SceneError),
+    Input(String),
+    Failed(String),
+}
+
+impl From<SceneError> for Stop {
+    fn from(error: SceneError) -> Stop {
+        Stop::Scene(error)
+    }
+}
+
+impl From<RunError> for Stop {
+    fn from(error: RunError) -> Stop {
+        if error.is_input() { Stop::Input(error.to_string()) } else { Stop::Failed(error.to_string()) }
+    }
+}
