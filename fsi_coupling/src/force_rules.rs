@@ -10,7 +10,7 @@
 //! The names in brackets are the switches of M. Pilorget's thesis (KTH, 2010). Every rule gives loads on the outline's
 //! corners, consistent with linear and Hermite shape functions (W8), whose resultant is the rule's.
 
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 use sph_core::walls::Resultant;
 
 use crate::body::{Motion, WettedBody};
