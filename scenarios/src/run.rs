@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use fsi_coupling::theory::OutOfRange;
+use fsi_coupling::entry_theory::OutOfRange;
 use fsi_coupling::{Coupled, CouplingError};
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};

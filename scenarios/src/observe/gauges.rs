@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::pose::rotate;
+use fsi_coupling::bodies::rigid_motion::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::particles::probe::Probe;
 
