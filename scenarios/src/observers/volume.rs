@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use sph_core::Fluid;
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 
 use crate::scene::{Scene, Symmetry};
 

@@ -4,7 +4,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, CouplingError};
-use sph_core::{Phase, sweep};
+use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
 use super::error::RunError;
@@ -53,7 +53,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
 
     // on one thread of the pool for the whole run: no step wakes the pool
-    let ended = sweep::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
+    let ended = parallel::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
 
     let (status, message) = match ended {
         Ok(status) => (status, None),

@@ -42,7 +42,7 @@ pub(super) fn particle_order(particles: &Particles) -> Option<ParticleOrder> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::eos::Tait;
+    use sph_core::wcsph::eos::Tait;
     use sph_core::{Fluid, Parameters, Seed};
 
     #[test]
