@@ -1,7 +1,7 @@
 //! A whole and its parts, as one stacked bar.
 
 use super::colour::{Rgb, viridis};
-use super::markup::escape;
+use super::markup::{escape, hex};
 
 /// A part of a whole.
 #[derive(Clone, Debug)]
@@ -65,10 +65,6 @@ pub(super) fn bar_svg(bar: &Bar) -> String {
 fn ink_on([r, g, b]: Rgb) -> Rgb {
     let light = 0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b);
     if light > 127.0 { [0; 3] } else { [255; 3] }
-}
-
-fn hex([r, g, b]: Rgb) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 #[cfg(test)]

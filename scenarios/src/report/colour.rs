@@ -5,7 +5,6 @@ pub type Rgb = [u8; 3];
 
 pub(super) const PAPER: Rgb = [255, 255, 255];
 pub(super) const INK: Rgb = [38, 42, 48];
-pub(super) const RULE: Rgb = [170, 175, 182];
 pub(super) const BODY: Rgb = [196, 200, 206];
 pub(super) const WALL: Rgb = [128, 134, 142];
 /// For a particle whose value is not a number: absent from the colour map, so that it is seen.

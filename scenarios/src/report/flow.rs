@@ -1,9 +1,7 @@
-//! A picture of the flow: particles coloured by a value, bodies, walls, a colour bar, a scale bar
-//! and the time.
+//! A picture of the flow: particles coloured by a value, bodies and walls.
 
 use super::canvas::{Canvas, SAMPLES, centres, edges};
 use super::colour::{BODY, INK, NOT_A_NUMBER, PAPER, WALL, viridis};
-use super::footer::Footer;
 use super::ticks::proper_range;
 
 /// What there is to see at one instant.
@@ -58,8 +56,7 @@ pub struct FlowView {
 /// matter. Lengths are to scale in both directions. The same input gives the same bytes.
 pub fn flow_png(frame: &FlowFrame, view: &FlowView) -> Vec<u8> {
     let window = Window::new(view);
-    let footer = Footer::new(&window);
-    let mut canvas = Canvas::new(window.width, window.height + footer.height, PAPER);
+    let mut canvas = Canvas::new(window.width, window.height, PAPER);
     draw_particles(&mut canvas, frame, view, &window);
     for side in window.sides {
         draw_walls(&mut canvas, frame, &window, *side);
@@ -67,7 +64,6 @@ pub fn flow_png(frame: &FlowFrame, view: &FlowView) -> Vec<u8> {
             draw_body(&mut canvas, outline, &window, *side);
         }
     }
-    footer.draw(&mut canvas, frame.time, view, &window);
     canvas.to_png()
 }
 
@@ -86,7 +82,7 @@ pub(super) struct Window {
 }
 
 impl Window {
-    fn new(view: &FlowView) -> Self {
+    pub fn new(view: &FlowView) -> Self {
         let ([left, right], [bottom, top]) = (proper_range(view.x), proper_range(view.y));
         let width = view.width_px.clamp(200, 8000) as usize;
         let scale = width as f64 / (right - left);
@@ -106,7 +102,6 @@ fn draw_particles(canvas: &mut Canvas, frame: &FlowFrame, view: &FlowView, windo
     const RADIUS: f64 = 0.8;
     let [low, high] = proper_range(view.value);
     let (width, rows, samples) = canvas.samples_mut();
-    let rows = rows.min(window.height * SAMPLES);
     let scale = window.scale * SAMPLES as f64;
     let mut nearest = vec![f32::INFINITY; width * rows];
     let particles = frame.x.iter().zip(&frame.y).zip(&frame.value).zip(&frame.size);

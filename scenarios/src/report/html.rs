@@ -4,8 +4,6 @@ use super::bar::{Bar, bar_svg};
 use super::chart::{Chart, untitled_svg};
 use super::markup::escape;
 use super::table::{Table, table_html};
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 
 /// A part of a section. All text is plain: it is shown as written.
 #[derive(Clone, Debug)]
@@ -18,17 +16,10 @@ pub enum Block {
     Chart(Chart),
     /// A whole and its parts; its title becomes the caption.
     Bar(Bar),
-    /// A drawing that is an SVG element.
+    /// A drawing that is an SVG element, such as those of [`flow_svg`](super::flow_svg).
     Drawing {
         /// The element, shown as it is.
         svg: String,
-        /// What it shows.
-        caption: String,
-    },
-    /// A picture, such as those of [`flow_png`](super::flow_png).
-    Picture {
-        /// The PNG file.
-        png: Vec<u8>,
         /// What it shows.
         caption: String,
     },
@@ -144,7 +135,7 @@ fn header(report: &Report) -> String {
 
 /// The blocks of a section; figures that follow each other stand side by side.
 fn content(blocks: &[Block], numbers: &mut Numbers) -> String {
-    let is_figure = |block: &Block| matches!(block, Block::Chart(_) | Block::Drawing { .. } | Block::Picture { .. });
+    let is_figure = |block: &Block| matches!(block, Block::Chart(_) | Block::Drawing { .. });
     let mut html = String::new();
     for group in blocks.chunk_by(|a, b| is_figure(a) && is_figure(b)) {
         let inner: String = group.iter().map(|b| block(b, numbers)).collect();
@@ -167,11 +158,6 @@ fn block(block: &Block, numbers: &mut Numbers) -> String {
         Block::Chart(chart) => figure("chart", &untitled_svg(chart), &chart.title, numbers),
         Block::Bar(bar) => figure("bar", &bar_svg(bar), &bar.title, numbers),
         Block::Drawing { svg, caption } => figure("drawing", svg, caption, numbers),
-        Block::Picture { png, caption } => {
-            let (data, alt) = (STANDARD.encode(png), escape(caption));
-            let image = format!(r#"<img src="data:image/png;base64,{data}" alt="{alt}" />"#);
-            figure("picture", &image, caption, numbers)
-        }
         Block::Code { title, text } => code(title, text),
     }
 }

@@ -2,7 +2,7 @@
 
 use sph_core::parallel;
 
-use crate::report::{Block, FlowFrame, FlowView, flow_png};
+use crate::report::{Block, FlowFrame, FlowView, flow_svg};
 use crate::scene::{Scene, Symmetry};
 
 pub(super) fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
@@ -17,10 +17,10 @@ pub(super) fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
     values.sort_by(f32::total_cmp);
     let top = values.get(values.len().saturating_sub(1) * 995 / 1000).map_or(1.0, |v| f64::from(*v).max(1e-6));
     let view = FlowView { x, y, value: [0.0, top], width_px: 1100, label: "pressure [kPa]".into(), mirror_x };
-    let mut drawn = vec![Vec::new(); frames.len()];
-    parallel::update_pieces(&mut drawn, 1, |k, png| png[0] = flow_png(&frames[k], &view));
+    let mut drawn = vec![String::new(); frames.len()];
+    parallel::update_pieces(&mut drawn, 1, |k, svg| svg[0] = flow_svg(&frames[k], &view));
     let picture =
-        |(f, png): (&FlowFrame, _)| Block::Picture { png, caption: format!("Pressure at t = {:.5} s", f.time) };
+        |(f, svg): (&FlowFrame, _)| Block::Drawing { svg, caption: format!("Pressure at t = {:.5} s", f.time) };
     frames.iter().zip(drawn).map(picture).collect()
 }
 
