@@ -4,8 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
-use super::budget::Standing;
-use super::{Budget, Frame, Level, LogError, LogMetadata, LogWriter};
+use super::budget::{Budget, Standing};
+use super::error::LogError;
+use super::frame::Frame;
+use super::level::Level;
+use super::writer::{LogMetadata, LogWriter};
 
 /// Frames that wait for the disk while another is written; then the run waits.
 const WAITING: usize = 1;

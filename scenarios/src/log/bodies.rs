@@ -6,7 +6,8 @@ use foxglove::messages::{
 };
 
 use super::pose::{identity_pose, rotation_about_z};
-use super::{Stamp, WORLD_FRAME};
+use super::stamp::Stamp;
+use super::topics::WORLD_FRAME;
 
 /// The width of an outline on the screen [pixels].
 const OUTLINE_THICKNESS: f64 = 2.0;

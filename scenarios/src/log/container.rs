@@ -12,7 +12,8 @@ use mcap::records::{MessageHeader, Metadata};
 use mcap::write::NoSeek;
 use mcap::{Attachment, Compression, McapResult, WriteOptions};
 
-use super::{LogError, Stamp};
+use super::error::LogError;
+use super::stamp::Stamp;
 
 /// Level of compression: at 3, the usual one, packed particles take more than twice the time and come out half a per cent smaller.
 const LEVEL: u32 = 1;

@@ -3,7 +3,11 @@
 use foxglove::Encode;
 use foxglove::messages::{FrameTransforms, PointCloud, SceneUpdate};
 
-use super::{BodyView, FLUID, LogError, ParticleView, Stamp, WALLS, bodies, particles};
+use super::bodies::{self, BodyView};
+use super::error::LogError;
+use super::particles::{self, ParticleView};
+use super::stamp::Stamp;
+use super::topics::{FLUID, WALLS};
 
 /// One picture of a run: what [`LogWriter::write`](super::LogWriter::write) writes as one message on each of `/fluid`,
 /// `/walls`, `/scene` and `/tf`. It owns what it shows: the run may go on.

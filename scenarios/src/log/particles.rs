@@ -4,8 +4,10 @@ use foxglove::messages::packed_element_field::NumericType;
 use foxglove::messages::{PackedElementField, PointCloud};
 use sph_core::parallel;
 
+use super::error::LogError;
 use super::pose::identity_pose;
-use super::{LogError, Stamp, WORLD_FRAME};
+use super::stamp::Stamp;
+use super::topics::WORLD_FRAME;
 
 /// The fields of a packed point, in order; each takes [`FIELD_SIZE`] bytes, little-endian.
 const FIELDS: [(&str, NumericType); 8] = [

@@ -7,7 +7,9 @@ use serde::{Serialize, Serializer};
 use serde_json::json;
 
 use super::container::{Container, Topic};
-use super::{FIXED_TOPICS, LogError, Stamp};
+use super::error::LogError;
+use super::stamp::Stamp;
+use super::topics::FIXED_TOPICS;
 
 /// A topic of samples, all of which have the same names in the same order.
 pub(super) struct SampleTopic {

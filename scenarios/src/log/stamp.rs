@@ -2,7 +2,7 @@
 
 use foxglove::messages::Timestamp;
 
-use super::LogError;
+use super::error::LogError;
 
 const NANOSECONDS_PER_SECOND: u64 = 1_000_000_000;
 
