@@ -1,21 +1,22 @@
-//! Error bars of a run from charts that were measured before (THEORY G7).
+//! Error bars of a run from stored work–precision charts (THEORY G7).
+//!
+//! A chart's [`ErrorLaw`] gives the error of a number over the resolution. It applies to runs of the same kind, near the
+//! charted deadrise, resolution and Mach number.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
-use super::case::{Family, Quantity};
-use super::measured::Measured;
-use super::power_law::PowerLaw;
 use crate::error_bar::{ErrorBar, ErrorBars};
-use crate::scene::{self, Bottom, Kernel, Motion, Norm, Scene, SceneError, Shape};
+use crate::numbers::Numbers;
+use crate::power_law::PowerLaw;
+use crate::scene::{Bottom, Kernel, Motion, Scene, Shape};
 use crate::summary::Summary;
 
-/// The charts of this program, as `splashdown chart --all --fits scenarios/cases/charts/fits.json` wrote them.
-static CHARTED: LazyLock<Vec<ChartFit>> = LazyLock::new(|| {
-    serde_json::from_str(include_str!("../../cases/charts/fits.json"))
+/// The laws of this program, written by `splashdown chart --all --fits scenarios/cases/charts/fits.json`.
+static LAWS: LazyLock<Vec<ErrorLaw>> = LazyLock::new(|| {
+    serde_json::from_str(include_str!("../cases/charts/fits.json"))
         .expect("scenarios/cases/charts/fits.json is a list of fits")
 });
 
@@ -33,14 +34,14 @@ const COARSEST: f64 = 8.0;
 const FINEST: f64 = 150.0;
 const RESOLUTIONS: u32 = 120;
 
-/// The fall of an error with the resolution, for runs of one kind.
+/// Error of a number over the resolution, for runs of one kind.
 #[derive(Clone, Debug, Deserialize, Serialize)]
-pub struct ChartFit {
+pub struct ErrorLaw {
     /// The chart.
     pub case: String,
     /// Its family.
     pub family: String,
-    /// What the runs are like.
+    /// The kind of the runs.
     pub kind: Kind,
     /// Deadrise [deg].
     pub deadrise_deg: f64,
@@ -49,7 +50,7 @@ pub struct ChartFit {
     pub mach: Option<f64>,
     /// Path of the number in `summary.json`, with `BODY` for the body's name.
     pub number: String,
-    /// What the error is a share of.
+    /// The value that the error is relative to.
     pub share_of: ShareOf,
     /// Error over k, spacings in the draught [-].
     pub law: PowerLaw,
@@ -57,12 +58,12 @@ pub struct ChartFit {
     pub spacings: [f64; 2],
 }
 
-/// What must be equal for an error to carry over.
+/// Settings that must be equal for a law to apply.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Kind {
     /// Whether the wedge falls freely; else its speed is constant.
     pub falls: bool,
-    /// What gives the pressure.
+    /// The pressure solver.
     pub solver: String,
     /// Smoothing kernel.
     pub kernel: Kernel,
@@ -70,7 +71,7 @@ pub struct Kind {
     pub smoothing_ratio: f64,
 }
 
-/// What an error is a share of.
+/// The value that an error is relative to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ShareOf {
@@ -80,19 +81,20 @@ pub enum ShareOf {
     ContactSpeed,
 }
 
-/// A wedge's entry as a chart sees it.
-struct Likeness {
-    kind: Kind,
-    body: String,
-    deadrise_deg: f64,
-    mach: Option<f64>,
+/// The parameters of a wedge entry that its error depends on.
+pub(crate) struct WedgeEntry {
+    pub(crate) kind: Kind,
+    pub(crate) body: String,
+    pub(crate) deadrise_deg: f64,
+    pub(crate) mach: Option<f64>,
     contact_speed: f64,
+    /// Spacings in the draught k [-].
     spacings: f64,
 }
 
-impl Likeness {
+impl WedgeEntry {
     /// `None` for anything but a rigid wedge that enters at constant speed without gravity, or falls.
-    fn of(scene: &Scene) -> Option<Likeness> {
+    pub(crate) fn of(scene: &Scene) -> Option<WedgeEntry> {
         let (body, entry) = (scene.body.as_ref()?, scene.entry()?);
         let Shape::Wedge { deadrise_deg, .. } = body.shape else { return None };
         let falls = match &body.motion {
@@ -103,7 +105,7 @@ impl Likeness {
         let upright =
             matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
         let sound = (!scene.solver.is_incompressible()).then_some(scene.fluid.sound_speed);
-        (upright && body.panels.is_empty()).then(|| Likeness {
+        (upright && body.panels.is_empty()).then(|| WedgeEntry {
             kind: Kind {
                 falls,
                 solver: scene.solver.name().into(),
@@ -118,7 +120,7 @@ impl Likeness {
         })
     }
 
-    fn is_near(&self, fit: &ChartFit) -> bool {
+    fn is_near(&self, fit: &ErrorLaw) -> bool {
         let [coarse, fine] = fit.spacings;
         let slower = match (self.mach, fit.mach) {
             (Some(own), Some(charted)) => own <= FASTER * charted,
@@ -130,26 +132,26 @@ impl Likeness {
 
 /// The error bars of a run that is near a charted one; none where nothing is near.
 pub fn error_bars(scene: &Scene, summary: &Summary) -> ErrorBars {
-    near_bars(&CHARTED, scene, summary)
+    near_bars(&LAWS, scene, summary)
 }
 
 /// The error that 90 % of charted runs like this one stay below [-], and the charts' names; for a number of the summary as charts
 /// have it, with `BODY` for the body's name. `None` where nothing is near.
 pub fn charted_error(scene: &Scene, number: &str) -> Option<(f64, String)> {
-    error_of(&CHARTED, &Likeness::of(scene)?, number)
+    error_of(&LAWS, &WedgeEntry::of(scene)?, number)
 }
 
 /// The coarsest spacing [m] at which that error is at most `within`; `None` where no charted resolution is so good.
 pub fn spacing_within(scene: &Scene, number: &str, within: f64) -> Option<f64> {
-    coarsest(&CHARTED, Likeness::of(scene)?, scene.resolution.spacing, number, within)
+    coarsest(&LAWS, WedgeEntry::of(scene)?, scene.resolution.spacing, number, within)
 }
 
-fn error_of(fits: &[ChartFit], own: &Likeness, number: &str) -> Option<(f64, String)> {
-    let near: Vec<&ChartFit> = fits.iter().filter(|fit| fit.number == number && own.is_near(fit)).collect();
+fn error_of(fits: &[ErrorLaw], own: &WedgeEntry, number: &str) -> Option<(f64, String)> {
+    let near: Vec<&ErrorLaw> = fits.iter().filter(|fit| fit.number == number && own.is_near(fit)).collect();
     between(own, &near)
 }
 
-fn coarsest(fits: &[ChartFit], own: Likeness, spacing: f64, number: &str, within: f64) -> Option<f64> {
+fn coarsest(fits: &[ErrorLaw], own: WedgeEntry, spacing: f64, number: &str, within: f64) -> Option<f64> {
     let draught = own.spacings * spacing;
     let mut own = own;
     (0..=RESOLUTIONS).find_map(|k| {
@@ -159,19 +161,19 @@ fn coarsest(fits: &[ChartFit], own: Likeness, spacing: f64, number: &str, within
     })
 }
 
-fn near_bars(fits: &[ChartFit], scene: &Scene, summary: &Summary) -> ErrorBars {
-    let Some(own) = Likeness::of(scene) else { return ErrorBars::new() };
-    let mut by_number: BTreeMap<&str, Vec<&ChartFit>> = BTreeMap::new();
+fn near_bars(fits: &[ErrorLaw], scene: &Scene, summary: &Summary) -> ErrorBars {
+    let Some(own) = WedgeEntry::of(scene) else { return ErrorBars::new() };
+    let mut by_number: BTreeMap<&str, Vec<&ErrorLaw>> = BTreeMap::new();
     for fit in fits.iter().filter(|fit| own.is_near(fit)) {
         by_number.entry(&fit.number).or_default().push(fit);
     }
     if by_number.is_empty() {
         return ErrorBars::new();
     }
-    let json = serde_json::to_value(summary).unwrap_or_default();
-    let bar = |(number, fits): (&str, Vec<&ChartFit>)| {
+    let numbers = Numbers::of(summary);
+    let bar = |(number, fits): (&str, Vec<&ErrorLaw>)| {
         let path = number.replace("BODY", &own.body);
-        let value = json.pointer(&format!("/{path}")).and_then(Value::as_f64)?;
+        let value = numbers.get(&path)?;
         let (error, from) = between(&own, &fits)?;
         let whole = match fits[0].share_of {
             ShareOf::Value => value.abs(),
@@ -189,12 +191,12 @@ fn near_bars(fits: &[ChartFit], scene: &Scene, summary: &Summary) -> ErrorBars {
 
 /// The error that 90 % stay below at the run's deadrise, linear in its logarithm between two charted ones [-], and the
 /// charts' names. Of several charts at one deadrise, the largest.
-fn between(own: &Likeness, fits: &[&ChartFit]) -> Option<(f64, String)> {
-    let error = |fit: &ChartFit| fit.law.at(own.spacings) * (NINETY_PERCENT * fit.law.scatter).exp();
+fn between(own: &WedgeEntry, fits: &[&ErrorLaw]) -> Option<(f64, String)> {
+    let error = |fit: &ErrorLaw| fit.law.at(own.spacings) * (NINETY_PERCENT * fit.law.scatter).exp();
     let nearest = |below: bool| {
         let side =
             fits.iter().filter(|f| (f.deadrise_deg <= own.deadrise_deg) == below || f.deadrise_deg == own.deadrise_deg);
-        let distance = |f: &ChartFit| (f.deadrise_deg - own.deadrise_deg).abs();
+        let distance = |f: &ErrorLaw| (f.deadrise_deg - own.deadrise_deg).abs();
         side.copied().min_by(|a, b| distance(a).total_cmp(&distance(b)).then(error(b).total_cmp(&error(a))))
     };
     let (low, high) = match (nearest(true), nearest(false)) {
@@ -210,54 +212,13 @@ fn between(own: &Likeness, fits: &[&ChartFit]) -> Option<(f64, String)> {
     Some((error, format!("{} and {}", low.case, high.case)))
 }
 
-/// The laws of a chart that carry over to other runs.
-pub fn fits(measured: &Measured) -> Result<Vec<ChartFit>, SceneError> {
-    let mut fits = Vec::new();
-    for family in measured.case.family.iter().filter(|f| f.vary.as_deref() == Some("resolution.spacing")) {
-        let Some((_, set)) = family.runs(&measured.case).into_iter().next() else { continue };
-        let scene = scene::load(&measured.case.scene, &set)?.scene;
-        fits.extend(measured.case.quantity.iter().filter_map(|q| fit(measured, family, q, &scene)));
-    }
-    Ok(fits)
-}
-
-fn fit(measured: &Measured, family: &Family, quantity: &Quantity, scene: &Scene) -> Option<ChartFit> {
-    let likeness = Likeness::of(scene)?;
-    let (path, share_of) = number_of(quantity, scene)?;
-    let seen = measured.seen(quantity).into_iter().filter(|s| s.point.family == family.name);
-    let points: Vec<[f64; 2]> = seen.filter_map(|s| Some([s.run.spacings_per_draught?, s.reading.error])).collect();
-    let law = PowerLaw::fit(points.iter().copied())?;
-    let ends = points.iter().fold([f64::INFINITY, 0.0], |e: [f64; 2], p| [e[0].min(p[0]), e[1].max(p[0])]);
-    Some(ChartFit {
-        case: measured.case.name.clone(),
-        family: family.name.clone(),
-        number: path.replace(&format!("/{}.", likeness.body), "/BODY."),
-        kind: likeness.kind,
-        deadrise_deg: likeness.deadrise_deg,
-        mach: likeness.mach,
-        share_of,
-        law,
-        spacings: ends,
-    })
-}
-
-/// The number that a quantity's error is an error of; `None` for errors of curves that are no share of a number.
-fn number_of(quantity: &Quantity, scene: &Scene) -> Option<(String, ShareOf)> {
-    if let Some(path) = &quantity.value {
-        return Some((path.clone(), ShareOf::Value));
-    }
-    let column = quantity.comparison.as_ref().filter(|column| column.ends_with(".vy_m_per_s"))?;
-    let compared =
-        scene.compare.iter().find(|c| c.quantity == *column && Some(&c.reference) == quantity.against.as_ref())?;
-    (compared.norm == Norm::RmsOverFirst).then(|| (format!("means/{column}"), ShareOf::ContactSpeed))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene;
 
-    fn charted(case: &str, deadrise_deg: f64, factor: f64) -> ChartFit {
-        ChartFit {
+    fn charted(case: &str, deadrise_deg: f64, factor: f64) -> ErrorLaw {
+        ErrorLaw {
             case: case.into(),
             family: "weakly compressible".into(),
             kind: likeness(20.0, 0.02).kind,
@@ -270,15 +231,15 @@ mod tests {
         }
     }
 
-    fn likeness(deadrise_deg: f64, spacing: f64) -> Likeness {
+    fn likeness(deadrise_deg: f64, spacing: f64) -> WedgeEntry {
         let sets = [format!("body.deadrise_deg={deadrise_deg:?}"), format!("resolution.spacing={spacing:?}")];
-        Likeness::of(&scene::load("wedge_constant", &sets).expect("a scene").scene).expect("a wedge")
+        WedgeEntry::of(&scene::load("wedge_constant", &sets).expect("a scene").scene).expect("a wedge")
     }
 
     #[test]
     fn between_charts_the_error_goes_geometrically_and_falls_with_the_resolution() {
         let fits = [charted("twenty", 20.0, 1.0), charted("worse", 20.0, 4.0), charted("forty", 40.0, 1.0)];
-        let all: Vec<&ChartFit> = fits.iter().collect();
+        let all: Vec<&ErrorLaw> = fits.iter().collect();
         let at = |deadrise: f64, spacing: f64| between(&likeness(deadrise, spacing), &all);
         let (error, from) = at(30.0, 0.025).expect("between");
         assert!((error - 2.0 / 40.0).abs() < 1e-12 && from == "worse and forty", "{error} {from}");
@@ -301,21 +262,22 @@ mod tests {
         let (fit, own) = (charted("twenty", 20.0, 1.0), likeness(20.0, 0.02));
         assert!(own.is_near(&fit));
         assert!(!likeness(20.0, 0.1).is_near(&fit), "k = 10");
-        assert!(!Likeness { mach: Some(0.06), ..own }.is_near(&fit));
+        assert!(!WedgeEntry { mach: Some(0.06), ..own }.is_near(&fit));
         let gaussian = scene::load("wedge_constant", &["fluid.kernel=gaussian".into()]).expect("a scene").scene;
-        assert!(!Likeness::of(&gaussian).expect("a wedge").is_near(&fit));
+        assert!(!WedgeEntry::of(&gaussian).expect("a wedge").is_near(&fit));
         let bent = scene::load("elastic_wedge", &[]).expect("a scene").scene;
         assert!(
-            Likeness::of(&bent).is_none()
-                && Likeness::of(&scene::load("floating_box", &[]).expect("a scene").scene).is_none()
+            WedgeEntry::of(&bent).is_none()
+                && WedgeEntry::of(&scene::load("floating_box", &[]).expect("a scene").scene).is_none()
         );
     }
 
     #[test]
     fn the_programs_own_fits_are_of_its_charts() {
-        let cases = crate::chart::cases().expect("they parse");
-        assert!(!CHARTED.is_empty());
-        for fit in CHARTED.iter() {
+        let cases =
+            crate::experiments::catalogue::all::<crate::experiments::work_precision::Case>().expect("they parse");
+        assert!(!LAWS.is_empty());
+        for fit in LAWS.iter() {
             let case = cases.iter().find(|c| c.name == fit.case).unwrap_or_else(|| panic!("{}", fit.case));
             assert!(case.family.iter().any(|f| f.name == fit.family), "{}: {}", fit.case, fit.family);
         }

@@ -4,7 +4,7 @@ use serde::Serialize;
 use sph_core::Solver;
 
 use crate::build::tiling;
-use crate::ladder::{Assessment, Want, rungs};
+use crate::model_hierarchy::{Assessment, Want, assess};
 use crate::scene::{
     CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
@@ -23,7 +23,7 @@ const THESIS_COST: f64 = 1e-4;
 
 /// What `check` says.
 #[derive(Clone, Debug, Serialize)]
-pub struct Forecast {
+pub struct Preflight {
     /// Name of the scene.
     pub scene: String,
     /// Fluid particles at the start, counted.
@@ -59,7 +59,7 @@ pub struct Forecast {
     /// largest is the spectral radius of the weak exchange: stable below 1. Absent where water is incompressible.
     pub added_mass_ratios: Option<[f64; 3]>,
     /// What one exchange a step makes of an error in a panel's acceleration, by panel (THEORY C12).
-    pub panels: Vec<PanelForecast>,
+    pub panels: Vec<PanelExchange>,
     /// The model that runs the scene.
     pub model: &'static str,
     /// Why, where it was left to the program.
@@ -73,7 +73,7 @@ pub struct Forecast {
 
 /// How a panel and the water beside it would agree by one exchange a step (THEORY C12).
 #[derive(Clone, Debug, Serialize)]
-pub struct PanelForecast {
+pub struct PanelExchange {
     /// Its name.
     pub name: String,
     /// Its length along the body's line [m].
@@ -84,12 +84,12 @@ pub struct PanelForecast {
     pub element_spacings: f64,
     /// What one exchange a step would do; absent where water is incompressible.
     #[serde(flatten)]
-    pub exchange: Option<ExchangeForecast>,
+    pub exchange: Option<ExchangeEstimate>,
 }
 
 /// One exchange a step between a panel and water that carries sound (THEORY C12).
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct ExchangeForecast {
+pub struct ExchangeEstimate {
     /// Mass of the water that follows it within a step, over its own [-].
     pub added_mass: f64,
     /// Resistance of a sound wave over its inertia in half a step [-].
@@ -124,7 +124,7 @@ fn step(scene: &Scene) -> f64 {
 }
 
 /// Look ahead without running.
-pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
+pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let fluid_particles = tiling(scene).count();
     let (last, wall_particles) = particle_estimate(scene);
     let fluid_particles_at_end = scene.resolution.follow.then_some(last);
@@ -139,7 +139,7 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
     let length = |panel: &Panel| scene.body.as_ref().map_or(0.0, |body| panel_length(body, panel));
     let wetted = entry.map(|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
-    Forecast {
+    Preflight {
         scene: scene.name.clone(),
         fluid_particles,
         fluid_particles_at_end,
@@ -159,12 +159,12 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
         added_mass_ratios: sound.and_then(|_| ExchangeRatio::of(scene)).map(|exchange| exchange.ratios),
         panels: panel_exchanges(scene)
             .into_iter()
-            .map(|(panel, exchange)| PanelForecast {
+            .map(|(panel, exchange)| PanelExchange {
                 name: panel.name.clone(),
                 length_m: length(panel),
                 elements: panel.elements,
                 element_spacings: length(panel) / panel.elements as f64 / scene.resolution.spacing,
-                exchange: sound.map(|_| ExchangeForecast {
+                exchange: sound.map(|_| ExchangeEstimate {
                     added_mass: exchange.added_mass,
                     acoustic: exchange.acoustic,
                     spectral_radius: exchange.spectral_radius,
@@ -173,7 +173,7 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
             .collect(),
         model: scene.model.name(),
         choice: scene.choice.clone(),
-        ladder: scene.entry().map_or(Vec::new(), |_| rungs(scene, Want::PeakForce)),
+        ladder: scene.entry().map_or(Vec::new(), |_| assess(scene, Want::PeakForce)),
         warnings: warnings.to_vec(),
     }
 }
@@ -190,7 +190,7 @@ fn step_of_ladder(a: &Assessment) -> String {
     }
 }
 
-impl Forecast {
+impl Preflight {
     /// In plain words.
     pub fn to_text(&self) -> String {
         let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
@@ -237,10 +237,10 @@ impl Forecast {
         }
     }
 
-    fn exchange_with(&self, panel: &PanelForecast) -> String {
-        let PanelForecast { name, exchange, length_m, elements, element_spacings } = panel;
+    fn exchange_with(&self, panel: &PanelExchange) -> String {
+        let PanelExchange { name, exchange, length_m, elements, element_spacings } = panel;
         let size = format!("{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings");
-        let Some(ExchangeForecast { added_mass, acoustic, spectral_radius }) = *exchange else { return size };
+        let Some(ExchangeEstimate { added_mass, acoustic, spectral_radius }) = *exchange else { return size };
         format!(
             "{size}\n{:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would \
              multiply an error by {spectral_radius:.2}; {}",

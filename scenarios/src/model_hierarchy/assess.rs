@@ -28,7 +28,7 @@ pub struct Assessment {
 }
 
 /// Every theory, from the cheapest, for what is wanted of a scene.
-pub fn rungs(scene: &Scene, want: Want) -> Vec<Assessment> {
+pub fn assess(scene: &Scene, want: Want) -> Vec<Assessment> {
     let theories = Rung::ALL.into_iter().filter(|rung| rung.is_theory());
     theories
         .map(|rung| {

@@ -2,9 +2,9 @@
 
 use fsi_coupling::theory::Rung;
 
-use super::{Assessment, Measured, Want, rungs};
-use crate::chart::charted_error;
-use crate::forecast::core_seconds;
+use super::{Assessment, Measured, Want, assess};
+use crate::charted::charted_error;
+use crate::preflight::core_seconds;
 use crate::scene::{Scene, significant};
 
 /// What was chosen.
@@ -38,7 +38,7 @@ pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
         let (within, off) = (per_cent(within), per_cent(m.error));
         format!("{rung}: the cheapest model within {within} for {}: {off} off in {}", want.words(), m.case)
     };
-    let theories = rungs(&of_particles[0], want);
+    let theories = assess(&of_particles[0], want);
     let near = |m: &&Measured| m.error <= within;
     if let Some((rung, m)) = theories.iter().find_map(|a| Some((a.rung, a.measured.as_ref().filter(near)?))) {
         return Choice { rung, scene: 0, spacing: false, why: told(rung.name(), m) };

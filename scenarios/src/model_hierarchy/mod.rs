@@ -4,17 +4,17 @@
 //! it costs, whether it can do the scene, and how far off it was where it was measured; [`choose`] takes the cheapest that is
 //! near enough.
 
-mod bent;
+mod assess;
 mod choose;
+mod elastic_wedge;
 mod measured;
 mod run;
-mod rungs;
 mod theory;
 
+pub use assess::{Assessment, assess};
 pub use choose::{Choice, charted_number, choose};
 pub use measured::{Measured, measured};
 pub(crate) use run::run;
-pub use rungs::{Assessment, rungs};
 pub use theory::Theory;
 
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use fsi_coupling::theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
 
-use super::bent::Faces;
+use super::elastic_wedge::Faces;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
 use fsi_coupling::polygon;
 

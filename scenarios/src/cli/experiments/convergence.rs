@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{Cli, DONE, SceneArgs, Stop, say};
+use super::super::{Cli, DONE, SceneArgs, Stop, load, say};
+use super::write_all;
+use crate::experiments::convergence::{self, Plan, Refinement, page, study, text};
 use crate::run::refuse_occupied;
-use crate::study::{Coarser, Plan, Study, StudyError, coarser, page, study};
 
 #[derive(Args)]
-pub(super) struct StudyArgs {
+pub(in crate::cli) struct StudyArgs {
     #[command(flatten)]
     scene: SceneArgs,
     /// Path of a number in summary.json, e.g. similarity/force_coefficient or peaks/wedge.fy_N_per_m/value.
@@ -29,22 +30,11 @@ pub(super) struct StudyArgs {
     force: bool,
 }
 
-impl From<StudyError> for Stop {
-    fn from(error: StudyError) -> Stop {
-        match error {
-            StudyError::Scene(e) => e.into(),
-            StudyError::Run(e) => e.into(),
-            other if other.is_input() => Stop::Input(other.to_string()),
-            other => Stop::Failed(other.to_string()),
-        }
-    }
-}
-
 /// Files of a study.
 const FILES: [&str; 2] = ["study.json", "study.html"];
 
-pub(super) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
-    let name = super::load(&args.scene)?.scene.name;
+pub(in crate::cli) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
+    let name = load(&args.scene)?.scene.name;
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("{name}_study")));
     if let (Some(held), false) = (FILES.iter().find(|file| out.join(file).exists()), args.force) {
         let text = format!("{} already holds a study ({held}): choose another --out, or --force", out.display());
@@ -62,35 +52,28 @@ pub(super) fn run_study(cli: &Cli, args: &StudyArgs) -> Result<u8, Stop> {
             eprintln!("run {k} of {of}: spacing {dx:.6} m, sound speed {c:.2} m/s …");
         }
     })?;
-    keep(&done, &out)?;
+    write_all(&out, &[(FILES[0].into(), done.to_json()), (FILES[1].into(), page(&done))])?;
     match cli.json {
         true => say(format_args!("{}", done.to_json())),
-        false => say(format_args!("{}", done.to_text())),
+        false => say(format_args!("{}", text(&done))),
     }
     Ok(DONE)
 }
 
 /// The runs of `run --converge` before the scene's own.
-pub(super) fn coarser_runs(
+pub(in crate::cli) fn coarser_runs(
     cli: &Cli,
     given: &SceneArgs,
     quantities: &[String],
     out: &Path,
     force: bool,
-) -> Result<Coarser, Stop> {
+) -> Result<Refinement, Stop> {
     refuse_occupied(out, force)?; // before the runs, not after them
-    let runs = coarser(&given.scene, &given.sets, |k, dx| {
+    let runs = convergence::coarser_runs(&given.scene, &given.sets, |k, dx| {
         if !cli.quiet {
             eprintln!("coarser run {k} of 2: spacing {dx:.6} m …");
         }
     })?;
     runs.refuse_unknown(quantities)?;
     Ok(runs)
-}
-
-fn keep(study: &Study, out: &PathBuf) -> Result<(), Stop> {
-    let wrong = |e: std::io::Error| Stop::Failed(format!("cannot write to {}: {e}", out.display()));
-    std::fs::create_dir_all(out).map_err(wrong)?;
-    std::fs::write(out.join(FILES[0]), study.to_json()).map_err(wrong)?;
-    std::fs::write(out.join(FILES[1]), page(study)).map_err(wrong)
 }

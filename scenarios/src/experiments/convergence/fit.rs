@@ -48,7 +48,8 @@ pub struct Fit {
     /// Monotone, of an order from 0.5 to 3, with a band of 5 % at most.
     pub converged: bool,
     /// Why it is not converged; empty where it is.
-    pub doubts: Vec<String>,
+    #[serde(rename = "doubts")]
+    pub warnings: Vec<String>,
 }
 
 /// Fit the runs; `None` where they cannot be told apart, or there are none.
@@ -59,17 +60,17 @@ pub fn fit(samples: &[Sample]) -> Option<Fit> {
     let laws = distinct(samples.iter().map(|s| s.law));
     let model = Model { samples, finest, graded: spacings.len() > 1, sounding: laws.len() > 1 };
 
-    let mut doubts = Vec::new();
+    let mut warnings = Vec::new();
     let monotone = monotone(samples, &laws);
     if spacings.len() < 3 {
-        doubts.push(format!("{} spacings: three are needed to observe an order", spacings.len()));
+        warnings.push(format!("{} spacings: three are needed to observe an order", spacings.len()));
     } else if !monotone {
-        doubts.push("not monotone in the spacing".to_string());
+        warnings.push("not monotone in the spacing".to_string());
     }
     let order = (spacings.len() >= 3 && monotone).then(|| model.best_order());
     let sound_order = order.filter(|p| (ORDERS[0]..=ORDERS[1]).contains(p));
     if let (Some(p), None) = (order, sound_order) {
-        doubts.push(format!("observed order {p:.2}, outside {} to {}", ORDERS[0], ORDERS[1]));
+        warnings.push(format!("observed order {p:.2}, outside {} to {}", ORDERS[0], ORDERS[1]));
     }
     let order_used = sound_order.unwrap_or(USUAL_ORDER);
     let [q0, by_spacing, by_sound] = model.solve(order_used)?;
@@ -85,7 +86,7 @@ pub fn fit(samples: &[Sample]) -> Option<Fit> {
     let band = if unordered { found.max(SAFETY[1] * range(samples, finest.law)) } else { found };
     let uncertainty = band / q0.abs() + scatter.unwrap_or(0.0);
     if uncertainty.is_nan() || uncertainty > WIDEST_BAND {
-        doubts.push(format!("uncertainty of {:.1} %, above {:.0} %", 100.0 * uncertainty, 100.0 * WIDEST_BAND));
+        warnings.push(format!("uncertainty of {:.1} %, above {:.0} %", 100.0 * uncertainty, 100.0 * WIDEST_BAND));
     }
     let share = by_sound.abs() / (by_spacing.abs() + by_sound.abs());
     Some(Fit {
@@ -97,12 +98,22 @@ pub fn fit(samples: &[Sample]) -> Option<Fit> {
         sound_speed_share: (model.sounding && share.is_finite()).then_some(share),
         scatter,
         uncertainty,
-        converged: doubts.is_empty(),
-        doubts,
+        converged: warnings.is_empty(),
+        warnings,
     })
 }
 
-/// The runs, and which terms they can tell.
+impl Fit {
+    /// "converged", or "not converged" and why.
+    pub fn verdict(&self) -> String {
+        match self.converged {
+            true => "converged".to_string(),
+            false => format!("not converged: {}", self.warnings.join("; ")),
+        }
+    }
+}
+
+/// The runs, and the terms that they determine.
 struct Model<'a> {
     samples: &'a [Sample],
     finest: Sample,
@@ -211,7 +222,7 @@ mod tests {
             assert!((f.sound_speed_error.expect("two speeds") + sound).abs() < 1e-9, "{f:?}");
             assert!((f.sound_speed_share.expect("two speeds") - sound / (0.01 + sound)).abs() < 1e-7, "{f:?}");
             assert!((f.uncertainty - 1.25 * (0.01 + sound)).abs() < 1e-8, "{f:?}");
-            assert!(f.converged && f.doubts.is_empty(), "{f:?}");
+            assert!(f.converged && f.warnings.is_empty(), "{f:?}");
         }
     }
 
@@ -230,7 +241,7 @@ mod tests {
         assert!(!f.converged && f.order.is_none(), "{f:?}");
         // three times the range of 0.02 is more than what the line of order 1 leaves
         assert!((f.uncertainty * f.extrapolated - 3.0 * 0.02).abs() < 0.02, "{f:?}");
-        assert!(f.doubts.iter().any(|d| d.contains("not monotone")), "{f:?}");
+        assert!(f.warnings.iter().any(|d| d.contains("not monotone")), "{f:?}");
         // monotone at one sound speed only
         let half = |dx: f64, m: f64| 14.0 + dx * if m > 0.07 { 1.0 } else { -1.0 };
         assert!(!fit(&grid(&SPACINGS, &[0.05, 0.1], half)).expect("a fit").converged);
@@ -240,18 +251,18 @@ mod tests {
 
     #[test]
     fn a_strange_order_a_wide_band_and_too_few_spacings_are_not_converged() {
-        let doubts = |spacings: &[f64], q: fn(f64, f64) -> f64| {
+        let warnings = |spacings: &[f64], q: fn(f64, f64) -> f64| {
             let f = fit(&grid(spacings, &[0.05, 0.1], q)).expect("a fit");
             assert!(!f.converged, "{f:?}");
-            f.doubts.join("; ")
+            f.warnings.join("; ")
         };
-        let slow = doubts(&SPACINGS, |dx, _| 1.0 + 0.01 * dx.powf(0.2));
+        let slow = warnings(&SPACINGS, |dx, _| 1.0 + 0.01 * dx.powf(0.2));
         assert!(slow.contains("observed order 0.20"), "{slow}");
-        let fast = doubts(&SPACINGS, |dx, _| 1.0 + 0.001 * (dx / 0.01_f64).powf(4.5));
+        let fast = warnings(&SPACINGS, |dx, _| 1.0 + 0.001 * (dx / 0.01_f64).powf(4.5));
         assert!(fast.contains("observed order 4.50"), "{fast}");
-        let wide = doubts(&SPACINGS, |dx, _| 1.0 + 5.0 * dx);
+        let wide = warnings(&SPACINGS, |dx, _| 1.0 + 5.0 * dx);
         assert!(wide.contains("uncertainty of 6."), "{wide}");
-        let few = doubts(&SPACINGS[1..], |dx, _| 1.0 + 0.1 * dx);
+        let few = warnings(&SPACINGS[1..], |dx, _| 1.0 + 0.1 * dx);
         assert!(few.contains("2 spacings: three are needed"), "{few}");
         assert!(fit(&[]).is_none());
     }

@@ -1,6 +1,6 @@
 //! `study.html`: a study as a page.
 
-use super::table::{HEAD, cells};
+use super::table::{HEAD, cells, results};
 use super::{Point, Study};
 use crate::report::{Block, Chart, Curve, Mark, Report, Status, Table, render};
 
@@ -13,7 +13,7 @@ pub fn page(study: &Study) -> String {
     let answer = Table {
         title: "q = q₀ + A Δxᵖ + B f(M)".into(),
         head: strings(&["quantity", "value"]),
-        rows: study.answer().into_iter().map(Vec::from).collect(),
+        rows: results(study).into_iter().map(Vec::from).collect(),
     };
     let runs = Table {
         title: "Runs".into(),
@@ -22,7 +22,7 @@ pub fn page(study: &Study) -> String {
     };
     render(&Report {
         title: format!("splashdown study: {}", study.scene),
-        subtitle: format!("{}: {}", study.quantity, study.verdict()),
+        subtitle: format!("{}: {}", study.quantity, study.fit.verdict()),
         status: Status::Completed,
         sections: vec![
             (

@@ -61,8 +61,8 @@ fn waves(medium: Medium) -> Vec<Wave> {
         let (mut gradient, mut damping) = ([0.0; 2], 0.0);
         for n in &around {
             let phase = k[0] * n.at[0] + k[1] * n.at[1];
-            (0..2).for_each(|c| gradient[c] += phase.sin() * n.slope * n.at[c]);
-            damping -= (1.0 - phase.cos()) * n.slope;
+            (0..2).for_each(|c| gradient[c] += phase.sin() * n.grad_factor * n.at[c]);
+            damping -= (1.0 - phase.cos()) * n.grad_factor;
         }
         Wave { frequency: h * gradient[0].hypot(gradient[1]), damping: 2.0 * diffusion * h * h * damping }
     };

@@ -1,29 +1,29 @@
-//! Boundaries by theory: each a number of a scene that reaches 1 where the method should fail.
+//! Theoretical boundaries of stability: each is a number of a scene that is 1 at the limit.
 
 use serde::{Deserialize, Serialize};
 
 use super::acoustics::{Medium, largest_courant};
-use super::lattice::{filling, gain_of_pairs, neighbours};
+use super::lattice::{gain_of_pairs, kernel_sum, neighbours};
 use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, panel_exchanges};
 use fsi_coupling::polygon;
 
 /// By so many spacings a cylinder seems smaller to a shove of one step (PB5) [-].
 const SHORT_RADIUS: f64 = 0.8;
 
-/// A formula for a boundary.
+/// A formula for the boundary of stability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Theory {
+pub enum Boundary {
     /// Δt c₀/h over the largest at which no wave on the lattice grows, of the scene's integrator, kernel and density
     /// diffusion (THEORY M1–M3). Linear, for still water of a square lattice without viscosity.
     Courant,
-    /// Half a row of water over the body's inertia with one exchange a step; 0 with any other scheme (THEORY C4, C5, C8). For
+    /// Half a row of water over the body's inertia with one exchange per step; 0 with any other scheme (THEORY C4, C5, C8). For
     /// rigid bodies in weakly compressible water.
     RowOfWater,
-    /// Water on the face of the body's first panel over the panel's inertia with one exchange a step; 0 with any other scheme
+    /// Water on the face of the body's first panel over the panel's inertia with one exchange per step; 0 with any other scheme
     /// (THEORY C12). For panels in weakly compressible water.
     Panel,
-    /// Added mass over mass of a circular cylinder, over its limit with one exchange a step; 0 with any other scheme (THEORY
+    /// Added mass over mass of a circular cylinder, over its limit with one exchange per step; 0 with any other scheme (THEORY
     /// M4, after Causin, Gerbeau & Nobile 2005). For a projection, far from walls.
     AddedMass,
     /// h/Δx over the least at which a hexagonal lattice of pairs holds less energy under pressure than one of single
@@ -33,28 +33,28 @@ pub enum Theory {
     SurfaceRows,
 }
 
-impl Theory {
-    /// What is drawn, with its equations.
+impl Boundary {
+    /// Name, with its equations.
     pub fn name(self) -> &'static str {
         match self {
-            Theory::Courant => "sound on the lattice (THEORY M1–M3)",
-            Theory::RowOfWater => "half a row of water = the body's inertia (THEORY C8)",
-            Theory::Panel => "water beside the panel = the panel's inertia (THEORY C12)",
-            Theory::AddedMass => "added mass (1 + 2β) = mass (THEORY M4)",
-            Theory::Pairing => "pairs hold less energy (THEORY M5)",
-            Theory::SurfaceRows => "the top row and no other (THEORY M6)",
+            Boundary::Courant => "sound on the lattice (THEORY M1–M3)",
+            Boundary::RowOfWater => "half a row of water = the body's inertia (THEORY C8)",
+            Boundary::Panel => "water beside the panel = the panel's inertia (THEORY C12)",
+            Boundary::AddedMass => "added mass (1 + 2β) = mass (THEORY M4)",
+            Boundary::Pairing => "pairs hold less energy (THEORY M5)",
+            Boundary::SurfaceRows => "the top row and no other (THEORY M6)",
         }
     }
 
     /// The scene's number over the limit [-]; `None` where the formula does not apply.
     pub fn ratio(self, scene: &Scene) -> Option<f64> {
         match self {
-            Theory::Courant => courant(scene),
-            Theory::RowOfWater => one_exchange(scene, ExchangeRatio::of(scene)?.spectral_radius()),
-            Theory::Panel => one_exchange(scene, panel_exchanges(scene).first()?.1.spectral_radius),
-            Theory::AddedMass => one_exchange(scene, added_mass(scene)?),
-            Theory::Pairing => Some(pairing(scene.fluid.kernel, scene.fluid.smoothing_ratio)),
-            Theory::SurfaceRows => surface_rows(scene),
+            Boundary::Courant => courant(scene),
+            Boundary::RowOfWater => one_exchange(scene, ExchangeRatio::of(scene)?.spectral_radius()),
+            Boundary::Panel => one_exchange(scene, panel_exchanges(scene).first()?.1.spectral_radius),
+            Boundary::AddedMass => one_exchange(scene, added_mass(scene)?),
+            Boundary::Pairing => Some(pairing(scene.fluid.kernel, scene.fluid.smoothing_ratio)),
+            Boundary::SurfaceRows => surface_rows(scene),
         }
     }
 }
@@ -69,7 +69,7 @@ fn courant(scene: &Scene) -> Option<f64> {
     (!scene.solver.is_incompressible()).then_some(courant / limit)
 }
 
-/// The ratio with one exchange a step; the other schemes find acceleration and pressure together, at any mass.
+/// The ratio with one exchange per step; 0 with the other schemes, which are stable at any mass.
 fn one_exchange(scene: &Scene, ratio: f64) -> Option<f64> {
     Some(if scene.coupling.scheme == CouplingScheme::Weak { ratio } else { 0.0 })
 }
@@ -94,8 +94,8 @@ fn pairing(kernel: Kernel, smoothing_ratio: f64) -> f64 {
 fn surface_rows(scene: &Scene) -> Option<f64> {
     let ratio = scene.thesis.as_ref()?.surface_ratio;
     let around = neighbours(scene.fluid.kernel, scene.fluid.smoothing_ratio);
-    let inside = filling(&around, f64::INFINITY);
-    let [top, second] = [0.0, 1.0].map(|above| filling(&around, above) / inside);
+    let inside = kernel_sum(&around, f64::INFINITY);
+    let [top, second] = [0.0, 1.0].map(|above| kernel_sum(&around, above) / inside);
     Some((top / ratio).max(ratio / second))
 }
 
@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::scene::load;
 
-    fn ratio(theory: Theory, name: &str, sets: &[&str]) -> f64 {
+    fn ratio(theory: Boundary, name: &str, sets: &[&str]) -> f64 {
         let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
         theory.ratio(&load(name, &sets).expect("a sound scene").scene).expect("the theory applies")
     }
@@ -114,14 +114,14 @@ mod tests {
     fn a_light_cylinder_displaces_its_added_mass() {
         let sets = ["solver=incompressible", "coupling.scheme=weak"];
         let exact = 5.0 * (1.0 + 2.0 * 0.84_f64.powi(2));
-        assert!((ratio(Theory::AddedMass, "rising_body", &sets) - exact).abs() < 0.02);
-        assert_eq!(ratio(Theory::AddedMass, "rising_body", &["solver=incompressible"]), 0.0);
+        assert!((ratio(Boundary::AddedMass, "rising_body", &sets) - exact).abs() < 0.02);
+        assert_eq!(ratio(Boundary::AddedMass, "rising_body", &["solver=incompressible"]), 0.0);
     }
 
     #[test]
     fn kernels_with_positive_transforms_do_not_pair() {
         let of = |kernel: &str| {
-            ratio(Theory::Pairing, "column", &[&format!("fluid.kernel={kernel}"), "fluid.smoothing_ratio=2"])
+            ratio(Boundary::Pairing, "column", &[&format!("fluid.kernel={kernel}"), "fluid.smoothing_ratio=2"])
         };
         assert!((of("cubic_spline") - 2.0 / 1.271).abs() < 2e-3, "{}", of("cubic_spline"));
         assert!(of("gaussian") > 1.0);

@@ -8,7 +8,7 @@ pub(super) struct Neighbour {
     /// Where, in spacings.
     pub at: [f64; 2],
     /// F of ∇W = F r, in spacings to the power −4; never above zero.
-    pub slope: f64,
+    pub grad_factor: f64,
 }
 
 /// The neighbours on a square lattice within the support of a kernel with h = `ratio` spacings.
@@ -17,14 +17,14 @@ pub(super) fn neighbours(kernel: Kernel, ratio: f64) -> Vec<Neighbour> {
     let cells = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| [f64::from(i), f64::from(j)]));
     cells
         .filter(|[x, y]| (x.hypot(*y) > 0.0) && x.hypot(*y) < 2.0 * ratio)
-        .map(|at| Neighbour { at, slope: kernel.gradient_factor(at[0].hypot(at[1]), ratio) })
+        .map(|at| Neighbour { at, grad_factor: kernel.gradient_factor(at[0].hypot(at[1]), ratio) })
         .collect()
 }
 
 /// −½ Σ r·∇W over the neighbours no more than `above` rows higher [-]: near 1 inside.
-pub(super) fn filling(neighbours: &[Neighbour], above: f64) -> f64 {
+pub(super) fn kernel_sum(neighbours: &[Neighbour], above: f64) -> f64 {
     let below = neighbours.iter().filter(|n| n.at[1] <= above + 0.5);
-    -0.5 * below.map(|n| n.slope * (n.at[0] * n.at[0] + n.at[1] * n.at[1])).sum::<f64>()
+    -0.5 * below.map(|n| n.grad_factor * (n.at[0] * n.at[0] + n.at[1] * n.at[1])).sum::<f64>()
 }
 
 /// What a hexagonal lattice of pairs holds more than one of single particles, Σ_pairs w − Σ w over all within the support
@@ -53,7 +53,7 @@ mod tests {
         for (kernel, ratio, exact) in
             [(Kernel::WendlandC2, 1.5, 0.9974), (Kernel::WendlandC2, 2.0, 0.9992), (Kernel::WendlandC4, 1.75, 0.9982)]
         {
-            let found = filling(&neighbours(kernel, ratio), f64::INFINITY);
+            let found = kernel_sum(&neighbours(kernel, ratio), f64::INFINITY);
             assert!((found - exact).abs() < 5e-5, "{kernel:?} at {ratio}: {found}");
         }
     }

@@ -1,8 +1,13 @@
-//! What a map is made of: data only.
+//! A map: a scene, two axes, and bounds.
 
+use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
 
-use super::{AtlasError, Bound, Theory};
+use super::boundary::Boundary;
+use crate::experiments::catalogue::Case;
+use crate::numbers::Numbers;
+
+static MAPS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
 
 /// Momentum gap of a step from which a run counts as failed, where a map states none: far above rounding [-].
 fn usual_momentum_gap() -> f64 {
@@ -18,7 +23,7 @@ pub struct Map {
     pub name: String,
     /// What is mapped.
     pub about: String,
-    /// What is seen on it, where that wants saying.
+    /// A remark on the result.
     #[serde(default)]
     pub note: String,
     /// Name of a built-in scene, or path of a scene file.
@@ -26,21 +31,21 @@ pub struct Map {
     /// Overrides of every point, as for `--set`.
     #[serde(default)]
     pub set: Vec<String>,
-    /// Steps after which a run that has not come to its end has failed.
+    /// Largest number of steps; a run that needs more has failed.
     pub most_steps: u64,
     /// Energy that a run may gain, over the largest energy exchanged (THEORY E22), before it counts as failed [-].
     pub most_energy_gain: f64,
     /// Momentum gap of a step from which a run counts as failed (THEORY E21) [-].
     #[serde(default = "usual_momentum_gap")]
     pub most_momentum_gap: f64,
-    /// Numbers of `summary.json` outside whose bounds a run that ended has failed all the same.
+    /// Bounds on numbers of `summary.json`; a run outside them has failed.
     #[serde(default)]
     pub failed: Vec<Bound>,
-    /// Numbers outside whose bounds a run is inaccurate.
+    /// Bounds on numbers; a run outside them is inaccurate.
     #[serde(default)]
     pub inaccurate: Vec<Bound>,
-    /// The boundary by theory.
-    pub theory: Option<Theory>,
+    /// The theoretical boundary.
+    pub theory: Option<Boundary>,
     /// Across the map.
     pub x: Axis,
     /// Up the map.
@@ -51,7 +56,7 @@ pub struct Map {
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Axis {
-    /// What it is, with its unit in brackets.
+    /// Name, with its unit in brackets.
     pub label: String,
     /// Its values, rising.
     #[serde(default)]
@@ -59,7 +64,7 @@ pub struct Axis {
     /// The keys that a value drives.
     #[serde(default)]
     pub keys: Vec<Key>,
-    /// In place of values: named sets of overrides.
+    /// Instead of values: named sets of overrides.
     #[serde(default)]
     pub choices: Vec<Choice>,
 }
@@ -70,7 +75,7 @@ pub struct Axis {
 pub struct Key {
     /// The key's path, as for `--set`.
     pub path: String,
-    /// What the value is multiplied by, in the key's unit over the axis'.
+    /// Factor on the value, in the key's unit over the axis'.
     #[serde(default = "one")]
     pub factor: f64,
 }
@@ -106,7 +111,7 @@ impl Axis {
         values.chain(self.choices.iter().map(|c| c.name.clone())).collect()
     }
 
-    /// The overrides of a place; a number need not be one of the map's. `None` if nothing on the axis is called so.
+    /// The overrides of a place; a number need not be one of the map's. `None` for an unknown choice.
     pub fn sets(&self, place: &str) -> Option<Vec<String>> {
         if !self.choices.is_empty() {
             return self.choices.iter().find(|c| c.name == place).map(|c| c.set.clone());
@@ -115,7 +120,7 @@ impl Axis {
         Some(self.keys.iter().map(|key| format!("{}={:?}", key.path, value * key.factor)).collect())
     }
 
-    /// What a place may be called.
+    /// Allowed places.
     pub fn expected(&self) -> String {
         match self.choices.is_empty() {
             true => "a finite number".into(),
@@ -139,21 +144,78 @@ impl Axis {
     }
 }
 
-impl Map {
-    /// The map, if it can be swept.
-    pub(super) fn sound(self) -> Result<Map, AtlasError> {
-        let bounds = self.failed.iter().chain(&self.inaccurate);
-        let empty = bounds.into_iter().find(|b| b.least.is_none() && b.most.is_none());
-        let axes = self.x.check().and_then(|()| self.y.check());
-        let wrong = match (axes, empty) {
-            (Err(why), _) => why,
-            (_, Some(bound)) => format!("bound on `{}`: expected `least` or `most`", bound.quantity),
-            (Ok(()), None) => return Ok(self),
+/// Bounds on a number of `summary.json`.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bound {
+    /// Its path, keys joined by `/`.
+    pub quantity: String,
+    /// Least value.
+    pub least: Option<f64>,
+    /// Largest value.
+    pub most: Option<f64>,
+    /// Meaning of the bounds, with their source.
+    pub meaning: String,
+}
+
+impl Bound {
+    /// Why a run's number is outside the bounds; a missing or infinite number is outside all bounds.
+    pub(super) fn breach(&self, numbers: &Numbers) -> Option<String> {
+        let Bound { quantity, least, most, meaning } = self;
+        let Some(value) = numbers.get(quantity) else {
+            return Some(format!("{quantity} is not a number: {meaning}"));
         };
-        Err(AtlasError::Map(self.name, wrong))
+        let (low, high) = (least.is_some_and(|least| value < least), most.is_some_and(|most| value > most));
+        let limit = if low { least } else { most }.unwrap_or_default();
+        let side = if low { "below" } else { "above" };
+        (low || high).then(|| format!("{quantity} = {value:.4e}, {side} {limit}: {meaning}"))
+    }
+}
+
+impl Case for Map {
+    const KIND: &'static str = "map";
+
+    fn folder() -> &'static Dir<'static> {
+        &MAPS
     }
 
-    /// The command that runs a point again.
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn rename(&mut self, name: String) {
+        self.name = name;
+    }
+
+    fn about(&self) -> &str {
+        &self.about
+    }
+
+    /// The path itself, so that the commands on the page work.
+    fn name_of_file(path: &str) -> String {
+        path.to_string()
+    }
+
+    fn check(&self) -> Result<(), String> {
+        self.x.check()?;
+        self.y.check()?;
+        let mut bounds = self.failed.iter().chain(&self.inaccurate);
+        match bounds.find(|b| b.least.is_none() && b.most.is_none()) {
+            Some(bound) => Err(format!("bound on `{}`: expected `least` or `most`", bound.quantity)),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Map {
+    /// Overrides of a point.
+    pub(super) fn sets(&self, x: &str, y: &str) -> Vec<String> {
+        let own =
+            [(&self.x, x), (&self.y, y)].into_iter().flat_map(|(axis, place)| axis.sets(place).unwrap_or_default());
+        self.set.iter().cloned().chain(own).collect()
+    }
+
+    /// The command that repeats a point.
     pub fn command(&self, x: &str, y: &str) -> String {
         format!("splashdown stability {} --point {x},{y}", self.name)
     }

@@ -1,6 +1,7 @@
 //! A map as a page and as a table.
 
 use super::{Bound, Measured, Point, Verdict, svg};
+use crate::experiments::markdown;
 use crate::report::{Block, Report, Status, Table, render};
 
 /// The map, what its verdicts mean, and every point with its reason and its command.
@@ -32,13 +33,14 @@ pub fn table(measured: &Measured) -> String {
         text += &format!("{}\n\n", map.note);
     }
     let corner = format!("{} \\ {}", map.y.label, map.x.label);
-    text += &format!("| {corner} | {} | cells off theory |\n", map.x.names().join(" | "));
-    text += &format!("|{}\n", "---|".repeat(map.x.len() + 2));
-    for (j, name) in map.y.names().iter().enumerate().rev() {
+    let head: Vec<String> = std::iter::once(corner).chain(map.x.names()).chain(["cells off theory".into()]).collect();
+    let row = |(j, name): (usize, String)| {
         let off = measured.misfit(j).map_or("–".into(), |cells| cells.to_string());
-        let row: Vec<&str> = measured.row(j).iter().map(mark).collect();
-        text += &format!("| {name} | {} | {off} |\n", row.join(" | "));
-    }
+        let marks = measured.row(j).iter().map(|p| mark(p).to_string());
+        std::iter::once(name).chain(marks).chain([off]).collect()
+    };
+    let rows: Vec<Vec<String>> = map.y.names().into_iter().enumerate().rev().map(row).collect();
+    text += &markdown(&head, &rows);
     for line in criteria(measured) {
         text += &format!("\n- {line}");
     }

@@ -1,12 +1,12 @@
-//! What became of a run.
+//! The verdict on a run of a map.
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
-use super::Map;
+use super::map::{Bound, Map};
+use crate::experiments::runs::RunRecord;
 use crate::summary::{Status, Summary};
 
-/// What a point is.
+/// Verdict on a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -14,8 +14,8 @@ pub enum Verdict {
     Stable,
     /// Ran to its end, but a number is wrong.
     Inaccurate,
-    /// Broke down, took too many steps, gained energy, let water through a wall, broke the momentum audit, or left the map's
-    /// bounds of what a run can be.
+    /// Broke down, took too many steps, gained energy, let water penetrate a wall, violated the momentum balance, or left the
+    /// map's bounds of failure.
     Failed,
 }
 
@@ -30,39 +30,10 @@ impl Verdict {
     }
 }
 
-/// Bounds on a number of `summary.json`.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Bound {
-    /// Its path, keys joined by `/`.
-    pub quantity: String,
-    /// Least value.
-    pub least: Option<f64>,
-    /// Largest value.
-    pub most: Option<f64>,
-    /// What the bounds mean, with their source.
-    pub meaning: String,
-}
-
-impl Bound {
-    /// What is wrong with a run's number; a number that is not there or not finite is outside every bound.
-    fn breach(&self, summary: &Value) -> Option<String> {
-        let Bound { quantity, least, most, meaning } = self;
-        let Some(value) = summary.pointer(&format!("/{quantity}")).and_then(Value::as_f64) else {
-            return Some(format!("{quantity} is not a number: {meaning}"));
-        };
-        let (low, high) = (least.is_some_and(|least| value < least), most.is_some_and(|most| value > most));
-        let limit = if low { least } else { most }.unwrap_or_default();
-        let side = if low { "below" } else { "above" };
-        (low || high).then(|| format!("{quantity} = {value:.4e}, {side} {limit}: {meaning}"))
-    }
-}
-
 /// The verdict on a run, and why.
-pub(super) fn judge(map: &Map, summary: &Summary) -> (Verdict, String) {
-    let json = serde_json::to_value(summary).unwrap_or_default();
-    let first = |bounds: &[Bound]| bounds.iter().find_map(|bound| bound.breach(&json));
-    if let Some(why) = failure(map, summary).or_else(|| first(&map.failed)) {
+pub(super) fn judge(map: &Map, run: &RunRecord) -> (Verdict, String) {
+    let first = |bounds: &[Bound]| bounds.iter().find_map(|bound| bound.breach(&run.numbers));
+    if let Some(why) = failure(map, &run.summary).or_else(|| first(&map.failed)) {
         return (Verdict::Failed, why);
     }
     match first(&map.inaccurate) {
@@ -71,7 +42,7 @@ pub(super) fn judge(map: &Map, summary: &Summary) -> (Verdict, String) {
     }
 }
 
-/// What no map forgives.
+/// Why a run has failed on any map.
 fn failure(map: &Map, summary: &Summary) -> Option<String> {
     let audit = &summary.audit;
     let beyond = |value: f64, most: f64| value.is_nan() || value > most;

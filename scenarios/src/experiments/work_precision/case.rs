@@ -1,18 +1,14 @@
-//! What is charted: a scene, numbers whose true values are known, and ways to them.
-
-use std::path::Path;
+//! A case: a scene, numbers whose true values are known, and families of runs.
 
 use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
-use super::ChartError;
-use crate::embedded;
-use crate::summary::Summary;
+use crate::experiments::catalogue;
+use crate::experiments::runs::RunRecord;
 
 static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/charts");
 
-/// What is charted.
+/// A work–precision chart.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
@@ -28,7 +24,7 @@ pub struct Case {
     pub set: Vec<String>,
     /// Numbers, all taken from the same runs.
     pub quantity: Vec<Quantity>,
-    /// Ways to the numbers.
+    /// Families of runs.
     pub family: Vec<Family>,
 }
 
@@ -44,7 +40,7 @@ pub struct Quantity {
     /// Its exact or measured value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reference: Option<f64>,
-    /// Path of its standard deviation, where it is a mean of something that should not vary.
+    /// Path of its standard deviation, where it is a mean of a constant.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scatter: Option<String>,
     /// The `quantity` of a line of `summary.json`'s `comparison[]`, whose error is charted.
@@ -53,11 +49,11 @@ pub struct Quantity {
     /// The `reference` of that line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<String>,
-    /// Where the true value is from.
+    /// Source of the true value.
     pub source: String,
 }
 
-/// One way to the numbers, at growing effort; without `vary` a single run.
+/// Runs of one setting at growing effort; without `vary` a single run.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Family {
@@ -66,7 +62,7 @@ pub struct Family {
     /// Overrides, as for `--set`.
     #[serde(default)]
     pub set: Vec<String>,
-    /// The key that tells the effort.
+    /// The key that sets the effort.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub vary: Option<String>,
     /// Its values.
@@ -99,7 +95,7 @@ impl std::fmt::Display for Setting {
     }
 }
 
-/// What a run gave for a quantity.
+/// The value of a quantity in a run.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Reading {
     /// The number; of a curve, its mean over the reference's points.
@@ -120,27 +116,28 @@ impl Reading {
 }
 
 impl Quantity {
-    /// What a summary says; else what it lacks. `json` is the summary as its file.
-    pub fn read(&self, summary: &Summary, json: &Value) -> Result<Reading, String> {
-        let number = |path: &str| {
-            let found = json.pointer(&format!("/{path}")).and_then(Value::as_f64);
-            found.ok_or_else(|| format!("summary.json has no number {path}"))
-        };
+    /// Its value in a run.
+    ///
+    /// # Errors
+    /// The run has no such number or comparison.
+    pub fn read(&self, run: &RunRecord) -> Result<Reading, String> {
+        let number = |path: &str| run.numbers.get(path).ok_or_else(|| format!("summary.json has no number {path}"));
         if let (Some(path), Some(reference)) = (&self.value, self.reference) {
             let value = number(path)?;
             let scatter = self.scatter.as_deref().map_or(Ok(0.0), number)? / reference.abs();
             return Ok(Reading::new(value, value / reference - 1.0, scatter));
         }
         let (quantity, against) = (self.comparison.as_deref(), self.against.as_deref());
-        let line = summary.comparison.iter().find(|c| Some(&*c.quantity) == quantity && Some(&*c.reference) == against);
+        let line =
+            run.summary.comparison.iter().find(|c| Some(&*c.quantity) == quantity && Some(&*c.reference) == against);
         let line = line.ok_or_else(|| {
             format!("no comparison of {} with {}", quantity.unwrap_or_default(), against.unwrap_or_default())
         })?;
         Ok(Reading::new(line.ours, line.error, 0.0))
     }
 
-    /// The number in words.
-    pub fn in_words(&self) -> String {
+    /// Path, reference and source in one line.
+    pub fn text(&self) -> String {
         match (&self.value, self.reference, &self.comparison, &self.against) {
             (Some(value), Some(reference), ..) => format!("`{value}`, reference {reference} ({})", self.source),
             (.., Some(comparison), Some(against)) => format!("`{comparison}` against {against} ({})", self.source),
@@ -148,8 +145,8 @@ impl Quantity {
         }
     }
 
-    /// Why it cannot be charted, if so.
-    fn doubt(&self) -> Option<String> {
+    /// Why it cannot be charted.
+    fn problem(&self) -> Option<String> {
         let name = &self.name;
         match (&self.value, self.reference, &self.comparison, &self.against) {
             (Some(_), Some(reference), None, None) if reference == 0.0 || !reference.is_finite() => Some(format!(
@@ -173,7 +170,7 @@ impl Family {
         self.values.iter().map(|at| (Some(at.clone()), with(at))).collect()
     }
 
-    fn doubt(&self) -> Option<String> {
+    fn problem(&self) -> Option<String> {
         match (&self.vary, self.values.is_empty()) {
             (Some(key), true) => {
                 Some(format!("`values` of `{}` is empty: expected at least one value of `{key}`", self.name))
@@ -184,56 +181,39 @@ impl Family {
     }
 }
 
-/// All cases, by name.
-pub fn cases() -> Result<Vec<Case>, ChartError> {
-    let all: Vec<(String, Case)> = embedded::all(&CASES).map_err(|(name, why)| ChartError::Case(name, why))?;
-    all.into_iter().map(|(name, case)| sound(Case { name, ..case })).collect()
-}
+impl catalogue::Case for Case {
+    const KIND: &'static str = "chart";
 
-/// The cases of the given names, or of the given TOML files; all that are built in if none is given.
-pub fn select(names: &[String]) -> Result<Vec<Case>, ChartError> {
-    let all = cases()?;
-    if names.is_empty() {
-        return Ok(all);
+    fn folder() -> &'static Dir<'static> {
+        &CASES
     }
-    let known = || all.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", ");
-    let chosen = |name: &String| match name.strip_suffix(".toml") {
-        Some(path) => from_file(Path::new(name), path),
-        None => all.iter().find(|c| c.name == *name).cloned().ok_or_else(|| ChartError::Unknown(name.clone(), known())),
-    };
-    names.iter().map(chosen).collect()
-}
 
-/// The case of a file, named like it.
-fn from_file(file: &Path, path: &str) -> Result<Case, ChartError> {
-    let wrong = |why: String| ChartError::Case(file.display().to_string(), why);
-    let text = std::fs::read_to_string(file).map_err(|e| wrong(e.to_string()))?;
-    let case = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
-    sound(Case { name: name_of(path), ..case })
-}
+    fn name(&self) -> &str {
+        &self.name
+    }
 
-/// The last part of a path, without its folders.
-pub(super) fn name_of(path: &str) -> String {
-    Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
+    fn rename(&mut self, name: String) {
+        self.name = name;
+    }
 
-/// A case whose errors can be told.
-pub(super) fn sound(case: Case) -> Result<Case, ChartError> {
-    let empty = |what: &str, expected: &str| format!("`{what}` is empty: expected at least one {expected}");
-    let twice = |what: &str, mut names: Vec<&String>| {
-        names.sort();
-        let double = names.windows(2).find(|pair| pair[0] == pair[1])?;
-        Some(format!("two of `{what}` are named `{}`: expected different names", double[0]))
-    };
-    let doubt = (case.family.is_empty().then(|| empty("family", "way to the numbers")))
-        .or_else(|| case.quantity.is_empty().then(|| empty("quantity", "number")))
-        .or_else(|| twice("family", case.family.iter().map(|f| &f.name).collect()))
-        .or_else(|| twice("quantity", case.quantity.iter().map(|q| &q.name).collect()))
-        .or_else(|| case.quantity.iter().find_map(Quantity::doubt))
-        .or_else(|| case.family.iter().find_map(Family::doubt));
-    match doubt {
-        Some(why) => Err(ChartError::Case(case.name, why)),
-        None => Ok(case),
+    fn about(&self) -> &str {
+        &self.about
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let empty = |what: &str, expected: &str| format!("`{what}` is empty: expected at least one {expected}");
+        let twice = |what: &str, mut names: Vec<&String>| {
+            names.sort();
+            let double = names.windows(2).find(|pair| pair[0] == pair[1])?;
+            Some(format!("two of `{what}` are named `{}`: expected different names", double[0]))
+        };
+        let problem = (self.family.is_empty().then(|| empty("family", "way to the numbers")))
+            .or_else(|| self.quantity.is_empty().then(|| empty("quantity", "number")))
+            .or_else(|| twice("family", self.family.iter().map(|f| &f.name).collect()))
+            .or_else(|| twice("quantity", self.quantity.iter().map(|q| &q.name).collect()))
+            .or_else(|| self.quantity.iter().find_map(Quantity::problem))
+            .or_else(|| self.family.iter().find_map(Family::problem));
+        problem.map_or(Ok(()), Err)
     }
 }
 
@@ -249,7 +229,7 @@ mod tests {
         .expect("sound");
         let json = serde_json::to_string(&family).expect("JSON");
         let back: Family = serde_json::from_str(&json).expect("comes back");
-        let case = cases().expect("they parse").swap_remove(0);
+        let case = catalogue::all::<Case>().expect("they parse").swap_remove(0);
         let case = Case { set: Vec::new(), ..case };
         let last = |f: &Family| f.runs(&case).into_iter().map(|(_, sets)| sets[1].clone()).collect::<Vec<_>>();
         assert_eq!(last(&family), ["k=3", "k=0.5", "k=2.0", "k=wendland_c4", "k=true"]);

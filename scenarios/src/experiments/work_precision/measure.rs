@@ -3,29 +3,31 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::ChartError;
-use super::case::{Case, name_of, sound};
+use super::case::Case;
 use super::measured::{Measured, Outcome, Point, Run};
-use crate::run::{self, RunOptions};
-use crate::scene::{self, Scene};
-use crate::summary::Status;
+use crate::experiments::runs::{run_to_end, scene_with};
+use crate::experiments::{ExperimentError, catalogue};
+use crate::scene::Scene;
 
 /// Run every point of a case, except those that `before` holds.
 ///
-/// `tell` hears of each run before it starts: its number, how many there are, and its name; `keep` gets the chart as far as it
-/// is after each. A run that fails is a point that says why.
+/// `tell` is called before each run with its number, the number of runs, and its name; `keep` stores the chart after each run. A
+/// run that fails is a point with a reason.
+///
+/// # Errors
+/// A scene is wrong, the chart to resume was measured under other conditions, or `keep` fails.
 pub fn measure(
     case: &Case,
     before: Option<&Measured>,
     tell: impl Fn(usize, usize, &str),
-    mut keep: impl FnMut(&Measured) -> Result<(), ChartError>,
-) -> Result<Measured, ChartError> {
+    mut keep: impl FnMut(&Measured) -> Result<(), ExperimentError>,
+) -> Result<Measured, ExperimentError> {
     let (threads, version) = (rayon::current_num_threads(), env!("CARGO_PKG_VERSION").to_string());
     let mut measured = Measured { case: case.clone(), threads, version, points: Vec::new() };
     let mut todo = Vec::new();
     for family in &case.family {
         for (at, set) in family.runs(case) {
-            let scene = scene::load(&case.scene, &set)?.scene; // all are read before any is run
+            let scene = scene_with(&case.scene, &set, &[])?; // all are read before the first run
             let point = Point { family: family.name.clone(), at, set, outcome: Outcome::Failed(String::new()) };
             todo.push((point, scene));
         }
@@ -47,22 +49,24 @@ pub fn measure(
     Ok(measured)
 }
 
-/// The chart to take up again, if its costs may stand beside new ones.
-fn same_conditions<'a>(new: &Measured, before: &'a Measured) -> Result<&'a Measured, ChartError> {
+/// The chart to resume, if its costs compare with those of new runs.
+fn same_conditions<'a>(new: &Measured, before: &'a Measured) -> Result<&'a Measured, ExperimentError> {
     let conditions = |m: &Measured| (m.case.scene.clone(), m.threads, m.version.clone());
     match conditions(new) == conditions(before) {
         true => Ok(before),
-        false => {
-            Err(ChartError::Conditions { name: new.case.name.clone(), before: in_words(before), now: in_words(new) })
-        }
+        false => Err(ExperimentError::Input {
+            key: "--resume",
+            given: format!("{}, measured as {}", new.case.name, conditions_text(before)),
+            expected: format!("{}, so that costs compare", conditions_text(new)),
+        }),
     }
 }
 
-fn in_words(m: &Measured) -> String {
+fn conditions_text(m: &Measured) -> String {
     format!("{} with {} threads and version {}", m.case.scene, m.threads, m.version)
 }
 
-/// True where a point has all that the case asks for, against the same references.
+/// True where a point has all quantities of the case, against the same references.
 fn is_whole(point: &Point, case: &Case) -> bool {
     point.run().is_some_and(|run| {
         case.quantity.iter().all(|q| {
@@ -75,15 +79,14 @@ fn is_whole(point: &Point, case: &Case) -> bool {
 }
 
 fn outcome(case: &Case, scene: &Scene) -> Outcome {
-    let summary = match run::run(scene, &RunOptions::default()) {
-        Ok(outcome) if outcome.summary.status == Status::Completed => outcome.summary,
-        Ok(outcome) => return Outcome::Failed(outcome.summary.message.unwrap_or_default()),
+    let run = match run_to_end(scene) {
+        Ok(run) => run,
+        Err(ExperimentError::Ended(_, _, why)) => return Outcome::Failed(why),
         Err(error) => return Outcome::Failed(error.to_string()),
     };
-    let json = serde_json::to_value(&summary).unwrap_or_default();
     let (mut readings, mut missing) = (BTreeMap::new(), BTreeMap::new());
     for quantity in &case.quantity {
-        match quantity.read(&summary, &json) {
+        match quantity.read(&run) {
             Ok(reading) => readings.insert(quantity.name.clone(), reading).map(|_| ()),
             Err(why) => missing.insert(quantity.name.clone(), why).map(|_| ()),
         };
@@ -93,17 +96,19 @@ fn outcome(case: &Case, scene: &Scene) -> Outcome {
         readings,
         missing,
         spacings_per_draught: draught.map(|d| d / scene.resolution.spacing),
-        particles: summary.particles.fluid,
-        steps: summary.steps,
-        core_seconds: summary.wall_time_s * summary.threads as f64,
+        particles: run.summary.particles.fluid,
+        steps: run.summary.steps,
+        core_seconds: run.core_seconds(),
     })
 }
 
 /// A chart that was measured before.
-pub fn stored(path: &Path) -> Result<Measured, ChartError> {
-    let wrong = |why: String| ChartError::Stored(path.display().to_string(), why);
-    let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
-    let measured: Measured = serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))?;
-    let case = sound(super::Case { name: name_of(&measured.case.name), ..measured.case })?;
+///
+/// # Errors
+/// The file cannot be read, or is not a chart.
+pub fn stored(path: &Path) -> Result<Measured, ExperimentError> {
+    let measured: Measured = catalogue::stored::<Case, _>(path)?;
+    let name = Path::new(&measured.case.name).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let case = catalogue::checked(Case { name, ..measured.case })?;
     Ok(Measured { case, ..measured })
 }

@@ -1,11 +1,11 @@
-//! A chart's runs, and what they say together: the front of what nothing beats, the fall of the error with the cost.
+//! A chart's runs, their Pareto front, and the law of the error over the cost.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use super::case::{Case, Family, Quantity, Reading, Setting};
-use super::power_law::PowerLaw;
+use crate::power_law::PowerLaw;
 
 /// A run, done or failed.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -14,7 +14,7 @@ pub struct Point {
     pub family: String,
     /// Value of the family's key, where it varies one.
     pub at: Option<Setting>,
-    /// All overrides of the run: what tells it from others when a chart is taken up again.
+    /// All overrides of the run; they identify it when a chart is resumed.
     pub set: Vec<String>,
     /// How it ended.
     pub outcome: Outcome,
@@ -30,12 +30,12 @@ pub enum Outcome {
     Failed(String),
 }
 
-/// A run's numbers.
+/// Numbers of a run.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Run {
-    /// What it gave, by quantity.
+    /// Readings, by quantity.
     pub readings: BTreeMap<String, Reading>,
-    /// What it did not give, by quantity: why.
+    /// Quantities that could not be read, with the reason.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub missing: BTreeMap<String, String>,
     /// Draught at the end, while the spray root is on the bottom, over the finest spacing [-]; absent without an entry.
@@ -52,7 +52,7 @@ pub struct Run {
 /// A chart, measured.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Measured {
-    /// What was charted.
+    /// The case.
     pub case: Case,
     /// Threads of each run.
     pub threads: usize,
@@ -62,7 +62,7 @@ pub struct Measured {
     pub points: Vec<Point>,
 }
 
-/// A run as a chart of one quantity sees it.
+/// A run with its reading of one quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<'a> {
     /// The run.
@@ -90,12 +90,12 @@ impl Point {
     }
 }
 
-/// How a family's error goes with its cost.
+/// Error of a family over its cost.
 #[derive(Clone, Debug)]
 pub struct Trend {
     /// error = a · (core-seconds)ᵇ.
     pub law: PowerLaw,
-    /// In words.
+    /// Verdict.
     pub verdict: &'static str,
 }
 
@@ -142,7 +142,7 @@ impl Measured {
     }
 }
 
-/// Indices of the points [cost, error] that no other beats, by growing cost; their errors fall strictly.
+/// Indices of the Pareto-optimal points [cost, error] by growing cost; their errors fall strictly.
 fn front(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| {
@@ -162,7 +162,7 @@ mod tests {
     use super::front;
 
     #[test]
-    fn the_front_is_what_nothing_beats_and_falls_strictly() {
+    fn the_front_is_pareto_optimal_and_falls_strictly() {
         let points = [[8.0, 0.01], [1.0, 0.1], [2.0, 0.2], [2.0, 0.05], [4.0, 0.05], [8.0, 0.01]];
         assert_eq!(front(&points), [1, 3, 0]);
         assert!(front(&[]).is_empty());

@@ -1,9 +1,10 @@
 //! A chart as SVG, as a page and as tables.
 
 use super::case::Quantity;
+use super::case::Reading;
 use super::measured::{Measured, Outcome, Seen, Trend};
 use super::peers::{Peer, PeerPoint, peers};
-use crate::chart::{ChartError, Reading};
+use crate::experiments::{ExperimentError, markdown};
 use crate::report::{Block, Chart, Curve, Mark, Report, Status, Table, TrendLine, chart_svg, render};
 
 const HEAD: [&str; 9] =
@@ -13,13 +14,13 @@ const TREND_HEAD: [&str; 5] =
 /// Errors below this are drawn at it [%]: references are known to some four digits.
 const LEAST_DRAWN: f64 = 0.01;
 
-/// Error against cost of one quantity, both logarithmic, with the front of what nothing beats.
-pub fn svg(measured: &Measured, quantity: &Quantity) -> Result<String, ChartError> {
+/// Error against cost of one quantity, both logarithmic, with the Pareto front.
+pub fn svg(measured: &Measured, quantity: &Quantity) -> Result<String, ExperimentError> {
     Ok(chart_svg(&chart(measured, quantity, &peers(&measured.case.name)?)))
 }
 
 /// The charts with their tables.
-pub fn page(measured: &Measured) -> Result<String, ChartError> {
+pub fn page(measured: &Measured) -> Result<String, ExperimentError> {
     let case = &measured.case;
     let peers = peers(&case.name)?;
     let section = |quantity: &Quantity| {
@@ -36,22 +37,20 @@ pub fn page(measured: &Measured) -> Result<String, ChartError> {
 }
 
 /// The runs as Markdown.
-pub fn table(measured: &Measured) -> Result<String, ChartError> {
+pub fn table(measured: &Measured) -> Result<String, ExperimentError> {
     let case = &measured.case;
     let peers = peers(&case.name)?;
     let mut text = format!("{}. {} threads.\n", case.about, measured.threads);
     for quantity in &case.quantity {
         text += &format!("\n### {}, {}\n", case.name, quantity.name);
         for table in tables(measured, quantity, &peers) {
-            text +=
-                &format!("\n{}\n\n| {} |\n|{}\n", table.title, table.head.join(" | "), "---|".repeat(table.head.len()));
-            table.rows.iter().for_each(|row| text += &format!("| {} |\n", row.join(" | ")));
+            text += &format!("\n{}\n\n{}", table.title, markdown(&table.head, &table.rows));
         }
     }
     Ok(text)
 }
 
-/// Runs, laws, and what did not run.
+/// Runs, laws, and runs without a number.
 fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table> {
     let head = |cells: &[&str]| cells.iter().map(|c| c.to_string()).collect::<Vec<_>>();
     let mut rows: Vec<Vec<String>> = measured.seen(quantity).iter().map(cells).collect();
@@ -66,7 +65,7 @@ fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table
         .filter(|p| theirs.iter().any(|t| t.0.name == p.name))
         .map(|p| format!(" {}: {}.", p.name, p.provenance))
         .collect();
-    let title = format!("{}.{}", quantity.in_words(), sources.concat());
+    let title = format!("{}.{}", quantity.text(), sources.concat());
     let mut tables = vec![Table { title, head: head(&HEAD), rows }];
     let laws: Vec<Vec<String>> = measured
         .case

@@ -1,13 +1,13 @@
-//! Points of other programs, where somebody measured them: `scenarios/cases/reference/peers`.
+//! Measured points of other programs: `scenarios/cases/reference/peers`.
 
 use std::collections::BTreeMap;
 
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
 
-use super::ChartError;
 use super::case::Reading;
 use crate::embedded;
+use crate::experiments::ExperimentError;
 
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference/peers");
 
@@ -19,7 +19,7 @@ pub struct Peer {
     pub name: String,
     /// Name of the charted case.
     pub case: String,
-    /// Who measured what, how and where.
+    /// Provenance of the measurement.
     pub provenance: String,
     /// Its runs.
     pub point: Vec<PeerPoint>,
@@ -37,7 +37,7 @@ pub struct PeerPoint {
     pub steps: u64,
     /// Wall-clock time × threads [s].
     pub core_seconds: f64,
-    /// What it gave, by quantity of the case.
+    /// Results, by quantity of the case.
     pub gave: BTreeMap<String, Given>,
 }
 
@@ -52,7 +52,7 @@ pub enum Given {
         /// Standard deviation over the reference [-].
         scatter: f64,
     },
-    /// What depends on how it is read: least and largest reading.
+    /// A reading with an uncertain interpretation: least and largest value.
     Range {
         /// Least reading.
         least: f64,
@@ -75,20 +75,25 @@ impl Given {
 }
 
 /// The programs that ran a case.
-pub fn peers(case: &str) -> Result<Vec<Peer>, ChartError> {
-    let all: Vec<(String, Peer)> = embedded::all(&FILES).map_err(|(name, why)| ChartError::Case(name, why))?;
+///
+/// # Errors
+/// A file is wrong.
+pub fn peers(case: &str) -> Result<Vec<Peer>, ExperimentError> {
+    let wrong = |(name, why)| ExperimentError::Case { kind: "chart of another program", name, why };
+    let all: Vec<(String, Peer)> = embedded::contents(&FILES).map_err(wrong)?;
     Ok(all.into_iter().map(|(_, peer)| peer).filter(|peer| peer.case == case).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chart::cases;
+    use crate::experiments::catalogue;
+    use crate::experiments::work_precision::Case;
 
     #[test]
     fn every_peer_ran_a_charted_case_and_its_quantities() {
-        let cases = cases().expect("they parse");
-        let all: Vec<(String, Peer)> = embedded::all(&FILES).expect("they parse");
+        let cases = catalogue::all::<Case>().expect("they parse");
+        let all: Vec<(String, Peer)> = embedded::contents(&FILES).expect("they parse");
         assert!(!all.is_empty());
         for (file, peer) in all {
             let case = cases.iter().find(|c| c.name == peer.case).unwrap_or_else(|| panic!("{file}: {}", peer.case));
