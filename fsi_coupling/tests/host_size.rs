@@ -5,7 +5,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use fsi_coupling::host::{FluidElementSpec, HostNodes, HostStep, Topology};
+use fsi_coupling::embed::{FluidElementSpec, HostNodes, HostStep, Topology};
 
 struct Counting;
 

@@ -2,7 +2,7 @@
 //!
 //! The project's own tables (`scenarios/cases/reference`) are part of the program; a scene may name a file of its own.
 
-use fsi_coupling::theory::SimilarityFlow;
+use fsi_coupling::entry_theory::SimilarityFlow;
 use include_dir::{Dir, include_dir};
 
 static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference");

@@ -4,7 +4,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use fsi_coupling::{Coupled, CouplingError, polygon};
+use fsi_coupling::geometry::polygon;
+use fsi_coupling::{Coupled, CouplingError};
 use scenarios::build;
 use scenarios::scene::{self, Scene};
 

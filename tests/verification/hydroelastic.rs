@@ -1,6 +1,6 @@
 //! The modal beam on Wagner's load (THEORY HM1–HM5) against tables of an independent program.
 
-use fsi_coupling::theory::{Bent, ElasticWedge, Held, Loads, Rung, Section};
+use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Loads, Rung, Section};
 use structure_fe::Material;
 
 fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {

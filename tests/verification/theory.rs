@@ -1,6 +1,6 @@
 //! The low-order models of entry (THEORY LM1–LM12) against tables that independent programs computed.
 
-use fsi_coupling::theory::{Course, Entry, Loads, OutOfRange, Rung, Section, SimilarityFlow};
+use fsi_coupling::entry_theory::{Course, Entry, Loads, OutOfRange, Rung, Section, SimilarityFlow};
 
 /// Rows of a reference, with its columns by name.
 struct Reference {

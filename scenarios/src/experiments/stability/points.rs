@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use sph_core::sweep::on_threads;
+use sph_core::parallel::on_threads;
 use tracing::subscriber::{NoSubscriber, with_default};
 
 use super::map::Map;
