@@ -1,7 +1,7 @@
 //! `splashdown list`, `keywords` and `check`: what there is, and what a run would cost.
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
-use crate::forecast::forecast;
+use crate::preflight::preflight;
 use crate::scene;
 
 pub(super) fn list(output: &Output) -> Result<u8, Stop> {
@@ -34,7 +34,7 @@ pub(super) fn keywords(output: &Output) -> Result<u8, Stop> {
 
 pub(super) fn check(output: &Output, args: &SceneArgs) -> Result<u8, Stop> {
     let loaded = load(args)?;
-    let forecast = forecast(&loaded.scene, &loaded.warnings);
-    output.result(&forecast, &forecast.to_text());
+    let preflight = preflight(&loaded.scene, &loaded.warnings);
+    output.result(&preflight, &preflight.to_text());
     Ok(DONE)
 }

@@ -1,15 +1,11 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
 mod about;
-mod bands;
 mod bench;
-mod chart;
 mod ditch;
+mod experiments;
 mod run;
 mod shared;
-mod stability;
-mod study;
-mod validate;
 
 use std::process::ExitCode;
 
@@ -18,6 +14,7 @@ use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
+use experiments::{convergence, coverage, stability, validation, work_precision};
 use shared::{FAILED, INPUT, Output, SceneArgs, Stop};
 
 #[derive(Parser)]
@@ -41,9 +38,9 @@ enum Command {
     /// Print what a run would cost and its known limits, without running it.
     Check(SceneArgs),
     /// Run a scene at several spacings and sound speeds and say what a number tends to.
-    Study(study::StudyArgs),
+    Study(convergence::StudyArgs),
     /// Chart error against cost: each way to a number whose value is known.
-    Chart(chart::ChartArgs),
+    Chart(work_precision::ChartArgs),
     /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
     Stability(stability::StabilityArgs),
     /// Land an aeroplane on water by its sections (2D+t).
@@ -51,9 +48,9 @@ enum Command {
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
-    Validate(validate::ValidateArgs),
+    Validate(validation::ValidateArgs),
     /// Count how often the error bars of `run --converge` hold an exact value.
-    Bands(bands::BandsArgs),
+    Bands(coverage::BandsArgs),
     /// Describe every key of a scene file.
     Keywords,
 }
@@ -100,13 +97,13 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::List => about::list(output),
         Command::Run(args) => run::run_scene(output, args),
         Command::Check(args) => about::check(output, args),
-        Command::Study(args) => study::run_study(output, args),
-        Command::Chart(args) => chart::run_charts(output, args),
+        Command::Study(args) => convergence::run_study(output, args),
+        Command::Chart(args) => work_precision::run_charts(output, args),
         Command::Stability(args) => stability::run_maps(output, args),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
-        Command::Validate(args) => validate::run_validate(output, args),
-        Command::Bands(args) => bands::run_bands(output, args),
+        Command::Validate(args) => validation::run_validation(output, args),
+        Command::Bands(args) => coverage::run_bands(output, args),
         Command::Keywords => about::keywords(output),
     }
 }

@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::experiments::convergence;
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
-use super::study;
 use crate::error_bar::ErrorBars;
 use crate::run::summary::{Status, Summary};
 use crate::run::{RunOptions, run};
@@ -65,7 +65,7 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
             );
             return Err(Stop::Input(text));
         }
-        true => Some(study::coarser_runs(output, &given, &args.quantities, &out, args.force)?),
+        true => Some(convergence::coarser_runs(output, &given, &args.quantities, &out, args.force)?),
         false => None,
     };
     let studied =

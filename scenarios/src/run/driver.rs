@@ -13,9 +13,9 @@ use super::outcome::{Outcome, RunOptions};
 use super::recorder::Recorder;
 use super::summary::Status;
 use crate::build;
-use crate::chart;
+use crate::charted;
 use crate::compare;
-use crate::ladder;
+use crate::model_hierarchy;
 use crate::observers::{LogObserver, ObserveError};
 use crate::report::run_page;
 use crate::scene::Scene;
@@ -43,7 +43,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     }
     if scene.model.is_theory() {
         start_folder(scene, options)?;
-        return keep(scene, ladder::run(scene, options, references)?, options);
+        return keep(scene, model_hierarchy::run(scene, options, references)?, options);
     }
     let mut system = build::build(scene)?;
     start_folder(scene, options)?;
@@ -77,7 +77,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         );
     }
     if summary.status == Status::Completed {
-        summary.error_bars = options.error_bars.map_or_else(|| chart::error_bars(scene, &summary), |of| of(&summary));
+        summary.error_bars = options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
     }
     keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)
 }

@@ -2,7 +2,7 @@
 
 use fsi_coupling::entry_theory::Rung;
 
-use crate::ladder::{Assessment, Theory, Want, rungs};
+use crate::model_hierarchy::{Assessment, Theory, Want, assess};
 use crate::observers::Series;
 use crate::report::table::row;
 use crate::report::{Block, Curve, Mark, Table};
@@ -69,7 +69,7 @@ pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
     let table = Table {
         title: "Theories of this entry".into(),
         head,
-        rows: rungs(scene, want).into_iter().map(line).collect(),
+        rows: assess(scene, want).into_iter().map(line).collect(),
     };
     let why = scene.choice.iter().map(|why| Block::Text(format!("Model chosen: {why}.")));
     why.chain([Block::Table(table)]).collect()
