@@ -9,7 +9,7 @@ use super::{Measured, Theory, Want, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
-use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult};
+use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns};
 use crate::reference::WedgeSimilarity;
 use crate::run::summary::{Audit, Log, Particles, Peak, Status, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
@@ -121,7 +121,7 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
     let mut next = 0.0;
     let rows = theory.rows(scene);
     for (k, (now, values)) in theory.instants.iter().zip(&rows).enumerate() {
-        let names = Series::body_columns();
+        let names = body_columns();
         let named: Vec<(&str, f64)> = names.into_iter().zip(values[1..].iter().copied()).collect();
         log.sample(now.time, &format!("body/{}", body.name), &named)?;
         let last = k + 1 == theory.instants.len();

@@ -2,8 +2,20 @@
 
 use sph_core::Fluid;
 
-/// The column.
-pub const FRONT: &str = "front_m";
+use super::columns::Source;
+use crate::scene::Scene;
+
+pub(super) const SOURCE: Source = Source { names, reader };
+
+/// The column, if the scene asks for it.
+fn names(scene: &Scene) -> Vec<String> {
+    scene.observe.front.then(|| "front_m".to_string()).into_iter().collect()
+}
+
+fn reader(scene: &Scene) -> super::columns::Reader {
+    let asked = scene.observe.front;
+    Box::new(move |frame| asked.then(|| front(&frame.system.fluid)).into_iter().collect())
+}
 
 /// Height above the lowest particle up to which water counts as running along the floor, in its spacings.
 const HEIGHT: f64 = 3.0;

@@ -6,10 +6,18 @@ use fsi_coupling::bodies::rigid_motion::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::particles::probe::Probe;
 
+use super::columns::Source;
 use super::gauge_record::{GaugeRecord, GaugeResult};
 use super::low_pass::LowPass;
 use super::sensing::sensing;
 use crate::scene::{GaugeFrame, Scene, Symmetry};
+
+pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(|frame| frame.gauges.to_vec()) };
+
+/// A column of pressure for each gauge.
+fn names(scene: &Scene) -> Vec<String> {
+    scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect()
+}
 
 /// How a place on a surface is read.
 #[derive(Clone, Copy, Debug, PartialEq)]

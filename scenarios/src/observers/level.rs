@@ -2,20 +2,23 @@
 
 use sph_core::Fluid;
 
+use super::columns::Source;
 use crate::build;
 use crate::scene::{Scene, Symmetry};
 
 /// Scale of the weight over the spacing below the place: particles of this spacing are counted exactly.
 const SCALE: f64 = 2.0;
 
-/// Name of the column of the k-th place, from 0.
-pub fn column(k: usize) -> String {
-    format!("level{}_m", k + 1)
+pub(super) const SOURCE: Source = Source { names, reader };
+
+/// A column for each place that the scene asks for.
+fn names(scene: &Scene) -> Vec<String> {
+    (1..=scene.observe.level.len()).map(|k| format!("level{k}_m")).collect()
 }
 
-/// The columns that a scene asks for.
-pub fn columns(scene: &Scene) -> impl Iterator<Item = String> {
-    (0..scene.observe.level.len()).map(column)
+fn reader(scene: &Scene) -> super::columns::Reader {
+    let levels = LevelReader::new(scene);
+    Box::new(move |frame| levels.read(&frame.system.fluid))
 }
 
 /// Counts the water over places.

@@ -1,5 +1,7 @@
 //! Observers: small, scheduled, borrowing immutably. They never change the system or shorten a step.
 
+mod body;
+mod columns;
 mod face_profile;
 mod flow;
 mod force_rules;
@@ -23,19 +25,19 @@ use sph_core::particles::totals::Holdings;
 
 use crate::log::LogError;
 
+pub use body::body_columns;
+pub use columns::columns;
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
-pub use front::FRONT;
 pub use gauge_record::GaugeResult;
 pub use gauges::{GaugeReader, Reading};
-pub use level::columns as level_columns;
 pub use low_pass::LowPass;
 pub use penetration::WorstPenetration;
 pub use run_log::LogObserver;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
 pub use totals::{Rest, Totals};
-pub use volume::{VOLUME, Water};
+pub use volume::Water;
 
 /// What an observer sees.
 #[derive(Clone, Copy)]

@@ -5,6 +5,7 @@ use std::path::Path;
 use sph_core::parallel;
 use sph_core::particles::totals::Holdings;
 
+use super::body::{body_columns, body_values, panel_values};
 use super::{Frame, ObserveError, Observer};
 use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogMetadata, Logged, ParticleView};
 use crate::scene::Scene;
@@ -44,12 +45,12 @@ impl LogObserver {
         let (t, system) = (frame.time(), frame.system);
         for body in system.bodies() {
             let Some(m) = body.motion() else { continue };
-            let values = super::series::BODY.map(|(unit, read)| (unit, read(&m)));
+            let values: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&m)).collect();
             self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
             for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
                 // of the columns' names what follows the panel's own
                 let units = columns.iter().map(|column| &column[name.len() + 1..]);
-                let values: Vec<(&str, f64)> = units.zip(super::series::panel_values(&panel)).collect();
+                let values: Vec<(&str, f64)> = units.zip(panel_values(&panel)).collect();
                 self.writer.sample(t, &format!("panel/{name}"), &values)?;
             }
         }

@@ -4,11 +4,8 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use fsi_coupling::{Motion, PanelState};
-
-use super::front::{FRONT, front};
-use super::level::{self, LevelReader};
-use super::volume::{VOLUME, VolumeReader, Water};
+use super::columns::{Reader, SOURCES, columns};
+use super::volume::{VOLUME, Water};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
 
@@ -16,41 +13,14 @@ use crate::scene::Scene;
 pub struct Series {
     columns: Vec<String>,
     rows: Vec<Vec<f64>>,
-    front: bool,
-    levels: LevelReader,
-    volume: Option<VolumeReader>,
+    readers: Vec<Reader>,
     file: Option<(String, BufWriter<File>)>,
 }
-
-/// Reads a column from a body's motion.
-type Read = fn(&Motion) -> f64;
-
-/// Columns of a body, with what they read.
-pub(super) const BODY: [(&str, Read); 10] = [
-    ("x_m", |m| m.position[0]),
-    ("y_m", |m| m.position[1]),
-    ("angle_deg", |m| m.angle.to_degrees()),
-    ("vx_m_per_s", |m| m.velocity[0]),
-    ("vy_m_per_s", |m| m.velocity[1]),
-    ("ax_m_per_s2", |m| m.acceleration[0]),
-    ("ay_m_per_s2", |m| m.acceleration[1]),
-    ("fx_N_per_m", |m| m.force[0]),
-    ("fy_N_per_m", |m| m.force[1]),
-    ("moment_N", |m| m.moment),
-];
 
 impl Series {
     /// Columns for a scene; rows go to `path` as well if one is given.
     pub fn new(scene: &Scene, path: Option<&Path>) -> Result<Series, ObserveError> {
-        let mut columns = vec!["time_s".to_string()];
-        for body in scene.body.iter() {
-            columns.extend(BODY.iter().map(|(unit, _)| format!("{}.{unit}", body.name)));
-            columns.extend(body.panels.iter().flat_map(|panel| panel.columns()));
-        }
-        columns.extend(scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)));
-        columns.extend(scene.observe.front.then(|| FRONT.to_string()));
-        columns.extend(level::columns(scene));
-        columns.extend(scene.observe.volume.then(|| VOLUME.to_string()));
+        let columns = columns(scene);
         let file = match path {
             None => None,
             Some(path) => {
@@ -61,9 +31,8 @@ impl Series {
                 Some((name, file))
             }
         };
-        let volume = scene.observe.volume.then(|| VolumeReader::new(scene));
-        let (front, levels) = (scene.observe.front, LevelReader::new(scene));
-        Ok(Series { columns, rows: Vec::new(), front, levels, volume, file })
+        let readers = SOURCES.iter().map(|source| (source.reader)(scene)).collect();
+        Ok(Series { columns, rows: Vec::new(), readers, file })
     }
 
     /// Take a row, in the order of the columns.
@@ -74,11 +43,6 @@ impl Series {
         }
         self.rows.push(row);
         Ok(())
-    }
-
-    /// Names of a body's columns, after its own name and a dot.
-    pub fn body_columns() -> [&'static str; 10] {
-        BODY.map(|(name, _)| name)
     }
 
     /// Names of the columns; the first is `time_s`.
@@ -119,7 +83,7 @@ impl Series {
         })
     }
 
-    /// What became of the water's volume (Q7), judged over the samples from `since` [s] on; `None` where nobody asked.
+    /// Drift of the water's volume (Q7), over the samples from `since` [s] on; `None` unless the scene asks for it.
     pub fn water(&self, since: f64) -> Option<Water> {
         let volumes = self.column(VOLUME)?;
         let first = *volumes.first()?;
@@ -139,26 +103,10 @@ impl Series {
     }
 }
 
-/// Values of a panel's columns, in the order of [`crate::scene::Panel::columns`].
-pub(super) fn panel_values(panel: &PanelState) -> Vec<f64> {
-    let watched = panel
-        .watched
-        .iter()
-        .flat_map(|w| [w.displacement[0], w.displacement[1], w.deflection, w.section.moment, w.strain[0], w.strain[1]]);
-    watched.chain([panel.stress]).collect()
-}
-
 impl Observer for Series {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let mut row = vec![frame.time()];
-        for (body, motion) in frame.system.bodies().filter_map(|b| Some((b, b.motion()?))) {
-            row.extend(BODY.iter().map(|(_, read)| read(&motion)));
-            row.extend(body.panels().iter().flat_map(panel_values));
-        }
-        row.extend(frame.gauges);
-        row.extend(self.front.then(|| front(&frame.system.fluid)));
-        row.extend(self.levels.read(&frame.system.fluid));
-        row.extend(self.volume.as_ref().map(|volume| volume.read(&frame.system.fluid)));
+        row.extend(self.readers.iter_mut().flat_map(|read| read(frame)));
         self.push(row)?;
         if frame.particles {
             self.flush()?;

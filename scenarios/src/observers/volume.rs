@@ -4,10 +4,11 @@ use serde::Serialize;
 use sph_core::Fluid;
 use sph_core::particles::probe::Probe;
 
+use super::columns::Source;
 use crate::scene::{Scene, Symmetry};
 
 /// The column.
-pub const VOLUME: &str = "volume_m2";
+pub(super) const VOLUME: &str = "volume_m2";
 
 /// What became of the water's volume by the place of its surface (THEORY Q7).
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -25,7 +26,19 @@ const CELLS: f64 = 2.0;
 /// Filling of the kernel at a flat surface.
 const SURFACE: f64 = 0.5;
 
-/// Looks for the surface from above.
+pub(super) const SOURCE: Source = Source { names, reader };
+
+/// The column, if the scene asks for it.
+fn names(scene: &Scene) -> Vec<String> {
+    scene.observe.volume.then(|| VOLUME.to_string()).into_iter().collect()
+}
+
+fn reader(scene: &Scene) -> super::columns::Reader {
+    let volume = scene.observe.volume.then(|| VolumeReader::new(scene));
+    Box::new(move |frame| volume.iter().map(|v| v.read(&frame.system.fluid)).collect())
+}
+
+/// Finds the surface from above.
 pub struct VolumeReader {
     walls: [f64; 2],
     floor: f64,

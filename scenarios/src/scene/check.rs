@@ -3,7 +3,7 @@
 use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
 use super::problem::{Problem, significant};
 use super::start::check_start;
-use crate::observers::{FRONT, VOLUME, level_columns};
+use crate::observers::columns;
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
@@ -14,21 +14,6 @@ const THINNEST_BODY: f64 = 6.0;
 
 /// Spacings across the smallest body of water.
 const SMALLEST_WATER: f64 = 4.0;
-
-/// Columns of a body and of a gauge in the series, after the name and a dot.
-const BODY_COLUMNS: [&str; 10] = [
-    "x_m",
-    "y_m",
-    "angle_deg",
-    "vx_m_per_s",
-    "vy_m_per_s",
-    "ax_m_per_s2",
-    "ay_m_per_s2",
-    "fx_N_per_m",
-    "fy_N_per_m",
-    "moment_N",
-];
-const GAUGE_COLUMNS: [&str; 1] = ["p_Pa"];
 
 pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_water(scene)?;
@@ -287,16 +272,7 @@ fn check_face_of_fixed_gauge(scene: &Scene, key: &str, gauge: &Gauge) -> Result<
 }
 
 fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
-    let columns = |name: &str, columns: &[&str]| -> Vec<String> {
-        columns.iter().map(|column| format!("{name}.{column}")).collect()
-    };
-    let bodies = scene.body.iter().flat_map(|body| columns(&body.name, &BODY_COLUMNS));
-    let gauges = scene.gauges.iter().flat_map(|gauge| columns(&gauge.name, &GAUGE_COLUMNS));
-    let front = scene.observe.front.then(|| FRONT.to_string());
-    let panels = scene.body.iter().flat_map(|body| body.panels.iter().flat_map(|panel| panel.columns()));
-    let volume = scene.observe.volume.then(|| VOLUME.to_string());
-    let curves = front.into_iter().chain(level_columns(scene)).chain(volume);
-    let known: Vec<String> = bodies.chain(panels).chain(gauges).chain(curves).collect();
+    let known = columns(scene).split_off(1);
     for (i, compare) in scene.compare.iter().enumerate() {
         if !known.contains(&compare.quantity) {
             let key = format!("compare[{i}].quantity");

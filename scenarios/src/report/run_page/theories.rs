@@ -3,7 +3,7 @@
 use fsi_coupling::entry_theory::Rung;
 
 use crate::model_hierarchy::{Assessment, Theory, Want, assess};
-use crate::observers::Series;
+use crate::observers::columns;
 use crate::report::table::row;
 use crate::report::{Block, Curve, Mark, Table};
 use crate::scene::Scene;
@@ -26,16 +26,15 @@ impl Theories {
             let rows = theory.rows(scene);
             (rows.len() > 1).then_some((rung, theory, rows))
         });
-        let body = scene.body.iter().flat_map(|b| Series::body_columns().map(|c| format!("{}.{c}", b.name)));
-        let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name));
-        let columns = std::iter::once("time_s".to_string()).chain(body).chain(gauges).collect();
+        let columns = columns(scene);
         Theories { told: told.collect(), columns }
     }
 
     /// What they say of a column of the series, times `scale`.
     pub fn curves(&self, column: &str, scale: f64) -> Vec<Curve> {
         let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
-        let told = self.told.iter().filter(|(_, _, rows)| rows.iter().all(|row| row[k].is_finite()));
+        let told =
+            self.told.iter().filter(|(_, _, rows)| rows.iter().all(|row| row.get(k).is_some_and(|v| v.is_finite())));
         let curve = |(rung, _, rows): &(Rung, Theory, Vec<Vec<f64>>)| Curve {
             label: rung.name().into(),
             mark: Mark::Dashed,

@@ -1,0 +1,62 @@
+//! Columns of a body and of its panels.
+
+use fsi_coupling::{Motion, PanelState};
+
+use super::Frame;
+use super::columns::Source;
+use crate::scene::Scene;
+
+/// Reads a column from a body's motion.
+type Read = fn(&Motion) -> f64;
+
+/// Columns of a body, after its name and a dot.
+const BODY: [(&str, Read); 10] = [
+    ("x_m", |m| m.position[0]),
+    ("y_m", |m| m.position[1]),
+    ("angle_deg", |m| m.angle.to_degrees()),
+    ("vx_m_per_s", |m| m.velocity[0]),
+    ("vy_m_per_s", |m| m.velocity[1]),
+    ("ax_m_per_s2", |m| m.acceleration[0]),
+    ("ay_m_per_s2", |m| m.acceleration[1]),
+    ("fx_N_per_m", |m| m.force[0]),
+    ("fy_N_per_m", |m| m.force[1]),
+    ("moment_N", |m| m.moment),
+];
+
+pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(read) };
+
+/// Names of a body's columns without the body's name.
+pub fn body_columns() -> [&'static str; BODY.len()] {
+    BODY.map(|(name, _)| name)
+}
+
+fn names(scene: &Scene) -> Vec<String> {
+    let body = |b: &crate::scene::Body| {
+        let own = BODY.iter().map(|(column, _)| format!("{}.{column}", b.name));
+        own.chain(b.panels.iter().flat_map(|panel| panel.columns())).collect::<Vec<_>>()
+    };
+    scene.body.iter().flat_map(body).collect()
+}
+
+fn read(frame: &Frame<'_>) -> Vec<f64> {
+    let moving = frame.system.bodies().filter_map(|b| Some((b, b.motion()?)));
+    moving
+        .flat_map(|(b, motion)| {
+            body_values(&motion).into_iter().chain(b.panels().iter().flat_map(panel_values).collect::<Vec<_>>())
+        })
+        .collect()
+}
+
+/// Values of [`body_columns`].
+pub(super) fn body_values(motion: &Motion) -> [f64; BODY.len()] {
+    BODY.map(|(_, read)| read(motion))
+}
+
+/// Values of a panel's columns, in the order of [`crate::scene::Panel::columns`].
+pub(super) fn panel_values(panel: &PanelState) -> Vec<f64> {
+    let watched = panel
+        .watched
+        .iter()
+        .flat_map(|w| [w.displacement[0], w.displacement[1], w.deflection, w.section.moment, w.strain[0], w.strain[1]]);
+    watched.chain([panel.stress]).collect()
+}
