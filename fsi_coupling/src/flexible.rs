@@ -104,7 +104,7 @@ impl Model {
         let dynamics = Dynamics::new(beam, supports, rule, spec.damping).map_err(wrong)?;
         let mut state = dynamics.at_rest();
         let Rigid { pole, velocity, spin, .. } = spec.start;
-        dynamics.start_moving(&mut state, pole, velocity, spin);
+        dynamics.set_rigid_velocity(&mut state, pole, velocity, spin);
         let pole = dynamics.beam().nodes()[frame];
         let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), ends);
         let carriage = Carriage { surface, frame, pole };

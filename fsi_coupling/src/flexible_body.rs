@@ -44,7 +44,7 @@ impl FlexibleBody {
     pub fn new(spec: FlexibleSpec) -> Result<FlexibleBody, BodyError> {
         let (mut model, mut nodes) = Model::new(&spec)?;
         let FlexibleSpec { name, outline, frame, gravity, half, .. } = spec;
-        let weight = model.dynamics.weight(gravity);
+        let weight = model.dynamics.gravity_load(gravity);
         let (law, free) = match frame {
             Frame::Given(law) => (Some(law), [false; 3]),
             Frame::Free { free, .. } => (None, free),
@@ -102,7 +102,7 @@ impl FlexibleBody {
     /// After a step, or a step taken back: what broke off carries its own weight, and the frame's node may be elsewhere.
     fn settle(&mut self) {
         self.model.settle();
-        self.weight = self.model.dynamics.weight(self.gravity);
+        self.weight = self.model.dynamics.gravity_load(self.gravity);
     }
 
     /// −Σ W·x: potential energy of the structure that is simulated [J/m].
@@ -285,7 +285,7 @@ impl WettedBody for FlexibleBody {
         if let Some((state, outline)) = &self.saved {
             (self.state, self.outline) = (state.clone(), outline.clone());
             // a model that was laid out before can be laid out again
-            let _ = self.model.dynamics.adopt(&self.state.nodes);
+            let _ = self.model.dynamics.apply_ruptures(&self.state.nodes);
             self.settle();
         }
     }

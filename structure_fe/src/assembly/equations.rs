@@ -1,17 +1,15 @@
-//! From nodes to equations: numbering without the fixed degrees of freedom, and matrix entries.
+//! From nodes to equations: numbering of the free degrees of freedom, and scattering of matrix entries.
 
-use crate::beam::Beam;
+use crate::dof::Dof;
 use crate::element::{ElementConstants, EndsMatrix};
-use crate::supports::{Dof, Supports};
-use crate::ties::Ties;
+use crate::error::Error;
+use crate::field::Field;
+use crate::linear_algebra::ZeroPivot;
+use crate::model::{Beam, RigidLinks, Supports};
+use faer::sparse::Triplet;
 
-/// One term of a matrix over the free degrees of freedom; terms of the same place add up.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Entry {
-    pub row: usize,
-    pub column: usize,
-    pub value: f64,
-}
+/// Entries of the lower triangle of a symmetric matrix over the equations; entries of the same place add up.
+pub(crate) type SymmetricMatrix = Vec<Triplet<usize, usize, f64>>;
 
 /// The numbers of the free degrees of freedom, `[nodes][u, w, theta]`.
 #[derive(Debug, Clone)]
@@ -19,59 +17,60 @@ pub(crate) struct Equations {
     number: Vec<[Option<usize>; 3]>,
     /// Node and degree of freedom of each equation.
     place: Vec<(usize, Dof)>,
-    /// Which nodes follow rigid bodies.
-    pub ties: Ties,
+    /// Rigid links.
+    pub links: RigidLinks,
     /// Equations before those of the rigid bodies, if these were put last.
     inner: usize,
 }
 
-/// Arms of the ties, in their order: what takes forces to the bodies, and what takes displacements from them.
+/// Lever arms of the rigid links: those that transfer forces to the bodies, and those that transfer displacements.
 pub(crate) type Arms<'a> = [&'a [[f64; 2]]; 2];
 
-/// The equations of a degree of freedom with their factors: two where it follows a rigid body.
-pub(crate) type Terms = [(Option<usize>, f64); 2];
+/// The equations of a degree of freedom with their factors: two if it follows a rigid body.
+type Terms = [(Option<usize>, f64); 2];
 
 impl Equations {
     pub fn new(beam: &Beam, supports: &Supports) -> Self {
-        let order: Vec<usize> = (0..beam.nodes().len()).collect();
-        Self::in_order(&order, beam, supports)
+        Self::in_order(0..beam.nodes().len(), beam, supports)
     }
 
-    /// Numbered node by node as they come in `order`, rigid bodies last. Hinged nodes share their displacements'
-    /// numbers, tied ones have none.
-    pub fn in_order(order: &[usize], beam: &Beam, supports: &Supports) -> Self {
-        let ties = Ties::new(beam, supports);
-        // The first node of each group of hinged ones carries the displacements of all.
-        let (leader, turning) = (supports.leaders(order.len()), supports.turning_leaders(order.len()));
-        let mut free = vec![[true; 3]; order.len()];
+    /// Numbered by node in the given order, rigid bodies last. Hinged nodes share the numbers of their displacements;
+    /// linked degrees of freedom have none.
+    pub fn in_order(order: impl Iterator<Item = usize>, beam: &Beam, supports: &Supports) -> Self {
+        let nodes = beam.nodes().len();
+        let links = RigidLinks::new(beam, supports);
+        // The first node of each group of hinged nodes has the numbers of all.
+        let [translation, rotation] = [Dof::U, Dof::Theta].map(|dof| supports.leaders(dof, nodes));
+        let leader = |node: usize, dof: Dof| if dof == Dof::Theta { rotation[node] } else { translation[node] };
+        let mut free = vec![[true; 3]; nodes];
         for &(node, dof) in supports.fixed() {
-            let node = if dof == Dof::Theta { turning[node] } else { leader[node] };
-            free[node][dof as usize] = false;
+            free[leader(node, dof)][dof as usize] = false;
         }
-        for tie in &ties.all {
+        for link in &links.all {
             for dof in 0..3 {
-                free[tie.node][dof] &= !ties.follows(tie.node, dof);
+                free[link.node][dof] &= !links.follows(link.node, dof);
             }
         }
         let mut place = Vec::new();
-        let mut number = vec![[None; 3]; order.len()];
+        let mut number = vec![[None; 3]; nodes];
         let mut inner = 0;
-        let bodies = order.iter().filter(|&&node| beam.is_rigid_body(node));
-        for &node in order.iter().filter(|&&node| !beam.is_rigid_body(node)).chain(bodies) {
-            for dof in [Dof::U, Dof::W, Dof::Theta] {
-                let owner = if dof == Dof::Theta { turning[node] } else { leader[node] };
-                let index = dof as usize;
-                if free[owner][index] && number[owner][index].is_none() {
-                    number[owner][index] = Some(place.len());
-                    place.push((owner, dof));
+        let (bodies, order): (Vec<_>, Vec<_>) = order.partition(|&node| beam.is_rigid_body(node));
+        for (group, count_inner) in [(order, true), (bodies, false)] {
+            for node in group {
+                for dof in Dof::ALL {
+                    let (owner, index) = (leader(node, dof), dof as usize);
+                    if free[owner][index] && number[owner][index].is_none() {
+                        number[owner][index] = Some(place.len());
+                        place.push((owner, dof));
+                    }
+                    number[node][index] = number[owner][index];
                 }
-                number[node][index] = number[owner][index];
             }
-            if !beam.is_rigid_body(node) {
+            if count_inner {
                 inner = place.len();
             }
         }
-        Self { number, place, ties, inner }
+        Self { number, place, links, inner }
     }
 
     /// Number of equations before those of the rigid bodies.
@@ -79,13 +78,13 @@ impl Equations {
         self.inner
     }
 
-    /// The equations of a degree of freedom, through its tie if it has one, with the ties' `arms`.
+    /// The equations of a degree of freedom, through its rigid link if it has one, with the lever `arms`.
     #[inline]
-    pub fn terms(&self, node: usize, dof: usize, arms: &[[f64; 2]]) -> Terms {
-        match self.ties.of(node) {
-            Some(tie) if self.ties.follows(node, dof) => {
-                let [u, w, theta] = self.number[self.ties.all[tie].body];
-                let [x, y] = arms[tie];
+    fn terms(&self, (node, dof): (usize, usize), arms: &[[f64; 2]]) -> Terms {
+        match self.links.of(node) {
+            Some(link) if self.links.follows(node, dof) => {
+                let [u, w, theta] = self.number[self.links.all[link].body];
+                let [x, y] = arms[link];
                 match dof {
                     0 => [(u, 1.0), (theta, -y)],
                     1 => [(w, 1.0), (theta, x)],
@@ -96,17 +95,17 @@ impl Equations {
         }
     }
 
-    /// Calls `add(row, column, value)` for what `value` between two degrees of freedom is between equations:
-    /// forces are taken to the bodies with the arms `left`, displacements from them with the arms `right`.
-    pub fn spread(
+    /// Calls `add(row, column, value)` for each entry between equations of a matrix entry between degrees of freedom:
+    /// rows (forces) are transferred to the bodies with the arms `left`, columns (displacements) with `right`.
+    pub fn scatter_entry(
         &self,
-        (row, column): ((usize, usize), (usize, usize)),
+        [row, column]: [(usize, usize); 2],
         value: f64,
         [left, right]: Arms,
         mut add: impl FnMut(usize, usize, f64),
     ) {
-        for (row, by_row) in self.terms(row.0, row.1, left) {
-            for (column, by_column) in self.terms(column.0, column.1, right) {
+        for (row, by_row) in self.terms(row, left) {
+            for (column, by_column) in self.terms(column, right) {
                 if let (Some(row), Some(column)) = (row, column) {
                     add(row, column, by_row * by_column * value);
                 }
@@ -114,20 +113,37 @@ impl Equations {
         }
     }
 
-    /// Whether an end of an element follows a body.
+    /// The same for all entries of an element's matrix.
     #[inline]
-    pub fn tied(&self, [first, second]: [usize; 2]) -> bool {
-        !self.ties.all.is_empty() && (self.ties.of(first).is_some() || self.ties.of(second).is_some())
+    pub fn scatter(&self, nodes: [usize; 2], local: &EndsMatrix, arms: Arms, mut add: impl FnMut(usize, usize, f64)) {
+        if self.links.all.is_empty() || nodes.iter().all(|&node| self.links.of(node).is_none()) {
+            let numbers = self.of_element(nodes);
+            for i in 0..6 {
+                let Some(row) = numbers[i] else { continue };
+                for j in 0..6 {
+                    if let Some(column) = numbers[j] {
+                        add(row, column, local[(i, j)]);
+                    }
+                }
+            }
+            return;
+        }
+        for i in 0..6 {
+            for j in 0..6 {
+                let places = [(nodes[i / 3], i % 3), (nodes[j / 3], j % 3)];
+                self.scatter_entry(places, local[(i, j)], arms, &mut add);
+            }
+        }
     }
 
-    /// The free entries of a field of forces, those on tied nodes taken to their bodies with these `arms`.
+    /// The free entries of a field of forces; those on linked nodes are transferred to their bodies with these `arms`.
     pub fn reduce(&self, field: &[[f64; 3]], arms: &[[f64; 2]]) -> Vec<f64> {
-        if self.ties.all.is_empty() {
+        if self.links.all.is_empty() {
             return self.restrict(field);
         }
-        let mut folded = field.to_vec();
-        self.ties.fold(arms, &mut folded);
-        self.restrict(&folded)
+        let mut transferred = field.to_vec();
+        self.links.transfer_forces(arms, &mut transferred);
+        self.restrict(&transferred)
     }
 
     /// Number of free degrees of freedom.
@@ -148,12 +164,18 @@ impl Equations {
 
     /// The equations of an element's ends.
     #[inline]
-    pub fn of_element(&self, [first, second]: [usize; 2]) -> [Option<usize>; 6] {
+    fn of_element(&self, [first, second]: [usize; 2]) -> [Option<usize>; 6] {
         let ([u1, w1, theta1], [u2, w2, theta2]) = (self.number[first], self.number[second]);
         [u1, w1, theta1, u2, w2, theta2]
     }
 
-    /// How far apart the equations of an element are, without those of rigid bodies.
+    /// The error of a matrix without inverse.
+    pub fn singular(&self, pivot: ZeroPivot) -> Error {
+        let (node, dof) = self.place(pivot.equation);
+        Error::SingularTangent { node, dof }
+    }
+
+    /// Half-bandwidth of the equations of an element, without those of rigid bodies.
     pub fn band(&self, nodes: [usize; 2]) -> usize {
         let numbers = self.of_element(nodes).into_iter().flatten().filter(|&number| number < self.inner);
         numbers.clone().max().zip(numbers.min()).map_or(0, |(last, first)| last - first)
@@ -170,7 +192,7 @@ impl Equations {
         values
     }
 
-    /// Takes the free entries of a field of forces from `values`.
+    /// Subtracts the free entries of a field of forces from `values`.
     pub fn subtract(&self, field: &[[f64; 3]], values: &mut [f64]) {
         for (number, value) in self.number.as_flattened().iter().zip(field.as_flattened()) {
             if let Some(number) = *number {
@@ -185,7 +207,7 @@ impl Equations {
     }
 
     /// The field whose free entries are `value(equation)` and whose fixed entries are zero.
-    pub fn extend(&self, value: impl Fn(usize) -> f64) -> Vec<[f64; 3]> {
+    pub fn extend(&self, value: impl Fn(usize) -> f64) -> Field {
         self.number.iter().map(|numbers| numbers.map(|number| number.map_or(0.0, &value))).collect()
     }
 
@@ -198,52 +220,38 @@ impl Equations {
         }
     }
 
-    /// Lower triangle of the stiffness matrix, springs included.
-    ///
-    /// The order of the entries depends on connectivity and supports only, not on the values.
-    pub fn stiffness(&self, beam: &Beam, supports: &Supports) -> Vec<Entry> {
-        let mut entries = self.lower_triangle(beam, ElementConstants::stiffness);
-        for spring in supports.springs() {
-            self.on_diagonal((spring.node, spring.dof as usize), spring.stiffness, &mut entries);
-        }
-        entries
+    /// The stiffness matrix, springs included. The order of its entries depends on connectivity and supports only.
+    pub fn stiffness(&self, beam: &Beam, supports: &Supports) -> SymmetricMatrix {
+        let springs = supports.springs().iter().map(|spring| ((spring.node, spring.dof as usize), spring.stiffness));
+        self.assemble(beam, ElementConstants::stiffness, springs)
     }
 
-    /// Lower triangle of the mass matrix.
-    pub fn mass(&self, beam: &Beam) -> Vec<Entry> {
-        let mut entries = self.lower_triangle(beam, ElementConstants::mass);
-        for (node, point) in beam.points().iter().enumerate() {
-            for (dof, &value) in point.iter().enumerate() {
-                self.on_diagonal((node, dof), value, &mut entries);
-            }
-        }
-        entries
+    /// The mass matrix, with the masses of points and rigid bodies.
+    pub fn mass(&self, beam: &Beam) -> SymmetricMatrix {
+        let points = beam.points().iter().enumerate();
+        let points = points.flat_map(|(node, point)| (0..3).map(move |dof| ((node, dof), point[dof])));
+        self.assemble(beam, ElementConstants::global_mass, points)
     }
 
-    fn on_diagonal(&self, place: (usize, usize), value: f64, entries: &mut Vec<Entry>) {
-        let arms = self.ties.arms();
-        self.spread((place, place), value, [&arms, &arms], |row, column, value| {
-            if row >= column {
-                entries.push(Entry { row, column, value });
-            }
-        });
-    }
-
-    fn lower_triangle(&self, beam: &Beam, matrix: impl Fn(&ElementConstants) -> EndsMatrix) -> Vec<Entry> {
+    /// The sum of the elements' matrices and of a `diagonal` over degrees of freedom.
+    fn assemble(
+        &self,
+        beam: &Beam,
+        matrix: impl Fn(&ElementConstants) -> EndsMatrix,
+        diagonal: impl Iterator<Item = ((usize, usize), f64)>,
+    ) -> SymmetricMatrix {
         let mut entries = Vec::with_capacity(21 * beam.elements().len());
-        let arms = self.ties.arms();
-        for (nodes, element) in beam.formulated() {
-            let matrix = matrix(element);
-            for i in 0..6 {
-                for j in 0..6 {
-                    let places = ((nodes[i / 3], i % 3), (nodes[j / 3], j % 3));
-                    self.spread(places, matrix[i][j], [&arms, &arms], |row, column, value| {
-                        if row >= column {
-                            entries.push(Entry { row, column, value });
-                        }
-                    });
-                }
+        let mut add = |row, column, value| {
+            if row >= column {
+                entries.push(Triplet::new(row, column, value));
             }
+        };
+        let arms = self.links.arms();
+        for (nodes, element) in beam.constants() {
+            self.scatter(nodes, &matrix(element), [&arms, &arms], &mut add);
+        }
+        for (place, value) in diagonal {
+            self.scatter_entry([place, place], value, [&arms, &arms], &mut add);
         }
         entries
     }

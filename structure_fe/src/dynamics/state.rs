@@ -1,11 +1,11 @@
-//! The state of a moving model, how it is integrated, and what a step reports.
+//! The state of a moving model, the choice of integration rule, and the report of a step.
 
-use crate::rupture::Break;
+use crate::assembly::Kinematics;
+use crate::model::Break;
 
-/// Where the model is and how it moves: fields over the nodes, `[nodes][u, w, theta]`.
+/// Displacement and motion of a model: fields over the nodes, `[nodes][u, w, theta]`.
 ///
-/// It is the whole memory of the motion: a copy of it is all a host needs to reject a step and redo it,
-/// to the same bits. Begin with [`Dynamics::at_rest`](crate::Dynamics::at_rest).
+/// It is complete: from a copy of it a rejected step can be repeated with the same bits. Start with [`Dynamics::at_rest`](crate::Dynamics::at_rest).
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Displacement `[u, w, theta]` \[m, m, rad\].
@@ -23,33 +23,34 @@ pub struct State {
     pub integrated_acceleration: Vec<[f64; 3]>,
     /// Mean force of the supports over the last step, springs included \[N, N, N m\]; of the trapezoidal rule only.
     pub mean_reaction: Vec<[f64; 3]>,
-    /// Plastic curvatures at two places of each element \[1/m\]; empty where nothing yields.
+    /// Plastic curvatures at two places of each element \[1/m\]; empty for an elastic model.
     pub plastic_curvature: Vec<[f64; 2]>,
-    /// What has broken, in the order in which it did.
+    /// Ruptures in the order in which they occurred.
     pub ruptures: Vec<Break>,
 }
 
-/// How time is stepped.
+/// The integration rule.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Integration {
     /// Implicit, second order, stable for linear models at any step (Chung & Hulbert 1993; THEORY S17).
     GeneralisedAlpha {
-        /// What a step leaves of the fastest vibrations: rho in [0, 1]. 1 is the trapezoidal rule, without
-        /// damping, which may blow up in stiff rotation; 0.8 damps what the step cannot resolve anyway.
+        /// Remaining fraction of the fastest vibrations after a step: rho in [0, 1]. 1 is the trapezoidal rule, without
+        /// damping, which may be unstable in stiff rotation; 0.8 damps vibrations that the step does not resolve.
         spectral_radius: f64,
     },
     /// Explicit, second order, with a lumped mass; steps up to
     /// [`Dynamics::stable_dt`](crate::Dynamics::stable_dt) (THEORY S18).
     CentralDifference,
-    /// Implicit, in momentum: what the mean load gives, the lumped masses have, to rounding (THEORY S22). The only
-    /// one that knows rigid bodies. Second order for a spectral radius of 1, first order below it.
+    /// Implicit, in momentum form: the impulse of the mean load is the change of momentum to rounding, with lumped
+    /// masses (THEORY S22). The only rule that supports rigid bodies, plasticity and rupture. Second order for a
+    /// spectral radius of 1, first order below it.
     Trapezoidal {
-        /// What a step leaves of the fastest vibrations: rho in (0, 1]. 1 conserves the energy of linear models.
+        /// Remaining fraction of the fastest vibrations after a step: rho in (0, 1]. 1 conserves the energy of linear models.
         spectral_radius: f64,
     },
 }
 
-/// The motion of a support at the end of the next step, of one degree of freedom.
+/// The motion of a support in one degree of freedom at the end of the next step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SupportMotion {
     /// Displacement \[m, rad\].
@@ -60,23 +61,30 @@ pub struct SupportMotion {
     pub acceleration: f64,
 }
 
-/// What a step took.
+/// Work and energy balance of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepReport {
-    /// Newton's corrections; 0 where the step is explicit.
+    /// Newton corrections; 0 if the rule is explicit.
     pub iterations: usize,
-    /// Tangents made and factorised.
+    /// Tangents assembled and factorised.
     pub tangents: usize,
     /// The last correction as a fraction of the step's motion \[-\].
     pub last_correction: f64,
-    /// What damping and the rule took of the energy \[J\] (THEORY S23); NaN under rules that do not tell.
+    /// Energy dissipated by damping, plasticity and the rule \[J\] (THEORY S23); NaN except under the trapezoidal rule.
     pub dissipated: f64,
-    /// Work of the supports on the model \[J\], where they move; NaN under rules that do not tell.
+    /// Work of moving supports on the model \[J\]; NaN except under the trapezoidal rule.
     pub support_work: f64,
 }
 
+impl State {
+    /// Views of displacement, velocity and acceleration.
+    pub(super) fn kinematics(&self) -> Kinematics<'_> {
+        Kinematics { q: &self.displacement, v: &self.velocity, a: &self.acceleration }
+    }
+}
+
 impl StepReport {
-    pub(crate) fn begun() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             iterations: 0,
             tangents: 0,

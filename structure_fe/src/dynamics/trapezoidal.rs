@@ -1,293 +1,245 @@
 //! The trapezoidal rule in momentum form: the implicit step of models with rigid bodies.
 
-use std::sync::Arc;
-
-use crate::corotational::Chord;
-use crate::dynamics::{Dynamics, Method};
+use super::lumped_mass::LumpedMass;
+use super::moving_model::MovingModel;
+use super::newton::{ITERATIONS, NewtonControl};
+use super::{State, StepReport};
+use crate::element::Chord;
 use crate::error::Error;
-use crate::lumped::LumpedMass;
-use crate::state::{State, StepReport};
+use crate::field::{Field, combine, sum};
 
-/// A correction leaving less than this of the step's motion, and less than this of the whole displacement,
-/// ends the iteration \[-\].
+/// The iteration ends with a correction that leaves less than the first fraction of the step's motion, plus the second of
+/// the total displacement \[-\].
 const CONVERGED: [f64; 2] = [1e-12, 3e-15];
 
-/// The same where corrections do not shrink any more: rounding of the forces.
+/// The same once corrections have stopped contracting: rounding of the forces.
 const ROUNDED: [f64; 2] = [1e-8, 1e-13];
 
-/// The tangent is kept while each correction is less than this of the one before \[-\].
-const CONTRACTING: f64 = 0.03;
+/// Corrections larger than this fraction of the one before have stopped contracting \[-\].
+const STAGNANT: f64 = 0.3;
 
-/// Corrections that shrink by less than this do not shrink \[-\].
-const STANDING: f64 = 0.3;
+/// A correction larger than this times the smallest so far rejects the predictor \[-\].
+const DIVERGING: f64 = 100.0;
 
-/// A correction of more than this times the smallest so far gives the first guess up \[-\].
-const FAR: f64 = 100.0;
-
-/// Corrections of a guess, at most.
-const ITERATIONS: usize = 40;
-
-/// The rule: weight theta = 1/(1 + rho) of the step's end, and the mass that it moves.
+/// The rule: weight theta = 1/(1 + rho) of the end of the step, and the lumped mass.
 #[derive(Debug, Clone)]
 pub(crate) struct Trapezoidal {
     pub weight: f64,
     pub mass: LumpedMass,
 }
 
-/// What acts over a step, node by node.
-struct Mean {
-    /// Load less elastic and viscous forces and less the inertia that a moving pivot imposes.
-    force: Vec<[f64; 3]>,
-    viscous: Vec<[f64; 3]>,
+/// A step: its start with the elements' chords, its mean load, and its length \[s\].
+struct Step<'a> {
+    start: &'a State,
+    chords: Vec<Chord>,
+    load: &'a [[f64; 3]],
+    dt: f64,
+}
+
+/// Mean forces over a step, by node.
+struct MeanForces {
+    /// Load minus elastic and viscous forces, and minus the inertia of masses at linked nodes.
+    total: Field,
+    viscous: Field,
     arms: Vec<[f64; 2]>,
 }
 
-fn each(a: &[[f64; 3]], b: &[[f64; 3]], f: impl Fn(f64, f64) -> f64) -> Vec<[f64; 3]> {
-    a.iter().zip(b).map(|(a, b)| [0, 1, 2].map(|dof| f(a[dof], b[dof]))).collect()
-}
-
-fn pairing(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
-    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
-}
-
-impl Dynamics {
-    pub(crate) fn rule(&self) -> Option<Arc<Trapezoidal>> {
-        if let Method::Momentum(rule) = &self.method { Some(Arc::clone(rule)) } else { None }
-    }
-
-    /// M (v1 - v0)/dt = mean load - mean elastic force - C (q1 - q0)/dt, the elastic force weighed between both
-    /// ends so that it does the work of the elastic energy (for small rotations theta f(q1) + (1 - theta) f(q0)), with
-    /// q1 = q0 + dt (theta v1 + (1 - theta) v0), for q1 by Newton's method; v1 then from the momenta.
-    pub(crate) fn momentum_step(
-        &mut self,
-        rule: &Trapezoidal,
-        state: &mut State,
+impl Trapezoidal {
+    /// M (v1 - v0)/dt = mean load - mean elastic force - C (q1 - q0)/dt with q1 = q0 + dt (theta v1 + (1 - theta) v0), for
+    /// q1 by Newton's method; then v1 from the momenta. The mean elastic force does the work of the elastic energy; for
+    /// small rotations it is theta f(q1) + (1 - theta) f(q0) (THEORY S22).
+    pub fn step(
+        &self,
+        model: &mut MovingModel,
+        state: &State,
         load: &[[f64; 3]],
         dt: f64,
-    ) -> Result<StepReport, Error> {
-        let mut report = StepReport::begun();
-        let start = self.system.chords(&state.displacement);
-        // Where the acceleration over the step leads; with the last step's, which turns what is stiff; nowhere.
-        let accelerations = [Some(&state.acceleration), Some(&state.integrated_acceleration), None];
+    ) -> Result<(State, StepReport), Error> {
+        let mut report = StepReport::new();
+        let step = Step { start: state, chords: model.system.chords(&state.displacement), load, dt };
+        // With the acceleration of the state; with the mean one of the last step, for stiff models that rotate; none.
         let mut new = state.clone();
-        let mut settled = false;
-        for guess in accelerations {
-            new = self.guess(state, guess, dt);
-            settled = self.settle(rule, state, &start, load, dt, guess.is_some(), &mut new, &mut report)?;
-            if settled {
+        let mut converged = false;
+        for acceleration in [Some(&state.acceleration), Some(&state.integrated_acceleration), None] {
+            new = step.predict(model, acceleration);
+            converged = self.solve(model, &step, acceleration.is_some(), &mut new, &mut report)?;
+            if converged {
                 break;
             }
         }
-        if !settled {
-            self.elastic_over_the_step(rule, state, &start, &new);
-            let mean = self.mean(rule, state, load, dt, &new);
-            let residual = self.lack_of_motion(rule, state, &new, &mean, dt);
-            let (residual, node, dof) = self.system.worst(&residual);
+        let dissipated = self.elastic_forces(model, &step, &new);
+        let mean = self.mean_forces(model, &step, &new);
+        if !converged {
+            let (residual, node, dof) = model.system.worst(&self.residual(model, &step, &new, &mean));
             let (time, iteration) = (state.time, report.iterations);
             return Err(Error::StepNotConverged { time, dt, iteration, residual, node, dof });
         }
-        let by_elements = self.elastic_over_the_step(rule, state, &start, &new);
-        let mean = self.mean(rule, state, load, dt, &new);
-        self.give_velocities(rule, state, &mut new, &mean, dt);
-        self.system.flow(&new.displacement, &mut new.plastic_curvature);
-        self.account(rule, state, &mut new, &mean, by_elements, dt, &mut report);
-        let mut lack = self.lack_at_known_acceleration(rule, &mut new, load);
-        self.matrix.solve(&mut lack);
-        let factor = (rule.weight * dt * dt).recip();
-        self.system.equations.add(factor, &lack, &mut new.acceleration);
-        let ties = &self.system.equations.ties;
-        ties.follow_acceleration(&ties.arms_at(&new.displacement), &new.velocity, &mut new.acceleration);
-        new.integrated_acceleration = each(&new.velocity, &state.velocity, |to, from| (to - from) / dt);
+        self.set_velocity(model, &step, &mut new, &mean);
+        model.system.update_plasticity(&new.displacement, &mut new.plastic_curvature);
+        self.balance(model, &step, &mut new, &mean, dissipated, &mut report);
+        let mut residual = model.residual_at_prescribed_acceleration(&self.mass, &mut new, load);
+        model.matrix.solve(&mut residual);
+        model.add_acceleration((self.weight * dt * dt).recip(), &residual, &mut new);
+        new.integrated_acceleration = combine(&new.velocity, &state.velocity, |to, from| (to - from) / dt);
         new.time = state.time + dt;
-        if let Err(error) = self.let_go(&mut new) {
-            self.adopt(state)?;
-            return Err(error);
-        }
-        *state = new;
-        Ok(report)
+        Ok((new, report))
     }
 
-    /// The motion of `dt` at an acceleration, or none; supports where they are told to be.
-    fn guess(&self, state: &State, acceleration: Option<&Vec<[f64; 3]>>, dt: f64) -> State {
-        let mut new = state.clone();
-        if let Some(acceleration) = acceleration {
-            let moved = each(&state.velocity, acceleration, |v, a| dt * (v + 0.5 * dt * a));
-            new.displacement = each(&state.displacement, &moved, |q, moved| q + moved);
-        }
-        self.move_supports(&mut new);
-        self.system.equations.ties.follow(&mut new.displacement);
-        new
-    }
-
-    /// Newton's method for the displacement at the end; says whether it converged. Where `hopeful` it gives
-    /// up when corrections grow.
-    fn settle(
-        &mut self,
-        rule: &Trapezoidal,
-        state: &State,
-        start: &[Chord],
-        load: &[[f64; 3]],
-        dt: f64,
-        hopeful: bool,
+    /// Newton's method for the displacement at the end; returns whether it converged. With `reject_early` it stops when
+    /// corrections grow.
+    fn solve(
+        &self,
+        model: &mut MovingModel,
+        step: &Step,
+        reject_early: bool,
         new: &mut State,
         report: &mut StepReport,
     ) -> Result<bool, Error> {
-        let (mut last, mut smallest, mut fresh) = (f64::INFINITY, f64::INFINITY, true);
+        let (mut control, mut smallest) = (NewtonControl::new(), f64::INFINITY);
         for _ in 0..ITERATIONS {
-            if fresh {
-                self.lay_tangent(rule, state, start, new, dt);
+            if control.update_tangent {
+                self.assemble_tangent(model, step, new);
             } else {
-                self.elastic_over_the_step(rule, state, start, new);
+                self.elastic_forces(model, step, new);
             }
-            let mean = self.mean(rule, state, load, dt, new);
-            let mut correction = self.lack_of_motion(rule, state, new, &mean, dt);
-            if fresh {
-                self.system.subtract_turning(&mean.force, &mean.arms, 0.5, &mut self.matrix);
-                self.matrix.factorise().map_err(|pivot| self.system.singular(pivot))?;
+            let mean = self.mean_forces(model, step, new);
+            let mut correction = self.residual(model, step, new, &mean);
+            let MovingModel { system, matrix, .. } = &mut *model;
+            if control.update_tangent {
+                system.add_arm_rotation(&mean.total, &mean.arms, 0.5, matrix);
+                matrix.factorise().map_err(|pivot| system.equations.singular(pivot))?;
                 report.tangents += 1;
             }
-            self.matrix.solve(&mut correction);
-            self.system.displace(1.0, &correction, &mut new.displacement);
+            matrix.solve(&mut correction);
+            system.displace(1.0, &correction, &mut new.displacement);
             report.iterations += 1;
 
-            let size = self.system.size(&correction);
+            let size = system.size(&correction);
             if !size.is_finite() {
                 break;
             }
-            let ratio = if last.is_finite() { size / last } else { 1.0 };
-            let motion = self.system.size_of_difference(&new.displacement, &state.displacement);
-            let whole = self.system.size(&self.system.equations.pick(new.displacement.as_flattened()));
+            let contraction = control.contraction(size);
+            let next = size * contraction.unwrap_or(1.0).min(1.0);
+            let motion = system.size_of_difference(&new.displacement, &step.start.displacement);
+            let total = system.size(&system.equations.pick(new.displacement.as_flattened()));
             report.last_correction = if motion > 0.0 { size / motion } else { 0.0 };
-            let below =
-                |[of_motion, of_whole]: [f64; 2]| size * ratio.min(1.0) <= of_motion * motion + of_whole * whole;
-            if below(CONVERGED) || (ratio > STANDING && last.is_finite() && below(ROUNDED)) {
+            let below = |[of_motion, of_total]: [f64; 2]| next <= of_motion * motion + of_total * total;
+            if below(CONVERGED) || (contraction.is_some_and(|ratio| ratio > STAGNANT) && below(ROUNDED)) {
                 return Ok(true);
             }
             smallest = smallest.min(size);
-            if hopeful && size > FAR * smallest {
+            if reject_early && size > DIVERGING * smallest {
                 return Ok(false);
             }
-            fresh = ratio > CONTRACTING && last.is_finite();
-            last = size;
+            control.accept(size);
         }
         Ok(false)
     }
 
-    /// M/(theta dt^2) + theta K + C/dt, and the elastic forces at the end.
-    fn lay_tangent(&mut self, rule: &Trapezoidal, state: &State, start: &[Chord], new: &State, dt: f64) {
-        let system = &self.system;
-        let ties = &system.equations.ties;
-        let between = ties.arms_between(&state.displacement, &new.displacement);
-        let at_end = ties.arms_at(&new.displacement);
+    /// M/(theta dt^2) + theta K + C/dt into the matrix, and the mean elastic forces.
+    fn assemble_tangent(&self, model: &mut MovingModel, step: &Step, new: &State) {
+        let MovingModel { system, damping, matrix, internal, .. } = model;
+        let (start, dt) = (step.start, step.dt);
+        let links = &system.equations.links;
+        let between = links.arms_between(&start.displacement, &new.displacement);
+        let at_end = links.arms_at(&new.displacement);
         let arms = [&between[..], &at_end[..]];
-        self.matrix.clear();
-        let tangent = Some((arms, &mut self.matrix));
-        let from = (start, &state.displacement[..]);
-        system.mean_elastic_forces(
-            from,
-            &new.displacement,
-            &state.plastic_curvature,
-            rule.weight,
-            &mut self.internal,
-            tangent,
-        );
-        let middle = each(&state.displacement, &new.displacement, |from, to| 0.5 * (from + to));
-        system.add_viscosity(&middle, &self.damping, dt.recip(), arms, &mut self.matrix);
-        let of_mass = (rule.weight * dt * dt).recip() + self.damping.mass / dt;
-        for (row, mass) in rule.mass.by_equation.iter().enumerate() {
-            self.matrix.add(row, row, of_mass * mass);
+        matrix.clear();
+        let from = (&step.chords[..], &start.displacement[..]);
+        let (plastic, tangent) = (&start.plastic_curvature, Some((arms, &mut *matrix)));
+        system.mean_elastic_forces(from, &new.displacement, plastic, self.weight, internal, tangent);
+        system.add_viscosity(&step.middle(new), damping, dt.recip(), arms, matrix);
+        let of_mass = (self.weight * dt * dt).recip() + damping.mass / dt;
+        for (row, mass) in self.mass.by_equation.iter().enumerate() {
+            matrix.add(row, row, of_mass * mass);
         }
     }
 
-    /// Elastic forces over the step, into `self.internal`; returns what they take beyond the energy's change \[J\].
-    fn elastic_over_the_step(&mut self, rule: &Trapezoidal, state: &State, start: &[Chord], new: &State) -> f64 {
-        let from = (start, &state.displacement[..]);
-        self.system.mean_elastic_forces(
-            from,
-            &new.displacement,
-            &state.plastic_curvature,
-            rule.weight,
-            &mut self.internal,
-            None,
-        )
+    /// Mean elastic forces into `model.internal`; returns their work beyond the change of the elastic energy \[J\].
+    fn elastic_forces(&self, model: &mut MovingModel, step: &Step, new: &State) -> f64 {
+        let from = (&step.chords[..], &step.start.displacement[..]);
+        let plastic = &step.start.plastic_curvature;
+        let internal = &mut model.internal;
+        model.system.mean_elastic_forces(from, &new.displacement, plastic, self.weight, internal, None)
     }
 
-    /// What acts over the step that leads to `new`, whose elastic forces are in `self.internal`.
-    fn mean(&self, rule: &Trapezoidal, state: &State, load: &[[f64; 3]], dt: f64, new: &State) -> Mean {
-        let rate = each(&new.displacement, &state.displacement, |to, from| (to - from) / dt);
-        let middle = each(&state.displacement, &new.displacement, |from, to| 0.5 * (from + to));
-        let viscous = self.system.viscous_forces(&middle, &rate, &self.damping, &rule.mass.nodal);
-        let mut force = each(load, &each(&self.internal, &viscous, |a, b| a + b), |load, taken| load - taken);
-        let ties = &self.system.equations.ties;
-        for tie in &ties.all {
-            // Masses that stay at tied nodes, of bodies held at their node, are carried along by it.
+    /// Mean forces over the step to `new`, with the elastic forces in `model.internal`.
+    fn mean_forces(&self, model: &MovingModel, step: &Step, new: &State) -> MeanForces {
+        let (start, dt) = (step.start, step.dt);
+        let rate = combine(&new.displacement, &start.displacement, |to, from| (to - from) / dt);
+        let viscous = model.system.viscous_forces(&step.middle(new), &rate, &model.damping, &self.mass.nodal);
+        let internal = combine(&model.internal, &viscous, |a, b| a + b);
+        let mut total = combine(step.load, &internal, |load, internal| load - internal);
+        let links = &model.system.equations.links;
+        for link in &links.all {
+            // Masses remain at linked nodes if the body is supported at its node.
             for dof in 0..2 {
-                let carried = (new.velocity[tie.body][dof] - state.velocity[tie.body][dof]) / dt;
-                force[tie.node][dof] -= rule.mass.nodal[tie.node][dof] * carried;
+                let acceleration = (new.velocity[link.body][dof] - start.velocity[link.body][dof]) / dt;
+                total[link.node][dof] -= self.mass.nodal[link.node][dof] * acceleration;
             }
         }
-        Mean { force, viscous, arms: ties.arms_between(&state.displacement, &new.displacement) }
+        MeanForces { total, viscous, arms: links.arms_between(&start.displacement, &new.displacement) }
     }
 
-    /// Forces less the change of momentum that the displacement of `new` calls for.
-    fn lack_of_motion(&self, rule: &Trapezoidal, state: &State, new: &State, mean: &Mean, dt: f64) -> Vec<f64> {
-        let equations = &self.system.equations;
-        let mut lack = equations.reduce(&mean.force, &mean.arms);
-        for (equation, (lack, mass)) in lack.iter_mut().zip(&rule.mass.by_equation).enumerate() {
+    /// Mean forces minus the rate of momentum at the displacement of `new`, by equation.
+    fn residual(&self, model: &MovingModel, step: &Step, new: &State, mean: &MeanForces) -> Vec<f64> {
+        let (start, dt) = (step.start, step.dt);
+        let equations = &model.system.equations;
+        let mut residual = equations.reduce(&mean.total, &mean.arms);
+        for (equation, (residual, mass)) in residual.iter_mut().zip(&self.mass.by_equation).enumerate() {
             let (node, dof) = equations.place(equation);
             let dof = dof as usize;
-            let rate = (new.displacement[node][dof] - state.displacement[node][dof]) / dt;
-            *lack -= mass * (rate - state.velocity[node][dof]) / (rule.weight * dt);
+            let rate = (new.displacement[node][dof] - start.displacement[node][dof]) / dt;
+            *residual -= mass * (rate - start.velocity[node][dof]) / (self.weight * dt);
         }
-        lack
+        residual
     }
 
-    /// Velocities at the end from the momenta that the mean forces give: momentum is kept whatever Newton's
-    /// method left.
-    fn give_velocities(&self, rule: &Trapezoidal, state: &State, new: &mut State, mean: &Mean, dt: f64) {
-        let equations = &self.system.equations;
-        let gained = rule.mass.accelerations(&equations.reduce(&mean.force, &mean.arms));
-        new.velocity.clone_from(&state.velocity);
-        equations.add(dt, &gained, &mut new.velocity);
-        self.move_supports(new);
-        equations.ties.follow_linearly(&equations.ties.arms_at(&new.displacement), &mut new.velocity);
+    /// Velocities at the end from the momenta of the mean forces: this conserves momentum whatever the residual of
+    /// Newton's method.
+    fn set_velocity(&self, model: &MovingModel, step: &Step, new: &mut State, mean: &MeanForces) {
+        let equations = &model.system.equations;
+        let gained = self.mass.accelerations(&equations.reduce(&mean.total, &mean.arms));
+        new.velocity.clone_from(&step.start.velocity);
+        equations.add(step.dt, &gained, &mut new.velocity);
+        model.move_supports(new);
+        equations.links.set_velocity(&equations.links.arms_at(&new.displacement), &mut new.velocity);
     }
 
-    /// Reactions and energies of the step (THEORY S23).
-    fn account(
+    /// Reactions and energy balance of the step (THEORY S23).
+    fn balance(
         &self,
-        rule: &Trapezoidal,
-        state: &State,
+        model: &MovingModel,
+        step: &Step,
         new: &mut State,
-        mean: &Mean,
-        by_elements: f64,
-        dt: f64,
+        mean: &MeanForces,
+        dissipated_by_elements: f64,
         report: &mut StepReport,
     ) {
-        let system = &self.system;
-        let moved = each(&new.displacement, &state.displacement, |to, from| to - from);
-        let gained = each(&new.velocity, &state.velocity, |to, from| to - from);
+        let (system, start, dt) = (&model.system, step.start, step.dt);
+        let moved = combine(&new.displacement, &start.displacement, |to, from| to - from);
+        let gained = combine(&new.velocity, &start.velocity, |to, from| to - from);
         let speeds = system.equations.pick(gained.as_flattened());
-        let kinetic: f64 = speeds.iter().zip(&rule.mass.by_equation).map(|(v, mass)| mass * v * v).sum();
-        let of_rule = (rule.weight - 0.5) * kinetic;
-        report.dissipated = of_rule + by_elements + pairing(&mean.viscous, &moved);
+        let kinetic: f64 = speeds.iter().zip(&self.mass.by_equation).map(|(v, mass)| mass * v * v).sum();
+        let of_rule = (self.weight - 0.5) * kinetic;
+        report.dissipated = of_rule + dissipated_by_elements + sum(&mean.viscous, &moved, |force, u| force * u);
 
-        // The forces without what `mean` took for carried masses: these are in the velocities.
-        let mut lack = mean.force.clone();
-        for tie in &system.equations.ties.all {
+        // Forces without the inertia of masses at linked nodes, which the velocities contain.
+        let mut forces = mean.total.clone();
+        for link in &system.equations.links.all {
             for dof in 0..2 {
-                lack[tie.node][dof] += rule.mass.nodal[tie.node][dof] * gained[tie.body][dof] / dt;
+                forces[link.node][dof] += self.mass.nodal[link.node][dof] * gained[link.body][dof] / dt;
             }
         }
-        let momenta = each(&rule.mass.nodal, &gained, |mass, v| mass * v / dt);
-        let mut reaction = each(&momenta, &lack, |momentum, force| momentum - force);
-        system.equations.ties.fold(&mean.arms, &mut reaction);
+        let momenta = combine(&self.mass.nodal, &gained, |mass, v| mass * v / dt);
+        let mut reaction = combine(&momenta, &forces, |momentum, force| momentum - force);
+        system.equations.links.transfer_forces(&mean.arms, &mut reaction);
         new.mean_reaction.fill([0.0; 3]);
         report.support_work = 0.0;
         for spring in system.supports.springs() {
             let (node, dof) = (spring.node, spring.dof as usize);
-            let (from, to) = (state.displacement[node][dof], new.displacement[node][dof]);
-            let mean = (1.0 - rule.weight) * from + rule.weight * to + self.damping.stiffness * (to - from) / dt;
+            let (from, to) = (start.displacement[node][dof], new.displacement[node][dof]);
+            let mean = (1.0 - self.weight) * from + self.weight * to + model.damping.stiffness * (to - from) / dt;
             new.mean_reaction[node][dof] -= spring.stiffness * mean;
         }
         for &(node, dof) in system.supports.fixed() {
@@ -296,34 +248,24 @@ impl Dynamics {
             report.support_work += reaction[node][dof] * moved[node][dof];
         }
     }
+}
 
-    /// Load less internal forces at the motion of `state`, less the inertia of the accelerations that supports
-    /// and ties prescribe, which the state is given; by equation.
-    pub(crate) fn lack_at_known_acceleration(
-        &mut self,
-        rule: &Trapezoidal,
-        state: &mut State,
-        load: &[[f64; 3]],
-    ) -> Vec<f64> {
-        state.acceleration.fill([0.0; 3]);
-        let prescribed = self.prescribed();
-        for (node, dof, motion) in prescribed {
-            state.acceleration[node][dof as usize] = motion.acceleration;
+impl Step<'_> {
+    /// The motion at a constant acceleration, or no motion; supports at their prescribed motion.
+    fn predict(&self, model: &MovingModel, acceleration: Option<&Field>) -> State {
+        let (start, dt) = (self.start, self.dt);
+        let mut new = start.clone();
+        if let Some(acceleration) = acceleration {
+            let moved = combine(&start.velocity, acceleration, |v, a| dt * (v + 0.5 * dt * a));
+            new.displacement = combine(&start.displacement, &moved, |q, moved| q + moved);
         }
-        let ties = &self.system.equations.ties;
-        let arms = ties.arms_at(&state.displacement);
-        ties.follow_acceleration(&arms, &state.velocity, &mut state.acceleration);
-        self.system.elastic_forces(&state.displacement, &state.plastic_curvature, &mut self.internal, None);
-        let lack = self.lack_of_forces(rule, state, load);
-        self.system.equations.reduce(&lack, &arms)
+        model.move_supports(&mut new);
+        model.system.equations.links.set_displacement(&mut new.displacement);
+        new
     }
 
-    /// Load less elastic forces (as they are in `self.internal`), damping and inertia, node by node.
-    pub(crate) fn lack_of_forces(&self, rule: &Trapezoidal, state: &State, load: &[[f64; 3]]) -> Vec<[f64; 3]> {
-        let mass = &rule.mass.nodal;
-        let viscous = self.system.viscous_forces(&state.displacement, &state.velocity, &self.damping, mass);
-        let inertia = each(mass, &state.acceleration, |mass, a| mass * a);
-        let lack = each(load, &self.internal, |load, elastic| load - elastic);
-        each(&lack, &each(&viscous, &inertia, |a, b| a + b), |lack, taken| lack - taken)
+    /// The displacement in the middle of the step.
+    fn middle(&self, new: &State) -> Field {
+        combine(&self.start.displacement, &new.displacement, |from, to| 0.5 * (from + to))
     }
 }

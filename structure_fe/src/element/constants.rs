@@ -1,22 +1,16 @@
 //! The element: a straight beam with two nodes in the plane, and its constants.
 //!
-//! Everything elastic is written in the three *deformations* of the element, which no rigid motion
-//! changes (Argyris 1964): its elongation e and the rotations psi_1, psi_2 of its ends against its
-//! chord; half their difference psi_s bends it to an arc, half their sum psi_a to an S. Only the
-//! latter shears it, so that the shear parameter Phi = 12 EI/(kappa G A L^2) divides its stiffness
-//! by 1 + Phi and Euler-Bernoulli's element is that of Phi = 0 (THEORY S3). With the end values
-//! q = (u1, w1, theta1, u2, w2, theta2) the deformations are d = B q, the conjugate forces D d, and
-//! K = B^T D B: exact for linear loads and uniform stiffness (Przemieniecki 1968, ch. 5), hence
-//! without locking. Here for small displacements; `corotational.rs` puts any rotation on top.
+//! The elastic relations use three *deformations*, which no rigid motion changes (Argyris 1964): the elongation e and
+//! the rotations psi_1, psi_2 of the ends against the chord, as the symmetric part psi_s = (psi_1 - psi_2)/2 (an arc)
+//! and the antisymmetric part psi_a = (psi_1 + psi_2)/2 (an S). Only psi_a shears the element, so the shear parameter
+//! Phi = 12 EI/(kappa G A L^2) divides its stiffness by 1 + Phi; Phi = 0 gives Euler-Bernoulli's element (THEORY S3).
+//! With the end values q = (u1, w1, theta1, u2, w2, theta2) the deformations are d = B q, the conjugate forces D d, and
+//! K = B^T D B: exact for linear loads and uniform stiffness (Przemieniecki 1968, ch. 5), hence without locking. This
+//! file is for small displacements; `corotational.rs` adds arbitrary rotations.
 
-use crate::element_mass::ElementMass;
-use crate::plastic::PlasticBending;
-
-/// Values at the two ends of an element, `[u1, w1, theta1, u2, w2, theta2]`, or forces conjugate to them.
-pub(crate) type Ends = [f64; 6];
-
-/// A square matrix over the end values.
-pub(crate) type EndsMatrix = [[f64; 6]; 6];
+use super::ends::{Ends, EndsMatrix, end_forces, rotate};
+use super::mass::consistent_mass;
+use crate::material::PlasticBending;
 
 /// Geometry, stiffness and mass of one element.
 #[derive(Debug, Clone)]
@@ -27,7 +21,7 @@ pub(crate) struct ElementConstants {
     pub tangent: [f64; 2],
     /// The diagonal of D: stiffness against elongation \[N/m\], arc and S \[N m\] (THEORY S3).
     pub stiffness: [f64; 3],
-    /// What arc and S add to the mean strain: factors of psi_s^2/2 and psi_a^2/2 (THEORY S10).
+    /// Factors of psi_s^2/2 and psi_a^2/2 in the mean strain \[-\] (THEORY S10).
     pub curvature_strain: [f64; 2],
     /// Shear parameter Phi = 12 EI/(kappa G A L^2) \[-\]; 0 without shear deformation.
     pub shear_parameter: f64,
@@ -35,13 +29,13 @@ pub(crate) struct ElementConstants {
     pub mass_per_length: f64,
     /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
     pub radius_squared: f64,
-    /// Its consistent mass.
-    pub mass: ElementMass,
-    /// How it yields, if it does.
+    /// Consistent mass in the element's axes (THEORY S4).
+    pub mass: EndsMatrix,
+    /// Plastic bending, if the element can yield.
     pub plastic: Option<PlasticBending>,
 }
 
-/// What an element is made of, per length.
+/// Properties of an element per length.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Properties {
     /// Axial stiffness EA \[N\].
@@ -57,7 +51,7 @@ pub(crate) struct Properties {
 }
 
 impl ElementConstants {
-    /// Of an element of these properties from one node along `[dx, dy]` \[m\] to the other.
+    /// An element of these properties whose second node is at `[dx, dy]` \[m\] from the first.
     pub fn new(properties: &Properties, [dx, dy]: [f64; 2]) -> Self {
         let length = dx.hypot(dy);
         let phi = 12.0 * properties.bending_stiffness / (properties.shear_stiffness * length.powi(2));
@@ -71,7 +65,7 @@ impl ElementConstants {
             shear_parameter: phi,
             mass_per_length,
             radius_squared,
-            mass: ElementMass::new(mass_per_length * length, length, phi, radius_squared),
+            mass: consistent_mass(mass_per_length * length, length, phi, radius_squared),
             plastic: None,
         }
     }
@@ -89,16 +83,14 @@ impl ElementConstants {
 
     /// Elastic end forces K q, in the global axes \[N, N, N m, ...\].
     pub fn elastic_forces(&self, q: &Ends) -> Ends {
-        let stiffness = &self.stiffness;
         let d = self.deformations(q);
-        self.to_global(&end_forces(&[0, 1, 2].map(|i| stiffness[i] * d[i]), self.length))
+        self.to_global(&end_forces(&[0, 1, 2].map(|i| self.stiffness[i] * d[i]), self.length))
     }
 
     /// Elastic energy d^T D d/2 \[J\]: a sum of squares, so never negative.
     pub fn strain_energy(&self, q: &Ends) -> f64 {
-        let stiffness = &self.stiffness;
         let d = self.deformations(q);
-        0.5 * (0..3).map(|i| stiffness[i] * d[i].powi(2)).sum::<f64>()
+        0.5 * (0..3).map(|i| self.stiffness[i] * d[i].powi(2)).sum::<f64>()
     }
 
     /// Stiffness matrix K = B^T D B in the global axes.
@@ -107,14 +99,14 @@ impl ElementConstants {
     }
 
     /// Consistent mass matrix in the global axes (THEORY S4).
-    pub fn mass(&self) -> EndsMatrix {
-        columns(|unit| self.to_global(&self.mass.times(&self.to_local(unit))))
+    pub fn global_mass(&self) -> EndsMatrix {
+        columns(|unit| self.to_global(&(self.mass * self.to_local(unit))))
     }
 
     /// Kinetic energy v^T M v/2 \[J\] of the end velocities.
     pub fn kinetic_energy(&self, v: &Ends) -> f64 {
         let local = self.to_local(v);
-        0.5 * dot(&local, &self.mass.times(&local))
+        0.5 * local.dot(&(self.mass * local))
     }
 
     /// Consistent end forces of a load that varies linearly from `start` to `end`, both in the
@@ -122,8 +114,8 @@ impl ElementConstants {
     ///
     /// Minus these are the forces of the fixed ends.
     pub fn load_forces(&self, start: [f64; 2], end: [f64; 2]) -> Ends {
-        let [n1, q1, _, n2, q2, _] = self.to_local(&[start[0], start[1], 0.0, end[0], end[1], 0.0]);
-        self.to_global(&self.local_load_forces([n1, q1], [n2, q2]))
+        let local = self.to_local(&Ends::new(start[0], start[1], 0.0, end[0], end[1], 0.0));
+        self.to_global(&self.local_load_forces([local[0], local[1]], [local[3], local[4]]))
     }
 
     /// The same in the element's axes, of loads (along it, to its left) \[N/m\].
@@ -135,14 +127,8 @@ impl ElementConstants {
         let moment = |near: f64, far: f64| {
             length.powi(2) * ((3.0 * near + 2.0 * far) / 60.0 + phi * (near + far) / 24.0) / (1.0 + phi)
         };
-        [
-            length / 6.0 * (2.0 * n1 + n2),
-            force(q1, q2),
-            moment(q1, q2),
-            length / 6.0 * (n1 + 2.0 * n2),
-            force(q2, q1),
-            -moment(q2, q1),
-        ]
+        let axial = |near: f64, far: f64| length / 6.0 * (2.0 * near + far);
+        Ends::new(axial(n1, n2), force(q1, q2), moment(q1, q2), axial(n2, n1), force(q2, q1), -moment(q2, q1))
     }
 
     /// End values of the global axes in the element's axes: along it, and across it to the left.
@@ -158,27 +144,7 @@ impl ElementConstants {
     }
 }
 
-/// End forces B^T (N, M_s, M_a) in the element's axes: M_s, M_a are conjugate to psi_s and psi_a.
-pub(crate) fn end_forces([normal, arc, ess]: &[f64; 3], length: f64) -> Ends {
-    let shear = ess / length;
-    [-normal, shear, 0.5 * (ess + arc), *normal, -shear, 0.5 * (ess - arc)]
-}
-
-/// The scalar product of two vectors over the end values.
-pub(crate) fn dot(a: &Ends, b: &Ends) -> f64 {
-    (0..6).map(|i| a[i] * b[i]).sum()
-}
-
-/// The two vectors of `q` turned by the angle of cosine `c` and sine `s`, the rotations untouched.
-pub(crate) fn rotate(q: &Ends, c: f64, s: f64) -> Ends {
-    [c * q[0] - s * q[1], s * q[0] + c * q[1], q[2], c * q[3] - s * q[4], s * q[3] + c * q[4], q[5]]
-}
-
-/// The matrix of a symmetric linear map: its columns, hence rows, are the images of the unit vectors.
+/// The matrix of a linear map: its columns are the images of the unit vectors.
 fn columns(map: impl Fn(&Ends) -> Ends) -> EndsMatrix {
-    std::array::from_fn(|j| {
-        let mut unit = [0.0; 6];
-        unit[j] = 1.0;
-        map(&unit)
-    })
+    EndsMatrix::from_columns(&std::array::from_fn::<_, 6, _>(|j| map(&Ends::ith(j, 1.0))))
 }

@@ -1,71 +1,36 @@
 //! Consistent mass of an element, in its own axes.
 
-use crate::element::{Ends, EndsMatrix};
+use super::ends::EndsMatrix;
 
-/// The consistent mass matrix in the element's axes (THEORY S4): linear u, and across the axis the
-/// element's own shapes, those of Euler-Bernoulli where Phi = 0 (Przemieniecki 1968, ch. 11) and
-/// Timoshenko's otherwise (Friedman & Kosmatka 1993).
-#[derive(Debug, Clone)]
-pub(crate) struct ElementMass {
-    /// Along the axis: of an end on itself, and on the other \[kg\].
-    pub axial: [f64; 2],
-    /// Upper triangle across it, over (w1, theta1, w2, theta2): 11, 12, 13, 14, 22, 24
-    /// \[kg, kg m, kg, kg m, kg m^2, kg m^2\]; the rest follows by symmetry.
-    pub bending: [f64; 6],
-}
-
-impl ElementMass {
-    /// Of an element of `mass` m \[kg\], `length` L \[m\] and `shear_parameter` Phi \[-\];
-    /// `radius_squared` I/A \[m^2\] gives it rotatory inertia (Rayleigh 1877), 0 leaves it out.
-    pub fn new(mass: f64, length: f64, shear_parameter: f64, radius_squared: f64) -> Self {
-        let phi = shear_parameter;
-        let translation = mass / (1.0 + phi).powi(2);
-        let rotation = translation * radius_squared / length.powi(2);
-        let polynomial = |[a, b, c]: [f64; 3]| a + phi * (b + phi * c);
-        let sum = |t: [f64; 3], r: [f64; 3]| translation * polynomial(t) + rotation * polynomial(r);
-        let squared = length.powi(2);
-        Self {
-            axial: [mass / 3.0, mass / 6.0],
-            bending: [
-                sum([13.0 / 35.0, 7.0 / 10.0, 1.0 / 3.0], [6.0 / 5.0, 0.0, 0.0]),
-                sum([11.0 / 210.0, 11.0 / 120.0, 1.0 / 24.0], [1.0 / 10.0, -1.0 / 2.0, 0.0]) * length,
-                sum([9.0 / 70.0, 3.0 / 10.0, 1.0 / 6.0], [-6.0 / 5.0, 0.0, 0.0]),
-                -sum([13.0 / 420.0, 3.0 / 40.0, 1.0 / 24.0], [-1.0 / 10.0, 1.0 / 2.0, 0.0]) * length,
-                sum([1.0 / 105.0, 1.0 / 60.0, 1.0 / 120.0], [2.0 / 15.0, 1.0 / 6.0, 1.0 / 3.0]) * squared,
-                -sum([1.0 / 140.0, 1.0 / 60.0, 1.0 / 120.0], [1.0 / 30.0, 1.0 / 6.0, -1.0 / 6.0]) * squared,
-            ],
-        }
-    }
-
-    /// Mass matrix times the end values, both in the element's axes.
-    #[inline]
-    pub fn times(&self, v: &Ends) -> Ends {
-        let [own, other] = self.axial;
-        let [m11, m12, m13, m14, m22, m24] = self.bending;
-        [
-            own * v[0] + other * v[3],
-            m11 * v[1] + m12 * v[2] + m13 * v[4] + m14 * v[5],
-            m12 * v[1] + m22 * v[2] - m14 * v[4] + m24 * v[5],
-            other * v[0] + own * v[3],
-            m13 * v[1] - m14 * v[2] + m11 * v[4] - m12 * v[5],
-            m14 * v[1] + m24 * v[2] - m12 * v[4] + m22 * v[5],
-        ]
-    }
-
-    /// The matrix itself.
-    #[inline]
-    pub fn matrix(&self) -> EndsMatrix {
-        let [own, other] = self.axial;
-        let [m11, m12, m13, m14, m22, m24] = self.bending;
-        [
-            [own, 0.0, 0.0, other, 0.0, 0.0],
-            [0.0, m11, m12, 0.0, m13, m14],
-            [0.0, m12, m22, 0.0, -m14, m24],
-            [other, 0.0, 0.0, own, 0.0, 0.0],
-            [0.0, m13, -m14, 0.0, m11, -m12],
-            [0.0, m14, m24, 0.0, -m12, m22],
-        ]
-    }
+/// The consistent mass matrix in the element's axes \[kg, kg m, kg m^2\] (THEORY S4) of an element of `mass` m
+/// \[kg\], `length` L \[m\] and `shear_parameter` Phi \[-\]: linear u; for w the element's own shape functions, those
+/// of Euler-Bernoulli where Phi = 0 (Przemieniecki 1968, ch. 11) and Timoshenko's otherwise (Friedman & Kosmatka 1993).
+///
+/// `radius_squared` I/A \[m^2\] adds rotatory inertia (Rayleigh 1877); 0 omits it.
+#[rustfmt::skip]
+pub(crate) fn consistent_mass(mass: f64, length: f64, shear_parameter: f64, radius_squared: f64) -> EndsMatrix {
+    let phi = shear_parameter;
+    let translation = mass / (1.0 + phi).powi(2);
+    let rotation = translation * radius_squared / length.powi(2);
+    let polynomial = |[a, b, c]: [f64; 3]| a + phi * (b + phi * c);
+    let sum = |t: [f64; 3], r: [f64; 3]| translation * polynomial(t) + rotation * polynomial(r);
+    let squared = length.powi(2);
+    let (own, other) = (mass / 3.0, mass / 6.0);
+    // Over (w1, theta1, w2, theta2); the rest follows by symmetry.
+    let m11 = sum([13.0 / 35.0, 7.0 / 10.0, 1.0 / 3.0], [6.0 / 5.0, 0.0, 0.0]);
+    let m12 = sum([11.0 / 210.0, 11.0 / 120.0, 1.0 / 24.0], [1.0 / 10.0, -1.0 / 2.0, 0.0]) * length;
+    let m13 = sum([9.0 / 70.0, 3.0 / 10.0, 1.0 / 6.0], [-6.0 / 5.0, 0.0, 0.0]);
+    let m14 = -sum([13.0 / 420.0, 3.0 / 40.0, 1.0 / 24.0], [-1.0 / 10.0, 1.0 / 2.0, 0.0]) * length;
+    let m22 = sum([1.0 / 105.0, 1.0 / 60.0, 1.0 / 120.0], [2.0 / 15.0, 1.0 / 6.0, 1.0 / 3.0]) * squared;
+    let m24 = -sum([1.0 / 140.0, 1.0 / 60.0, 1.0 / 120.0], [1.0 / 30.0, 1.0 / 6.0, -1.0 / 6.0]) * squared;
+    EndsMatrix::new(
+        own,   0.0,  0.0,  other, 0.0,  0.0,
+        0.0,   m11,  m12,  0.0,   m13,  m14,
+        0.0,   m12,  m22,  0.0,  -m14,  m24,
+        other, 0.0,  0.0,  own,   0.0,  0.0,
+        0.0,   m13, -m14,  0.0,   m11, -m12,
+        0.0,   m14,  m24,  0.0,  -m12,  m22,
+    )
 }
 
 #[cfg(test)]
@@ -84,7 +49,7 @@ mod tests {
             (-0.906179845938664, 0.236926885056189),
         ];
         for phi in [0.0_f64, 0.4, 30.0] {
-            let ours = ElementMass::new(mass, length, phi, radius_squared).matrix();
+            let ours = consistent_mass(mass, length, phi, radius_squared);
             let at = [1, 2, 4, 5];
             for i in 0..4 {
                 for j in 0..4 {
@@ -109,7 +74,7 @@ mod tests {
                             0.5 * weight * mass * product
                         })
                         .sum();
-                    let error = ours[at[i]][at[j]] - integral;
+                    let error = ours[(at[i], at[j])] - integral;
                     assert!(error.abs() < 1e-13 * mass, "phi = {phi}, {i}{j}: {error:e}");
                 }
             }

@@ -1,24 +1,22 @@
 //! Elastic forces over a step: their work is the change of the elastic energy, exactly, at any rotation.
 //!
-//! A discrete gradient (Gonzalez 1996) of the energy of S10: elongation and turn of the chord have, between
-//! two places, derivatives along the mean chord whose products with the motion are their changes; normal force
-//! and moments are weighed between both ends of the step (THEORY S22).
+//! A discrete gradient (Gonzalez 1996) of the energy of S10: the discrete derivatives of elongation and rotation of the
+//! chord, times the motion of the step, are their exact changes; normal force and moments are weighted means of both
+//! ends of the step (THEORY S22).
 
-use crate::corotational::Chord;
-use crate::element::{ElementConstants, Ends, EndsMatrix};
-use crate::plastic::{Flow, PlasticBending};
-use crate::ties::sinc;
+use super::{Chord, ElementConstants, Ends, EndsMatrix, sinc};
+use crate::material::{Flow, PlasticBending};
 
-/// Forces of an element between two places.
+/// Forces of an element over a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeanForces {
     /// Forces at the ends, in the global axes.
     pub forces: Ends,
-    /// What they take beyond the change of the elastic energy \[J\]: none where the weight is one half.
+    /// Their work beyond the change of the elastic energy \[J\]; zero if the weight is one half.
     pub dissipated: f64,
 }
 
-/// Where an element is at the start of a step: its chord, the end values, and the plastic curvatures.
+/// An element at the start of a step: its chord, the end values, and the plastic curvatures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Start<'a> {
     pub from: Chord,
@@ -26,22 +24,22 @@ pub(crate) struct Start<'a> {
     pub plastic: [f64; 2],
 }
 
-/// What force and tangent share.
-struct Between<'a> {
+/// The discrete gradient of an element's energy over a step: forces and tangent.
+pub(crate) struct DiscreteGradient<'a> {
     element: &'a ElementConstants,
     weight: f64,
     from: Chord,
     to: Chord,
-    /// Derivatives of elongation \[-\] and turn \[1/m\] by the chord's vector, between both places.
-    elongating: [f64; 2],
-    turning: [f64; 2],
-    /// Turn between both places \[rad\], and how much longer the turning is than 1/l^2 times the mean chord.
-    turn: f64,
-    arm: f64,
+    /// Discrete derivatives of elongation \[-\] and rotation \[1/m\] by the chord vector.
+    elongation_by: [f64; 2],
+    rotation_by: [f64; 2],
+    /// Rotation over the step \[rad\], and the factor of the mean chord in `rotation_by` \[1/m^2\].
+    rotation: f64,
+    factor: f64,
     mean: [f64; 3],
     /// N \[N\], M_s, M_a \[N m\].
     forces: [f64; 3],
-    /// How plastic curvature goes on, and what it was.
+    /// The return map, with the plastic curvatures at the start.
     flow: Option<(&'a PlasticBending, Flow, [f64; 2])>,
 }
 
@@ -51,38 +49,39 @@ fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
     e / element.length + 0.5 * (g_arc * arc * arc + g_ess * ess * ess)
 }
 
-impl<'a> Between<'a> {
+impl<'a> DiscreteGradient<'a> {
+    /// The step from `start` to the end values `q`, with the `weight` of its end.
     #[inline]
-    fn new(element: &'a ElementConstants, Start { from, before, plastic }: Start, q: &Ends, weight: f64) -> Self {
-        let (to, turn, ratio) = Chord::moved(element, &from, before, q);
+    pub fn new(element: &'a ElementConstants, Start { from, before, plastic }: Start, q: &Ends, weight: f64) -> Self {
+        let (to, rotation, ratio) = Chord::moved(element, &from, before, q);
         let [start, end] = [from, to].map(|chord| chord.direction.map(|x| chord.length * x));
         let middle = [0, 1].map(|axis| 0.5 * (start[axis] + end[axis]));
         let both = from.length + to.length;
-        let arm = ratio / (from.length * to.length);
+        let factor = ratio / (from.length * to.length);
         let mean: [f64; 3] = std::array::from_fn(|i| 0.5 * (from.deformation[i] + to.deformation[i]));
-        let weighed = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
+        let weighted = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
         let [axial, for_arc, for_ess] = element.stiffness;
         let [g_arc, g_ess] = element.curvature_strain.map(|factor| factor * element.length);
         let [before, after] = [&from, &to].map(|chord| strain(element, &chord.deformation));
-        let normal = axial * element.length * weighed(before, after);
-        let of = |i: usize| weighed(from.deformation[i], to.deformation[i]);
+        let normal = axial * element.length * weighted(before, after);
+        let of = |i: usize| weighted(from.deformation[i], to.deformation[i]);
         let mut forces =
             [normal, for_arc * of(1) + normal * g_arc * mean[1], for_ess * of(2) + normal * g_ess * mean[2]];
         let flow = element.plastic.as_ref().map(|bending| (bending, bending.flow(&to.deformation, plastic), plastic));
         if let Some((bending, flow, before)) = &flow {
-            let before = bending.relief(*before);
+            let before = bending.plastic_moments(*before);
             for k in 0..2 {
-                forces[k + 1] += weighed(before[k], flow.relief[k]);
+                forces[k + 1] += weighted(before[k], flow.plastic_moments[k]);
             }
         }
-        let elongating = middle.map(|x| 2.0 * x / both);
-        let turning = [-arm * middle[1], arm * middle[0]];
-        Self { element, weight, from, to, elongating, turning, turn, arm, mean, forces, flow }
+        let elongation_by = middle.map(|x| 2.0 * x / both);
+        let rotation_by = [-factor * middle[1], factor * middle[0]];
+        Self { element, weight, from, to, elongation_by, rotation_by, rotation, factor, mean, forces, flow }
     }
 
-    fn forces(&self) -> MeanForces {
+    pub fn forces(&self) -> MeanForces {
         let [normal, arc, ess] = self.forces;
-        let [x, y] = [0, 1].map(|k| normal * self.elongating[k] - ess * self.turning[k]);
+        let [x, y] = [0, 1].map(|k| normal * self.elongation_by[k] - ess * self.rotation_by[k]);
         let element = self.element;
         let change: [f64; 3] = std::array::from_fn(|i| self.to.deformation[i] - self.from.deformation[i]);
         let [before, after] = [&self.from, &self.to].map(|chord| strain(element, &chord.deformation));
@@ -93,12 +92,12 @@ impl<'a> Between<'a> {
             Some((bending, flow, history)) => self.work_of_bending(bending, flow, *history),
         };
         MeanForces {
-            forces: [-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)],
+            forces: Ends::new(-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)),
             dissipated: (self.weight - 0.5) * stretched + bent,
         }
     }
 
-    /// What an element that yields takes beyond the change of its elastic energy: plastic work, and the rule's part.
+    /// Plastic work, and the dissipation of the weighted mean, of an element that yields \[J\].
     fn work_of_bending(&self, bending: &PlasticBending, flow: &Flow, history: [f64; 2]) -> f64 {
         let before = bending.moments(&self.from.deformation, history);
         let curvatures = [&self.from, &self.to].map(|chord| bending.curvatures(&chord.deformation));
@@ -110,19 +109,19 @@ impl<'a> Between<'a> {
         0.5 * bending.length * (of(0) + of(1))
     }
 
-    /// Derivative of the forces by the end values at the second place; not symmetric.
+    /// Derivative of the forces by the end values at the end of the step; not symmetric.
     #[inline]
-    fn tangent(&self, factor: f64) -> EndsMatrix {
+    pub fn tangent(&self) -> EndsMatrix {
         let (element, weight) = (self.element, self.weight);
         let [normal, _, ess] = self.forces;
         let [axial, for_arc, for_ess] = element.stiffness;
         let [g_arc, g_ess] = element.curvature_strain.map(|g| g * element.length);
         let [c, s] = self.to.direction;
         let y = 1.0 / self.to.length;
-        // Over the chord's vector and both rotations.
+        // Over the chord vector and both end rotations.
         let by_e = [c, s, 0.0, 0.0];
         let by_arc = [0.0, 0.0, 0.5, -0.5];
-        let by_turn = [-y * s, y * c, 0.0, 0.0];
+        let by_rotation = [-y * s, y * c, 0.0, 0.0];
         let by_ess = [y * s, -y * c, 0.5, 0.5];
         let [_, arc_end, ess_end] = self.to.deformation;
         let [_, arc_mean, ess_mean] = self.mean;
@@ -140,32 +139,33 @@ impl<'a> Between<'a> {
             [n, m_arc, m_ess]
         };
         let both = self.from.length + self.to.length;
-        let x = self.turn;
-        let slope = if x.abs() < 1e-3 { -x / 3.0 } else { (x.cos() - sinc(x)) / (x * sinc(x)) };
-        let quarter = 0.5 * self.arm;
+        let x = self.rotation;
+        let correction = if x.abs() < 1e-3 { -x / 3.0 } else { (x.cos() - sinc(x)) / (x * sinc(x)) };
+        let quarter = 0.5 * self.factor;
         let mut rows = [[0.0; 4]; 4];
         for k in 0..4 {
             let [n, m_arc, m_ess] = by(k);
-            let (along, turned) = (by_e[k] / both, y * by_e[k] + slope * by_turn[k]);
+            let (along, rotated) = (by_e[k] / both, y * by_e[k] + correction * by_rotation[k]);
             let unit = [f64::from(u8::from(k == 0)), f64::from(u8::from(k == 1))];
             let crossed = [-quarter * unit[1], quarter * unit[0]];
             for axis in 0..2 {
-                let elongating = unit[axis] / both - along * self.elongating[axis];
-                let turning = crossed[axis] - turned * self.turning[axis];
-                rows[axis][k] = factor
-                    * (n * self.elongating[axis] + normal * elongating - m_ess * self.turning[axis] - ess * turning);
+                let elongation = unit[axis] / both - along * self.elongation_by[axis];
+                let rotation = crossed[axis] - rotated * self.rotation_by[axis];
+                rows[axis][k] = n * self.elongation_by[axis] + normal * elongation
+                    - m_ess * self.rotation_by[axis]
+                    - ess * rotation;
             }
-            rows[2][k] = factor * 0.5 * (m_ess + m_arc);
-            rows[3][k] = factor * 0.5 * (m_ess - m_arc);
+            rows[2][k] = 0.5 * (m_ess + m_arc);
+            rows[3][k] = 0.5 * (m_ess - m_arc);
         }
-        let mut matrix = [[0.0; 6]; 6];
-        // The chord's vector is the second end's place less the first's.
+        let mut matrix = EndsMatrix::zeros();
+        // The chord vector is the position of the second end minus that of the first.
         let places = [[(0, -1.0), (3, 1.0)], [(1, -1.0), (4, 1.0)], [(2, 1.0), (2, 0.0)], [(5, 1.0), (5, 0.0)]];
         for i in 0..4 {
             for j in 0..4 {
                 for (row, sign_i) in places[i] {
                     for (column, sign_j) in places[j] {
-                        matrix[row][column] += sign_i * sign_j * rows[i][j];
+                        matrix[(row, column)] += sign_i * sign_j * rows[i][j];
                     }
                 }
             }
@@ -174,30 +174,10 @@ impl<'a> Between<'a> {
     }
 }
 
-/// Forces between the start of a step and the end values `q`, of which the end has this `weight`.
-#[inline]
-pub(crate) fn mean_forces(element: &ElementConstants, start: Start, q: &Ends, weight: f64) -> MeanForces {
-    Between::new(element, start, q, weight).forces()
-}
-
-/// The same with `factor` times their derivative by the second place.
-#[inline]
-pub(crate) fn mean_forces_and_tangent(
-    element: &ElementConstants,
-    start: Start,
-    q: &Ends,
-    weight: f64,
-    factor: f64,
-) -> (MeanForces, EndsMatrix) {
-    let between = Between::new(element, start, q, weight);
-    (between.forces(), between.tangent(factor))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::corotational::{elastic_forces, strain_energy};
-    use crate::element::{Properties, dot};
+    use crate::element::{Properties, deformation_forces, end_forces, strain_energy};
 
     fn element(shear_stiffness: f64) -> ElementConstants {
         let properties = Properties {
@@ -210,31 +190,37 @@ mod tests {
         ElementConstants::new(&properties, [0.4, 0.3])
     }
 
-    const FROM: Ends = [0.1, -0.2, 0.3, 0.12, -0.1, -0.1];
-    fn start<'a>(element: &ElementConstants, before: &'a Ends, plastic: [f64; 2]) -> Start<'a> {
-        Start { from: Chord::new(element, before), before, plastic }
+    const FROM: Ends = Ends::new(0.1, -0.2, 0.3, 0.12, -0.1, -0.1);
+    fn step<'a>(
+        element: &'a ElementConstants,
+        before: &'a Ends,
+        plastic: [f64; 2],
+        to: &Ends,
+        weight: f64,
+    ) -> DiscreteGradient<'a> {
+        DiscreteGradient::new(element, Start { from: Chord::new(element, before), before, plastic }, to, weight)
     }
 
-    const TO: Ends = [0.5, 0.3, 1.1, 0.2, 0.4, 0.6];
+    const TO: Ends = Ends::new(0.5, 0.3, 1.1, 0.2, 0.4, 0.6);
 
     #[test]
     fn their_work_is_the_change_of_the_elastic_energy() {
         for shear in [f64::INFINITY, 500.0] {
             let element = element(shear);
             let chord = |q: &Ends| Chord::new(&element, q);
-            let moved: Ends = std::array::from_fn(|i| TO[i] - FROM[i]);
+            let moved = TO - FROM;
             let change = strain_energy(&element, &TO) - strain_energy(&element, &FROM);
             for weight in [0.5, 0.7] {
-                let mean = mean_forces(&element, start(&element, &FROM, [0.0; 2]), &TO, weight);
-                let error = dot(&mean.forces, &moved) - mean.dissipated - change;
+                let mean = step(&element, &FROM, [0.0; 2], &TO, weight).forces();
+                let error = mean.forces.dot(&moved) - mean.dissipated - change;
                 assert!(error.abs() < 1e-10 * change.abs(), "{weight}: {error:e} of {change}");
                 assert!((mean.dissipated > 0.0) == (weight > 0.5));
             }
             // And at one place they are the forces there.
             let there = chord(&TO);
-            let mean = mean_forces(&element, start(&element, &TO, [0.0; 2]), &TO, 0.5).forces;
-            let exact = there.to_global(&elastic_forces(&element, &there));
-            for (mean, exact) in mean.iter().zip(exact) {
+            let mean = step(&element, &TO, [0.0; 2], &TO, 0.5).forces().forces;
+            let exact = there.to_global(&end_forces(&deformation_forces(&element, &there.deformation), there.length));
+            for (mean, exact) in mean.iter().zip(&exact) {
                 assert!((mean - exact).abs() < 1e-10 * exact.abs().max(1.0));
             }
         }
@@ -246,19 +232,19 @@ mod tests {
         let mut yielding = element(f64::INFINITY);
         yielding.plastic = Some(PlasticBending { stiffness: 20.0, hardening: 4.0, yield_moment: 2.0, length: 0.5 });
         for (element, plastic) in [(elastic, [0.0; 2]), (yielding, [0.3, -0.2])] {
-            for to in [TO, std::array::from_fn(|i| FROM[i] + 1e-5 * TO[i])] {
-                let (_, tangent) = mean_forces_and_tangent(&element, start(&element, &FROM, plastic), &to, 0.6, 2.0);
+            for to in [TO, FROM + 1e-5 * TO] {
+                let tangent = step(&element, &FROM, plastic, &to, 0.6).tangent();
                 for j in 0..6 {
-                    let step = 1e-6;
-                    let [low, high] = [-step, step].map(|change| {
+                    let h = 1e-6;
+                    let [low, high] = [-h, h].map(|change| {
                         let mut q = to;
                         q[j] += change;
-                        mean_forces(&element, start(&element, &FROM, plastic), &q, 0.6).forces
+                        step(&element, &FROM, plastic, &q, 0.6).forces().forces
                     });
                     for i in 0..6 {
-                        let slope = 2.0 * (high[i] - low[i]) / (2.0 * step);
-                        let error = tangent[i][j] - slope;
-                        assert!(error.abs() < 1e-2, "{i}{j}: {} against {slope}", tangent[i][j]);
+                        let slope = (high[i] - low[i]) / (2.0 * h);
+                        let error = tangent[(i, j)] - slope;
+                        assert!(error.abs() < 5e-3, "{i}{j}: {} against {slope}", tangent[(i, j)]);
                     }
                 }
             }

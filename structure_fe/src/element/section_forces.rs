@@ -1,8 +1,7 @@
-//! Section forces: what one side of a cut does to the other.
+//! Section forces: normal force, shear force and bending moment in a section of an element.
 
-use crate::beam::Beam;
-use crate::element::Ends;
-use crate::section::Section;
+use super::Ends;
+use crate::material::Section;
 
 /// Normal force, shear force and bending moment in a section of an element.
 ///
@@ -27,25 +26,12 @@ impl SectionForces {
     pub fn fibre_stress(&self, section: &Section, eta: f64) -> f64 {
         self.normal / section.area() - self.moment * eta / section.second_moment()
     }
-}
 
-/// Section forces at the two ends of every element: elastic forces plus those of the fixed ends.
-pub(crate) fn section_forces(
-    beam: &Beam,
-    displacement: &[[f64; 3]],
-    element_forces: &[Ends],
-) -> Vec<[SectionForces; 2]> {
-    let elements = beam.formulated().zip(element_forces);
-    elements
-        .map(|((nodes, element), load)| {
-            let elastic = element.elastic_forces(&beam.ends(nodes, displacement));
-            let total = std::array::from_fn(|i| elastic[i] - load[i]);
-            at_ends(&element.to_local(&total))
-        })
-        .collect()
-}
-
-/// Section forces at the two ends, of the end forces in the element's axes.
-pub(crate) fn at_ends(&[x1, y1, m1, x2, y2, m2]: &Ends) -> [SectionForces; 2] {
-    [[-x1, -y1, -m1], [x2, y2, m2]].map(|[normal, shear, moment]| SectionForces { normal, shear, moment })
+    /// Section forces at the two ends, from the end forces in the element's axes.
+    pub(crate) fn at_ends(forces: &Ends) -> [Self; 2] {
+        [
+            Self { normal: -forces[0], shear: -forces[1], moment: -forces[2] },
+            Self { normal: forces[3], shear: forces[4], moment: forces[5] },
+        ]
+    }
 }

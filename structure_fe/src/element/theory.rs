@@ -1,4 +1,4 @@
-//! Beam theories: does the section stay normal to the axis?
+//! Beam theories: with and without shear deformation.
 
 use serde::{Deserialize, Serialize};
 

@@ -2,9 +2,8 @@
 
 /// A square matrix with entries within `half` of its diagonal only, stored by rows.
 ///
-/// Its profile is laid out once for a model; values are put in and eliminated again and again. Factors
-/// L U without exchange of rows (Golub & Van Loan 2013, 4.3): for the tangents of this crate, which are
-/// nearly symmetric and well away from zero pivots but at limit points.
+/// The band is allocated once per model. Factors L U without pivoting (Golub & Van Loan 2013, 4.3): the tangents of
+/// this crate are nearly symmetric, with pivots far from zero except at limit points.
 #[derive(Debug, Clone)]
 pub(crate) struct Banded {
     unknowns: usize,
@@ -12,14 +11,14 @@ pub(crate) struct Banded {
     values: Vec<f64>,
 }
 
-/// A pivot that vanished: the matrix is singular as far as its digits tell.
+/// A pivot that vanished: the matrix is singular to rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ZeroPivot {
     pub equation: usize,
 }
 
 /// A pivot smaller than this fraction of its diagonal entry is rounding \[-\].
-const SMALLEST_PIVOT: f64 = 1e-14;
+pub(super) const SMALLEST_PIVOT: f64 = 1e-14;
 
 impl Banded {
     pub fn new(unknowns: usize, half: usize) -> Self {
@@ -50,13 +49,13 @@ impl Banded {
             let (above, below) = self.values.split_at_mut((k + 1) * width);
             let row = &mut above[k * width + half..];
             let pivot = row[0];
-            // Written so that a pivot that is not a number is caught too.
+            // This form also rejects a pivot that is not a number.
             let regular = pivot.abs() > SMALLEST_PIVOT * diagonal[k];
             if !regular {
                 return Err(ZeroPivot { equation: k });
             }
             negative += usize::from(pivot < 0.0);
-            // The factors keep the inverse of the pivot: dividing costs more than all the rest.
+            // The factors store the inverse of the pivot: a division costs more than the row's other operations.
             row[0] = pivot.recip();
             let (inverse, row) = (row[0], &row[1..]);
             for (offset, other) in below.chunks_exact_mut(width).take(half).enumerate() {

@@ -1,11 +1,11 @@
-//! A banded matrix with a border: what couples with everything stands outside the band.
+//! A banded matrix with a border for unknowns that couple with all others.
 
-use crate::banded::{Banded, ZeroPivot};
+use super::banded::{Banded, SMALLEST_PIVOT, ZeroPivot};
 
 /// A square matrix whose last unknowns (rigid bodies) may couple with all others; the others are banded.
 ///
 /// Blocks [A B; C D]: A banded, eliminated first; then the Schur complement D - C A^-1 B (Golub & Van Loan
-/// 2013, 3.2). O(n) for a border of fixed width, however many places a body is tied at.
+/// 2013, 3.2). O(n) for a border of fixed width, for any number of links.
 #[derive(Debug, Clone)]
 pub(crate) struct Bordered {
     band: Banded,
@@ -18,9 +18,6 @@ pub(crate) struct Bordered {
     /// D, then the factors of its Schur complement.
     corner: Vec<f64>,
 }
-
-/// A pivot smaller than this fraction of its diagonal entry is rounding \[-\].
-const SMALLEST_PIVOT: f64 = 1e-14;
 
 impl Bordered {
     /// Of `inner` unknowns of half-bandwidth `half`, and `border` more.
@@ -76,7 +73,7 @@ impl Bordered {
         }
         for k in 0..border {
             let pivot = self.corner[k * border + k];
-            // Written so that a pivot that is not a number is caught too.
+            // This form also rejects a pivot that is not a number.
             let regular = pivot.abs() > SMALLEST_PIVOT * diagonal[k];
             if !regular {
                 return Err(ZeroPivot { equation: n + k });

@@ -3,7 +3,7 @@
 use crate::error::{Error, positive};
 use serde::{Deserialize, Serialize};
 
-/// An isotropic, linearly elastic material. Checked when a [`Beam`](crate::Beam) is built of it.
+/// An isotropic, linearly elastic material. [`Beam`](crate::Beam) checks its values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
@@ -19,10 +19,10 @@ impl Material {
     pub(crate) fn check(&self, element: usize) -> Result<(), Error> {
         positive("Young's modulus [Pa]", "element", element, self.youngs_modulus)?;
         positive("density [kg/m^3]", "element", element, self.density)?;
-        if self.poissons_ratio > -1.0 && self.poissons_ratio <= 0.5 {
-            Ok(())
-        } else {
-            Err(Error::PoissonsRatio { element, value: self.poissons_ratio })
+        let (quantity, item, value) = ("Poisson's ratio [-]", "element", self.poissons_ratio);
+        if value > -1.0 && value <= 0.5 {
+            return Ok(());
         }
+        Err(Error::BadProperty { quantity, item, index: element, value, expected: "in (-1, 0.5]" })
     }
 }

@@ -1,14 +1,12 @@
 //! Bending beyond the elastic limit: bilinear moment and curvature with kinematic hardening (Prager 1956).
 //!
-//! Two places in each element, those of Gauss's rule, have a plastic curvature of their own: of the bending
-//! deformations psi_s, psi_a they are a pair of independent springs, M = EI (kappa - kappa_p), which flow where
-//! |M - H I kappa_p| reaches the yield moment (THEORY S26).
+//! Each of the two Gauss points of an element has its own plastic curvature: M = EI (kappa - kappa_p), and kappa_p
+//! flows where |M - H I kappa_p| reaches the yield moment (THEORY S26).
 
-use crate::error::{Error, positive};
+use crate::error::{Error, not_negative, positive};
 use serde::{Deserialize, Serialize};
 
-/// How a material yields in bending. Along the axis it stays elastic, and normal force does not lower the
-/// limit.
+/// How a material yields in bending. Along the axis it stays elastic, and normal force does not lower the limit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plasticity {
@@ -22,11 +20,7 @@ pub struct Plasticity {
 impl Plasticity {
     pub(crate) fn check(&self, element: usize) -> Result<(), Error> {
         positive("yield stress [Pa]", "element", element, self.yield_stress)?;
-        let value = self.hardening_modulus;
-        if value >= 0.0 && value.is_finite() {
-            return Ok(());
-        }
-        Err(Error::OutOfRange { quantity: "hardening modulus [Pa]", value, expected: "[0, infinity)" })
+        not_negative("hardening modulus [Pa]", self.hardening_modulus)
     }
 }
 
@@ -43,24 +37,24 @@ pub(crate) struct PlasticBending {
     pub length: f64,
 }
 
-/// Where an element's plastic curvature goes at given deformations.
+/// The return map of an element at given deformations.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Flow {
-    /// Plastic curvatures \[1/m\] and moments \[N m\] at both places.
+    /// Plastic curvatures \[1/m\] and moments \[N m\] at the Gauss points.
     pub curvature: [f64; 2],
     pub moment: [f64; 2],
-    /// What the plastic curvatures add to the elastic (M_s, M_a) \[N m\].
-    pub relief: [f64; 2],
-    /// What yielding adds to the tangent over (psi_s, psi_a): ss, sa, aa \[N m\]; not positive.
+    /// Plastic part of (M_s, M_a) \[N m\], added to the elastic part.
+    pub plastic_moments: [f64; 2],
+    /// Plastic part of the tangent over (psi_s, psi_a): ss, sa, aa \[N m\]; not positive.
     pub softening: [f64; 3],
 }
 
-const ROOT_OF_THREE: f64 = 1.732_050_807_568_877_2;
+const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
 impl PlasticBending {
-    /// Curvatures at both places: kappa = (-2 psi_s -+ 2 sqrt(3) psi_a)/L.
+    /// Curvatures at the Gauss points: kappa = (-2 psi_s -+ 2 sqrt(3) psi_a)/L.
     pub fn curvatures(&self, &[_, arc, ess]: &[f64; 3]) -> [f64; 2] {
-        [-1.0, 1.0].map(|sign| (-2.0 * arc + sign * 2.0 * ROOT_OF_THREE * ess) / self.length)
+        [-1.0, 1.0].map(|sign| (-2.0 * arc + sign * 2.0 * SQRT_3 * ess) / self.length)
     }
 
     /// Curvatures at both ends: kappa = (-2 psi_s -+ 6 psi_a)/L.
@@ -69,36 +63,36 @@ impl PlasticBending {
     }
 
     /// What plastic curvatures add to the elastic (M_s, M_a) \[N m\].
-    pub fn relief(&self, [one, two]: [f64; 2]) -> [f64; 2] {
-        [self.stiffness * (one + two), self.stiffness * ROOT_OF_THREE * (one - two)]
+    pub fn plastic_moments(&self, [one, two]: [f64; 2]) -> [f64; 2] {
+        [self.stiffness * (one + two), self.stiffness * SQRT_3 * (one - two)]
     }
 
-    /// Moments at both places of `deformation` and plastic `curvature`.
+    /// Moments at the Gauss points of `deformation` and plastic `curvature`.
     pub fn moments(&self, deformation: &[f64; 3], curvature: [f64; 2]) -> [f64; 2] {
-        let whole = self.curvatures(deformation);
-        [0, 1].map(|g| self.stiffness * (whole[g] - curvature[g]))
+        let total = self.curvatures(deformation);
+        [0, 1].map(|g| self.stiffness * (total[g] - curvature[g]))
     }
 
-    /// The flow from the plastic curvatures `before` to `deformation`: the elastic moment, returned to the yield
-    /// surface where it lies beyond.
+    /// Return map from the plastic curvatures `before` at `deformation`: a trial moment beyond the yield surface is
+    /// projected onto it.
     pub fn flow(&self, deformation: &[f64; 3], before: [f64; 2]) -> Flow {
         let (stiffness, hardening) = (self.stiffness, self.hardening);
-        let whole = self.curvatures(deformation);
-        let (mut curvature, mut softer) = (before, [0.0; 2]);
+        let total = self.curvatures(deformation);
+        let (mut curvature, mut tangent) = (before, [0.0; 2]);
         for g in 0..2 {
-            let beyond = stiffness * (whole[g] - before[g]) - hardening * before[g];
-            let over = beyond.abs() - self.yield_moment;
-            if over > 0.0 {
-                curvature[g] += over.copysign(beyond) / (stiffness + hardening);
-                softer[g] = -stiffness * stiffness / (stiffness + hardening);
+            let trial = stiffness * (total[g] - before[g]) - hardening * before[g];
+            let excess = trial.abs() - self.yield_moment;
+            if excess > 0.0 {
+                curvature[g] += excess.copysign(trial) / (stiffness + hardening);
+                tangent[g] = -stiffness * stiffness / (stiffness + hardening);
             }
         }
-        let both = 2.0 / self.length * (softer[0] + softer[1]);
+        let both = 2.0 / self.length * (tangent[0] + tangent[1]);
         Flow {
             curvature,
             moment: self.moments(deformation, curvature),
-            relief: self.relief(curvature),
-            softening: [both, 2.0 * ROOT_OF_THREE / self.length * (softer[0] - softer[1]), 3.0 * both],
+            plastic_moments: self.plastic_moments(curvature),
+            softening: [both, 2.0 * SQRT_3 / self.length * (tangent[0] - tangent[1]), 3.0 * both],
         }
     }
 
@@ -132,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn softening_is_the_derivative_of_the_relief() {
+    fn softening_is_the_derivative_of_the_plastic_moments() {
         let deformation = [0.0, -0.09, 0.02];
         let flow = BENDING.flow(&deformation, [0.01, -0.02]);
         assert!(flow.softening[0] < 0.0);
@@ -142,7 +136,7 @@ mod tests {
             there[k] += step;
             let moved = BENDING.flow(&there, [0.01, -0.02]);
             for (i, entry) in entries.into_iter().enumerate() {
-                let slope = (moved.relief[i] - flow.relief[i]) / step;
+                let slope = (moved.plastic_moments[i] - flow.plastic_moments[i]) / step;
                 assert!((slope - flow.softening[entry]).abs() < 1e-5, "{k}{i}: {slope}, {:?}", flow.softening);
             }
         }

@@ -1,17 +1,17 @@
 //! The cross-section: a rectangle, free to contract sideways or held in plane strain.
 
+use super::Material;
 use crate::error::{Error, positive};
-use crate::material::Material;
 use serde::{Deserialize, Serialize};
 
-/// A solid rectangular cross-section. Checked when a [`Beam`](crate::Beam) is built of it.
+/// A solid rectangular cross-section. [`Beam`](crate::Beam) checks its values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
-pub struct Section(Shape);
+pub struct Section(Profile);
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
-enum Shape {
+enum Profile {
     /// No stress across the plane.
     Rectangular { thickness: f64, width: f64 },
     /// No strain across the plane.
@@ -24,29 +24,28 @@ impl Section {
     /// Area A = b h, second moment of area I = b h^3/12, modulus E. Forces of such a model are those
     /// of the whole bar \[N\]. Valid for a width not much larger than the thickness.
     pub fn rectangular(thickness: f64, width: f64) -> Self {
-        Self(Shape::Rectangular { thickness, width })
+        Self(Profile::Rectangular { thickness, width })
     }
 
     /// A strip one metre wide of a wide plate of `thickness` h \[m\]: cylindrical bending.
     ///
-    /// Plane strain stiffens the strip: bending stiffness D = E h^3/(12 (1 - nu^2)) \[N m\], membrane
-    /// stiffness E h/(1 - nu^2) \[N/m\] (Timoshenko & Woinowsky-Krieger 1959, ch. 1). Forces are per
-    /// metre of span \[N/m\].
+    /// Plane strain stiffens the strip: bending stiffness D = E h^3/(12 (1 - nu^2)) \[N m\], membrane stiffness E h/(1
+    /// - nu^2) \[N/m\] (Timoshenko & Woinowsky-Krieger 1959, ch. 1). Forces are per metre of span \[N/m\].
     pub fn strip(thickness: f64) -> Self {
-        Self(Shape::Strip { thickness })
+        Self(Profile::Strip { thickness })
     }
 
     /// Thickness h in the plane \[m\].
     pub fn thickness(&self) -> f64 {
-        let (Shape::Rectangular { thickness, .. } | Shape::Strip { thickness }) = self.0;
+        let (Profile::Rectangular { thickness, .. } | Profile::Strip { thickness }) = self.0;
         thickness
     }
 
     /// Width b across the plane \[m\]; 1 m for a strip.
     pub fn width(&self) -> f64 {
         match self.0 {
-            Shape::Rectangular { width, .. } => width,
-            Shape::Strip { .. } => 1.0,
+            Profile::Rectangular { width, .. } => width,
+            Profile::Strip { .. } => 1.0,
         }
     }
 
@@ -82,8 +81,8 @@ impl Section {
 
     fn modulus(&self, material: &Material) -> f64 {
         match self.0 {
-            Shape::Rectangular { .. } => material.youngs_modulus,
-            Shape::Strip { .. } => material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)),
+            Profile::Rectangular { .. } => material.youngs_modulus,
+            Profile::Strip { .. } => material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)),
         }
     }
 

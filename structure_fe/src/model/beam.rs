@@ -1,16 +1,17 @@
-//! The model: nodes, elements and what they are made of.
+//! The model: nodes, elements and their materials.
 
-use crate::element::{ElementConstants, Ends, Properties};
+use crate::element::{ElementConstants, Ends, Properties, Theory};
 use crate::error::{Error, existing_node, finite, positive};
-use crate::material::Material;
-use crate::plastic::Plasticity;
-use crate::section::Section;
-use crate::theory::Theory;
+use crate::field::{Field, sum};
+use crate::material::{Material, PlasticBending, Plasticity, Section};
 
 /// Elements shorter than this fraction of the model's extent count as having no length.
 const SHORTEST_ELEMENT: f64 = 1e-12;
 
-/// One element, as given: the two nodes it joins rigidly and what it is made of.
+/// Remaining fraction of the axial stiffness of an element with an axial release \[-\].
+const RELEASED: f64 = 1e-7;
+
+/// One element, as given: the two nodes it joins rigidly, its material and its section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Element {
     /// Indices of the first and the second node.
@@ -21,6 +22,14 @@ pub struct Element {
     pub section: Section,
 }
 
+/// Options of one element.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ElementOptions {
+    pub theory: Theory,
+    pub plasticity: Option<Plasticity>,
+    pub axial_release: bool,
+}
+
 /// A plane frame of straight beam elements, rigidly joined at the nodes.
 ///
 /// Nodes lie in a plane with axes x, y. A node has three degrees of freedom, `[u, w, theta]`:
@@ -29,19 +38,16 @@ pub struct Element {
 /// sections are [strips](Section::strip). Fields over the nodes are slices of shape `[nodes][3]`.
 #[derive(Debug, Clone)]
 pub struct Beam {
-    nodes: Vec<[f64; 2]>,
+    pub(super) nodes: Vec<[f64; 2]>,
     elements: Vec<Element>,
     extent: f64,
-    theory: Vec<Theory>,
-    rotatory_inertia: bool,
-    plasticity: Vec<Option<Plasticity>>,
+    pub(super) options: Vec<ElementOptions>,
+    pub(super) rotatory_inertia: bool,
     /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
-    points: Vec<[f64; 3]>,
+    pub(super) points: Field,
     /// Nodes that are rigid bodies.
-    bodies: Vec<usize>,
-    /// Elements that slide along themselves.
-    sliding: Vec<usize>,
-    formulation: Vec<ElementConstants>,
+    pub(super) bodies: Vec<usize>,
+    constants: Vec<ElementConstants>,
 }
 
 impl Beam {
@@ -51,36 +57,30 @@ impl Beam {
             return Err(Error::NoElements { nodes: nodes.len() });
         }
         for (index, node) in nodes.iter().enumerate() {
-            finite("coordinate [m] of node", index, node)?;
+            finite("coordinate [m]", "node", index, node)?;
         }
-        let extent = extent(&nodes);
-        let formulation = elements
-            .iter()
-            .enumerate()
-            .map(|(index, element)| formulate(&nodes, extent, index, element, Theory::default(), false))
-            .collect::<Result<_, _>>()?;
         let mut attached = vec![false; nodes.len()];
-        for node in elements.iter().flat_map(|element| element.nodes) {
-            attached[node] = true;
+        for (index, element) in elements.iter().enumerate() {
+            for node in element.nodes {
+                existing_node("element", index, node, nodes.len())?;
+                attached[node] = true;
+            }
         }
-        if let Some(node) = attached.iter().position(|attached| !attached) {
-            return Err(Error::UnattachedNode { node });
-        }
-        let theory = vec![Theory::default(); elements.len()];
-        let points = vec![[0.0; 3]; nodes.len()];
-        let plasticity = vec![None; elements.len()];
-        Ok(Self {
+        let beam = Self {
+            extent: extent(&nodes),
+            options: vec![ElementOptions::default(); elements.len()],
+            points: vec![[0.0; 3]; nodes.len()],
             nodes,
             elements,
-            extent,
-            theory,
             rotatory_inertia: false,
-            plasticity,
-            points,
             bodies: Vec::new(),
-            sliding: Vec::new(),
-            formulation,
-        })
+            constants: Vec::new(),
+        };
+        let beam = beam.formulate()?;
+        match attached.iter().position(|attached| !attached) {
+            Some(node) => Err(Error::UnattachedNode { node }),
+            None => Ok(beam),
+        }
     }
 
     /// A model with one material and one section throughout.
@@ -124,17 +124,17 @@ impl Beam {
 
     /// Length of an element \[m\].
     pub fn length(&self, element: usize) -> f64 {
-        self.formulation[element].length
+        self.constants[element].length
     }
 
     /// Unit vector from an element's first node to its second \[-\]. Its left-hand normal is `[-t_y, t_x]`.
     pub fn tangent(&self, element: usize) -> [f64; 2] {
-        self.formulation[element].tangent
+        self.constants[element].tangent
     }
 
     /// Mass of the whole model \[kg\].
     pub fn mass(&self) -> f64 {
-        let elements: f64 = self.formulation.iter().map(|element| element.mass_per_length * element.length).sum();
+        let elements: f64 = self.constants.iter().map(|element| element.mass_per_length * element.length).sum();
         elements + self.points.iter().map(|[mass, ..]| mass).sum::<f64>()
     }
 
@@ -144,7 +144,7 @@ impl Beam {
     /// If `displacement` has not one entry per node.
     pub fn elastic_forces(&self, displacement: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let mut forces = vec![[0.0; 3]; self.nodes.len()];
-        for (nodes, element) in self.formulated() {
+        for (nodes, element) in self.constants() {
             let ends = element.elastic_forces(&self.ends(nodes, displacement));
             add_ends(&mut forces, nodes, &ends);
         }
@@ -156,7 +156,7 @@ impl Beam {
     /// # Panics
     /// If `displacement` has not one entry per node.
     pub fn strain_energy(&self, displacement: &[[f64; 3]]) -> f64 {
-        self.formulated().map(|(nodes, element)| element.strain_energy(&self.ends(nodes, displacement))).sum()
+        self.constants().map(|(nodes, element)| element.strain_energy(&self.ends(nodes, displacement))).sum()
     }
 
     /// Kinetic energy v^T M v/2 \[J\] of a velocity `[nodes][du/dt, dw/dt, dtheta/dt]` \[m/s, m/s, rad/s\].
@@ -165,14 +165,13 @@ impl Beam {
     /// If `velocity` has not one entry per node.
     pub fn kinetic_energy(&self, velocity: &[[f64; 3]]) -> f64 {
         let elements: f64 =
-            self.formulated().map(|(nodes, element)| element.kinetic_energy(&self.ends(nodes, velocity))).sum();
+            self.constants().map(|(nodes, element)| element.kinetic_energy(&self.ends(nodes, velocity))).sum();
         elements + self.kinetic_energy_of_points(velocity)
     }
 
     /// Kinetic energy of the point masses \[J\].
     pub(crate) fn kinetic_energy_of_points(&self, velocity: &[[f64; 3]]) -> f64 {
-        let points = self.points.as_flattened().iter().zip(velocity.as_flattened());
-        points.map(|(mass, v)| 0.5 * mass * v.powi(2)).sum()
+        sum(&self.points, velocity, |mass, v| 0.5 * mass * v.powi(2))
     }
 
     /// Mass and moment of inertia of the points at the nodes, `[nodes][m, m, J]` \[kg, kg, kg m^2\].
@@ -185,35 +184,84 @@ impl Beam {
         self.extent
     }
 
-    /// The elements' formulations with the nodes they join.
-    pub(crate) fn formulated(&self) -> impl Iterator<Item = ([usize; 2], &ElementConstants)> {
-        let nodes = self.elements.iter().map(|element| element.nodes);
-        nodes.zip(&self.formulation)
+    /// The constants of the elements with the nodes they join.
+    pub(crate) fn constants(&self) -> impl Iterator<Item = ([usize; 2], &ElementConstants)> {
+        self.elements.iter().map(|element| element.nodes).zip(&self.constants)
     }
 
     /// The values of a field at the two ends of an element.
     pub(crate) fn ends(&self, [first, second]: [usize; 2], field: &[[f64; 3]]) -> Ends {
         assert_eq!(field.len(), self.nodes.len(), "one entry per node");
         let ([u1, w1, theta1], [u2, w2, theta2]) = (field[first], field[second]);
-        [u1, w1, theta1, u2, w2, theta2]
+        Ends::new(u1, w1, theta1, u2, w2, theta2)
+    }
+
+    /// Computes the constants of all elements from their options.
+    pub(super) fn formulate(mut self) -> Result<Self, Error> {
+        self.constants = (0..self.elements.len()).map(|index| self.constants_of(index)).collect::<Result<_, _>>()?;
+        Ok(self)
+    }
+
+    fn constants_of(&self, index: usize) -> Result<ElementConstants, Error> {
+        let Element { nodes, material, section } = &self.elements[index];
+        let ElementOptions { theory, plasticity, axial_release } = self.options[index];
+        material.check(index)?;
+        section.check(index)?;
+        let [first, second] = nodes.map(|node| self.nodes[node]);
+        let (dx, dy) = (second[0] - first[0], second[1] - first[1]);
+        let (length, extent) = (dx.hypot(dy), self.extent);
+        if length <= SHORTEST_ELEMENT * extent {
+            return Err(Error::ZeroLengthElement { element: index, nodes: *nodes, length, extent });
+        }
+        let shear_stiffness = match theory {
+            Theory::EulerBernoulli => f64::INFINITY,
+            Theory::Timoshenko { shear_correction } => {
+                positive("shear correction [-]", "element", index, shear_correction)?;
+                section.shear_stiffness(material, shear_correction)
+            }
+        };
+        let radius_squared = if self.rotatory_inertia { section.second_moment() / section.area() } else { 0.0 };
+        let properties = Properties {
+            axial_stiffness: section.axial_stiffness(material),
+            bending_stiffness: section.bending_stiffness(material),
+            shear_stiffness,
+            mass_per_length: section.mass_per_length(material),
+            radius_squared,
+        };
+        let mut constants = ElementConstants::new(&properties, [dx, dy]);
+        if axial_release {
+            constants.stiffness[0] *= RELEASED;
+        }
+        if let Some(plasticity) = plasticity {
+            plasticity.check(index)?;
+            if theory != Theory::EulerBernoulli {
+                let (analysis, feature) = ("Timoshenko's theory", "plasticity");
+                return Err(Error::Unsupported {
+                    analysis,
+                    feature,
+                    item: "element",
+                    index,
+                    instead: "Theory::EulerBernoulli",
+                });
+            }
+            constants.plastic = Some(PlasticBending {
+                stiffness: properties.bending_stiffness,
+                hardening: plasticity.hardening_modulus * section.second_moment(),
+                yield_moment: plasticity.yield_stress * section.second_moment() * 2.0 / section.thickness(),
+                length,
+            });
+        }
+        Ok(constants)
     }
 }
-
-#[path = "beam_additions.rs"]
-mod additions;
 
 /// Adds forces at the two ends of an element to a field over the nodes.
 pub(crate) fn add_ends(field: &mut [[f64; 3]], nodes: [usize; 2], ends: &Ends) {
-    for (node, end) in nodes.into_iter().zip(ends.chunks_exact(3)) {
+    for (end, node) in nodes.into_iter().enumerate() {
         for dof in 0..3 {
-            field[node][dof] += end[dof];
+            field[node][dof] += ends[3 * end + dof];
         }
     }
-}
-
-/// Ok if `element` is one of `elements` elements.
-fn existing_element(item: &'static str, index: usize, element: usize, elements: usize) -> Result<(), Error> {
-    if element < elements { Ok(()) } else { Err(Error::NoSuchElement { item, index, element, elements }) }
 }
 
 /// Diagonal of the bounding box of the nodes \[m\].
@@ -223,41 +271,4 @@ fn extent(nodes: &[[f64; 2]]) -> f64 {
         along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
     };
     side(0).hypot(side(1))
-}
-
-fn formulate(
-    nodes: &[[f64; 2]],
-    extent: f64,
-    index: usize,
-    element: &Element,
-    theory: Theory,
-    rotatory_inertia: bool,
-) -> Result<ElementConstants, Error> {
-    for node in element.nodes {
-        existing_node("element", index, node, nodes.len())?;
-    }
-    let (material, section) = (&element.material, &element.section);
-    material.check(index)?;
-    section.check(index)?;
-    let [first, second] = element.nodes.map(|node| nodes[node]);
-    let (dx, dy) = (second[0] - first[0], second[1] - first[1]);
-    let length = dx.hypot(dy);
-    if length <= SHORTEST_ELEMENT * extent {
-        return Err(Error::ZeroLengthElement { element: index, nodes: element.nodes, length, extent });
-    }
-    let shear_stiffness = match theory {
-        Theory::EulerBernoulli => f64::INFINITY,
-        Theory::Timoshenko { shear_correction } => {
-            positive("shear correction [-]", "element", index, shear_correction)?;
-            section.shear_stiffness(material, shear_correction)
-        }
-    };
-    let properties = Properties {
-        axial_stiffness: section.axial_stiffness(material),
-        bending_stiffness: section.bending_stiffness(material),
-        shear_stiffness,
-        mass_per_length: section.mass_per_length(material),
-        radius_squared: if rotatory_inertia { section.second_moment() / section.area() } else { 0.0 },
-    };
-    Ok(ElementConstants::new(&properties, [dx, dy]))
 }

@@ -1,11 +1,9 @@
 //! Loads: forces at the nodes and along the elements.
 
-use crate::beam::{Beam, add_ends};
-use crate::bordered::Bordered;
-use crate::corotational::Chord;
-use crate::element::Ends;
-use crate::error::{Error, existing_node, finite};
-use crate::system::System;
+use super::{Beam, add_ends};
+use crate::element::{Chord, ElementConstants, Ends};
+use crate::error::{Error, existing_element, existing_node, finite};
+use crate::field::Field;
 
 /// A load along an element, varying linearly, per length of the element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,10 +15,17 @@ struct DistributedLoad {
 
 /// A pressure on the left-hand side of an element, varying linearly along it \[N/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Pressure {
-    element: usize,
+pub(crate) struct Pressure {
+    pub element: usize,
     start: f64,
     end: f64,
+}
+
+impl Pressure {
+    /// End forces on the undeformed element, in its axes.
+    pub fn local_forces(&self, element: &ElementConstants) -> Ends {
+        element.local_load_forces([0.0, -self.start], [0.0, -self.end])
+    }
 }
 
 /// One load case. Loads on the same node or element add up.
@@ -45,41 +50,40 @@ impl Loads {
         self
     }
 
-    /// Presses on the left-hand side of an element, from `start` at its first node to `end` at its second
-    /// \[N/m; Pa on a strip\]. It follows the element: always across it, and per length as it is
-    /// (THEORY S14). Linear statics take the element as it was; positive pushes to the right.
+    /// Puts a pressure on the left-hand side of an element, from `start` at its first node to `end` at its second
+    /// \[N/m; Pa on a strip\]. It follows the element: normal to it, per deformed length (THEORY S14). Linear statics
+    /// use the undeformed element; positive pushes to the right.
     pub fn pressure_on_element(&mut self, element: usize, start: f64, end: f64) -> &mut Self {
         self.pressures.push(Pressure { element, start, end });
         self
     }
 
     pub(crate) fn check(&self, beam: &Beam) -> Result<(), Error> {
+        let (nodes, elements) = (beam.nodes().len(), beam.elements().len());
         for (index, (node, force)) in self.nodal.iter().enumerate() {
-            existing_node("nodal load", index, *node, beam.nodes().len())?;
-            finite("nodal load [N, N m]", index, force)?;
+            existing_node("nodal load", index, *node, nodes)?;
+            finite("force [N, N m]", "nodal load", index, force)?;
         }
-        let elements = beam.elements().len();
         for (index, load) in self.distributed.iter().enumerate() {
-            if load.element >= elements {
-                return Err(Error::NoSuchElement { item: "distributed load", index, element: load.element, elements });
-            }
-            finite("distributed load [N/m]", index, &load.start)?;
-            finite("distributed load [N/m]", index, &load.end)?;
+            existing_element("distributed load", index, load.element, elements)?;
+            finite("intensity [N/m]", "distributed load", index, [load.start, load.end].as_flattened())?;
         }
         for (index, load) in self.pressures.iter().enumerate() {
-            if load.element >= elements {
-                return Err(Error::NoSuchElement { item: "pressure", index, element: load.element, elements });
-            }
-            finite("pressure [N/m]", index, &[load.start, load.end])?;
+            existing_element("pressure", index, load.element, elements)?;
+            finite("intensity [N/m]", "pressure", index, &[load.start, load.end])?;
         }
         Ok(())
+    }
+
+    pub(crate) fn pressures(&self) -> &[Pressure] {
+        &self.pressures
     }
 
     pub(crate) fn is_empty(&self) -> bool {
         self.nodal.is_empty() && self.distributed.is_empty() && self.pressures.is_empty()
     }
 
-    /// What lies between this case and another, `share` of the way.
+    /// Linear interpolation between this load case (`share` 0) and another (1).
     pub(crate) fn blend(&self, other: &Self, share: f64) -> Self {
         let mut sum = Self::default();
         for (loads, factor) in [(self, 1.0 - share), (other, share)] {
@@ -114,66 +118,27 @@ impl Loads {
 
     /// The same of a displaced model.
     pub(crate) fn element_forces_at(&self, beam: &Beam, displacement: &[[f64; 3]]) -> Vec<Ends> {
-        let mut forces = vec![[0.0; 6]; beam.elements().len()];
-        let formulation: Vec<_> = beam.formulated().map(|(_, element)| element).collect();
+        let mut forces = vec![Ends::zeros(); beam.elements().len()];
+        let constants: Vec<_> = beam.constants().map(|(_, element)| element).collect();
         for load in &self.distributed {
-            let ends = formulation[load.element].load_forces(load.start, load.end);
-            for (sum, end) in forces[load.element].iter_mut().zip(ends) {
-                *sum += end;
-            }
+            forces[load.element] += constants[load.element].load_forces(load.start, load.end);
         }
         for load in &self.pressures {
-            let element = formulation[load.element];
+            let element = constants[load.element];
             let ends = beam.ends(beam.elements()[load.element].nodes, displacement);
             let chord = Chord::new(element, &ends);
-            let mut local = element.local_load_forces([0.0, -load.start], [0.0, -load.end]);
+            let mut local = load.local_forces(element);
             let stretch = chord.length / element.length;
             for (force, power) in local.iter_mut().zip([1, 1, 2, 1, 1, 2]) {
                 *force *= stretch.powi(power);
             }
-            for (sum, end) in forces[load.element].iter_mut().zip(chord.to_global(&local)) {
-                *sum += end;
-            }
+            forces[load.element] += chord.to_global(&local);
         }
         forces
     }
 
-    /// Adds to `matrix` what the pressures' turning takes from the stiffness, -factor dF/dq (THEORY S14).
-    ///
-    /// Forces are linear in the chord's vector, moments go with its square; not symmetric.
-    pub(crate) fn subtract_tangent(
-        &self,
-        system: &System,
-        displacement: &[[f64; 3]],
-        factor: f64,
-        matrix: &mut Bordered,
-    ) {
-        let formulation: Vec<_> = system.beam.formulated().collect();
-        let arms = system.equations.ties.arms_at(displacement);
-        for load in &self.pressures {
-            let (nodes, element) = formulation[load.element];
-            let chord = Chord::new(element, &system.beam.ends(nodes, displacement));
-            let local = element.local_load_forces([0.0, -load.start], [0.0, -load.end]);
-            let mut slopes = [[0.0; 6]; 6];
-            let [c, s] = chord.direction;
-            for end in [0, 3] {
-                // F = f (-Y, X)/L of the chord's vector (X, Y), M = m (X^2 + Y^2)/L^2.
-                let force = factor * local[end + 1] / element.length;
-                let moment = factor * local[end + 2] * 2.0 * chord.length / element.length.powi(2);
-                let by_x = [0.0, force, moment * c];
-                let by_y = [-force, 0.0, moment * s];
-                for dof in 0..3 {
-                    for (column, slope) in [(0, -by_x[dof]), (1, -by_y[dof]), (3, by_x[dof]), (4, by_y[dof])] {
-                        slopes[end + dof][column] = -slope;
-                    }
-                }
-            }
-            system.add_matrix(nodes, &slopes, [&arms, &arms], matrix);
-        }
-    }
-
     /// All loads as nodal forces `[nodes][F_x, F_y, M]` that do the same work on the elements' shapes.
-    pub(crate) fn nodal_forces(&self, beam: &Beam, element_forces: &[Ends]) -> Vec<[f64; 3]> {
+    pub(crate) fn nodal_forces(&self, beam: &Beam, element_forces: &[Ends]) -> Field {
         let mut forces = vec![[0.0; 3]; beam.nodes().len()];
         for (node, force) in &self.nodal {
             for dof in 0..3 {

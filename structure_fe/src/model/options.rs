@@ -1,92 +1,93 @@
-//! What a model may have beside its elements: theories, masses, rigid bodies, yielding.
+//! Options of a model: beam theory, rotatory inertia, plasticity, axial releases, point masses, rigid bodies.
 
-use super::{Beam, existing_element, formulate};
-use crate::error::{Error, existing_node, finite, positive};
-use crate::plastic::{PlasticBending, Plasticity};
-use crate::theory::Theory;
-
-/// Axial stiffness left to an element that slides along itself [-].
-const RELEASED: f64 = 1e-7;
+use super::Beam;
+use super::beam::ElementOptions;
+use crate::element::Theory;
+use crate::error::{Error, existing_element, existing_node, finite, not_negative, positive};
+use crate::material::Plasticity;
 
 impl Beam {
-    /// The same model with every element of this theory (Euler-Bernoulli until told).
-    pub fn with_theory(mut self, theory: Theory) -> Result<Self, Error> {
-        self.theory = vec![theory; self.elements.len()];
-        self.reformulate()
+    /// The same model with this theory for every element (default: Euler-Bernoulli).
+    pub fn with_theory(self, theory: Theory) -> Result<Self, Error> {
+        self.with_options(.., |options| options.theory = theory)
     }
 
-    /// The same model with one element of this theory.
-    pub fn with_theory_of(mut self, element: usize, theory: Theory) -> Result<Self, Error> {
-        existing_element("theory", 0, element, self.elements.len())?;
-        self.theory[element] = theory;
-        self.reformulate()
+    /// The same model with this theory for one element.
+    pub fn with_theory_of(self, element: usize, theory: Theory) -> Result<Self, Error> {
+        self.with_options_of("theory", element, |options| options.theory = theory)
     }
 
-    /// The same model with an element that slides along itself: a roller at its end. It keeps a ten millionth of its axial
-    /// stiffness, for an end that slides less than its own length.
-    pub fn with_axial_release(mut self, element: usize) -> Result<Self, Error> {
-        existing_element("axial release", 0, element, self.elements.len())?;
-        self.sliding.push(element);
-        self.reformulate()
+    /// The same model with an element released along its axis: a roller at its end. It keeps a ten millionth of its
+    /// axial stiffness; for an end that slides less than the element's length.
+    pub fn with_axial_release(self, element: usize) -> Result<Self, Error> {
+        self.with_options_of("axial release", element, |options| options.axial_release = true)
     }
 
-    /// The same model with rotatory inertia rho I per length (Rayleigh 1877), which is left out until told.
-    pub fn with_rotatory_inertia(mut self) -> Result<Self, Error> {
-        self.rotatory_inertia = true;
-        self.reformulate()
-    }
-
-    /// The same model with every element yielding in bending, which none does until told.
+    /// The same model with every element yielding in bending.
     ///
-    /// [`NonlinearStatics`](crate::NonlinearStatics) and the trapezoidal rule of [`Dynamics`](crate::Dynamics) know
-    /// it; linear analyses are of the elastic model. Euler-Bernoulli's elements only.
-    pub fn with_plasticity(mut self, plasticity: Plasticity) -> Result<Self, Error> {
-        self.plasticity = vec![Some(plasticity); self.elements.len()];
-        self.reformulate()
+    /// [`NonlinearStatics`](crate::NonlinearStatics) and the trapezoidal rule of [`Dynamics`](crate::Dynamics) support
+    /// it; linear analyses use the elastic model. Euler-Bernoulli's elements only.
+    pub fn with_plasticity(self, plasticity: Plasticity) -> Result<Self, Error> {
+        self.with_options(.., |options| options.plasticity = Some(plasticity))
     }
 
     /// The same model with one element yielding in bending.
-    pub fn with_plasticity_of(mut self, element: usize, plasticity: Plasticity) -> Result<Self, Error> {
-        existing_element("plasticity", 0, element, self.elements.len())?;
-        self.plasticity[element] = Some(plasticity);
-        self.reformulate()
+    pub fn with_plasticity_of(self, element: usize, plasticity: Plasticity) -> Result<Self, Error> {
+        self.with_options_of("plasticity", element, |options| options.plasticity = Some(plasticity))
     }
 
-    /// The first element that yields, if one does.
-    pub(crate) fn first_that_yields(&self) -> Option<usize> {
-        self.plasticity.iter().position(Option::is_some)
+    fn with_options_of(
+        self,
+        item: &'static str,
+        element: usize,
+        change: impl Fn(&mut ElementOptions),
+    ) -> Result<Self, Error> {
+        existing_element(item, 0, element, self.options.len())?;
+        self.with_options(element..=element, change)
+    }
+
+    fn with_options(
+        mut self,
+        elements: impl std::slice::SliceIndex<[ElementOptions], Output = [ElementOptions]>,
+        change: impl Fn(&mut ElementOptions),
+    ) -> Result<Self, Error> {
+        self.options[elements].iter_mut().for_each(change);
+        self.formulate()
+    }
+
+    /// The same model with rotatory inertia rho I per length (Rayleigh 1877; default: without).
+    pub fn with_rotatory_inertia(mut self) -> Result<Self, Error> {
+        self.rotatory_inertia = true;
+        self.formulate()
+    }
+
+    /// The first element that can yield, if there is one.
+    pub(crate) fn first_plastic_element(&self) -> Option<usize> {
+        self.options.iter().position(|options| options.plasticity.is_some())
     }
 
     /// The same model with a point mass \[kg\] and its moment of inertia \[kg m^2\] added to a node.
     pub fn with_point_mass(mut self, node: usize, mass: f64, inertia: f64) -> Result<Self, Error> {
         existing_node("point mass", node, node, self.nodes.len())?;
         positive("mass [kg]", "node", node, mass)?;
-        if !(inertia >= 0.0 && inertia.is_finite()) {
-            let quantity = "moment of inertia [kg m^2] of the point mass at node";
-            return Err(Error::NotPositive { quantity, item: "node", index: node, value: inertia });
-        }
+        not_negative("moment of inertia [kg m^2] of the point mass", inertia)?;
         for (sum, value) in self.points[node].iter_mut().zip([mass, mass, inertia]) {
             *sum += value;
         }
         Ok(self)
     }
 
-    /// The same model with a rigid body, a node of its own that is returned with it: `mass` \[kg\] at `at`
-    /// \[m\], moment of inertia about it \[kg m^2\]. [`Supports::tie`](crate::Supports::tie) makes nodes follow it.
+    /// The same model with a rigid body, as a further node that is returned with it: `mass` \[kg\] at `at` \[m\], moment
+    /// of inertia about it \[kg m^2\]. [`Supports::link`](crate::Supports::link) makes nodes follow it.
     ///
-    /// Without mass it must be supported in all that moves in time. Where u and w of a body are not both
-    /// supported, [`Dynamics`](crate::Dynamics) puts its node at the common centre of mass of the body and of
-    /// what is lumped at the nodes tied to it: read the place there, from the model it holds.
+    /// A body without mass must be supported in [`Dynamics`](crate::Dynamics). If u and w of a body are not both
+    /// supported, [`Dynamics`](crate::Dynamics) moves its node to the common centre of mass of the body and of the
+    /// masses lumped at its linked nodes: read the position from [`Dynamics::beam`](crate::Dynamics::beam).
     pub fn with_rigid_body(mut self, at: [f64; 2], mass: f64, inertia: f64) -> Result<(Self, usize), Error> {
         let node = self.nodes.len();
-        finite("coordinate [m] of node", node, &at)?;
-        for (quantity, value) in
-            [("mass [kg] of a rigid body", mass), ("moment of inertia [kg m^2] of a rigid body", inertia)]
-        {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::OutOfRange { quantity, value, expected: "[0, infinity)" });
-            }
-        }
+        finite("coordinate [m]", "node", node, &at)?;
+        not_negative("mass [kg] of a rigid body", mass)?;
+        not_negative("moment of inertia [kg m^2] of a rigid body", inertia)?;
         self.nodes.push(at);
         self.points.push([mass, mass, inertia]);
         self.bodies.push(node);
@@ -102,33 +103,8 @@ impl Beam {
         self.bodies.contains(&node)
     }
 
-    /// The same model with a body's node elsewhere \[m\].
+    /// Moves the node of a rigid body to another place \[m\].
     pub(crate) fn move_body(&mut self, node: usize, to: [f64; 2]) {
         self.nodes[node] = to;
-    }
-
-    fn reformulate(mut self) -> Result<Self, Error> {
-        let extent = self.extent;
-        for (index, element) in self.elements.iter().enumerate() {
-            self.formulation[index] =
-                formulate(&self.nodes, extent, index, element, self.theory[index], self.rotatory_inertia)?;
-            if self.sliding.contains(&index) {
-                self.formulation[index].stiffness[0] *= RELEASED;
-            }
-            if let Some(plasticity) = self.plasticity[index] {
-                plasticity.check(index)?;
-                if self.theory[index] != Theory::EulerBernoulli {
-                    return Err(Error::PlasticTheory { element: index });
-                }
-                let (section, length) = (&element.section, self.formulation[index].length);
-                self.formulation[index].plastic = Some(PlasticBending {
-                    stiffness: section.bending_stiffness(&element.material),
-                    hardening: plasticity.hardening_modulus * section.second_moment(),
-                    yield_moment: plasticity.yield_stress * section.second_moment() * 2.0 / section.thickness(),
-                    length,
-                });
-            }
-        }
-        Ok(self)
     }
 }

@@ -1,29 +1,9 @@
-//! Supports: fixed degrees of freedom and springs to the ground.
+//! Supports and joints: fixed degrees of freedom, springs, hinges, welds, rigid links, breakable joints.
 
-use crate::beam::Beam;
+use super::{Beam, Rupture};
+use crate::dof::Dof;
 use crate::error::{Error, existing_node, positive};
-use crate::rupture::Rupture;
-
-/// A degree of freedom of a node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Dof {
-    /// Displacement u along x \[m\].
-    U = 0,
-    /// Displacement w along y \[m\].
-    W = 1,
-    /// Rotation theta from x towards y \[rad\].
-    Theta = 2,
-}
-
-impl std::fmt::Display for Dof {
-    fn fmt(&self, out: &mut std::fmt::Formatter) -> std::fmt::Result {
-        out.write_str(match self {
-            Dof::U => "u",
-            Dof::W => "w",
-            Dof::Theta => "theta",
-        })
-    }
-}
+use crate::linear_algebra::connected_parts;
 
 /// A linear spring between one degree of freedom and the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,14 +14,14 @@ pub(crate) struct Spring {
     pub stiffness: f64,
 }
 
-/// How a model is held. Empty by default: free in space.
+/// Supports and joints of a model. Empty by default: free in space.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Supports {
     fixed: Vec<(usize, Dof)>,
     springs: Vec<Spring>,
     hinges: Vec<[usize; 2]>,
-    /// Body, node, and whether the node turns with the body.
-    ties: Vec<(usize, usize, bool)>,
+    /// Body, node, and whether the node rotates with the body.
+    links: Vec<(usize, usize, bool)>,
     welds: Vec<[usize; 2]>,
     breakables: Vec<(usize, Rupture)>,
 }
@@ -63,7 +43,7 @@ impl Supports {
         self.pin(node).fix(node, Dof::Theta)
     }
 
-    /// Ties a degree of freedom to the ground by a spring \[N/m, or N m/rad on a rotation\].
+    /// Connects a degree of freedom to the ground by a spring \[N/m, or N m/rad on a rotation\].
     ///
     /// Springs on the same degree of freedom add up.
     pub fn spring(&mut self, node: usize, dof: Dof, stiffness: f64) -> &mut Self {
@@ -71,24 +51,22 @@ impl Supports {
         self
     }
 
-    /// Ties the displacements of two nodes to each other and leaves their rotations free: a hinge between
-    /// the elements that end at either. The nodes must be at the same place, and belong to elements of
-    /// their own.
+    /// Joins the displacements of two nodes and leaves their rotations free: a hinge between the elements that end at
+    /// either. The nodes must be at the same place, and belong to different elements.
     pub fn hinge(&mut self, first: usize, second: usize) -> &mut Self {
         self.hinges.push([first, second]);
         self
     }
 
-    /// Makes a node follow a [rigid body](Beam::with_rigid_body) at any rotation: u, w and theta.
-    pub fn tie(&mut self, body: usize, node: usize) -> &mut Self {
-        self.ties.push((body, node, true));
+    /// Links a node rigidly to a [rigid body](Beam::with_rigid_body), at any rotation: u, w and theta.
+    pub fn link(&mut self, body: usize, node: usize) -> &mut Self {
+        self.links.push((body, node, true));
         self
     }
 
-    /// Makes a node follow a [rigid body](Beam::with_rigid_body) at any rotation, but turn freely against it:
-    /// u and w only.
-    pub fn tie_pinned(&mut self, body: usize, node: usize) -> &mut Self {
-        self.ties.push((body, node, false));
+    /// Links the displacements u, w of a node to a [rigid body](Beam::with_rigid_body), at any rotation; theta is free.
+    pub fn link_pinned(&mut self, body: usize, node: usize) -> &mut Self {
+        self.links.push((body, node, false));
         self
     }
 
@@ -98,9 +76,9 @@ impl Supports {
         self
     }
 
-    /// Lets a node break off, in motion by the trapezoidal rule: at the end of the step in which the `rupture` limit is
-    /// passed all supports, ties, welds and hinges let go of it, and it is free from the next step on
-    /// ([`State::ruptures`](crate::State::ruptures)). Springs stay. Other analyses take it as whole.
+    /// Makes the joints of a node breakable under the trapezoidal rule: at the end of the step in which the `rupture`
+    /// limit is exceeded all its supports, rigid links, welds and hinges are removed
+    /// ([`State::ruptures`](crate::State::ruptures)). Springs stay. Linear analyses ignore the limit.
     pub fn breakable(&mut self, node: usize, rupture: Rupture) -> &mut Self {
         self.breakables.push((node, rupture));
         self
@@ -110,56 +88,43 @@ impl Supports {
         &self.breakables
     }
 
-    /// Keeps what holds nodes that `keep` names, and between such nodes.
-    pub(crate) fn retain(&mut self, keep: impl Fn(usize) -> bool) {
-        self.fixed.retain(|&(node, _)| keep(node));
-        self.hinges.retain(|hinge| hinge.iter().all(|&node| keep(node)));
-        self.welds.retain(|weld| weld.iter().all(|&node| keep(node)));
-        self.ties.retain(|&(_, node, _)| keep(node));
-        self.breakables.retain(|&(node, _)| keep(node));
+    /// These supports without those of the `broken` nodes. Springs stay.
+    pub(crate) fn without(&self, broken: &[usize]) -> Self {
+        let whole = |node: &usize| !broken.contains(node);
+        let mut left = self.clone();
+        left.fixed.retain(|(node, _)| whole(node));
+        left.hinges.retain(|hinge| hinge.iter().all(whole));
+        left.welds.retain(|weld| weld.iter().all(whole));
+        left.links.retain(|(_, node, _)| whole(node));
+        left.breakables.retain(|(node, _)| whole(node));
+        left
     }
 
     pub(crate) fn welds(&self) -> &[[usize; 2]] {
         &self.welds
     }
 
-    /// Nodes that are at the same place: of hinges and welds.
+    /// Pairs of nodes at the same place: hinges and welds.
     pub(crate) fn joints(&self) -> impl Iterator<Item = [usize; 2]> {
         self.hinges.iter().chain(&self.welds).copied()
     }
 
-    /// Body, node, and whether the node turns with the body.
-    pub(crate) fn ties(&self) -> &[(usize, usize, bool)] {
-        &self.ties
+    /// Rigid links: body, node, and whether the node rotates with the body.
+    pub(crate) fn links(&self) -> &[(usize, usize, bool)] {
+        &self.links
     }
 
     pub(crate) fn hinges(&self) -> &[[usize; 2]] {
         &self.hinges
     }
 
-    /// For each node the first of those that move with it, by hinges and welds; itself where there is none.
-    pub(crate) fn leaders(&self, nodes: usize) -> Vec<usize> {
-        Self::first_of_each(self.joints(), nodes)
-    }
-
-    /// For each node the first of those that turn with it, by welds; itself where there is none.
-    pub(crate) fn turning_leaders(&self, nodes: usize) -> Vec<usize> {
-        Self::first_of_each(self.welds.iter().copied(), nodes)
-    }
-
-    fn first_of_each(joints: impl Iterator<Item = [usize; 2]>, nodes: usize) -> Vec<usize> {
-        let mut leader: Vec<usize> = (0..nodes).collect();
-        let root = |leader: &[usize], mut node: usize| {
-            while leader[node] != node {
-                node = leader[node];
-            }
-            node
-        };
-        for joint in joints {
-            let [a, b] = joint.map(|node| root(&leader, node));
-            leader[a.max(b)] = a.min(b);
+    /// For each node the first node with which it shares its displacements, by hinges and welds, or its rotation, by
+    /// welds; the node itself if it shares none.
+    pub(crate) fn leaders(&self, dof: Dof, nodes: usize) -> Vec<usize> {
+        match dof {
+            Dof::Theta => connected_parts(nodes, self.welds.iter().copied()),
+            Dof::U | Dof::W => connected_parts(nodes, self.joints()),
         }
-        (0..nodes).map(|node| root(&leader, node)).collect()
     }
 
     /// Whether a degree of freedom is fixed, by itself or through a hinge.
@@ -204,13 +169,14 @@ impl Supports {
             positive("stiffness [N/m, N m/rad]", "spring", index, spring.stiffness)?;
         }
         for (index, &(node, rupture)) in self.breakables.iter().enumerate() {
-            existing_node("breakable node", index, node, nodes)?;
+            existing_node("breakable joint", index, node, nodes)?;
             rupture.check(index)?;
             let held = self.fixed.iter().any(|&(other, _)| other == node)
-                || self.ties.iter().any(|&(_, other, _)| other == node)
+                || self.links.iter().any(|&(_, other, _)| other == node)
                 || self.joints().any(|joint| joint.contains(&node));
             if !held || beam.is_rigid_body(node) {
-                return Err(Error::NothingBreaks { index, node });
+                let reason = "the node has no support, rigid link, weld or hinge that could break, or is a rigid body";
+                return Err(Error::BadJoint { item: "breakable joint", index, node, reason });
             }
         }
         for (index, hinge) in self.joints().enumerate() {
@@ -223,34 +189,34 @@ impl Supports {
                 return Err(Error::HingeGap { hinge: index, nodes: hinge, gap });
             }
         }
-        self.check_ties(beam)
+        self.check_links(beam)
     }
 
-    fn check_ties(&self, beam: &Beam) -> Result<(), Error> {
-        for (index, &(body, node, turns)) in self.ties.iter().enumerate() {
-            existing_node("tie", index, body, beam.nodes().len())?;
-            existing_node("tie", index, node, beam.nodes().len())?;
-            let own = |&(other, dof): &(usize, Dof)| other == node && (turns || dof != Dof::Theta);
+    fn check_links(&self, beam: &Beam) -> Result<(), Error> {
+        for (index, &(body, node, clamped)) in self.links.iter().enumerate() {
+            existing_node("rigid link", index, body, beam.nodes().len())?;
+            existing_node("rigid link", index, node, beam.nodes().len())?;
+            let own = |&(other, dof): &(usize, Dof)| other == node && (clamped || dof != Dof::Theta);
             let reason = if !beam.is_rigid_body(body) {
-                Some("the first of the two is not a rigid body")
+                "the first of its two nodes is not a rigid body"
             } else if beam.is_rigid_body(node) {
-                Some("the node is a rigid body itself")
-            } else if self.ties[..index].iter().any(|&(_, other, _)| other == node) {
-                Some("the node is tied already")
+                "the node is a rigid body itself"
+            } else if self.links[..index].iter().any(|&(_, other, _)| other == node) {
+                "the node is linked already"
             } else if self.fixed.iter().any(own) {
-                Some("the node has a support of its own; support the body")
+                "the node has a support of its own; support the body"
             } else if self.joints().any(|joint| joint.contains(&node)) {
-                Some("the node is part of a hinge; tie it pinned")
+                "the node is part of a hinge; use a pinned link"
             } else {
-                None
+                continue;
             };
-            if let Some(reason) = reason {
-                return Err(Error::BadTie { tie: index, body, node, reason });
-            }
+            return Err(Error::BadJoint { item: "rigid link", index, node, reason });
         }
-        let bodies = |joint: &[usize; 2]| joint.iter().any(|&node| beam.is_rigid_body(node));
-        if let Some((hinge, nodes)) = self.joints().enumerate().find(|(_, joint)| bodies(joint)) {
-            return Err(Error::HingedBody { hinge, nodes });
+        let body_of = |joint: [usize; 2]| joint.into_iter().find(|&node| beam.is_rigid_body(node));
+        if let Some((index, node)) = self.joints().enumerate().find_map(|(index, joint)| Some((index, body_of(joint)?)))
+        {
+            let reason = "the node is a rigid body; use a pinned link to it";
+            return Err(Error::BadJoint { item: "hinge", index, node, reason });
         }
         Ok(())
     }

@@ -1,19 +1,20 @@
-//! Paths of equilibrium past peaks of the load: the arc length as the unknowns' guide.
+//! Equilibrium paths through limit points, by the cylindrical arc length.
 
+use super::nonlinear::{Equilibrium, NonlinearStatics};
+use crate::dof::Dof;
 use crate::error::Error;
-use crate::loads::Loads;
-use crate::nonlinear_statics::{Equilibrium, NonlinearStatics};
+use crate::model::Loads;
 
 /// A correction this small against the arc ends the iteration \[-\].
 const CONVERGED: f64 = 1e-9;
 
-/// Iterations of a point, at most; a point that takes more is tried again on half the arc.
+/// Maximum number of iterations of a point; a point that needs more is repeated with half the arc.
 const ITERATIONS: usize = 20;
 
-/// Iterations that the length of the arc is steered to (Crisfield 1991, 9.5).
+/// Target number of iterations for the control of the arc length (Crisfield 1991, 9.5).
 const WANTED: f64 = 4.0;
 
-/// Halvings of the arc, at most.
+/// Maximum number of halvings of the arc.
 const HALVINGS: usize = 12;
 
 /// A point on a path of equilibrium.
@@ -23,11 +24,11 @@ pub struct PathPoint {
     pub load_factor: f64,
     /// Displacement `[nodes][u, w, theta]` \[m, m, rad\].
     pub displacement: Vec<[f64; 3]>,
-    /// In how many directions the equilibrium is unstable: negative pivots of the tangent stiffness.
+    /// Number of unstable directions of the equilibrium: negative pivots of the tangent stiffness.
     pub unstable_directions: usize,
 }
 
-/// One trial on an arc: where it led, and how many iterations it took.
+/// A converged point on an arc.
 struct Arrival {
     increment: Vec<f64>,
     factor: f64,
@@ -38,9 +39,9 @@ impl NonlinearStatics {
     /// Follows the path of equilibrium from no load on, through peaks and valleys of the load.
     ///
     /// Crisfield's cylindrical arc length (1981; THEORY S16): each point lies on a sphere about the one
-    /// before, in displacements over the model's extent and rotations. The first point is where a load
-    /// factor of about `first` leads; arcs then follow the iterations they take, up to `longest` times
-    /// the first. Ends after `points` points or where `until` says so.
+    /// before, in displacements over the model's extent and rotations. The first point has a load factor of
+    /// about `first`; the arc then adapts to the number of iterations, up to `longest` times the first. The
+    /// path ends after `points` points, or where `until` returns true.
     pub fn path(
         &self,
         loads: &Loads,
@@ -50,9 +51,9 @@ impl NonlinearStatics {
         until: impl Fn(&PathPoint) -> bool,
     ) -> Result<Vec<PathPoint>, Error> {
         loads.check(self.beam())?;
-        if let Some(element) = self.beam().first_that_yields() {
+        if let Some(index) = self.beam().first_plastic_element() {
             let (analysis, instead) = ("a path by the arc length", "NonlinearStatics::solve or history");
-            return Err(Error::NoPlasticity { analysis, element, instead });
+            return Err(Error::Unsupported { analysis, feature: "plasticity", item: "element", index, instead });
         }
         let equations = &self.system.equations;
         let mut at = self.at_rest();
@@ -93,7 +94,7 @@ impl NonlinearStatics {
         Ok(path)
     }
 
-    /// A point on the arc, in the direction of the last increment; none if the iteration does not settle.
+    /// A point on the arc, in the direction of the last increment; none if the iteration does not converge.
     fn arrive(
         &self,
         loads: &Loads,
@@ -116,7 +117,7 @@ impl NonlinearStatics {
                 return Ok(None);
             }
             matrix.solve(&mut correction);
-            let mut along = equations.reduce(&self.load(loads, &here.u), &equations.ties.arms_at(&here.u));
+            let mut along = equations.reduce(&self.load(loads, &here.u), &equations.links.arms_at(&here.u));
             matrix.solve(&mut along);
             // On the sphere: |increment + correction + x along| = arc.
             let moved: Vec<f64> = increment.iter().zip(&correction).map(|(a, b)| a + b).collect();
@@ -127,7 +128,7 @@ impl NonlinearStatics {
             if !root.is_finite() {
                 return Ok(None);
             }
-            // Of both roots the one that keeps to the direction.
+            // The root that continues in the same direction.
             let ahead = self.product(&along, &increment);
             let x = (-b + root.copysign(ahead)) / a;
             let next: Vec<f64> = moved.iter().zip(&along).map(|(m, t)| m + x * t).collect();
@@ -141,13 +142,13 @@ impl NonlinearStatics {
         Ok(None)
     }
 
-    /// Where the whole load would lead from here, linearly, and the negative pivots.
+    /// The linear response to the full load at an equilibrium, and the number of negative pivots.
     fn tangent_solution(&self, loads: &Loads, factor: f64, at: &Equilibrium) -> Result<(Vec<f64>, usize), Error> {
         let mut matrix = self.system.matrix();
         self.residual_and_tangent(loads, factor, at, &mut matrix)?;
-        let negative = matrix.factorise().map_err(|pivot| self.system.singular(pivot))?;
+        let negative = matrix.factorise().map_err(|pivot| self.system.equations.singular(pivot))?;
         let equations = &self.system.equations;
-        let mut along = equations.reduce(&self.load(loads, &at.u), &equations.ties.arms_at(&at.u));
+        let mut along = equations.reduce(&self.load(loads, &at.u), &equations.links.arms_at(&at.u));
         matrix.solve(&mut along);
         Ok((along, negative))
     }
@@ -156,7 +157,7 @@ impl NonlinearStatics {
     fn product(&self, a: &[f64], b: &[f64]) -> f64 {
         let scale = self.beam().extent().powi(-2);
         let weight = |equation: usize| match self.system.equations.place(equation).1 {
-            crate::supports::Dof::Theta => 1.0,
+            Dof::Theta => 1.0,
             _ => scale,
         };
         a.iter().zip(b).enumerate().map(|(equation, (a, b))| weight(equation) * a * b).sum()

@@ -1,23 +1,22 @@
 //! Statics: K u = f.
 
-use crate::beam::Beam;
-use crate::equations::{Entry, Equations};
+use super::mechanism::require_no_free_motion;
+use crate::assembly::{Equations, SymmetricMatrix, linear_section_forces, reactions};
+use crate::element::SectionForces;
 use crate::error::Error;
-use crate::loads::Loads;
-use crate::mechanism::require_no_free_motion;
-use crate::section_forces::{SectionForces, section_forces};
-use crate::supports::Supports;
+use crate::field::{Field, combine};
+use crate::model::{Beam, Loads, Supports};
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::LltError;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{Argsort, Pair, SparseColMat, SymbolicSparseColMat};
 use faer::{Col, Side};
 
-/// Change of the solution, in the energy norm, at which refinement stops \[-\]. The step that makes it
-/// leaves a smaller one; rounding of the displacements themselves leaves some 1e-9 on thousands of elements.
+/// Change of the solution, in the energy norm, at which refinement stops \[-\]. The remaining error is smaller; rounding
+/// of the displacements limits it to some 1e-9 with thousands of elements.
 const CONVERGED: f64 = 1e-8;
 
-/// Solves with the factor for one load case, at most; coarse meshes take two.
+/// Maximum number of solves for one load case; coarse meshes need two.
 const REFINEMENTS: usize = 12;
 
 /// A supported model with its stiffness matrix factorised, ready for any number of load cases.
@@ -33,7 +32,7 @@ pub struct Statics {
     factor: Llt<usize, f64>,
 }
 
-/// The answer to one load case.
+/// The solution of one load case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticSolution {
     /// Displacement `[nodes][u, w, theta]` \[m, m, rad\].
@@ -43,7 +42,7 @@ pub struct StaticSolution {
     pub reactions: Vec<[f64; 3]>,
     /// Section forces at the first and the second node of every element, `[elements][2]`.
     pub section_forces: Vec<[SectionForces; 2]>,
-    /// Plastic curvatures at two places of each element \[1/m\]; empty where nothing yields, and in linear statics.
+    /// Plastic curvatures at two places of each element \[1/m\]; empty for an elastic model, and in linear statics.
     pub plastic_curvature: Vec<[f64; 2]>,
 }
 
@@ -59,8 +58,8 @@ impl Statics {
         Ok(Self { beam, supports, equations, pattern, factor })
     }
 
-    /// Takes another model of the same connectivity, on the same supports: other coordinates,
-    /// materials or sections. The symbolic analysis is reused; after an error nothing has changed.
+    /// Replaces the model by another of the same connectivity, on the same supports: other coordinates,
+    /// materials or sections. The symbolic analysis is reused; an error leaves everything unchanged.
     pub fn refactorise(&mut self, beam: Beam) -> Result<(), Error> {
         let (old, new) = (self.beam.elements(), beam.elements());
         let shared = old.len().min(new.len());
@@ -83,33 +82,33 @@ impl Statics {
     /// Solves one load case.
     ///
     /// The solution is refined until its last change is below 1e-8 in the energy norm. Residuals come from
-    /// the elements' deformations, so refinement gains the digits that a fine mesh costs the
-    /// factorisation (its condition grows with the fourth power of the elements along a beam):
-    /// some 10^4 elements in a row still converge, beyond that [`Error::IllConditioned`] says so.
+    /// the elements' deformations, so refinement recovers the digits that the factorisation loses on a fine
+    /// mesh (the condition number grows with the fourth power of the elements along a beam): some 10^4 elements
+    /// in a row still converge, more return [`Error::IllConditioned`].
     pub fn solve(&self, loads: &Loads) -> Result<StaticSolution, Error> {
         loads.check(&self.beam)?;
         let element_forces = loads.element_forces(&self.beam);
         let load = loads.nodal_forces(&self.beam, &element_forces);
         let displacement = self.displacement(&load)?;
+        let links = &self.equations.links;
+        let residual = combine(&self.internal_forces(&displacement), &load, |internal, load| internal - load);
         Ok(StaticSolution {
-            reactions: self.reactions(&displacement, &load),
-            section_forces: section_forces(&self.beam, &displacement, &element_forces),
+            reactions: reactions(&self.supports, (links, &links.arms()), &displacement, residual),
+            section_forces: linear_section_forces(&self.beam, &displacement, &element_forces),
             displacement,
             plastic_curvature: Vec::new(),
         })
     }
 
     /// K^-1 f by iterative refinement (Wilkinson 1963): u += K^-1 (f - K u).
-    fn displacement(&self, load: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Error> {
-        let arms = self.equations.ties.arms();
+    fn displacement(&self, load: &[[f64; 3]]) -> Result<Field, Error> {
+        let arms = self.equations.links.arms();
         let load = self.equations.reduce(load, &arms);
         let mut u = Col::<f64>::zeros(load.len());
         let mut change = f64::NAN;
         for _ in 0..REFINEMENTS {
             let displacement = self.displaced(&u);
-            let mut internal = self.beam.elastic_forces(&displacement);
-            self.supports.add_spring_forces(&displacement, &mut internal);
-            let internal = self.equations.reduce(&internal, &arms);
+            let internal = self.equations.reduce(&self.internal_forces(&displacement), &arms);
             let residual = Col::from_fn(load.len(), |i| load[i] - internal[i]);
             let correction = self.factor.solve(&residual);
             u += &correction;
@@ -126,35 +125,22 @@ impl Statics {
         Err(Error::IllConditioned { unknowns: load.len(), refinements: REFINEMENTS, change })
     }
 
-    /// The displacement of all nodes, tied ones as their bodies' small rotations have them.
-    fn displaced(&self, u: &Col<f64>) -> Vec<[f64; 3]> {
-        let mut displacement = self.equations.extend(|equation| u[equation]);
-        self.equations.ties.follow_linearly(&self.equations.ties.arms(), &mut displacement);
-        displacement
+    /// Elastic forces of beams and springs.
+    fn internal_forces(&self, displacement: &[[f64; 3]]) -> Field {
+        let mut internal = self.beam.elastic_forces(displacement);
+        self.supports.add_spring_forces(displacement, &mut internal);
+        internal
     }
 
-    fn reactions(&self, displacement: &[[f64; 3]], load: &[[f64; 3]]) -> Vec<[f64; 3]> {
-        let mut lack = self.beam.elastic_forces(displacement);
-        self.supports.add_spring_forces(displacement, &mut lack);
-        for (lack, load) in lack.as_flattened_mut().iter_mut().zip(load.as_flattened()) {
-            *lack -= load;
-        }
-        self.equations.ties.fold(&self.equations.ties.arms(), &mut lack);
-        let mut on_springs = vec![[0.0; 3]; lack.len()];
-        self.supports.add_spring_forces(displacement, &mut on_springs);
-        let mut reactions = on_springs;
-        for reaction in reactions.as_flattened_mut() {
-            *reaction = -*reaction;
-        }
-        for &(node, dof) in self.supports.fixed() {
-            let dof = dof as usize;
-            reactions[node][dof] = lack[node][dof];
-        }
-        reactions
+    /// The displacement of all nodes; linked nodes follow the small rotations of their bodies.
+    fn displaced(&self, u: &Col<f64>) -> Field {
+        let mut displacement = self.equations.extend(|equation| u[equation]);
+        self.equations.links.set_velocity(&self.equations.links.arms(), &mut displacement);
+        displacement
     }
 }
 
-/// Where the entries of the stiffness matrix go, and the order in which to eliminate them.
+/// Sparsity pattern of the stiffness matrix and its order of elimination.
 #[derive(Debug, Clone)]
 struct Pattern {
     matrix: SymbolicSparseColMat<usize>,
@@ -163,9 +149,9 @@ struct Pattern {
 }
 
 impl Pattern {
-    fn new(unknowns: usize, entries: &[Entry]) -> Result<Self, Error> {
+    fn new(unknowns: usize, entries: &SymmetricMatrix) -> Result<Self, Error> {
         let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
-        let places: Vec<_> = entries.iter().map(|entry| Pair::new(entry.row, entry.column)).collect();
+        let places: Vec<_> = entries.iter().map(|entry| Pair::new(entry.row, entry.col)).collect();
         let (matrix, order) = SymbolicSparseColMat::try_new_from_indices(unknowns, unknowns, &places)
             .map_err(|error| failed(format!("{error:?}")))?;
         let elimination =
@@ -173,10 +159,10 @@ impl Pattern {
         Ok(Self { matrix, order, elimination })
     }
 
-    fn factorise(&self, entries: &[Entry]) -> Result<Llt<usize, f64>, Error> {
+    fn factorise(&self, entries: &SymmetricMatrix) -> Result<Llt<usize, f64>, Error> {
         let unknowns = self.matrix.ncols();
         let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
-        let values: Vec<f64> = entries.iter().map(|entry| entry.value).collect();
+        let values: Vec<f64> = entries.iter().map(|entry| entry.val).collect();
         let matrix = SparseColMat::new_from_argsort(self.matrix.clone(), &self.order, &values)
             .map_err(|error| failed(format!("{error:?}")))?;
         Llt::try_new_with_symbolic(self.elimination.clone(), matrix.as_ref(), Side::Lower).map_err(

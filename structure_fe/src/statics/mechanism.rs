@@ -1,31 +1,31 @@
-//! Does a support set hold the model?
+//! Detection of mechanisms: rigid motions that the supports leave free.
 //!
-//! Joints are rigid, so a displacement costs no elastic energy exactly when every connected part
-//! moves as a rigid body: K is positive definite if and only if the supports of every part stop its
-//! three rigid motions; parts that hinges join are asked together. That is three numbers per part,
-//! asked of the geometry. A Cholesky
-//! factorisation cannot be asked: its last pivot is rounding noise, as often positive as not.
+//! Joints are rigid, so a displacement has no elastic energy exactly if every connected part moves as a rigid body: K is
+//! positive definite if and only if the supports of every part restrain its three rigid motions; parts joined by hinges
+//! are examined together. This takes three unknowns per part. The pivots of a Cholesky factorisation do not decide it:
+//! the last one is rounding noise of either sign.
 
-use crate::beam::Beam;
+use crate::element::Ends;
 use crate::error::Error;
-use crate::supports::Supports;
+use crate::linear_algebra::connected_parts;
+use crate::model::{Beam, Supports, add_ends};
 use faer::{Mat, Side};
 
-/// A rigid motion is free if the supports stop less than this of it, as a fraction of the elastic
-/// stiffness and in the mean square over the part: lever arms below 1e-6 of the part's size, or
-/// springs softer than 1e-12 of the elements they hold, would lose all digits of the answer.
+/// A rigid motion is free if the restraint, as a fraction of the elastic stiffness and in the mean square over the part,
+/// is below this \[-\]: lever arms below 1e-6 of the part's size, or springs softer than 1e-12 of their elements, leave
+/// no correct digits in the solution.
 const FREE: f64 = 1e-12;
 
 /// The error that names a free rigid motion, if the supports leave one.
 pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result<(), Error> {
     supports.check(beam)?;
-    let clamped = supports.ties().iter().filter(|(.., turns)| *turns).map(|&(body, node, _)| [body, node]);
+    let clamped = supports.links().iter().filter(|(.., clamped)| *clamped).map(|&(body, node, _)| [body, node]);
     let rigid =
         beam.elements().iter().map(|element| element.nodes).chain(clamped).chain(supports.welds().iter().copied());
     let part = connected_parts(beam.nodes().len(), rigid.clone());
     let restraint = restraint_of_degrees_of_freedom(beam, supports);
-    // Parts that hinges join stand or fall together. A group is known by its first node.
-    let pinned = supports.ties().iter().filter(|(.., turns)| !turns).map(|&(body, node, _)| [body, node]);
+    // Parts joined by hinges form a group. The first node of a group or part identifies it.
+    let pinned = supports.links().iter().filter(|(.., clamped)| !clamped).map(|&(body, node, _)| [body, node]);
     let links = rigid.chain(supports.hinges().iter().copied()).chain(pinned);
     let group = connected_parts(beam.nodes().len(), links);
     for first in (0..group.len()).filter(|&node| group[node] == node) {
@@ -40,35 +40,18 @@ pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result
     Ok(())
 }
 
-/// For each node the first node of the connected part it belongs to.
-fn connected_parts(nodes: usize, links: impl Iterator<Item = [usize; 2]>) -> Vec<usize> {
-    let mut part: Vec<usize> = (0..nodes).collect();
-    let root = |part: &[usize], mut node: usize| {
-        while part[node] != node {
-            node = part[node];
-        }
-        node
-    };
-    for link in links {
-        let [a, b] = link.map(|node| root(&part, node));
-        part[a.max(b)] = a.min(b);
-    }
-    (0..part.len()).map(|node| root(&part, node)).collect()
-}
-
-/// How firmly each degree of freedom is held, `[nodes][u, w, theta]`: 1 if fixed, k/(k + K_ii) on a spring.
+/// Restraint of each degree of freedom, `[nodes][u, w, theta]` \[-\]: 1 if fixed, k/(k + K_ii) on a spring.
 fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64; 3]> {
     let mut elastic = vec![[0.0; 3]; beam.nodes().len()];
-    for (nodes, element) in beam.formulated() {
+    for (nodes, element) in beam.constants() {
         let stiffness = element.stiffness();
-        let diagonal = std::array::from_fn(|i| stiffness[i][i]);
-        crate::beam::add_ends(&mut elastic, nodes, &diagonal);
+        let diagonal: Ends = stiffness.diagonal();
+        add_ends(&mut elastic, nodes, &diagonal);
     }
-    let mut spring_stiffness = vec![[0.0; 3]; elastic.len()];
+    let mut restraint = vec![[0.0; 3]; elastic.len()];
     for spring in supports.springs() {
-        spring_stiffness[spring.node][spring.dof as usize] += spring.stiffness;
+        restraint[spring.node][spring.dof as usize] += spring.stiffness;
     }
-    let mut restraint = spring_stiffness;
     for (held, elastic) in restraint.iter_mut().zip(&elastic) {
         for dof in 0..3 {
             // A rigid body has no elements of its own.
@@ -101,64 +84,51 @@ impl Part {
         Self { members, centre, radius, nodes }
     }
 
-    /// Unit motions of a member: along x, along y, and the rotation that moves the farthest node by one.
-    fn unit_motions(&self, member: usize) -> [[f64; 3]; 3] {
-        self.unit_motions_at(self.nodes[member])
-    }
-
-    /// The same of any place that moves with the part.
-    fn unit_motions_at(&self, place: [f64; 2]) -> [[f64; 3]; 3] {
+    /// Unit motions of a place: along x, along y, and the rotation that moves the farthest node by one.
+    fn unit_motions(&self, place: [f64; 2]) -> [[f64; 3]; 3] {
         let [x, y] = [0, 1].map(|axis| (place[axis] - self.centre[axis]) / self.radius);
         [[1.0, 0.0, -y], [0.0, 1.0, x], [0.0, 0.0, 1.0]]
     }
 }
 
-/// A rigid motion of the parts that supports and hinges do not stop: a node, and its `[u, w, theta]`.
+/// A rigid motion of the parts that supports and hinges leave free: a node, and its `[u, w, theta]`.
 fn free_motion(
     parts: &[Part],
     supports: &Supports,
     restraint: &[[f64; 3]],
 ) -> Result<Option<(usize, [f64; 3])>, Error> {
     let unknowns = 3 * parts.len();
-    let mut stopped = Mat::<f64>::zeros(unknowns, unknowns);
-    let mut stop = |row: &[(usize, f64)], held: f64| {
+    let mut restrained = Mat::<f64>::zeros(unknowns, unknowns);
+    let mut restrain = |row: &[(usize, f64)], stiffness: f64| {
         for &(i, a) in row {
             for &(j, b) in row {
-                stopped[(i, j)] += held * a * b;
+                restrained[(i, j)] += stiffness * a * b;
             }
         }
     };
     let row_of = |index: usize, row: [f64; 3], sign: f64| [0, 1, 2].map(|k| (3 * index + k, sign * row[k]));
     for (index, part) in parts.iter().enumerate() {
-        for (member, &node) in part.members.iter().enumerate() {
-            for (row, held) in part.unit_motions(member).into_iter().zip(restraint[node]) {
-                stop(&row_of(index, row, 1.0), held);
+        for (place, &node) in part.nodes.iter().zip(&part.members) {
+            for (row, stiffness) in part.unit_motions(*place).into_iter().zip(restraint[node]) {
+                restrain(&row_of(index, row, 1.0), stiffness);
             }
         }
     }
-    let place = |node: usize| {
+    let find = |node: usize| {
         parts.iter().enumerate().find_map(|(index, part)| Some((index, part.members.binary_search(&node).ok()?)))
     };
-    for hinge in supports.hinges() {
-        if let [Some((one, here)), Some((other, there))] = hinge.map(place) {
+    let pinned = supports.links().iter().filter(|(.., clamped)| !clamped).map(|&(body, node, _)| [body, node]);
+    for joint in supports.hinges().iter().copied().chain(pinned) {
+        if let [Some((one, _)), Some((other, there))] = joint.map(find) {
+            // A body's motion is that of its point at the joint.
+            let place = parts[other].nodes[there];
+            let [ours, theirs] = [one, other].map(|index| parts[index].unit_motions(place));
             for dof in 0..2 {
-                let ours = row_of(one, parts[one].unit_motions(here)[dof], 1.0);
-                let theirs = row_of(other, parts[other].unit_motions(there)[dof], -1.0);
-                stop(&[ours, theirs].concat(), 1.0);
+                restrain(&[row_of(one, ours[dof], 1.0), row_of(other, theirs[dof], -1.0)].concat(), 1.0);
             }
         }
     }
-    for &(body, node, turns) in supports.ties() {
-        if let (false, [Some((one, _)), Some((other, there))]) = (turns, [body, node].map(place)) {
-            let at = parts[other].nodes[there];
-            for dof in 0..2 {
-                let ours = row_of(one, parts[one].unit_motions_at(at)[dof], 1.0);
-                let theirs = row_of(other, parts[other].unit_motions(there)[dof], -1.0);
-                stop(&[ours, theirs].concat(), 1.0);
-            }
-        }
-    }
-    let eigen = stopped
+    let eigen = restrained
         .self_adjoint_eigen(Side::Lower)
         .map_err(|error| Error::LinearAlgebra { unknowns, reason: format!("{error:?}") })?;
     if eigen.S()[0] > FREE {
@@ -168,6 +138,7 @@ fn free_motion(
     let share = |index: usize| (0..3).map(|k| free[3 * index + k].powi(2)).sum::<f64>();
     let moving = (0..parts.len()).fold(0, |most, index| if share(index) > share(most) { index } else { most });
     let part = &parts[moving];
-    let [u, w, turn] = part.unit_motions(0).map(|row| (0..3).map(|k| row[k] * free[3 * moving + k]).sum::<f64>());
+    let [u, w, turn] =
+        part.unit_motions(part.nodes[0]).map(|row| (0..3).map(|k| row[k] * free[3 * moving + k]).sum::<f64>());
     Ok(Some((part.members[0], [u, w, turn / part.radius])))
 }

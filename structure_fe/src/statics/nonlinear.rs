@@ -1,12 +1,12 @@
 //! Statics at large displacements: load steps, Newton's method with a line search.
 
-use crate::beam::Beam;
-use crate::bordered::Bordered;
+use super::StaticSolution;
+use super::mechanism::require_no_free_motion;
+use crate::assembly::{System, reactions};
 use crate::error::Error;
-use crate::loads::Loads;
-use crate::statics::StaticSolution;
-use crate::supports::Supports;
-use crate::system::System;
+use crate::field::{Field, combine};
+use crate::linear_algebra::Bordered;
+use crate::model::{Beam, Loads, Supports};
 
 /// A correction this small against the whole displacement ends the iteration \[-\]: with the exact
 /// tangent the next one is of the order of its square.
@@ -15,16 +15,16 @@ const CONVERGED: f64 = 1e-8;
 /// A correction this small against the model's extent is rounding \[-\].
 const ROUNDING: f64 = 1e-14;
 
-/// Iterations of a load step, at most, with whole corrections; and then with a line search.
+/// Maximum number of iterations of a load step, with full corrections and with a line search.
 const ITERATIONS: [usize; 2] = [25, 50];
 
-/// Halvings of a load step that does not converge, at most.
+/// Maximum number of halvings of a load step that does not converge.
 const STEP_HALVINGS: i32 = 8;
 
 /// The line search ends where the slope of the energy has fallen to this fraction \[-\] (Crisfield 1991, 9.2).
-const SLACK: f64 = 0.8;
+const LINE_SEARCH_TOLERANCE: f64 = 0.8;
 
-/// Halvings of a correction, at most.
+/// Maximum number of trials of the line search.
 const HALVINGS: usize = 8;
 
 /// A supported model at large displacements and rotations.
@@ -34,10 +34,10 @@ const HALVINGS: usize = 8;
 #[derive(Debug, Clone)]
 pub struct NonlinearStatics {
     pub(crate) system: System,
-    motionless: Vec<[f64; 3]>,
+    zero: Field,
 }
 
-/// Displacement, and what elements that yield kept of the loads before.
+/// Displacement and plastic curvatures.
 #[derive(Debug, Clone)]
 pub(crate) struct Equilibrium {
     pub u: Vec<[f64; 3]>,
@@ -45,11 +45,11 @@ pub(crate) struct Equilibrium {
 }
 
 impl NonlinearStatics {
-    /// A supported model; its equations are numbered and their band laid out here, once.
+    /// A supported model; the equations are numbered here, once.
     pub fn new(beam: Beam, supports: Supports) -> Result<Self, Error> {
-        crate::mechanism::require_no_free_motion(&beam, &supports)?;
-        let motionless = vec![[0.0; 3]; beam.nodes().len()];
-        Ok(Self { system: System::new(beam, supports)?, motionless })
+        require_no_free_motion(&beam, &supports)?;
+        let zero = vec![[0.0; 3]; beam.nodes().len()];
+        Ok(Self { system: System::new(beam, supports)?, zero })
     }
 
     /// The model.
@@ -57,20 +57,19 @@ impl NonlinearStatics {
         &self.system.beam
     }
 
-    /// Puts the loads on in `steps` equal steps, each brought to equilibrium by Newton's method.
+    /// Applies the loads in `steps` equal steps, each brought to equilibrium by Newton's method.
     ///
-    /// Where that does not settle, corrections are shortened (line search), then steps are halved. Fails where the load passes
-    /// a maximum: [`NonlinearStatics::path`] goes on.
+    /// If Newton's method does not converge, corrections are shortened (line search), then steps are halved. It fails
+    /// where the load passes a maximum: use [`NonlinearStatics::path`] there.
     pub fn solve(&self, loads: &Loads, steps: usize) -> Result<StaticSolution, Error> {
         loads.check(self.beam())?;
         let mut at = self.at_rest();
-        self.go(&Loads::default(), loads, steps, &mut at)?;
+        self.advance(&Loads::default(), loads, steps, &mut at)?;
         Ok(self.solution(loads, 1.0, at))
     }
 
-    /// Puts one load case after the other on, each growing out of the one before in `steps` equal steps; the first out
-    /// of none. Where elements yield, what they keep of one case stays in the next: after a load, [`Loads::default`]
-    /// leaves the dent.
+    /// Applies load cases in sequence, each by linear interpolation from the one before in `steps` equal steps; the first
+    /// from zero. Plastic curvatures accumulate: after a load, [`Loads::default`] gives the permanent deformation.
     pub fn history(&self, cases: &[Loads], steps: usize) -> Result<Vec<StaticSolution>, Error> {
         let mut at = self.at_rest();
         let none = Loads::default();
@@ -78,7 +77,7 @@ impl NonlinearStatics {
         let mut solutions = Vec::with_capacity(cases.len());
         for case in cases {
             case.check(self.beam())?;
-            self.go(before, case, steps, &mut at)?;
+            self.advance(before, case, steps, &mut at)?;
             solutions.push(self.solution(case, 1.0, at.clone()));
             before = case;
         }
@@ -86,11 +85,11 @@ impl NonlinearStatics {
     }
 
     pub(crate) fn at_rest(&self) -> Equilibrium {
-        Equilibrium { u: self.motionless.clone(), plastic: self.system.unyielded() }
+        Equilibrium { u: self.zero.clone(), plastic: self.system.no_plasticity() }
     }
 
-    /// From one load case to another in `steps` steps, halved where that does not settle.
-    fn go(&self, from: &Loads, to: &Loads, steps: usize, at: &mut Equilibrium) -> Result<(), Error> {
+    /// From one load case to another in `steps` steps, halved where Newton's method does not converge.
+    fn advance(&self, from: &Loads, to: &Loads, steps: usize, at: &mut Equilibrium) -> Result<(), Error> {
         let mut matrix = self.system.matrix();
         let whole = 1.0 / steps.max(1) as f64;
         for step in 1..=steps.max(1) {
@@ -107,7 +106,7 @@ impl NonlinearStatics {
                 match outcome {
                     Ok(()) => {
                         factor = next;
-                        self.system.flow(&at.u, &mut at.plastic);
+                        self.system.update_plasticity(&at.u, &mut at.plastic);
                     }
                     Err(error) if increment < whole * 0.5_f64.powi(STEP_HALVINGS) => return Err(error),
                     Err(_) => {
@@ -117,13 +116,13 @@ impl NonlinearStatics {
                 }
             }
         }
-        self.system.require_bent_little(&at.u)
+        self.system.require_moderate_bending(&at.u)
     }
 
-    /// Newton's method; where whole corrections do not settle, once more with a line search.
+    /// Newton's method with full corrections; if it does not converge, once more with a line search.
     ///
-    /// In that order: a slender beam overshoots in its membrane forces at every large correction, and
-    /// mends it in the next; a line search would forbid both.
+    /// In this order, because a slender beam overshoots in its membrane forces at every large correction and corrects it
+    /// in the next; a line search would prevent both.
     fn equilibrate(
         &self,
         loads: &Loads,
@@ -158,7 +157,7 @@ impl NonlinearStatics {
         let mut residual = self.residual_and_tangent(loads, load_factor, at, matrix)?;
         let mut made = 0;
         while made < iterations && residual.iter().all(|r| r.is_finite()) {
-            matrix.factorise().map_err(|pivot| system.singular(pivot))?;
+            matrix.factorise().map_err(|pivot| system.equations.singular(pivot))?;
             let mut correction = residual.clone();
             matrix.solve(&mut correction);
             let share = if search { self.line_search(loads, load_factor, at, &residual, &correction)? } else { 1.0 };
@@ -175,7 +174,7 @@ impl NonlinearStatics {
         Err(Error::NotConverged { step, iteration: made, residual, load_factor, node, dof })
     }
 
-    /// How much of a correction to take: all of it, unless the residual's work along it says overshoot.
+    /// Length of a correction \[-\]: 1, or less if the work of the residual along it indicates an overshoot.
     fn line_search(
         &self,
         loads: &Loads,
@@ -191,19 +190,19 @@ impl NonlinearStatics {
             let mut trial = at.clone();
             self.system.displace(share, correction, &mut trial.u);
             let slope = work(&self.residual(loads, load_factor, &trial)?);
-            if slope.abs() <= SLACK * at_start.abs() {
+            if slope.abs() <= LINE_SEARCH_TOLERANCE * at_start.abs() {
                 break;
             }
-            // Where the straight line through both slopes is zero, within limits.
+            // The zero of the straight line through both slopes, within limits.
             share *= (at_start / (at_start - slope)).clamp(0.2, 0.7);
         }
         Ok(share)
     }
 
     pub(crate) fn residual(&self, loads: &Loads, load_factor: f64, at: &Equilibrium) -> Result<Vec<f64>, Error> {
-        let mut internal = self.motionless.clone();
+        let mut internal = self.zero.clone();
         self.system.elastic_forces(&at.u, &at.plastic, &mut internal, None);
-        Ok(self.less(loads, load_factor, &at.u, &internal))
+        Ok(self.difference(loads, load_factor, &at.u, &internal))
     }
 
     pub(crate) fn residual_and_tangent(
@@ -213,22 +212,22 @@ impl NonlinearStatics {
         Equilibrium { u, plastic }: &Equilibrium,
         matrix: &mut Bordered,
     ) -> Result<Vec<f64>, Error> {
-        let mut internal = self.motionless.clone();
-        let arms = self.system.equations.ties.arms_at(u);
+        let mut internal = self.zero.clone();
+        let arms = self.system.equations.links.arms_at(u);
         matrix.clear();
         self.system.elastic_forces(u, plastic, &mut internal, Some((1.0, [&arms, &arms], matrix)));
-        loads.subtract_tangent(&self.system, u, load_factor, matrix);
+        self.system.subtract_pressure_tangent(loads, u, load_factor, matrix);
         if !arms.is_empty() {
-            self.system.subtract_turning(&self.load(loads, u), &arms, load_factor, matrix);
-            self.system.subtract_turning(&internal, &arms, -1.0, matrix);
+            self.system.add_arm_rotation(&self.load(loads, u), &arms, load_factor, matrix);
+            self.system.add_arm_rotation(&internal, &arms, -1.0, matrix);
         }
-        Ok(self.less(loads, load_factor, u, &internal))
+        Ok(self.difference(loads, load_factor, u, &internal))
     }
 
-    /// Load less internal forces.
-    fn less(&self, loads: &Loads, load_factor: f64, u: &[[f64; 3]], internal: &[[f64; 3]]) -> Vec<f64> {
+    /// Load minus internal forces.
+    fn difference(&self, loads: &Loads, load_factor: f64, u: &[[f64; 3]], internal: &[[f64; 3]]) -> Vec<f64> {
         let equations = &self.system.equations;
-        let arms = equations.ties.arms_at(u);
+        let arms = equations.links.arms_at(u);
         let mut residual = equations.reduce(&self.load(loads, u), &arms);
         for (residual, internal) in residual.iter_mut().zip(equations.reduce(internal, &arms)) {
             *residual = load_factor * *residual - internal;
@@ -237,21 +236,21 @@ impl NonlinearStatics {
     }
 
     /// The whole load of the displaced model.
-    pub(crate) fn load(&self, loads: &Loads, u: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    pub(crate) fn load(&self, loads: &Loads, u: &[[f64; 3]]) -> Field {
         loads.nodal_forces(self.beam(), &loads.element_forces_at(self.beam(), u))
     }
 
     /// Reactions and section forces of a displacement in equilibrium with `load_factor` times the loads.
     fn solution(&self, loads: &Loads, load_factor: f64, Equilibrium { u, plastic }: Equilibrium) -> StaticSolution {
-        let scaled = |field: &mut [f64]| field.iter_mut().for_each(|value| *value *= load_factor);
-        let mut own = loads.element_forces_at(self.beam(), &u);
-        scaled(own.as_flattened_mut());
+        let own: Vec<_> = loads.element_forces_at(self.beam(), &u).iter().map(|ends| load_factor * ends).collect();
         let mut load = self.load(loads, &u);
-        scaled(load.as_flattened_mut());
-        let mut internal = self.motionless.clone();
+        load.as_flattened_mut().iter_mut().for_each(|value| *value *= load_factor);
+        let mut internal = self.zero.clone();
         self.system.elastic_forces(&u, &plastic, &mut internal, None);
+        let residual = combine(&internal, &load, |internal, load| internal - load);
+        let links = &self.system.equations.links;
         StaticSolution {
-            reactions: self.system.reactions(&u, &internal, &load),
+            reactions: reactions(&self.system.supports, (links, &links.arms_at(&u)), &u, residual),
             section_forces: self.system.section_forces(&u, &plastic, Some(&own)),
             displacement: u,
             plastic_curvature: plastic,

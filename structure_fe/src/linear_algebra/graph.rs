@@ -1,8 +1,24 @@
-//! The order in which to number the nodes, so that the band of the equations is narrow.
+//! Graphs of nodes and links: connected parts, and a numbering with a narrow band.
+
+/// For each node the first node of the connected part that contains it.
+pub(crate) fn connected_parts(nodes: usize, links: impl Iterator<Item = [usize; 2]>) -> Vec<usize> {
+    let mut part: Vec<usize> = (0..nodes).collect();
+    let root = |part: &[usize], mut node: usize| {
+        while part[node] != node {
+            node = part[node];
+        }
+        node
+    };
+    for link in links {
+        let [a, b] = link.map(|node| root(&part, node));
+        part[a.max(b)] = a.min(b);
+    }
+    (0..nodes).map(|node| root(&part, node)).collect()
+}
 
 /// Reverse Cuthill-McKee (1969; reversed George 1971): for each place in the numbering, its node.
 ///
-/// A chain of beams comes out end to end, with neighbours next to each other.
+/// A chain of beams is numbered from end to end.
 pub(crate) fn narrow_band(nodes: usize, links: impl Iterator<Item = [usize; 2]>) -> Vec<usize> {
     let mut neighbours = vec![Vec::new(); nodes];
     for [a, b] in links {
@@ -33,7 +49,7 @@ pub(crate) fn narrow_band(nodes: usize, links: impl Iterator<Item = [usize; 2]>)
     order
 }
 
-/// A node at the rim of its part: farthest from the farthest from `node` (Gibbs, Poole & Stockmeyer 1976).
+/// A peripheral node: the farthest from the farthest node from `node` (Gibbs, Poole & Stockmeyer 1976).
 fn outermost(neighbours: &[Vec<usize>], node: usize) -> usize {
     let farthest = |from: usize| {
         let mut distance = vec![usize::MAX; neighbours.len()];
