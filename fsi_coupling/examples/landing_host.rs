@@ -13,7 +13,7 @@
 //! load factor on the cabin; at the end how many steps were rejected, that a redone step came to the same bits, and how well the
 //! momentum of shell, cabin and water adds up.
 
-use fsi_coupling::host::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Topology};
+use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Topology};
 
 /// Mass of the shell [kg/m], its inertia about its origin [kg m]; mass of the cabin [kg/m].
 const SHELL: f64 = 250.0;

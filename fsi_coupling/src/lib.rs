@@ -1,68 +1,33 @@
-//! The meeting room of fluid and structure: what a wetted body is, where its boundary particles are, and
-//! how the fluid's forces go back to it.
+//! Coupling of the fluid with bodies: what a wetted body is, where its boundary particles are, and how the fluid's forces
+//! act on it.
 //!
-//! Read [`body`] (the contract), [`coupled`] (the step), then a body: [`rigid`] (rapier), [`prescribed`],
-//! [`tank`], [`flexible_body`]. [`shape`], [`outline`], [`sampling`], [`thin`] and [`fill`] turn shapes into particles. [`host`] is the door for programs
-//! that keep their own loop.
+//! [`geometry`] turns shapes into particles, [`bodies`] has the contract of a body and the bodies, [`coupling`] the step of fluid and
+//! bodies together, [`entry_theory`] analytical models of water entry, [`embed`] the element for programs with a time loop
+//! of their own, [`settings`] structs of settings that document and check themselves.
 
-pub mod beam_surface;
-pub mod body;
-pub mod carrier;
-#[cfg(test)]
-mod column_tests;
-mod contact;
-pub mod coupled;
-mod coupling_error;
-pub mod course;
-pub mod exchange;
-pub mod exchange_ratio;
-pub mod fill;
-pub mod flexible;
-pub mod flexible_body;
-pub mod flexible_yield;
-pub mod focus;
-pub mod force_rules;
-pub mod host;
-mod moving;
-pub mod nodal;
-pub mod outline;
-pub mod packing;
-pub mod panel;
-pub mod panel_state;
-pub mod penetration;
-pub mod polygon;
-pub mod pose;
-pub mod prescribed;
-pub mod relaxation;
-mod retry;
-pub mod rigid;
-pub mod rigid_yield;
-pub mod rows;
-pub mod sampling;
-pub mod shape;
-mod skin;
-pub mod tank;
-pub mod theory;
-pub mod thin;
-pub mod water_surface;
-pub mod work_audit;
+pub mod bodies;
+pub mod coupling;
+pub mod embed;
+pub mod entry_theory;
+pub mod geometry;
+pub mod settings;
 
-pub use body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
-pub use coupled::Coupled;
-pub use coupling_error::CouplingError;
-pub use exchange::{Agreement, Iteration, Scheme};
-pub use exchange_ratio::{Beside, PanelExchange, exchange_ratio};
-pub use flexible::{FlexibleSpec, Frame};
-pub use flexible_body::FlexibleBody;
-pub use focus::Focus;
-pub use outline::Outline;
-pub use panel::{PanelEnd, PanelSpec};
-pub use panel_state::{PanelState, Watched, Worst};
-pub use penetration::{Breach, Penetration};
-pub use prescribed::PrescribedBody;
-pub use rigid::{RigidBody2d, RigidSpec};
-pub use rows::Arrangement;
-pub use shape::Shape;
-pub use tank::Tank;
-pub use thin::Plate;
-pub use work_audit::WorkAudit;
+pub use bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
+pub use bodies::flexible::body::FlexibleBody;
+pub use bodies::flexible::model::{FlexibleSpec, Frame};
+pub use bodies::flexible::panel::{PanelEnd, PanelSpec};
+pub use bodies::flexible::panel_state::{PanelState, Watched, Worst};
+pub use bodies::prescribed::PrescribedBody;
+pub use bodies::rigid::{RigidBody2d, RigidSpec};
+pub use bodies::tank::Tank;
+pub use coupling::coupled::Coupled;
+pub use coupling::error::CouplingError;
+pub use coupling::penetration::{Breach, Penetration};
+pub use coupling::refinement::Focus;
+pub use coupling::scheme::{Agreement, Iteration, Scheme};
+pub use coupling::stability_estimate::{Beside, PanelExchange, exchange_ratio};
+pub use coupling::work_audit::WorkAudit;
+pub use geometry::outline::Outline;
+pub use geometry::rows::Arrangement;
+pub use geometry::shape::Shape;
+pub use geometry::thin_plate::Plate;

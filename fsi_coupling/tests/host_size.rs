@@ -1,11 +1,11 @@
-//! The bytes that `size` says are those that an element holds (THEORY D6). Alone in its process: it counts every
+//! The bytes that `size` says are those that an element holds. Alone in its process: it counts every
 //! allocation.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use fsi_coupling::host::{FluidElementSpec, HostNodes, HostStep, Topology};
+use fsi_coupling::embed::{FluidElementSpec, HostNodes, HostStep, Topology};
 
 struct Counting;
 

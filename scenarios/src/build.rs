@@ -1,14 +1,14 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
-use fsi_coupling::fill::{Basin, Tiling};
-use fsi_coupling::pose::Rigid;
-use fsi_coupling::prescribed::Law;
+use fsi_coupling::bodies::prescribed::Law;
+use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{
     Arrangement, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, Plate, PrescribedBody,
     RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
 };
-use sph_core::eos::Tait;
-use sph_core::images::Mirror;
+use sph_core::neighbours::images::Mirror;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
 use structure_fe::Damping;
 

@@ -394,8 +394,9 @@ fn validate_cases(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
         say(format_args!("{}", table.trim_end()));
     }
     if let Some(path) = &args.table {
-        let text =
-            format!("# Validation\n\nWritten by `splashdown validate --all --table tests/VALIDATION.md`.\n\n{table}");
+        let text = format!(
+            "# Validation\n\nWritten by `splashdown validate --all --table docs/src/validation/cases.md`.\n\n{table}"
+        );
         std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
     }
     let misses = lines.iter().filter(|l| !l.holds).count();

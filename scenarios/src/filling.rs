@@ -1,7 +1,7 @@
 //! The water of a scene at t = 0.
 
-use fsi_coupling::fill::{self, Cell};
-use fsi_coupling::packing::{self, Packing};
+use fsi_coupling::geometry::layout::{self, Cell};
+use fsi_coupling::geometry::packing::{self, Packing};
 use fsi_coupling::{Arrangement, CouplingError, WettedBody};
 use sph_core::{Seed, Walls};
 
@@ -39,7 +39,7 @@ pub(crate) fn fill(scene: &Scene, body: Option<&dyn WettedBody>) -> Result<Vec<S
         });
     }
     if let Some(block) = &scene.tank.block {
-        fill::tile(block.from, block.to, scene.resolution.spacing, |cell| {
+        layout::tile(block.from, block.to, scene.resolution.spacing, |cell| {
             if has_room(&cell) {
                 seeds.push(Seed { at: cell.at, velocity: block.velocity, area: cell.area(), pressure: 0.0 });
             }
@@ -77,7 +77,7 @@ fn packed(scene: &Scene, around: &dyn WettedBody, level: impl Fn(f64) -> f64) ->
 mod tests {
     use crate::build;
     use crate::scene;
-    use fsi_coupling::polygon;
+    use fsi_coupling::geometry::polygon;
 
     /// Σ V W of the fluid particles within 3 spacings of the body and 4 below the surface: smallest and largest [-]; and the
     /// water's area [m²].

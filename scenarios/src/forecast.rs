@@ -9,7 +9,7 @@ use crate::scene::{
     CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
 };
-use fsi_coupling::theory::Rung;
+use fsi_coupling::entry_theory::Rung;
 
 /// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
 /// order of magnitude of an estimate, not a promise.

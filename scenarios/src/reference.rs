@@ -1,11 +1,11 @@
 //! Reference data: tables in CSV with a header of `#` lines that states quantity, units and source.
 //!
-//! The project's own tables (`tests/reference`) are part of the program; a scene may name a file of its own.
+//! The project's own tables (`scenarios/cases/reference`) are part of the program; a scene may name a file of its own.
 
-use fsi_coupling::theory::SimilarityFlow;
+use fsi_coupling::entry_theory::SimilarityFlow;
 use include_dir::{Dir, include_dir};
 
-static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/reference");
+static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference");
 
 /// A table of numbers with named columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +45,7 @@ pub enum ReferenceError {
 }
 
 impl Table {
-    /// A built-in table by its path below `tests/reference`, else a file by its path.
+    /// A built-in table by its path below `scenarios/cases/reference`, else a file by its path.
     pub fn load(name: &str) -> Result<Table, ReferenceError> {
         let text = match TABLES.get_file(name).and_then(|f| f.contents_utf8()) {
             Some(text) => text.to_string(),

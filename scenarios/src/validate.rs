@@ -1,6 +1,6 @@
 //! `splashdown validate`: cases that hold a scene's numbers against others' data.
 //!
-//! A case is a TOML file in `tests/validation`: a scene, overrides, and what its `summary.json` must say.
+//! A case is a TOML file in `scenarios/cases/validation`: a scene, overrides, and what its `summary.json` must say.
 //! There is no source code in a case.
 
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError};
 use crate::summary::Summary;
 
-static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/validation");
+static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
 
 /// A validation case.
 #[derive(Clone, Debug, Deserialize)]

@@ -1,7 +1,7 @@
 //! A host that takes the water's force as it comes shakes with long steps (THEORY D5); one that repeats the step does not.
 
 use evidence::door::{moved, total};
-use fsi_coupling::host::{FluidElement, FluidElementSpec, HostNodes, HostStep, Topology};
+use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostNodes, HostStep, Topology};
 
 /// A box 0.4 m broad, of `mass` [kg/m], at its draught in still water.
 fn floating(mass: f64) -> (FluidElement, HostNodes, f64) {

@@ -2,7 +2,7 @@
 
 use evidence::statistics::Noise;
 use evidence::systems::{advance, system};
-use fsi_coupling::fill::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
 use sph_core::{Fluid, Kernel, Parameters, Seed};
 

@@ -1,7 +1,7 @@
 //! Failures at walls: how many rows of wall particles keep water in, and what each kind of wall survives.
 
 use evidence::systems::{advance, scene, system};
-use fsi_coupling::fill::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Arrangement, Tank, WettedBody};
 use scenarios::build;
 use sph_core::{Fluid, Seed, WallModel, WallTreatment, Walls};

@@ -1,7 +1,7 @@
 //! A free wedge twice: as a rigid body of a scene, and as the nodes of a host, in the same water.
 
-use fsi_coupling::host::{FluidElement, FluidElementSpec, HostNodes, Topology};
-use fsi_coupling::pose::Rigid;
+use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostNodes, Topology};
 use fsi_coupling::{Coupled, Motion};
 
 use crate::systems::system;

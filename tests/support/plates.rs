@@ -1,7 +1,7 @@
 //! Thin plates in small tanks: systems to step, and the force on each face.
 
-use fsi_coupling::fill::{Basin, Tiling};
-use fsi_coupling::pose::Rigid;
+use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
 use sph_core::{Fluid, Parameters, Seed};
 

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use fsi_coupling::flexible::{FlexibleSpec, Frame};
-use fsi_coupling::flexible_body::FlexibleBody;
-use fsi_coupling::panel::{PanelEnd, PanelSpec};
-use fsi_coupling::pose::Rigid;
+use fsi_coupling::bodies::flexible::body::FlexibleBody;
+use fsi_coupling::bodies::flexible::model::{FlexibleSpec, Frame};
+use fsi_coupling::bodies::flexible::panel::{PanelEnd, PanelSpec};
+use fsi_coupling::bodies::rigid_motion::Rigid;
 use fsi_coupling::{Coupled, CouplingError, Outline, PrescribedBody, Scheme, WettedBody};
 use sph_core::Fluid;
 use structure_fe::{Damping, Material, Theory};

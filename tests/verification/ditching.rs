@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-use fsi_coupling::theory::ditching::{
+use fsi_coupling::entry_theory::ditching::{
     Aeroplane, Attitude, Ended, Form, Fuselage, Hull, Landing, Moment, Station, Water, Wing,
 };
-use fsi_coupling::theory::{Loads, Rung, Section};
+use fsi_coupling::entry_theory::{Loads, Rung, Section};
 use scenarios::ditching::{self, Landed};
 
 const RHO: f64 = 1000.0;

@@ -1,8 +1,8 @@
 //! Four rules for the force on a body (THEORY W7): on water at rest they all find what it displaces.
 
 use evidence::systems::{advance, system};
-use fsi_coupling::force_rules::{RULES, force_rules};
-use fsi_coupling::nodal::resultant;
+use fsi_coupling::coupling::force_rules::nodal_loads::resultant;
+use fsi_coupling::coupling::force_rules::{RULES, force_rules};
 
 /// Archimedes on a box half under water: every rule's force is ρ g A/2 within 1 %, as the mean over 0.4 s (measured over
 /// 0.2 s: +0.32, +0.49, +0.38, +0.31 %), without a moment. The loads on the corners add up to it.

@@ -3,7 +3,7 @@
 
 use evidence::door::{MASS, bits, element, moved, placed, spec, total, wedge_of_the_scene};
 use fsi_coupling::Motion;
-use fsi_coupling::host::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Side, Topology};
+use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Side, Topology};
 use rayon::ThreadPoolBuilder;
 use sph_core::Parameters;
 

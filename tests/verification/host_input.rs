@@ -2,7 +2,7 @@
 
 use evidence::door::{MASS, bits, element, moved, placed, spec, wedge_of_nodes};
 use fsi_coupling::Motion;
-use fsi_coupling::host::{FluidElementSpec, HostError, HostNodes, HostStep, Topology};
+use fsi_coupling::embed::{FluidElementSpec, HostError, HostNodes, HostStep, Topology};
 
 /// Bad input changes nothing and says which node or array, what was given, what expected.
 #[test]
@@ -87,7 +87,7 @@ fn a_snapshot_goes_to_a_file_and_back() {
     assert_eq!((snapshot.surface[0].len(), &snapshot.nodes), (nodes.len(), &end));
     assert!(snapshot.pressure.iter().any(|p| *p > 1e4) && snapshot.spacing.iter().all(|s| *s > 0.01));
     let text = serde_json::to_string(&snapshot).expect("plain numbers");
-    let again: fsi_coupling::host::Snapshot = serde_json::from_str(&text).expect("what was written");
+    let again: fsi_coupling::embed::Snapshot = serde_json::from_str(&text).expect("what was written");
     let gap = |k: usize, axis: usize| (again.position[k][axis] - snapshot.position[k][axis]).abs();
     assert!((0..snapshot.position.len()).all(|k| gap(k, 0) + gap(k, 1) < 1e-15));
     assert!(again.surface == snapshot.surface && again.pressure.len() == snapshot.pressure.len());

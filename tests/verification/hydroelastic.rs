@@ -1,6 +1,6 @@
 //! The modal beam on Wagner's load (THEORY HM1–HM5) against tables of an independent program.
 
-use fsi_coupling::theory::{Bent, ElasticWedge, Held, Loads, Rung, Section};
+use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Loads, Rung, Section};
 use structure_fe::Material;
 
 fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {
@@ -18,7 +18,7 @@ fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {
 }
 
 fn rows(path: &str) -> Vec<Vec<f64>> {
-    let file = format!("{}/reference/{path}", env!("CARGO_MANIFEST_DIR"));
+    let file = format!("{}/../scenarios/cases/reference/{path}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(file).expect("a reference");
     let numbers = text.lines().filter(|l| !l.starts_with('#')).skip(1);
     numbers.map(|l| l.split(',').map(|v| v.parse().expect("a number")).collect()).collect()

@@ -122,9 +122,9 @@ fn a_free_spin_is_constant_and_its_angle_of_second_order() {
         let m = motion(&body);
         assert!((m.spin - 2.0).abs() < 1e-13, "spin {}", m.spin);
         assert!((body.energy().kinetic / at_start - 1.0).abs() < 1e-13);
-        let arm = fsi_coupling::pose::rotate([0.2, 0.1], 0.3);
+        let arm = fsi_coupling::bodies::rigid_motion::rotate([0.2, 0.1], 0.3);
         let (vx, vy) = (0.4 - 2.0 * arm[1], 2.0 * arm[0]);
-        let now = fsi_coupling::pose::rotate([0.2, 0.1], m.angle);
+        let now = fsi_coupling::bodies::rigid_motion::rotate([0.2, 0.1], m.angle);
         let line = [1.5 + arm[0] + vx - now[0], -0.5 + arm[1] + vy - now[1]];
         for k in 0..2 {
             assert!((m.position[k] - line[k]).abs() < 1e-12, "{:?} off the line {line:?}", m.position);

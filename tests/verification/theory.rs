@@ -1,6 +1,6 @@
 //! The low-order models of entry (THEORY LM1–LM12) against tables that independent programs computed.
 
-use fsi_coupling::theory::{Course, Entry, Loads, OutOfRange, Rung, Section, SimilarityFlow};
+use fsi_coupling::entry_theory::{Course, Entry, Loads, OutOfRange, Rung, Section, SimilarityFlow};
 
 /// Rows of a reference, with its columns by name.
 struct Reference {
@@ -10,7 +10,7 @@ struct Reference {
 
 impl Reference {
     fn read(path: &str) -> Reference {
-        let file = format!("{}/reference/{path}", env!("CARGO_MANIFEST_DIR"));
+        let file = format!("{}/../scenarios/cases/reference/{path}", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(file).expect("a reference");
         let mut lines = text.lines().filter(|l| !l.starts_with('#'));
         let head = lines.next().expect("a head").split(',').map(String::from).collect();

@@ -3,8 +3,8 @@
 
 use evidence::load::Handled;
 use evidence::statistics::Noise;
-use fsi_coupling::fill::{Basin, Tiling};
-use fsi_coupling::pose::Rigid;
+use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Outline, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank, WettedBody};
 
 /// Spacing of the boundary particles [m].

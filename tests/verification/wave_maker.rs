@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use evidence::systems::advance;
-use fsi_coupling::fill::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
 use sph_core::{Fluid, Parameters, Seed};
 

@@ -1,6 +1,6 @@
 //! `splashdown stability`: where a method is stable, inaccurate or fails, over two parameters, and where theory says so.
 //!
-//! A map is a TOML file in `tests/maps`: a scene, two axes, what counts as inaccurate and as failed, and the name of a
+//! A map is a TOML file in `scenarios/cases/maps`: a scene, two axes, what counts as inaccurate and as failed, and the name of a
 //! formula for the boundary ([`Theory`]). Every point is a run of its own on one thread, so that a map has the same bits
 //! however many of them run beside each other; `--point X,Y` runs one again.
 
@@ -29,7 +29,7 @@ pub use sweep::{Point, foretold, point, sweep};
 pub use theory::Theory;
 pub use verdict::{Bound, Verdict};
 
-static MAPS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/maps");
+static MAPS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
 
 /// A map, measured.
 #[derive(Clone, Debug, Deserialize, Serialize)]

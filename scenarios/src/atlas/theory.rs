@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::acoustics::{Medium, largest_courant};
 use super::lattice::{filling, gain_of_pairs, neighbours};
 use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, panel_exchanges};
-use fsi_coupling::polygon;
+use fsi_coupling::geometry::polygon;
 
 /// By so many spacings a cylinder seems smaller to a shove of one step (PB5) [-].
 const SHORT_RADIUS: f64 = 0.8;

@@ -10,7 +10,7 @@ use super::ChartError;
 use crate::embedded;
 use crate::summary::Summary;
 
-static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/charts");
+static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/charts");
 
 /// What is charted.
 #[derive(Clone, Debug, Deserialize, Serialize)]

@@ -13,10 +13,10 @@ use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::scene::{self, Bottom, Kernel, Motion, Norm, Scene, SceneError, Shape};
 use crate::summary::Summary;
 
-/// The charts of this program, as `splashdown chart --all --fits tests/charts/fits.json` wrote them.
+/// The charts of this program, as `splashdown chart --all --fits scenarios/cases/charts/fits.json` wrote them.
 static CHARTED: LazyLock<Vec<ChartFit>> = LazyLock::new(|| {
-    serde_json::from_str(include_str!("../../../tests/charts/fits.json"))
-        .expect("tests/charts/fits.json is a list of fits")
+    serde_json::from_str(include_str!("../../cases/charts/fits.json"))
+        .expect("scenarios/cases/charts/fits.json is a list of fits")
 });
 
 /// Standard deviations above the law that 90 % of lognormally scattered errors stay below [-].

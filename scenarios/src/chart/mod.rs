@@ -1,6 +1,6 @@
 //! `splashdown chart`: what an answer costs, and how wrong it is, for each way to get it.
 //!
-//! A chart is a TOML file in `tests/charts`: a scene, numbers of its `summary.json` whose true values are known, and
+//! A chart is a TOML file in `scenarios/cases/charts`: a scene, numbers of its `summary.json` whose true values are known, and
 //! families of runs, each of one solver or setting at growing effort. Every run is made on this machine and gives all
 //! numbers; its JSON draws the chart again without a run.
 

@@ -1,4 +1,4 @@
-//! Points of other programs, where somebody measured them: `tests/reference/peers`.
+//! Points of other programs, where somebody measured them: `scenarios/cases/reference/peers`.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use super::ChartError;
 use super::case::Reading;
 use crate::embedded;
 
-static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/reference/peers");
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference/peers");
 
 /// A program's runs of a charted case.
 #[derive(Clone, Debug, Deserialize)]

@@ -39,7 +39,9 @@ pub(super) fn run_bands(cli: &Cli, args: &BandsArgs) -> Result<u8, Stop> {
         false => say(format_args!("{}", table.trim_end())),
     }
     if let Some(path) = &args.table {
-        let text = format!("# Error bars\n\nWritten by `splashdown bands --all --table tests/BANDS.md`.\n\n{table}");
+        let text = format!(
+            "# Error bars\n\nWritten by `splashdown bands --all --table docs/src/validation/error_bars.md`.\n\n{table}"
+        );
         std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
     }
     Ok(DONE)

@@ -9,7 +9,7 @@ use crate::chart::{self, ChartError, Measured};
 
 #[derive(Args)]
 pub(super) struct ChartArgs {
-    /// Charts to measure: names of built-in ones, or TOML files like those in tests/charts.
+    /// Charts to measure: names of built-in ones, or TOML files like those in scenarios/cases/charts.
     cases: Vec<String>,
     /// Measure every chart.
     #[arg(long, conflicts_with = "cases")]

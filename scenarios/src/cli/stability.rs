@@ -9,7 +9,7 @@ use crate::atlas::{self, AtlasError, Map, Measured};
 
 #[derive(Args)]
 pub(super) struct StabilityArgs {
-    /// Maps to make: names of built-in ones, or TOML files like those in tests/maps.
+    /// Maps to make: names of built-in ones, or TOML files like those in scenarios/cases/maps.
     maps: Vec<String>,
     /// Make every map.
     #[arg(long, conflicts_with = "maps")]
@@ -73,7 +73,7 @@ pub(super) fn run_maps(cli: &Cli, args: &StabilityArgs) -> Result<u8, Stop> {
     Ok(DONE)
 }
 
-const HEAD: &str = "# Stability atlas\n\nWritten by `splashdown stability --all --table tests/ATLAS.md`. · stable, ~ inaccurate, **×** \
+const HEAD: &str = "# Stability atlas\n\nWritten by `splashdown stability --all --table docs/src/validation/stability_maps.md`. · stable, ~ inaccurate, **×** \
                     failed; in brackets where theory says otherwise. The last column counts the cells between the boundary found \
                     and the theory's.\n\n";
 

@@ -1,6 +1,8 @@
 //! What a landing must keep to, and the values that it leaves open.
 
-use fsi_coupling::theory::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, Station, Water, Wing};
+use fsi_coupling::entry_theory::ditching::{
+    Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, Station, Water, Wing,
+};
 
 use super::model::{Scene, StationKeys};
 use crate::scene::problem::{Problem, not_negative, positive, required, within, word};

@@ -1,6 +1,6 @@
 //! A landing as its file says it; what the file leaves out is filled in when it is read.
 
-use fsi_coupling::theory::Rung;
+use fsi_coupling::entry_theory::Rung;
 use serde::{Deserialize, Serialize};
 
 /// A landing. Its keys are described in [`keywords`](super::keywords()).
@@ -128,7 +128,7 @@ pub struct StationKeys {
 }
 
 mod usual {
-    use fsi_coupling::theory::Rung;
+    use fsi_coupling::entry_theory::Rung;
 
     pub fn model() -> Rung {
         Rung::Mlm

@@ -1,6 +1,6 @@
 //! `report.html` of a landing: numbers, curves, the fuselage on the water at a few moments.
 
-use fsi_coupling::theory::ditching::{Fuselage, Moment};
+use fsi_coupling::entry_theory::ditching::{Fuselage, Moment};
 
 use super::check::hull;
 use super::model::Scene;

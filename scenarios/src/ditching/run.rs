@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use fsi_coupling::theory::ditching::Run;
+use fsi_coupling::entry_theory::ditching::Run;
 
 use super::check::{hull, landing};
 use super::model::Scene;

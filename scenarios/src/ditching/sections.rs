@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use fsi_coupling::theory::ditching::{Bearing, Entering, Form, Hull};
+use fsi_coupling::entry_theory::ditching::{Bearing, Entering, Form, Hull};
 use serde::Serialize;
 
 use super::check::hull;

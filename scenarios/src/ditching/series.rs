@@ -1,6 +1,6 @@
 //! `series.csv` of a landing: a row per sample.
 
-use fsi_coupling::theory::ditching::Moment;
+use fsi_coupling::entry_theory::ditching::Moment;
 
 /// Reads a column from a moment; m g is given.
 type Read = fn(&Moment, f64) -> f64;

@@ -1,6 +1,6 @@
 //! `summary.json` of a landing.
 
-use fsi_coupling::theory::ditching::{Ended, Run};
+use fsi_coupling::entry_theory::ditching::{Ended, Run};
 use serde::Serialize;
 
 use super::model::Scene;

@@ -1,7 +1,7 @@
 //! A wedge whose faces bend, by Wagner's load on a modal beam (THEORY HM1–HM5).
 
 use fsi_coupling::PanelEnd;
-use fsi_coupling::theory::{Bent, ElasticWedge, Held, Instant, OutOfRange, Rung};
+use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Instant, OutOfRange, Rung};
 
 use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 

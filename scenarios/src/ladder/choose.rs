@@ -1,6 +1,6 @@
 //! `model = "auto"`: the cheapest model that is near enough where it was measured.
 
-use fsi_coupling::theory::Rung;
+use fsi_coupling::entry_theory::Rung;
 
 use super::{Assessment, Measured, Want, rungs};
 use crate::chart::charted_error;

@@ -1,6 +1,6 @@
 //! How far off a model was where it was measured, in the case that is nearest to a scene.
 
-use fsi_coupling::theory::{Rung, Section, SimilarityFlow};
+use fsi_coupling::entry_theory::{Rung, Section, SimilarityFlow};
 
 use super::{Theory, Want};
 use crate::compare;

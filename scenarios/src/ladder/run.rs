@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Instant as Clock;
 
-use fsi_coupling::theory::Instant;
+use fsi_coupling::entry_theory::Instant;
 
 use super::{Measured, Theory, Want, measured};
 use crate::compare::{self, ReferenceCurve};

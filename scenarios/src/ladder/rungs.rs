@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use fsi_coupling::theory::{OutOfRange, Rung};
+use fsi_coupling::entry_theory::{OutOfRange, Rung};
 use serde::Serialize;
 
 use super::{Measured, Theory, Want, measured};

@@ -1,10 +1,10 @@
 //! A scene as an entry theory sees it.
 
-use fsi_coupling::theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
+use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
 
 use super::bent::Faces;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
-use fsi_coupling::polygon;
+use fsi_coupling::geometry::polygon;
 
 /// Width of the window that means are taken over, the last fifth of the run.
 const LATE: f64 = 0.8;

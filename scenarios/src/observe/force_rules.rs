@@ -1,6 +1,6 @@
 //! Four rules for the force on the body, compared over a run (THEORY W7): the check ∫ p dA = the body's force.
 
-use fsi_coupling::force_rules::{RULES, force_rules};
+use fsi_coupling::coupling::force_rules::{RULES, force_rules};
 use serde::Serialize;
 
 use super::{Frame, ObserveError, Observer};

@@ -1,6 +1,6 @@
 //! The ladder in a report: what every theory says of the same scene, over one another.
 
-use fsi_coupling::theory::Rung;
+use fsi_coupling::entry_theory::Rung;
 
 use super::row;
 use crate::ladder::{Assessment, Theory, Want, rungs};

@@ -1,7 +1,7 @@
 //! The size of the work, before any particle exists.
 
 use super::model::{Scene, Symmetry, WallModel};
-use fsi_coupling::polygon;
+use fsi_coupling::geometry::polygon;
 
 /// Memory per particle of a run [bytes]: 242 for state, scratch and neighbour lists (`bench`), the rest while the water is
 /// laid out and for what the log and the report keep; 430 measured between runs of 87 000 and 334 000 particles.

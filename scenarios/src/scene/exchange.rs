@@ -1,6 +1,6 @@
 //! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY C8).
 
-use fsi_coupling::polygon;
+use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
 
 use super::model::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry};

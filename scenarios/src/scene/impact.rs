@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use super::model::{Body, Motion};
 use fsi_coupling::Shape;
-use fsi_coupling::polygon;
+use fsi_coupling::geometry::polygon;
 
 /// Least deadrise that a flat or nearly flat face counts with [deg]: below it trapped air, absent here, takes over.
 pub const LEAST_DEADRISE_DEG: f64 = 4.0;

@@ -1,6 +1,6 @@
 //! The resolved scene: plain data, every number known.
 
-pub use fsi_coupling::fill::Lattice;
+pub use fsi_coupling::geometry::layout::Lattice;
 use serde::{Deserialize, Serialize};
 
 pub use super::model_coupling::{Coupling, CouplingScheme};
@@ -15,8 +15,8 @@ use super::impact::Entry;
 pub use super::model_panel::Panel;
 pub use super::model_projection::Projection;
 use fsi_coupling::Shape;
-use fsi_coupling::polygon;
-pub use fsi_coupling::theory::Rung;
+pub use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::geometry::polygon;
 pub use sph_core::{Solver, ThesisSettings};
 
 /// A scene as it is run. It serialises to TOML with the keys of a scene file, and that text loads to the same scene.

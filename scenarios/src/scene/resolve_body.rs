@@ -5,7 +5,7 @@ use super::model::{Body, Freedom, Motion, Oscillation, Symmetry};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use super::resolve_panel::resolve_panels;
 use fsi_coupling::Shape;
-use fsi_coupling::polygon;
+use fsi_coupling::geometry::polygon;
 
 /// Side height over breadth, where the scene does not say.
 const SIDE_OVER_BREADTH: f64 = 0.25;

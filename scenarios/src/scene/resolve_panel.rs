@@ -6,7 +6,7 @@ use super::model_panel::{Panel, TheoryName};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
-use fsi_coupling::course::Course;
+use fsi_coupling::geometry::polyline::Course;
 
 /// Elements, where the scene does not say: so many, or fewer that none is shorter than two spacings, but some in any case.
 const ELEMENTS: [f64; 2] = [8.0, 24.0];

@@ -1,6 +1,6 @@
 //! Water that does not start as a level rectangle (THEORY Q1, Q2): its keys, and what they must fit.
 
-use fsi_coupling::water_surface::WaterSurface;
+use fsi_coupling::geometry::water_surface::WaterSurface;
 
 use super::file::TankFile;
 use super::model::{Block, Scene, Symmetry, Tank};

@@ -1,6 +1,6 @@
 //! `splashdown bands`: how often the error bar of a convergence study holds an exact value.
 //!
-//! A case is a TOML file in `tests/bands`: a scene and numbers of its `summary.json` whose exact values are known.
+//! A case is a TOML file in `scenarios/cases/bands`: a scene and numbers of its `summary.json` whose exact values are known.
 
 use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use crate::run::{self, RunOptions};
 use crate::scene;
 use crate::summary::Status;
 
-static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/bands");
+static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
 
 /// A scene with exact answers.
 #[derive(Clone, Debug, Deserialize)]

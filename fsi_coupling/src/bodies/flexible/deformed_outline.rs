@@ -1,0 +1,104 @@
+//! The outline of a flexible body as it is deformed, for contact, pictures and the count of strayed particles.
+
+use crate::bodies::flexible::model::Model;
+use crate::bodies::flexible::surface_map::{Carriage, Carrier, Nodal};
+use crate::bodies::rigid_motion::{Rigid, rotate};
+use crate::geometry::outline::Outline;
+use crate::geometry::polyline::Course;
+
+/// A corner of the outline, with what carries it: that of its image, where it is the left half's.
+struct Corner {
+    carrier: Carrier,
+    image: bool,
+}
+
+/// Corners close enough to show the panels' bending.
+pub(crate) struct Skin {
+    loops: Vec<Vec<Corner>>,
+}
+
+impl Skin {
+    /// Of an outline [m, body's frame]; with `half` its left half is carried by the right one's image.
+    pub fn new(outline: &Outline, model: &Model, half: bool) -> Skin {
+        let element = (0..model.panels.iter().map(|p| p.elements.len()).sum::<usize>())
+            .map(|e| model.carriage.surface.length(e))
+            .fold(f64::INFINITY, f64::min);
+        let corner = |at: [f64; 2]| {
+            let image = half && at[0] < 0.0;
+            let at = if image { [-at[0], at[1]] } else { at };
+            Corner { carrier: model.carrier(at, at, [0.0; 2]), image }
+        };
+        let divided = |corners: &Vec<[f64; 2]>| {
+            let n = corners.len();
+            let points = (0..n).flat_map(|k| {
+                let (a, b) = (corners[k], corners[(k + 1) % n]);
+                let parts = ((b[0] - a[0]).hypot(b[1] - a[1]) / element).ceil().max(1.0) as usize;
+                (0..parts).map(move |i| [0, 1].map(|axis| a[axis] + i as f64 / parts as f64 * (b[axis] - a[axis])))
+            });
+            // between the corners themselves only places that bend
+            let bends = |at: &[f64; 2]| corners.contains(at) || matches!(corner(*at).carrier, Carrier::Beam(_));
+            points.filter(bends).map(corner).collect()
+        };
+        Skin { loops: outline.loops().iter().map(divided).collect() }
+    }
+
+    /// The outline in the body's frame [m] when the nodes are displaced by q and the frame is where it is.
+    pub fn outline(&self, carriage: &Carriage, q: Nodal, frame: &Rigid) -> Option<Outline> {
+        let place = |corner: &Corner| {
+            let [x, y] = carriage.place(&corner.carrier, q).at;
+            let [x, y] = rotate([x - frame.pole[0], y - frame.pole[1]], -frame.angle);
+            if corner.image { [-x, y] } else { [x, y] }
+        };
+        let loops: Vec<Vec<[f64; 2]>> = self.loops.iter().map(|l| l.iter().map(place).collect()).collect();
+        Outline::deformed(loops)
+    }
+
+    /// The corners at the ends of the side that a place of the outline lies on, each with its share of it.
+    fn ends(&self, outline: &Outline, at: [f64; 2]) -> [(&Corner, f64); 2] {
+        let mut best = (f64::INFINITY, 0, 0.0);
+        for (k, corners) in outline.loops().iter().enumerate() {
+            let course = Course::closed(corners);
+            let (s, distance) = course.nearest(at);
+            if distance < best.0 {
+                best = (distance, k, s);
+            }
+        }
+        let (_, k, s) = best;
+        let (side, t) = Course::closed(&outline.loops()[k]).piece(s);
+        let corners = &self.loops[k];
+        [(&corners[side], 1.0 - t), (&corners[(side + 1) % corners.len()], t)]
+    }
+
+    /// Velocity [m/s] of a place of the outline [m, body's frame].
+    pub fn velocity(
+        &self,
+        carriage: &Carriage,
+        outline: &Outline,
+        at: [f64; 2],
+        (q, rate): (Nodal, Nodal),
+    ) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for (corner, share) in self.ends(outline, at) {
+            let [u, v] = carriage.velocity(&corner.carrier, q, rate);
+            let u = if corner.image { -u } else { u };
+            sum = [sum[0] + share * u, sum[1] + share * v];
+        }
+        sum
+    }
+
+    /// Carry a force or an impulse at a place of the outline to the nodes.
+    pub fn carry(
+        &self,
+        carriage: &Carriage,
+        outline: &Outline,
+        at: [f64; 2],
+        q: Nodal,
+        force: [f64; 2],
+        loads: &mut [[f64; 3]],
+    ) {
+        for (corner, share) in self.ends(outline, at) {
+            let x = if corner.image { -force[0] } else { force[0] };
+            carriage.carry(&corner.carrier, q, [share * x, share * force[1]], loads);
+        }
+    }
+}

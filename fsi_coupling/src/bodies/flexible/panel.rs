@@ -1,0 +1,135 @@
+//! Panels: the parts of a body's surface that bend.
+
+use serde::{Deserialize, Serialize};
+use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
+
+use crate::geometry::polyline::Course;
+
+/// How an end of a panel is held by the body's rigid frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PanelEnd {
+    /// Moves and turns with it.
+    #[default]
+    Clamped,
+    /// Moves with it, and turns freely.
+    Pinned,
+    /// Moves with it across the panel, slides along it, and turns freely: no membrane force.
+    Sliding,
+    /// Not held.
+    Free,
+    /// On the plane of symmetry x = 0: moves along it and does not turn. Not held by the frame.
+    Mirror,
+}
+
+/// A panel: a strip of plate along a part of a body's outline, or of a thin wall's middle line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanelSpec {
+    /// Name, as in output columns.
+    pub name: String,
+    /// Where it starts and ends on the line [m, body's frame]; along a closed outline counter-clockwise.
+    pub span: [[f64; 2]; 2],
+    /// Number of elements.
+    pub elements: usize,
+    /// Thickness [m]. Along an outline the water is on its outside, and the middle line half of it further in.
+    pub thickness: f64,
+    /// What it is made of.
+    pub material: Material,
+    /// Beam theory.
+    pub theory: Theory,
+    /// How it yields in bending, if it does; Euler and Bernoulli's theory only.
+    pub plasticity: Option<Plasticity>,
+    /// Strain of an outer fibre at which an end breaks off [-], if it may.
+    pub rupture_strain: Option<f64>,
+    /// Stress that it may bear, for the reserve factor [Pa].
+    pub allowable_stress: Option<f64>,
+    /// How its ends are held.
+    pub ends: [PanelEnd; 2],
+    /// Places whose motion is reported, as shares of its length [-].
+    pub watch: Vec<f64>,
+}
+
+/// A panel with its elements in the model of the body.
+#[derive(Clone, Debug)]
+pub(crate) struct Panel {
+    pub spec: PanelSpec,
+    /// Running lengths of its ends along the body's line [m].
+    pub reach: [f64; 2],
+    /// Its elements.
+    pub elements: std::ops::Range<usize>,
+    /// Its nodes.
+    pub nodes: std::ops::Range<usize>,
+}
+
+impl Panel {
+    /// The panel along a line; its nodes [m, body's frame] and elements are added to the model's.
+    pub fn along(line: &Course, spec: &PanelSpec, nodes: &mut Vec<[f64; 2]>, elements: &mut Vec<Element>) -> Panel {
+        let reach = spec.span.map(|end| line.nearest(end).0);
+        let part = line.part(reach[0], reach[1]);
+        let inwards = if line.is_closed() { 0.5 * spec.thickness } else { 0.0 };
+        let (first, first_element) = (nodes.len(), elements.len());
+        for k in 0..=spec.elements {
+            let s = part.length() * k as f64 / spec.elements as f64;
+            let (at, left) = (part.at(s), part.left(s));
+            nodes.push([0, 1].map(|i| at[i] + inwards * left[i]));
+        }
+        for k in 0..spec.elements {
+            let (nodes, section) = ([first + k, first + k + 1], Section::strip(spec.thickness));
+            elements.push(Element { nodes, material: spec.material, section });
+        }
+        Panel { spec: spec.clone(), reach, elements: first_element..elements.len(), nodes: first..nodes.len() }
+    }
+
+    /// Tie its ends to the frame's node.
+    pub fn hold(&self, frame: usize, supports: &mut Supports) {
+        for (end, node) in self.spec.ends.iter().zip([self.nodes.start, self.nodes.end - 1]) {
+            match end {
+                PanelEnd::Clamped => supports.link(frame, node),
+                PanelEnd::Pinned | PanelEnd::Sliding => supports.link_pinned(frame, node),
+                PanelEnd::Free => supports,
+                PanelEnd::Mirror => supports.fix(node, Dof::U).fix(node, Dof::Theta),
+            };
+            let held = matches!(end, PanelEnd::Clamped | PanelEnd::Pinned | PanelEnd::Sliding);
+            if let Some(strain) = self.spec.rupture_strain.filter(|_| held) {
+                supports.breakable(node, Rupture::FibreStrain(strain));
+            }
+        }
+    }
+
+    /// Theory of its elements, and ends that slide.
+    pub fn formulate(&self, mut beam: Beam) -> Result<Beam, structure_fe::Error> {
+        for element in self.elements.clone() {
+            beam = beam.with_theory_of(element, self.spec.theory)?;
+            if let Some(plasticity) = self.spec.plasticity {
+                beam = beam.with_plasticity_of(element, plasticity)?;
+            }
+        }
+        for (end, element) in self.spec.ends.iter().zip([self.elements.start, self.elements.end - 1]) {
+            if *end == PanelEnd::Sliding {
+                beam = beam.with_axial_release(element)?;
+            }
+        }
+        Ok(beam)
+    }
+
+    /// The element and the share of it [-] at a share of the panel.
+    pub fn element_at(&self, share: f64) -> (usize, f64) {
+        let along = share.clamp(0.0, 1.0) * self.spec.elements as f64;
+        let element = (along.floor() as usize).min(self.spec.elements - 1);
+        (self.elements.start + element, along - element as f64)
+    }
+
+    /// Largest stress of an outer fibre at the ends of its elements, by magnitude [Pa]; `sections` are the whole model's.
+    pub fn stress(&self, beam: &Beam, sections: &[SectionForces]) -> f64 {
+        let of = |element: usize| {
+            let section = beam.elements()[element].section;
+            let half = 0.5 * section.thickness();
+            let ends = &sections[2 * element..2 * element + 2];
+            ends.iter().flat_map(move |end| [half, -half].map(|eta| end.fibre_stress(&section, eta)))
+        };
+        self.elements
+            .clone()
+            .flat_map(of)
+            .fold(0.0, |most, stress| if stress.abs() > f64::abs(most) { stress } else { most })
+    }
+}

@@ -1,0 +1,131 @@
+//! What panels do now, and what they have borne so far.
+
+use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, Range, SectionForces, State};
+
+use crate::bodies::flexible::panel::Panel;
+use crate::bodies::flexible::surface_map::Carriage;
+use crate::bodies::rigid_motion::{Rigid, rotate};
+
+/// What a panel does at a place that is watched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watched {
+    /// The place: share of the panel's length [-].
+    pub share: f64,
+    /// Displacement against the rigid frame, in its axes [m].
+    pub displacement: [f64; 2],
+    /// Its part across the undeformed panel, to the left: away from the water along an outline [m].
+    pub deflection: f64,
+    /// Section forces of the element, between its ends' [N/m, N/m, N].
+    pub section: SectionForces,
+    /// Strain of the fibres at the left and right face, plastic strain included [-].
+    pub strain: [f64; 2],
+}
+
+/// What a panel does now.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanelState {
+    /// Its name.
+    pub name: String,
+    /// At the places that are watched.
+    pub watched: Vec<Watched>,
+    /// Largest stress along it in an outer fibre at an element's end, by magnitude [Pa].
+    pub stress: f64,
+    /// What it has borne so far.
+    pub worst: Worst,
+    /// What has broken of it, in the order in which it did.
+    pub ruptures: Vec<Break>,
+}
+
+/// Smallest and largest values over a panel and over the steps so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// Normal force [N/m].
+    pub normal: Range,
+    /// Shear force [N/m].
+    pub shear: Range,
+    /// Bending moment [N].
+    pub moment: Range,
+    /// Stress of outer fibres [Pa].
+    pub stress: Range,
+    /// Their strain, plastic strain included [-].
+    pub strain: Range,
+    /// Allowable stress over the largest [-]; `None` where none is given.
+    pub reserve_factor: Option<f64>,
+    /// Largest plastic curvature left in it now, by magnitude [1/m].
+    pub plastic_curvature: f64,
+}
+
+/// What one panel does.
+pub(crate) fn state_of(
+    panel: &Panel,
+    (dynamics, carriage): (&Dynamics, &Carriage),
+    nodes: &State,
+    frame: &Rigid,
+    envelope: &Envelope,
+) -> PanelState {
+    let (sections, strains) = (dynamics.section_forces(nodes), dynamics.fibre_strains(nodes));
+    let still = vec![[0.0; 3]; nodes.displacement.len()];
+    let watched = panel.spec.watch.iter().map(|&share| {
+        let (element, t) = panel.element_at(share);
+        let perch = carriage.surface.on_element(element, t);
+        let (at, rest) = (carriage.surface.place(&perch, &nodes.displacement), carriage.surface.place(&perch, &still));
+        // the place as the frame alone would have carried it
+        let carried = carriage.place(&carriage.on_frame(rest.at, rest.normal), &nodes.displacement);
+        let moved = [0, 1].map(|k| at.at[k] - carried.at[k]);
+        let [first, second] = [2 * element, 2 * element + 1];
+        let [right, left] =
+            [0, 1].map(|side| strains[first][side] + t * (strains[second][side] - strains[first][side]));
+        Watched {
+            share,
+            displacement: rotate(moved, -frame.angle),
+            deflection: moved[0] * carried.normal[0] + moved[1] * carried.normal[1],
+            section: between(&sections[first], &sections[second], t),
+            strain: [left, right],
+        }
+    });
+    PanelState {
+        name: panel.spec.name.clone(),
+        watched: watched.collect(),
+        stress: panel.stress(dynamics.beam(), &sections),
+        worst: worst(panel, nodes, envelope),
+        ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
+    }
+}
+
+fn worst(panel: &Panel, nodes: &State, envelope: &Envelope) -> Worst {
+    let ends = &envelope.ends[2 * panel.elements.start..2 * panel.elements.end];
+    let over = |of: fn(&EndEnvelope) -> Range| ends[1..].iter().map(of).fold(of(&ends[0]), wider);
+    let stress = over(|end| end.fibre_stress);
+    let plastic = nodes.plastic_curvature.get(panel.elements.clone()).into_iter().flatten().flatten();
+    Worst {
+        normal: over(|end| end.normal),
+        shear: over(|end| end.shear),
+        moment: over(|end| end.moment),
+        stress,
+        strain: over(|end| end.fibre_strain),
+        reserve_factor: panel.spec.allowable_stress.map(|allowable| allowable / stress.largest()),
+        plastic_curvature: plastic.fold(0.0, |most, kappa| f64::max(most, kappa.abs())),
+    }
+}
+
+/// The range that holds two.
+fn wider(a: Range, b: Range) -> Range {
+    let mut both = a;
+    if b.least < a.least {
+        (both.least, both.time_of_least) = (b.least, b.time_of_least);
+    }
+    if b.most > a.most {
+        (both.most, both.time_of_most) = (b.most, b.time_of_most);
+    }
+    both
+}
+
+/// Section forces a share t of the way from an element's first end to its second.
+fn between(first: &SectionForces, second: &SectionForces, t: f64) -> SectionForces {
+    let mix = |a: f64, b: f64| a + t * (b - a);
+    SectionForces {
+        normal: mix(first.normal, second.normal),
+        shear: mix(first.shear, second.shear),
+        moment: mix(first.moment, second.moment),
+    }
+}

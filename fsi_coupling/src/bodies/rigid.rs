@@ -1,0 +1,324 @@
+//! A free rigid body, moved by rapier. The only file that knows rapier.
+//!
+//! rapier is set for physics, not games: no gravity of its own, one solver iteration (its user force is
+//! frozen over iterations, which feeds energy into stiff external forces), no sleeping, no velocity cap,
+//! no continuous collision surprises, mass properties given. A step is kick–drift–kick with impulses
+//! (THEORY E20): second order, and the same impulses that the fluid's kicks carry.
+
+use std::f64::consts::{PI, TAU};
+
+use rapier2d::prelude::*;
+use sph_core::walls::Resultant;
+use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
+
+use crate::bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
+use crate::bodies::rigid_interface::RigidYield;
+use crate::bodies::rigid_motion::{Rigid, Shape};
+use crate::geometry::outline::Outline;
+use crate::geometry::rows::Arrangement;
+
+/// A rigid body to be built; everything per metre of span.
+#[derive(Clone)]
+pub struct RigidSpec {
+    /// Name, as in output columns.
+    pub name: String,
+    /// Outline in the body's frame [m].
+    pub outline: Outline,
+    /// Mass [kg/m].
+    pub mass: f64,
+    /// Moment of inertia about the centre of mass [kg m²/m].
+    pub inertia: f64,
+    /// Centre of mass in the body's frame [m].
+    pub center_of_mass: [f64; 2],
+    /// Which of x, y, angle are free; the others are held by a guide.
+    pub free: [bool; 3],
+    /// Origin of the body's frame at the start [m].
+    pub position: [f64; 2],
+    /// Angle at the start [rad].
+    pub angle: f64,
+    /// Velocity of the origin at the start [m/s].
+    pub velocity: [f64; 2],
+    /// Angular velocity at the start [rad/s].
+    pub spin: f64,
+    /// Gravity [m/s²].
+    pub gravity: [f64; 2],
+    /// Simulate the half x > 0 of a symmetric body.
+    pub half: bool,
+}
+
+/// See the module's text.
+pub struct RigidBody2d {
+    spec: RigidSpec,
+    world: PhysicsWorld,
+    handle: RigidBodyHandle,
+    shape: Shape,
+    angle: f64,
+    now: Resultant,
+    mean: Resultant,
+    kicked: Resultant,
+    external: [f64; 2],
+    work: f64,
+    time: f64,
+    saved: Option<Saved>,
+}
+
+/// State to return to.
+struct Saved {
+    pose: Pose,
+    angle: f64,
+    linear: Vector,
+    angular: f64,
+    loads: [Resultant; 3],
+    external: [f64; 2],
+    work: f64,
+    time: f64,
+}
+
+impl RigidBody2d {
+    /// Build the body; mass must be positive, and inertia too where rotation is free.
+    pub fn new(spec: RigidSpec) -> Result<RigidBody2d, BodyError> {
+        let wrong = |quantity, given| BodyError::Inertia { name: spec.name.clone(), quantity, given };
+        if !(spec.mass > 0.0 && spec.mass.is_finite()) {
+            return Err(wrong("mass", spec.mass));
+        }
+        if spec.free[2] && !(spec.inertia > 0.0 && spec.inertia.is_finite()) {
+            return Err(wrong("inertia", spec.inertia));
+        }
+        let mut world = PhysicsWorld::new();
+        world.gravity = Vector::ZERO;
+        world.integration_parameters.num_solver_iterations = 1;
+        world.integration_parameters.max_ccd_substeps = 0;
+        world.integration_parameters.normalized_max_linear_velocity = f64::MAX;
+        let com = spec.center_of_mass;
+        let start = Rigid {
+            pole: spec.position,
+            angle: spec.angle,
+            velocity: spec.velocity,
+            spin: spec.spin,
+            ..Rigid::default()
+        };
+        let v = start.point_velocity(com);
+        let inertia = if spec.free[2] { spec.inertia } else { spec.inertia.max(spec.mass) };
+        let body = RigidBodyBuilder::dynamic()
+            .translation(Vector::new(spec.position[0], spec.position[1]))
+            .rotation(spec.angle)
+            .linvel(Vector::new(v[0], v[1]))
+            .angvel(spec.spin)
+            .additional_mass_properties(MassProperties::new(Vector::new(com[0], com[1]), spec.mass, inertia))
+            .can_sleep(false)
+            .allow_fast_rotation(true);
+        let handle = world.insert_body(body);
+        let body = &mut world.bodies[handle];
+        body.set_enabled_translations(spec.free[0], spec.free[1], true);
+        body.lock_rotations(!spec.free[2], true);
+        body.recompute_mass_properties_from_colliders(&world.colliders);
+        let shape = Shape::new(spec.outline.clone(), com, spec.half);
+        Ok(RigidBody2d {
+            angle: spec.angle,
+            spec,
+            world,
+            handle,
+            shape,
+            now: Resultant::default(),
+            mean: Resultant::default(),
+            kicked: Resultant::default(),
+            external: [0.0; 2],
+            work: 0.0,
+            time: 0.0,
+            saved: None,
+        })
+    }
+
+    /// Motion of the centre of mass under the load now and gravity, guides holding what is not free.
+    fn rigid(&self) -> Rigid {
+        let (body, spec) = (&self.world.bodies[self.handle], &self.spec);
+        let (com, v) = (body.center_of_mass(), body.linvel());
+        let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
+        Rigid {
+            pole: [com.x, com.y],
+            angle: self.angle,
+            velocity: [v.x, v.y],
+            spin: body.angvel(),
+            acceleration: [0, 1].map(|k| free(k, self.now.force[k] / spec.mass + spec.gravity[k])),
+            spin_rate: free(2, self.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
+        }
+    }
+
+    /// Add the step's turn to the angle, which counts whole turns; rapier's wraps at ±π.
+    fn follow_angle(&mut self) -> f64 {
+        let wrapped = self.world.bodies[self.handle].rotation().angle();
+        let turned = (wrapped - self.angle + PI).rem_euclid(TAU) - PI;
+        self.angle += turned;
+        turned
+    }
+
+    /// E20: give the body an impulse [N s/m] and an angular impulse; guides take their share. Keeps the ledger.
+    fn kick(&mut self, load: Resultant, dt: f64) {
+        let g = self.spec.gravity;
+        for k in 0..2 {
+            let weight = dt * self.spec.mass * g[k];
+            self.external[k] += if self.spec.free[k] { weight } else { -dt * load.force[k] };
+        }
+        let impulse = [0, 1].map(|k| dt * (load.force[k] + self.spec.mass * g[k]));
+        let body = &mut self.world.bodies[self.handle];
+        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
+        body.apply_torque_impulse(dt * load.moment, true);
+    }
+}
+
+impl WettedBody for RigidBody2d {
+    fn name(&self) -> &str {
+        &self.spec.name
+    }
+
+    fn arrange(&mut self, arrangement: Arrangement) {
+        self.shape.arrangement = arrangement;
+    }
+
+    fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
+        let motion = self.rigid();
+        Ok(self.shape.sample(&motion, spacing, layers))
+    }
+
+    fn place(&self, ahead: f64, out: WallsMut<'_>) {
+        self.shape.place(&self.rigid(), ahead, out);
+    }
+
+    fn screens(&self, ahead: f64) -> Vec<Screen> {
+        let now = self.rigid();
+        self.shape.screens(&now, &now.ahead(ahead))
+    }
+
+    fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+        let (now, spec) = (self.rigid(), &self.spec);
+        let ([x, y], inverse) = (now.acceleration, [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia));
+        let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
+        Ok(Some(Box::new(RigidYield {
+            pole: now.ahead(ahead).pole,
+            velocity: now.ahead(0.5 * ahead).velocity,
+            dt: ahead,
+            predicted: [x, y, now.spin_rate],
+            change: [0.0; 3],
+            mobility: [0, 1, 2].map(|k| free(k, inverse[k])),
+            free_fall: [free(0, spec.gravity[0]), free(1, spec.gravity[1]), 0.0],
+        })))
+    }
+
+    fn load(&mut self, force: WallForces<'_>) {
+        let pole = self.rigid().pole;
+        self.kicked = self.now;
+        (self.now, self.mean) = (force.resultant(pole), force.mean_resultant(pole));
+    }
+
+    fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
+        let before = self.rigid();
+        self.kick(self.kicked, 0.5 * dt);
+        self.world.integration_parameters.dt = dt;
+        self.world.step();
+        if !self.world.quarantine().is_empty() {
+            return Err(BodyError::NotFinite { name: self.spec.name.clone(), time: self.time + dt });
+        }
+        let com = self.world.bodies[self.handle].center_of_mass();
+        let moved = [com.x - before.pole[0], com.y - before.pole[1]];
+        let turned = self.follow_angle();
+        // what remains of the step's impulse after the first half kick, about where the centre of mass now is
+        let (mean, kicked) = (self.mean, self.kicked);
+        let rest = Resultant {
+            force: [0, 1].map(|k| 2.0 * mean.force[k] - kicked.force[k]),
+            moment: 2.0 * mean.moment - kicked.moment,
+        };
+        self.kick(rest.about(moved), 0.5 * dt);
+        self.now = self.now.about(moved);
+        self.work += mean.force[0] * moved[0] + mean.force[1] * moved[1];
+        self.work += 0.5 * (kicked.moment + rest.about(moved).moment) * turned;
+        self.time += dt;
+        Ok(())
+    }
+
+    fn save(&mut self) {
+        let body = &self.world.bodies[self.handle];
+        self.saved = Some(Saved {
+            pose: *body.position(),
+            angle: self.angle,
+            linear: body.linvel(),
+            angular: body.angvel(),
+            loads: [self.now, self.mean, self.kicked],
+            external: self.external,
+            work: self.work,
+            time: self.time,
+        });
+    }
+
+    fn restore(&mut self) {
+        let Some(saved) = &self.saved else { return };
+        let body = &mut self.world.bodies[self.handle];
+        body.set_position(saved.pose, true);
+        body.set_linvel(saved.linear, true);
+        body.set_angvel(saved.angular, true);
+        [self.now, self.mean, self.kicked] = saved.loads;
+        (self.angle, self.external, self.work, self.time) = (saved.angle, saved.external, saved.work, saved.time);
+        self.world.bodies[self.handle].recompute_mass_properties_from_colliders(&self.world.colliders);
+    }
+
+    fn energy(&self) -> Energy {
+        let (r, s) = (self.rigid(), &self.spec);
+        let v2 = r.velocity[0] * r.velocity[0] + r.velocity[1] * r.velocity[1];
+        Energy {
+            kinetic: 0.5 * (s.mass * v2 + if s.free[2] { s.inertia * r.spin * r.spin } else { 0.0 }),
+            potential: -s.mass * (s.gravity[0] * r.pole[0] + s.gravity[1] * r.pole[1]),
+            work: self.work,
+            ..Energy::default()
+        }
+    }
+
+    fn ledger(&self) -> Ledger {
+        let v = self.rigid().velocity;
+        let momentum = [0, 1].map(|k| if self.spec.free[k] { self.spec.mass * v[k] } else { 0.0 });
+        Ledger { momentum, external: self.external }
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        let r = self.rigid();
+        let origin = self.shape.origin();
+        let (position, arm) = (r.point(origin), crate::bodies::rigid_motion::rotate(origin, r.angle));
+        Some(Motion {
+            position,
+            angle: r.angle,
+            velocity: r.point_velocity(origin),
+            spin: r.spin,
+            acceleration: r.point_acceleration(origin),
+            force: self.now.force,
+            moment: self.now.about(arm).moment,
+        })
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        Some(&self.shape.outline)
+    }
+
+    fn clearance(&self, at: [f64; 2]) -> f64 {
+        self.shape.clearance(&self.rigid(), at)
+    }
+
+    fn surface(&self, at: [f64; 2]) -> Surface {
+        self.shape.surface(&self.rigid(), at)
+    }
+
+    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        let before = self.rigid();
+        let arm = [at[0] - before.pole[0], at[1] - before.pole[1]];
+        let body = &mut self.world.bodies[self.handle];
+        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
+        body.apply_torque_impulse(arm[0] * impulse[1] - arm[1] * impulse[0], true);
+        let after = self.rigid();
+        for k in 0..2 {
+            self.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
+            self.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
+        }
+        self.work += 0.5 * (before.spin + after.spin) * (arm[0] * impulse[1] - arm[1] * impulse[0]);
+    }
+
+    fn prescribed(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,51 @@
+//! Why a coupled run stops.
+
+use sph_core::Breakdown;
+
+use crate::bodies::body::BodyError;
+
+/// A coupled run cannot be set up or cannot go on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CouplingError {
+    /// The fluid broke down.
+    #[error(transparent)]
+    Fluid(#[from] Breakdown),
+    /// A body broke down.
+    #[error(transparent)]
+    Body(#[from] BodyError),
+    /// A body ran into another's wall: contact between solids is not modelled.
+    #[error(
+        "body `{body}` ran into `{wall}` at ({x:.6}, {y:.6}) m, t = {time:.6e} s: contact of solids is not modelled; \
+         give it more room or end the run earlier"
+    )]
+    Collision {
+        /// The body that moved.
+        body: String,
+        /// What it ran into.
+        wall: String,
+        /// Where [m].
+        x: f64,
+        /// Where [m].
+        y: f64,
+        /// When [s].
+        time: f64,
+    },
+    /// The bodies leave no room for water.
+    #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
+    NoFluid,
+    /// The iteration of a step did not agree.
+    #[error(
+        "coupling: after {iterations} iterations at t = {time:.6e} s fluid and bodies disagree by {residual:.3e} of the \
+         acceleration, tolerance {tolerance:.1e}: try coupling.scheme = \"added_mass\", or more iterations"
+    )]
+    NotConverged {
+        /// Iterations made.
+        iterations: u32,
+        /// Residual (THEORY C5) [-].
+        residual: f64,
+        /// Residual that was asked for [-].
+        tolerance: f64,
+        /// Start of the step [s].
+        time: f64,
+    },
+}

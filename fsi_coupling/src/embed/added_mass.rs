@@ -1,0 +1,71 @@
+//! How long may a step of the host be that takes the water's force as it comes? An estimate (THEORY D5).
+
+use std::f64::consts::PI;
+
+use super::spec::FluidElementSpec;
+use super::topology::Topology;
+use crate::geometry::polygon::bounding_box;
+
+/// The water's inertia against the host's masses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AddedMass {
+    /// Half a row of water over the mass it moves with [-]: from about 1 on no step of the host is short enough for an
+    /// explicit exchange. The worst node's, or that of all masses together.
+    pub row: f64,
+    /// The node that it is the worst of; none: all masses together, since some wet node has none of its own.
+    pub node: Option<usize>,
+    /// All the water that the surface can move over the mass it moves with [-]: below 1 any step will do.
+    pub all: f64,
+    /// Longest step of an explicit exchange [s]; infinite where any will do, 0 where none.
+    pub host_dt: f64,
+}
+
+impl AddedMass {
+    /// D5; `None` where the topology tells no masses.
+    pub(super) fn of(spec: &FluidElementSpec, topology: &Topology) -> Option<AddedMass> {
+        if topology.masses.iter().sum::<f64>() <= 0.0 {
+            return None;
+        }
+        let corners: Vec<[f64; 2]> = topology.sides().iter().flatten().map(|node| topology.nodes[*node]).collect();
+        let [low, high] = bounding_box(&corners);
+        let breadth = (high[0] - low[0]).max(high[1] - low[1]);
+        let mut wet = vec![0.0; topology.nodes.len()];
+        for [a, b] in topology.sides() {
+            let (p, q) = (topology.nodes[a], topology.nodes[b]);
+            let half = 0.5 * (q[0] - p[0]).hypot(q[1] - p[1]);
+            wet[a] += half;
+            wet[b] += half;
+        }
+        let of = |mass: f64, length: f64, node: Option<usize>| {
+            let row = 0.5 * spec.density * spec.spacing * length / mass;
+            let all = 0.25 * PI * spec.density * breadth * length / mass;
+            let sound = spec.density * spec.speed_of_sound() * length / mass;
+            let host_dt = if all + row < 1.0 { f64::INFINITY } else { ((1.0 - row) / sound).max(0.0) };
+            AddedMass { row, node, all, host_dt }
+        };
+        let own = wet.iter().zip(&topology.masses).enumerate().filter(|(_, (length, _))| **length > 0.0);
+        let each: Vec<AddedMass> = own.map(|(node, (length, mass))| of(*mass, *length, Some(node))).collect();
+        if each.iter().all(|a| a.row.is_finite()) {
+            return each.into_iter().max_by(|a, b| a.row.total_cmp(&b.row));
+        }
+        Some(of(topology.masses.iter().sum(), high[0] - low[0], None))
+    }
+
+    /// In words, where there is something to say.
+    pub(super) fn warning(&self) -> Option<String> {
+        let whose = self.node.map_or("of the whole".into(), |node| format!("of node {node}"));
+        match self.host_dt {
+            dt if dt.is_infinite() => None,
+            dt if dt <= 0.0 => Some(format!(
+                "half a row of water has {:.3} times the mass {whose}: a host that takes the force as it comes shakes at any \
+                 step; save, contribute, correct, restore and repeat until the force agrees, or take a finer spacing",
+                self.row
+            )),
+            dt => Some(format!(
+                "the water that moves with it has up to {:.3} times the mass {whose}: above steps of {dt:.3e} s a host that takes \
+                 the force as it comes may shake; keep below, or save, contribute, correct, restore and repeat",
+                self.all
+            )),
+        }
+    }
+}

@@ -1,0 +1,294 @@
+//! The host's nodes as a wetted body: their motion is given, their loads are collected (THEORY D1–D4).
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use sph_core::{WallForces, WallPoint, WallsMut};
+
+use super::path::Path;
+use super::skin::{Ends, Skin};
+use super::topology::Topology;
+use crate::bodies::beam_surface::Perch;
+use crate::bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
+use crate::geometry::outline::Outline;
+use crate::geometry::rows::Arrangement;
+
+/// A difference in time for accelerations, in steps of the water [-].
+const DIFFERENCE: f64 = 1e-3;
+/// Most straight pieces that the outline of a bent side is drawn with.
+const PIECES: f64 = 8.0;
+
+/// What the element and the body inside its [`Coupled`](crate::Coupled) share: the way of the nodes goes in, what the water
+/// gave them comes out.
+#[derive(Clone, Debug)]
+pub(super) struct Exchanged {
+    /// How the nodes move in this step of the host.
+    pub path: Path,
+    /// Time since its start [s].
+    pub elapsed: f64,
+    /// Impulses on the nodes since its start, `[nodes][J_x, J_y, L]` [N s/m, N s/m, N s].
+    pub impulse: Vec<[f64; 3]>,
+    /// Forces on the nodes now [N/m, N/m, N].
+    pub now: Vec<[f64; 3]>,
+    /// Work done on the nodes since the start of the run [J/m].
+    pub work: f64,
+    /// Impulse given to the system from outside since the start of the run [N s/m].
+    external: [f64; 2],
+    /// Mean forces of the step just taken on the boundary particles, and forces now [N/m].
+    pushed: Vec<[[f64; 2]; 2]>,
+}
+
+/// One exchange, held at both ends.
+#[derive(Clone)]
+pub(super) struct Shared(Arc<Mutex<Exchanged>>);
+
+impl Shared {
+    /// Before the first step.
+    pub fn new(path: Path) -> Shared {
+        let none = vec![[0.0; 3]; path.end().len()];
+        let (impulse, now) = (none.clone(), none);
+        let (elapsed, work, external, pushed) = (0.0, 0.0, [0.0; 2], Vec::new());
+        Shared(Arc::new(Mutex::new(Exchanged { path, elapsed, impulse, now, work, external, pushed })))
+    }
+
+    /// To be read and written; one end at a time.
+    pub fn open(&self) -> MutexGuard<'_, Exchanged> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// See the module's text.
+pub(super) struct HostBody {
+    skin: Skin,
+    /// At t = 0.
+    rest: Outline,
+    outline: Outline,
+    corners: Vec<Vec<Perch>>,
+    perches: Vec<Perch>,
+    arrangement: Arrangement,
+    shared: Shared,
+    saved: Option<(Exchanged, Outline)>,
+}
+
+impl HostBody {
+    /// Of a topology that has been checked, which encloses `rest`; `spacing` [m] divides the outline of bent sides.
+    pub fn new(topology: &Topology, rest: Outline, skin: Skin, spacing: f64, shared: Shared) -> HostBody {
+        let (mut corners, mut first) = (Vec::new(), 0);
+        for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
+            let (nodes, sides) = surface.counts();
+            let mut perches = Vec::new();
+            for side in first..first + sides {
+                let ends = [skin.start_of(side, 0), skin.start_of(side, 1)];
+                let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+                let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
+                perches.extend((0..pieces as usize).map(|k| Skin::on_side(side, k as f64 / pieces)));
+            }
+            if nodes > sides {
+                perches.push(Skin::on_side(first + sides - 1, 1.0));
+            }
+            perches.extend(corner_points[nodes..].iter().map(|at| skin.perch(*at, [0.0; 2])));
+            corners.push(perches);
+            first += sides;
+        }
+        let (outline, arrangement, perches) = (rest.clone(), Arrangement::default(), Vec::new());
+        HostBody { skin, rest, outline, corners, perches, arrangement, shared, saved: None }
+    }
+
+    /// Add the loads of forces on the boundary particles, mean (0) or now (1).
+    fn carry(&self, pushed: &[[[f64; 2]; 2]], which: usize, ends: &Ends) -> Vec<[f64; 3]> {
+        let mut loads = vec![[0.0; 3]; self.shared.open().impulse.len()];
+        self.skin.carry(self.perches.iter().zip(pushed.iter().map(|force| force[which])), ends, &mut loads);
+        loads
+    }
+
+    /// Time since the start of the host's step [s].
+    fn elapsed(&self) -> f64 {
+        self.shared.open().elapsed
+    }
+
+    fn ends(&self, elapsed: f64) -> Ends {
+        let nodes = self.shared.open().path.at(elapsed);
+        self.skin.ends(&nodes)
+    }
+}
+
+impl WettedBody for HostBody {
+    fn name(&self) -> &str {
+        "host"
+    }
+
+    fn arrange(&mut self, arrangement: Arrangement) {
+        self.arrangement = arrangement;
+    }
+
+    fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
+        let points = crate::geometry::sampling::sample(&self.rest, spacing, layers, false, self.arrangement);
+        self.perches = points.iter().map(|p| self.skin.perch(p.at, p.normal)).collect();
+        Ok(points)
+    }
+
+    fn place(&self, ahead: f64, out: WallsMut<'_>) {
+        let (elapsed, duration) = {
+            let shared = self.shared.open();
+            (shared.elapsed, shared.path.duration())
+        };
+        let (now, then) = (self.ends(elapsed), self.ends(elapsed + ahead));
+        let moment = DIFFERENCE * if ahead > 0.0 { ahead } else { duration };
+        let about = [self.ends(elapsed + ahead - moment), self.ends(elapsed + ahead + moment)];
+        for (k, perch) in self.perches.iter().enumerate() {
+            let place = self.skin.place(perch, &then);
+            [out.x[k], out.y[k]] = place.at;
+            [out.nx[k], out.ny[k]] = place.normal;
+            [out.u[k], out.v[k]] = if ahead > 0.0 {
+                let from = self.skin.place(perch, &now).at;
+                [0, 1].map(|axis| (place.at[axis] - from[axis]) / ahead)
+            } else {
+                self.skin.velocity(perch, &now)
+            };
+            [out.ax[k], out.ay[k]] = if moment > 0.0 {
+                let [before, after] = [0, 1].map(|k| self.skin.velocity(perch, &about[k]));
+                [0, 1].map(|axis| (after[axis] - before[axis]) / (2.0 * moment))
+            } else {
+                [0.0; 2]
+            };
+        }
+    }
+
+    fn load(&mut self, force: WallForces<'_>) {
+        let of = |k: usize| [[force.mean_fx[k], force.mean_fy[k]], [force.fx[k], force.fy[k]]];
+        let pushed: Vec<_> = (0..force.x.len()).map(of).collect();
+        let first = self.shared.open().pushed.is_empty();
+        if first {
+            let now = self.carry(&pushed, 1, &self.ends(0.0));
+            self.shared.open().now = now;
+        }
+        self.shared.open().pushed = pushed;
+    }
+
+    /// The nodes move on along their path; the step's impulse goes to them (D3), taken in the middle of the step.
+    fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
+        let (elapsed, pushed) = {
+            let mut shared = self.shared.open();
+            (shared.elapsed, std::mem::take(&mut shared.pushed))
+        };
+        let (before, middle, after) = (self.ends(elapsed), self.ends(elapsed + 0.5 * dt), self.ends(elapsed + dt));
+        let (mean, now) = (self.carry(&pushed, 0, &middle), self.carry(&pushed, 1, &after));
+        let work: f64 = self
+            .perches
+            .iter()
+            .zip(&pushed)
+            .map(|(perch, [mean, _])| {
+                let (from, to) = (self.skin.place(perch, &before).at, self.skin.place(perch, &after).at);
+                mean[0] * (to[0] - from[0]) + mean[1] * (to[1] - from[1])
+            })
+            .sum(); // D4
+        let parts: Vec<Vec<[f64; 2]>> = self
+            .corners
+            .iter()
+            .map(|part| part.iter().map(|perch| self.skin.place(perch, &after).at).collect())
+            .collect();
+        self.outline = Outline::compound(&parts)?;
+        let mut shared = self.shared.open();
+        for (impulse, mean) in shared.impulse.iter_mut().zip(&mean) {
+            (0..3).for_each(|k| impulse[k] += dt * mean[k]);
+        }
+        for mean in &mean {
+            (0..2).for_each(|k| shared.external[k] -= dt * mean[k]);
+        }
+        shared.work += work;
+        (shared.now, shared.pushed) = (now, pushed);
+        shared.elapsed += dt;
+        Ok(())
+    }
+
+    fn save(&mut self) {
+        self.saved = Some((self.shared.open().clone(), self.outline.clone()));
+    }
+
+    fn restore(&mut self) {
+        if let Some((exchanged, outline)) = &self.saved {
+            *self.shared.open() = exchanged.clone();
+            self.outline = outline.clone();
+        }
+    }
+
+    fn energy(&self) -> Energy {
+        Energy { work: self.shared.open().work, ..Energy::default() }
+    }
+
+    fn ledger(&self) -> Ledger {
+        Ledger { momentum: [0.0; 2], external: self.shared.open().external }
+    }
+
+    /// The force of the water; the frame is space itself, in which the outline moves.
+    fn motion(&self) -> Option<Motion> {
+        let shared = self.shared.open();
+        let mut total = Motion::default();
+        let position = shared.path.at(shared.elapsed).position;
+        for (at, [fx, fy, moment]) in position.iter().zip(&shared.now) {
+            total.force = [total.force[0] + fx, total.force[1] + fy];
+            total.moment += moment + at[0] * fy - at[1] * fx;
+        }
+        Some(total)
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        Some(&self.outline)
+    }
+
+    fn clearance(&self, at: [f64; 2]) -> f64 {
+        self.outline.signed_distance(at)
+    }
+
+    fn surface(&self, at: [f64; 2]) -> Surface {
+        let (found, normal) = self.outline.nearest(at);
+        let ends = self.ends(self.elapsed());
+        let perch = self.skin.perch_now(found, &ends);
+        Surface { at: found, normal, velocity: self.skin.velocity(&perch, &ends) }
+    }
+
+    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
+        let ends = self.ends(self.elapsed());
+        let perch = self.skin.perch_now(at, &ends);
+        let velocity = self.skin.velocity(&perch, &ends);
+        let mut shared = self.shared.open();
+        self.skin.carry([(&perch, impulse)], &ends, &mut shared.impulse);
+        for k in 0..2 {
+            shared.external[k] -= impulse[k];
+            shared.work += impulse[k] * velocity[k];
+        }
+    }
+
+    fn prescribed(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::embed::{HostNodes, Topology};
+
+    /// A blow is an impulse on the nodes beside it, and its reaction is on the ledger; taken back, it is gone.
+    #[test]
+    fn a_blow_goes_to_the_nodes_and_on_the_ledger() {
+        let corners = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let topology = Topology::of(corners.clone()).closed(0..4);
+        let mut nodes = HostNodes::at_rest(corners);
+        nodes.velocity.fill([0.5, -2.0]);
+        let shared = Shared::new(Path::resting(&nodes));
+        let skin = Skin::new(&topology, &nodes);
+        let rest = topology.outline().expect("a square");
+        let mut body = HostBody::new(&topology, rest, skin, 0.1, shared.clone());
+        body.save();
+        body.strike([0.25, 0.0], [3.0, 4.0]);
+        let impulse = shared.open().impulse.clone();
+        for (found, exact) in impulse.iter().zip([[2.25, 3.0, 0.0], [0.75, 1.0, 0.0], [0.0; 3], [0.0; 3]]) {
+            assert!((0..3).all(|k| (found[k] - exact[k]).abs() < 1e-14), "{impulse:?}");
+        }
+        assert_eq!((body.ledger().external, body.energy().work), ([-3.0, -4.0], 3.0 * 0.5 - 4.0 * 2.0));
+        let velocity = body.surface([0.3, -0.2]).velocity;
+        assert!((velocity[0] - 0.5).hypot(velocity[1] + 2.0) < 1e-15, "{velocity:?}");
+        body.restore();
+        assert_eq!((body.ledger(), body.energy()), (Ledger::default(), Energy::default()));
+    }
+}

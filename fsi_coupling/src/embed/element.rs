@@ -1,0 +1,271 @@
+//! The element at work: one step of the host after the other.
+
+use sph_core::Breakdown;
+
+use super::added_mass::AddedMass;
+use super::body::Shared;
+use super::error::HostError;
+use super::nodes::HostNodes;
+use super::snapshot::Snapshot;
+use super::spec::FluidElementSpec;
+use super::topology::Topology;
+use crate::coupling::coupled::Coupled;
+use crate::coupling::error::CouplingError;
+use crate::coupling::penetration::Penetration;
+use crate::geometry::polygon::bounding_box;
+
+/// Rounding that a division of a step may have [-].
+const ROUNDING: f64 = 1e-9;
+
+/// A step of the host.
+#[derive(Clone, Copy, Debug)]
+pub struct HostStep<'a> {
+    /// Its length [s].
+    pub dt: f64,
+    /// The nodes at its end. Positions and velocities belong together as those of a smooth motion do, x' = x + ½Δt (v + v')
+    /// to third order: the path between follows both (THEORY D1), and its acceleration is in the water's pressure.
+    pub nodes: &'a HostNodes,
+}
+
+/// What the water did in a step of the host.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contribution {
+    /// Steps that the water took.
+    pub fluid_steps: u32,
+    /// Longest step that the water could take next [s].
+    pub fluid_dt: f64,
+    /// Longest next step of a host that takes the force as it comes [s] (THEORY D5): an estimate, infinite where masses are
+    /// not told or the surface is dry.
+    pub host_dt: f64,
+    /// Energy given to the nodes [J/m] (THEORY D4).
+    pub work: f64,
+    /// Impulse given to the nodes, all together [N s/m]: Δt times the sum of the forces.
+    pub impulse: [f64; 2],
+    /// Water beyond a wall's surface at the end.
+    pub penetration: Penetration,
+}
+
+/// A region of water that pushes a host's nodes.
+pub struct FluidElement {
+    system: Coupled,
+    shared: Shared,
+    wet: Vec<usize>,
+    rotations: bool,
+    sound_speed: f64,
+    most_substeps: f64,
+    added_mass: Option<AddedMass>,
+    broken: Option<String>,
+    saved: bool,
+}
+
+impl FluidElement {
+    pub(super) fn new(
+        system: Coupled,
+        shared: Shared,
+        topology: &Topology,
+        spec: &FluidElementSpec,
+        added_mass: Option<AddedMass>,
+    ) -> FluidElement {
+        let mut wet: Vec<usize> = topology.sides().into_iter().flatten().collect();
+        wet.sort_unstable();
+        wet.dedup();
+        FluidElement {
+            system,
+            shared,
+            wet,
+            rotations: topology.rotations,
+            sound_speed: spec.speed_of_sound(),
+            most_substeps: spec.most_substeps,
+            added_mass,
+            broken: None,
+            saved: false,
+        }
+    }
+
+    /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many equal
+    /// steps of its own as it needs; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
+    /// times Δt they are the impulse that the water lost, to rounding (THEORY D3).
+    ///
+    /// A refused input changes nothing. A step that fails leaves the element to be looked at or restored.
+    pub fn contribute(&mut self, step: HostStep<'_>, nodal_forces: &mut [[f64; 3]]) -> Result<Contribution, HostError> {
+        self.refuse(step, nodal_forces.len())?;
+        let start = self.time();
+        let work = {
+            let mut shared = self.shared.open();
+            shared.path = shared.path.onward(step.nodes, step.dt);
+            shared.elapsed = 0.0;
+            shared.impulse.fill([0.0; 3]);
+            shared.work
+        };
+        let mut fluid_steps = 0;
+        let ended = self.sub_cycle(step.dt, &mut fluid_steps).and_then(|()| self.system.stable_dt());
+        let fluid_dt = ended.map_err(|cause| {
+            let error = HostError::Step { node: self.nearest_node(&cause), cause, start, fluid_steps };
+            self.broken = Some(error.to_string());
+            error
+        })?;
+        let (done, wet) = {
+            let shared = self.shared.open();
+            for (force, impulse) in nodal_forces.iter_mut().zip(&shared.impulse) {
+                *force = impulse.map(|j| j / step.dt);
+            }
+            (shared.work - work, shared.impulse.iter().any(|j| *j != [0.0; 3]))
+        };
+        let mut impulse = [0.0; 2];
+        for force in nodal_forces.iter() {
+            (0..2).for_each(|k| impulse[k] += step.dt * force[k]);
+        }
+        let host_dt = self.added_mass.filter(|_| wet).map_or(f64::INFINITY, |a| a.host_dt);
+        Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.penetration() })
+    }
+
+    /// Equal steps of the water, as few as are stable: the rest of the host's step is divided anew before each.
+    fn sub_cycle(&mut self, dt: f64, fluid_steps: &mut u32) -> Result<(), CouplingError> {
+        loop {
+            let rest = dt - self.shared.open().elapsed;
+            if rest <= ROUNDING * dt {
+                return Ok(());
+            }
+            let parts = (rest / self.system.stable_dt()? - ROUNDING).ceil().max(1.0);
+            self.system.step(rest / parts)?;
+            *fluid_steps += 1;
+        }
+    }
+
+    fn refuse(&self, step: HostStep<'_>, forces: usize) -> Result<(), HostError> {
+        if let Some(why) = &self.broken {
+            return Err(HostError::Failed(why.clone()));
+        }
+        let time = self.time();
+        let duration = |expected: String| Err(HostError::Duration { given: step.dt, expected, time });
+        if !(step.dt > 0.0 && step.dt.is_finite()) {
+            return duration("a number above 0".into());
+        }
+        let end = self.shared.open().path.end().clone();
+        step.nodes.check(end.len(), self.rotations, time + step.dt)?;
+        if forces != end.len() {
+            return Err(HostError::Length { array: "nodal forces", given: forces, expected: end.len() });
+        }
+        let longest = self.most_substeps * self.system.stable_dt().unwrap_or(f64::MAX);
+        if step.dt > longest {
+            return duration(format!(
+                "at most {longest:.3e} s: most_substeps = {} steps of the water",
+                self.most_substeps
+            ));
+        }
+        for &node in &self.wet {
+            let (from, to, v) = (end.position[node], step.nodes.position[node], step.nodes.velocity[node]);
+            let mean = (to[0] - from[0]).hypot(to[1] - from[1]) / step.dt;
+            for (quantity, speed) in [("mean speed", mean), ("speed", v[0].hypot(v[1]))] {
+                if speed > self.sound_speed {
+                    let given = format!("{speed:.6e} m/s");
+                    let expected = format!("at most the speed of sound, {} m/s", self.sound_speed);
+                    return Err(HostError::Node { node, quantity, given, expected, time: time + step.dt });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The wet node nearest to where something broke.
+    fn nearest_node(&self, cause: &CouplingError) -> Option<usize> {
+        let at = match *cause {
+            CouplingError::Fluid(
+                Breakdown::NotFinite { x, y, .. } | Breakdown::Density { x, y, .. } | Breakdown::Step { x, y, .. },
+            )
+            | CouplingError::Collision { x, y, .. } => [x, y],
+            _ => return None,
+        };
+        let position = self.nodes().position;
+        let distance = |node: &usize| (position[*node][0] - at[0]).hypot(position[*node][1] - at[1]);
+        self.wet.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// Time of the water [s].
+    pub fn time(&self) -> f64 {
+        self.system.fluid.time
+    }
+
+    /// Where the nodes are now, as the water sees them.
+    pub fn nodes(&self) -> HostNodes {
+        let shared = self.shared.open();
+        if shared.elapsed >= shared.path.duration() {
+            shared.path.end().clone()
+        } else {
+            shared.path.at(shared.elapsed)
+        }
+    }
+
+    /// Forces of the water on the nodes at this very moment, to predict the next step with.
+    pub fn forces_now(&self) -> Vec<[f64; 3]> {
+        self.shared.open().now.clone()
+    }
+
+    /// Longest step that the water could take next [s].
+    pub fn fluid_dt(&self) -> Result<f64, HostError> {
+        let refused =
+            |cause| HostError::Step { node: self.nearest_node(&cause), cause, start: self.time(), fluid_steps: 0 };
+        self.system.stable_dt().map_err(refused)
+    }
+
+    /// Remember the present state; replaces the one remembered before.
+    pub fn save(&mut self) {
+        if self.broken.is_none() {
+            self.system.save();
+            self.saved = true;
+        }
+    }
+
+    /// Return to the state last saved, as often as needed. A step redone from there gives the same bits.
+    pub fn restore(&mut self) -> Result<(), HostError> {
+        if !self.saved {
+            return Err(HostError::NothingSaved);
+        }
+        self.system.restore();
+        self.broken = None;
+        Ok(())
+    }
+
+    /// Water and walls inside, to be looked at: the nodes' surface is body 0, the basin body 1.
+    pub fn system(&self) -> &Coupled {
+        &self.system
+    }
+
+    /// Water beyond the nodes' surface or the basin's walls. As [`Coupled::penetration`], with no distance taken to a surface
+    /// that is far.
+    fn penetration(&self) -> Penetration {
+        let bodies: Vec<_> = self.system.bodies().collect();
+        let corners: Vec<[f64; 2]> =
+            bodies[0].outline().into_iter().flat_map(|o| o.loops().iter().flatten().copied()).collect();
+        let [low, high] = bounding_box(&corners);
+        let (p, mut found) = (&self.system.fluid.particles, Penetration::default());
+        for k in 0..p.len() {
+            let at = [p.x[k], p.y[k]];
+            let inside = (0..2).all(|axis| at[axis] > low[axis] && at[axis] < high[axis]);
+            let of_host = if inside { bodies[0].clearance(at) } else { f64::INFINITY };
+            let of_basin = bodies[1].clearance(at);
+            let (clearance, owner) = if of_host <= of_basin { (of_host, "host") } else { (of_basin, "tank") };
+            found.count(p.id[k], at, clearance, owner);
+        }
+        found
+    }
+
+    /// A picture of the present state.
+    pub fn snapshot(&self) -> Snapshot {
+        let (p, d, rho0) =
+            (&self.system.fluid.particles, &self.system.fluid.derived, self.system.fluid.parameters.eos.rho0);
+        let mut order: Vec<usize> = (0..p.len()).collect();
+        order.sort_unstable_by_key(|k| p.id[*k]);
+        let outline = self.system.bodies().next().and_then(|body| body.outline());
+        Snapshot {
+            time: self.time(),
+            position: order.iter().map(|&k| [p.x[k], p.y[k]]).collect(),
+            velocity: order.iter().map(|&k| [p.u[k], p.v[k]]).collect(),
+            pressure: order.iter().map(|&k| d.pressure[k]).collect(),
+            spacing: order.iter().map(|&k| (p.mass[k] / rho0).sqrt()).collect(),
+            surface: outline.map_or(Vec::new(), |outline| outline.loops().to_vec()),
+            nodes: self.nodes(),
+            force: self.forces_now(),
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! H for a host's nodes: surfaces ride on their sides, straight from node to node or bent by the nodes' rotations
+//! (THEORY K1, D2).
+
+use super::nodes::HostNodes;
+use super::topology::Topology;
+use crate::bodies::beam_surface::{BeamSurface, Perch, Place};
+
+/// The sides of the wet surfaces. Each has two ends of its own, which move as its nodes do and turn as the nodes, or,
+/// where these have no rotations, as the side itself (D2).
+#[derive(Clone, Debug)]
+pub(super) struct Skin {
+    ends: BeamSurface,
+    sides: Vec<[usize; 2]>,
+    /// Positions and rotations of the ends at t = 0.
+    start: Vec<[f64; 3]>,
+    rotations: bool,
+}
+
+/// Motion of the ends: displacements and velocities, three values each.
+pub(super) struct Ends {
+    pub q: Vec<[f64; 3]>,
+    pub rate: Vec<[f64; 3]>,
+}
+
+impl Skin {
+    /// Of a topology that has been checked; `nodes` are those at t = 0.
+    pub fn new(topology: &Topology, nodes: &HostNodes) -> Skin {
+        let sides = topology.sides();
+        let angle = |node: usize| nodes.rotation.get(node).copied().unwrap_or(0.0);
+        let start: Vec<[f64; 3]> =
+            sides.iter().flatten().map(|&n| [topology.nodes[n][0], topology.nodes[n][1], angle(n)]).collect();
+        let elements = (0..sides.len()).map(|side| [2 * side, 2 * side + 1]).collect();
+        let ends = BeamSurface::new(start.iter().map(|[x, y, _]| [*x, *y]).collect(), elements);
+        Skin { ends, sides, start, rotations: topology.rotations }
+    }
+
+    /// Where a point at t = 0 rides.
+    pub fn perch(&self, at: [f64; 2], normal: [f64; 2]) -> Perch {
+        self.ends.perch(at, normal)
+    }
+
+    /// A place of side `side`, a share `t` of it from its first node.
+    pub fn on_side(side: usize, t: f64) -> Perch {
+        Perch { element: side, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
+    }
+
+    /// The perch of a place [m] near the surface where it is now, on the sides' chords.
+    pub fn perch_now(&self, at: [f64; 2], ends: &Ends) -> Perch {
+        let moved = self.start.iter().zip(&ends.q).map(|(x, q)| [x[0] + q[0], x[1] + q[1]]).collect();
+        let elements = (0..self.sides.len()).map(|side| self.ends.ends(side)).collect();
+        BeamSurface::new(moved, elements).perch(at, [0.0; 2])
+    }
+
+    /// Where the first (0) or second (1) end of a side is at t = 0 [m].
+    pub fn start_of(&self, side: usize, end: usize) -> [f64; 2] {
+        let [x, y, _] = self.start[2 * side + end];
+        [x, y]
+    }
+
+    /// The ends' motion when the nodes move like this.
+    pub fn ends(&self, nodes: &HostNodes) -> Ends {
+        let (mut q, mut rate) = (Vec::with_capacity(self.start.len()), Vec::with_capacity(self.start.len()));
+        for (side, pair) in self.sides.iter().enumerate() {
+            let [a, b] = pair.map(|node| nodes.position[node]);
+            let [va, vb] = pair.map(|node| nodes.velocity[node]);
+            let starts = [self.start[2 * side], self.start[2 * side + 1]];
+            let way = [b[0] - a[0], b[1] - a[1]];
+            let rest = [starts[1][0] - starts[0][0], starts[1][1] - starts[0][1]];
+            let turn = cross(rest, way).atan2(rest[0] * way[0] + rest[1] * way[1]);
+            let spin = cross(way, [vb[0] - va[0], vb[1] - va[1]]) / (way[0] * way[0] + way[1] * way[1]);
+            for (start, node) in starts.iter().zip(*pair) {
+                let (at, v) = (nodes.position[node], nodes.velocity[node]);
+                let [turn, spin] = match self.rotations {
+                    true => [nodes.rotation[node] - start[2], nodes.spin[node]],
+                    false => [turn, spin],
+                };
+                q.push([at[0] - start[0], at[1] - start[1], turn]);
+                rate.push([v[0], v[1], spin]);
+            }
+        }
+        Ends { q, rate }
+    }
+
+    /// Where a perch is.
+    pub fn place(&self, perch: &Perch, ends: &Ends) -> Place {
+        self.ends.place(perch, &ends.q)
+    }
+
+    /// H q̇ [m/s].
+    pub fn velocity(&self, perch: &Perch, ends: &Ends) -> [f64; 2] {
+        self.ends.velocity(perch, &ends.q, &ends.rate)
+    }
+
+    /// Hᵀ f: add forces [N/m] at perches to the loads of the nodes, `[nodes][F_x, F_y, M]` [N/m, N/m, N].
+    pub fn carry<'a>(
+        &self,
+        forces: impl IntoIterator<Item = (&'a Perch, [f64; 2])>,
+        ends: &Ends,
+        loads: &mut [[f64; 3]],
+    ) {
+        let mut on_ends = vec![[0.0; 3]; self.start.len()];
+        for (perch, force) in forces {
+            self.ends.carry(perch, &ends.q, force, &mut on_ends);
+        }
+        for (side, pair) in self.sides.iter().enumerate() {
+            let couple = if self.rotations { [0.0; 2] } else { self.couple(side, &ends.q, &on_ends) };
+            for ((end, node), sign) in [2 * side, 2 * side + 1].into_iter().zip(*pair).zip([1.0, -1.0]) {
+                let [fx, fy, moment] = on_ends[end];
+                loads[node][0] += fx + sign * couple[0];
+                loads[node][1] += fy + sign * couple[1];
+                loads[node][2] += if self.rotations { moment } else { 0.0 };
+            }
+        }
+    }
+
+    /// D2: the forces across a straight side that have the moment of its ends' moments; on its first node, and the opposite
+    /// on its second.
+    fn couple(&self, side: usize, q: &[[f64; 3]], loads: &[[f64; 3]]) -> [f64; 2] {
+        let at = |end: usize| [0, 1].map(|k| self.start[end][k] + q[end][k]);
+        let ([ax, ay], [bx, by]) = (at(2 * side), at(2 * side + 1));
+        let (dx, dy) = (bx - ax, by - ay);
+        let moment = (loads[2 * side][2] + loads[2 * side + 1][2]) / (dx * dx + dy * dy);
+        [moment * dy, -moment * dx]
+    }
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::embed::Side;
+
+    /// Three nodes that move and turn; a chain through them; places on and beside it.
+    fn moving(rotations: bool) -> (Skin, HostNodes, Vec<Perch>) {
+        let rest = vec![[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]];
+        let topology = Topology { rotations, ..Topology::of(rest.clone()).open([0, 1, 2], Side::Right, 0.2) };
+        let still = HostNodes::at_rest(rest);
+        let still = if rotations { still.with_rotations() } else { still };
+        let skin = Skin::new(&topology, &still);
+        let perches =
+            [[0.4, 0.3], [0.85, 0.6], [1.0, 1.0], [1.3, 1.5], [0.0, 0.1]].map(|at| skin.perch(at, [0.6, 0.8]));
+        let some = |values: [f64; 3]| if rotations { values.to_vec() } else { Vec::new() };
+        let nodes = HostNodes {
+            position: vec![[0.4, 0.0], [1.0, 0.65], [0.9, 1.8]],
+            velocity: vec![[0.5, -1.0], [-0.3, 0.8], [1.2, 0.4]],
+            rotation: some([0.5, 0.9, 1.1]),
+            spin: some([2.0, -1.5, 0.7]),
+        };
+        (skin, nodes, perches.to_vec())
+    }
+
+    #[test]
+    fn velocities_are_the_places_derivatives() {
+        for rotations in [false, true] {
+            let (skin, nodes, perches) = moving(rotations);
+            let ahead = |dt: f64| {
+                let mut n = nodes.clone();
+                n.position.iter_mut().zip(&nodes.velocity).for_each(|(x, v)| *x = [x[0] + dt * v[0], x[1] + dt * v[1]]);
+                n.rotation.iter_mut().zip(&nodes.spin).for_each(|(x, v)| *x += dt * v);
+                skin.ends(&n)
+            };
+            for perch in &perches {
+                let (after, before) = (skin.place(perch, &ahead(1e-6)).at, skin.place(perch, &ahead(-1e-6)).at);
+                let v = skin.velocity(perch, &ahead(0.0));
+                for k in 0..2 {
+                    assert!(((after[k] - before[k]) / 2e-6 - v[k]).abs() < 1e-8, "{rotations}: {v:?}");
+                }
+            }
+        }
+    }
+
+    /// Power, force and moment are the same on both sides of the interface.
+    #[test]
+    fn what_the_nodes_get_is_what_the_surface_got() {
+        for rotations in [false, true] {
+            let (skin, nodes, perches) = moving(rotations);
+            let ends = skin.ends(&nodes);
+            let force = |k: usize| [3.0 - k as f64, 0.5 + k as f64];
+            let mut loads = vec![[0.0; 3]; 3];
+            skin.carry(perches.iter().enumerate().map(|(k, perch)| (perch, force(k))), &ends, &mut loads);
+            let mut lack = [0.0; 4];
+            for (k, perch) in perches.iter().enumerate() {
+                let (f, v, at) = (force(k), skin.velocity(perch, &ends), skin.place(perch, &ends).at);
+                let of = [f[0], f[1], at[0] * f[1] - at[1] * f[0], f[0] * v[0] + f[1] * v[1]];
+                (0..4).for_each(|i| lack[i] += of[i]);
+            }
+            for (node, [fx, fy, m]) in loads.iter().enumerate() {
+                let (at, v) = (nodes.position[node], nodes.velocity[node]);
+                let spin = nodes.spin.get(node).copied().unwrap_or(0.0);
+                let of = [*fx, *fy, m + at[0] * fy - at[1] * fx, fx * v[0] + fy * v[1] + m * spin];
+                (0..4).for_each(|i| lack[i] -= of[i]);
+                assert!(rotations || *m == 0.0);
+            }
+            assert!(lack.iter().all(|l| l.abs() < 1e-12), "{rotations}: {lack:?}");
+        }
+    }
+}

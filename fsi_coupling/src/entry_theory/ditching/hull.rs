@@ -1,0 +1,112 @@
+//! What the sections of a fuselage bear.
+
+use super::fuselage::{Form, Fuselage, FuselageError};
+use crate::entry_theory::{Loads, Rung};
+
+/// Forms that differ by less than this share are one.
+const ALIKE: f64 = 1e-6;
+
+/// A section's load at a draught, per metre of length and for water of density ρ = 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Bearing {
+    /// Half width of the wetted bottom, up to the edges [m].
+    pub wetted: f64,
+    /// A: force over V² [m].
+    pub slam: f64,
+    /// M: force over dV/dt [m²].
+    pub added_mass: f64,
+    /// Area below still water [m²].
+    pub area: f64,
+}
+
+/// A fuselage with the loads of its sections by one theory.
+#[derive(Clone, Debug)]
+pub struct Hull {
+    fuselage: Fuselage,
+    rung: Rung,
+    /// Loads of every form that occurs, of breadth 1.
+    forms: Vec<Loads>,
+    /// Which of them each station has.
+    of_station: Vec<usize>,
+}
+
+impl Hull {
+    /// Tables of the sections' loads, one for each form.
+    ///
+    /// # Errors
+    /// A section that the theory does not hold for, up to its edges.
+    pub fn new(fuselage: Fuselage, rung: Rung) -> Result<Hull, FuselageError> {
+        let mut kinds: Vec<Form> = Vec::new();
+        let (mut forms, mut of_station) = (Vec::new(), Vec::new());
+        for (station, s) in fuselage.stations().iter().enumerate() {
+            let refused = |e: crate::entry_theory::OutOfRange| FuselageError { station, why: e.to_string() };
+            let form = s.form.scaled(1.0 / s.breadth);
+            let known = kinds.iter().position(|kind| alike(*kind, form));
+            if known.is_none() {
+                let section = form.section(1.0).map_err(refused)?;
+                rung.covers(&section, f64::INFINITY).map_err(refused)?;
+                forms.push(Loads::new(rung, &section).map_err(refused)?);
+                kinds.push(form);
+            }
+            of_station.push(known.unwrap_or(kinds.len() - 1));
+        }
+        Ok(Hull { fuselage, rung, forms, of_station })
+    }
+
+    /// The fuselage.
+    pub fn fuselage(&self) -> &Fuselage {
+        &self.fuselage
+    }
+
+    /// The theory.
+    pub fn rung(&self) -> Rung {
+        self.rung
+    }
+
+    /// The form of the station nearest to a place [m from the nose], of the breadth there.
+    pub fn form(&self, x: f64) -> Form {
+        let (k, share) = self.fuselage.between(x);
+        let nearest = &self.fuselage.stations()[if share < 0.5 { k } else { k + 1 }];
+        nearest.form.scaled(self.fuselage.breadth(x) / nearest.breadth)
+    }
+
+    /// DT3: load at a place x [m from the nose] and a draught h [m]. With the breadth b and a form's table for b = 1,
+    /// A = b Â(h/b) and M = b² M̂(h/b); between stations of different forms the mean by distance.
+    pub fn at(&self, x: f64, draught: f64) -> Bearing {
+        let (k, share) = self.fuselage.between(x);
+        let b = self.fuselage.breadth(x);
+        let [from, to] = [self.of_station[k], self.of_station[k + 1]];
+        let first = self.of_form(from, b, draught);
+        if from == to {
+            return first;
+        }
+        let second = self.of_form(to, b, draught);
+        let mean = |a: f64, b: f64| a + share * (b - a);
+        Bearing {
+            wetted: mean(first.wetted, second.wetted),
+            slam: mean(first.slam, second.slam),
+            added_mass: mean(first.added_mass, second.added_mass),
+            area: mean(first.area, second.area),
+        }
+    }
+
+    fn of_form(&self, form: usize, b: f64, draught: f64) -> Bearing {
+        let loads = &self.forms[form];
+        let load = loads.at(draught / b);
+        Bearing {
+            wetted: b * load.wetted.min(0.5),
+            slam: b * load.slam,
+            added_mass: b * b * load.added_mass,
+            area: b * b * loads.section().still_area(draught / b),
+        }
+    }
+}
+
+fn alike(a: Form, b: Form) -> bool {
+    match (a, b) {
+        (Form::Radius(a), Form::Radius(b)) | (Form::DeadriseDeg(a), Form::DeadriseDeg(b)) => {
+            (a / b - 1.0).abs() < ALIKE
+        }
+        _ => false,
+    }
+}
