@@ -63,10 +63,10 @@ fn a_cantilever_bent_beyond_its_limit_keeps_the_exact_dent() {
     assert!((solved[0].displacement[elements][1] / elastic.displacement[elements][1] - 1.0).abs() < 1e-4);
 }
 
-/// Struck and let swing: plastic work is what is missing from the energy, the dent stays, and a step redone from a
+/// Free vibration after an impulse: the energy decreases by the plastic work, the deformation is permanent, and a step from a
 /// copy of the state gives the same bits.
 #[test]
-fn a_blow_leaves_a_dent_and_its_work_is_accounted_for() {
+fn an_impulse_leaves_a_dent_and_its_work_is_accounted_for() {
     let elements = 16;
     for (radius, damping) in [(1.0, 0.0), (0.8, 3e-3)] {
         let rule = Integration::Trapezoidal { spectral_radius: radius };

@@ -60,7 +60,7 @@ fn a_free_body_with_a_panel_keeps_momentum_and_energy() {
 }
 
 #[test]
-fn supports_of_a_body_give_what_the_panel_lacks() {
+fn reactions_of_a_body_balance_the_panel() {
     for (name, fixed) in [
         ("clamped", vec![Dof::U, Dof::W, Dof::Theta]),
         ("pinned", vec![Dof::U, Dof::W]),

@@ -9,7 +9,7 @@ use structure_fe::{
 };
 
 /// Frequency of a cantilever of unit EI, rho A and length on a body of mass M and inertia J at its root:
-/// M w^2 y = y''', J w^2 y' = -y'' at the root (what the beam lacks the body has), free at the tip.
+/// M w^2 y = y''', J w^2 y' = -y'' at the root (the beam acts on the body), free at the tip.
 fn frequency_on_a_body(mass: f64, inertia: f64) -> f64 {
     let determinant = |k: f64| {
         let w2 = k.powi(4);

@@ -43,7 +43,7 @@ impl Equations {
         let [translation, rotation] = [Dof::U, Dof::Theta].map(|dof| supports.leaders(dof, nodes));
         let leader = |node: usize, dof: Dof| if dof == Dof::Theta { rotation[node] } else { translation[node] };
         let mut free = vec![[true; 3]; nodes];
-        for &(node, dof) in supports.fixed() {
+        for &(node, dof) in &supports.fixed {
             free[leader(node, dof)][dof as usize] = false;
         }
         for link in &links.all {
@@ -222,7 +222,7 @@ impl Equations {
 
     /// The stiffness matrix, springs included. The order of its entries depends on connectivity and supports only.
     pub fn stiffness(&self, beam: &Beam, supports: &Supports) -> SymmetricMatrix {
-        let springs = supports.springs().iter().map(|spring| ((spring.node, spring.dof as usize), spring.stiffness));
+        let springs = supports.springs.iter().map(|spring| ((spring.node, spring.dof as usize), spring.stiffness));
         self.assemble(beam, ElementConstants::stiffness, springs)
     }
 

@@ -54,7 +54,7 @@ impl System {
                 }
             }
         }
-        for spring in self.supports.springs() {
+        for spring in &self.supports.springs {
             let (node, dof) = (spring.node, spring.dof as usize);
             forces[node][dof] += spring.stiffness * (at.q[node][dof] + damping.stiffness * at.v[node][dof]);
         }
@@ -129,7 +129,7 @@ impl System {
     ) -> f64 {
         forces.fill([0.0; 3]);
         let mut dissipated = 0.0;
-        for spring in self.supports.springs() {
+        for spring in &self.supports.springs {
             let (node, dof) = (spring.node, spring.dof as usize);
             let (start, end) = (before[node][dof], q[node][dof]);
             forces[node][dof] += spring.stiffness * ((1.0 - weight) * start + weight * end);
@@ -161,7 +161,7 @@ impl System {
                 let viscous = viscous_forces(element, &chord, &chord.to_local(&self.beam.ends(nodes, v)), damping);
                 add_ends(&mut forces, nodes, &chord.to_global(&end_forces(&viscous, chord.length)));
             }
-            for spring in self.supports.springs() {
+            for spring in &self.supports.springs {
                 let dof = spring.dof as usize;
                 forces[spring.node][dof] += damping.stiffness * spring.stiffness * v[spring.node][dof];
             }

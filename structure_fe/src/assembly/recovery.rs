@@ -100,7 +100,7 @@ pub(crate) fn reactions(
     for reaction in reactions.as_flattened_mut() {
         *reaction = -*reaction;
     }
-    for &(node, dof) in supports.fixed() {
+    for &(node, dof) in &supports.fixed {
         let dof = dof as usize;
         reactions[node][dof] = residual[node][dof];
     }

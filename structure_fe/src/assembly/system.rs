@@ -48,7 +48,7 @@ impl System {
 
     /// Adds `factor` times the stiffness of the springs.
     pub fn add_spring_stiffness(&self, factor: f64, arms: Arms, matrix: &mut Bordered) {
-        for spring in self.supports.springs() {
+        for spring in &self.supports.springs {
             let place = (spring.node, spring.dof as usize);
             self.equations.scatter_entry([place, place], factor * spring.stiffness, arms, |row, column, value| {
                 matrix.add(row, column, value);

@@ -24,7 +24,7 @@ pub(super) fn concentrate_at_bodies(mut beam: Beam, supports: &Supports) -> Resu
             }
         }
         let linked: Vec<(usize, bool)> =
-            supports.links().iter().filter(|link| link.0 == body).map(|&(_, node, clamped)| (node, clamped)).collect();
+            supports.links.iter().filter(|link| link.0 == body).map(|&(_, node, clamped)| (node, clamped)).collect();
         let places = beam.nodes();
         let held = fixed[0] && fixed[1];
         let members = || std::iter::once(body).chain(linked.iter().map(|&(node, _)| node));

@@ -28,7 +28,7 @@ impl Dynamics {
         let mut residual = self.model.unbalanced_forces(self.rule.lumped_mass(), state, load);
         let links = &self.model.system.equations.links;
         links.transfer_forces(&links.arms_at(&state.displacement), &mut residual);
-        for &(node, dof) in self.model.system.supports.fixed() {
+        for &(node, dof) in &self.model.system.supports.fixed {
             residual[node][dof as usize] = 0.0;
         }
         residual

@@ -125,7 +125,7 @@ pub(crate) fn explicit_mass(system: &System, damping: &Damping) -> LumpedMass {
     let highest = system.beam.constants().fold(0.0, |most: f64, (_, element)| most.max(highest_squared(element)));
     let by_equation = system.equations.restrict(&nodal);
     let mut springs = vec![0.0; by_equation.len()];
-    for spring in system.supports.springs() {
+    for spring in &system.supports.springs {
         if let Some(equation) = system.equations.number(spring.node, spring.dof as usize) {
             springs[equation] += spring.stiffness;
         }

@@ -24,7 +24,7 @@ pub(crate) struct MovingModel {
 
 impl MovingModel {
     pub fn new(system: System, damping: Damping) -> Self {
-        let fixed = system.supports.fixed().iter();
+        let fixed = system.supports.fixed.iter();
         let motions = fixed.map(|&(node, dof)| (node, dof, SupportMotion::default())).collect();
         let internal = vec![[0.0; 3]; system.beam.nodes().len()];
         Self { matrix: system.matrix(), system, damping, internal, motions }

@@ -7,7 +7,7 @@ use crate::model::{Beam, Break, Rupture};
 
 /// The joints of a state that exceed their limits, in the order in which they were declared.
 pub(super) fn exceeded(system: &System, state: &State) -> Vec<Break> {
-    let joints = system.supports.breakables();
+    let joints = &system.supports.breakables;
     let strains = if joints.iter().any(|(_, rupture)| matches!(rupture, Rupture::FibreStrain(_))) {
         system.fibre_strains(&state.displacement, &state.plastic_curvature)
     } else {
@@ -52,8 +52,8 @@ fn strain_at(system: &System, node: usize, strains: &[[f64; 2]]) -> f64 {
 
 /// Rotation of a node relative to the partner of its hinge, or the body of its link \[rad\].
 fn rotation_of(system: &System, node: usize, state: &State) -> f64 {
-    let hinges = system.supports.hinges().iter().copied();
-    let links = system.supports.links().iter().map(|&(body, node, _)| [node, body]);
+    let hinges = system.supports.hinges.iter().copied();
+    let links = system.supports.links.iter().map(|&(body, node, _)| [node, body]);
     let joints = hinges.flat_map(|[a, b]| [[a, b], [b, a]]).chain(links);
     let partner = joints.into_iter().find(|joint| joint[0] == node);
     let relative_to = partner.map_or(0.0, |[_, other]| state.displacement[other][2]);

@@ -239,7 +239,7 @@ impl Dynamics {
 fn require_plain(system: &System, analysis: &'static str) -> Result<(), Error> {
     let (beam, supports) = (&system.beam, &system.supports);
     let body = beam.rigid_bodies().first().map(|&node| ("rigid bodies", "node", node));
-    let joint = supports.breakables().first().map(|&(node, _)| ("rupture", "node", node));
+    let joint = supports.breakables.first().map(|&(node, _)| ("rupture", "node", node));
     let plastic = beam.first_plastic_element().map(|element| ("plasticity", "element", element));
     match body.or(joint).or(plastic) {
         None => Ok(()),

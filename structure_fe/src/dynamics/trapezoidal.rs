@@ -236,13 +236,13 @@ impl Trapezoidal {
         system.equations.links.transfer_forces(&mean.arms, &mut reaction);
         new.mean_reaction.fill([0.0; 3]);
         report.support_work = 0.0;
-        for spring in system.supports.springs() {
+        for spring in &system.supports.springs {
             let (node, dof) = (spring.node, spring.dof as usize);
             let (from, to) = (start.displacement[node][dof], new.displacement[node][dof]);
             let mean = (1.0 - self.weight) * from + self.weight * to + model.damping.stiffness * (to - from) / dt;
             new.mean_reaction[node][dof] -= spring.stiffness * mean;
         }
-        for &(node, dof) in system.supports.fixed() {
+        for &(node, dof) in &system.supports.fixed {
             let dof = dof as usize;
             new.mean_reaction[node][dof] = reaction[node][dof];
             report.support_work += reaction[node][dof] * moved[node][dof];

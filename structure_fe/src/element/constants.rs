@@ -10,7 +10,8 @@
 
 use super::ends::{Ends, EndsMatrix, end_forces, rotate};
 use super::mass::consistent_mass;
-use crate::material::PlasticBending;
+use super::theory::Theory;
+use crate::material::{Material, PlasticBending, Section};
 
 /// Geometry, stiffness and mass of one element.
 #[derive(Debug, Clone)]
@@ -35,32 +36,30 @@ pub(crate) struct ElementConstants {
     pub plastic: Option<PlasticBending>,
 }
 
-/// Properties of an element per length.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Properties {
-    /// Axial stiffness EA \[N\].
-    pub axial_stiffness: f64,
-    /// Bending stiffness EI \[N m^2\].
-    pub bending_stiffness: f64,
-    /// Shear stiffness kappa G A \[N\], infinite without shear deformation.
-    pub shear_stiffness: f64,
-    /// Mass per length rho A \[kg/m\].
-    pub mass_per_length: f64,
-    /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
-    pub radius_squared: f64,
-}
-
 impl ElementConstants {
-    /// An element of these properties whose second node is at `[dx, dy]` \[m\] from the first.
-    pub fn new(properties: &Properties, [dx, dy]: [f64; 2]) -> Self {
+    /// An elastic element whose second node is at `[dx, dy]` \[m\] from the first.
+    pub fn new(
+        material: &Material,
+        section: &Section,
+        theory: Theory,
+        rotatory_inertia: bool,
+        [dx, dy]: [f64; 2],
+    ) -> Self {
         let length = dx.hypot(dy);
-        let phi = 12.0 * properties.bending_stiffness / (properties.shear_stiffness * length.powi(2));
-        let bending = 4.0 * properties.bending_stiffness / length;
-        let Properties { mass_per_length, radius_squared, .. } = *properties;
+        let bending_stiffness = section.bending_stiffness(material);
+        let phi = match theory {
+            Theory::EulerBernoulli => 0.0,
+            Theory::Timoshenko { shear_correction } => {
+                12.0 * bending_stiffness / (section.shear_stiffness(material, shear_correction) * length.powi(2))
+            }
+        };
+        let bending = 4.0 * bending_stiffness / length;
+        let mass_per_length = section.mass_per_length(material);
+        let radius_squared = if rotatory_inertia { section.second_moment() / section.area() } else { 0.0 };
         Self {
             length,
             tangent: [dx / length, dy / length],
-            stiffness: [properties.axial_stiffness / length, bending, 3.0 * bending / (1.0 + phi)],
+            stiffness: [section.axial_stiffness(material) / length, bending, 3.0 * bending / (1.0 + phi)],
             curvature_strain: [1.0 / 3.0, 0.2 / (1.0 + phi).powi(2)],
             shear_parameter: phi,
             mass_per_length,

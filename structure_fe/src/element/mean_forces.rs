@@ -177,17 +177,19 @@ impl<'a> DiscreteGradient<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::{Properties, deformation_forces, end_forces, strain_energy};
+    use crate::element::{Theory, deformation_forces, end_forces, strain_energy};
+    use crate::material::{Material, Section};
 
-    fn element(shear_stiffness: f64) -> ElementConstants {
-        let properties = Properties {
-            axial_stiffness: 3e4,
-            bending_stiffness: 20.0,
-            shear_stiffness,
-            mass_per_length: 2.0,
-            radius_squared: 0.0,
-        };
-        ElementConstants::new(&properties, [0.4, 0.3])
+    const MATERIAL: Material = Material { youngs_modulus: 3e6, poissons_ratio: 0.3, density: 200.0 };
+
+    fn element(theory: Theory) -> ElementConstants {
+        ElementConstants::new(&MATERIAL, &section(), theory, false, [0.4, 0.3])
+    }
+
+    const SOFT_IN_SHEAR: Theory = Theory::Timoshenko { shear_correction: 0.05 };
+
+    fn section() -> Section {
+        Section::rectangular(0.09, 0.1)
     }
 
     const FROM: Ends = Ends::new(0.1, -0.2, 0.3, 0.12, -0.1, -0.1);
@@ -205,8 +207,8 @@ mod tests {
 
     #[test]
     fn their_work_is_the_change_of_the_elastic_energy() {
-        for shear in [f64::INFINITY, 500.0] {
-            let element = element(shear);
+        for theory in [Theory::EulerBernoulli, SOFT_IN_SHEAR] {
+            let element = element(theory);
             let chord = |q: &Ends| Chord::new(&element, q);
             let moved = TO - FROM;
             let change = strain_energy(&element, &TO) - strain_energy(&element, &FROM);
@@ -228,9 +230,14 @@ mod tests {
 
     #[test]
     fn the_tangent_is_their_derivative_also_where_the_element_yields() {
-        let elastic = element(500.0);
-        let mut yielding = element(f64::INFINITY);
-        yielding.plastic = Some(PlasticBending { stiffness: 20.0, hardening: 4.0, yield_moment: 2.0, length: 0.5 });
+        let elastic = element(SOFT_IN_SHEAR);
+        let mut yielding = element(Theory::EulerBernoulli);
+        yielding.plastic = Some(PlasticBending {
+            stiffness: section().bending_stiffness(&MATERIAL),
+            hardening: 4.0,
+            yield_moment: 2.0,
+            length: 0.5,
+        });
         for (element, plastic) in [(elastic, [0.0; 2]), (yielding, [0.3, -0.2])] {
             for to in [TO, FROM + 1e-5 * TO] {
                 let tangent = step(&element, &FROM, plastic, &to, 0.6).tangent();

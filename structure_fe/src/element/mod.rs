@@ -10,7 +10,7 @@ mod rotation;
 mod section_forces;
 mod theory;
 
-pub(crate) use constants::{ElementConstants, Properties};
+pub(crate) use constants::ElementConstants;
 pub(crate) use corotational::{Chord, add_deformation_matrix, add_elastic_tangent, deformation_forces, strain_energy};
 pub(crate) use ends::{Ends, EndsMatrix, end_forces};
 pub use inertia::Damping;

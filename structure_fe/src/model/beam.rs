@@ -1,6 +1,6 @@
 //! The model: nodes, elements and their materials.
 
-use crate::element::{ElementConstants, Ends, Properties, Theory};
+use crate::element::{ElementConstants, Ends, Theory};
 use crate::error::{Error, existing_node, finite, positive};
 use crate::field::{Field, sum};
 use crate::material::{Material, PlasticBending, Plasticity, Section};
@@ -213,39 +213,21 @@ impl Beam {
         if length <= SHORTEST_ELEMENT * extent {
             return Err(Error::ZeroLengthElement { element: index, nodes: *nodes, length, extent });
         }
-        let shear_stiffness = match theory {
-            Theory::EulerBernoulli => f64::INFINITY,
-            Theory::Timoshenko { shear_correction } => {
-                positive("shear correction [-]", "element", index, shear_correction)?;
-                section.shear_stiffness(material, shear_correction)
-            }
-        };
-        let radius_squared = if self.rotatory_inertia { section.second_moment() / section.area() } else { 0.0 };
-        let properties = Properties {
-            axial_stiffness: section.axial_stiffness(material),
-            bending_stiffness: section.bending_stiffness(material),
-            shear_stiffness,
-            mass_per_length: section.mass_per_length(material),
-            radius_squared,
-        };
-        let mut constants = ElementConstants::new(&properties, [dx, dy]);
+        if let Theory::Timoshenko { shear_correction } = theory {
+            positive("shear correction [-]", "element", index, shear_correction)?;
+        }
+        let mut constants = ElementConstants::new(material, section, theory, self.rotatory_inertia, [dx, dy]);
         if axial_release {
             constants.stiffness[0] *= RELEASED;
         }
         if let Some(plasticity) = plasticity {
             plasticity.check(index)?;
             if theory != Theory::EulerBernoulli {
-                let (analysis, feature) = ("Timoshenko's theory", "plasticity");
-                return Err(Error::Unsupported {
-                    analysis,
-                    feature,
-                    item: "element",
-                    index,
-                    instead: "Theory::EulerBernoulli",
-                });
+                let (analysis, feature, item) = ("Timoshenko's theory", "plasticity", "element");
+                return Err(Error::Unsupported { analysis, feature, item, index, instead: "Theory::EulerBernoulli" });
             }
             constants.plastic = Some(PlasticBending {
-                stiffness: properties.bending_stiffness,
+                stiffness: section.bending_stiffness(material),
                 hardening: plasticity.hardening_modulus * section.second_moment(),
                 yield_moment: plasticity.yield_stress * section.second_moment() * 2.0 / section.thickness(),
                 length,

@@ -5,24 +5,16 @@ use crate::element::{Chord, ElementConstants, Ends};
 use crate::error::{Error, existing_element, existing_node, finite};
 use crate::field::Field;
 
-/// A load along an element, varying linearly, per length of the element.
+/// A load along an element that varies linearly from `start` to `end` \[N/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct DistributedLoad {
-    element: usize,
-    start: [f64; 2],
-    end: [f64; 2],
-}
-
-/// A pressure on the left-hand side of an element, varying linearly along it \[N/m\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pressure {
+pub(crate) struct LineLoad<T> {
     pub element: usize,
-    start: f64,
-    end: f64,
+    start: T,
+    end: T,
 }
 
-impl Pressure {
-    /// End forces on the undeformed element, in its axes.
+impl LineLoad<f64> {
+    /// End forces of a pressure on the left-hand side of the undeformed element, in its axes.
     pub fn local_forces(&self, element: &ElementConstants) -> Ends {
         element.local_load_forces([0.0, -self.start], [0.0, -self.end])
     }
@@ -32,8 +24,8 @@ impl Pressure {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Loads {
     nodal: Vec<(usize, [f64; 3])>,
-    distributed: Vec<DistributedLoad>,
-    pressures: Vec<Pressure>,
+    distributed: Vec<LineLoad<[f64; 2]>>,
+    pressures: Vec<LineLoad<f64>>,
 }
 
 impl Loads {
@@ -46,7 +38,7 @@ impl Loads {
     /// Puts a load on an element that varies linearly from `start` at its first node to `end` at its
     /// second: `[q_x, q_y]` in the global axes, per length of the element \[N/m; N/m^2 on a strip\].
     pub fn along_element(&mut self, element: usize, start: [f64; 2], end: [f64; 2]) -> &mut Self {
-        self.distributed.push(DistributedLoad { element, start, end });
+        self.distributed.push(LineLoad { element, start, end });
         self
     }
 
@@ -54,7 +46,7 @@ impl Loads {
     /// \[N/m; Pa on a strip\]. It follows the element: normal to it, per deformed length (THEORY S14). Linear statics
     /// use the undeformed element; positive pushes to the right.
     pub fn pressure_on_element(&mut self, element: usize, start: f64, end: f64) -> &mut Self {
-        self.pressures.push(Pressure { element, start, end });
+        self.pressures.push(LineLoad { element, start, end });
         self
     }
 
@@ -75,7 +67,7 @@ impl Loads {
         Ok(())
     }
 
-    pub(crate) fn pressures(&self) -> &[Pressure] {
+    pub(crate) fn pressures(&self) -> &[LineLoad<f64>] {
         &self.pressures
     }
 
@@ -87,15 +79,15 @@ impl Loads {
     pub(crate) fn blend(&self, other: &Self, share: f64) -> Self {
         let mut sum = Self::default();
         for (loads, factor) in [(self, 1.0 - share), (other, share)] {
-            let scaled = |values: [f64; 2]| values.map(|value| factor * value);
-            sum.nodal.extend(loads.nodal.iter().map(|&(node, force)| (node, force.map(|value| factor * value))));
+            for (node, force) in &loads.nodal {
+                sum.at_node(*node, force.map(|value| factor * value));
+            }
             for load in &loads.distributed {
-                let (start, end) = (scaled(load.start), scaled(load.end));
-                sum.distributed.push(DistributedLoad { start, end, ..*load });
+                let [start, end] = [load.start, load.end].map(|load| load.map(|value| factor * value));
+                sum.along_element(load.element, start, end);
             }
             for load in &loads.pressures {
-                let [start, end] = scaled([load.start, load.end]);
-                sum.pressures.push(Pressure { start, end, ..*load });
+                sum.pressure_on_element(load.element, factor * load.start, factor * load.end);
             }
         }
         sum

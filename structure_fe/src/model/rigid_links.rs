@@ -31,7 +31,7 @@ impl RigidLinks {
             let arm = [0, 1].map(|axis| places[node][axis] - places[body][axis]);
             RigidLink { body, node, clamped, arm }
         };
-        let all: Vec<RigidLink> = supports.links().iter().map(link).collect();
+        let all: Vec<RigidLink> = supports.links.iter().map(link).collect();
         let mut of_node = vec![None; places.len()];
         for (index, link) in all.iter().enumerate() {
             of_node[link.node] = Some(index);

@@ -17,13 +17,13 @@ pub(crate) struct Spring {
 /// Supports and joints of a model. Empty by default: free in space.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Supports {
-    fixed: Vec<(usize, Dof)>,
-    springs: Vec<Spring>,
-    hinges: Vec<[usize; 2]>,
+    pub(crate) fixed: Vec<(usize, Dof)>,
+    pub(crate) springs: Vec<Spring>,
+    pub(crate) hinges: Vec<[usize; 2]>,
     /// Body, node, and whether the node rotates with the body.
-    links: Vec<(usize, usize, bool)>,
-    welds: Vec<[usize; 2]>,
-    breakables: Vec<(usize, Rupture)>,
+    pub(crate) links: Vec<(usize, usize, bool)>,
+    pub(crate) welds: Vec<[usize; 2]>,
+    pub(crate) breakables: Vec<(usize, Rupture)>,
 }
 
 impl Supports {
@@ -84,10 +84,6 @@ impl Supports {
         self
     }
 
-    pub(crate) fn breakables(&self) -> &[(usize, Rupture)] {
-        &self.breakables
-    }
-
     /// These supports without those of the `broken` nodes. Springs stay.
     pub(crate) fn without(&self, broken: &[usize]) -> Self {
         let whole = |node: &usize| !broken.contains(node);
@@ -100,22 +96,9 @@ impl Supports {
         left
     }
 
-    pub(crate) fn welds(&self) -> &[[usize; 2]] {
-        &self.welds
-    }
-
     /// Pairs of nodes at the same place: hinges and welds.
     pub(crate) fn joints(&self) -> impl Iterator<Item = [usize; 2]> {
         self.hinges.iter().chain(&self.welds).copied()
-    }
-
-    /// Rigid links: body, node, and whether the node rotates with the body.
-    pub(crate) fn links(&self) -> &[(usize, usize, bool)] {
-        &self.links
-    }
-
-    pub(crate) fn hinges(&self) -> &[[usize; 2]] {
-        &self.hinges
     }
 
     /// For each node the first node with which it shares its displacements, by hinges and welds, or its rotation, by
@@ -130,14 +113,6 @@ impl Supports {
     /// Whether a degree of freedom is fixed, by itself or through a hinge.
     pub(crate) fn is_fixed(&self, node: usize, dof: Dof) -> bool {
         self.fixed.contains(&(node, dof))
-    }
-
-    pub(crate) fn fixed(&self) -> &[(usize, Dof)] {
-        &self.fixed
-    }
-
-    pub(crate) fn springs(&self) -> &[Spring] {
-        &self.springs
     }
 
     /// Elastic energy in the springs \[J\] of a displacement `[nodes][u, w, theta]`.

@@ -14,8 +14,8 @@ const ITERATIONS: usize = 20;
 /// Target number of iterations for the control of the arc length (Crisfield 1991, 9.5).
 const WANTED: f64 = 4.0;
 
-/// Maximum number of halvings of the arc.
-const HALVINGS: usize = 12;
+/// Maximum number of bisections of the arc.
+const ARC_BISECTIONS: usize = 12;
 
 /// A point on a path of equilibrium.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,7 +73,7 @@ impl NonlinearStatics {
                 before = along.iter().map(|x| x * first.signum()).collect();
             }
             let mut arrival = None;
-            for _ in 0..HALVINGS {
+            for _ in 0..ARC_BISECTIONS {
                 arrival = self.arrive(loads, factor, &at, &along, &before, arc)?;
                 if arrival.is_some() {
                     break;

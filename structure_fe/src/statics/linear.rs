@@ -7,9 +7,9 @@ use crate::error::Error;
 use crate::field::{Field, combine};
 use crate::model::{Beam, Loads, Supports};
 use faer::linalg::solvers::Solve;
+use faer::sparse::SparseColMat;
 use faer::sparse::linalg::LltError;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
-use faer::sparse::{Argsort, Pair, SparseColMat, SymbolicSparseColMat};
 use faer::{Col, Side};
 
 /// Change of the solution, in the energy norm, at which refinement stops \[-\]. The remaining error is smaller; rounding
@@ -28,7 +28,7 @@ pub struct Statics {
     beam: Beam,
     supports: Supports,
     equations: Equations,
-    pattern: Pattern,
+    analysis: SymbolicLlt<usize>,
     factor: Llt<usize, f64>,
 }
 
@@ -52,10 +52,10 @@ impl Statics {
         supports.check(&beam)?;
         require_no_free_motion(&beam, &supports)?;
         let equations = Equations::new(&beam, &supports);
-        let entries = equations.stiffness(&beam, &supports);
-        let pattern = Pattern::new(equations.count(), &entries)?;
-        let factor = pattern.factorise(&entries)?;
-        Ok(Self { beam, supports, equations, pattern, factor })
+        let matrix = compressed(equations.count(), &equations.stiffness(&beam, &supports))?;
+        let analysis = SymbolicLlt::try_new(matrix.symbolic(), Side::Lower).map_err(|e| failed(matrix.ncols(), e))?;
+        let factor = factorise(&analysis, &matrix)?;
+        Ok(Self { beam, supports, equations, analysis, factor })
     }
 
     /// Replaces the model by another of the same connectivity, on the same supports: other coordinates,
@@ -68,8 +68,8 @@ impl Statics {
             return Err(Error::OtherConnectivity { element });
         }
         require_no_free_motion(&beam, &self.supports)?;
-        let entries = self.equations.stiffness(&beam, &self.supports);
-        self.factor = self.pattern.factorise(&entries)?;
+        let matrix = compressed(self.equations.count(), &self.equations.stiffness(&beam, &self.supports))?;
+        self.factor = factorise(&self.analysis, &matrix)?;
         self.beam = beam;
         Ok(())
     }
@@ -140,38 +140,21 @@ impl Statics {
     }
 }
 
-/// Sparsity pattern of the stiffness matrix and its order of elimination.
-#[derive(Debug, Clone)]
-struct Pattern {
-    matrix: SymbolicSparseColMat<usize>,
-    order: Argsort<usize>,
-    elimination: SymbolicLlt<usize>,
+fn failed(unknowns: usize, error: impl std::fmt::Debug) -> Error {
+    Error::LinearAlgebra { unknowns, reason: format!("{error:?}") }
 }
 
-impl Pattern {
-    fn new(unknowns: usize, entries: &SymmetricMatrix) -> Result<Self, Error> {
-        let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
-        let places: Vec<_> = entries.iter().map(|entry| Pair::new(entry.row, entry.col)).collect();
-        let (matrix, order) = SymbolicSparseColMat::try_new_from_indices(unknowns, unknowns, &places)
-            .map_err(|error| failed(format!("{error:?}")))?;
-        let elimination =
-            SymbolicLlt::try_new(matrix.as_ref(), Side::Lower).map_err(|error| failed(format!("{error:?}")))?;
-        Ok(Self { matrix, order, elimination })
-    }
+/// The lower triangle of a symmetric matrix in compressed columns.
+fn compressed(unknowns: usize, entries: &SymmetricMatrix) -> Result<SparseColMat<usize, f64>, Error> {
+    SparseColMat::try_new_from_triplets(unknowns, unknowns, entries).map_err(|error| failed(unknowns, error))
+}
 
-    fn factorise(&self, entries: &SymmetricMatrix) -> Result<Llt<usize, f64>, Error> {
-        let unknowns = self.matrix.ncols();
-        let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
-        let values: Vec<f64> = entries.iter().map(|entry| entry.val).collect();
-        let matrix = SparseColMat::new_from_argsort(self.matrix.clone(), &self.order, &values)
-            .map_err(|error| failed(format!("{error:?}")))?;
-        Llt::try_new_with_symbolic(self.elimination.clone(), matrix.as_ref(), Side::Lower).map_err(
-            |error| match error {
-                LltError::Numeric(faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index }) => {
-                    Error::NotPositiveDefinite { pivot: index, unknowns }
-                }
-                LltError::Generic(error) => failed(format!("{error:?}")),
-            },
-        )
-    }
+fn factorise(analysis: &SymbolicLlt<usize>, matrix: &SparseColMat<usize, f64>) -> Result<Llt<usize, f64>, Error> {
+    let unknowns = matrix.ncols();
+    Llt::try_new_with_symbolic(analysis.clone(), matrix.as_ref(), Side::Lower).map_err(|error| match error {
+        LltError::Numeric(faer::linalg::cholesky::llt::factor::LltError::NonPositivePivot { index }) => {
+            Error::NotPositiveDefinite { pivot: index, unknowns }
+        }
+        LltError::Generic(error) => failed(unknowns, error),
+    })
 }

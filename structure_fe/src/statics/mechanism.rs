@@ -19,14 +19,14 @@ const FREE: f64 = 1e-12;
 /// The error that names a free rigid motion, if the supports leave one.
 pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result<(), Error> {
     supports.check(beam)?;
-    let clamped = supports.links().iter().filter(|(.., clamped)| *clamped).map(|&(body, node, _)| [body, node]);
+    let clamped = supports.links.iter().filter(|(.., clamped)| *clamped).map(|&(body, node, _)| [body, node]);
     let rigid =
-        beam.elements().iter().map(|element| element.nodes).chain(clamped).chain(supports.welds().iter().copied());
+        beam.elements().iter().map(|element| element.nodes).chain(clamped).chain(supports.welds.iter().copied());
     let part = connected_parts(beam.nodes().len(), rigid.clone());
     let restraint = restraint_of_degrees_of_freedom(beam, supports);
     // Parts joined by hinges form a group. The first node of a group or part identifies it.
-    let pinned = supports.links().iter().filter(|(.., clamped)| !clamped).map(|&(body, node, _)| [body, node]);
-    let links = rigid.chain(supports.hinges().iter().copied()).chain(pinned);
+    let pinned = supports.links.iter().filter(|(.., clamped)| !clamped).map(|&(body, node, _)| [body, node]);
+    let links = rigid.chain(supports.hinges.iter().copied()).chain(pinned);
     let group = connected_parts(beam.nodes().len(), links);
     for first in (0..group.len()).filter(|&node| group[node] == node) {
         let parts: Vec<Part> = (first..group.len())
@@ -49,7 +49,7 @@ fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64
         add_ends(&mut elastic, nodes, &diagonal);
     }
     let mut restraint = vec![[0.0; 3]; elastic.len()];
-    for spring in supports.springs() {
+    for spring in &supports.springs {
         restraint[spring.node][spring.dof as usize] += spring.stiffness;
     }
     for (held, elastic) in restraint.iter_mut().zip(&elastic) {
@@ -60,7 +60,7 @@ fn restraint_of_degrees_of_freedom(beam: &Beam, supports: &Supports) -> Vec<[f64
             }
         }
     }
-    for &(node, dof) in supports.fixed() {
+    for &(node, dof) in &supports.fixed {
         restraint[node][dof as usize] = 1.0;
     }
     restraint
@@ -117,8 +117,8 @@ fn free_motion(
     let find = |node: usize| {
         parts.iter().enumerate().find_map(|(index, part)| Some((index, part.members.binary_search(&node).ok()?)))
     };
-    let pinned = supports.links().iter().filter(|(.., clamped)| !clamped).map(|&(body, node, _)| [body, node]);
-    for joint in supports.hinges().iter().copied().chain(pinned) {
+    let pinned = supports.links.iter().filter(|(.., clamped)| !clamped).map(|&(body, node, _)| [body, node]);
+    for joint in supports.hinges.iter().copied().chain(pinned) {
         if let [Some((one, _)), Some((other, there))] = joint.map(find) {
             // A body's motion is that of its point at the joint.
             let place = parts[other].nodes[there];

@@ -18,14 +18,14 @@ const ROUNDING: f64 = 1e-14;
 /// Maximum number of iterations of a load step, with full corrections and with a line search.
 const ITERATIONS: [usize; 2] = [25, 50];
 
-/// Maximum number of halvings of a load step that does not converge.
-const STEP_HALVINGS: i32 = 8;
+/// Maximum number of bisections of a load step that does not converge.
+const STEP_BISECTIONS: i32 = 8;
 
 /// The line search ends where the slope of the energy has fallen to this fraction \[-\] (Crisfield 1991, 9.2).
 const LINE_SEARCH_TOLERANCE: f64 = 0.8;
 
 /// Maximum number of trials of the line search.
-const HALVINGS: usize = 8;
+const LINE_SEARCH_TRIALS: usize = 8;
 
 /// A supported model at large displacements and rotations.
 ///
@@ -108,7 +108,7 @@ impl NonlinearStatics {
                         factor = next;
                         self.system.update_plasticity(&at.u, &mut at.plastic);
                     }
-                    Err(error) if increment < whole * 0.5_f64.powi(STEP_HALVINGS) => return Err(error),
+                    Err(error) if increment < whole * 0.5_f64.powi(STEP_BISECTIONS) => return Err(error),
                     Err(_) => {
                         at.u = before;
                         increment *= 0.5;
@@ -186,7 +186,7 @@ impl NonlinearStatics {
         let work = |residual: &[f64]| residual.iter().zip(correction).map(|(r, c)| r * c).sum::<f64>();
         let at_start = work(residual);
         let mut share = 1.0;
-        for _ in 0..HALVINGS {
+        for _ in 0..LINE_SEARCH_TRIALS {
             let mut trial = at.clone();
             self.system.displace(share, correction, &mut trial.u);
             let slope = work(&self.residual(loads, load_factor, &trial)?);
