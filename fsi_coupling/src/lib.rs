@@ -3,13 +3,14 @@
 //!
 //! [`geometry`] turns shapes into particles, [`bodies`] has the contract of a body and the bodies, [`coupling`] the step of fluid and
 //! bodies together, [`entry_theory`] analytical models of water entry, [`embed`] the element for programs with a time loop
-//! of their own.
+//! of their own, [`settings`] structs of settings that document and check themselves.
 
 pub mod bodies;
 pub mod coupling;
 pub mod embed;
 pub mod entry_theory;
 pub mod geometry;
+pub mod settings;
 
 pub use bodies::body::{Body, Contact, Inspect, WettedBody};
 pub use bodies::error::BodyError;

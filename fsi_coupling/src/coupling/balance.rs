@@ -1,7 +1,7 @@
 //! Balances of momentum and energy over fluid and bodies (THEORY E21, E22).
 
-use sph_core::audit::FluidEnergy;
-use sph_core::sweep;
+use sph_core::parallel;
+use sph_core::particles::totals::FluidEnergy;
 use sph_core::{Fluid, Walls};
 
 use crate::coupling::placed_bodies::Member;
@@ -39,7 +39,7 @@ impl Balance {
     pub fn close_step(&mut self, fluid: &Fluid, walls: &Walls, members: &[Member], dt: f64) {
         let (of_fluid, held) = fluid.momentum_and_its_scale();
         let (now, w) = (momentum_balance(of_fluid, members), walls);
-        let [pushed] = sweep::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
+        let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
         let symmetric = fluid.parameters.mirror.is_some();
         for k in 0..2 {

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use sph_core::audit::FluidEnergy;
-use sph_core::sweep;
+use sph_core::parallel;
+use sph_core::particles::totals::FluidEnergy;
 use sph_core::{Fluid, Phase, Phases, Walls, Yielding};
 
 use crate::bodies::body::Body;
@@ -98,7 +98,7 @@ impl Coupled {
 
     /// One step of `dt` [s].
     pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
-        sweep::within_pool(|| self.advance(dt))
+        parallel::within_pool(|| self.advance(dt))
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {

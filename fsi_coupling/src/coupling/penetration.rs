@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use sph_core::{Fluid, sweep};
+use sph_core::{Fluid, parallel};
 
 use crate::bodies::body::Body;
 
@@ -76,5 +76,5 @@ pub(crate) fn penetration(fluid: &Fluid, bodies: &[&dyn Body]) -> Penetration {
         }
         found
     };
-    sweep::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
+    parallel::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
 }

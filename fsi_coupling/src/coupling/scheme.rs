@@ -1,6 +1,6 @@
 //! Coupling schemes: how fluid and bodies find accelerations and wall pressures that belong together (THEORY C1–C7).
 
-use sph_core::yielding::Lack;
+use sph_core::walls::interface::Lack;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::coupling::error::CouplingError;

@@ -1,8 +1,8 @@
 //! Packed water around a body at t = 0 (THEORY Q6): the number of cells is that of the free area, their positions are relaxed.
 
 use sph_core::Walls;
-use sph_core::cells::{Cells, Point};
-use sph_core::kernel::Kernel;
+use sph_core::interactions::kernel::Kernel;
+use sph_core::neighbours::cells::{Cells, Point};
 
 use crate::geometry::layout::Cell;
 

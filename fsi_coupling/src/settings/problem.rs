@@ -1,0 +1,50 @@
+//! What is wrong with a value, independent of where it was written.
+
+use std::fmt::{self, Display};
+
+/// A wrong value: its key, and a sentence that names the key, what was given and what was expected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// The key's path, such as `gauges[0].at`.
+    pub key: String,
+    /// The sentence.
+    pub sentence: String,
+}
+
+impl Problem {
+    /// A value that is not allowed.
+    pub fn new(key: &str, given: impl Display, expected: impl Display) -> Problem {
+        let sentence = format!("`{key}` = {given}: expected {expected}");
+        Problem { key: key.to_string(), sentence }
+    }
+
+    /// A key that is absent.
+    pub fn missing(key: &str, expected: impl Display) -> Problem {
+        let sentence = format!("`{key}` is missing: expected {expected}");
+        Problem { key: key.to_string(), sentence }
+    }
+}
+
+impl Display for Problem {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.sentence)
+    }
+}
+
+/// A number with four significant digits.
+pub fn significant(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    rounded.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_digits_whatever_the_size() {
+        assert_eq!(significant(1234.56789), "1235");
+        assert_eq!(significant(0.000123456), "0.0001235");
+        assert_eq!(significant(-2.0), "-2");
+    }
+}
