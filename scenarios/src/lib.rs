@@ -1,9 +1,22 @@
-//! Scenes, runs, observers and reports: what the `splashdown` command is made of.
+//! Scenes, runs, observers and reports: the library of the `splashdown` command.
 //!
-//! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them, [`observers`] watch,
+//! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them while [`observers`] sample,
 //! [`compare`] judges against [`reference`] data, [`report`] writes the page. [`model_hierarchy`] runs a scene by a
-//! theory, [`experiments`] makes and judges many runs, [`ditching`] lands aeroplanes by their sections, [`bench`] measures the
-//! speed on this machine. [`cli`] is a thin shell.
+//! theory, [`experiments`] makes and judges many runs, [`ditching`] lands aeroplanes by their sections, [`bench`]
+//! measures the speed on this machine. [`cli`] parses arguments and prints.
+//!
+//! Run a scene and read its summary, here by a theory (a run with particles differs in the model only):
+//!
+//! ```
+//! use scenarios::run::{RunOptions, run};
+//! use scenarios::scene;
+//!
+//! let scene = scene::load("wedge", &["model=wagner".to_string()])?.scene;
+//! let summary = run(&scene, &RunOptions::default())?.summary;
+//! let force = summary.peaks["wedge.fy_N_per_m"];
+//! assert!(force.value > 0.0 && force.time_s <= scene.time.end);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod bench;
 pub mod build;

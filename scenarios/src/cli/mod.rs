@@ -37,9 +37,9 @@ enum Command {
     Run(run::RunArgs),
     /// Print what a run would cost and its known limits, without running it.
     Check(SceneArgs),
-    /// Run a scene at several spacings and sound speeds and say what a number tends to.
+    /// Run a scene at several spacings and sound speeds and extrapolate a number.
     Study(convergence::StudyArgs),
-    /// Chart error against cost: each way to a number whose value is known.
+    /// Chart error against cost, for numbers whose value is known.
     Chart(work_precision::ChartArgs),
     /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
     Stability(stability::StabilityArgs),
@@ -47,9 +47,9 @@ enum Command {
     Ditch(ditch::DitchArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
-    /// Hold scenes against others' data.
+    /// Compare scenes with published data.
     Validate(validation::ValidateArgs),
-    /// Count how often the error bars of `run --converge` hold an exact value.
+    /// Count how often the error bars of `run --converge` contain an exact value.
     Bands(coverage::BandsArgs),
     /// Describe every key of a scene file.
     Keywords,

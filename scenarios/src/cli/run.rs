@@ -14,8 +14,8 @@ use crate::error_bar::ErrorBars;
 use crate::run::summary::{Status, Summary};
 use crate::run::{RunOptions, run};
 
-/// A second Ctrl-C or SIGTERM after this long means: at once. Sooner it is the same request, sent to the process and
-/// to its group.
+/// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
+/// process and to its group.
 const IMPATIENT: Duration = Duration::from_secs(1);
 
 #[derive(Args)]
@@ -31,7 +31,7 @@ pub(super) struct RunArgs {
     /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
     #[arg(long, value_name = "MB")]
     log_budget: Option<f64>,
-    /// Run at 4 and 2 times the spacing first, and say what the main numbers tend to, with error bars.
+    /// Run at 4 and 2 times the spacing first, and extrapolate the main numbers, with error bars.
     #[arg(long)]
     converge: bool,
     /// A number for an error bar, by its path in summary.json (repeatable; default: the scene's main ones).
@@ -52,7 +52,7 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         INTERRUPTED.store(true, Ordering::Relaxed);
         let asked_again = first.get_or_insert_with(Instant::now).elapsed() > IMPATIENT;
         if asked_again || !STEPPING.load(Ordering::Relaxed) {
-            std::process::exit(130); // asked twice, or nothing to keep yet: at once
+            std::process::exit(130); // requested twice, or nothing to keep yet
         }
     };
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
@@ -140,6 +140,6 @@ fn in_words(s: &Summary) -> String {
         "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",
         s.audit.momentum, s.audit.energy, s.audit.volume, s.audit.penetrated
     ));
-    lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  NOT TIGHT: {worst}")));
+    lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  PENETRATION: {worst}")));
     lines.join("\n")
 }

@@ -19,7 +19,7 @@ pub(super) const INPUT: u8 = 2;
 /// How a command prints.
 #[derive(Args)]
 pub(super) struct Output {
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(long, global = true)]
     pub quiet: bool,
     /// Print machine-readable output on stdout.

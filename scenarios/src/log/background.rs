@@ -1,4 +1,4 @@
-//! The log of a run that goes on meanwhile: compression and disk have a thread of their own.
+//! The log of a run in progress: compression and disk use a thread of their own.
 
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -10,7 +10,7 @@ use super::frame::Frame;
 use super::level::Level;
 use super::writer::{LogMetadata, LogWriter};
 
-/// Frames that wait for the disk while another is written; then the run waits.
+/// Frames that wait for the disk while another is written; beyond these the run waits.
 const WAITING: usize = 1;
 /// Bytes of a number of a sample beside its name, and of what surrounds a message or a chunk, at most.
 const NUMBER: usize = 32;
@@ -28,7 +28,7 @@ pub struct BackgroundLog {
     path: PathBuf,
 }
 
-/// What a finished log holds.
+/// The size of a finished log.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Logged {
     /// Size of the file [bytes].
@@ -73,7 +73,7 @@ impl BackgroundLog {
     /// As [`LogWriter::sample`].
     ///
     /// # Errors
-    /// What went wrong since the last call.
+    /// The first failure since the last call.
     pub fn sample(&mut self, time: f64, channel: &str, values: &[(&str, f64)]) -> Result<(), LogError> {
         let values = values.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
         self.samples.push(Sample { time, channel: channel.to_owned(), values });
@@ -83,7 +83,7 @@ impl BackgroundLog {
     /// Hands over a frame; the `last` of a run is written if a budget has room for it alone.
     ///
     /// # Errors
-    /// What went wrong since the last call.
+    /// The first failure since the last call.
     pub fn frame(&mut self, frame: Frame, last: bool) -> Result<(), LogError> {
         self.submit(Then::Frame { frame: Box::new(frame), last })
     }
@@ -91,7 +91,7 @@ impl BackgroundLog {
     /// As [`LogWriter::note`].
     ///
     /// # Errors
-    /// What went wrong since the last call.
+    /// The first failure since the last call.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), LogError> {
         self.submit(Then::Note { time, level, text: text.to_owned() })
     }
@@ -99,7 +99,7 @@ impl BackgroundLog {
     /// Waits for the disk and completes the file.
     ///
     /// # Errors
-    /// What went wrong since the last call.
+    /// The first failure since the last call.
     pub fn finish(mut self) -> Result<Logged, LogError> {
         self.submit(Then::Nothing)?;
         self.end().unwrap_or(Err(LogError::Ended { path: self.path.clone() }))
@@ -121,7 +121,7 @@ impl BackgroundLog {
         }
     }
 
-    /// Let the thread come to its end; how it ended, the first time this is asked.
+    /// Wait for the thread; its result, at the first call.
     fn end(&mut self) -> Option<Result<Logged, LogError>> {
         self.batches = None;
         let ended = self.thread.take()?.join();
@@ -139,7 +139,7 @@ impl Drop for BackgroundLog {
     }
 }
 
-/// The other end: it alone knows the file.
+/// The receiving end, which owns the file.
 struct Writer {
     log: LogWriter,
     budget: Option<Budget>,

@@ -13,18 +13,18 @@ pub enum LogError {
     Create {
         /// The file.
         path: PathBuf,
-        /// What the operating system says.
+        /// The error of the operating system.
         source: io::Error,
     },
-    /// The file does not take what is written to it; nothing more can be written.
+    /// The file cannot be written to; the log ends.
     #[error("cannot write the log {}: {source}", path.display())]
     Write {
         /// The file.
         path: PathBuf,
-        /// What the container says.
+        /// The error of the container.
         source: McapError,
     },
-    /// The log has ended, for a reason that was told before.
+    /// The log has ended, for a reason that was reported before.
     #[error("the log {} has ended", path.display())]
     Ended {
         /// The file.

@@ -1,15 +1,15 @@
-//! How much a note matters.
+//! Severity of a note.
 
 use foxglove::messages::log;
 
-/// How much a note matters, in the words of `foxglove.Log`.
+/// Severity of a note, as `foxglove.Log` names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// For those who work on the program.
+    /// For developers of the program.
     Debug,
     /// The run goes as expected.
     Info,
-    /// The run goes on, and its result deserves a second look.
+    /// The run continues; its result needs a check.
     Warning,
     /// A part of the result is missing or wrong.
     Error,

@@ -24,13 +24,13 @@ const FIELDS: [(&str, NumericType); 8] = [
 const FIELD_SIZE: usize = 4;
 const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
 
-/// Points that are packed in one go.
+/// Points per task.
 const PIECE: usize = 1024;
 
 /// The particles of one frame; every slice has shape (number of particles).
 ///
 /// The log keeps single precision (relative rounding 6·10⁻⁸) and the speed √(vx² + vy²) [m/s]
-/// in place of the velocity. Values that are not finite are written as they are.
+/// instead of the velocity. Values that are not finite are written as they are.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ParticleView<'a> {
     /// Horizontal positions [m].
@@ -52,7 +52,7 @@ pub struct ParticleView<'a> {
 }
 
 impl ParticleView<'_> {
-    /// The number of particles, if the slices agree on it.
+    /// The number of particles, if all slices have this length.
     fn len(&self, topic: &'static str) -> Result<usize, LogError> {
         let expected = self.x.len();
         let others = [

@@ -15,7 +15,7 @@ use super::sample::SampleTopic;
 use super::stamp::Stamp;
 use super::topics::{FLUID, LOG, PROGRAM, RESOLVED_SCENE, SCENE, TF, WALLS};
 
-/// What a log says about the run that wrote it.
+/// The run that writes the log.
 #[derive(Clone, Copy, Debug)]
 pub struct LogMetadata<'a> {
     /// The name of the scene.
@@ -95,7 +95,7 @@ impl LogWriter {
     }
 
     /// Writes named numbers at `time` [s] to the topic `/CHANNEL`, as one JSON object in the
-    /// order given. A number that is not finite becomes `null`, since JSON has no other word.
+    /// order given. A number that is not finite becomes `null`: JSON has no number for it.
     ///
     /// The first sample of a channel fixes its names, from which its schema is made; by
     /// convention a name ends with its unit. The sample reaches the file with the next frame

@@ -1,15 +1,15 @@
 //! The pressure along a wedge's face at one moment, in similarity coordinates: its peak and its noise (THEORY G5).
 
-/// Spacings over which a profile is averaged to tell its noise.
+/// Spacings of the running mean that separates noise.
 const SMOOTHED: f64 = 4.0;
-/// Noise is told up to this share of the way to the pressure peak, where the profile turns sharply.
+/// Noise is measured up to this share of the way to the pressure peak, where the profile turns sharply.
 const UP_TO: f64 = 0.9;
-/// Points of at least this share of the largest value tell the peak's place.
+/// Points of at least this share of the largest value enter the fit of the peak.
 const NEAR_PEAK: f64 = 0.97;
 
 /// Place of the largest value of a profile (x, value): the top of the parabola that fits, by least squares, the points
 /// about the largest that reach 97 % of it; the largest point itself at an end of the profile, or where fewer than three
-/// points reach that far or they have no top. So noise moves it little; the exact profiles at 10, 20 and 30 degrees give it within 0.2 %.
+/// points reach that far or they have no top. Noise moves it little; the exact profiles at 10, 20 and 30 degrees give it within 0.2 %.
 pub fn peak_place(profile: &[[f64; 2]]) -> Option<f64> {
     let top = (0..profile.len()).max_by(|a, b| profile[*a][1].total_cmp(&profile[*b][1]))?;
     let [at, largest] = profile[top];

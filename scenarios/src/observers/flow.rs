@@ -1,4 +1,4 @@
-//! A few pictures of the flow, evenly over the run, for the report.
+//! Four pictures of the flow at equal intervals, for the report.
 
 use super::{Frame, ObserveError, Observer, gauges};
 use crate::report::FlowFrame;
@@ -21,7 +21,7 @@ impl FlowPictures {
         FlowPictures { due, frames: Vec::new(), spacing: scene.resolution.spacing }
     }
 
-    /// Keep the state now, due or not: the last word of a run that stops early.
+    /// Keep the present state, whether due or not.
     pub fn keep(&mut self, frame: &Frame<'_>) {
         let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
         let narrow = |v: &[f64]| v.iter().map(|x| *x as f32).collect::<Vec<f32>>();

@@ -25,7 +25,7 @@ pub struct RuleResult {
     pub impulse_difference: f64,
 }
 
-/// Gathers the rules' resultants at the samples.
+/// Samples the rules' resultants.
 pub struct ForceRules {
     panel: f64,
     times: Vec<f64>,
@@ -34,7 +34,7 @@ pub struct ForceRules {
 }
 
 impl ForceRules {
-    /// For a scene that asks and has a body.
+    /// For a scene with a body and `report.force_rules`.
     pub fn new(scene: &Scene) -> Option<ForceRules> {
         let asked = scene.report.force_rules && scene.body.is_some();
         asked.then(|| ForceRules { panel: scene.resolution.spacing, times: Vec::new(), loads: Vec::new() })

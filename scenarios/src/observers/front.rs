@@ -1,4 +1,4 @@
-//! How far right the water reaches along the floor (THEORY V5).
+//! The length of the water along the floor (THEORY V5).
 
 use sph_core::Fluid;
 

@@ -1,4 +1,4 @@
-//! What a gauge says of a run: peak, rise time, impulse (THEORY G3).
+//! The results of a gauge: peak, rise time, impulse (THEORY G3).
 
 use serde::Serialize;
 
@@ -30,7 +30,7 @@ pub struct GaugeRecord {
 }
 
 impl GaugeRecord {
-    /// Take a reading; a second one at the same time is the same.
+    /// Add a reading; a second one at the same time is ignored.
     pub fn take(&mut self, time: f64, pressure: f64) {
         if self.curve.last().is_none_or(|last| time > last[0]) {
             self.curve.push([time, pressure]);

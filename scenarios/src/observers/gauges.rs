@@ -1,4 +1,4 @@
-//! Pressure gauges: where they are now, and how the fluid is read there (THEORY E18, G1, G2).
+//! Pressure gauges: their positions, and the reading of the fluid there (THEORY E18, G1, G2).
 
 use std::collections::BTreeMap;
 
@@ -35,7 +35,7 @@ struct Place {
     weight: f64,
 }
 
-/// A gauge: its face, its filter, what it has shown.
+/// A gauge: its face, its filter, its readings.
 struct Instrument {
     name: String,
     on: GaugeFrame,
@@ -54,7 +54,7 @@ pub struct GaugeReader {
 }
 
 impl GaugeReader {
-    /// Decide for every gauge how it is read.
+    /// The gauges of a scene.
     pub fn new(scene: &Scene) -> GaugeReader {
         let support = 2.0 * scene.fluid.smoothing_ratio * scene.resolution.spacing;
         let half = 0.5 * scene.tank.width;
@@ -89,7 +89,7 @@ impl GaugeReader {
         }
     }
 
-    /// Let the gauges with a bandwidth see a step: their filters take every one, so that samples do not alias.
+    /// Update the gauges with a bandwidth. Their filters need every step, so that samples do not alias.
     pub fn follow(&mut self, system: &Coupled) {
         self.update(system, |instrument| instrument.filter.is_some());
     }
@@ -100,7 +100,7 @@ impl GaugeReader {
         self.instruments.iter().map(|i| i.record.latest()).collect()
     }
 
-    /// What each gauge says of the run so far, by name.
+    /// The results of each gauge so far, by name.
     pub fn results(&self) -> BTreeMap<String, GaugeResult> {
         let one = |i: &Instrument| Some((i.name.clone(), i.record.result(i.length, i.bandwidth)?));
         self.instruments.iter().filter_map(one).collect()

@@ -1,4 +1,4 @@
-//! How high the water stands at a place (THEORY Q3).
+//! The height of the water at a place (THEORY Q3).
 
 use sph_core::Fluid;
 

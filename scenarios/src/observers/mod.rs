@@ -1,4 +1,6 @@
-//! Observers: small, scheduled, borrowing immutably. They never change the system or shorten a step.
+//! Observers sample a run. They borrow the system immutably and never shorten a step.
+//!
+//! A new column of `series.csv` is a `Source` in a file of its own and a line in `columns.rs`.
 
 mod body;
 mod columns;
@@ -50,7 +52,7 @@ pub struct Frame<'a> {
     pub held: &'a Holdings,
     /// Fluid particles beyond a wall's surface.
     pub penetration: &'a Penetration,
-    /// True where particles are due as well as curves.
+    /// True if particles are due as well as curves.
     pub particles: bool,
 }
 
@@ -61,7 +63,7 @@ impl Frame<'_> {
     }
 }
 
-/// An observer could not keep what it saw.
+/// An observer could not store its result.
 #[derive(Debug, thiserror::Error)]
 pub enum ObserveError {
     /// A file could not be written.
@@ -77,8 +79,8 @@ pub enum ObserveError {
     Log(#[from] LogError),
 }
 
-/// Something that watches a run.
+/// Samples a run.
 pub trait Observer {
-    /// See the system at a sample time.
+    /// Sample the system.
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError>;
 }

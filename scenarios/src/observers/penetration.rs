@@ -3,12 +3,12 @@
 use fsi_coupling::Breach;
 use serde::Serialize;
 
-/// The fluid particle found deepest beyond a wall's surface.
+/// The fluid particle that penetrated a wall deepest.
 #[derive(Clone, Debug, Serialize)]
 pub struct WorstPenetration {
     /// The particle.
     pub particle: u32,
-    /// Whose wall; empty for the plane of symmetry.
+    /// Owner of the wall; empty for the plane of symmetry.
     pub wall: String,
     /// Where [m].
     pub x_m: f64,
@@ -23,7 +23,7 @@ pub struct WorstPenetration {
 }
 
 impl WorstPenetration {
-    /// A breach seen at `time_s` [s], in a run whose first was seen at `first_s` [s].
+    /// A penetration sampled at `time_s` [s], in a run whose first was sampled at `first_s` [s].
     pub fn new(breach: &Breach, time_s: f64, first_s: f64) -> WorstPenetration {
         let Breach { id, at: [x_m, y_m], depth, ref owner } = *breach;
         WorstPenetration { particle: id, wall: owner.clone(), x_m, y_m, depth_m: depth, time_s, first_s }
@@ -35,7 +35,7 @@ impl std::fmt::Display for WorstPenetration {
         let wall = if self.wall.is_empty() { "the plane of symmetry" } else { &self.wall };
         write!(
             f,
-            "water beyond a wall since t = {:.5} s; deepest: particle {} at ({:.5}, {:.5}) m, {:.2e} m beyond `{wall}` at \
+            "water penetrates a wall since t = {:.5} s; deepest: particle {} at ({:.5}, {:.5}) m, {:.2e} m beyond `{wall}` at \
              t = {:.5} s",
             self.first_s, self.particle, self.x_m, self.y_m, self.depth_m, self.time_s
         )

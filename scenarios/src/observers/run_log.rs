@@ -31,7 +31,7 @@ impl LogObserver {
         Ok(LogObserver { writer: BackgroundLog::create(path, &metadata, budget)?, end, panels, gauges })
     }
 
-    /// Note what went wrong, or why a run stopped.
+    /// Write a note.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), ObserveError> {
         Ok(self.writer.note(time, level, text)?)
     }
@@ -48,7 +48,7 @@ impl LogObserver {
             let values: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&m)).collect();
             self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
             for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
-                // of the columns' names what follows the panel's own
+                // names without the panel's own
                 let units = columns.iter().map(|column| &column[name.len() + 1..]);
                 let values: Vec<(&str, f64)> = units.zip(panel_values(&panel)).collect();
                 self.writer.sample(t, &format!("panel/{name}"), &values)?;
@@ -87,7 +87,7 @@ fn join(loops: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
 }
 
 impl LogObserver {
-    /// Keep the state now, due or not: the last word of a run that stops early.
+    /// Write the present state, whether due or not.
     pub fn keep(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         self.curves(frame)?;
         self.picture(frame, true)

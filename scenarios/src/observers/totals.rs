@@ -1,4 +1,4 @@
-//! Energies and positions over the run: what the audit and the state of rest are measured by.
+//! Totals of the fluid over the run: energies, heights, penetration, largest speed.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use super::penetration::WorstPenetration;
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
 
-/// What became of the water's motion: for scenes that should come, or stay, to rest.
+/// The state of rest, for scenes whose water should come, or stay, to rest.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Rest {
     /// Largest kinetic energy of the fluid at any sample [J/m].
@@ -40,15 +40,15 @@ pub struct Totals {
 }
 
 impl Totals {
-    /// An empty ledger for a scene.
+    /// No samples yet.
     pub fn new(scene: &Scene) -> Totals {
         let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
         let ripple = 0.5 * scene.fluid.density * g * spacing * spacing * scene.tank.width;
         Totals { ripple, ..Totals::default() }
     }
 
-    /// The largest energy that changed hands [J/m]: what a drift is measured by. At least that of a ripple as
-    /// high as a spacing over the whole tank, ½ρgΔx²L, so that water at rest has a scale too.
+    /// The largest energy exchanged [J/m], the scale of a drift. At least that of a ripple as
+    /// high as a spacing over the whole tank, ½ρgΔx²L, so that water at rest has a scale.
     pub fn scale(&self) -> f64 {
         self.moving.max(self.highest - self.lowest).max(self.ripple).max(f64::MIN_POSITIVE)
     }
@@ -68,7 +68,7 @@ impl Totals {
         self.fastest
     }
 
-    /// How the water came to rest, judged over the samples from `since` [s] on.
+    /// The state of rest over the samples from `since` [s] on.
     pub fn rest(&self, since: f64) -> Rest {
         let first = self.entries.first().map_or(0.0, |e| e.height);
         let late: Vec<&Entry> = self.entries.iter().filter(|e| e.time >= since).collect();

@@ -10,7 +10,7 @@ use crate::scene::{Scene, Symmetry};
 /// The column.
 pub(super) const VOLUME: &str = "volume_m2";
 
-/// What became of the water's volume by the place of its surface (THEORY Q7).
+/// Volume of the water below its surface (THEORY Q7).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Water {
     /// Volume per metre of span at the start [m²].
@@ -23,7 +23,7 @@ pub struct Water {
 
 /// Columns and steps downwards, per spacing.
 const CELLS: f64 = 2.0;
-/// Filling of the kernel at a flat surface.
+/// Kernel sum at a flat surface [-].
 const SURFACE: f64 = 0.5;
 
 pub(super) const SOURCE: Source = Source { names, reader };

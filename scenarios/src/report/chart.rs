@@ -87,7 +87,7 @@ pub struct Chart {
     pub x_range: Option<[f64; 2]>,
     /// Ends of the y axis; absent, they follow from what the x axis shows of the curves.
     pub y_range: Option<[f64; 2]>,
-    /// Both axes in powers of ten; ranges are not used, and what is not above zero has no place.
+    /// Both axes in powers of ten; ranges are not used, and values ≤ 0 are left out.
     pub logarithmic: bool,
 }
 
@@ -182,7 +182,7 @@ fn trend(line: &TrendLine, colour: &str) -> Plot {
     LinePlot::new().with_data(ends).with_color(colour).with_stroke_width(0.8).into()
 }
 
-/// The points of a curve that have a place on paper.
+/// The points of a curve that can be drawn.
 fn shown(curve: &Curve, logarithmic: bool) -> Vec<[f64; 2]> {
     let points = curve.x.iter().zip(&curve.y).map(|(&x, &y)| [x, y]);
     points.filter(|p| p.iter().all(|c| c.is_finite() && (*c > 0.0 || !logarithmic))).collect()
@@ -275,7 +275,7 @@ fn near(value: f64, [low, high]: [f64; 2]) -> f64 {
     value.clamp(low - SPANS * (high - low), high + SPANS * (high - low))
 }
 
-/// Text as the plotting crate prints it literally: `$` would start a formula.
+/// Text for the plotting crate, which takes `$` as the start of a formula.
 fn label(text: &str) -> String {
     printable(text).replace('$', "\\$")
 }

@@ -37,13 +37,13 @@ pub enum Block {
 pub enum Status {
     /// It reached its end time.
     Completed,
-    /// It stopped by itself; the text says what went wrong, where and when.
+    /// It stopped by itself; the text has cause, place and time.
     Failed(String),
     /// It was stopped from outside.
     Interrupted,
 }
 
-/// What the page says.
+/// The content of the page.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Heading of the page.
@@ -121,7 +121,7 @@ fn header(report: &Report) -> String {
             format!("<p class=\"status failed\"><strong>Failed.</strong> {why}</p>\n")
         }
     };
-    // Two sections are found without a list.
+    // Two sections need no contents.
     if report.sections.len() > 2 {
         html += "<nav><ol>\n";
         for (number, (heading, _)) in (1..).zip(&report.sections) {

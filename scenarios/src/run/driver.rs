@@ -60,7 +60,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
     };
     if status != Status::Completed {
-        recorder.last_words(&system, status, message.as_deref())?;
+        recorder.record_stop(&system, status, message.as_deref())?;
     }
     system.fluid.phases.begin(Phase::Log);
     let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
@@ -105,9 +105,9 @@ fn advance(
     recorder: &mut Recorder,
     options: &RunOptions<'_>,
 ) -> Result<Result<Status, Breakdown>, RunError> {
-    let mut told = Instant::now();
-    if let Some(tell) = options.progress {
-        tell(0.0, 0);
+    let mut shown = Instant::now();
+    if let Some(show) = options.progress {
+        show(0.0, 0);
     }
     observe(system, recorder)?;
     while system.fluid.time < scene.time.end {
@@ -132,10 +132,10 @@ fn advance(
         }
         debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
         observe(system, recorder)?;
-        if told.elapsed() > PROGRESS_EVERY {
-            told = Instant::now();
-            if let Some(tell) = options.progress {
-                tell(system.fluid.time, system.fluid.steps);
+        if shown.elapsed() > PROGRESS_EVERY {
+            shown = Instant::now();
+            if let Some(show) = options.progress {
+                show(system.fluid.time, system.fluid.steps);
             }
         }
     }

@@ -1,8 +1,8 @@
-//! Does an elastic body's own energy balance close?
+//! The energy balance of an elastic body.
 
 use fsi_coupling::{Coupled, Energy};
 
-/// Change of a body's energies, and what it dissipated, less the work done on it; over the work exchanged (THEORY K6).
+/// Change of a body's energies plus dissipation minus the work done on it, over the work exchanged (THEORY K6).
 pub fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
     let Some(body) = system.bodies().nth(k).filter(|body| !body.is_prescribed()) else { return 0.0 };
     let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);

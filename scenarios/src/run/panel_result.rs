@@ -1,4 +1,4 @@
-//! What `summary.json` says of a panel.
+//! The results of a panel in `summary.json`.
 
 use fsi_coupling::PanelState;
 use serde::Serialize;
@@ -41,7 +41,7 @@ pub struct Rupture {
     pub strain: f64,
 }
 
-/// What a panel has borne: every step counts, not only the samples.
+/// Extremes over every step of the run, not only over the samples.
 #[derive(Clone, Debug, Serialize)]
 pub struct PanelResult {
     /// Normal force [N/m].
@@ -54,7 +54,7 @@ pub struct PanelResult {
     pub stress_pa: Extremes,
     /// Their strain, plastic strain included [-].
     pub strain: Extremes,
-    /// Allowable stress over the largest [-]; below one is too much. `null` where none is given.
+    /// Allowable stress over the largest [-]; `null` without an allowable stress.
     pub reserve_factor: Option<f64>,
     /// Largest plastic curvature left [1/m].
     pub plastic_curvature_per_m: f64,

@@ -1,4 +1,4 @@
-//! What a run records: its observers, when they look, and the summary of what they saw.
+//! The observers of a run, their schedule, and the summary of their results.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -41,8 +41,8 @@ pub(crate) struct Recorder {
     totals: Totals,
     energy_of_body: f64,
     time_of_log: Duration,
-    told_until: f64,
-    told_crossing: bool,
+    reported_until: f64,
+    crossing_reported: bool,
 }
 
 impl Recorder {
@@ -67,8 +67,8 @@ impl Recorder {
             totals: Totals::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
             time_of_log: Duration::ZERO,
-            told_until: f64::NEG_INFINITY,
-            told_crossing: false,
+            reported_until: f64::NEG_INFINITY,
+            crossing_reported: false,
         })
     }
 
@@ -94,13 +94,9 @@ impl Recorder {
         let (held, penetration) = (system.fluid.holdings(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
         if let (Some(breach), None) = (&penetration.worst, self.totals.worst_penetration()) {
-            let first = WorstPenetration::new(breach, frame.time(), frame.time()).to_string();
-            warn!("{first}");
-            if let Some(log) = &mut self.log {
-                log.note(frame.time(), Level::Warning, &first)?;
-            }
+            self.warn(frame.time(), &WorstPenetration::new(breach, frame.time(), frame.time()).to_string())?;
         }
-        self.tell_ruptures(system)?;
+        self.report_failures(system)?;
         self.totals.observe(&frame)?;
         self.series.observe(&frame)?;
         self.pictures.observe(&frame)?;
@@ -118,43 +114,43 @@ impl Recorder {
         Ok(())
     }
 
-    /// Time that the log took since this was asked last.
+    /// Wall time of the log since the last call.
     pub fn time_of_log(&mut self) -> Duration {
         std::mem::take(&mut self.time_of_log)
     }
 
-    /// Say aloud, and in the log, what has broken since the last sample.
-    fn tell_ruptures(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+    /// Warn on the console and in the log.
+    fn warn(&mut self, time: f64, text: &str) -> Result<(), ObserveError> {
+        warn!("{text}");
+        self.log.as_mut().map_or(Ok(()), |log| log.note(time, Level::Warning, text))
+    }
+
+    /// Report what has broken, or crossed itself, since the last sample.
+    fn report_failures(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+        let now = system.fluid.time;
         for panel in system.bodies().flat_map(|b| b.panels()) {
-            for r in panel.ruptures.iter().filter(|r| r.time > self.told_until) {
+            for r in panel.ruptures.iter().filter(|r| r.time > self.reported_until) {
                 let ([x, y], name) = (r.place, &panel.name);
-                let text =
-                    format!("{name} broke off at ({x:.5}, {y:.5}) m, t = {:.6} s, strain {:.4}", r.time, r.value);
-                warn!("{text}");
-                if let Some(log) = &mut self.log {
-                    log.note(system.fluid.time, Level::Warning, &text)?;
-                }
+                let (time, strain) = (r.time, r.value);
+                let text = format!("{name} broke off at ({x:.5}, {y:.5}) m, t = {time:.6} s, strain {strain:.4}");
+                self.warn(now, &text)?;
             }
         }
-        self.told_until = system.fluid.time;
-        if let (false, Some((body, [x, y]))) =
-            (self.told_crossing, system.bodies().find_map(|b| Some((b.name(), b.self_intersection()?))))
-        {
-            self.told_crossing = true;
+        self.reported_until = now;
+        let crossing = system.bodies().find_map(|b| Some((b.name(), b.crossing()?)));
+        if let Some((body, [x, y])) = crossing.filter(|_| !self.crossing_reported) {
+            self.crossing_reported = true;
             let text = format!(
-                "the surface of `{body}` crosses itself at ({x:.5}, {y:.5}) m, t = {:.6} s: what is inside is no longer sure",
-                system.fluid.time
+                "the surface of `{body}` crosses itself at ({x:.5}, {y:.5}) m, t = {now:.6} s: from here on its inside is not \
+                 defined"
             );
-            warn!("{text}");
-            if let Some(log) = &mut self.log {
-                log.note(system.fluid.time, Level::Warning, &text)?;
-            }
+            self.warn(now, &text)?;
         }
         Ok(())
     }
 
-    /// A run that stops early shows its last state and says why.
-    pub fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
+    /// Record the last state of a run that stops early, and the reason.
+    pub fn record_stop(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
         let (held, penetration) = (system.fluid.holdings(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true };
@@ -244,7 +240,7 @@ impl Recorder {
         }
     }
 
-    /// What the speed of sound cost, where there is one.
+    /// Effect of the sound speed, for a weakly compressible fluid.
     fn compressibility(&self, scene: &Scene) -> Option<Compressibility> {
         let sound = scene.fluid.sound_speed;
         let share = scene.entry().and_then(|entry| known_compressibility_error(entry.root_speed(), sound));
@@ -262,7 +258,7 @@ fn model(solver: Solver) -> &'static str {
     if solver.is_incompressible() { solver.name() } else { "wcsph" }
 }
 
-/// What the pressure's equation took, where there is one.
+/// Work of the pressure solves, for a projection.
 fn projection(solver: Solver, fluid: &Fluid) -> Option<Projection> {
     let (iterations, solves, pinned_last) = match solver {
         Solver::IncompressibleThesis => (fluid.thesis.iterations, fluid.thesis.solutions, None),

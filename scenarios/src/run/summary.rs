@@ -18,7 +18,7 @@ use crate::scene::CouplingScheme;
 pub enum Status {
     /// Reached its end time.
     Completed,
-    /// Broke down; `message` says what, where, when.
+    /// Broke down; `message` has cause, place and time.
     Failed,
     /// Ended by the user.
     Interrupted,
@@ -49,9 +49,9 @@ pub struct Audit {
     pub momentum: f64,
     /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
     pub energy: f64,
-    /// Of the work that the water did on the body, what did not arrive, over the work exchanged (THEORY K6) [-].
+    /// Work of the water that did not reach the body, over the work exchanged (THEORY K6) [-].
     pub work: f64,
-    /// What the body's own energies lack of the work done on it, over the work exchanged [-]: elastic bodies.
+    /// Work on an elastic body that its energies do not contain, over the work exchanged [-].
     pub structure: f64,
     /// Change of the fluid's volume Σm/ρ over its start value [-].
     pub volume: f64,
@@ -60,26 +60,26 @@ pub struct Audit {
     /// The worst of them; absent when there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worst_penetration: Option<WorstPenetration>,
-    /// How often a particle was stopped that would have gone through a thin plate (THEORY T5); absent when never.
+    /// Times that a particle was stopped at a thin plate (THEORY T5); absent when never.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped_at_plate: Option<u64>,
 }
 
-/// How well water and body agreed on the body's acceleration.
+/// Convergence of the coupling.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Coupling {
     /// The scheme, as in the scene.
     pub scheme: CouplingScheme,
-    /// Times that the fluid took a step, mean over the steps [-].
+    /// Fluid solutions per step, mean [-].
     pub iterations_mean: f64,
-    /// Most of these in a step.
+    /// Fluid solutions per step, largest.
     pub iterations_max: u32,
     /// Largest mismatch of a step between the acceleration that the water saw and the one it caused, relative
     /// (THEORY C5) [-].
     pub residual_worst: f64,
 }
 
-/// Weak compressibility: what the sound speed cost.
+/// Effect of the sound speed.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Compressibility {
     /// Sound speed [m/s].
@@ -88,19 +88,19 @@ pub struct Compressibility {
     pub mach_reached: f64,
     /// Estimated share of the force lost to compressibility (THEORY E19) [-]; `null` without an impact.
     pub force_error_estimate: Option<f64>,
-    /// Factor on the force that takes this share back, 1/(1 − share) (THEORY G4) [-]; `null` without an impact. No other
+    /// Factor on the force that corrects for this share, 1/(1 − share) (THEORY G4) [-]; `null` without an impact. No other
     /// number of the summary is corrected.
     pub force_corrected: Option<f64>,
 }
 
-/// The pressure's equation over the run.
+/// Work of the pressure solves.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Projection {
     /// Iterations of all solves, mean over the steps [-].
     pub iterations_mean: f64,
     /// Solves.
     pub solves: u64,
-    /// Rows pinned by the unilateral condition, in the last step; absent where there is none.
+    /// Particles held at p = 0 by the unilateral condition in the last step; absent without that condition.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pinned_last: Option<usize>,
 }
@@ -112,9 +112,9 @@ pub struct Log {
     pub bytes: u64,
     /// Frames of particles in it.
     pub frames: u64,
-    /// Frames that were due and are not in it, since the budget had no room for them.
+    /// Frames left out to keep the budget.
     pub frames_left_out: u64,
-    /// Size that it was to stay below [MB]; absent where there was none.
+    /// Its budget [MB]; absent without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub budget_megabytes: Option<f64>,
 }
@@ -135,19 +135,19 @@ pub fn phase_times(phases: &Phases) -> BTreeMap<&'static str, PhaseTime> {
     Phase::ALL.into_iter().map(|phase| (phase.name(), time(phase))).filter(|(_, time)| time.seconds > 0.0).collect()
 }
 
-/// Everything a script may want to know of a run.
+/// The results of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
     /// Name of the scene.
     pub scene: String,
     /// How the run ended.
     pub status: Status,
-    /// What went wrong, if anything did.
+    /// Why the run did not complete.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
     /// The model that was run: a theory, `wcsph`, or the name of an incompressible solver.
     pub model: &'static str,
-    /// Why this model, where it was left to the program.
+    /// Why this model was chosen, for `model = "auto"`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<String>,
     /// Version of the program.
@@ -164,7 +164,7 @@ pub struct Summary {
     pub particle_updates_per_s: f64,
     /// Threads used.
     pub threads: usize,
-    /// Where the wall time went, by part of the run.
+    /// Wall time by part of the run.
     pub phases: BTreeMap<&'static str, PhaseTime>,
     /// The log, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -175,7 +175,7 @@ pub struct Summary {
     pub means: BTreeMap<String, f64>,
     /// Conservation.
     pub audit: Audit,
-    /// How well water and body agreed; absent without particles.
+    /// Convergence of the coupling; absent without particles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coupling: Option<Coupling>,
     /// Coming to rest; absent without particles.
@@ -198,15 +198,15 @@ pub struct Summary {
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
-    /// What main numbers may be off by, where charts or a convergence study tell (THEORY G6, G7).
+    /// Error bars of main numbers, from charts or a convergence study (THEORY G6, G7).
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub error_bars: ErrorBars,
-    /// What the body's panels have borne, by name.
+    /// Results of the body's panels, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub panels: BTreeMap<String, PanelResult>,
     /// Gauges, by name.
     pub gauges: BTreeMap<String, GaugeResult>,
-    /// The pressure's equation; absent where an equation of state gives the pressure.
+    /// The pressure solves; absent where an equation of state gives the pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projection: Option<Projection>,
 }
@@ -214,7 +214,7 @@ pub struct Summary {
 impl Summary {
     /// As the text of `summary.json`.
     pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(self).expect("a summary holds nothing that JSON cannot say")
+        serde_json::to_string_pretty(self).expect("every field of a summary has a JSON form")
     }
 
     /// True if the run completed and every judged comparison passes.

@@ -6,8 +6,8 @@ use crate::run::summary::Summary;
 
 /// Main numbers with their bands.
 pub(super) fn error_bars_section(summary: &Summary) -> Vec<Block> {
-    let text = "What main numbers may be off by. The band is about the extrapolated value where a convergence study was made, \
-                else about the run's own.";
+    let text = "Error bars of main numbers. The band is centred on the extrapolated value if a convergence study was made, else on \
+                the value of the run.";
     let rows = summary.error_bars.iter().map(|(path, bar)| {
         let known = |value: Option<f64>, digits: usize| value.map_or("–".into(), |v| format!("{v:.digits$}"));
         let percent = 100.0 * (bar.band / bar.middle()).abs();

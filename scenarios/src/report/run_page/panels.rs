@@ -1,4 +1,4 @@
-//! What the page of a run says of panels.
+//! The panels of `report.html`.
 
 use crate::report::{Block, Table};
 use crate::run::summary::Summary;
@@ -37,7 +37,7 @@ fn table(name: &str, panel: &PanelResult) -> Block {
     Block::Table(Table { title: format!("{name}: extremes over every step"), head, rows })
 }
 
-/// In plain words what broke.
+/// The ruptures in a sentence.
 fn broken(name: &str, panel: &PanelResult) -> Option<Block> {
     let each = panel.ruptures.iter();
     let told: Vec<String> = each

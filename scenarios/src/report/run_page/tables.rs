@@ -34,7 +34,7 @@ pub(super) fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Ve
         blocks.push(Block::Text(format!("Source: {}.", scene.source)));
     }
     if !warnings.is_empty() {
-        blocks.push(Block::Text(format!("Doubts before the run: {}.", warnings.join("; "))));
+        blocks.push(Block::Text(format!("Warnings before the run: {}.", warnings.join("; "))));
     }
     blocks.push(Block::Table(Table { title: "Size and cost".into(), head, rows }));
     blocks.extend(s.compressibility.as_ref().map(|c| Block::Text(compressibility_in_words(c))));
@@ -48,8 +48,8 @@ fn log_rows(log: &Log) -> Vec<Vec<String>> {
         row(&["frames of particles in the log", &log.frames.to_string(), ""]),
     ];
     if let Some(budget) = log.budget_megabytes {
-        rows.push(row(&["size that the log was to stay below", &format!("{budget:.1}"), "MB"]));
-        rows.push(row(&["frames left out for that", &log.frames_left_out.to_string(), ""]));
+        rows.push(row(&["size budget of the log", &format!("{budget:.1}"), "MB"]));
+        rows.push(row(&["frames left out to keep it", &log.frames_left_out.to_string(), ""]));
     }
     rows
 }
@@ -60,26 +60,30 @@ fn compressibility_rows(c: &Compressibility) -> Vec<Vec<String>> {
         row(&["Mach number reached", &format!("{:.4}", c.mach_reached), ""]),
     ];
     if let Some(error) = c.force_error_estimate {
-        rows.push(row(&["share of force lost to compressibility, estimated", &format!("{:.2}", 100.0 * error), "%"]));
+        rows.push(row(&[
+            "share of the force lost to compressibility, estimated",
+            &format!("{:.2}", 100.0 * error),
+            "%",
+        ]));
     }
     if let Some(factor) = c.force_corrected {
-        rows.push(row(&["factor on the force that takes it back", &format!("{factor:.4}"), ""]));
+        rows.push(row(&["factor on the force that corrects for it", &format!("{factor:.4}"), ""]));
     }
     rows
 }
 
 fn projection_rows(p: &Projection) -> Vec<Vec<String>> {
     let mut rows = vec![
-        row(&["pressure equations solved", &p.solves.to_string(), ""]),
-        row(&["iterations of them a step", &format!("{:.1}", p.iterations_mean), ""]),
+        row(&["pressure solves", &p.solves.to_string(), ""]),
+        row(&["iterations per step", &format!("{:.1}", p.iterations_mean), ""]),
     ];
     if let Some(pinned) = p.pinned_last {
-        rows.push(row(&["rows pinned at p = 0 in the last step", &pinned.to_string(), ""]));
+        rows.push(row(&["particles held at p = 0 in the last step", &pinned.to_string(), ""]));
     }
     rows
 }
 
-/// What weak compressibility did to the run, in a sentence.
+/// Effect of weak compressibility.
 fn compressibility_in_words(c: &Compressibility) -> String {
     let reached = format!("The water is weakly compressible; its fastest particle reached Mach {:.3}", c.mach_reached);
     match (c.force_error_estimate, c.force_corrected) {
@@ -168,19 +172,22 @@ pub(super) fn force_rules_section(s: &Summary) -> Vec<Block> {
 
 pub(super) fn audit_table(s: &Summary) -> Block {
     let rows = vec![
-        row(&["momentum: worst gap of a step, relative", &format!("{:.2e}", s.audit.momentum)]),
+        row(&["momentum: largest gap per step, relative", &format!("{:.2e}", s.audit.momentum)]),
         row(&["energy: drift over the largest exchanged (negative: dissipated)", &format!("{:.4}", s.audit.energy)]),
-        row(&["work of the water that did not arrive at the body, relative", &format!("{:.2e}", s.audit.work)]),
-        row(&["work that an elastic body lost, relative", &format!("{:.2e}", s.audit.structure)]),
+        row(&["work of the water that did not reach the body, relative", &format!("{:.2e}", s.audit.work)]),
+        row(&[
+            "work on an elastic body that its energies do not contain, relative",
+            &format!("{:.2e}", s.audit.structure),
+        ]),
         row(&["volume: relative change", &format!("{:.2e}", s.audit.volume)]),
-        row(&["particles found beyond a wall", &s.audit.penetrated.to_string()]),
+        row(&["particles beyond a wall", &s.audit.penetrated.to_string()]),
     ];
-    let worst = s.audit.worst_penetration.iter().map(|worst| row(&["not tight", &worst.to_string()]));
+    let worst = s.audit.worst_penetration.iter().map(|worst| row(&["penetration", &worst.to_string()]));
     let rows = rows.into_iter().chain(worst).collect();
     Block::Table(Table { title: "Conservation".into(), head: row(&["quantity", "value"]), rows })
 }
 
-/// Where the wall time went, in the order of a step.
+/// Wall time by part, in the order of a step.
 pub(super) fn cost_bar(s: &Summary) -> Block {
     let known = Phase::ALL.into_iter().filter_map(|phase| Some((phase, s.phases.get(phase.name())?)));
     let parts = known.map(|(phase, time)| Part { label: phase.name().into(), size: time.seconds }).collect();
