@@ -13,7 +13,7 @@ use super::model::{
 };
 use super::model_panel::{Panel, TheoryName};
 use super::resolve_model::ModelName;
-use crate::ladder::Want;
+use crate::model_hierarchy::Want;
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
 use sph_core::{Solver, ThesisSettings};

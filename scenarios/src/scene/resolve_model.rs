@@ -8,8 +8,8 @@ use super::impact::Entry;
 use super::model::{Body, Rung, Scene, Solver, Symmetry};
 use super::problem::{Problem, within};
 use super::resolve_body::resolve_body;
-use crate::chart::spacing_within;
-use crate::ladder::{Choice, Theory, Want, charted_number, choose};
+use crate::charted::spacing_within;
+use crate::model_hierarchy::{Choice, Theory, Want, charted_number, choose};
 
 /// The key `model`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
