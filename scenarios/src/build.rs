@@ -1,46 +1,46 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
 use fsi_coupling::bodies::prescribed::Law;
-use fsi_coupling::bodies::rigid_motion::Rigid;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{
-    Arrangement, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, Plate, PrescribedBody,
-    RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
+    Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
+    RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
+use sph_core::legacy::{self, pilorget2010};
 use sph_core::neighbours::images::Mirror;
-use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
+use sph_core::{Domain, Fluid, FluidSettings, SchemeSettings, Solver, ThesisSettings, projection, wcsph};
 use structure_fe::Damping;
 
-use crate::filling::fill;
 use crate::follow::Follower;
-use crate::scene::{Body, DiffusionForm, Motion, Oscillation, PanelEnd, Scene, Symmetry};
+use crate::initial_fluid::initial_fluid;
+use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, Symmetry};
 
-/// Fluid, walls and bodies of a scene at t = 0.
+/// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let body = body(scene)?;
-    let seeds = fill(scene, body.as_deref())?;
-    let fluid = Fluid::new(parameters(scene), &seeds);
-    let bodies = body.into_iter().chain([Box::new(tank(scene)) as Box<dyn WettedBody>]).collect();
-    let system = Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)?;
+    let (domain, settings, tiling) = (domain(scene), settings(scene), tiling(scene));
+    let (layout, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
+    let rows = WallRows::of(layout, scene.resolution.spacing);
+    let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
+    let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
+    let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
+    let bodies = body.into_iter().chain([tank]).collect();
+    let placed = PlacedBodies::new(bodies, layout, ratio, scene.resolution.spacing)?;
+    let seeds = initial_fluid(scene, &domain, &tiling, &placed, thin);
+    let fluid = Fluid::new(domain, settings.as_ref(), &seeds);
+    let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
-        Some(follower) => system.focused(Box::new(move |motion, outline| follower.zone(motion, outline))),
+        Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
         None => system,
     })
 }
 
-/// The scene's body, if it has one, where it starts.
-pub(crate) fn body(scene: &Scene) -> Result<Option<Box<dyn WettedBody>>, CouplingError> {
-    scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body)).transpose()
-}
-
-/// The tank, with what stands on it.
-pub(crate) fn tank(scene: &Scene) -> Tank {
+/// The tank with a plate that stands on its walls.
+fn tank(scene: &Scene, rows: &WallRows) -> Tank {
     let half = scene.symmetry == Symmetry::X;
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
-    let standing = scene.body.as_ref().and_then(|body| standing(scene, body)).into_iter().collect();
-    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).carrying(standing)
+    let standing = scene.body.as_ref().and_then(|body| standing(scene, body, rows)).into_iter().collect();
+    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
 }
 
 /// How the water is divided into particles.
@@ -65,19 +65,13 @@ pub fn tiling(scene: &Scene) -> Tiling {
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.
 const STANDS: f64 = 0.5;
 
-/// Rows of wall particles below each face.
-fn layers(scene: &Scene) -> usize {
-    Arrangement::of(&parameters(scene)).1
-}
-
 /// True for a plate whose faces' rows do not fit between them (THEORY T2).
-pub(crate) fn is_thin(scene: &Scene, body: &Body) -> bool {
-    matches!(&body.shape, Shape::Polyline { points, thickness }
-        if Plate::new(points, *thickness).is_thin(scene.resolution.spacing, layers(scene)))
+fn is_thin(body: &scene::Body, rows: &WallRows) -> bool {
+    matches!(&body.shape, Shape::Polyline { points, thickness } if Plate::new(points, *thickness).is_thin(rows))
 }
 
 /// T3: how far a fixed plate goes on into the tank's walls that its middle line's ends stand on [m].
-fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
+fn roots(scene: &Scene, body: &scene::Body, rows: &WallRows) -> [f64; 2] {
     let (Shape::Polyline { points, .. }, Motion::Fixed) = (&body.shape, &body.motion) else { return [0.0; 2] };
     let loose = |end: &[f64; 2]| {
         let ends = body.panels.iter().flat_map(|panel| [panel.from, panel.to].into_iter().zip(panel.ends));
@@ -90,77 +84,113 @@ fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
         let at = body.to_tank(*end);
         let spacing = tiling(scene).spacing_at(at);
         let away = (0.5 * scene.tank.width - at[0].abs()).min(at[1] + scene.tank.depth);
-        if away < STANDS * spacing { (layers(scene) as f64 + 1.0) * spacing } else { 0.0 }
+        if away < STANDS * spacing { (rows.layers as f64 + 1.0) * spacing } else { 0.0 }
     };
     [root(&points[0]), root(&points[points.len() - 1])]
 }
 
 /// A thin plate that stands on the tank's walls, where it stands.
-fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
-    let roots = roots(scene, body);
+fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate> {
+    let roots = roots(scene, body, rows);
     let Shape::Polyline { points, thickness } = &body.shape else { return None };
     let middle: Vec<[f64; 2]> = points.iter().map(|p| body.to_tank(*p)).collect();
-    (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
+    (roots != [0.0; 2] && is_thin(body, rows)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-pub(crate) fn parameters(scene: &Scene) -> Parameters {
+/// The water and the space it moves in.
+fn domain(scene: &Scene) -> Domain {
     let fluid = &scene.fluid;
-    Parameters {
-        eos: Tait { rho0: fluid.density, c0: fluid.sound_speed, gamma: fluid.eos_exponent },
-        kernel: fluid.kernel,
-        smoothing_ratio: fluid.smoothing_ratio,
-        gravity: scene.gravity,
-        alpha: fluid.artificial_viscosity,
-        nu: fluid.kinematic_viscosity,
-        delta: fluid.density_diffusion,
-        shifting: fluid.shifting,
-        settling: fluid.settling,
-        volume_correction: fluid.volume_correction,
-        slip: fluid.wall_slip,
-        wall_stretch: fluid.wall_stretch,
-        ventilation: fluid.ventilation,
-        wide: true,
-        integrator: fluid.integrator,
-        cfl: fluid.cfl,
-        mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
-        verlet_correction_every: fluid.verlet_correction_every.into(),
-        density_filter: fluid.density_filter,
-        density_filter_every: fluid.density_filter_every.into(),
-        xsph: fluid.xsph,
-        turbulence: fluid.turbulence,
-        gas: fluid.gas(),
-        density_evolution: fluid.density_evolution,
-        hydrostatic_diffusion: fluid.density_diffusion_form == DiffusionForm::Fourtakas,
-        shift_surface: false,
-        periodic: None,
-        walls: WallTreatment {
-            model: fluid.walls,
-            hydrostatic_start: fluid.limit_pressure == 1,
-            water_depth: scene.tank.depth,
+    Domain {
+        fluid: FluidSettings {
+            density: fluid.density,
+            kernel: fluid.kernel,
+            smoothing_ratio: fluid.smoothing_ratio,
+            kinematic_viscosity: fluid.kinematic_viscosity,
+            wall_slip: fluid.wall_slip,
         },
-        dissipation: fluid.dissipation,
-        solver: scene.solver,
-        projecting: scene.projection.map_or_else(Projecting::default, |projection| projection.settings()),
-        speed: scene.projection_speed(),
-        thesis: scene.thesis.unwrap_or_default(),
+        gravity: scene.gravity,
+        mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
+        fastest_speed: scene.projection_speed(),
+        ..Domain::default()
     }
 }
 
-fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>, CouplingError> {
+/// Settings of the scene's scheme.
+fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
+    match scene.solver {
+        Solver::WeaklyCompressible => Box::new(compressible(scene)),
+        Solver::Incompressible => Box::new(projection(scene, projection::Method::Solve)),
+        Solver::IncompressibleExplicit => Box::new(projection(scene, projection::Method::OneSweep)),
+        Solver::IncompressibleThesis => Box::new(thesis(scene)),
+    }
+}
+
+fn compressible(scene: &Scene) -> legacy::Settings {
+    let fluid = &scene.fluid;
+    legacy::Settings {
+        scheme: wcsph::Settings {
+            sound_speed: fluid.sound_speed.into(),
+            eos_exponent: fluid.eos_exponent,
+            dissipation: fluid.dissipation,
+            artificial_viscosity: fluid.artificial_viscosity,
+            density_diffusion: fluid.density_diffusion,
+            shifting: fluid.shifting,
+            settling: fluid.settling,
+            wall_stretch: fluid.wall_stretch,
+            ventilation: fluid.ventilation,
+            cfl: fluid.cfl.into(),
+        },
+        options: legacy::Options {
+            integrator: fluid.integrator,
+            verlet_correction_every: fluid.verlet_correction_every,
+            density_filter: fluid.density_filter,
+            density_filter_every: fluid.density_filter_every,
+            xsph: fluid.xsph,
+            turbulence: fluid.turbulence,
+            equation_of_state: fluid.equation_of_state,
+            temperature: fluid.temperature,
+            molar_mass: fluid.molar_mass,
+            density_evolution: fluid.density_evolution,
+            density_diffusion_form: fluid.density_diffusion_form,
+            walls: fluid.walls,
+            limit_pressure: fluid.limit_pressure as u8,
+            water_depth: scene.tank.depth,
+        },
+    }
+}
+
+fn projection(scene: &Scene, method: projection::Method) -> projection::Settings {
+    let fluid = &scene.fluid;
+    let settings = scene.projection.map_or_else(projection::Settings::default, |projection| projection.settings());
+    let flow = projection::FlowSettings { shifting: fluid.shifting, ventilation: fluid.ventilation, cfl: fluid.cfl };
+    projection::Settings { flow, method, ..settings }
+}
+
+fn thesis(scene: &Scene) -> ThesisSettings {
+    let fluid = &scene.fluid;
+    let flow = pilorget2010::settings::FlowSettings {
+        sound_speed: fluid.sound_speed.into(),
+        dissipation: fluid.dissipation,
+        artificial_viscosity: fluid.artificial_viscosity,
+        cfl: fluid.cfl,
+    };
+    ThesisSettings { flow, ..scene.thesis.unwrap_or_default() }
+}
+
+fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
-    let outline = Outline::of(&body.shape)?.rooted(roots(scene, body));
-    let start = Rigid {
-        pole: body.position,
+    let outline = Outline::of(&body.shape)?.rooted(roots(scene, body, rows));
+    let start = RigidMotion {
+        position: body.position,
         angle: body.angle_deg.to_radians(),
         velocity: body.velocity,
-        spin: body.angular_velocity_deg_per_s.to_radians(),
-        ..Rigid::default()
+        angular_velocity: body.angular_velocity_deg_per_s.to_radians(),
+        ..RigidMotion::default()
     };
     if !body.panels.is_empty() {
         return flexible(scene, body, outline, start);
     }
-    let follow =
-        |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn WettedBody>;
+    let follow = |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn Body>;
     let Motion::Free(freedom) = &body.motion else {
         return Ok(follow(law(&body.motion, &start)));
     };
@@ -174,25 +204,32 @@ fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>
         position: body.position,
         angle: start.angle,
         velocity: body.velocity,
-        spin: start.spin,
+        angular_velocity: start.angular_velocity,
         gravity: scene.gravity,
         half,
     })?))
 }
 
 /// The law of a motion that is given.
-fn law(motion: &Motion, start: &Rigid) -> Law {
+fn law(motion: &Motion, start: &RigidMotion) -> Law {
     match motion {
         Motion::Oscillating(Oscillation { amplitude, period }) => {
-            PrescribedBody::oscillating(start.pole, start.angle, *amplitude, *period)
+            PrescribedBody::oscillating(start.position, start.angle, *amplitude, *period)
         }
-        Motion::ConstantVelocity => PrescribedBody::steady(start.pole, start.angle, start.velocity, start.spin),
-        Motion::Fixed | Motion::Free(_) => PrescribedBody::steady(start.pole, start.angle, [0.0; 2], 0.0),
+        Motion::ConstantVelocity => {
+            PrescribedBody::steady(start.position, start.angle, start.velocity, start.angular_velocity)
+        }
+        Motion::Fixed | Motion::Free(_) => PrescribedBody::steady(start.position, start.angle, [0.0; 2], 0.0),
     }
 }
 
 /// A body with panels.
-fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Result<Box<dyn WettedBody>, CouplingError> {
+fn flexible(
+    scene: &Scene,
+    body: &scene::Body,
+    outline: Outline,
+    start: RigidMotion,
+) -> Result<Box<dyn Body>, CouplingError> {
     let middle = match &body.shape {
         Shape::Polyline { points, .. } => Some(points.clone()),
         _ => None,
@@ -200,7 +237,7 @@ fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Resul
     let frame = match &body.motion {
         Motion::Free(freedom) => Frame::Free {
             mass: freedom.mass,
-            // a frame that does not turn needs some inertia, which nothing feels
+            // a frame that does not turn needs an inertia, which has no effect
             inertia: freedom.inertia.unwrap_or(freedom.mass),
             center_of_mass: body.center_of_mass,
             free: [freedom.x, freedom.y, freedom.inertia.is_some()],
@@ -208,9 +245,9 @@ fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Resul
         motion => Frame::Given(law(motion, &start)),
     };
     // the body's velocity is that of its centre of mass; its frame's origin moves with it
-    let arm = body.center_of_mass.map(|c| -c);
-    let about = Rigid { pole: [0.0; 2], ..start };
-    let start = Rigid { velocity: about.point_velocity(arm), ..start };
+    let lever_arm = body.center_of_mass.map(|c| -c);
+    let about = RigidMotion { position: [0.0; 2], ..start };
+    let start = RigidMotion { velocity: about.point_velocity(lever_arm), ..start };
     Ok(Box::new(FlexibleBody::new(FlexibleSpec {
         name: body.name.clone(),
         outline,

@@ -11,10 +11,10 @@ use crate::particles::{Fields, Particles, Seed};
 use crate::scheme::{Scheme, SchemeSettings};
 use crate::system::{ParticleSystem, SavedSystem};
 use crate::timers::{Phase, Timers};
-use crate::walls::Walls;
 use crate::walls::contact;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 use crate::walls::midline::{Passage, note_start_positions, passages};
+use crate::walls::{WallLayout, Walls};
 
 /// A fluid that can be stepped.
 ///
@@ -35,6 +35,7 @@ pub struct Fluid {
     system: ParticleSystem,
     scheme: Box<dyn Scheme>,
     saved: Vec<(SavedSystem, Box<dyn Scheme>)>,
+    wall_layout: WallLayout,
     /// Particles moved, over all steps.
     updates: u64,
 }
@@ -65,7 +66,9 @@ impl Fluid {
             fields.volume = seeds.iter().map(|seed| seed.area).collect();
         }
         let scheme = settings.scheme(&domain);
-        Fluid { system: ParticleSystem::new(domain, particles, fields), scheme, saved: Vec::new(), updates: 0 }
+        let wall_layout = settings.wall_layout(&domain);
+        let system = ParticleSystem::new(domain, particles, fields);
+        Fluid { system, scheme, saved: Vec::new(), wall_layout, updates: 0 }
     }
 
     /// Find the forces at the start: once, when the walls stand where they start. Panics on a period with thin plates (T1), an
@@ -75,7 +78,7 @@ impl Fluid {
     }
 
     /// The same, where some owners of walls are accelerated by the force that they feel (THEORY C2).
-    pub fn initialise_with(&mut self, walls: &mut Walls, interfaces: &mut [Interface]) -> Result<(), Breakdown> {
+    pub fn initialise_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface]) -> Result<(), Breakdown> {
         let unbounded = self.system.domain.periodic.is_none();
         assert!(unbounded || walls.midlines.is_empty(), "a period and thin plates exclude each other");
         self.scheme.initialise(&mut self.system, walls, interfaces)?;
@@ -89,7 +92,7 @@ impl Fluid {
     }
 
     /// The same, where some owners of walls are accelerated by the force that they feel (THEORY C2).
-    pub fn step_with(&mut self, walls: &mut Walls, interfaces: &mut [Interface], dt: f64) -> Result<(), Breakdown> {
+    pub fn step_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
         let Fluid { system, scheme, .. } = self;
         let outer = system.timers.begin(Phase::Integration);
@@ -130,9 +133,19 @@ impl Fluid {
         &self.system.domain
     }
 
+    /// Rows of boundary particles that the scheme's walls need.
+    pub fn wall_layout(&self) -> WallLayout {
+        self.wall_layout
+    }
+
     /// Particles with their neighbours.
     pub fn system(&self) -> &ParticleSystem {
         &self.system
+    }
+
+    /// The same, to evaluate single terms.
+    pub fn system_mut(&mut self) -> &mut ParticleSystem {
+        &mut self.system
     }
 
     /// State that lives from step to step.
@@ -269,14 +282,16 @@ impl Fluid {
         self.system.displaced = true;
     }
 
-    /// E25: put a particle that is beyond a surface back on it, and stop its approach; see [`contact::resolve`].
+    /// E25: put a particle that is beyond a surface back on it, and stop its approach; the impulse that the wall takes, or `None`
+    /// where the particle does not approach. `inverse_mass` is the velocity along the normal that a unit impulse gives the wall
+    /// [m/kg].
     pub fn resolve_contact(
         &mut self,
         particle: usize,
         surface: &contact::Surface,
-        mobility: f64,
+        inverse_mass: impl FnOnce() -> f64,
     ) -> Option<contact::Impulse> {
-        contact::resolve(&mut self.system, particle, surface, mobility)
+        contact::resolve(&mut self.system, particle, surface, inverse_mass)
     }
 
     /// Memory of state, packed particles, lists and the scheme's arrays [bytes]. Not counted: saved states, and what a search

@@ -45,6 +45,6 @@ pub use scheme::{Scheme, SchemeSettings};
 pub use solver::Solver;
 pub use system::ParticleSystem;
 pub use timers::{Phase, Timers};
-pub use walls::interface::{Interface, InterfaceDynamics};
+pub use walls::interface::{InterfaceDynamics, WallInterface};
 pub use walls::midline::{Passage, PlateMidline};
-pub use walls::{WallForces, WallPoint, Walls, WallsMut};
+pub use walls::{WallForces, WallLayout, WallPoint, Walls, WallsMut};

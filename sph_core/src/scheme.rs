@@ -6,8 +6,8 @@ use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::particles::Seed;
 use crate::system::ParticleSystem;
-use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
+use crate::walls::{WallLayout, Walls};
 
 /// A scheme that advances a [`ParticleSystem`]. It owns all state that the system does not hold.
 ///
@@ -18,7 +18,7 @@ pub trait Scheme: Send + Sync {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
     ) -> Result<(), Breakdown>;
 
     /// Advance by `dt` [s]. Before: the walls' kinematics are those of the step's end. After: the walls carry the force at the
@@ -28,7 +28,7 @@ pub trait Scheme: Send + Sync {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown>;
 
@@ -83,6 +83,11 @@ pub trait SchemeSettings {
 
     /// Density [kg/m³] and specific internal energy [J/kg] of a seed; `None` for a fluid without an energy equation.
     fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>);
+
+    /// Rows of boundary particles that the scheme's walls need.
+    fn wall_layout(&self, domain: &Domain) -> WallLayout {
+        WallLayout::filling_support(domain.fluid.smoothing_ratio)
+    }
 
     /// True where particles keep the volumes of their seeds, and pressures those of the seeds until the first step.
     fn keeps_volumes(&self) -> bool {

@@ -1,12 +1,13 @@
 //! Failures at plates thinner than their rows of wall particles, and their remedy: screens (THEORY T1, T2).
 
+use evidence::parameters::Parameters;
 use evidence::plates::{
     DENSITY, GRAVITY, coupled, face_forces, fixed, parameters, parted, parted_by, plate, sides, tank,
 };
 use evidence::statistics::mean;
 use evidence::systems::{advance, take};
-use fsi_coupling::{Coupled, Outline, WettedBody};
-use sph_core::{Parameters, Seed};
+use fsi_coupling::{Body, Coupled, Outline};
+use sph_core::Seed;
 
 const SPACING: f64 = 0.02;
 
@@ -45,7 +46,7 @@ fn a_plate_of_one_spacing_shows_each_face_the_other_water() {
 
 /// Lone particles, two supports apart, 0.15 spacings before a plate a fiftieth of a spacing thick, that fly at it with 0.3 of
 /// the speed of sound: 0.2 spacings a step.
-fn thrown(body: impl Fn(Outline) -> Box<dyn WettedBody>) -> Coupled {
+fn thrown(body: impl Fn(Outline) -> Box<dyn Body>) -> Coupled {
     let c0 = 20.0;
     let parameters = Parameters { gravity: [0.0; 2], ..parameters(c0) };
     let lone = |k: usize| Seed {
@@ -66,7 +67,7 @@ fn lone_particles_fly_through_a_plate_unless_their_path_is_looked_at() {
     let bare = |outline: Outline| fixed(Outline::polygon(&outline.loops()[0]).expect("the same corners"));
     let through = |mut system: Coupled| {
         take(&mut system, 8).expect("a stable run");
-        let beyond = system.fluid.particles.x.iter().filter(|x| **x > 0.0).count();
+        let beyond = system.fluid.particles().x.iter().filter(|x| **x > 0.0).count();
         assert!(system.momentum_audit().worst < 1e-10, "momentum closes with every blow");
         (beyond, system.stopped())
     };

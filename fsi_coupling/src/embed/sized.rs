@@ -1,6 +1,6 @@
 //! How large an element would be, before anything is allocated; and the step from there to the element.
 
-use sph_core::{Fluid, Seed};
+use sph_core::{Fluid, SchemeSettings, Seed};
 
 use super::added_mass::AddedMass;
 use super::body::{HostBody, Shared};
@@ -11,14 +11,14 @@ use super::path::Path;
 use super::skin::Skin;
 use super::spec::FluidElementSpec;
 use super::topology::{Topology, WetSurface};
-use crate::bodies::body::WettedBody;
+use crate::bodies::body::{Body, WettedBody};
 use crate::bodies::tank::Tank;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::scheme::Scheme;
 use crate::geometry::layout::{Basin, Cell, Tiling};
 use crate::geometry::outline::Outline;
 use crate::geometry::polygon::{bounding_box, thinnest_web};
-use crate::geometry::rows::Arrangement;
+use crate::geometry::rows::WallRows;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
 /// (measured by `tests/host_size.rs`).
@@ -47,12 +47,10 @@ impl FluidElementSpec {
     /// How many particles, bytes, how long a step, and what to mind: pure, and allocates nothing that grows with the water.
     pub fn size(self, topology: &Topology) -> Result<SizedElement, HostError> {
         self.check()?;
-        let parameters = self.parameters();
-        let (arrangement, layers) = Arrangement::of(&parameters);
-        let rows = layers as f64 * self.spacing;
-        topology.check(rows)?;
+        let rows = WallRows::of(self.settings().wall_layout(&self.domain()), self.spacing);
+        topology.check(rows.reach())?;
         let outline = topology.outline()?;
-        refuse_thin(topology, &outline, rows)?;
+        refuse_thin(topology, &outline, rows.reach())?;
         let tiling = self.tiling(&outline)?;
         let x = self.walls(&outline);
         self.refuse_outside(topology, x)?;
@@ -68,13 +66,10 @@ impl FluidElementSpec {
         };
         let mut fluid = 0;
         sized.for_each_seed(|_| fluid += 1);
-        let body =
-            crate::geometry::sampling::sample(&sized.outline, sized.spec.spacing, layers, false, arrangement).len();
-        let mut tank = sized.tank();
-        tank.arrange(arrangement);
-        let tank = tank.sample(sized.spec.spacing, layers).map_err(HostError::Shape)?.len();
+        let body = crate::geometry::sampling::sample(&sized.outline, &rows, false).len();
+        let tank = sized.tank().sample(&rows).map_err(HostError::Shape)?.len();
         sized.particles = [fluid, body + tank];
-        sized.warnings = sized.doubts();
+        sized.warnings = sized.find_warnings();
         Ok(sized)
     }
 
@@ -161,9 +156,9 @@ impl SizedElement {
 
     /// The water's step at rest [s] (THEORY E17).
     pub fn fluid_dt(&self) -> f64 {
-        let p = self.spec.parameters();
-        let h = p.smoothing_ratio * self.spec.spacing;
-        (p.cfl * h / p.eos.c0).min(0.125 * h * h / p.nu)
+        let h = self.spec.smoothing_ratio * self.spec.spacing;
+        let acoustic = self.spec.settings().courant_number() * h / self.spec.speed_of_sound();
+        acoustic.min(0.125 * h * h / self.spec.kinematic_viscosity)
     }
 
     /// The water's inertia against the host's, where the topology tells masses.
@@ -171,7 +166,7 @@ impl SizedElement {
         self.added_mass
     }
 
-    /// Doubts, in plain words.
+    /// Warnings about the specification.
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
@@ -181,7 +176,7 @@ impl SizedElement {
         &self.spec
     }
 
-    fn doubts(&self) -> Vec<String> {
+    fn find_warnings(&self) -> Vec<String> {
         let (c0, fastest) = (self.spec.speed_of_sound(), self.spec.fastest_speed.unwrap_or(0.0));
         let slow = (c0 < 10.0 * fastest).then(|| {
             format!("sound_speed = {c0}: below ten times fastest_speed = {fastest}; compressibility will cost force (THEORY E19)")
@@ -228,12 +223,12 @@ impl SizedElement {
         }
         let mut seeds = Vec::with_capacity(self.particles[0]);
         self.for_each_seed(|seed| seeds.push(seed));
-        let fluid = Fluid::new(self.spec.parameters(), &seeds);
+        let fluid = Fluid::new(self.spec.domain(), &self.spec.settings(), &seeds);
         drop(seeds);
         let shared = Shared::new(Path::resting(nodes));
         let skin = Skin::new(&self.topology, nodes);
         let body = HostBody::new(&self.topology, self.outline.clone(), skin, self.spec.spacing, shared.clone());
-        let bodies: Vec<Box<dyn WettedBody>> = vec![Box::new(body), Box::new(self.tank())];
+        let bodies: Vec<Box<dyn Body>> = vec![Box::new(body), Box::new(self.tank())];
         let system = Coupled::new(fluid, bodies, Scheme::Weak, self.spec.spacing).map_err(HostError::Build)?;
         Ok(FluidElement::new(system, shared, &self.topology, &self.spec, self.added_mass))
     }

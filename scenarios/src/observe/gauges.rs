@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::bodies::rigid_motion::rotate;
+use fsi_coupling::geometry::vector::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::particles::probe::Probe;
 
@@ -102,7 +102,7 @@ impl GaugeReader {
         if !self.instruments.iter().any(&which) {
             return;
         }
-        let time = system.fluid.time;
+        let time = system.fluid.time();
         let probe = Probe::new(&system.fluid);
         let body = system.bodies().find(|b| b.motion().is_some());
         let motion = body.and_then(|b| b.motion()).unwrap_or_default();
@@ -112,7 +112,7 @@ impl GaugeReader {
             let frame = if instrument.on == GaugeFrame::Body { &motion } else { &still };
             let riding = body.filter(|_| instrument.on == GaugeFrame::Body);
             let read = |place: &Place| {
-                let spot = riding.and_then(|b| b.ride(place.at)).map_or_else(
+                let spot = riding.and_then(|b| b.material_point(place.at)).map_or_else(
                     || Spot::rigid(frame, place),
                     |(surface, acceleration)| Spot { at: surface.at, normal: surface.normal, acceleration },
                 );

@@ -117,13 +117,12 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
     })
 }
 
-/// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
-/// its mass.
 fn resolve_report(file: &ReportFile) -> Result<Report, Problem> {
     let log_budget = file.log_budget.map(|size| positive("report.log_budget", size)).transpose()?;
     Ok(Report { force_rules: file.force_rules.unwrap_or(false), log_budget })
 }
 
+/// Default scheme of a body that bends, or moves freely in a projection: `added_mass`, which is stable at any mass.
 fn resolve_coupling(file: &CouplingFile, solver: Solver, fluid: &Fluid, yields: bool) -> Result<Coupling, Problem> {
     let solves_both = matches!(solver, Solver::WeaklyCompressible | Solver::Incompressible);
     let holding = yields && solves_both && fluid.walls == WallModel::Extrapolated;
@@ -133,12 +132,11 @@ fn resolve_coupling(file: &CouplingFile, solver: Solver, fluid: &Fluid, yields: 
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
     }
     if scheme == CouplingScheme::AddedMass && !solves_both {
-        let expected = "\"weak\", \"aitken\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" \
+        let expected = "\"weak\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" \
                         find a body's acceleration together with the pressures";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
     }
-    let iterated = matches!(scheme, CouplingScheme::Aitken | CouplingScheme::IqnIls);
-    if iterated && fluid.integrator == Integrator::PredictorCorrector {
+    if scheme == CouplingScheme::IqnIls && fluid.integrator == Integrator::PredictorCorrector {
         // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY C5)
         let expected = "\"added_mass\" with fluid.integrator = \"predictor_corrector\", or another integrator";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
@@ -195,6 +193,10 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         let why = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", why));
     }
+    if file.volume_correction == Some(true) {
+        let expected = "false: the correction of volumes was dropped, since it gained nothing";
+        return Err(Problem::new("fluid.volume_correction", true, expected));
+    }
     let integrator = file.integrator.unwrap_or_default();
     let dissipation = file.dissipation.unwrap_or_default();
     let usual_exponent = if gaseous { AIR_EXPONENT } else { TAIT_EXPONENT };
@@ -210,7 +212,6 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         density_diffusion: coefficient("fluid.density_diffusion", file.density_diffusion, 0.3, dissipation)?,
         shifting: file.shifting.unwrap_or(true),
         settling: within("fluid.settling", file.settling.unwrap_or(0.1), 0.0..=0.3)?,
-        volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
         wall_stretch: file.wall_stretch.unwrap_or(false),
         ventilation: file.ventilation.unwrap_or(false),

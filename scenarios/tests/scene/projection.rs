@@ -29,10 +29,13 @@ fn a_table_of_the_projection_is_what_the_fluid_takes() {
     let table = "projection={ tolerance = 1e-6, most_iterations = 77, relaxation = 3.0, calming = 0.0, shift = 0.5 }";
     for solver in ["incompressible", "incompressible_explicit"] {
         let settings = with(solver, &[table]).projection.expect("a table").settings();
-        assert_eq!([settings.tolerance, settings.relaxation, settings.calming, settings.shift], [1e-6, 3.0, 0.0, 0.5]);
+        assert_eq!(
+            [settings.tolerance, settings.relaxation, settings.viscosity_coefficient, settings.shift],
+            [1e-6, 3.0, 0.0, 0.5]
+        );
         assert_eq!(settings.most_iterations, 77);
     }
-    let usual = sph_core::Projecting::default();
+    let usual = sph_core::projection::Settings::default();
     assert_eq!(with("incompressible", &[]).projection.expect("a table").settings(), usual);
 }
 
@@ -55,7 +58,7 @@ fn a_resolved_incompressible_scene_loads_again_to_itself() {
 #[test]
 fn no_doubt_about_an_incompressible_scene_and_no_line_of_check_speaks_of_sound() {
     for solver in SOLVERS {
-        for set in ["fluid.sound_speed=20", "coupling.scheme=aitken"] {
+        for set in ["fluid.sound_speed=20", "coupling.scheme=iqn_ils"] {
             let sets = [format!("solver={solver}"), set.to_string(), "tank.width=3".into(), "tank.depth=1.5".into()];
             let loaded = load_text("drop.toml", DROP, &sets).expect("the scene loads");
             let text = preflight(&loaded.scene, &loaded.warnings).to_text();

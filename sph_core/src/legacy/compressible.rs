@@ -19,7 +19,7 @@ use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::{extrapolate_to_walls, set_wall_state};
 use crate::wcsph::Wcsph;
@@ -156,7 +156,7 @@ impl Compressible {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         offset: f64,
     ) {
         self.equation_of_state(system);

@@ -134,8 +134,8 @@ mod tests {
         let row = |x: f64, y: f64, raw_volume: f64| PackedParticle {
             x,
             y,
-            fill,
-            volume: fill,
+            raw_volume,
+            volume: raw_volume,
             h: 0.15,
             ..PackedParticle::default()
         };

@@ -18,3 +18,6 @@ pub mod summation;
 pub mod turbulence;
 pub mod wall_model;
 pub mod xsph;
+
+pub use compressible::Compressible;
+pub use settings::{DiffusionForm, EquationOfState, Options, Settings};

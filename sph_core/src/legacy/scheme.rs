@@ -7,12 +7,13 @@ use crate::error::Breakdown;
 use crate::legacy::compressible::Compressible;
 use crate::legacy::settings::Settings;
 use crate::legacy::steps::Step;
+use crate::legacy::wall_model::WallModel;
 use crate::memory::of_vector;
 use crate::particles::Seed;
 use crate::scheme::{Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
-use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
+use crate::walls::{WallLayout, Walls};
 use crate::wcsph::shifting::settle;
 use crate::wcsph::step_limit::StepLimit;
 use crate::wcsph::{Wcsph, is_weakly_compressed};
@@ -22,7 +23,7 @@ impl Scheme for Compressible {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
     ) -> Result<(), Breakdown> {
         self.sum_density(system, walls, 0.0);
         self.start_dynamic_walls(system, walls);
@@ -39,7 +40,7 @@ impl Scheme for Compressible {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown> {
         Step { scheme: self, system, walls, interfaces, dt }.take();
@@ -100,6 +101,16 @@ impl SchemeSettings for Settings {
         match self.gas(domain) {
             None => self.scheme.state(domain, seed),
             Some(gas) => (gas.density(seed.pressure, gas.energy_at_rest()), Some(gas.energy_at_rest())),
+        }
+    }
+
+    fn wall_layout(&self, domain: &Domain) -> WallLayout {
+        match self.options.walls {
+            WallModel::Extrapolated | WallModel::MirrorPoint => {
+                WallLayout::filling_support(domain.fluid.smoothing_ratio)
+            }
+            WallModel::Dynamic => WallLayout { layers: 2, staggered: true },
+            WallModel::Repulsive => WallLayout { layers: 1, staggered: false },
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::legacy::multistep::Weights;
 use crate::particles::Particles;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 use crate::wcsph::updates::{advance_density_midpoint, drift, kick};
 
 /// The scheme with what it works on.
@@ -14,7 +14,7 @@ pub(crate) struct Step<'a> {
     pub scheme: &'a mut Compressible,
     pub system: &'a mut ParticleSystem,
     pub walls: &'a mut Walls,
-    pub interfaces: &'a mut [Interface],
+    pub interfaces: &'a mut [WallInterface],
     /// The step [s].
     pub dt: f64,
 }

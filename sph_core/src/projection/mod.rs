@@ -26,7 +26,7 @@ use crate::scheme::{Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::extrapolate_to_walls;
 
@@ -79,7 +79,7 @@ impl Projection {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown> {
         let constants = self.constants(system);
@@ -101,7 +101,7 @@ impl Projection {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown> {
         let Projection { settings, lattice, surface, operators, equation, reference_kernel_sum, .. } = self;
@@ -180,7 +180,7 @@ impl Scheme for Projection {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
     ) -> Result<(), Breakdown> {
         self.pack(system, walls, 0.0);
         start(
@@ -196,7 +196,7 @@ impl Scheme for Projection {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown> {
         self.advance(system, walls, interfaces, dt)
@@ -236,7 +236,12 @@ impl Scheme for Projection {
 }
 
 /// Forces and accelerations at the start of an incompressible scheme, under the pressures of the seeds.
-pub(crate) fn start(system: &mut ParticleSystem, walls: &mut Walls, interfaces: &mut [Interface], terms: &PairTerms) {
+pub(crate) fn start(
+    system: &mut ParticleSystem,
+    walls: &mut Walls,
+    interfaces: &mut [WallInterface],
+    terms: &PairTerms,
+) {
     extrapolate_to_walls(system, walls);
     let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
     gather_fluid_forces(system, terms, true, &mut forces);

@@ -12,7 +12,7 @@ use crate::projection::operators::Operators;
 use crate::projection::settings::{Method, Settings};
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 
 /// Share of the kernel that may be missing without air [-].
 const LARGEST_HOLE: f64 = 0.1;
@@ -110,7 +110,7 @@ impl PressureEquation {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         operators: &Operators,
         air: &[f64],
         lattice: &Lattice,

@@ -27,14 +27,21 @@ pub struct Surface {
 pub struct Impulse {
     /// Impulse per metre of span, of the fluid on the wall [N s/m].
     pub impulse: [f64; 2],
-    /// Its size [N s/m].
+    /// Its component along the normal [N s/m].
     pub size: f64,
+    /// Velocity along the normal that a unit impulse gives the wall [m/kg].
+    pub inverse_mass: f64,
 }
 
 /// E25: put particle `k`, which is beyond `surface`, back on it and stop its approach inelastically; the impulse that the wall
-/// takes, or `None` where the particle does not approach. `mobility` is the velocity along the normal that a unit impulse gives the
-/// wall [m/(kg s)·s/m], so that both end with one velocity and no energy is created.
-pub(crate) fn resolve(system: &mut ParticleSystem, k: usize, surface: &Surface, mobility: f64) -> Option<Impulse> {
+/// takes, or `None` where the particle does not approach. Both end with one normal velocity, so that no energy is created:
+/// `inverse_mass` is the velocity along the normal that a unit impulse gives the wall [m/kg].
+pub(crate) fn resolve(
+    system: &mut ParticleSystem,
+    k: usize,
+    surface: &Surface,
+    inverse_mass: impl FnOnce() -> f64,
+) -> Option<Impulse> {
     let mirror = system.domain.mirror;
     let p = &mut system.particles;
     let n = surface.normal;
@@ -47,11 +54,12 @@ pub(crate) fn resolve(system: &mut ParticleSystem, k: usize, surface: &Surface, 
     if approach >= 0.0 {
         return None;
     }
-    let stopped = approach / (1.0 + p.mass[k] * mobility);
+    let inverse_mass = inverse_mass();
+    let stopped = approach / (1.0 + p.mass[k] * inverse_mass);
     p.u[k] -= stopped * n[0];
     p.v[k] -= stopped * n[1];
     let size = p.mass[k] * stopped;
-    Some(Impulse { impulse: [size * n[0], size * n[1]], size })
+    Some(Impulse { impulse: [size * n[0], size * n[1]], size, inverse_mass })
 }
 
 /// Fluid particles that may be beyond a wall's surface, in the order of the particles.

@@ -1,4 +1,4 @@
-//! Interface dynamics: owners of walls whose acceleration follows from the force of the fluid (THEORY C1–C7).
+//! WallInterface dynamics: owners of walls whose acceleration follows from the force of the fluid (THEORY C1–C7).
 
 use std::fmt;
 use std::ops::Range;
@@ -29,7 +29,7 @@ pub struct InterfaceLoad<'a> {
     pub mirrored: bool,
 }
 
-/// Interface residual: implied minus trial acceleration (THEORY C5) [m/s²].
+/// WallInterface residual: implied minus trial acceleration (THEORY C5) [m/s²].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InterfaceResidual {
     /// r(x), one entry per unknown.
@@ -66,7 +66,7 @@ pub trait InterfaceDynamics: Send + Sync {
 }
 
 /// An owner with its particles.
-pub struct Interface {
+pub struct WallInterface {
     /// Its particles.
     pub range: Range<usize>,
     /// True when they are the right half of an owner that is symmetric about x = 0.
@@ -75,9 +75,9 @@ pub struct Interface {
     pub owner: Box<dyn InterfaceDynamics>,
 }
 
-impl fmt::Debug for Interface {
+impl fmt::Debug for WallInterface {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Interface { range, mirrored, owner } = self;
-        write!(f, "Interface {{ {range:?}, mirrored: {mirrored}, unknowns: {:?} }}", owner.unknowns())
+        let WallInterface { range, mirrored, owner } = self;
+        write!(f, "WallInterface {{ {range:?}, mirrored: {mirrored}, unknowns: {:?} }}", owner.unknowns())
     }
 }

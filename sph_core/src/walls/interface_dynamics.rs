@@ -10,7 +10,7 @@ use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::{Interface, InterfaceLoad, ParticleLoad};
+use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
 
 /// C1: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default)]
@@ -101,7 +101,7 @@ impl WithKernel for PressureCorrection<'_> {
 pub(crate) fn solve_interfaces(
     system: &mut ParticleSystem,
     walls: &mut Walls,
-    interfaces: &mut [Interface],
+    interfaces: &mut [WallInterface],
     forces: &mut Forces,
     offset: f64,
 ) {

@@ -12,6 +12,22 @@ pub(crate) mod visibility;
 
 use crate::walls::midline::PlateMidline;
 
+/// Rows of boundary particles that a scheme needs behind a wall's surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WallLayout {
+    /// Number of rows.
+    pub layers: usize,
+    /// Every other row is shifted by half a spacing (THEORY W2).
+    pub staggered: bool,
+}
+
+impl WallLayout {
+    /// Aligned rows as deep as the kernel's support 2h, for a smoothing length over spacing of `ratio` [-].
+    pub fn filling_support(ratio: f64) -> WallLayout {
+        WallLayout { layers: (2.0 * ratio - 1e-9).ceil() as usize, staggered: false }
+    }
+}
+
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallPoint {

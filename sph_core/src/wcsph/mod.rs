@@ -24,7 +24,7 @@ use crate::scheme::{Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::extrapolate_to_walls;
 
@@ -58,7 +58,7 @@ impl Wcsph {
     }
 
     /// E15: one step, kick–drift–kick with the density advanced about the midpoint; of second order.
-    fn advance(&mut self, system: &mut ParticleSystem, walls: &mut Walls, interfaces: &mut [Interface], dt: f64) {
+    fn advance(&mut self, system: &mut ParticleSystem, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) {
         let half = 0.5 * dt;
         kick(system, half); //                                       v½ = v + ½Δt a
         drift(system, half); //                                      x½ = x + ½Δt v½
@@ -85,7 +85,7 @@ impl Wcsph {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         offset: f64,
     ) {
         self.equation_of_state(system);
@@ -174,7 +174,7 @@ impl Scheme for Wcsph {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
     ) -> Result<(), Breakdown> {
         self.evaluate_forces(system, walls, interfaces, 0.0);
         system.neighbours.flag_surface(&mut system.fields);
@@ -189,7 +189,7 @@ impl Scheme for Wcsph {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown> {
         self.advance(system, walls, interfaces, dt);

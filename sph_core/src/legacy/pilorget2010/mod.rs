@@ -30,7 +30,7 @@ use crate::scheme::{Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::Interface;
+use crate::walls::interface::WallInterface;
 use crate::wcsph::eos::Tait;
 use crate::wcsph::is_weakly_compressed;
 use crate::wcsph::step_limit::acoustic_limit;
@@ -81,7 +81,7 @@ impl Scheme for Thesis {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        interfaces: &mut [Interface],
+        interfaces: &mut [WallInterface],
     ) -> Result<(), Breakdown> {
         self.pack(system, walls, 0.0);
         projection::start(system, walls, interfaces, &self.terms(system));
@@ -92,7 +92,7 @@ impl Scheme for Thesis {
         &mut self,
         system: &mut ParticleSystem,
         walls: &mut Walls,
-        _: &mut [Interface],
+        _: &mut [WallInterface],
         dt: f64,
     ) -> Result<(), Breakdown> {
         self.pack(system, walls, -dt); //             neighbours at r_n

@@ -308,11 +308,11 @@ mod tests {
         let mut fine = OccupancyGrid::default();
         fine.lay([0.0; 2], [1.0, 1.0], 0.05);
         fine.add(0.5, 0.5, 0.45);
-        fine.judge(|_| 1.0);
+        fine.classify(|_| 1.0);
         let mut coarse = OccupancyGrid::default();
         coarse.lay([-1.0; 2], [3.0, 2.0], 0.1);
         coarse.copy(&fine);
-        coarse.judge(|_| 1.0);
+        coarse.classify(|_| 1.0);
         for row in 0..coarse.rows {
             for column in 0..coarse.columns {
                 let at = |i: usize, k: usize| coarse.origin[i] + (k as f64 + 0.5) * coarse.side;
@@ -348,7 +348,7 @@ mod tests {
             for &(x, y, r) in &discs {
                 grid.add(x, y, r);
             }
-            grid.judge(|cells| (cells / 500.0).min(1.0));
+            grid.classify(|cells| (cells / 500.0).min(1.0));
             let (columns, rows) = (grid.columns, grid.rows);
             let open = |c: usize| {
                 let (i, j) = ((c % columns) as f64, (c / columns) as f64);

@@ -4,7 +4,7 @@
 use crate::domain::Domain;
 use crate::interactions::packed::Packed;
 use crate::neighbours::Neighbours;
-use crate::walls::interface::{Interface, InterfaceResidual};
+use crate::walls::interface::{InterfaceResidual, WallInterface};
 use crate::walls::{WallForces, Walls};
 
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
@@ -48,7 +48,7 @@ pub(crate) struct MonolithicSolve<'a> {
     neighbours: &'a Neighbours,
     domain: &'a Domain,
     ids: &'a [u32],
-    owners: &'a mut [Interface],
+    owners: &'a mut [WallInterface],
     walls: &'a mut Walls,
     /// Walls with the accelerations that the present unknowns add.
     trial: Walls,
@@ -69,7 +69,7 @@ impl<'a> MonolithicSolve<'a> {
     pub fn of(
         (packed, neighbours, domain): (&'a Packed, &'a Neighbours, &'a Domain),
         ids: &'a [u32],
-        owners: &'a mut [Interface],
+        owners: &'a mut [WallInterface],
         walls: &'a mut Walls,
         inverse: f64,
     ) -> MonolithicSolve<'a> {
@@ -186,7 +186,7 @@ impl<'a> MonolithicSolve<'a> {
         self.trial.ax.fill(0.0);
         self.trial.ay.fill(0.0);
         let mut rest = unknowns;
-        for Interface { range, owner, .. } in &mut *self.owners {
+        for WallInterface { range, owner, .. } in &mut *self.owners {
             let (own, others) = rest.split_at(owner.unknowns().len());
             owner.accelerate(own, self.trial.slice_mut(range.clone()));
             rest = others;
@@ -202,7 +202,7 @@ impl<'a> MonolithicSolve<'a> {
     fn residual(&self, pressure: &[f64]) -> InterfaceResidual {
         let (g, rho0) = (self.domain.gravity, self.domain.fluid.density);
         let mut all = InterfaceResidual::default();
-        for Interface { range, mirrored, owner } in &*self.owners {
+        for WallInterface { range, mirrored, owner } in &*self.owners {
             let field = |k: usize| {
                 let a = [self.walls.ax[k] + self.trial.ax[k], self.walls.ay[k] + self.trial.ay[k]];
                 [rho0 * (g[0] - a[0]), rho0 * (g[1] - a[1])]
