@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use sph_core::{Phase, Phases};
+use sph_core::{Phase, Timers};
 
 use super::panel_result::PanelResult;
 use super::particle_order::ParticleOrder;
@@ -129,7 +129,7 @@ pub struct PhaseTime {
 }
 
 /// The parts of a run that took time, by name.
-pub fn phase_times(phases: &Phases) -> BTreeMap<&'static str, PhaseTime> {
+pub fn phase_times(phases: &Timers) -> BTreeMap<&'static str, PhaseTime> {
     let total = phases.total().max(f64::MIN_POSITIVE);
     let time = |phase: Phase| PhaseTime { seconds: phases.seconds(phase), share: phases.seconds(phase) / total };
     Phase::ALL.into_iter().map(|phase| (phase.name(), time(phase))).filter(|(_, time)| time.seconds > 0.0).collect()
