@@ -10,6 +10,7 @@ mod force_rules;
 mod front;
 mod gauge_record;
 pub(crate) mod gauges;
+mod history;
 mod level;
 mod low_pass;
 mod penetration;
@@ -17,7 +18,6 @@ mod run_log;
 mod sensing;
 mod series;
 mod similarity;
-mod totals;
 mod volume;
 
 use std::io;
@@ -33,12 +33,12 @@ pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
 pub use gauge_record::GaugeResult;
 pub use gauges::{GaugeReader, Reading};
+pub use history::{History, Rest};
 pub use low_pass::LowPass;
 pub use penetration::WorstPenetration;
 pub use run_log::LogObserver;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
-pub use totals::{Rest, Totals};
 pub use volume::Water;
 
 /// What an observer sees.

@@ -19,8 +19,8 @@ use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
-    FlowPictures, ForceRules, Frame, GaugeReader, LogObserver, ObserveError, Observer, Series, SimilarityWindow,
-    Totals, WorstPenetration,
+    FlowPictures, ForceRules, Frame, GaugeReader, History, LogObserver, ObserveError, Observer, Series,
+    SimilarityWindow, WorstPenetration,
 };
 use crate::scene::{Scene, known_compressibility_error};
 
@@ -39,7 +39,7 @@ pub(crate) struct Recorder {
     next_frame: f64,
     every: [f64; 2],
     end: f64,
-    totals: Totals,
+    history: History,
     energy_of_body: f64,
     time_of_log: Duration,
     reported_until: f64,
@@ -65,7 +65,7 @@ impl Recorder {
             next_frame: 0.0,
             every: [scene.time.sample_every, scene.time.frame_every],
             end: scene.time.end,
-            totals: Totals::new(scene),
+            history: History::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
             time_of_log: Duration::ZERO,
             reported_until: f64::NEG_INFINITY,
@@ -94,11 +94,11 @@ impl Recorder {
         let gauges = self.gauges.read(system);
         let (held, penetration) = (system.fluid.totals(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
-        if let (Some(breach), None) = (&penetration.worst, self.totals.worst_penetration()) {
+        if let (Some(breach), None) = (&penetration.worst, self.history.worst_penetration()) {
             self.warn(frame.time(), &WorstPenetration::new(breach, frame.time(), frame.time()).to_string())?;
         }
         self.report_failures(system)?;
-        self.totals.observe(&frame)?;
+        self.history.observe(&frame)?;
         self.series.observe(&frame)?;
         self.pictures.observe(&frame)?;
         if let Some(window) = &mut self.similarity {
@@ -128,9 +128,9 @@ impl Recorder {
 
     /// Report what has broken, or crossed itself, since the last sample.
     fn report_failures(&mut self, system: &Coupled) -> Result<(), ObserveError> {
-        let now = system.fluid.time();
+        let (now, since) = (system.fluid.time(), self.reported_until);
         for panel in system.bodies().flat_map(|b| b.panels()) {
-            for r in panel.ruptures.iter().filter(|r| r.time > self.reported_until) {
+            for r in panel.ruptures.iter().filter(|r| r.time > since) {
                 let ([x, y], name) = (r.place, &panel.name);
                 let (time, strain) = (r.time, r.value);
                 let text = format!("{name} broke off at ({x:.5}, {y:.5}) m, t = {time:.6} s, strain {strain:.4}");
@@ -211,7 +211,7 @@ impl Recorder {
             }),
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
-            rest: Some(self.totals.rest(since)),
+            rest: Some(self.history.rest(since)),
             order: particle_order(fluid.particles()),
             water: self.series.water(since),
             coupling: Some(Coupling {
@@ -222,12 +222,12 @@ impl Recorder {
             }),
             audit: Audit {
                 momentum: system.momentum_audit().worst,
-                energy: system.energy_drift() / self.totals.scale(),
+                energy: system.energy_drift() / self.history.scale(),
                 work: body.map_or(0.0, |k| system.work_audit(k).residual()),
                 structure: body.map_or(0.0, |k| structure_gap(system, k, self.energy_of_body)),
                 volume: fluid.volume() / volume - 1.0,
-                penetrated: self.totals.penetrated(),
-                worst_penetration: self.totals.worst_penetration().cloned(),
+                penetrated: self.history.penetrated(),
+                worst_penetration: self.history.worst_penetration().cloned(),
                 stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
             },
             compressibility: self.compressibility(scene),
@@ -247,7 +247,7 @@ impl Recorder {
         let share = scene.entry().and_then(|entry| known_compressibility_error(entry.root_speed(), sound));
         (!scene.solver.is_incompressible()).then(|| Compressibility {
             sound_speed_m_per_s: sound,
-            mach_reached: self.totals.fastest() / sound,
+            mach_reached: self.history.fastest() / sound,
             force_error_estimate: share,
             force_corrected: share.map(|share| 1.0 / (1.0 - share)),
         })

@@ -28,7 +28,7 @@ struct Entry {
 
 /// Gathers the fluid's energies at every sample.
 #[derive(Default)]
-pub struct Totals {
+pub struct History {
     entries: Vec<Entry>,
     ripple: f64,
     moving: f64,
@@ -39,12 +39,12 @@ pub struct Totals {
     fastest: f64,
 }
 
-impl Totals {
+impl History {
     /// No samples yet.
-    pub fn new(scene: &Scene) -> Totals {
+    pub fn new(scene: &Scene) -> History {
         let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
         let ripple = 0.5 * scene.fluid.density * g * spacing * spacing * scene.tank.width;
-        Totals { ripple, ..Totals::default() }
+        History { ripple, ..History::default() }
     }
 
     /// The largest energy exchanged [J/m], the scale of a drift. At least that of a ripple as
@@ -83,7 +83,7 @@ impl Totals {
     }
 }
 
-impl Observer for Totals {
+impl Observer for History {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let system = frame.system;
         let energy = frame.held.energy;
