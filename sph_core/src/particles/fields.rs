@@ -71,7 +71,7 @@ pub struct KernelMoments {
 }
 
 impl KernelMoments {
-    /// What a sweep found, in double precision; what is only compared with thresholds or shifts a particle is kept in single.
+    /// From sums in double precision; what is only compared with thresholds or shifts a particle is kept in single.
     pub(crate) fn new(
         kernel_sum: f64,
         fluid_kernel_sum: f64,
@@ -114,7 +114,7 @@ impl KernelMoments {
 }
 
 impl Default for KernelMoments {
-    /// Deep inside the fluid: what a particle is taken for before its first sweep.
+    /// Deep inside the fluid: the state before moments are found first.
     fn default() -> KernelMoments {
         KernelMoments { kernel_sum: 1.0, wall_kernel_sum: 0.0, concentration_gradient: [0.0; 2], lambda: 1.0 }
     }
