@@ -49,12 +49,6 @@ impl Fields {
     pub fn volume_of(&self, k: usize, p: &Particles) -> f64 {
         self.volume.get(k).copied().unwrap_or_else(|| p.mass[k] / p.rho[k])
     }
-
-    /// E3: does the fluid here hold no tension? Spray does not; nor, with `ventilation`, does what touches both a wall and
-    /// the air, which comes in between.
-    pub(crate) fn tensionless(&self, k: usize, ventilation: bool) -> bool {
-        self.moments[k].tensionless(self.near_surface[k], ventilation)
-    }
 }
 
 /// Moments of the kernel over the neighbours of a particle (THEORY E12–E14), with V = m/ρ.
@@ -105,7 +99,8 @@ impl KernelMoments {
         self.lambda < SURFACE_LAMBDA
     }
 
-    /// E3: see [`Fields::tensionless`].
+    /// E3: true where the fluid holds no tension: in spray and, with `ventilation`, where both a wall and the air are within the
+    /// kernel, so that air comes in between.
     #[inline]
     pub(crate) fn tensionless(&self, near_surface: bool, ventilation: bool) -> bool {
         let at_waterline = near_surface && self.wall_kernel_sum > 0.0;

@@ -122,7 +122,8 @@ impl PressureEquation {
             self;
         let strongest = -parallel::least(n, |k| -(source[k] / raw_volume(p, k)).abs());
         scale.resize(n, 0.0);
-        parallel::gather_into(scale, |k| raw_volume(p, k) * strongest.max(f64::MIN_POSITIVE));
+        let strongest = if strongest > 0.0 { strongest } else { 1.0 }; // free fall has no source
+        parallel::gather_into(scale, |k| raw_volume(p, k) * strongest);
         matrix.assemble(operators, excess, neighbours);
         let x = &mut fields.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };

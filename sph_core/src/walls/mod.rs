@@ -105,8 +105,8 @@ pub struct Walls {
 impl Walls {
     /// Velocity of particle `k` at the start of a step of `dt` [m/s].
     pub fn velocity_at_start(&self, k: usize, dt: f64) -> [f64; 2] {
-        let told = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
-        self.start_velocity.get(k).copied().unwrap_or_else(told)
+        let from_kinematics = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
+        self.start_velocity.get(k).copied().unwrap_or_else(from_kinematics)
     }
 
     /// Number of boundary particles.
