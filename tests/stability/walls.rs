@@ -1,7 +1,7 @@
 //! Failures at walls: how many rows of wall particles keep water in, and what each kind of wall survives.
 
 use evidence::systems::{advance, scene, system};
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Arrangement, Contact, Tank, WallRows, WettedBody};
 use scenarios::build;
 use sph_core::{Fluid, Seed, WallModel, WallTreatment, Walls};
@@ -20,15 +20,15 @@ struct Wall {
 /// the walls holds it: no contact with the surface (THEORY E25).
 fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
     let (x, floor) = ([-0.5, 0.5], -1.0);
-    let tiling = Tiling::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
+    let layout = Layout::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
     let mut parameters = system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid.parameters;
     parameters.walls = WallTreatment { model: wall.model, ..parameters.walls };
     let mut seeds = Vec::new();
-    tiling.for_each(|cell| {
+    layout.for_each(|cell| {
         let pressure = parameters.eos.rho0 * parameters.gravity[1] * cell.at[1];
         seeds.push(Seed { at: cell.at, velocity: [0.0, -speed], area: cell.area(), pressure });
     });
-    let mut tank = Tank::new(tiling, x, floor, 0.25, false);
+    let mut tank = Tank::new(layout, x, floor, 0.25, false);
     let rows = WallRows { spacing: SPACING, layers: wall.layers, arrangement: wall.arrangement };
     let mut walls = Walls::default();
     walls.extend(&tank.sample(&rows).expect("a tank"), parameters.smoothing_ratio);

@@ -35,7 +35,7 @@ pub struct Contribution {
     /// Longest step that the water could take next [s].
     pub fluid_dt: f64,
     /// Longest next step of a host that takes the force as it comes [s] (THEORY D5): an estimate, infinite where masses are
-    /// not told or the surface is dry.
+    /// unknown or the surface is dry.
     pub host_dt: f64,
     /// Energy given to the nodes [J/m] (THEORY D4).
     pub work: f64,

@@ -1,6 +1,7 @@
 //! Shapes and the particles made from them: outlines, boundary particles, thin plates, the layout of the water.
 
 pub mod error;
+pub mod hermite;
 pub mod layout;
 pub mod outline;
 pub mod packing;

@@ -1,6 +1,6 @@
 //! A landing as its file says it; what the file leaves out is filled in when it is read.
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 use serde::{Deserialize, Serialize};
 
 /// A landing. Its keys are described in [`keywords`](super::keywords()).
@@ -17,7 +17,7 @@ pub struct Scene {
     pub source: String,
     /// Theory of the sections.
     #[serde(default = "usual::model")]
-    pub model: Rung,
+    pub model: EntryModel,
     /// How it comes down, and how it is followed.
     pub landing: LandingKeys,
     /// What is rigid.
@@ -128,10 +128,10 @@ pub struct StationKeys {
 }
 
 mod usual {
-    use fsi_coupling::entry_theory::Rung;
+    use fsi_coupling::entry_theory::EntryModel;
 
-    pub fn model() -> Rung {
-        Rung::Mlm
+    pub fn model() -> EntryModel {
+        EntryModel::Mlm
     }
     pub fn step() -> f64 {
         0.001

@@ -1,6 +1,6 @@
 //! `model = "auto"`: the cheapest model that is near enough where it was measured.
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 
 use super::{Assessment, Measured, Want, assess};
 use crate::charted::charted_error;
@@ -11,7 +11,7 @@ use crate::scene::{Scene, significant};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The model.
-    pub rung: Rung,
+    pub rung: EntryModel,
     /// Which of the scenes of particles, by its place.
     pub scene: usize,
     /// Is that scene's spacing known to be fine enough?

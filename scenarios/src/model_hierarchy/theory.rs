@@ -1,6 +1,6 @@
 //! A scene as an entry theory sees it.
 
-use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
+use fsi_coupling::entry_theory::{Entry, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
 
 use super::elastic_wedge::Faces;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
@@ -28,7 +28,7 @@ impl Theory {
     ///
     /// # Errors
     /// What of the scene is beyond this rung, its range, and the next rung that can do it.
-    pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
+    pub fn of(scene: &Scene, rung: EntryModel) -> Result<Theory, OutOfRange> {
         let (theory, end) = Theory::while_in_range(scene, rung)?;
         end.map_or(Ok(theory), Err)
     }
@@ -37,8 +37,8 @@ impl Theory {
     ///
     /// # Errors
     /// What of the scene is beyond this rung from the start.
-    pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
-        let (body, section, course) = symmetric_entry(scene)?;
+    pub fn while_in_range(scene: &Scene, rung: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+        let (body, section, motion) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
         let density = scene.fluid.density;
         if !body.panels.is_empty() {
@@ -47,14 +47,14 @@ impl Theory {
         let (instants, end) = {
             let entry = Entry {
                 loads: &loads,
-                course,
+                motion,
                 draught: body.draught(),
                 speed: -body.velocity[1],
                 gravity: -scene.gravity[1],
                 density,
                 buoyancy: true,
             };
-            entry.follow_while_in_range(&sample_times(scene))
+            entry.solve_while_in_range(&sample_times(scene))
         };
         let open = instants.iter().take_while(|now| confined(scene, body, now).is_none()).count();
         let closed = instants.get(open).and_then(|now| {
@@ -69,7 +69,7 @@ impl Theory {
     ///
     /// # Errors
     /// As [`Loads::new`].
-    pub fn at_constant_speed(rung: Rung, section: Section) -> Result<Theory, OutOfRange> {
+    pub fn at_constant_speed(rung: EntryModel, section: Section) -> Result<Theory, OutOfRange> {
         let loads = Loads::new(rung, &section)?;
         let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
         let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
@@ -130,7 +130,7 @@ impl Theory {
 
     /// Largest pressure along the face at sample k [Pa], and its x [m]; `None` where the theory has none, or it is infinite.
     pub fn peak_pressure(&self, k: usize) -> Option<[f64; 2]> {
-        if self.loads.rung() == Rung::Wagner {
+        if self.loads.model() == EntryModel::Wagner {
             return None; // infinite at the spray root
         }
         let reach = self.instants[k].wetted.min(self.loads.section().half_breadth());
@@ -151,12 +151,17 @@ impl Theory {
 }
 
 /// The same scene with faces that bend: by Wagner's load on a modal beam.
-fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
-    if rung != Rung::Wagner {
+fn bending(
+    scene: &Scene,
+    rung: EntryModel,
+    body: &Body,
+    loads: Loads,
+) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+    if rung != EntryModel::Wagner {
         return Err(OutOfRange {
             what: "panels that bend".into(),
             range: "rigid bodies".into(),
-            next: if rung < Rung::Wagner { Rung::Wagner } else { Rung::Wcsph },
+            next: if rung < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::Wcsph },
         });
     }
     let faces = Faces::of(scene, body)?;
@@ -182,7 +187,7 @@ fn refuse(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
         range: "a rigid symmetric body that goes straight down into still water".into(),
-        next: Rung::Wcsph,
+        next: EntryModel::Wcsph,
     }
 }
 
@@ -194,7 +199,7 @@ fn sample_times(scene: &Scene) -> Vec<f64> {
 }
 
 /// The body of a scene that is nothing but a symmetric section going straight down into still water.
-fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange> {
+fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), OutOfRange> {
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
     let tank = &scene.tank;
@@ -211,10 +216,10 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     if let Some((_, what)) = obstacles.into_iter().find(|(stands, _)| *stands) {
         return Err(refuse(what));
     }
-    let course = match &body.motion {
-        Motion::ConstantVelocity => Course::Constant,
-        Motion::Free(freedom) if freedom.y => Course::Free(freedom.mass),
+    let motion = match &body.motion {
+        Motion::ConstantVelocity => SectionMotion::Constant,
+        Motion::Free(freedom) if freedom.y => SectionMotion::Free(freedom.mass),
         _ => return Err(refuse("a body that is held or swings")),
     };
-    Ok((body, Section::of(&body.shape)?, course))
+    Ok((body, Section::of(&body.shape)?, motion))
 }

@@ -59,9 +59,9 @@ pub use impact::{
 pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_beyond_limits, load_text};
 pub use model::{
-    Block, Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
-    Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Rung, Scene, Similarity, Symmetry, Tank, Time,
-    WallSlip,
+    Block, Body, Compare, Coupling, CouplingScheme, DiffusionForm, EntryModel, EquationOfState, Fluid, Freedom, Gauge,
+    GaugeFrame, Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Scene, Similarity, Symmetry, Tank,
+    Time, WallSlip,
 };
 pub use model_panel::{Panel, TheoryName};
 pub use overrides::apply_set;

@@ -15,7 +15,7 @@ use super::impact::Entry;
 pub use super::model_panel::Panel;
 pub use super::model_projection::Projection;
 use fsi_coupling::Shape;
-pub use fsi_coupling::entry_theory::Rung;
+pub use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::geometry::polygon;
 pub use sph_core::{Solver, ThesisSettings};
 
@@ -32,7 +32,7 @@ pub struct Scene {
     /// Where its numbers come from.
     pub source: String,
     /// The model: a theory of entry, or particles.
-    pub model: Rung,
+    pub model: EntryModel,
     /// Why this model, where it was left to the program.
     #[serde(skip)]
     pub choice: Option<String>,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::file::SceneFile;
 use super::impact::Entry;
-use super::model::{Body, Rung, Scene, Solver, Symmetry};
+use super::model::{Body, EntryModel, Scene, Solver, Symmetry};
 use super::problem::{Problem, within};
 use super::resolve_body::resolve_body;
 use crate::charted::spacing_within;
@@ -17,7 +17,7 @@ pub enum ModelName {
     /// The cheapest that is near enough.
     Auto,
     /// This one.
-    Named(Rung),
+    Named(EntryModel),
 }
 
 impl<'de> Deserialize<'de> for ModelName {
@@ -26,9 +26,9 @@ impl<'de> Deserialize<'de> for ModelName {
         if word == "auto" {
             return Ok(ModelName::Auto);
         }
-        let named = Rung::ALL.into_iter().find(|rung| rung.name() == word);
+        let named = EntryModel::ALL.into_iter().find(|rung| rung.name() == word);
         named.map(ModelName::Named).ok_or_else(|| {
-            let known = Rung::ALL.map(|rung| format!("`{}`", rung.name())).join(", ");
+            let known = EntryModel::ALL.map(|rung| format!("`{}`", rung.name())).join(", ");
             D::Error::custom(format!("unknown variant `{word}`, expected one of `auto`, {known}"))
         })
     }
@@ -77,15 +77,16 @@ impl Ask {
 }
 
 /// The model of a scene as written, and its solver; `auto` is settled later.
-pub(super) fn resolve_model(model: Option<ModelName>, solver: Option<Solver>) -> Result<(Rung, Solver), Problem> {
-    let of_solver = |solver: Solver| if solver.is_incompressible() { Rung::Incompressible } else { Rung::Wcsph };
+pub(super) fn resolve_model(model: Option<ModelName>, solver: Option<Solver>) -> Result<(EntryModel, Solver), Problem> {
+    let of_solver =
+        |solver: Solver| if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph };
     let rung = match model {
         None | Some(ModelName::Auto) => of_solver(solver.unwrap_or_default()),
         Some(ModelName::Named(rung)) => rung,
     };
-    let usual = if rung == Rung::Incompressible { Solver::Incompressible } else { Solver::WeaklyCompressible };
+    let usual = if rung == EntryModel::Incompressible { Solver::Incompressible } else { Solver::WeaklyCompressible };
     let solver = solver.unwrap_or(usual);
-    match of_solver(solver) == if rung.is_theory() { Rung::Wcsph } else { rung } {
+    match of_solver(solver) == if rung.is_theory() { EntryModel::Wcsph } else { rung } {
         true => Ok((rung, solver)),
         false => {
             let expected = format!("no solver, or that of model = \"{}\"", rung.name());

@@ -4,7 +4,7 @@ use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
 use super::exchange::{light_body, light_panels};
 use super::impact::{Entry, known_compressibility_error};
-use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Rung, Scene};
+use super::model::{DensityEvolution, Dissipation, EntryModel, Gauge, Integrator, Kernel, Scene};
 use super::panels::doubtful_panels;
 use super::problem::significant;
 use super::resolve_projection::projection_warnings;
@@ -82,7 +82,7 @@ fn theory_warnings(scene: &Scene) -> Vec<String> {
         let above = significant(-entry.final_draught);
         format!("the body does not reach the water: at the end of the run it is {above} m above it")
     });
-    let singular = (scene.model == Rung::Wagner && !scene.gauges.is_empty()).then(|| {
+    let singular = (scene.model == EntryModel::Wagner && !scene.gauges.is_empty()).then(|| {
         "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
     });
     short.into_iter().chain(singular).collect()

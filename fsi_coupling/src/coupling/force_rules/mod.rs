@@ -18,7 +18,7 @@ use sph_core::walls::Resultant;
 use crate::bodies::body::Body;
 use crate::bodies::state::Motion;
 use crate::coupling::coupled::Coupled;
-use crate::coupling::force_rules::nodal_loads::{Nodal, Side, carry, gauss_points, resultant, sides};
+use crate::coupling::force_rules::nodal_loads::{Nodal, Side, apply_force, gauss_points, resultant, sides};
 use crate::geometry::outline::Outline;
 
 /// How a force is found.
@@ -215,7 +215,7 @@ impl<'a> Placed<'a> {
         let mut corners = vec![Nodal::default(); self.corners.len()];
         for pull in pulls {
             let (side, t) = self.nearest(pull.surface);
-            carry(&self.sides[side], t, pull.at, pull.force, &mut corners);
+            apply_force(&self.sides[side], t, pull.at, pull.force, &mut corners);
         }
         corners
     }
@@ -234,7 +234,7 @@ impl<'a> Placed<'a> {
                     }
                     _ => traction(at, n),
                 };
-                carry(side, t, at, force.map(|f| f * length), &mut corners);
+                apply_force(side, t, at, force.map(|f| f * length), &mut corners);
             }
         }
         corners
