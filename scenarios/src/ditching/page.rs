@@ -104,7 +104,7 @@ fn side_view(scene: &Scene, fuselage: &Fuselage, now: &LandingState) -> Chart {
         Curve { label: "keel".into(), mark: Mark::Line, x, y },
         Curve { label: "still water".into(), mark: Mark::Dashed, x: ends, y: vec![0.0, 0.0] },
     ];
-    let loaded = now.strips.iter().filter_map(|(s, f)| Some((s.entry?.at.arm[0], 1e-5 * f / s.entry?.length)));
+    let loaded = now.strips.iter().filter_map(|(s, f)| Some((s.entry?.at.lever_arm[0], 1e-5 * f / s.entry?.length)));
     let (x, y): (Vec<f64>, Vec<f64>) = loaded.unzip();
     curves.push(Curve { label: "load of the keel [100 kN/m]".into(), mark: Mark::Line, x, y });
     Chart {
