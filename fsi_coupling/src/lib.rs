@@ -33,5 +33,5 @@ pub use coupling::stability_estimate::{Beside, PanelExchange, exchange_ratio};
 pub use coupling::work_audit::WorkAudit;
 pub use geometry::outline::Outline;
 pub use geometry::plate::Plate;
-pub use geometry::rows::{Arrangement, WallRows};
+pub use geometry::rows::WallRows;
 pub use geometry::shape::Shape;
