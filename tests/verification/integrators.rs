@@ -58,8 +58,8 @@ fn errors_in_time_fall_at_each_integrators_order() {
 #[test]
 fn an_even_number_of_steps_between_corrections_keeps_verlets_order() {
     let exact = velocities(Integrator::Beeman, 0, 16);
-    let error = |every: u64, finer: usize| distance(&velocities(Integrator::Verlet, every, finer), &exact);
-    let order = |every: u64| (error(every, 4) / error(every, 8)).log2();
+    let error = |every: u32, finer: usize| distance(&velocities(Integrator::Verlet, every, finer), &exact);
+    let order = |every: u32| (error(every, 4) / error(every, 8)).log2();
     let (even, odd) = (order(4), order(5));
     assert!((even - 2.0).abs() < 0.3 && (odd - 1.0).abs() < 0.3, "every 4: order {even:.2}, every 5: order {odd:.2}");
 }
