@@ -177,20 +177,20 @@ mod tests {
             let force = |k: usize| [3.0 - k as f64, 0.5 + k as f64];
             let mut loads = vec![[0.0; 3]; 3];
             map.add_loads(points.iter().enumerate().map(|(k, point)| (point, force(k))), &ends, &mut loads);
-            let mut lack = [0.0; 4];
+            let mut residual = [0.0; 4];
             for (k, point) in points.iter().enumerate() {
                 let (f, v, at) = (force(k), map.velocity(point, &ends), map.place(point, &ends).at);
                 let of = [f[0], f[1], at[0] * f[1] - at[1] * f[0], f[0] * v[0] + f[1] * v[1]];
-                (0..4).for_each(|i| lack[i] += of[i]);
+                (0..4).for_each(|i| residual[i] += of[i]);
             }
             for (node, [fx, fy, m]) in loads.iter().enumerate() {
                 let (at, v) = (nodes.position[node], nodes.velocity[node]);
                 let spin = nodes.spin.get(node).copied().unwrap_or(0.0);
                 let of = [*fx, *fy, m + at[0] * fy - at[1] * fx, fx * v[0] + fy * v[1] + m * spin];
-                (0..4).for_each(|i| lack[i] -= of[i]);
+                (0..4).for_each(|i| residual[i] -= of[i]);
                 assert!(rotations || *m == 0.0);
             }
-            assert!(lack.iter().all(|l| l.abs() < 1e-12), "{rotations}: {lack:?}");
+            assert!(residual.iter().all(|l| l.abs() < 1e-12), "{rotations}: {residual:?}");
         }
     }
 }
