@@ -58,7 +58,7 @@ impl BeamSurface {
         BeamSurface { nodes, elements }
     }
 
-    /// The point of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
+    /// The attachment of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
     /// extension.
     pub fn attach(&self, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
         self.attach_among(0..self.elements.len(), at, normal)
@@ -89,7 +89,7 @@ impl BeamSurface {
         best.1
     }
 
-    /// The point on an element's middle line, a share t of the way along it, with its normal to the left.
+    /// The attachment on an element's middle line, a share t of the way along it, with its normal to the left.
     pub fn on_element(&self, element: usize, t: f64) -> BeamAttachment {
         BeamAttachment { element, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
     }
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_at_rest_is_where_its_point_puts_it() {
+    fn an_attachment_at_rest_gives_its_point() {
         let (surface, _, _) = bent();
         let rest = vec![[0.0; 3]; 3];
         for at in [[0.3, 0.3], [1.1, 0.6], [0.8, 1.2], [0.0, 0.1], [1.3, 1.6]] {
