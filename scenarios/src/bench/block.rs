@@ -8,7 +8,7 @@ use sph_core::neighbours::images::Periodic;
 use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, Parameters, Phase, Seed, Walls, parallel};
 
-use super::BenchError;
+use super::error::BenchError;
 
 /// Speed of sound over that of the vortices.
 const SOUND: f64 = 10.0;

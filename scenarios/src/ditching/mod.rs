@@ -5,6 +5,7 @@
 
 mod check;
 mod keywords;
+mod landed;
 mod load;
 mod model;
 mod page;
@@ -14,8 +15,9 @@ mod series;
 mod summary;
 
 pub use keywords::keywords;
+pub use landed::{Landed, follow};
 pub use load::{builtin, load, load_text};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WaterKeys, WingKeys};
-pub use run::{FILES, Landed, follow, run};
+pub use run::{FILES, run};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use summary::{Peak, Summary};

@@ -119,15 +119,13 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
     let outline = body.shape.outline();
     let none = ParticleView::default();
     let mut next = 0.0;
-    let rows = theory.rows(scene);
-    for (k, (now, values)) in theory.instants.iter().zip(&rows).enumerate() {
-        let names = Series::body_columns();
-        let named: Vec<(&str, f64)> = names.into_iter().zip(values[1..].iter().copied()).collect();
+    for (k, (now, motion)) in theory.instants.iter().zip(theory.motions(body)).enumerate() {
+        let named: Vec<(&str, f64)> = Series::body_columns().into_iter().zip(Series::body_values(&motion)).collect();
         log.sample(now.time, &format!("body/{}", body.name), &named)?;
         let last = k + 1 == theory.instants.len();
         if now.time >= next || last {
             next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);
-            let view = BodyView { name: &body.name, position: [values[1], values[2]], angle: 0.0, outline: &outline };
+            let view = BodyView { name: &body.name, position: motion.position, angle: motion.angle, outline: &outline };
             log.frame(Frame::new(now.time, &none, &none, &[view])?, last)?;
         }
     }

@@ -1,8 +1,10 @@
 //! A scene as an entry theory sees it.
 
+use fsi_coupling::Motion as BodyMotion;
 use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
 
 use super::elastic_wedge::Faces;
+use crate::observe::Series;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
 use fsi_coupling::geometry::polygon;
 
@@ -87,25 +89,35 @@ impl Theory {
         self.faces.is_some()
     }
 
-    /// Rows of the series: time, then the body's columns and the gauges; what the theory does not have is no number.
+    /// Motion of the body and the force on it, at every sample.
+    pub fn motions(&self, body: &Body) -> Vec<BodyMotion> {
+        let ([x, y], start) = (body.position, body.draught());
+        let at = |now: &Instant| BodyMotion {
+            position: [x, y - (now.draught - start)],
+            velocity: [0.0, -now.speed],
+            acceleration: [0.0, -now.rate],
+            force: [0.0, now.force],
+            ..BodyMotion::default()
+        };
+        self.instants.iter().map(at).collect()
+    }
+
+    /// Rows of the series: time, then the body's columns and the gauges; NaN for a quantity that the theory does not have.
     pub fn rows(&self, scene: &Scene) -> Vec<Vec<f64>> {
         let Some(body) = &scene.body else { return Vec::new() };
-        let [x, y] = body.position;
-        let (floats, middle) = (body.draught(), body.middle() - x);
-        let row = |(k, now): (usize, &Instant)| {
-            let Instant { time, draught, speed, rate, force, .. } = *now;
-            let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
+        let middle = body.middle() - body.position[0];
+        let row = |(k, (now, motion)): (usize, (&Instant, &BodyMotion))| {
             let gauge = |g: &Gauge| match self.is_on_bottom(body, g) {
                 true => self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN),
-                false => f64::NAN, // of sides and deck theories of entry say nothing
+                false => f64::NAN, // theories of entry have no pressure on sides and deck
             };
             let rest = match &self.faces {
-                Some(faces) => faces.values(time),
+                Some(faces) => faces.values(now.time),
                 None => scene.gauges.iter().map(gauge).collect(),
             };
-            motion.into_iter().chain(rest).collect()
+            std::iter::once(now.time).chain(Series::body_values(motion)).chain(rest).collect()
         };
-        self.instants.iter().enumerate().map(row).collect()
+        self.instants.iter().zip(&self.motions(body)).enumerate().map(row).collect()
     }
 
     /// Is a gauge on the bottom, not on a side or the deck?
