@@ -233,7 +233,7 @@ impl Preflight {
             CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
             CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
             CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
-            CouplingScheme::Aitken | CouplingScheme::IqnIls => "iterated until it agrees".into(),
+            CouplingScheme::IqnIls => "iterated until it agrees".into(),
         }
     }
 

@@ -1,9 +1,10 @@
-//! How fluid and body agree on a step, in a resolved scene.
+//! Coupling of fluid and body, in a resolved scene.
 
 use fsi_coupling::{Iteration, Scheme};
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
-/// How fluid and body agree on a step.
+/// The coupling scheme and its settings.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Coupling {
     /// The scheme.
@@ -15,7 +16,7 @@ pub struct Coupling {
 }
 
 /// The `coupling.scheme` key.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CouplingScheme {
     /// One exchange a step.
@@ -23,8 +24,6 @@ pub enum CouplingScheme {
     Weak,
     /// Accelerations and wall pressures together, without iterations (THEORY C2).
     AddedMass,
-    /// Iterated, by Aitken's relaxation (THEORY C6).
-    Aitken,
     /// Iterated, by quasi-Newton steps (THEORY C7).
     IqnIls,
 }
@@ -35,9 +34,20 @@ impl CouplingScheme {
         match self {
             CouplingScheme::Weak => "weak",
             CouplingScheme::AddedMass => "added_mass",
-            CouplingScheme::Aitken => "aitken",
             CouplingScheme::IqnIls => "iqn_ils",
         }
+    }
+}
+
+impl<'de> Deserialize<'de> for CouplingScheme {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<CouplingScheme, D::Error> {
+        const ALL: [CouplingScheme; 3] = [CouplingScheme::Weak, CouplingScheme::AddedMass, CouplingScheme::IqnIls];
+        let word = String::deserialize(from)?;
+        if word == "aitken" {
+            return Err(D::Error::custom("aitken was dropped: \"iqn_ils\" needs no more iterations"));
+        }
+        let unknown = || D::Error::unknown_variant(&word, &["weak", "added_mass", "iqn_ils"]);
+        ALL.into_iter().find(|scheme| scheme.name() == word).ok_or_else(unknown)
     }
 }
 
@@ -48,7 +58,6 @@ impl Coupling {
         match self.scheme {
             CouplingScheme::Weak => Scheme::Weak,
             CouplingScheme::AddedMass => Scheme::AddedMass,
-            CouplingScheme::Aitken => Scheme::Aitken(iteration),
             CouplingScheme::IqnIls => Scheme::IqnIls(iteration),
         }
     }

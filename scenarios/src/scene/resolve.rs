@@ -117,13 +117,12 @@ pub(super) fn resolve(mut file: SceneFile) -> Result<Scene, Problem> {
     })
 }
 
-/// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
-/// its mass.
 fn resolve_report(file: &ReportFile) -> Result<Report, Problem> {
     let log_budget = file.log_budget.map(|size| positive("report.log_budget", size)).transpose()?;
     Ok(Report { force_rules: file.force_rules.unwrap_or(false), log_budget })
 }
 
+/// Default scheme of a body that bends, or moves freely in a projection: `added_mass`, which is stable at any mass.
 fn resolve_coupling(file: &CouplingFile, solver: Solver, fluid: &Fluid, yields: bool) -> Result<Coupling, Problem> {
     let solves_both = matches!(solver, Solver::WeaklyCompressible | Solver::Incompressible);
     let holding = yields && solves_both && fluid.walls == WallModel::Extrapolated;
@@ -133,12 +132,11 @@ fn resolve_coupling(file: &CouplingFile, solver: Solver, fluid: &Fluid, yields: 
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
     }
     if scheme == CouplingScheme::AddedMass && !solves_both {
-        let expected = "\"weak\", \"aitken\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" \
+        let expected = "\"weak\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" \
                         find a body's acceleration together with the pressures";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
     }
-    let iterated = matches!(scheme, CouplingScheme::Aitken | CouplingScheme::IqnIls);
-    if iterated && fluid.integrator == Integrator::PredictorCorrector {
+    if scheme == CouplingScheme::IqnIls && fluid.integrator == Integrator::PredictorCorrector {
         // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY C5)
         let expected = "\"added_mass\" with fluid.integrator = \"predictor_corrector\", or another integrator";
         return Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));

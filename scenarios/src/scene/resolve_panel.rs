@@ -6,7 +6,7 @@ use super::model_panel::{Panel, TheoryName};
 use super::problem::{Problem, not_negative, positive, required, significant, within, word};
 use fsi_coupling::PanelEnd;
 use fsi_coupling::Shape;
-use fsi_coupling::geometry::polyline::Course;
+use fsi_coupling::geometry::polyline::Polyline;
 
 /// Elements, where the scene does not say: so many, or fewer that none is shorter than two spacings, but some in any case.
 const ELEMENTS: [f64; 2] = [8.0, 24.0];
@@ -16,10 +16,10 @@ const PROBES: u32 = 64;
 const MOST_ELEMENTS: usize = 2000;
 
 /// The line that a body's panels lie along [m, body's frame].
-pub(super) fn line(shape: &Shape) -> Course {
+pub(super) fn line(shape: &Shape) -> Polyline {
     match shape {
-        Shape::Polyline { points, .. } => Course::open(points.clone()),
-        _ => Course::closed(&shape.outline()),
+        Shape::Polyline { points, .. } => Polyline::open(points.clone()),
+        _ => Polyline::closed(&shape.outline()),
     }
 }
 

@@ -181,7 +181,7 @@ fn one_exchange(scene: &Scene) -> Option<String> {
     let moved = !body.panels.is_empty() || matches!(body.motion, Motion::Free(_));
     let (name, holds) = match scene.solver {
         Solver::Incompressible => ("incompressible", "\"added_mass\" holds at any mass"),
-        solver => (solver.name(), "\"aitken\" and \"iqn_ils\" repeat the step until both agree"),
+        solver => (solver.name(), "\"iqn_ils\" repeats the step until both agree"),
     };
     (moved && scene.coupling.scheme == CouplingScheme::Weak).then(|| {
         format!(

@@ -55,7 +55,7 @@ fn a_resolved_incompressible_scene_loads_again_to_itself() {
 #[test]
 fn no_doubt_about_an_incompressible_scene_and_no_line_of_check_speaks_of_sound() {
     for solver in SOLVERS {
-        for set in ["fluid.sound_speed=20", "coupling.scheme=aitken"] {
+        for set in ["fluid.sound_speed=20", "coupling.scheme=iqn_ils"] {
             let sets = [format!("solver={solver}"), set.to_string(), "tank.width=3".into(), "tank.depth=1.5".into()];
             let loaded = load_text("drop.toml", DROP, &sets).expect("the scene loads");
             let text = preflight(&loaded.scene, &loaded.warnings).to_text();

@@ -4,85 +4,43 @@
 //! the other side, which does not see them. So do the ends: their rows lie along the plate, as wide as it is thick. Which
 //! water a particle faces is told by its normal (T2).
 
-use sph_core::{Screen, WallPoint};
+use sph_core::WallPoint;
 
+use crate::geometry::outline::Outline;
+use crate::geometry::plate::{Plate, mitred};
 use crate::geometry::polygon::normal;
-use crate::geometry::sampling::{CORNER_DEG, Station, divide, offset, sample_fan, turn_of};
-
-/// A plate: its middle line [m] and its thickness [m].
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plate {
-    /// Corners of the middle line [m].
-    pub middle: Vec<[f64; 2]>,
-    /// Thickness, half of it on each side of the line [m].
-    pub thickness: f64,
-    /// How far the plate goes on straight beyond the line's first and last corner, inside other walls that it stands on [m].
-    pub roots: [f64; 2],
-}
-
-impl Plate {
-    /// A plate that stands on nothing.
-    pub fn new(middle: &[[f64; 2]], thickness: f64) -> Plate {
-        Plate { middle: middle.to_vec(), thickness, roots: [0.0; 2] }
-    }
-
-    /// The middle line with its roots [m].
-    pub fn line(&self) -> Vec<[f64; 2]> {
-        let mut line = self.middle.clone();
-        let n = line.len();
-        let [first, last] = self.roots;
-        line[0] = beyond(self.middle[1], self.middle[0], first);
-        line[n - 1] = beyond(self.middle[n - 2], self.middle[n - 1], last);
-        line
-    }
-
-    /// True where rows of `layers` particles at `spacing` [m] do not fit between the faces.
-    pub fn is_thin(&self, spacing: f64, layers: usize) -> bool {
-        self.thickness < 2.0 * layers as f64 * spacing
-    }
-
-    /// The screen where `place` puts the middle line at the end of a step, and `start` at its start (T1).
-    pub fn screen(
-        &self,
-        place: impl Fn([f64; 2]) -> [f64; 2],
-        start: impl Fn([f64; 2]) -> [f64; 2],
-        own_image: bool,
-    ) -> Screen {
-        let line = self.line();
-        Screen {
-            points: line.iter().map(|p| place(*p)).collect(),
-            start: line.iter().map(|p| start(*p)).collect(),
-            half_thickness: 0.5 * self.thickness,
-            own_image,
-        }
-    }
-}
-
-/// A point `length` [m] farther on than b from a [m].
-fn beyond(a: [f64; 2], b: [f64; 2], length: f64) -> [f64; 2] {
-    let way = [b[0] - a[0], b[1] - a[1]];
-    let size = way[0].hypot(way[1]);
-    [0, 1].map(|k| b[k] + length * way[k] / size)
-}
+use crate::geometry::rows::WallRows;
+use crate::geometry::sampling::{self, CORNER_DEG, Station, divide, offset, sample_fan, turn_of};
 
 /// Least share of a row's area that is worth a particle.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// Boundary particles of a plate about the open line `middle` [m], `layers` rows below each face and each end at the given
-/// spacing [m], mitred at bends. Their screen is number 0. Bends must be wider than the rows reach: see [`too_tight`].
-pub fn sample(middle: &[[f64; 2]], thickness: f64, spacing: f64, layers: usize) -> Vec<WallPoint> {
+/// Boundary particles of a body's surface, and the plate that it is where its faces are too close for two sets of rows; with
+/// `half`, of the part x ≥ 0 only.
+pub fn boundary_particles(outline: &Outline, rows: &WallRows, half: bool) -> (Vec<WallPoint>, Option<Plate>) {
+    let Some(plate) = outline.plate().filter(|plate| plate.is_thin(rows)) else {
+        return (sampling::sample(outline, rows, half), None);
+    };
+    let points = sample(plate, rows);
+    (if half { right_half(points, rows.spacing) } else { points }, Some(plate.clone()))
+}
+
+/// Boundary particles of a plate: rows below each face and each end, mitred at bends. They belong to plate 0. Bends must be
+/// wider than the rows reach: see [`too_tight`](crate::geometry::plate::too_tight).
+pub fn sample(plate: &Plate, &WallRows { spacing, layers, .. }: &WallRows) -> Vec<WallPoint> {
+    let (middle, thickness) = (plate.line(), plate.thickness);
     let back: Vec<[f64; 2]> = middle.iter().rev().copied().collect();
     let mut points = Vec::new();
     let half = 0.5 * thickness;
-    for line in [middle, &back] {
-        let stretches = stretches(line, half);
+    for line in [&middle, &back] {
+        let parts = faces(line, half);
         for layer in 0..layers {
-            let depth = (layer as f64 + 0.5) * spacing;
-            for (k, stretch) in stretches.iter().enumerate() {
-                let row = row(line, stretch, half, depth);
-                divide(&row, [0.0, row[row.len() - 1].0], stretch.convex, depth, spacing, &mut points);
-                if let Some(next) = stretches.get(k + 1) {
-                    sample_fan(&stretch.face, &next.face, depth, spacing, &mut points);
+            let depth = WallRows::depth(layer, spacing);
+            for (k, part) in parts.iter().enumerate() {
+                let row = row(line, part, half, depth);
+                divide(&row, [0.0, row[row.len() - 1].0], part.convex, depth, spacing, &mut points);
+                if let Some(next) = parts.get(k + 1) {
+                    sample_fan(&part.face, &next.face, depth, spacing, &mut points);
                 }
             }
             end_row(line, thickness, depth, spacing, &mut points);
@@ -140,32 +98,8 @@ fn cut_one(p: WallPoint, side: &[[f64; 2]], half: f64) -> Vec<WallPoint> {
     [1.0, -1.0].into_iter().filter_map(part).collect()
 }
 
-/// The number of a side of the middle line that is too short for the rows of the outer face of its bends, which turn inside
-/// out there; `reach` [m] is how far the deepest row lies beyond the line.
-pub fn too_tight(middle: &[[f64; 2]], reach: f64) -> Option<usize> {
-    [1.0, -1.0].into_iter().find_map(|side| {
-        let shifted: Vec<[f64; 2]> = (0..middle.len()).map(|k| mitred(middle, k, side * reach)).collect();
-        (0..middle.len() - 1).find(|&k| !forward(middle, &shifted, k))
-    })
-}
-
-/// True where side k of a shifted line still runs the way it ran.
-fn forward(line: &[[f64; 2]], shifted: &[[f64; 2]], k: usize) -> bool {
-    let way = |p: &[[f64; 2]]| [p[k + 1][0] - p[k][0], p[k + 1][1] - p[k][1]];
-    let (a, b) = (way(line), way(shifted));
-    a[0] * b[0] + a[1] * b[1] > 0.0
-}
-
-/// Corner k of the line, shifted to the right by `offset` [m] and mitred.
-fn mitred(line: &[[f64; 2]], k: usize, offset: f64) -> [f64; 2] {
-    let of = |side: usize| normal(line[side], line[side + 1]);
-    let (a, b) = (of(k.saturating_sub(1)), of(k.min(line.len() - 2)));
-    let stretch = offset / (1.0 + a[0] * b[0] + a[1] * b[1]);
-    [line[k][0] + stretch * (a[0] + b[0]), line[k][1] + stretch * (a[1] + b[1])]
-}
-
 /// A face between two sharp corners, wet on its right.
-struct Stretch {
+struct PlateFace {
     /// Its corners on the surface [m].
     face: Vec<[f64; 2]>,
     /// The first and the last of the middle line's corners that it belongs to.
@@ -174,8 +108,8 @@ struct Stretch {
     convex: [bool; 2],
 }
 
-/// The right face of a line, shifted by `half` [m], in stretches without a sharp corner.
-fn stretches(line: &[[f64; 2]], half: f64) -> Vec<Stretch> {
+/// The right face of a line, shifted by `half` [m], in faces without a sharp corner.
+fn faces(line: &[[f64; 2]], half: f64) -> Vec<PlateFace> {
     let sides = line.len() - 1;
     let turn = |k: usize| match k {
         0 => 0.0,
@@ -184,21 +118,21 @@ fn stretches(line: &[[f64; 2]], half: f64) -> Vec<Stretch> {
     };
     let sharpest = CORNER_DEG.to_radians();
     let ends: Vec<usize> = (0..=sides).filter(|&k| k == 0 || k == sides || turn(k).abs() > sharpest).collect();
-    let stretch = |pair: &[usize]| Stretch {
+    let part = |pair: &[usize]| PlateFace {
         face: (pair[0]..=pair[1]).map(|k| mitred(line, k, half)).collect(),
         corners: [pair[0], pair[1]],
         convex: [turn(pair[0]) > sharpest, turn(pair[1]) > sharpest],
     };
-    ends.windows(2).map(stretch).collect()
+    ends.windows(2).map(part).collect()
 }
 
-/// The row of a stretch at a depth [m] below a face at `half` [m]: it ends at the bisector of a convex corner.
-fn row(line: &[[f64; 2]], stretch: &Stretch, half: f64, depth: f64) -> Vec<(f64, Station)> {
-    let mut row = offset(&stretch.face, depth);
+/// The row of a part at a depth [m] below a face at `half` [m]: it ends at the bisector of a convex corner.
+fn row(line: &[[f64; 2]], part: &PlateFace, half: f64, depth: f64) -> Vec<(f64, Station)> {
+    let mut row = offset(&part.face, depth);
     let last = row.len() - 1;
     for (end, place) in [(0, 0), (1, last)] {
-        if stretch.convex[end] {
-            row[place].1.0 = mitred(line, stretch.corners[end], half - depth);
+        if part.convex[end] {
+            row[place].1.0 = mitred(line, part.corners[end], half - depth);
         }
     }
     for k in 0..=last {
@@ -212,6 +146,7 @@ fn row(line: &[[f64; 2]], stretch: &Stretch, half: f64, depth: f64) -> Vec<(f64,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::plate::too_tight;
 
     fn area(points: &[WallPoint], wanted: impl Fn(&WallPoint) -> bool) -> f64 {
         points.iter().filter(|p| wanted(p)).map(|p| p.area).sum()
@@ -221,7 +156,7 @@ mod tests {
     #[test]
     fn every_face_has_its_full_rows() {
         for t in [0.002, 0.01, 0.013, 0.025, 0.05] {
-            let points = sample(&[[0.0, 0.0], [0.0, 1.0]], t, 0.01, 3);
+            let points = sample(&Plate::new(&[[0.0, 0.0], [0.0, 1.0]], t), &WallRows::filled(0.01, 3));
             for sign in [1.0, -1.0] {
                 assert!((area(&points, |p| sign * p.normal[0] > 0.5) - 0.03).abs() < 1e-12);
                 assert!((area(&points, |p| sign * p.normal[1] > 0.5) - 0.03 * t).abs() < 1e-15);
@@ -239,7 +174,7 @@ mod tests {
     #[test]
     fn rows_follow_a_bend() {
         let middle = [[0.0, 0.3], [0.0, 0.0], [0.4, 0.0]];
-        let (s, points) = (0.02_f64, sample(&middle, 0.004, 0.02, 3));
+        let (s, points) = (0.02_f64, sample(&Plate::new(&middle, 0.004), &WallRows::filled(0.02, 3)));
         let foot = |p: &WallPoint| [0, 1].map(|c| p.at[c] + p.depth * p.normal[c]);
         let end = |p: &WallPoint| foot(p)[0] > 0.399 || foot(p)[1] > 0.299;
         let below = |p: &WallPoint| foot(p)[0] < 0.0 || foot(p)[1] < 0.0;
@@ -264,7 +199,7 @@ mod tests {
 
     #[test]
     fn a_bent_plate_and_the_image_of_its_half_have_all_its_area() {
-        let points = sample(&[[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], 0.01, 0.02, 3);
+        let points = sample(&Plate::new(&[[-0.3, 0.1], [0.0, 0.0], [0.3, 0.1]], 0.01), &WallRows::filled(0.02, 3));
         let whole = area(&points, |_| true);
         assert!((2.0 * area(&right_half(points, 0.02), |_| true) / whole - 1.0).abs() < 1e-9);
     }
@@ -298,6 +233,6 @@ mod tests {
         let plate = Plate { roots: [0.06, 0.0], ..Plate::new(&[[0.0, 0.0], [0.3, 0.4]], 0.01) };
         let [x, y] = plate.line()[0];
         assert!((x + 0.036).abs() < 1e-15 && (y + 0.048).abs() < 1e-15 && plate.line()[1] == [0.3, 0.4]);
-        assert!(plate.is_thin(0.01, 3) && !plate.is_thin(0.001, 3));
+        assert!(plate.is_thin(&WallRows::filled(0.01, 3)) && !plate.is_thin(&WallRows::filled(0.001, 3)));
     }
 }

@@ -1,76 +1,78 @@
 //! The water of a scene at t = 0.
 
-use fsi_coupling::geometry::layout::{self, Cell};
+use fsi_coupling::geometry::layout::{Cell, Tiling, tile};
 use fsi_coupling::geometry::packing::{self, Packing};
-use fsi_coupling::{Arrangement, CouplingError, WettedBody};
-use sph_core::{Seed, Walls};
+use fsi_coupling::{Body, PlacedBodies};
+use sph_core::{Parameters, Seed};
 
-use crate::build::{body, is_thin, parameters, tank, tiling};
-use crate::scene::{Scene, Symmetry};
+use crate::scene::Scene;
 
-/// Water is filled in up to this share of half a cell beside a thin plate: a plate amid the cells' edges then displaces none.
+/// Least distance of a cell's middle from a thin plate [half cells]: a plate in the middle between two rows of cells displaces none.
 const BESIDE_PLATE: f64 = 0.5;
 
-/// Water at rest under its own weight, level or not (THEORY Q1), and a block of it in the air (Q2), without what the body
-/// displaces; packed round the body where the scene asks (Q6).
-pub(crate) fn fill(scene: &Scene, body: Option<&dyn WettedBody>) -> Result<Vec<Seed>, CouplingError> {
+/// Water at rest under its own weight, level or not (THEORY Q1), and a block of it in the air (Q2), without the water that the body
+/// displaces; packed around the body where the scene asks for it (Q6). `thin`: the body is a thin plate.
+pub(crate) fn initial_fluid(
+    scene: &Scene,
+    parameters: &Parameters,
+    tiling: &Tiling,
+    placed: &PlacedBodies,
+    thin: bool,
+) -> Vec<Seed> {
+    let body = placed.bodies().next().filter(|_| scene.body.is_some());
     let weight = scene.fluid.density * scene.gravity[1];
-    let share = if scene.body.as_ref().is_some_and(|b| is_thin(scene, b)) { BESIDE_PLATE } else { 1.0 };
-    let has_room = |cell: &Cell| {
+    let share = if thin { BESIDE_PLATE } else { 1.0 };
+    let is_free = |cell: &Cell| {
         let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
-        body.is_none_or(|b| b.clearance(cell.at) >= share * room)
+        body.is_none_or(|body| body.signed_distance(cell.at) >= share * room)
     };
     let surface = scene.tank.surface();
     let level = |x: f64| surface.as_ref().map_or(0.0, |surface| surface.mean(x, x));
-    let mut seeds = Vec::new();
+    // cells with the height of the surface above them
+    let mut cells = Vec::new();
+    tiling.for_each(|cell| cells.push(surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell))));
     if let (true, Some(body)) = (scene.resolution.packing, body) {
-        let still = |cell: Cell| {
-            let pressure = weight * (cell.at[1] - level(cell.at[0]));
-            Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure }
-        };
-        seeds.extend(packed(scene, body, level)?.into_iter().map(still));
+        let cells_only = cells.into_iter().map(|(cell, _)| cell).collect();
+        cells = packed(cells_only, parameters, placed, body, level);
     } else {
-        tiling(scene).for_each(|cell| {
-            let (cell, rise) = surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell));
-            if has_room(&cell) {
-                let pressure = weight * (cell.at[1] - rise);
-                seeds.push(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure });
-            }
-        });
+        cells.retain(|(cell, _)| is_free(cell));
     }
+    let at_rest = |(cell, height): (Cell, f64)| Seed {
+        at: cell.at,
+        velocity: [0.0; 2],
+        area: cell.area(),
+        pressure: weight * (cell.at[1] - height),
+    };
+    let mut seeds: Vec<Seed> = cells.into_iter().map(at_rest).collect();
     if let Some(block) = &scene.tank.block {
-        layout::tile(block.from, block.to, scene.resolution.spacing, |cell| {
-            if has_room(&cell) {
+        tile(block.from, block.to, scene.resolution.spacing, |cell| {
+            if is_free(&cell) {
                 seeds.push(Seed { at: cell.at, velocity: block.velocity, area: cell.area(), pressure: 0.0 });
             }
         });
     }
-    Ok(seeds)
+    seeds
 }
 
-/// The cells of the tank's water, packed round the body.
-fn packed(scene: &Scene, around: &dyn WettedBody, level: impl Fn(f64) -> f64) -> Result<Vec<Cell>, CouplingError> {
-    let (parameters, surface) = (parameters(scene), scene.tank.surface());
-    let (arrangement, layers) = Arrangement::of(&parameters);
-    let mut walls = Walls::default();
-    // a body is sampled once in its life: these are another body and tank, in the same places
-    for mut bound in body(scene)?.into_iter().chain([Box::new(tank(scene)) as Box<dyn WettedBody>]) {
-        bound.arrange(arrangement);
-        let range = walls.extend(&bound.sample(scene.resolution.spacing, layers)?, parameters.smoothing_ratio);
-        bound.place(0.0, walls.slice_mut(range));
-    }
-    let mut cells = Vec::new();
-    tiling(scene).for_each(|cell| cells.push(surface.as_ref().map_or(cell, |surface| surface.lift(cell).0)));
-    let mut cells = packing::choose(cells, around);
+/// The cells packed around the body, each with the height of the surface above it.
+fn packed(
+    cells: Vec<Cell>,
+    parameters: &Parameters,
+    placed: &PlacedBodies,
+    body: &dyn Body,
+    level: impl Fn(f64) -> f64,
+) -> Vec<(Cell, f64)> {
+    let signed_distance = |at: [f64; 2]| body.signed_distance(at);
+    let mut cells = packing::choose(cells, signed_distance);
     let packing = Packing {
-        body: around,
-        walls: &walls,
+        signed_distance: &signed_distance,
+        walls: placed.walls(),
         kernel: parameters.kernel,
         ratio: parameters.smoothing_ratio,
-        mirrored: scene.symmetry == Symmetry::X,
+        mirrored: parameters.mirror.is_some(),
     };
-    packing.settle(&mut cells, level);
-    Ok(cells)
+    packing.relax(&mut cells, &level);
+    cells.into_iter().map(|cell| (cell, level(cell.at[0]))).collect()
 }
 
 #[cfg(test)]
@@ -97,7 +99,7 @@ mod tests {
         let (p, w) = (&system.fluid.particles, &system.walls);
         let body = system.bodies().find(|b| b.outline().is_some()).expect("a box");
         let kernel = system.fluid.parameters.kernel;
-        let near = |k: &usize| body.clearance([p.x[*k], p.y[*k]]) < 0.075 && p.y[*k] < -0.1;
+        let near = |k: &usize| body.signed_distance([p.x[*k], p.y[*k]]) < 0.075 && p.y[*k] < -0.1;
         let fill = |k: usize| {
             let value = |x: f64, y: f64, h: f64| kernel.value((p.x[k] - x).hypot(p.y[k] - y), 0.5 * (p.h[k] + h));
             let water: f64 = (0..p.len()).map(|j| p.mass[j] / p.rho[j] * value(p.x[j], p.y[j], p.h[j])).sum();
