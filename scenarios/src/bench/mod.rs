@@ -76,7 +76,7 @@ pub struct Bench {
     pub log: Vec<LogCost>,
 }
 
-/// Measure; `tell` hears what is being measured.
+/// Measure; `tell` is called before each part with its name.
 pub fn measure(extent: &Extent, tell: impl Fn(&str)) -> Result<Bench, BenchError> {
     let threads = rayon::current_num_threads();
     tell("memory and arithmetic of this machine");

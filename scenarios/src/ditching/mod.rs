@@ -1,5 +1,14 @@
 //! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY DT1–DT8).
 //!
+//! # Example
+//! ```
+//! use scenarios::ditching;
+//!
+//! let landed = ditching::follow(&ditching::load("mercure", &[])?);
+//! assert!(landed.summary.az_g.value > 0.0);
+//! # Ok::<(), scenarios::scene::SceneError>(())
+//! ```
+//!
 //! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
 //! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`keywords`] has the keys.
 

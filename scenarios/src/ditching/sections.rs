@@ -1,4 +1,4 @@
-//! Scenes of particles of a landing's sections, for what a theory does not say: pressures, spray, the flow.
+//! Scenes of particles of a landing's sections, for quantities that a theory does not have: pressures, spray, the flow.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! A scene as an entry theory sees it.
+//! A scene solved by an entry theory.
 
 use fsi_coupling::Motion as BodyMotion;
 use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
@@ -13,7 +13,7 @@ const LATE: f64 = 0.8;
 /// Points along the face in which the largest pressure is looked for.
 const POINTS: usize = 4000;
 
-/// A theory's account of a scene.
+/// The solution of a scene by a theory.
 #[derive(Clone, Debug)]
 pub struct Theory {
     /// Loads of the body's section.
@@ -29,16 +29,16 @@ impl Theory {
     /// Follow the body of a scene into the water.
     ///
     /// # Errors
-    /// What of the scene is beyond this rung, its range, and the next rung that can do it.
+    /// The feature of the scene outside the theory's range, the range, and the next model that covers it.
     pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
         let (theory, end) = Theory::while_in_range(scene, rung)?;
         end.map_or(Ok(theory), Err)
     }
 
-    /// The same up to where the rung's range ends, and why it does.
+    /// The same up to the end of the theory's range, with the reason.
     ///
     /// # Errors
-    /// What of the scene is beyond this rung from the start.
+    /// The feature of the scene outside the theory's range from the start.
     pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, course) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
@@ -84,7 +84,7 @@ impl Theory {
         self.loads.pressure(x, draught, speed, rate, self.density)
     }
 
-    /// Do its faces bend?
+    /// True if its faces are elastic.
     pub fn bends(&self) -> bool {
         self.faces.is_some()
     }
@@ -162,7 +162,7 @@ impl Theory {
     }
 }
 
-/// The same scene with faces that bend: by Wagner's load on a modal beam.
+/// The same scene with elastic faces: by Wagner's load on a modal beam.
 fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
     if rung != Rung::Wagner {
         return Err(OutOfRange {
@@ -178,9 +178,9 @@ fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theo
     Ok((Theory { loads, instants, density: scene.fluid.density, faces: Some(faces) }, end))
 }
 
-/// Least depth and half width of water that feels unbounded, in wetted half widths.
+/// Least depth and half width of water that counts as unbounded, in wetted half widths.
 const UNBOUNDED: f64 = 4.0;
-/// What of this moment is beyond theories that know neither a deck nor walls.
+/// Why theories without deck and walls are not valid at this moment.
 fn confined(scene: &Scene, body: &Body, now: &Instant) -> Option<&'static str> {
     let [min, max] = polygon::bounding_box(&body.placed_outline());
     let room = scene.tank.depth.min(0.5 * scene.tank.width - body.middle().abs());
