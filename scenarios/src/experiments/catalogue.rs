@@ -71,14 +71,14 @@ impl<C: Case> Catalogue<C> {
             ExperimentError::Unknown { kind: self.kind, name: name.clone(), known }
         };
         let chosen = |name: &String| match name.ends_with(".toml") {
-            true => self.from_file(name),
+            true => self.read_file(name),
             false => all.iter().find(|c| c.title()[0] == name).cloned().ok_or_else(|| unknown(name)),
         };
         names.iter().map(chosen).collect()
     }
 
     /// The case of a TOML file.
-    fn from_file(&self, path: &str) -> Result<C, ExperimentError> {
+    fn read_file(&self, path: &str) -> Result<C, ExperimentError> {
         let wrong = |why: String| self.wrong(path.to_string(), why);
         let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
         self.named(toml::from_str(&text).map_err(|e| wrong(e.to_string()))?, C::name_of_file(path))
