@@ -6,25 +6,28 @@ use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
     RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
+use sph_core::legacy::{self, pilorget2010};
 use sph_core::neighbours::images::Mirror;
-use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
+use sph_core::{Domain, Fluid, FluidSettings, SchemeSettings, Solver, ThesisSettings, projection, wcsph};
 use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::{self, DiffusionForm, Motion, Oscillation, PanelEnd, Scene, Symmetry};
+use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let (parameters, tiling) = (parameters(scene), tiling(scene));
-    let rows = WallRows::of(&parameters, scene.resolution.spacing);
+    let (domain, settings, tiling) = (domain(scene), settings(scene), tiling(scene));
+    let (layout, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
+    let rows = WallRows::of(layout, scene.resolution.spacing);
     let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
     let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
     let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
-    let placed = PlacedBodies::new(body.into_iter().chain([tank]).collect(), &parameters, scene.resolution.spacing)?;
-    let seeds = initial_fluid(scene, &parameters, &tiling, &placed, thin);
-    let system = Coupled::with_bodies(Fluid::new(parameters, &seeds), placed, scene.coupling.scheme())?;
+    let bodies = body.into_iter().chain([tank]).collect();
+    let placed = PlacedBodies::new(bodies, layout, ratio, scene.resolution.spacing)?;
+    let seeds = initial_fluid(scene, &domain, &tiling, &placed, thin);
+    let fluid = Fluid::new(domain, settings.as_ref(), &seeds);
+    let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
         Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
         None => system,
@@ -94,47 +97,84 @@ fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate>
     (roots != [0.0; 2] && is_thin(body, rows)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-fn parameters(scene: &Scene) -> Parameters {
+/// The water and the space it moves in.
+fn domain(scene: &Scene) -> Domain {
     let fluid = &scene.fluid;
-    Parameters {
-        eos: Tait { rho0: fluid.density, c0: fluid.sound_speed, gamma: fluid.eos_exponent },
-        kernel: fluid.kernel,
-        smoothing_ratio: fluid.smoothing_ratio,
+    Domain {
+        fluid: FluidSettings {
+            density: fluid.density,
+            kernel: fluid.kernel,
+            smoothing_ratio: fluid.smoothing_ratio,
+            kinematic_viscosity: fluid.kinematic_viscosity,
+            wall_slip: fluid.wall_slip,
+        },
         gravity: scene.gravity,
-        alpha: fluid.artificial_viscosity,
-        nu: fluid.kinematic_viscosity,
-        delta: fluid.density_diffusion,
-        shifting: fluid.shifting,
-        settling: fluid.settling,
-        volume_correction: fluid.volume_correction,
-        slip: fluid.wall_slip,
-        wall_stretch: fluid.wall_stretch,
-        ventilation: fluid.ventilation,
-        wide: true,
-        integrator: fluid.integrator,
-        cfl: fluid.cfl,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
-        verlet_correction_every: fluid.verlet_correction_every.into(),
-        density_filter: fluid.density_filter,
-        density_filter_every: fluid.density_filter_every.into(),
-        xsph: fluid.xsph,
-        turbulence: fluid.turbulence,
-        gas: fluid.gas(),
-        density_evolution: fluid.density_evolution,
-        hydrostatic_diffusion: fluid.density_diffusion_form == DiffusionForm::Fourtakas,
-        shift_surface: false,
-        periodic: None,
-        walls: WallTreatment {
-            model: fluid.walls,
-            hydrostatic_start: fluid.limit_pressure == 1,
+        fastest_speed: scene.projection_speed(),
+        ..Domain::default()
+    }
+}
+
+/// Settings of the scene's scheme.
+fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
+    match scene.solver {
+        Solver::WeaklyCompressible => Box::new(compressible(scene)),
+        Solver::Incompressible => Box::new(projection(scene, projection::Method::Solve)),
+        Solver::IncompressibleExplicit => Box::new(projection(scene, projection::Method::OneSweep)),
+        Solver::IncompressibleThesis => Box::new(thesis(scene)),
+    }
+}
+
+fn compressible(scene: &Scene) -> legacy::Settings {
+    let fluid = &scene.fluid;
+    legacy::Settings {
+        scheme: wcsph::Settings {
+            sound_speed: fluid.sound_speed.into(),
+            eos_exponent: fluid.eos_exponent,
+            dissipation: fluid.dissipation,
+            artificial_viscosity: fluid.artificial_viscosity,
+            density_diffusion: fluid.density_diffusion,
+            shifting: fluid.shifting,
+            settling: fluid.settling,
+            wall_stretch: fluid.wall_stretch,
+            ventilation: fluid.ventilation,
+            cfl: fluid.cfl.into(),
+        },
+        options: legacy::Options {
+            integrator: fluid.integrator,
+            verlet_correction_every: fluid.verlet_correction_every,
+            density_filter: fluid.density_filter,
+            density_filter_every: fluid.density_filter_every,
+            xsph: fluid.xsph,
+            turbulence: fluid.turbulence,
+            equation_of_state: fluid.equation_of_state,
+            temperature: fluid.temperature,
+            molar_mass: fluid.molar_mass,
+            density_evolution: fluid.density_evolution,
+            density_diffusion_form: fluid.density_diffusion_form,
+            walls: fluid.walls,
+            limit_pressure: fluid.limit_pressure as u8,
             water_depth: scene.tank.depth,
         },
-        dissipation: fluid.dissipation,
-        solver: scene.solver,
-        projecting: scene.projection.map_or_else(Projecting::default, |projection| projection.settings()),
-        speed: scene.projection_speed(),
-        thesis: scene.thesis.unwrap_or_default(),
     }
+}
+
+fn projection(scene: &Scene, method: projection::Method) -> projection::Settings {
+    let fluid = &scene.fluid;
+    let settings = scene.projection.map_or_else(projection::Settings::default, |projection| projection.settings());
+    let flow = projection::FlowSettings { shifting: fluid.shifting, ventilation: fluid.ventilation, cfl: fluid.cfl };
+    projection::Settings { flow, method, ..settings }
+}
+
+fn thesis(scene: &Scene) -> ThesisSettings {
+    let fluid = &scene.fluid;
+    let flow = pilorget2010::settings::FlowSettings {
+        sound_speed: fluid.sound_speed.into(),
+        dissipation: fluid.dissipation,
+        artificial_viscosity: fluid.artificial_viscosity,
+        cfl: fluid.cfl,
+    };
+    ThesisSettings { flow, ..scene.thesis.unwrap_or_default() }
 }
 
 fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {

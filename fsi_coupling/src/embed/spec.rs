@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use sph_core::wcsph::eos::Tait;
-use sph_core::{Integrator, Kernel, Parameters, Slip};
+use sph_core::{Auto, Domain, FluidSettings, Integrator, Kernel, Slip, legacy, wcsph};
 
 use super::error::HostError;
 use super::keywords::{self, Value, keywords};
@@ -76,7 +75,7 @@ impl FluidElementSpec {
     /// Of the three lengths that have no default [m]: the finest spacing, the basin's half width and its depth. One speed,
     /// `fastest_speed` or `sound_speed`, must be set beside them.
     pub fn new(spacing: f64, reach: f64, depth: f64) -> FluidElementSpec {
-        let usual = Parameters::usual(Tait { rho0: 1000.0, c0: f64::NAN, gamma: 7.0 });
+        let (water, usual) = (FluidSettings::default(), wcsph::Settings::default());
         FluidElementSpec {
             spacing,
             reach,
@@ -88,20 +87,20 @@ impl FluidElementSpec {
             fine_half_width: None,
             fine_depth: None,
             gravity: [0.0, -9.81],
-            density: usual.eos.rho0,
+            density: water.density,
             fastest_speed: None,
             sound_speed: None,
-            eos_exponent: usual.eos.gamma,
-            kernel: usual.kernel,
-            smoothing_ratio: usual.smoothing_ratio,
-            artificial_viscosity: usual.alpha,
-            kinematic_viscosity: usual.nu,
-            density_diffusion: usual.delta,
+            eos_exponent: usual.eos_exponent,
+            kernel: water.kernel,
+            smoothing_ratio: water.smoothing_ratio,
+            artificial_viscosity: usual.artificial_viscosity,
+            kinematic_viscosity: water.kinematic_viscosity,
+            density_diffusion: usual.density_diffusion,
             shifting: usual.shifting,
-            wall_slip: usual.slip,
+            wall_slip: water.wall_slip,
             wall_stretch: usual.wall_stretch,
             ventilation: usual.ventilation,
-            integrator: usual.integrator,
+            integrator: Integrator::default(),
             cfl: None,
             most_substeps: 100_000.0,
         }
@@ -139,31 +138,42 @@ impl FluidElementSpec {
         self.sound_speed.or(least).unwrap_or(f64::NAN)
     }
 
-    /// What the water does not change during a run.
-    pub fn parameters(&self) -> Parameters {
-        let eos = Tait { rho0: self.density, c0: self.speed_of_sound(), gamma: self.eos_exponent };
-        let usual_cfl = match self.integrator {
-            Integrator::PredictorCorrector => 0.3,
-            _ if self.wall_stretch => 0.4,
-            _ => 0.6,
-        };
-        let mut parameters = Parameters {
-            kernel: self.kernel,
-            smoothing_ratio: self.smoothing_ratio,
+    /// The water and the space it moves in.
+    pub fn domain(&self) -> Domain {
+        Domain {
+            fluid: FluidSettings {
+                density: self.density,
+                kernel: self.kernel,
+                smoothing_ratio: self.smoothing_ratio,
+                kinematic_viscosity: self.kinematic_viscosity,
+                wall_slip: self.wall_slip,
+            },
             gravity: self.gravity,
-            alpha: self.artificial_viscosity,
-            nu: self.kinematic_viscosity,
-            delta: self.density_diffusion,
-            shifting: self.shifting,
-            slip: self.wall_slip,
-            wall_stretch: self.wall_stretch,
-            ventilation: self.ventilation,
-            integrator: self.integrator,
-            cfl: self.cfl.unwrap_or(usual_cfl),
-            ..Parameters::usual(eos)
-        };
-        parameters.walls.water_depth = self.depth;
-        parameters
+            fastest_speed: self.fastest_speed.unwrap_or(0.1 * self.speed_of_sound()),
+            ..Domain::default()
+        }
+    }
+
+    /// The scheme's settings.
+    pub fn settings(&self) -> legacy::Settings {
+        legacy::Settings {
+            scheme: wcsph::Settings {
+                sound_speed: self.speed_of_sound().into(),
+                eos_exponent: self.eos_exponent,
+                artificial_viscosity: self.artificial_viscosity,
+                density_diffusion: self.density_diffusion,
+                shifting: self.shifting,
+                wall_stretch: self.wall_stretch,
+                ventilation: self.ventilation,
+                cfl: self.cfl.map_or(Auto::Auto, Auto::Value),
+                ..wcsph::Settings::default()
+            },
+            options: legacy::Options {
+                integrator: self.integrator,
+                water_depth: self.depth,
+                ..legacy::Options::default()
+            },
+        }
     }
 }
 

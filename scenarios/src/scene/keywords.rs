@@ -118,7 +118,7 @@ static KEYWORDS: &[Keyword] = &[
     key("fluid.density_diffusion", "-", "0.3", "coefficient delta of density diffusion; 0 is none; absent or 0 with dissipation = riemann, and with an incompressible solver"),
     key("fluid.shifting", "", "true", "particle shifting: true | false"),
     key("fluid.settling", "-", "0.1", "share of h^2 grad C that particles are shifted by in each step, whatever their speed, away from the surface (THEORY E13), 0 to 0.3; without effect where fluid.shifting is false or the solver is a projection"),
-    key("fluid.volume_correction", "", "false", "correct particle volumes for the drift that shifting leaves beside walls: true | false"),
+    key("fluid.volume_correction", "", "false", "dropped; false is accepted: true | false"),
     key("fluid.wall_slip", "", "free", "free: the water slides along walls | none: it sticks to them"),
     key("fluid.wall_stretch", "", "false", "true: behind walls the water is stretched along them like that in front; sound along walls is nearer its speed and particles keep their volume better; noisier at coarse spacing"),
     key("fluid.ventilation", "", "false", "true: water within the kernel of both a wall and the air holds no tension, so that air comes in between and flow leaves a round bottom; it cuts noise to one side, which costs accuracy at coarse spacing | false: flow is sucked along"),

@@ -1,6 +1,7 @@
 //! The water of a resolved scene, and the numerical scheme.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+pub use sph_core::legacy::{DiffusionForm, EquationOfState};
 pub use sph_core::{
     DensityEvolution, DensityFilter, Dissipation, IdealGas, Integrator, Kernel, Slip as WallSlip, Turbulence, WallModel,
 };
@@ -30,8 +31,6 @@ pub struct Fluid {
     pub shifting: bool,
     /// Share κ of h² ∇C that particles are shifted by in each step, whatever their speed [-].
     pub settling: f64,
-    /// Particle volumes corrected for the drift that shifting leaves beside walls.
-    pub volume_correction: bool,
     /// Tangential condition on walls.
     pub wall_slip: WallSlip,
     /// Walls feel the water stretch along them.
@@ -68,28 +67,6 @@ pub struct Fluid {
     pub limit_pressure: i64,
     /// What smooths pressures and velocities between particles of water.
     pub dissipation: Dissipation,
-}
-
-/// What gives the pressure.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum EquationOfState {
-    /// Tait's law for water: of the density alone.
-    #[default]
-    Tait,
-    /// An ideal gas, with the energy equation.
-    IdealGas,
-}
-
-/// What density diffusion diffuses.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum DiffusionForm {
-    /// Pressure less its hydrostatic part (Fourtakas et al. 2019).
-    #[default]
-    Fourtakas,
-    /// The whole pressure (Molteni & Colagrossi 2009).
-    Molteni,
 }
 
 impl Fluid {

@@ -1,7 +1,7 @@
 //! The projection of a resolved scene.
 
 use serde::Serialize;
-use sph_core::Projecting;
+use sph_core::projection::Settings;
 
 /// What a scene chooses of the projection that gives the pressures (THEORY I1–I16).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -20,23 +20,23 @@ pub struct Projection {
 
 impl Projection {
     /// As the fluid takes it.
-    pub fn settings(self) -> Projecting {
-        self.over(Projecting::default())
+    pub fn settings(self) -> Settings {
+        self.over(Settings::default())
     }
 
-    fn over(self, mut settings: Projecting) -> Projecting {
+    fn over(self, mut settings: Settings) -> Settings {
         settings.tolerance = self.tolerance;
         settings.most_iterations = self.most_iterations;
         settings.relaxation = self.relaxation;
-        settings.calming = self.calming;
+        settings.viscosity_coefficient = self.calming;
         settings.shift = self.shift;
         settings
     }
 }
 
-impl From<Projecting> for Projection {
-    fn from(settings: Projecting) -> Projection {
-        let Projecting { tolerance, most_iterations, relaxation, calming, shift, .. } = settings;
+impl From<Settings> for Projection {
+    fn from(settings: Settings) -> Projection {
+        let Settings { tolerance, most_iterations, relaxation, viscosity_coefficient: calming, shift, .. } = settings;
         Projection { tolerance, most_iterations, relaxation, calming, shift }
     }
 }

@@ -193,6 +193,10 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         let why = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", why));
     }
+    if file.volume_correction == Some(true) {
+        let expected = "false: the correction of volumes was dropped, since it gained nothing";
+        return Err(Problem::new("fluid.volume_correction", true, expected));
+    }
     let integrator = file.integrator.unwrap_or_default();
     let dissipation = file.dissipation.unwrap_or_default();
     let usual_exponent = if gaseous { AIR_EXPONENT } else { TAIT_EXPONENT };
@@ -208,7 +212,6 @@ fn resolve_fluid(file: FluidFile, density: f64, entry: Option<&Entry>, fastest: 
         density_diffusion: coefficient("fluid.density_diffusion", file.density_diffusion, 0.3, dissipation)?,
         shifting: file.shifting.unwrap_or(true),
         settling: within("fluid.settling", file.settling.unwrap_or(0.1), 0.0..=0.3)?,
-        volume_correction: file.volume_correction.unwrap_or(false),
         wall_slip: file.wall_slip.unwrap_or_default(),
         wall_stretch: file.wall_stretch.unwrap_or(false),
         ventilation: file.ventilation.unwrap_or(false),

@@ -8,7 +8,7 @@ use super::model::{
     Projection, Scene, Solver, Turbulence, WallModel,
 };
 use super::problem::{Problem, not_negative, positive, significant, within};
-use sph_core::Projecting;
+use sph_core::projection::Settings;
 
 /// Largest share of its smoothing length that a particle may move in a step, where the scene does not say.
 const CFL: f64 = 0.4;
@@ -34,7 +34,7 @@ pub(super) fn resolve_projection(file: &ProjectionFile, solver: Solver) -> Resul
     if !projects(solver) {
         return refuse_table(file, solver).map(|()| None);
     }
-    let usual = Projection::from(Projecting::default());
+    let usual = Projection::from(Settings::default());
     let most_iterations = file.most_iterations.unwrap_or(usual.most_iterations);
     if most_iterations == 0 {
         return Err(Problem::new("projection.most_iterations", 0, "a whole number of at least 1"));

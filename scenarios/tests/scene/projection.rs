@@ -29,10 +29,13 @@ fn a_table_of_the_projection_is_what_the_fluid_takes() {
     let table = "projection={ tolerance = 1e-6, most_iterations = 77, relaxation = 3.0, calming = 0.0, shift = 0.5 }";
     for solver in ["incompressible", "incompressible_explicit"] {
         let settings = with(solver, &[table]).projection.expect("a table").settings();
-        assert_eq!([settings.tolerance, settings.relaxation, settings.calming, settings.shift], [1e-6, 3.0, 0.0, 0.5]);
+        assert_eq!(
+            [settings.tolerance, settings.relaxation, settings.viscosity_coefficient, settings.shift],
+            [1e-6, 3.0, 0.0, 0.5]
+        );
         assert_eq!(settings.most_iterations, 77);
     }
-    let usual = sph_core::Projecting::default();
+    let usual = sph_core::projection::Settings::default();
     assert_eq!(with("incompressible", &[]).projection.expect("a table").settings(), usual);
 }
 
