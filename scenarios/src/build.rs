@@ -120,7 +120,7 @@ fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
     match scene.solver {
         Solver::WeaklyCompressible => Box::new(compressible(scene)),
         Solver::Incompressible => Box::new(projection(scene, projection::Method::Solve)),
-        Solver::IncompressibleExplicit => Box::new(projection(scene, projection::Method::OneSweep)),
+        Solver::IncompressibleExplicit => Box::new(projection(scene, projection::Method::OneIteration)),
         Solver::IncompressibleThesis => Box::new(thesis(scene)),
     }
 }
