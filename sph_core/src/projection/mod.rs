@@ -84,6 +84,7 @@ impl Projection {
     ) -> Result<(), Breakdown> {
         let constants = self.constants(system);
         self.pack(system, walls, -dt); //                                            neighbours at r
+        system.timers.begin(Phase::Density);
         self.surface.detect(system, walls); //                                       holes between particles (I5)
         self.surface.mark_dry_walls(system, walls); //                               walls without water (I5)
         self.operators.assemble(system, walls, &self.lattice, constants, dt); //     C, ∇C, ∇·u*, A
