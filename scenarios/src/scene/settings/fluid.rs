@@ -1,0 +1,174 @@
+//! The key `solver` and the tables that it selects: `[fluid]`, `[projection]`, `[thesis]`.
+
+use fsi_coupling::settings::OrAuto;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use sph_core::legacy::{Options, pilorget2010};
+use sph_core::{Auto, Kernel, Slip, projection, wcsph};
+
+/// A solver and the settings that it reads.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "solver", rename_all = "snake_case")]
+#[schemars(extend(
+    "x-tag-default" = "weakly_compressible",
+    "x-tag" = "What gives the pressure: weakly_compressible: an equation of state; incompressible: a projection; \
+               incompressible_explicit: the projection with one pressure sweep per step, as weakly compressible as its step is \
+               long (THEORY EX4); incompressible_thesis: Pilorget 2010"
+))]
+pub enum SolverSettings {
+    /// Pressures from an equation of state.
+    WeaklyCompressible {
+        /// The water and the scheme.
+        #[schemars(extend("x-default" = "every key's"))]
+        fluid: WeaklyCompressibleFluid,
+    },
+    /// Pressures from a projection.
+    Incompressible {
+        /// The water and the scheme.
+        #[schemars(extend("x-default" = "every key's"))]
+        fluid: IncompressibleFluid,
+        /// The projection.
+        #[serde(default)]
+        projection: projection::Settings,
+    },
+    /// Pressures from one sweep of the projection's equation per step.
+    IncompressibleExplicit {
+        /// The water and the scheme.
+        #[schemars(extend("x-default" = "every key's"))]
+        fluid: IncompressibleFluid,
+        /// The projection.
+        #[serde(default)]
+        projection: projection::Settings,
+    },
+    /// The projection of Pilorget (2010).
+    IncompressibleThesis {
+        /// The water and the scheme.
+        #[schemars(extend("x-default" = "every key's"))]
+        fluid: ThesisFluid,
+        /// The projection.
+        #[serde(default)]
+        thesis: pilorget2010::ThesisSettings,
+    },
+}
+
+/// Keys of `[fluid]` that every solver has.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Water {
+    /// Density of the undisturbed water (INDAT rho0) [kg/m³].
+    #[serde(default = "usual::density")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: f64,
+    /// Share of the force that compressibility may cost; sets an "auto" speed of sound [-].
+    #[serde(default = "usual::compressibility_error")]
+    #[schemars(range(min = 1e-6, max = 0.25))]
+    pub compressibility_error: f64,
+    /// Smoothing kernel (INDAT i_kernel 1 | 2 | 3 | 5: gaussian, quadratic, cubic_spline, wendland_c2).
+    #[serde(default)]
+    pub kernel: Kernel,
+    /// Smoothing length over spacing h/dx (INDAT h); the kernel's support is 2h [-].
+    #[schemars(range(min = 1.0, max = 3.0), extend("x-default" = "1.5; 1.0 with solver = incompressible_thesis"))]
+    pub smoothing_ratio: f64,
+    /// Kinematic viscosity; 0 is none (INDAT i_viscos 2 | 3: viscos_val; 3 with fluid.turbulence) [m²/s].
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub kinematic_viscosity: f64,
+    /// Tangential condition on walls. free: the water slides along them; none: it sticks to them.
+    #[serde(default)]
+    #[schemars(extend("x-when" = ".kinematic_viscosity"))]
+    pub wall_slip: Slip,
+}
+
+/// `[fluid]` of the weakly compressible solver.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct WeaklyCompressibleFluid {
+    /// The water.
+    #[serde(flatten)]
+    pub water: Water,
+    /// The scheme.
+    #[serde(flatten)]
+    pub scheme: wcsph::Settings,
+    /// Its options of 2010.
+    #[serde(flatten)]
+    pub options: Options,
+}
+
+/// `[fluid]` of the incompressible solvers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct IncompressibleFluid {
+    /// The water.
+    #[serde(flatten)]
+    pub water: Water,
+    /// Speed of sound from which the size of an "auto" tank follows [m/s].
+    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    pub sound_speed: f64,
+    /// The scheme.
+    #[serde(flatten)]
+    pub scheme: projection::FlowSettings,
+}
+
+/// `[fluid]` of the thesis's projection.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ThesisFluid {
+    /// The water.
+    #[serde(flatten)]
+    pub water: Water,
+    /// The scheme.
+    #[serde(flatten)]
+    pub scheme: pilorget2010::FlowSettings,
+}
+
+mod usual {
+    pub fn density() -> f64 {
+        1000.0
+    }
+    pub fn compressibility_error() -> f64 {
+        0.01
+    }
+}
+
+/// Density of water where a scene does not give it [kg/m³].
+pub(in crate::scene) const DENSITY: fn() -> f64 = usual::density;
+
+impl SolverSettings {
+    /// The water.
+    pub fn water(&self) -> &Water {
+        match self {
+            SolverSettings::WeaklyCompressible { fluid } => &fluid.water,
+            SolverSettings::Incompressible { fluid, .. } | SolverSettings::IncompressibleExplicit { fluid, .. } => {
+                &fluid.water
+            }
+            SolverSettings::IncompressibleThesis { fluid, .. } => &fluid.water,
+        }
+    }
+
+    /// Speed of sound c₀ [m/s]; of a projection the one from which an automatic tank follows.
+    pub fn sound_speed(&self) -> f64 {
+        match self {
+            SolverSettings::WeaklyCompressible { fluid } => fluid.scheme.sound_speed.value(),
+            SolverSettings::Incompressible { fluid, .. } | SolverSettings::IncompressibleExplicit { fluid, .. } => {
+                Some(fluid.sound_speed)
+            }
+            SolverSettings::IncompressibleThesis { fluid, .. } => fluid.scheme.sound_speed.value(),
+        }
+        .unwrap_or(f64::NAN)
+    }
+
+    /// Courant number of the step limit [-].
+    pub fn courant_number(&self) -> f64 {
+        match self {
+            SolverSettings::WeaklyCompressible { fluid } => fluid.scheme.courant_number(),
+            SolverSettings::Incompressible { fluid, .. } | SolverSettings::IncompressibleExplicit { fluid, .. } => {
+                fluid.scheme.cfl
+            }
+            SolverSettings::IncompressibleThesis { fluid, .. } => fluid.scheme.cfl,
+        }
+    }
+
+    /// The weakly compressible scheme; `None` with another solver.
+    pub fn weakly_compressible(&self) -> Option<&WeaklyCompressibleFluid> {
+        match self {
+            SolverSettings::WeaklyCompressible { fluid } => Some(fluid),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! A flexible panel of a body.
+
+use fsi_coupling::{PanelEnd, PanelSpec};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use structure_fe::{Material, Plasticity, Theory};
+
+/// A flexible part of the body's surface.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Panel {
+    /// A word that starts its columns in the series.
+    #[schemars(extend("x-default" = "panel1, ..."))]
+    pub name: String,
+    /// Start x, y in the body's frame, on the outline (a polyline's middle line) [m].
+    pub from: [f64; 2],
+    /// End x, y; along an outline counter-clockwise, along a polyline in the order of its points [m].
+    pub to: [f64; 2],
+    /// Number of beam elements. Light, soft panels may break down where elements are much shorter than 1.5 spacings.
+    #[schemars(range(min = 2, max = 2000), extend("x-default" = "24, none shorter than 2 spacings, at least 8"))]
+    pub elements: usize,
+    /// Thickness of the plate; along an outline its outside is wet [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub thickness: f64,
+    /// Young's modulus; the plate bends with E/(1 - nu²) [Pa].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub youngs_modulus: f64,
+    /// Poisson's ratio [-].
+    #[serde(default = "usual_poissons_ratio")]
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 0.5))]
+    pub poissons_ratio: f64,
+    /// Density of the plate [kg/m³].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: f64,
+    /// Supports of its ends on the rest of the body: sliding is pinned, but free along the panel; mirror is joined to its image,
+    /// at x = 0 with symmetry = x.
+    #[serde(default)]
+    pub ends: [PanelEnd; 2],
+    /// Beam theory.
+    #[serde(default)]
+    pub theory: TheoryName,
+    /// Shares of its length at which motion, moment and strains are reported [-].
+    #[serde(default = "usual_watch")]
+    #[schemars(inner(range(min = 0.0, max = 1.0)))]
+    pub watch: Vec<f64>,
+    /// Yield stress of the tension test, beyond which the plate stays bent (bilinear moment and curvature) [Pa]. absent: elastic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub yield_stress: Option<f64>,
+    /// Plastic modulus beyond the yield stress [Pa].
+    #[serde(default)]
+    #[schemars(range(min = 0.0), extend("x-when" = ".yield_stress"))]
+    pub hardening_modulus: f64,
+    /// Strain of an outer fibre at a held end at which that end breaks off; the wetted surface stays closed [-]. absent: never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub rupture_strain: Option<f64>,
+    /// Allowable stress; the reserve factor is this over the largest stress [Pa].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "yield_stress"))]
+    pub allowable_stress: Option<f64>,
+}
+
+/// Beam theories.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TheoryName {
+    /// Sections stay normal to the axis.
+    #[default]
+    EulerBernoulli,
+    /// Sections shear.
+    Timoshenko,
+}
+
+fn usual_poissons_ratio() -> f64 {
+    0.3
+}
+
+fn usual_watch() -> Vec<f64> {
+    vec![0.5]
+}
+impl Panel {
+    /// As the coupled system takes it.
+    pub fn spec(&self) -> PanelSpec {
+        PanelSpec {
+            name: self.name.clone(),
+            span: [self.from, self.to],
+            elements: self.elements,
+            thickness: self.thickness,
+            material: self.material(),
+            theory: match self.theory {
+                TheoryName::EulerBernoulli => Theory::EulerBernoulli,
+                TheoryName::Timoshenko => Theory::TIMOSHENKO,
+            },
+            ends: self.ends,
+            watch: self.watch.clone(),
+            plasticity: self.plasticity(),
+            rupture_strain: self.rupture_strain,
+            allowable_stress: self.allowable_stress,
+        }
+    }
+
+    /// In plane strain bending yields at σ_y/√(1 − ν + ν²) (von Mises 1913).
+    fn plasticity(&self) -> Option<Plasticity> {
+        let nu = self.poissons_ratio;
+        let yield_stress = self.yield_stress? / (1.0 - nu + nu * nu).sqrt();
+        Some(Plasticity { yield_stress, hardening_modulus: self.hardening_modulus })
+    }
+
+    /// What it is made of.
+    pub fn material(&self) -> Material {
+        Material { youngs_modulus: self.youngs_modulus, poissons_ratio: self.poissons_ratio, density: self.density }
+    }
+
+    /// Names of its columns in the series.
+    pub fn columns(&self) -> Vec<String> {
+        let of = |share: &f64| WATCHED.map(|unit| format!("{}.at{}.{unit}", self.name, percent(*share)));
+        self.watch.iter().flat_map(of).chain([format!("{}.stress_Pa", self.name)]).collect()
+    }
+}
+
+/// Columns of a place that is watched.
+const WATCHED: [&str; 6] = ["dx_m", "dy_m", "deflection_m", "moment_N", "strain_left", "strain_right"];
+
+/// A share as a whole or broken per cent: 50, 12.5.
+fn percent(share: f64) -> f64 {
+    (1e6 * share).round() / 1e4
+}
