@@ -31,3 +31,12 @@ pub mod strip;
 pub mod surfacing;
 #[path = "support/systems.rs"]
 pub mod systems;
+
+/// The code of the guide, compiled and run as it is printed.
+#[cfg(doctest)]
+mod guide {
+    #[doc = include_str!("../docs/src/guide/embedding.md")]
+    mod embedding {}
+    #[doc = include_str!("../docs/src/guide/library.md")]
+    mod library {}
+}

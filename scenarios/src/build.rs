@@ -7,8 +7,8 @@ use fsi_coupling::{
     Arrangement, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, Plate, PrescribedBody,
     RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
 };
-use sph_core::eos::Tait;
-use sph_core::images::Mirror;
+use sph_core::neighbours::images::Mirror;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
 use structure_fe::Damping;
 

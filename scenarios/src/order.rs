@@ -34,7 +34,7 @@ pub(crate) fn order(particles: &Particles) -> Option<Order> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::eos::Tait;
+    use sph_core::wcsph::eos::Tait;
     use sph_core::{Fluid, Parameters, Seed};
 
     #[test]

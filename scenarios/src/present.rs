@@ -4,7 +4,7 @@ mod error_bars;
 mod ladder;
 mod panels;
 
-use sph_core::{Phase, sweep};
+use sph_core::{Phase, parallel};
 
 use crate::compare::{self, Comparison};
 use crate::observe::{GaugeResult, RuleResult};
@@ -257,7 +257,7 @@ fn pictures(scene: &Scene, frames: &[FlowFrame]) -> Vec<Block> {
     let top = values.get(values.len().saturating_sub(1) * 995 / 1000).map_or(1.0, |v| f64::from(*v).max(1e-6));
     let view = FlowView { x, y, value: [0.0, top], width_px: 1100, label: "pressure [kPa]".into(), mirror_x };
     let mut drawn = vec![Vec::new(); frames.len()];
-    sweep::update_pieces(&mut drawn, 1, |k, png| png[0] = flow_png(&frames[k], &view));
+    parallel::update_pieces(&mut drawn, 1, |k, png| png[0] = flow_png(&frames[k], &view));
     let picture =
         |(f, png): (&FlowFrame, _)| Block::Picture { png, caption: format!("Pressure at t = {:.5} s", f.time) };
     frames.iter().zip(drawn).map(picture).collect()

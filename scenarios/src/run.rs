@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use fsi_coupling::entry_theory::OutOfRange;
 use fsi_coupling::{Coupled, CouplingError};
-use sph_core::{Phase, sweep};
+use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
 use crate::build;
@@ -123,7 +123,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
 
     // on a thread of the pool from beginning to end: no step has to wake it
-    let ended = sweep::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
+    let ended = parallel::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
 
     let (status, message) = match ended {
         Ok(status) => (status, None),

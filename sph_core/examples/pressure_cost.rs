@@ -7,12 +7,12 @@
 //! before (particles have moved, the wave has gone on), with the hierarchy of that step. The sweep that it is compared
 //! with is the compressible solver's over all pairs, `pair::momentum`, same particles, same run.
 
-use sph_core::dissipation::DiffusivePair;
-use sph_core::eos::Tait;
-use sph_core::kernel::WendlandC2;
-use sph_core::pair::{self, Constants, Gathered, Mean, Row};
+use sph_core::interactions::dissipation::DiffusivePair;
+use sph_core::interactions::kernel::WendlandC2;
+use sph_core::interactions::pair::{self, Constants, Gathered, Mean, Row};
 use sph_core::projection::{Matrix, Preconditioner, PressureSolver, Stop};
-use sph_core::{Fluid, Kernel, Parameters, Seed, Walls, sweep};
+use sph_core::wcsph::eos::Tait;
+use sph_core::{Fluid, Kernel, Parameters, Seed, Walls, parallel};
 use std::time::Instant;
 
 const RATIO: f64 = 1.5;
@@ -157,7 +157,7 @@ fn momentum_sweep(fluid: &Fluid, repeats: usize) -> f64 {
         Constants { gravity: [0.0, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.02, nu: 0.0, stretch: 0.0 };
     let mut out = vec![Gathered::default(); p.len()];
     best(repeats, p.len(), || {
-        sweep::gather_into(&mut out, |k| {
+        parallel::gather_into(&mut out, |k| {
             let near = fluid.search.fluid.of(k).map(|j| rows[j as usize]);
             pair::momentum::<f64, WendlandC2, DiffusivePair>(&rows[k], near, [].into_iter(), Mean, &constants, 0.0)
                 .lanes()[0]

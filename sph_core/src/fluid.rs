@@ -1,27 +1,27 @@
 //! The fluid: its state, its step, and the verbs that the integrators are written in.
 
-use crate::dynamic_walls::DynamicWalls;
+use crate::checkpoint::{Saved, set_lists_aside};
 use crate::error::Breakdown;
-use crate::ideal_gas::Heat;
-use crate::integrator::{self, Integrator, Old};
-use crate::multistep::{self, History};
-use crate::pair::Extrapolated;
+use crate::interactions::gather::{DensityRate, Forces, Momentum, WallForce};
+use crate::interactions::packed::Rows;
+use crate::interactions::pair::Extrapolated;
+use crate::legacy::dynamic_walls::DynamicWalls;
+use crate::legacy::ideal_gas::Heat;
+use crate::legacy::integrator::{self, Integrator, Old};
+use crate::legacy::multistep::{self, History};
+use crate::legacy::pilorget2010::{self, Thesis};
+use crate::legacy::turbulence::Stress;
+use crate::legacy::wall_model::WallModel;
+use crate::neighbours::Search;
+use crate::parallel;
 use crate::parameters::Parameters;
+use crate::particles::refinement::FineZone;
 use crate::particles::{Derived, Particles, Seed};
-use crate::phases::{Phase, Phases};
 use crate::projection::{self, Projection};
-use crate::resolution::FineZone;
-use crate::restart::{Saved, set_lists_aside};
-use crate::rows::Rows;
-use crate::search::Search;
 use crate::solver::Solver;
-use crate::sweep;
-use crate::sweeps::{DensityRate, Forces, Momentum, WallForce};
-use crate::thesis::{self, Thesis};
-use crate::turbulence::Stress;
-use crate::wall_model::WallModel;
+use crate::timers::{Phase, Phases};
 use crate::walls::Walls;
-use crate::yielding::Yielding;
+use crate::walls::interface::Yielding;
 
 /// A weakly compressible fluid.
 pub struct Fluid {
@@ -176,13 +176,13 @@ impl Fluid {
         walls.dt = dt;
         let outer = self.phases.begin(Phase::Integration);
         self.note_beginning(walls);
-        sweep::within_pool(|| match self.parameters.solver {
+        parallel::within_pool(|| match self.parameters.solver {
             Solver::WeaklyCompressible => {
                 self.integrate(walls, dt);
                 Ok(())
             }
             Solver::Incompressible | Solver::IncompressibleExplicit => projection::step(self, walls, dt),
-            Solver::IncompressibleThesis => thesis::step(self, walls, dt),
+            Solver::IncompressibleThesis => pilorget2010::step(self, walls, dt),
         })?;
         self.fold();
         self.time += dt;

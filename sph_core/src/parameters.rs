@@ -2,32 +2,22 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::density_filter::DensityFilter;
-use crate::dissipation::Dissipation;
-use crate::eos::Tait;
-use crate::ideal_gas::IdealGas;
-use crate::images::{Mirror, Periodic};
-use crate::integrator::Integrator;
-use crate::kernel::Kernel;
-use crate::pair::Constants;
+use crate::domain::Slip;
+use crate::interactions::dissipation::Dissipation;
+use crate::interactions::kernel::Kernel;
+use crate::interactions::pair::Constants;
+use crate::legacy::density_filter::DensityFilter;
+use crate::legacy::ideal_gas::IdealGas;
+use crate::legacy::integrator::Integrator;
+use crate::legacy::pilorget2010::ThesisSettings;
+use crate::legacy::repulsive::Repulsion;
+use crate::legacy::summation::DensityEvolution;
+use crate::legacy::turbulence::Turbulence;
+use crate::legacy::wall_model::WallTreatment;
+use crate::neighbours::images::{Mirror, Periodic};
 use crate::projection::Projecting;
-use crate::repulsive::Repulsion;
 use crate::solver::Solver;
-use crate::summation::DensityEvolution;
-use crate::thesis::ThesisSettings;
-use crate::turbulence::Turbulence;
-use crate::wall_model::WallTreatment;
-
-/// What the fluid does along a wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Slip {
-    /// No viscous traction.
-    #[default]
-    Free,
-    /// The fluid sticks: the wall shows it the velocity 2V_w − ũ (E11, Adami et al. 2012).
-    None,
-}
+use crate::wcsph::eos::Tait;
 
 /// Everything about the fluid that does not change during a run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,7 +48,7 @@ pub struct Parameters {
     pub wall_stretch: bool,
     /// Air comes in between a wall and water under tension where both touch it (E3).
     pub ventilation: bool,
-    /// Sum several targets side by side where the processor can (see [`crate::lanes`]); one at a time otherwise, for
+    /// Sum several targets side by side where the processor can (see [`crate::interactions::simd`]); one at a time otherwise, for
     /// comparison.
     pub wide: bool,
     /// Time integration.

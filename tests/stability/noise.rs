@@ -3,7 +3,7 @@
 use evidence::statistics::{deviation, mean};
 use evidence::systems::{advance, lift, system};
 use fsi_coupling::Coupled;
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 
 /// Noise of a run to Vt/Δx = 20.
 #[derive(Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Fluids without bodies: lattices of particles with a given field, and the loop that steps them.
 
-use sph_core::eos::Tait;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Breakdown, Fluid, Parameters, Seed, Walls};
 
 /// The scheme as scenes have it by default, of density 1000 kg/m³ and without gravity; `c0` sound speed [m/s].

@@ -1,6 +1,6 @@
 //! A piston under a column of real water, which it meets once a window: explicit coupling of any step (THEORY C11).
 
-use sph_core::images::Periodic;
+use sph_core::neighbours::images::Periodic;
 use sph_core::{Breakdown, Fluid, Parameters, WallPoint, Walls};
 
 use crate::bare::{lattice, parameters};

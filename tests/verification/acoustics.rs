@@ -4,7 +4,7 @@ use evidence::statistics::period;
 use evidence::systems::advance;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
-use sph_core::eos::Tait;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, IdealGas, Parameters, Seed};
 
 const LENGTH: f64 = 1.0;

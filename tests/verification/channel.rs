@@ -3,7 +3,7 @@
 
 use evidence::bare::{advance, lattice, parameters};
 use scenarios::reference::Table;
-use sph_core::images::Periodic;
+use sph_core::neighbours::images::Periodic;
 use sph_core::{Fluid, Parameters, Slip, WallPoint, Walls};
 
 /// Distance of the plates [m].

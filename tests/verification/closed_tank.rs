@@ -2,7 +2,7 @@
 //! level.
 
 use evidence::bare::{advance, lattice, parameters};
-use sph_core::images::Periodic;
+use sph_core::neighbours::images::Periodic;
 use sph_core::projection::Projecting;
 use sph_core::{Breakdown, Fluid, Parameters, Solver, WallPoint, Walls};
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice};
-use sph_core::images::Periodic;
+use sph_core::neighbours::images::Periodic;
 use sph_core::{Dissipation, Fluid, Parameters, Walls};
 
 use super::acoustics::lossless;

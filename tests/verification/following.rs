@@ -2,7 +2,7 @@
 
 use evidence::systems::{advance, scene, system, take};
 use fsi_coupling::Coupled;
-use sph_core::eos::Tait;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{FineZone, Fluid, Parameters, Seed, Walls};
 
 const SPACING: f64 = 0.04;

@@ -1,6 +1,6 @@
 //! The ideal gas with its energy equation (THEORY L9, L10).
 
-use sph_core::eos::Tait;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, IdealGas, Parameters, Seed, Walls};
 
 use super::acoustics::lossless;

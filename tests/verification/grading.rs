@@ -1,8 +1,8 @@
 //! Spacings that grow must not be felt: sound goes through them, and still water stands in them as in equal ones.
 
 use evidence::systems::{advance, system};
-use sph_core::eos::Tait;
-use sph_core::images::Periodic;
+use sph_core::neighbours::images::Periodic;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, Parameters, Seed, Walls};
 
 const SOUND: f64 = 50.0;

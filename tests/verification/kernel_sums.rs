@@ -1,8 +1,8 @@
 //! Sums over a square lattice that have known limits (THEORY E1, E12, E14).
 
 use evidence::statistics::Noise;
-use sph_core::eos::Tait;
 use sph_core::particles::{SPRAY_FILLING, SURFACE_LAMBDA, Surroundings};
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, Kernel, Parameters, Seed, Walls};
 
 /// Spacing of the lattice [m].

@@ -6,7 +6,7 @@ use fsi_coupling::{Coupled, Scheme, Tank, WettedBody};
 use scenarios::build;
 use scenarios::reference::Table;
 use scenarios::run::{RunOptions, run};
-use sph_core::eos::Tait;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, Seed};
 
 /// Largest slope k A of the wave [-]: by its third-order term the period changes by 0.12 (k A)² = 0.1 %.

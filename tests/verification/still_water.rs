@@ -3,7 +3,7 @@
 use evidence::statistics::mean;
 use evidence::systems::{advance, lift, system};
 use fsi_coupling::Coupled;
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 
 /// ρ g [Pa/m] of every scene.
 const WEIGHT: f64 = 1000.0 * 9.81;

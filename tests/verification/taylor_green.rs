@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice, parameters};
 use scenarios::reference::Table;
-use sph_core::images::Periodic;
+use sph_core::neighbours::images::Periodic;
 use sph_core::{Dissipation, Fluid, Parameters, Seed, Solver, Walls};
 
 /// Re = U L/ν with U = 1 m/s, L = 1 m.

@@ -1,8 +1,8 @@
 //! A rigid owner of walls as coupling schemes see it: three accelerations (THEORY C2, C5).
 
+use sph_core::WallsMut;
+use sph_core::walls::interface::{Encounter, Lack, Touch, Yields};
 use sph_core::walls::{Resultant, WallForces};
-use sph_core::yielding::{Encounter, Lack, Yields};
-use sph_core::{WallsMut, yielding::Touch};
 
 /// A rigid body under the forces at the end of a step. Directions: x, y [m], angle [rad].
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use sph_core::walls::WallPoint;
-use sph_core::yielding::{Encounter, Touch};
+use sph_core::walls::interface::{Encounter, Touch};
 use sph_core::{Walls, Yielding};
 
 use crate::bodies::rigid_interface::RigidYield;

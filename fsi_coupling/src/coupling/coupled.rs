@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use sph_core::audit::FluidEnergy;
-use sph_core::sweep;
+use sph_core::parallel;
+use sph_core::particles::totals::FluidEnergy;
 use sph_core::{Fluid, Phase, Phases, Walls, Yielding};
 
 use crate::bodies::body::{BodyError, WettedBody};
@@ -130,7 +130,7 @@ impl Coupled {
 
     /// One step of `dt` [s].
     pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
-        sweep::within_pool(|| self.advance(dt))
+        parallel::within_pool(|| self.advance(dt))
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {
@@ -292,7 +292,7 @@ impl Coupled {
             }
             found
         };
-        sweep::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
+        parallel::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
     }
 
     /// Momentum closure so far.
@@ -344,7 +344,7 @@ impl Coupled {
     fn close_momentum(&mut self, dt: f64) {
         let (of_fluid, held) = self.fluid.momentum_and_its_scale();
         let (now, w) = (self.balance(of_fluid), &self.walls);
-        let [pushed] = sweep::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
+        let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
         let symmetric = self.fluid.parameters.mirror.is_some();
         for k in 0..2 {

@@ -1,6 +1,6 @@
 //! How fluid and bodies agree on a step: on the bodies' accelerations, which the wall pressures contain (THEORY C1–C7).
 
-use sph_core::yielding::Lack;
+use sph_core::walls::interface::Lack;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::coupling::error::CouplingError;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use sph_core::eos::Tait;
+use sph_core::wcsph::eos::Tait;
 use sph_core::{Integrator, Kernel, Parameters, Slip};
 
 use super::error::HostError;

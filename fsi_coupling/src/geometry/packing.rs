@@ -1,8 +1,8 @@
 //! Water that lies snug to a body from the start (THEORY Q6): as much as there is room for, moved until it is even.
 
 use sph_core::Walls;
-use sph_core::cells::{Cells, Point};
-use sph_core::kernel::Kernel;
+use sph_core::interactions::kernel::Kernel;
+use sph_core::neighbours::cells::{Cells, Point};
 
 use crate::bodies::body::WettedBody;
 use crate::geometry::layout::Cell;

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use serde::{Deserialize, Serialize};
-use sph_core::sweep::on_threads;
+use sph_core::parallel::on_threads;
 use tracing::subscriber::{NoSubscriber, with_default};
 
 use super::verdict::judge;

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use serde::Serialize;
-use sph_core::eos::Tait;
-use sph_core::images::Periodic;
-use sph_core::{Fluid, Parameters, Phase, Seed, Walls, sweep};
+use sph_core::neighbours::images::Periodic;
+use sph_core::wcsph::eos::Tait;
+use sph_core::{Fluid, Parameters, Phase, Seed, Walls, parallel};
 
 use super::BenchError;
 
@@ -108,7 +108,7 @@ fn advance(fluid: &mut Fluid, steps: usize) -> Result<f64, BenchError> {
 pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, BenchError> {
     let mut blocks: Vec<Block> = Vec::new();
     for PairPath { name: path, choose } in PATHS {
-        let block = sweep::on_threads(1, || {
+        let block = parallel::on_threads(1, || {
             let mut fluid = vortices(particles, choose)?;
             let in_sweeps =
                 |fluid: &Fluid| fluid.phases.seconds(Phase::Density) + fluid.phases.seconds(Phase::Momentum);
@@ -133,10 +133,10 @@ pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, Bench
 
 /// The block as it is stepped by default, on one thread and on two by turns.
 pub(super) fn speedup(particles: usize, steps: usize) -> Result<(Speedup, Memory), BenchError> {
-    let mut fluid = sweep::on_threads(2, || vortices(particles, PATHS[PATHS.len() - 1].choose))?;
+    let mut fluid = parallel::on_threads(2, || vortices(particles, PATHS[PATHS.len() - 1].choose))?;
     let mut seconds = [0.0; 2];
     for threads in [1, 2, 2, 1] {
-        seconds[threads - 1] += sweep::on_threads(threads, || advance(&mut fluid, steps))?;
+        seconds[threads - 1] += parallel::on_threads(threads, || advance(&mut fluid, steps))?;
     }
     let particles = fluid.particles.len();
     let bytes_per_particle = fluid.bytes() as f64 / particles as f64;

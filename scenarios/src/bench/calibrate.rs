@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use serde::Serialize;
-use sph_core::sweep;
+use sph_core::parallel;
 
 /// Length of each array of the triad: three of them are larger than the caches of most processors.
 const TRIAD: usize = 8 << 20;
@@ -40,8 +40,8 @@ pub struct Calibration {
 /// Measure with one thread and with `threads`.
 pub fn calibrate(threads: usize) -> Calibration {
     let both = |measure: fn(usize) -> f64| OneAndAll {
-        one: sweep::on_threads(1, || measure(1)),
-        all: sweep::on_threads(threads, || measure(threads)),
+        one: parallel::on_threads(1, || measure(1)),
+        all: parallel::on_threads(threads, || measure(threads)),
     };
     Calibration {
         triad_gb_per_s: both(|_| triad()),
@@ -64,7 +64,7 @@ fn triad() -> f64 {
     let (b, c, s) = (vec![1.0; TRIAD], vec![2.0; TRIAD], black_box(3.0));
     let mut a = vec![0.0; TRIAD];
     let seconds = best(|| {
-        sweep::update_pieces(&mut a, PIECE, |piece, a| {
+        parallel::update_pieces(&mut a, PIECE, |piece, a| {
             let from = piece * PIECE;
             let (b, c) = (&b[from..from + a.len()], &c[from..from + a.len()]);
             a.iter_mut().zip(b).zip(c).for_each(|((a, b), c)| *a = b + s * c);
@@ -78,7 +78,7 @@ fn multiply_add(threads: usize) -> f64 {
     let mut sums = vec![[1.0_f64; SUMS]; threads];
     let (a, b) = (black_box(0.999_999), black_box(1e-6));
     let seconds = best(|| {
-        sweep::update_pieces(&mut sums, 1, |_, sums| {
+        parallel::update_pieces(&mut sums, 1, |_, sums| {
             let mut x = sums[0];
             for _ in 0..REPEATS {
                 for x in &mut x {

@@ -2,7 +2,7 @@
 
 use foxglove::messages::packed_element_field::NumericType;
 use foxglove::messages::{PackedElementField, PointCloud};
-use sph_core::sweep;
+use sph_core::parallel;
 
 use super::pose::identity_pose;
 use super::{LogError, Stamp, WORLD_FRAME};
@@ -77,7 +77,7 @@ pub(super) fn point_cloud(
 ) -> Result<PointCloud, LogError> {
     let count = particles.len(topic)?;
     let mut data = vec![0; count * POINT_SIZE];
-    sweep::update_pieces(&mut data, PIECE * POINT_SIZE, |piece, bytes| {
+    parallel::update_pieces(&mut data, PIECE * POINT_SIZE, |piece, bytes| {
         for (k, point) in bytes.chunks_exact_mut(POINT_SIZE).enumerate() {
             pack(point, particles, piece * PIECE + k);
         }

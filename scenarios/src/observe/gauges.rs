@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::bodies::rigid_motion::rotate;
 use fsi_coupling::{Coupled, Motion};
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 
 use super::gauge_record::{GaugeRecord, GaugeResult};
 use super::low_pass::LowPass;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use sph_core::audit::Holdings;
-use sph_core::sweep;
+use sph_core::parallel;
+use sph_core::particles::totals::Holdings;
 
 use super::{Frame, ObserveError, Observer};
 use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogMetadata, Logged, ParticleView};
@@ -95,7 +95,7 @@ impl LogObserver {
     fn picture(&mut self, frame: &Frame<'_>, last: bool) -> Result<(), ObserveError> {
         let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
         let mut spacing = vec![0.0; p.len()];
-        sweep::gather_into(&mut spacing, |k| (p.mass[k] / p.rho[k]).sqrt());
+        parallel::gather_into(&mut spacing, |k| (p.mass[k] / p.rho[k]).sqrt());
         let fluid = ParticleView {
             x: &p.x,
             y: &p.y,

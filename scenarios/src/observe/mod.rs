@@ -18,7 +18,7 @@ mod volume;
 use std::io;
 
 use fsi_coupling::{Coupled, Penetration};
-use sph_core::audit::Holdings;
+use sph_core::particles::totals::Holdings;
 
 use crate::log::LogError;
 

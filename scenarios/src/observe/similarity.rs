@@ -4,7 +4,7 @@
 //! k = Vt/Δx. Numbers are taken over the last fifth of the run.
 
 use serde::Serialize;
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 
 use super::face_profile::{noise, peak_place};
 use super::{Frame, ObserveError, Observer};

@@ -1,7 +1,7 @@
 //! The volume of the water by the place of its surface (THEORY Q7).
 
 use sph_core::Fluid;
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 
 use crate::scene::{Scene, Symmetry};
 

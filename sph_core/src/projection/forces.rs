@@ -1,15 +1,15 @@
 //! Accelerations and forces from the pressures that a projection found (THEORY I10–I12, I16).
 
-use crate::dissipation::ElasticPair;
 use crate::fluid::Fluid;
-use crate::kernel::{Shape, WithKernel};
-use crate::pair::{self, Constants, bond};
-use crate::phases::Phase;
-use crate::sweep;
-use crate::sweeps::{WallForce, listed};
+use crate::interactions::dissipation::ElasticPair;
+use crate::interactions::gather::{WallForce, listed};
+use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::pair::{self, Constants, bond};
+use crate::parallel;
+use crate::timers::Phase;
 use crate::walls::Walls;
 
-use super::lattice::Closure;
+use crate::projection::free_surface::lattice::Closure;
 
 /// A particle counts as calm from this share of the pressure under a spacing of water on [-].
 const CALM: f64 = 0.25;
@@ -33,7 +33,7 @@ pub struct Push {
 
 impl Fluid {
     /// I10–I12: the pairs' forces on fluid and walls, and what the sums over disordered pairs and at the surface lack.
-    pub(super) fn push(&mut self, walls: &mut Walls, dt: f64) {
+    pub(crate) fn push(&mut self, walls: &mut Walls, dt: f64) {
         let inverse = 1.0 / self.projection.lattice.expect("surveyed").gradient;
         self.rows.set_pressures(&self.derived, &self.search, self.parameters.mirror);
         self.extrapolate_to_walls(walls); // E9
@@ -55,7 +55,7 @@ impl Fluid {
         let back = if mass > 0.0 { impulse.map(|sum| sum / mass) } else { [0.0; 2] };
         let g = self.parameters.gravity;
         let p = &mut self.particles;
-        sweep::update_both(&mut p.ax, &mut p.ay, |k, ax, ay| {
+        parallel::update_both(&mut p.ax, &mut p.ay, |k, ax, ay| {
             let Push { force, correction: Correction { acceleration, share } } = pushes[k];
             [*ax, *ay] = [0, 1].map(|i| inverse * force[i] / p.mass[k] + g[i] + acceleration[i] - share * back[i]);
         });
@@ -152,7 +152,7 @@ impl WithKernel for Pushing<'_> {
         let (survey, constants) = (&fluid.projection.survey, fluid.constants_of_projection());
         let wall_nu = fluid.parameters.wall_nu();
         let pushing = fluid.parameters.walls.model.has_pressure();
-        sweep::gather_into(out, |k| {
+        parallel::gather_into(out, |k| {
             let a = &rows[k];
             let (near, links) = survey.row(k);
             let (mut even, mut odd, mut least) = ([0.0; 2], [0.0; 2], a.p);

@@ -3,50 +3,35 @@
 //! Read in this order: `step`, `survey` (what the pairs give), `lattice` (what a flat surface lacks), `air` (where
 //! the air is), `poisson` (the pressure).
 
-mod aggregates;
-mod air;
-mod bodies;
-pub mod cg;
-mod coarse;
 mod explicit;
 mod forces;
-mod hierarchy;
-mod lattice;
-pub mod matrix;
+mod free_surface;
+pub mod linear_solver;
+mod monolithic;
 mod motion;
-mod multigrid;
-mod nearby;
-mod null_space;
+mod operators;
+mod pair_batch;
 mod poisson;
-mod raster;
-mod reaction;
-mod slip;
-mod subspace;
-mod survey;
-#[cfg(test)]
-mod test_systems;
+mod settings;
 #[cfg(test)]
 mod tests;
-mod ventilation;
-mod woodbury;
 
-pub use cg::{NotConverged, PressureSolver, Solved, Stop};
-pub use hierarchy::Preconditioner;
-pub(crate) use lattice::Lattice;
-pub use matrix::{Matrix, RankOne};
+pub(crate) use free_surface::lattice::Lattice;
+pub use linear_solver::{Matrix, NotConverged, Preconditioner, PressureSolver, RankOne, Solved, Stop, cg, matrix};
+pub use settings::{FlowSettings, Method, Settings};
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
-use crate::phases::Phase;
 use crate::solver::Solver;
+use crate::timers::Phase;
 use crate::walls::Walls;
 
-use air::Air;
-use bodies::Bodies;
 use forces::Push;
-use survey::Survey;
+use free_surface::detection::Air;
+use monolithic::solve::Bodies;
+use operators::Survey;
 
 /// What a projection does not change during a run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,7 +1,7 @@
 //! How long a projection's step is, and where particles are put besides where they flow (THEORY I13, I14).
 
 use crate::fluid::Fluid;
-use crate::sweep;
+use crate::parallel;
 use crate::walls::Walls;
 
 /// Longest shift in a step, in smoothing lengths.
@@ -13,17 +13,17 @@ const GROWTH: f64 = 1.1;
 
 impl Fluid {
     /// I1: u' = u + Δt a, r' = r + Δt u' + δr (I13: shifting, along the surface near air).
-    pub(super) fn advance(&mut self, dt: f64) {
+    pub(crate) fn advance(&mut self, dt: f64) {
         let strength = if self.parameters.shifting { self.parameters.projecting.shift } else { 0.0 };
         let (surroundings, exposure) = (&self.derived.surroundings, &self.projection.air.exposure);
         let p = &mut self.particles;
         let (ax, ay, h) = (&p.ax, &p.ay, &p.h);
-        sweep::update_both(&mut p.u, &mut p.v, |k, u, v| {
+        parallel::update_both(&mut p.u, &mut p.v, |k, u, v| {
             *u += dt * ax[k];
             *v += dt * ay[k];
         });
         let (u, v) = (&p.u, &p.v);
-        sweep::update_both(&mut p.x, &mut p.y, |k, x, y| {
+        parallel::update_both(&mut p.x, &mut p.y, |k, x, y| {
             let scale = -2.0 * strength * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
             // −∇C is the surface's normal there: what is left of a shift along ∇C is nothing of its exposed share
             let [a, b] = surroundings[k].crowding().map(|c| (1.0 - exposure[k]) * (scale * c));
@@ -36,7 +36,7 @@ impl Fluid {
 
     /// Smallest smoothing length [m].
     pub(crate) fn least_length(&self) -> f64 {
-        sweep::least(self.particles.len(), |k| self.particles.h[k])
+        parallel::least(self.particles.len(), |k| self.particles.h[k])
     }
 
     /// I14: the step of a projection [s].
@@ -48,7 +48,7 @@ impl Fluid {
         let h = self.least_length();
         let g = q.gravity[0].hypot(q.gravity[1]);
         let cap = (cfl * h / q.speed).min(FALL * (h / g).sqrt());
-        let now = sweep::least(p.len(), of_fluid).min(sweep::least(walls.len(), of_wall)).min(cap);
+        let now = parallel::least(p.len(), of_fluid).min(parallel::least(walls.len(), of_wall)).min(cap);
         if self.projection.last_dt > 0.0 { now.min(GROWTH * self.projection.last_dt) } else { now }
     }
 }

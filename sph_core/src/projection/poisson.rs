@@ -2,13 +2,13 @@
 
 use crate::error::Breakdown;
 use crate::fluid::Fluid;
+use crate::parallel;
 use crate::solver::Solver;
-use crate::sweep;
 use crate::walls::Walls;
 
-use super::Projection;
-use super::bodies::{Equation, Meeting};
-use super::cg::Stop;
+use crate::projection::Projection;
+use crate::projection::linear_solver::cg::Stop;
+use crate::projection::monolithic::solve::{Equation, Meeting};
 
 /// Share of the kernel that is believed to be missing without air [-].
 const LARGEST_HOLE: f64 = 0.1;
@@ -19,13 +19,13 @@ const SWEPT: f64 = 100.0 / 3.0;
 
 impl Fluid {
     /// I7: rows near air are tied to it.
-    pub(super) fn close_surface(&mut self) {
+    pub(crate) fn close_surface(&mut self) {
         let lattice = self.projection.lattice.expect("surveyed");
         let (p, rho0) = (&self.particles, self.parameters.eos.rho0);
         let (around, air) = (&self.projection.survey.around, &self.projection.air.exposure);
         let n = p.len();
         self.projection.excess.resize(n, 0.0);
-        sweep::gather_into(&mut self.projection.excess, |k| {
+        parallel::gather_into(&mut self.projection.excess, |k| {
             if air[k] == 0.0 {
                 return 0.0;
             }
@@ -35,7 +35,7 @@ impl Fluid {
     }
 
     /// I9: the right side.
-    pub(super) fn gather_source(&mut self, dt: f64) {
+    pub(crate) fn gather_source(&mut self, dt: f64) {
         let lattice = self.projection.lattice.expect("surveyed");
         let p = &self.particles;
         let swept = if self.parameters.solver == Solver::IncompressibleExplicit { SWEPT } else { 1.0 };
@@ -43,7 +43,7 @@ impl Fluid {
         let projection = &mut self.projection;
         let (survey, air) = (&projection.survey, &projection.air.exposure);
         projection.source.resize(p.len(), 0.0);
-        sweep::gather_into(&mut projection.source, |k| {
+        parallel::gather_into(&mut projection.source, |k| {
             let volume = p.mass[k] / p.rho[k];
             let mut crowd = (survey.around[k].filling - p.theta[k]) / lattice.filling;
             crowd = crowd.max(-LARGEST_HOLE * (1.0 - air[k]));
@@ -52,7 +52,7 @@ impl Fluid {
     }
 
     /// I8–I11. A failure leaves the last step's pressures, and nothing has moved.
-    pub(super) fn solve_pressure(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
+    pub(crate) fn solve_pressure(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
         self.gather_source(dt);
         let lattice = self.projection.lattice.expect("surveyed");
         let settings = self.parameters.projecting;
@@ -60,9 +60,9 @@ impl Fluid {
         let p = &self.particles;
         let projection = &mut self.projection;
         let volume = |k: usize| p.mass[k] / p.rho[k];
-        let strongest = -sweep::least(n, |k| -(projection.source[k] / volume(k)).abs());
+        let strongest = -parallel::least(n, |k| -(projection.source[k] / volume(k)).abs());
         projection.scale.resize(n, 0.0);
-        sweep::gather_into(&mut projection.scale, |k| volume(k) * strongest.max(f64::MIN_POSITIVE));
+        parallel::gather_into(&mut projection.scale, |k| volume(k) * strongest.max(f64::MIN_POSITIVE));
         projection.matrix.assemble(&projection.survey, &projection.excess, &self.search);
         let x = &mut self.derived.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };

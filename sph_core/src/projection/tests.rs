@@ -1,7 +1,7 @@
 //! The solver against a direct one, on random systems.
 
-use super::test_systems::{Dice, System, body, directly, row_of, thrown};
 use super::*;
+use crate::projection::linear_solver::test_systems::{Dice, System, body, directly, row_of, thrown};
 
 fn solve(s: &System, ranks: &[RankOne], pinned: &[bool], kind: Preconditioner) -> (Vec<f64>, Solved) {
     let n = s.a.rows();

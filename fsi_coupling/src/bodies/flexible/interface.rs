@@ -2,7 +2,7 @@
 
 use structure_fe::{Dynamics, EffectiveInertia, State};
 
-use sph_core::yielding::{Encounter, Lack, Touch, Yields};
+use sph_core::walls::interface::{Encounter, Lack, Touch, Yields};
 use sph_core::{WallForces, WallsMut};
 
 use crate::bodies::body::BodyError;

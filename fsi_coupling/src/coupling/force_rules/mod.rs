@@ -12,7 +12,7 @@
 
 pub mod nodal_loads;
 
-use sph_core::probe::Probe;
+use sph_core::particles::probe::Probe;
 use sph_core::walls::Resultant;
 
 use crate::bodies::body::{Motion, WettedBody};

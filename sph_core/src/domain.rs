@@ -1,0 +1,87 @@
+//! What every scheme shares: the fluid's properties, the kernel, gravity, and the planes that bound the flow.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::interactions::kernel::Kernel;
+use crate::neighbours::images::{Mirror, Periodic};
+
+/// What the fluid does along a wall.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Slip {
+    /// The water slides along walls: no viscous traction.
+    #[default]
+    Free,
+    /// The water sticks to walls: they show it the velocity 2V_w − ũ (E11, Adami et al. 2012).
+    None,
+}
+
+/// Properties of the fluid and of its discretisation that every scheme reads: the keys of a scene's table `[fluid]` that
+/// do not depend on the solver.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct FluidSettings {
+    /// Density of the undisturbed water (INDAT rho0) [kg/m^3].
+    pub density: f64,
+    /// Smoothing kernel (INDAT i_kernel 1 | 2 | 3 | 5: gaussian, quadratic, cubic_spline, wendland_c2).
+    pub kernel: Kernel,
+    /// Smoothing length over spacing h/dx (INDAT h), 1 to 3 [-]. The kernel's support is 2h. With solver =
+    /// incompressible_thesis it is 1.0 by default.
+    pub smoothing_ratio: f64,
+    /// Kinematic viscosity (INDAT i_viscos 2 | 3: viscos_val; 3 with fluid.turbulence); 0 is none [m^2/s].
+    pub kinematic_viscosity: f64,
+    /// Tangential condition on walls.
+    pub wall_slip: Slip,
+}
+
+impl Default for FluidSettings {
+    fn default() -> FluidSettings {
+        FluidSettings {
+            density: 1000.0,
+            kernel: Kernel::WendlandC2,
+            smoothing_ratio: 1.5,
+            kinematic_viscosity: 0.0,
+            wall_slip: Slip::Free,
+        }
+    }
+}
+
+impl FluidSettings {
+    /// ν between fluid and wall [m²/s]: 0 where walls slip.
+    pub fn wall_viscosity(&self) -> f64 {
+        if self.wall_slip == Slip::None { self.kinematic_viscosity } else { 0.0 }
+    }
+}
+
+/// The space in which the fluid moves, and the fluid's properties.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// The fluid.
+    pub fluid: FluidSettings,
+    /// Gravity [m/s²].
+    pub gravity: [f64; 2],
+    /// Plane of symmetry, if there is one.
+    pub mirror: Option<Mirror>,
+    /// Pairs of periodic planes, if there are any (V1).
+    pub periodic: Option<Periodic>,
+    /// Largest speed of the flow that is known before the run [m/s]: of the body, of the spray root, or of falling water.
+    pub fastest_speed: f64,
+    /// Sum several targets side by side where the processor can (see [`crate::interactions::simd`]). False: one at a
+    /// time, for comparison.
+    pub simd: bool,
+}
+
+impl Default for Domain {
+    /// Unbounded, without gravity.
+    fn default() -> Domain {
+        Domain {
+            fluid: FluidSettings::default(),
+            gravity: [0.0; 2],
+            mirror: None,
+            periodic: None,
+            fastest_speed: 1.0,
+            simd: true,
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Dynamic walls (THEORY W2): wall particles are fluid particles that somebody else moves. Their density follows
+//! from continuity, their pressure from the equation of state.
+
+use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::pair::{Row, kernel_and_slope};
+use crate::neighbours::lists::Lists;
+use crate::parallel;
+use crate::wcsph::eos::Tait;
+
+/// Densities of the walls; empty where walls are not dynamic.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct DynamicWalls {
+    pub rho: Vec<f64>,
+    pub rate: Vec<f64>,
+    old: Vec<f64>,
+}
+
+impl DynamicWalls {
+    /// Walls that start at these pressures [Pa].
+    pub fn start(&mut self, pressures: &[f64], eos: Tait) {
+        self.rho = pressures.iter().map(|&p| eos.density(p)).collect();
+        self.rate = vec![0.0; pressures.len()];
+    }
+
+    /// ρ ← ρ + Δt dρ/dt.
+    pub fn compress(&mut self, dt: f64) {
+        for (rho, rate) in self.rho.iter_mut().zip(&self.rate) {
+            *rho += dt * rate;
+        }
+    }
+
+    /// ρ ← ρ (2 + ε)/(2 − ε), as for the fluid (E15).
+    pub fn compress_about_middle(&mut self, dt: f64) {
+        for (rho, rate) in self.rho.iter_mut().zip(&self.rate) {
+            let strain = dt * rate / *rho;
+            *rho *= (2.0 + strain) / (2.0 - strain);
+        }
+    }
+
+    /// Remember the densities at n (E16).
+    pub fn keep(&mut self) {
+        self.old.clone_from(&self.rho);
+    }
+
+    /// ρ' = ρ at n + Δt dρ/dt (E16).
+    pub fn correct(&mut self, dt: f64) {
+        self.rho.clone_from(&self.old);
+        self.compress(dt);
+    }
+
+    /// Pressures [Pa] of the densities, which never fall below ρ₀: a dry wall neither pulls nor stays stretched.
+    pub fn pressures(&mut self, eos: Tait) -> impl Iterator<Item = f64> + '_ {
+        self.rho.iter_mut().map(move |rho| {
+            *rho = rho.max(eos.rho0);
+            eos.pressure(*rho)
+        })
+    }
+}
+
+/// W2: the density rate that `others` cause on `targets`, both moving with their own velocities [kg/(m³ s)]. Once
+/// for the fluid beside walls, once for the walls beside fluid.
+pub(crate) struct OwnVelocityRate<'a> {
+    pub targets: &'a [Row],
+    pub rho: &'a [f64],
+    pub others: &'a [Row],
+    pub lists: &'a Lists,
+    pub out: &'a mut [f64],
+}
+
+impl WithKernel for OwnVelocityRate<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let OwnVelocityRate { targets, rho, others, lists, out } = self;
+        parallel::gather_into(out, |k| {
+            let near = lists.of(k).map(|j| &others[j as usize]);
+            rho[k] * compression::<K>(&targets[k], near)
+        });
+    }
+}
+
+/// W2: Σ_b V_b (v_a − v_b)·∇W_ab [1/s] over neighbours that move with their own velocities.
+#[inline(always)]
+fn compression<'r, K: Shape>(a: &Row, others: impl Iterator<Item = &'r Row>) -> f64 {
+    let mut sum = 0.0;
+    for b in others {
+        let (dx, dy) = (a.x - b.x, a.y - b.y);
+        if let Some((_, slope)) = kernel_and_slope::<K>(dx, dy, 0.5 * (a.h + b.h)) {
+            sum += b.volume * ((a.u - b.u) * dx + (a.v - b.v) * dy) * slope;
+        }
+    }
+    sum
+}

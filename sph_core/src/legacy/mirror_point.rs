@@ -1,0 +1,95 @@
+//! Pressure at a wall particle from its mirror point in the fluid (THEORY W3; English et al. 2022).
+
+use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::pair::{Extrapolated, Row, kernel_and_slope};
+use crate::neighbours::Search;
+use crate::parallel;
+
+/// Below this determinant the first-order system is not trusted (English et al. 2022): Shepard's mean instead.
+const LEAST_DETERMINANT: f64 = 1e-3;
+
+/// W3: what every wall particle finds at its mirror point.
+pub(crate) struct MirrorState<'a> {
+    pub fluid: &'a [Row],
+    pub walls: &'a [Row],
+    pub points: (&'a [f64], &'a [f64]),
+    pub search: &'a Search,
+    pub out: &'a mut [Extrapolated],
+}
+
+impl WithKernel for MirrorState<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let MirrorState { fluid, walls, points: (x, y), search, out } = self;
+        parallel::gather_into(out, |k| {
+            let near = search.fluid_of_mirror.of(k).map(|j| &fluid[j as usize]);
+            at_mirror_point::<K>(&walls[k], [x[k], y[k]], near)
+        });
+    }
+}
+
+/// Pressure and its gradient at `point` by Liu & Liu's (2006) corrected interpolation, carried on to the wall
+/// particle; Shepard's mean, not carried on, where too little fluid is near; the fluid's mean velocity beside it.
+#[inline(always)]
+fn at_mirror_point<'r, K: Shape>(wall: &Row, point: [f64; 2], fluid: impl Iterator<Item = &'r Row>) -> Extrapolated {
+    let (mut matrix, mut moments, mut velocity) = ([[0.0; 3]; 3], [0.0; 3], [0.0; 2]);
+    for b in fluid {
+        let (dx, dy) = (b.x - point[0], b.y - point[1]);
+        let Some((w, slope)) = kernel_and_slope::<K>(dx, dy, 0.5 * (wall.h + b.h)) else {
+            continue;
+        };
+        // V W and V ∇W, the gradient with respect to the point
+        let tests = [b.volume * w, -b.volume * slope * dx, -b.volume * slope * dy];
+        for (row, test) in tests.into_iter().enumerate() {
+            matrix[row][0] += test;
+            matrix[row][1] += test * dx;
+            matrix[row][2] += test * dy;
+            moments[row] += test * b.p;
+        }
+        velocity[0] += tests[0] * b.u;
+        velocity[1] += tests[0] * b.v;
+    }
+    let filling = matrix[0][0];
+    if filling < 1e-9 {
+        return Extrapolated { pressure: 0.0, velocity: [wall.u, wall.v] };
+    }
+    let velocity = [velocity[0] / filling, velocity[1] / filling];
+    let all = determinant(matrix);
+    if all.abs() < LEAST_DETERMINANT {
+        return Extrapolated { pressure: moments[0] / filling, velocity };
+    }
+    let [p, px, py] = [0, 1, 2].map(|column| {
+        let mut replaced = matrix;
+        for row in 0..3 {
+            replaced[row][column] = moments[row];
+        }
+        determinant(replaced) / all
+    });
+    Extrapolated { pressure: p + (wall.x - point[0]) * px + (wall.y - point[1]) * py, velocity }
+}
+
+fn determinant(m: [[f64; 3]; 3]) -> f64 {
+    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+        + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interactions::kernel::WendlandC2;
+
+    #[test]
+    fn a_linear_field_reaches_the_wall_exactly() {
+        let p = |x: f64, y: f64| 500.0 + 30.0 * x - 900.0 * y;
+        let mut fluid = Vec::new();
+        for (i, j) in (0..7).flat_map(|i| (0..7).map(move |j| (i, j))) {
+            let (x, y) = (0.1 * i as f64 - 0.31 + 0.01 * (j % 2) as f64, 0.1 * j as f64 + 0.05);
+            fluid.push(Row { x, y, p: p(x, y), volume: 0.01, fill: 0.01, h: 0.15, ..Row::default() });
+        }
+        let wall = Row { x: 0.02, y: -0.15, h: 0.15, ..Row::default() };
+        let found = at_mirror_point::<WendlandC2>(&wall, [0.02, 0.15], fluid.iter()).pressure;
+        assert!((found - p(0.02, -0.15)).abs() < 1e-9, "{found}");
+        let lone = at_mirror_point::<WendlandC2>(&wall, [0.02, 0.15], fluid[10..11].iter()).pressure;
+        assert!((lone - fluid[10].p).abs() < 1e-9, "{lone}");
+    }
+}

@@ -1,0 +1,74 @@
+//! Who stands where: the cast at a step's beginning, and where a trial takes it (THEORY J4, J5, J8, J10).
+
+use crate::fluid::Fluid;
+use crate::walls::Walls;
+
+use super::{Thesis, Trial};
+use crate::legacy::pilorget2010::cast::Player;
+
+impl Thesis {
+    /// Put everybody where they are at the step's beginning (`offset` −Δt), or where the trial takes them.
+    pub(crate) fn assign(&mut self, fluid: &Fluid, walls: &Walls, offset: f64, trial: Option<&Trial>) {
+        let drift = trial.map(|trial| self.drift_of_sides(fluid, trial));
+        let (p, n, limits) = (&fluid.particles, fluid.particles.len(), &self.limits);
+        let cast = &mut self.cast;
+        cast.players.clear();
+        cast.players.extend((0..n).map(|k| {
+            let [x, y] = trial.map_or([p.x[k], p.y[k]], |trial| trial.predicted(k));
+            Player { x, y, h: p.h[k], mass: p.mass[k], row: k as u32, sign: 1.0, counts: true }
+        }));
+        let of_wall = |k: usize, limit: u32| {
+            let [dx, dy] = walls.displacement(k, offset);
+            let along = match &drift {
+                Some(drift) if limits.side[k] => drift[limit as usize],
+                _ => [0.0; 2],
+            };
+            let (x, y) = (walls.x[k] + dx + along[0], walls.y[k] + dy + along[1]);
+            let mass = self.wall_mass.get(k).copied().unwrap_or(0.0);
+            Player { x, y, h: walls.h[k], mass, row: n as u32 + limit, sign: 1.0, counts: true }
+        };
+        for (l, &wall) in limits.walls.iter().enumerate() {
+            cast.players.push(of_wall(wall as usize, l as u32));
+        }
+        cast.rows = cast.players.len();
+        for k in 0..limits.of_wall.len() {
+            if let Some(limit) = limits.of_wall[k].filter(|&l| limits.walls[l as usize] as usize != k) {
+                cast.players.push(of_wall(k, limit));
+            }
+        }
+        cast.own = cast.players.len();
+        cast.repeat(0, fluid.parameters.mirror);
+        let kernel = fluid.parameters.kernel;
+        if trial.is_some() {
+            let from = cast.players.len();
+            cast.reflect(&self.reflections); //   J8
+            cast.repeat(from, fluid.parameters.mirror);
+            self.there.find(cast, kernel);
+        } else {
+            self.here.find(cast, kernel);
+        }
+    }
+
+    /// J10: where each limit particle's column is taken by the water beside it, along gravity [m].
+    fn drift_of_sides(&self, fluid: &Fluid, trial: &Trial) -> Vec<[f64; 2]> {
+        let (n, up) = (fluid.particles.len(), fluid.up());
+        let mut drift = vec![[0.0; 2]; self.limits.walls.len()];
+        if !fluid.parameters.thesis.side_freedom {
+            return drift;
+        }
+        for (l, drift) in drift.iter_mut().enumerate() {
+            let (mut weight, mut sum) = (0.0, 0.0);
+            for pair in self.here.of(n + l) {
+                if (pair.j as usize) < n {
+                    let v = trial.velocity[pair.j as usize];
+                    weight += pair.w;
+                    sum += pair.w * (v[0] * up[0] + v[1] * up[1]);
+                }
+            }
+            if weight > 0.0 {
+                *drift = up.map(|c| trial.dt * sum / weight * c);
+            }
+        }
+        drift
+    }
+}

@@ -1,0 +1,91 @@
+//! Settings of the weakly compressible scheme's options of 2010.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::density_filter::DensityFilter;
+use super::integrator::Integrator;
+use super::summation::DensityEvolution;
+use super::turbulence::Turbulence;
+use super::wall_model::WallModel;
+
+/// What gives the pressure.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum EquationOfState {
+    /// Tait's law for water: of the density alone.
+    #[default]
+    Tait,
+    /// An ideal gas, with the energy equation (L9, L10); the pressure is that over the gas at rest.
+    IdealGas,
+}
+
+/// What density diffusion diffuses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DiffusionForm {
+    /// Pressure less its hydrostatic part (Fourtakas et al. 2019).
+    #[default]
+    Fourtakas,
+    /// The whole pressure (L12; Molteni & Colagrossi 2009).
+    Molteni,
+}
+
+/// Options of 2010 of the weakly compressible scheme: further keys of a scene's table `[fluid]` with
+/// `solver = "weakly_compressible"`. With the defaults the scheme is [`crate::wcsph`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Options {
+    /// Time integration (INDAT i_algorithm 1 | 2 | 3: predictor_corrector, verlet, beeman). The default Courant number is 0.3 for
+    /// predictor_corrector and beeman, 0.05 for verlet.
+    pub integrator: Integrator,
+    /// verlet: steps between two Euler steps, which keep its two time levels together; 0 is never [-].
+    pub verlet_correction_every: u32,
+    /// How densities are smoothed now and then (INDAT i_densityFilter 0 | 1 | 2).
+    pub density_filter: DensityFilter,
+    /// Steps between two filterings, 1 or more [-].
+    pub density_filter_every: u32,
+    /// Share of the neighbours' mean velocity that particles move with (INDAT eps, there 0.5), 0 to 1; 0 is none [-].
+    pub xsph: f64,
+    /// Model of the eddies smaller than a particle (INDAT i_viscos 2 | 3). Needs fluid.kinematic_viscosity.
+    pub turbulence: Turbulence,
+    /// What gives the pressure (INDAT i_EoS 1 | 2).
+    pub equation_of_state: EquationOfState,
+    /// ideal_gas: temperature at rest (INDAT TE0: its thermal energy) [K].
+    pub temperature: f64,
+    /// ideal_gas: molar mass; the default is that of dry air [kg/mol].
+    pub molar_mass: f64,
+    /// Where densities come from.
+    pub density_evolution: DensityEvolution,
+    /// What density diffusion diffuses.
+    pub density_diffusion_form: DiffusionForm,
+    /// How walls keep the water out (INDAT iBC 1 | 2: repulsive, dynamic).
+    pub walls: WallModel,
+    /// Dynamic walls at the start (INDAT i_correct_pb 0 | 1): 0: density rho0, no pressure, 1: the pressure of the water beside
+    /// them [-].
+    pub limit_pressure: u8,
+    /// Repulsive walls: depth of the still water below y = 0, over which their force grows (W1) [m].
+    #[serde(skip)]
+    pub water_depth: f64,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            integrator: Integrator::Symplectic,
+            verlet_correction_every: 40,
+            density_filter: DensityFilter::None,
+            density_filter_every: 20,
+            xsph: 0.0,
+            turbulence: Turbulence::None,
+            equation_of_state: EquationOfState::Tait,
+            temperature: 288.15,
+            molar_mass: 0.028_964_4,
+            density_evolution: DensityEvolution::Continuity,
+            density_diffusion_form: DiffusionForm::Fourtakas,
+            walls: WallModel::Extrapolated,
+            limit_pressure: 1,
+            water_depth: 1.0,
+        }
+    }
+}

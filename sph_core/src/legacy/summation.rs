@@ -1,0 +1,78 @@
+//! Density by summation (THEORY L11), for comparison: it fails at a free surface.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::fluid::Fluid;
+use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::pair::{self, Row};
+use crate::neighbours::Search;
+use crate::parallel;
+use crate::timers::Phase;
+use crate::walls::Walls;
+
+/// Where densities come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DensityEvolution {
+    /// E4: advanced with the divergence of velocity.
+    #[default]
+    Continuity,
+    /// L11: counted anew from masses (M. Pilorget 2010, eq. 13). Low where neighbours are missing.
+    Summation,
+}
+
+/// L11 for every fluid particle.
+struct Summation<'a> {
+    fluid: &'a [Row],
+    walls: &'a [Row],
+    mass: &'a [f64],
+    rho0: f64,
+    search: &'a Search,
+    out: &'a mut [f64],
+}
+
+impl WithKernel for Summation<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let Summation { fluid, walls, mass, rho0, search, out } = self;
+        parallel::gather_into(out, |k| {
+            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], mass[search.source(j, mass.len())]));
+            let near_walls = search.walls_of_fluid.of(k).map(|j| &walls[j as usize]);
+            let masses = near.chain(near_walls.map(|w| (w, rho0 * w.volume)));
+            summed_density::<K>(&fluid[k], mass[k], masses)
+        });
+    }
+}
+
+/// L11: ρ_a = Σ_b m_b W_ab [kg/m³], a itself included; a wall particle counts with ρ₀ V_w.
+#[inline(always)]
+fn summed_density<'r, K: Shape>(a: &Row, mass_a: f64, masses: impl Iterator<Item = (&'r Row, f64)>) -> f64 {
+    let mut rho = mass_a * K::ALPHA * K::w(0.0) / (a.h * a.h);
+    for (b, mass_b) in masses {
+        if let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
+            rho += mass_b * ab.w::<K>();
+        }
+    }
+    rho
+}
+
+impl Fluid {
+    /// L11: densities from masses, walls taken `offset` seconds from the step's end. Nothing to do with the continuity
+    /// equation.
+    pub(crate) fn sum_density(&mut self, walls: &Walls, offset: f64) {
+        if self.parameters.density_evolution == DensityEvolution::Continuity {
+            return;
+        }
+        self.pack(walls, offset);
+        self.phases.begin(Phase::Density);
+        self.parameters.kernel.run(Summation {
+            fluid: &self.rows.fluid,
+            walls: &self.rows.walls,
+            mass: &self.particles.mass,
+            rho0: self.parameters.eos.rho0,
+            search: &self.search,
+            out: &mut self.particles.rho,
+        });
+    }
+}

@@ -1,0 +1,200 @@
+//! Sub-particle-scale turbulence (THEORY L7, L8): a stress sweep, then its divergence. Fluid pairs only.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::fluid::Fluid;
+use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::pair::{self, Row};
+use crate::neighbours::Search;
+use crate::parallel;
+use crate::timers::Phase;
+
+/// What stands for the eddies smaller than a particle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Turbulence {
+    /// Nothing.
+    #[default]
+    None,
+    /// L7, Smagorinsky's model on particles (Gotoh, Shao & Memita 2004; Dalrymple & Rogers 2006).
+    Sps,
+}
+
+/// Smagorinsky's constant C_s [-] (L7; Dalrymple & Rogers 2006).
+pub const SMAGORINSKY: f64 = 0.12;
+/// C_I [-], of the isotropic part (L7; Dalrymple & Rogers 2006).
+pub const ISOTROPIC: f64 = 0.0066;
+/// Below this determinant of the renormalisation matrix a gradient is taken as it is summed.
+const LEAST_DETERMINANT: f64 = 0.05;
+
+/// Symmetric stress τ_xx, τ_xy, τ_yy [Pa].
+pub type Stress = [f64; 3];
+
+/// L7 for every fluid particle.
+struct StressSweep<'a> {
+    fluid: &'a [Row],
+    rho: &'a [f64],
+    search: &'a Search,
+    spacing_ratio: f64,
+    out: &'a mut [Stress],
+}
+
+impl WithKernel for StressSweep<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let StressSweep { fluid, rho, search, spacing_ratio, out } = self;
+        parallel::gather_into(out, |k| {
+            let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
+            stress(velocity_gradient::<K>(&fluid[k], near), rho[k], fluid[k].h * spacing_ratio)
+        });
+    }
+}
+
+/// ∂u_i/∂x_j [1/s] as [[u_x, u_y], [v_x, v_y]]: Σ V (u_b − u_a)⊗∇W, renormalised (E14) to be exact for a linear field.
+#[inline(always)]
+fn velocity_gradient<'r, K: Shape>(a: &Row, near: impl Iterator<Item = &'r Row>) -> [[f64; 2]; 2] {
+    let (mut sum, mut spread) = ([[0.0; 2]; 2], [0.0; 3]);
+    for b in near {
+        let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+            continue;
+        };
+        let pull = b.fill * ab.slope;
+        let gradient = [pull * ab.dx, pull * ab.dy];
+        for j in 0..2 {
+            sum[0][j] += (b.u - a.u) * gradient[j];
+            sum[1][j] += (b.v - a.v) * gradient[j];
+        }
+        spread[0] -= gradient[0] * ab.dx;
+        spread[1] -= gradient[0] * ab.dy;
+        spread[2] -= gradient[1] * ab.dy;
+    }
+    let determinant = spread[0] * spread[2] - spread[1] * spread[1];
+    if determinant < LEAST_DETERMINANT {
+        return sum;
+    }
+    sum.map(|[x, y]| [(spread[2] * x - spread[1] * y) / determinant, (spread[0] * y - spread[1] * x) / determinant])
+}
+
+/// L7: τ = ρ [2 ν_t (S − ⅓ tr(S) I) − ⅔ C_I Δ² |S|² I], ν_t = (C_s Δ)² |S|, |S| = √(2 S:S) [Pa].
+pub fn stress(gradient: [[f64; 2]; 2], rho: f64, spacing: f64) -> Stress {
+    let [[xx, uy], [vx, yy]] = gradient;
+    let xy = 0.5 * (uy + vx);
+    let square = 2.0 * (xx * xx + 2.0 * xy * xy + yy * yy);
+    let eddy = (SMAGORINSKY * spacing).powi(2) * square.sqrt();
+    let isotropic = 2.0 / 3.0 * (eddy * (xx + yy) + ISOTROPIC * spacing * spacing * square);
+    [rho * (2.0 * eddy * xx - isotropic), rho * 2.0 * eddy * xy, rho * (2.0 * eddy * yy - isotropic)]
+}
+
+/// L8 for every fluid particle, added to the forces gathered.
+struct Divergence<'a> {
+    fluid: &'a [Row],
+    stress: &'a [Stress],
+    search: &'a Search,
+    out: [&'a mut [f64]; 2],
+}
+
+impl WithKernel for Divergence<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let Divergence { fluid, stress, search, out: [x, y] } = self;
+        let force = |k: usize| {
+            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], &stress[j as usize]));
+            stress_force::<K>(&fluid[k], &stress[k], near)
+        };
+        parallel::update_both(x, y, |k, x, y| {
+            let force = force(k);
+            *x += force[0];
+            *y += force[1];
+        });
+    }
+}
+
+/// L8: Σ_b V_a V_b (τ_a + τ_b)·∇W_ab [N/m]: antisymmetric in a and b.
+#[inline(always)]
+fn stress_force<'r, K: Shape>(
+    a: &Row,
+    stress_a: &Stress,
+    near: impl Iterator<Item = (&'r Row, &'r Stress)>,
+) -> [f64; 2] {
+    let mut force = [0.0; 2];
+    for (b, stress_b) in near {
+        let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+            continue;
+        };
+        let weight = a.volume * b.volume * ab.slope;
+        let [xx, xy, yy] = [0, 1, 2].map(|c| stress_a[c] + stress_b[c]);
+        force[0] += weight * (xx * ab.dx + xy * ab.dy);
+        force[1] += weight * (xy * ab.dx + yy * ab.dy);
+    }
+    force
+}
+
+impl Fluid {
+    /// L7: stress of every particle and image [Pa], from the state of the last sweep. A reflection's shear has the
+    /// other sign.
+    pub fn evaluate_stress(&mut self) -> &[Stress] {
+        let n = self.particles.len();
+        self.stress.resize(n + self.search.fluid_images.len(), [0.0; 3]);
+        self.parameters.kernel.run(StressSweep {
+            fluid: &self.rows.fluid,
+            rho: &self.particles.rho,
+            search: &self.search,
+            spacing_ratio: 1.0 / self.parameters.smoothing_ratio,
+            out: &mut self.stress[..n],
+        });
+        for (k, &source) in self.search.fluid_images.iter().enumerate() {
+            let [xx, xy, yy] = self.stress[source as usize];
+            self.stress[n + k] = if self.parameters.periodic.is_some() { [xx, xy, yy] } else { [xx, -xy, yy] };
+        }
+        &self.stress
+    }
+
+    /// L7, L8: the eddies' forces on top of those gathered. Nothing to do without a turbulence model.
+    pub(crate) fn gather_turbulence(&mut self) {
+        if self.parameters.turbulence == Turbulence::None {
+            return;
+        }
+        self.phases.begin(Phase::Momentum);
+        self.evaluate_stress();
+        self.parameters.kernel.run(Divergence {
+            fluid: &self.rows.fluid,
+            stress: &self.stress,
+            search: &self.search,
+            out: [&mut self.particles.ax, &mut self.particles.ay],
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interactions::kernel::WendlandC2;
+
+    /// u = γ̇ y: S_xy = γ̇/2, |S| = γ̇, so τ_xy = ρ (C_s Δ)² γ̇² and τ_xx = τ_yy = −⅔ ρ C_I Δ² γ̇².
+    #[test]
+    fn stress_of_a_linear_shear_is_smagorinskys() {
+        let (rate, rho, spacing) = (3.0, 1000.0, 0.1);
+        let row = |x: f64, y: f64| Row { x, y, u: rate * y, fill: 0.01, volume: 0.01, h: 0.15, ..Row::default() };
+        let near = [(0.1, 0.02), (-0.08, 0.01), (0.03, 0.11), (-0.02, -0.1), (0.12, 0.13)].map(|(x, y)| row(x, y));
+        let gradient = velocity_gradient::<WendlandC2>(&row(0.0, 0.0), near.iter());
+        let found = stress(gradient, rho, spacing);
+        let shear = rho * (0.12 * spacing * rate) * (0.12 * spacing * rate);
+        let normal = -2.0 / 3.0 * rho * 0.0066 * spacing * spacing * rate * rate;
+        for (found, exact) in found.into_iter().zip([normal, shear, normal]) {
+            assert!((found / exact - 1.0).abs() < 1e-12, "{found} {exact}");
+        }
+    }
+
+    #[test]
+    fn eddies_act_and_react() {
+        let row = |x: f64, y: f64, h: f64| Row { x, y, fill: 0.01, volume: 0.011, h, ..Row::default() };
+        let (a, b) = (row(0.0, 0.0, 0.15), row(0.1, 0.07, 0.21));
+        let (of_a, of_b) = ([-3.0, 5.0, 1.0], [2.0, -1.0, 4.0]);
+        let on_a = stress_force::<WendlandC2>(&a, &of_a, [(&b, &of_b)].into_iter());
+        let on_b = stress_force::<WendlandC2>(&b, &of_b, [(&a, &of_a)].into_iter());
+        for c in 0..2 {
+            assert!(on_a[c] != 0.0 && on_a[c] == -on_b[c], "{on_a:?} {on_b:?}");
+        }
+    }
+}

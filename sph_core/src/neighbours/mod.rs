@@ -1,0 +1,238 @@
+//! Who may meet whom: neighbour lists for fluid and walls, images included, remade when a skin is used up.
+
+pub mod cells;
+mod entries;
+pub mod images;
+pub mod lists;
+pub(crate) mod skin;
+
+use crate::memory::of_vector;
+use crate::neighbours::cells::{Cells, Point};
+use crate::neighbours::images::{Mirror, Periodic};
+use crate::neighbours::lists::Lists;
+use crate::neighbours::skin::Skin;
+use crate::parallel;
+use crate::particles::{Derived, Particles};
+use crate::walls::visibility::{Listed, ThinWalls};
+
+/// Skin that even a particle at rest gets, in smoothing lengths.
+const SKIN: f64 = 0.06;
+
+/// Wall particles at the moment of the search.
+#[derive(Clone, Copy)]
+pub struct WallKinematics<'a> {
+    /// Position [m].
+    pub x: &'a [f64],
+    /// Position [m].
+    pub y: &'a [f64],
+    /// Velocity [m/s].
+    pub u: &'a [f64],
+    /// Velocity [m/s].
+    pub v: &'a [f64],
+    /// Smoothing length [m].
+    pub h: &'a [f64],
+    /// Mirror point in the fluid [m] (W3); empty where no wall asks.
+    pub mirror_x: &'a [f64],
+    /// Mirror point in the fluid [m].
+    pub mirror_y: &'a [f64],
+    /// Thin walls (T1), where there are any.
+    pub thin: Option<ThinWalls<'a>>,
+}
+
+/// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
+/// images, in the order of [`Search::fluid_images`] and [`Search::wall_images`].
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    /// Fluid (and images) around each fluid particle.
+    pub fluid: Lists,
+    /// Walls (and images) around each fluid particle.
+    pub walls_of_fluid: Lists,
+    /// Fluid (and images) around each wall particle.
+    pub fluid_of_wall: Lists,
+    /// Fluid (and images) around each wall particle's mirror point (W3); empty where no wall asks.
+    pub fluid_of_mirror: Lists,
+    /// Sources of the fluid's images.
+    pub fluid_images: Vec<u32>,
+    /// Sources of the walls' images.
+    pub wall_images: Vec<u32>,
+    /// Translations of the fluid's images [m], where images repeat (V1); empty where they reflect.
+    pub fluid_shifts: Vec<[f64; 2]>,
+    /// Translations of the walls' images [m], likewise.
+    pub wall_shifts: Vec<[f64; 2]>,
+    /// How often the lists were made.
+    pub rebuilds: u64,
+    skin: Skin,
+    wall_skin: Skin,
+    mirror_skin: Skin,
+}
+
+impl Search {
+    /// True while every pair that can meet is listed.
+    pub fn holds(&self, particles: &Particles, walls: &WallKinematics) -> bool {
+        self.skin.holds(&particles.x, &particles.y)
+            && self.wall_skin.holds(walls.x, walls.y)
+            && self.mirror_skin.holds(walls.mirror_x, walls.mirror_y)
+    }
+
+    /// Sort the fluid by cell and list all pairs, to last about `life` seconds.
+    pub fn rebuild(
+        &mut self,
+        particles: &mut Particles,
+        derived: &mut Derived,
+        walls: &WallKinematics,
+        mirror: Option<Mirror>,
+        periodic: Option<Periodic>,
+        life: f64,
+    ) {
+        wrap(particles, periodic);
+        let allow = |h: f64, u: f64, v: f64| SKIN * h + (u * u + v * v).sqrt() * life;
+        let n = particles.len();
+        let mut allowance = vec![0.0; n];
+        parallel::gather_into(&mut allowance, |k| allow(particles.h[k], particles.u[k], particles.v[k]));
+        if let Some(thin) = walls.thin {
+            thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // T4
+        }
+        let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
+        let own = |x: &[f64], y: &[f64], reach: &[f64]| -> Vec<Point> {
+            let mut points = vec![Point { x: 0.0, y: 0.0, reach: 0.0, index: 0 }; x.len()];
+            parallel::gather_into(&mut points, |k| Point { x: x[k], y: y[k], reach: reach[k], index: k as u32 });
+            points
+        };
+
+        // sort the fluid physically, so that a neighbourhood is a few contiguous runs
+        let mut fluid_cells = Cells::build(&own(&particles.x, &particles.y, &reach));
+        let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
+        particles.permute(&order);
+        derived.permute(&order);
+        allowance = order.iter().map(|&k| allowance[k as usize]).collect();
+        reach = order.iter().map(|&k| reach[k as usize]).collect();
+        fluid_cells.name_by_order();
+
+        let mut wall_allowance: Vec<f64> =
+            (0..walls.x.len()).map(|k| allow(walls.h[k], walls.u[k], walls.v[k])).collect();
+        if let Some(thin) = walls.thin {
+            thin.hold_ends(walls.x, walls.y, walls.h, &mut wall_allowance);
+        }
+        let wall_reach: Vec<f64> = (0..walls.x.len()).map(|k| walls.h[k] + wall_allowance[k]).collect();
+        let mut fluid = own(&particles.x, &particles.y, &reach);
+        let mut wall = own(walls.x, walls.y, &wall_reach);
+        let mirrored = own(walls.mirror_x, walls.mirror_y, &wall_reach);
+        let mut wall_cells = Cells::build(&wall);
+        self.fluid_images.clear();
+        self.wall_images.clear();
+        if let Some(mirror) = mirror {
+            // an image is needed where it meets somebody in front of the plane
+            let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
+            let mirrored_cells = Cells::build(&mirrored);
+            let needed = |p: &Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
+            self.fluid_images = those(&fluid, needed);
+            self.wall_images = those(&wall, |p| meets(&fluid_cells, p));
+            append_images(&mut fluid, &self.fluid_images, mirror);
+            append_images(&mut wall, &self.wall_images, mirror);
+            (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
+        }
+        if let Some(periodic) = periodic {
+            self.repeat(periodic, &mut fluid, &mut wall, [&fluid_cells, &wall_cells]);
+            (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
+        }
+        let (h, images) = (&particles.h, &self.fluid_images);
+        let fluid_size = |j: u32| h[if (j as usize) < n { j as usize } else { images[j as usize - n] as usize }];
+        let walls_now = walls.x.len();
+        let images = &self.wall_images;
+        let wall_size = |j: u32| {
+            walls.h[if (j as usize) < walls_now { j as usize } else { images[j as usize - walls_now] as usize }]
+        };
+        let (own, wall_own) = (|k: usize| h[k], |k: usize| walls.h[k]);
+        self.fluid.build(n, &fluid_cells, |k| fluid[k], true, (own, fluid_size));
+        self.walls_of_fluid.build(n, &wall_cells, |k| fluid[k], false, (own, wall_size));
+        self.fluid_of_wall.build(walls_now, &fluid_cells, |k| wall[k], false, (wall_own, fluid_size));
+        self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| mirrored[k], false, (wall_own, fluid_size));
+        if let Some(thin) = walls.thin {
+            let images = &self.wall_images;
+            let listed = Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: images, mirror };
+            let Search { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
+            thin.strike(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
+        }
+        self.skin.reset(&particles.x, &particles.y, &allowance);
+        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, &wall_allowance);
+        self.wall_skin.reset(walls.x, walls.y, &wall_allowance);
+        self.rebuilds += 1;
+        self.flag_surface(derived);
+    }
+
+    /// What lists and skins hold on to [bytes].
+    pub(crate) fn bytes(&self) -> [(&'static str, usize); 4] {
+        let of_walls = [&self.fluid_of_wall, &self.fluid_of_mirror].map(Lists::bytes).iter().sum::<usize>();
+        let skins = [&self.skin, &self.wall_skin, &self.mirror_skin].map(Skin::bytes).iter().sum::<usize>();
+        let images = [&self.fluid_images, &self.wall_images].map(of_vector).iter().sum::<usize>();
+        let shifts = [&self.fluid_shifts, &self.wall_shifts].map(of_vector).iter().sum::<usize>();
+        [
+            ("lists of fluid", self.fluid.bytes()),
+            ("lists of walls", self.walls_of_fluid.bytes() + of_walls),
+            ("skins", skins),
+            ("images", images + shifts),
+        ]
+    }
+
+    /// The particle behind listed index `j` of `n` particles and their images.
+    #[inline(always)]
+    pub fn source(&self, j: u32, n: usize) -> usize {
+        if (j as usize) < n { j as usize } else { self.fluid_images[j as usize - n] as usize }
+    }
+
+    /// V1: append every translation of fluid and wall that meets somebody of the cell itself.
+    fn repeat(&mut self, periodic: Periodic, fluid: &mut Vec<Point>, wall: &mut Vec<Point>, own: [&Cells; 2]) {
+        self.fluid_shifts.clear();
+        self.wall_shifts.clear();
+        let [own_fluid, own_wall] = own;
+        let (fluids, walls) = (fluid.len(), wall.len());
+        for shift in periodic.shifts() {
+            let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
+            let meets = |cells: &Cells, p: &Point| cells.any_within(p.x, p.y, p.reach);
+            for k in those(&fluid[..fluids], |p| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p))) {
+                fluid.push(Point { index: fluid.len() as u32, ..moved(fluid[k as usize]) });
+                self.fluid_images.push(k);
+                self.fluid_shifts.push(shift);
+            }
+            for k in those(&wall[..walls], |p| meets(own_fluid, &moved(*p))) {
+                wall.push(Point { index: wall.len() as u32, ..moved(wall[k as usize]) });
+                self.wall_images.push(k);
+                self.wall_shifts.push(shift);
+            }
+        }
+    }
+
+    /// Who is, or has within reach, a free-surface particle (by the λ of the last sweep).
+    pub fn flag_surface(&self, derived: &mut Derived) {
+        let n = derived.surroundings.len();
+        let around = &derived.surroundings;
+        let at_surface = |k: usize| around[k].at_surface();
+        parallel::gather_into(&mut derived.near_surface, |k| {
+            at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
+        });
+    }
+}
+
+/// Indices of the `points` that are wanted, in order.
+fn those(points: &[Point], wanted: impl Fn(&Point) -> bool + Sync) -> Vec<u32> {
+    let of_chunk = |targets: std::ops::Range<usize>| -> Vec<u32> {
+        points[targets].iter().filter(|p| wanted(p)).map(|p| p.index).collect()
+    };
+    parallel::by_chunk(points.len(), of_chunk).concat()
+}
+
+/// V1: whoever has left the cell enters it through the opposite plane.
+fn wrap(particles: &mut Particles, periodic: Option<Periodic>) {
+    let Some(periodic) = periodic else { return };
+    for k in 0..particles.len() {
+        [particles.x[k], particles.y[k]] = periodic.wrap([particles.x[k], particles.y[k]]);
+    }
+}
+
+fn append_images(points: &mut Vec<Point>, sources: &[u32], mirror: Mirror) {
+    let n = points.len() as u32;
+    for (k, &source) in sources.iter().enumerate() {
+        let p = points[source as usize];
+        points.push(Point { x: mirror.reflect(p.x), index: n + k as u32, ..p });
+    }
+}

@@ -1,0 +1,163 @@
+//! Pressure read from the fluid at points (THEORY E18).
+
+use crate::fluid::Fluid;
+use crate::neighbours::cells::{Cells, Point};
+use crate::projection::Lattice;
+use crate::walls::visibility::Sight;
+
+/// A place with less of its kernel filled is dry.
+const LEAST_FILLING: f64 = 0.125;
+/// Least determinant of the particles' second moments, over that of a ring of radius h.
+const LEAST_SPREAD: f64 = 1e-3;
+
+/// What moving least squares find at a point (W6).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstOrder {
+    /// Pressure [Pa].
+    pub pressure: f64,
+    /// Velocity gradient [1/s]: [[∂u/∂x, ∂u/∂y], [∂v/∂x, ∂v/∂y]].
+    pub gradient: [[f64; 2]; 2],
+}
+
+/// A reader of the fluid as it stands now; make one per moment, read many points.
+pub struct Probe<'a> {
+    fluid: &'a Fluid,
+    cells: Cells,
+    sight: Sight,
+    reach: f64,
+    /// Range of 2 Σ V W on a face beside a lattice, where water keeps the fillings of one.
+    face: Option<[f64; 2]>,
+}
+
+impl<'a> Probe<'a> {
+    /// Sort the fluid, and its images, for reading.
+    pub fn new(fluid: &'a Fluid) -> Probe<'a> {
+        let p = &fluid.particles;
+        let mut points: Vec<Point> =
+            (0..p.len()).map(|k| Point { x: p.x[k], y: p.y[k], reach: 2.0 * p.h[k], index: k as u32 }).collect();
+        if let Some(mirror) = fluid.parameters.mirror {
+            let near: Vec<Point> = points.iter().filter(|q| q.x - mirror.at < 2.0 * q.reach).copied().collect();
+            points.extend(near.iter().map(|q| Point { x: mirror.reflect(q.x), ..*q }));
+        }
+        if let Some(periodic) = fluid.parameters.periodic {
+            let own = Cells::build(&points);
+            for [sx, sy] in periodic.shifts() {
+                let moved = (0..p.len()).map(|k| Point { x: p.x[k] + sx, y: p.y[k] + sy, ..points[k] });
+                let near: Vec<Point> = moved.filter(|q| own.any_within(q.x, q.y, q.reach)).collect();
+                points.extend(near);
+            }
+        }
+        let widest = points.iter().map(|q| q.reach).fold(0.0, f64::max);
+        let sight = Sight::new(&fluid.rows.screens, fluid.parameters.mirror);
+        let parameters = &fluid.parameters;
+        let projects = parameters.solver.projects();
+        let lattice =
+            || fluid.projection.lattice.unwrap_or_else(|| Lattice::new(parameters.kernel, parameters.smoothing_ratio));
+        let face = projects.then(|| lattice().face);
+        Probe { fluid, cells: Cells::build(&points), sight, reach: 2.0 * widest, face }
+    }
+
+    /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (T1), each with its
+    /// own kernel.
+    fn around(&self, at: [f64; 2], mut take: impl FnMut(f64, &Point)) {
+        let (p, d, kernel) = (&self.fluid.particles, &self.fluid.derived, self.fluid.parameters.kernel);
+        let view = self.sight.from(at, self.reach);
+        self.cells.for_each_within(at[0], at[1], 0.0, |q| {
+            if !view.shows([q.x, q.y]) {
+                return;
+            }
+            let k = q.index as usize;
+            let w = kernel.value((at[0] - q.x).hypot(at[1] - q.y), p.h[k]);
+            take(d.volume_of(k, p) * w, q);
+        });
+    }
+
+    /// E18: pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
+    /// where `slope` s = ρ(g − a)·n [Pa/m] is the pressure's slope along the normal that the wall imposes.
+    /// It falls to zero by itself where the face is dry. Valid farther than one support 2h from an edge. Water that a
+    /// projection moves keeps the fillings of a lattice: there it is divided by 2 Σ V W as far as that is a lattice's.
+    pub fn on_flat_face(&self, at: [f64; 2], normal: [f64; 2], slope: f64) -> f64 {
+        let (mut sum, mut filling) = (0.0, 0.0);
+        self.around(at, |weight, q| {
+            let height = (q.x - at[0]) * normal[0] + (q.y - at[1]) * normal[1];
+            sum += weight * (self.fluid.derived.pressure[q.index as usize] - slope * height);
+            filling += weight;
+        });
+        let norm = self.face.map_or(1.0, |[least, most]| (2.0 * filling).clamp(least, most));
+        2.0 * sum / norm
+    }
+
+    /// Filling Σ V W [-] of a place by water alone.
+    pub fn filling(&self, at: [f64; 2]) -> f64 {
+        let mut filling = 0.0;
+        self.around(at, |weight, _| filling += weight);
+        filling
+    }
+
+    /// W7: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.
+    pub fn wetness(&self, at: [f64; 2]) -> f64 {
+        let mut filling = 0.0;
+        self.around(at, |weight, _| filling += weight);
+        (2.0 * filling).min(1.0)
+    }
+
+    /// W5: Shepard mean of the pressure carried to `at` by the field ρ(g − a) [Pa/m], as walls read it (E9); zero where
+    /// less than an eighth of the kernel is filled. Exact for a hydrostatic field, at corners too.
+    pub fn carried(&self, at: [f64; 2], field: [f64; 2]) -> f64 {
+        let (mut pressure, mut filling) = (0.0, 0.0);
+        self.around(at, |weight, q| {
+            let carry = field[0] * (at[0] - q.x) + field[1] * (at[1] - q.y);
+            pressure += weight * (self.fluid.derived.pressure[q.index as usize] + carry);
+            filling += weight;
+        });
+        if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
+    }
+
+    /// W6: pressure and velocity gradient by first-order moving least squares; `None` where less than an eighth of the
+    /// kernel is filled, or where the particles lie in a line.
+    pub fn least_squares(&self, at: [f64; 2]) -> Option<FirstOrder> {
+        let (mut m, mut moments) = ([0.0; 6], [[0.0; 3]; 3]);
+        let (p, d) = (&self.fluid.particles, &self.fluid.derived);
+        let mut reach = 0.0_f64;
+        self.around(at, |weight, q| {
+            let k = q.index as usize;
+            let (dx, dy) = (q.x - at[0], q.y - at[1]);
+            let side = if (q.x - p.x[k]).abs() > 0.0 { -1.0 } else { 1.0 }; // an image goes the other way
+            let terms = [1.0, dx, dy, dx * dx, dx * dy, dy * dy];
+            for (sum, term) in m.iter_mut().zip(terms) {
+                *sum += weight * term;
+            }
+            for (row, value) in moments.iter_mut().zip([d.pressure[k], side * p.u[k], p.v[k]]) {
+                for (sum, term) in row.iter_mut().zip([1.0, dx, dy]) {
+                    *sum += weight * value * term;
+                }
+            }
+            reach = reach.max(p.h[k]);
+        });
+        let [m0, mx, my, mxx, mxy, myy] = m;
+        // second moments about the mean place
+        let (x, y) = (mx / m0, my / m0);
+        let (xx, xy, yy) = (mxx - m0 * x * x, mxy - m0 * x * y, myy - m0 * y * y);
+        let determinant = xx * yy - xy * xy;
+        if m0 < LEAST_FILLING || determinant < LEAST_SPREAD * (m0 * reach * reach).powi(2) {
+            return None;
+        }
+        let [pressure, u, v] = moments.map(|[value, along_x, along_y]| {
+            let (bx, by) = (along_x - value * x, along_y - value * y);
+            let gradient = [(yy * bx - xy * by) / determinant, (xx * by - xy * bx) / determinant];
+            (value / m0 - gradient[0] * x - gradient[1] * y, gradient)
+        });
+        Some(FirstOrder { pressure: pressure.0, gradient: [u.1, v.1] })
+    }
+
+    /// E18: Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
+    /// eighth of the kernel is filled.
+    pub fn shepard(&self, at: [f64; 2]) -> f64 {
+        let (mut pressure, mut filling) = (0.0, 0.0);
+        self.around(at, |weight, q| {
+            pressure += weight * self.fluid.derived.pressure[q.index as usize];
+            filling += weight;
+        });
+        if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
+    }
+}

@@ -1,0 +1,114 @@
+//! Rows that stand together for one unknown of the next coarser level (THEORY PS5).
+
+use crate::projection::linear_solver::matrix::Matrix;
+
+/// Not part of any aggregate.
+pub(crate) const NOBODY: u32 = u32::MAX;
+
+/// Who belongs to whom.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Aggregates {
+    /// The aggregate of each row, or [`NOBODY`].
+    pub of: Vec<u32>,
+    /// Where each aggregate's members start; one more entry than aggregates.
+    pub starts: Vec<u32>,
+    /// Rows, sorted by aggregate.
+    pub members: Vec<u32>,
+}
+
+impl Aggregates {
+    /// Number of aggregates.
+    pub fn len(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Rows of aggregate `c`.
+    #[inline(always)]
+    pub fn of_aggregate(&self, c: usize) -> &[u32] {
+        &self.members[self.starts[c] as usize..self.starts[c + 1] as usize]
+    }
+
+    /// PS5: a row and everybody strongly coupled to it, wherever none of them is taken; whoever is left joins the one
+    /// to whom it is coupled most. Strong is at least `share` of the row's largest coupling. Rows without couplings
+    /// stay out.
+    pub fn find(&mut self, a: &Matrix, share: f64) {
+        let (n, of) = (a.rows(), &mut self.of);
+        of.clear();
+        of.resize(n, NOBODY);
+        let mut count = 0;
+        for i in 0..n {
+            if of[i] != NOBODY {
+                continue;
+            }
+            let run = a.starts[i]..a.starts[i + 1];
+            let (columns, values) = (&a.columns[run.clone()], &a.values[run]);
+            let strong = share * values.iter().fold(0.0, |least: f64, &v| if v < least { v } else { least });
+            if strong == 0.0 || columns.iter().zip(values).any(|(&j, &v)| v <= strong && of[j as usize] != NOBODY) {
+                continue;
+            }
+            of[i] = count;
+            for (&j, &v) in columns.iter().zip(values) {
+                if v <= strong {
+                    of[j as usize] = count;
+                }
+            }
+            count += 1;
+        }
+        self.join(a, count);
+        self.list(count as usize);
+    }
+
+    /// Whoever is left joins the aggregate whose member it is coupled to most.
+    fn join(&mut self, a: &Matrix, count: u32) {
+        /// Marks a row that has joined in this pass, so that chains do not form.
+        const JOINED: u32 = 1 << 31;
+        for i in 0..a.rows() {
+            if self.of[i] != NOBODY {
+                continue;
+            }
+            let (mut most, mut to) = (0.0, NOBODY);
+            for (j, v) in a.row(i) {
+                if v < most && self.of[j] < count {
+                    (most, to) = (v, self.of[j]);
+                }
+            }
+            if to != NOBODY {
+                self.of[i] = to | JOINED;
+            }
+        }
+        for of in &mut self.of {
+            *of = if *of == NOBODY { NOBODY } else { *of & !JOINED };
+        }
+    }
+
+    /// Rows have other places: row k is the one that was row `from[k]`.
+    pub fn rename(&mut self, from: impl Iterator<Item = u32>) {
+        let renamed: Vec<u32> = from.map(|k| self.of[k as usize]).collect();
+        self.of = renamed;
+        self.list(self.len());
+    }
+
+    /// Sort the rows by aggregate.
+    fn list(&mut self, count: usize) {
+        let Aggregates { of, starts, members } = self;
+        starts.clear();
+        starts.resize(count + 1, 0);
+        for &c in of.iter().filter(|&&c| c != NOBODY) {
+            starts[c as usize + 1] += 1;
+        }
+        for c in 0..count {
+            starts[c + 1] += starts[c];
+        }
+        members.clear();
+        members.resize(starts[count] as usize, 0);
+        for (i, &c) in of.iter().enumerate().rev() {
+            if c != NOBODY {
+                starts[c as usize + 1] -= 1;
+                members[starts[c as usize + 1] as usize] = i as u32;
+            }
+        }
+        // every start has moved to its own aggregate's end less its members: shift back
+        starts.remove(0);
+        starts.push(members.len() as u32);
+    }
+}

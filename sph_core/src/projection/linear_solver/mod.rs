@@ -1,0 +1,16 @@
+//! Conjugate gradients with a multigrid preconditioner (THEORY PS1–PS9).
+
+mod aggregates;
+pub mod cg;
+mod coarse;
+mod hierarchy;
+pub mod matrix;
+mod multigrid;
+mod null_space;
+#[cfg(test)]
+pub(crate) mod test_systems;
+mod woodbury;
+
+pub use cg::{NotConverged, PressureSolver, Solved, Stop};
+pub use hierarchy::Preconditioner;
+pub use matrix::{Matrix, RankOne};

@@ -1,0 +1,246 @@
+//! Bodies inside the projection (THEORY PB1–PB5): the accelerations of the walls' owners and the pressures that they cause
+//! and feel, found together.
+
+use crate::interactions::packed::Rows;
+use crate::neighbours::Search;
+use crate::parameters::Parameters;
+use crate::walls::interface::{Lack, Yielding};
+use crate::walls::{WallForces, Walls};
+
+use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
+use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::monolithic::reaction::{Inflow, Reaction};
+use crate::projection::monolithic::subspace::Subspace;
+
+/// Up to so many unknowns each gets its own response; more are searched along residuals (PB4).
+const FEW: usize = 6;
+/// Residuals along which is searched in a solve, at most.
+const MOST: usize = 40;
+/// What accelerations lack, over those that forces cause and that result, at which a search along residuals ends [-].
+const ENOUGH: f64 = 1e-7;
+
+/// What is kept from step to step.
+#[derive(Clone, Debug, Default)]
+pub struct Bodies {
+    /// Pressures that a unit of each unknown causes, by the identity of particles: where the next solve begins.
+    responses: Vec<Vec<f64>>,
+    /// Solves for responses.
+    pub solves: u64,
+    /// Iterations of these.
+    pub iterations: u64,
+}
+
+/// The pressure equation, as it stands.
+pub(crate) struct Equation<'a> {
+    pub solver: &'a mut PressureSolver,
+    pub matrix: &'a Matrix,
+    pub pinned: &'a [bool],
+    pub stop: Stop,
+    /// Its right side; what accelerations add is put there.
+    pub source: &'a mut [f64],
+    /// Its solution.
+    pub pressure: &'a mut [f64],
+}
+
+/// The owners of walls and the water beside them, in one step.
+pub(crate) struct Meeting<'a> {
+    rows: &'a Rows,
+    search: &'a Search,
+    parameters: &'a Parameters,
+    ids: &'a [u32],
+    owners: &'a mut [Yielding],
+    walls: &'a mut Walls,
+    /// Walls with the accelerations that the present unknowns add.
+    supposed: Walls,
+    unknowns: Vec<f64>,
+    /// 1/κ (I4).
+    inverse: f64,
+}
+
+/// A change of the unknowns, and what it makes.
+struct Response {
+    direction: Vec<f64>,
+    source: Vec<f64>,
+    pressure: Vec<f64>,
+}
+
+impl<'a> Meeting<'a> {
+    /// Of owners whose unknowns are those that their walls' kinematics are written with.
+    pub fn of(
+        (rows, search, parameters): (&'a Rows, &'a Search, &'a Parameters),
+        ids: &'a [u32],
+        owners: &'a mut [Yielding],
+        walls: &'a mut Walls,
+        inverse: f64,
+    ) -> Meeting<'a> {
+        let unknowns = owners.iter().flat_map(|member| member.owner.unknowns()).collect();
+        let supposed = walls.clone();
+        let mut meeting = Meeting { rows, search, parameters, ids, owners, walls, supposed, unknowns, inverse };
+        meeting.suppose(&meeting.unknowns.clone());
+        meeting
+    }
+
+    /// PB3–PB5: the pressure equation has been solved with the present unknowns; change unknowns, right side and pressures
+    /// together until the unknowns lack nothing.
+    pub fn agree(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
+        if self.unknowns.is_empty() {
+            return Ok(());
+        }
+        let found = self.search_shares(bodies, equation);
+        self.suppose(&self.unknowns.clone());
+        found
+    }
+
+    fn search_shares(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
+        let start = self.unknowns.clone();
+        let Lack { lack, caused } = self.lack(equation.pressure);
+        let scale = norm(&caused) + norm(&lack.iter().zip(&start).map(|(r, x)| r + x).collect::<Vec<f64>>());
+        let mut space = Subspace::new(lack.clone());
+        let mut responses = Vec::new();
+        let few = start.len() <= FEW;
+        for k in 0..if few { start.len() } else { MOST } {
+            let direction = if few { unit(k, start.len()) } else { space.residual() };
+            if !few && norm(&direction) <= ENOUGH * scale {
+                break;
+            }
+            let Some(response) = self.respond(&start, (k, direction), few, bodies, equation)? else { continue };
+            let moved: Vec<f64> = start.iter().zip(&response.direction).map(|(x, d)| x + d).collect();
+            self.suppose(&moved);
+            let pressure: Vec<f64> = equation.pressure.iter().zip(&response.pressure).map(|(p, q)| p + q).collect();
+            let there = self.lack(&pressure).lack;
+            space.add(there.iter().zip(&lack).map(|(r, r0)| r - r0).collect());
+            responses.push(response);
+        }
+        let mut x = start;
+        for (share, response) in space.shares().into_iter().zip(&responses) {
+            add(&mut x, share, &response.direction);
+            add(equation.source, share, &response.source);
+            add(equation.pressure, share, &response.pressure);
+        }
+        self.unknowns = x;
+        Ok(())
+    }
+
+    /// PB2: the pressures that a change of the unknowns causes; `None` of one that is held.
+    fn respond(
+        &mut self,
+        start: &[f64],
+        (k, direction): (usize, Vec<f64>),
+        few: bool,
+        bodies: &mut Bodies,
+        equation: &mut Equation<'_>,
+    ) -> Result<Option<Response>, NotConverged> {
+        let n = equation.pressure.len();
+        let moved: Vec<f64> = start.iter().zip(&direction).map(|(x, d)| x + d).collect();
+        self.suppose(start);
+        let before: Vec<[f64; 2]> = self.accelerations();
+        let held = self.lack(equation.pressure).lack;
+        self.suppose(&moved);
+        // a direction in which an owner is held never lacks anything itself
+        if few && self.lack(equation.pressure).lack[k] == held[k] {
+            return Ok(None);
+        }
+        let added: Vec<[f64; 2]> =
+            self.accelerations().iter().zip(&before).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
+        let (mut source, mut pressure) = (vec![0.0; n], vec![0.0; n]);
+        self.parameters.kernel.run(Inflow {
+            fluid: &self.rows.fluid,
+            walls: &self.rows.walls,
+            search: self.search,
+            accelerations: &added,
+            side: if self.parameters.mirror.is_some() { -1.0 } else { 1.0 },
+            out: &mut source,
+        });
+        let volume = |i: usize| self.rows.fluid[i].fill;
+        let strongest = (0..n).map(|i| (source[i] / volume(i)).abs()).fold(0.0, f64::max);
+        if strongest > 0.0 {
+            if few {
+                bodies.responses.resize(start.len(), Vec::new());
+                let kept = &mut bodies.responses[k];
+                kept.resize(n, 0.0);
+                pressure.iter_mut().zip(self.ids).for_each(|(p, &id)| *p = kept[id as usize]);
+            }
+            let scale: Vec<f64> = (0..n).map(|i| volume(i) * strongest).collect();
+            let Equation { solver, matrix, pinned, stop, .. } = equation;
+            let solved = solver.persist(matrix, &source, &scale, pinned, &mut pressure, stop)?;
+            bodies.solves += 1;
+            bodies.iterations += solved.iterations as u64;
+            if few {
+                let kept = &mut bodies.responses[k];
+                pressure.iter().zip(self.ids).for_each(|(p, &id)| kept[id as usize] = *p);
+            }
+        }
+        Ok(Some(Response { direction, source, pressure }))
+    }
+
+    /// The walls take the unknowns: their accelerations are those of the supposed walls.
+    pub fn conclude(self) {
+        for k in 0..self.walls.len() {
+            self.walls.ax[k] += self.supposed.ax[k];
+            self.walls.ay[k] += self.supposed.ay[k];
+        }
+    }
+
+    /// Give the owners other unknowns, and the supposed walls what these add to the accelerations written.
+    fn suppose(&mut self, unknowns: &[f64]) {
+        self.supposed.ax.fill(0.0);
+        self.supposed.ay.fill(0.0);
+        let mut rest = unknowns;
+        for Yielding { range, owner, .. } in &mut *self.owners {
+            let (own, others) = rest.split_at(owner.unknowns().len());
+            owner.accelerate(own, self.supposed.slice_mut(range.clone()));
+            rest = others;
+        }
+    }
+
+    /// What the unknowns supposed add to the accelerations written [m/s²].
+    fn accelerations(&self) -> Vec<[f64; 2]> {
+        self.supposed.ax.iter().zip(&self.supposed.ay).map(|(x, y)| [*x, *y]).collect()
+    }
+
+    /// PB3: what the unknowns supposed lack under pressures.
+    fn lack(&self, pressure: &[f64]) -> Lack {
+        let (g, rho0) = (self.parameters.gravity, self.parameters.eos.rho0);
+        let mut all = Lack::default();
+        for Yielding { range, mirrored, owner } in &*self.owners {
+            let field = |k: usize| {
+                let a = [self.walls.ax[k] + self.supposed.ax[k], self.walls.ay[k] + self.supposed.ay[k]];
+                [rho0 * (g[0] - a[0]), rho0 * (g[1] - a[1])]
+            };
+            let field: Vec<[f64; 2]> = range.clone().map(field).collect();
+            let mut forces = vec![[0.0; 2]; range.len()];
+            self.parameters.kernel.run(Reaction {
+                fluid: &self.rows.fluid,
+                walls: &self.rows.walls,
+                search: self.search,
+                first: range.start,
+                pressure,
+                field: &field,
+                inverse: self.inverse,
+                out: &mut forces,
+            });
+            let [fx, fy] = [0, 1].map(|i| forces.iter().map(|f| f[i]).collect::<Vec<f64>>());
+            let each = range.clone().zip(&forces);
+            let mean_swing: Vec<f64> = each.map(|(k, f)| self.walls.swing(k, -self.walls.dt, *f)).collect();
+            let (x, y) = (&self.walls.x[range.clone()], &self.walls.y[range.clone()]);
+            let (mean_fx, mean_fy, mirrored) = (&fx[..], &fy[..], *mirrored);
+            let forces = WallForces { x, y, fx: &fx, fy: &fy, mean_fx, mean_fy, mean_swing: &mean_swing, mirrored };
+            let own = owner.lack_in_mean(&forces);
+            all.lack.extend(own.lack);
+            all.caused.extend(own.caused);
+        }
+        all
+    }
+}
+
+fn unit(k: usize, n: usize) -> Vec<f64> {
+    (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect()
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn add(to: &mut [f64], share: f64, what: &[f64]) {
+    to.iter_mut().zip(what).for_each(|(t, w)| *t += share * w);
+}

@@ -1,0 +1,71 @@
+//! Settings of the projection.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How a step's pressures follow from the pressure equation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Solved for, by conjugate gradients (THEORY I8–I11): `solver = "incompressible"`.
+    #[default]
+    Solve,
+    /// One Jacobi sweep per step (THEORY EX3): `solver = "incompressible_explicit"`.
+    OneSweep,
+}
+
+/// The keys of a scene's table `[fluid]` that belong to the incompressible solvers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct FlowSettings {
+    /// Particle shifting.
+    pub shifting: bool,
+    /// Air comes in along walls between a wall and water under tension (THEORY I8).
+    pub ventilation: bool,
+    /// Share of its smoothing length that a particle may move in a step, above 0 and up to 1 [-].
+    pub cfl: f64,
+}
+
+impl Default for FlowSettings {
+    fn default() -> FlowSettings {
+        FlowSettings { shifting: true, ventilation: false, cfl: 0.4 }
+    }
+}
+
+/// Settings of the projection: a scene's table `[projection]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Settings {
+    /// Share of the largest right-hand side that no residual of the pressure equation exceeds, 1e-12 to 0.1 (no INDAT
+    /// switch) [-].
+    pub tolerance: f64,
+    /// Iterations after which a pressure equation has failed, 1 or more [-].
+    pub most_iterations: usize,
+    /// Time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY I9) [-].
+    pub relaxation: f64,
+    /// Viscosity over h sqrt(|g| h), which brings water to rest (THEORY I12); 0 is none [-].
+    #[serde(rename = "calming")]
+    pub viscosity_coefficient: f64,
+    /// Shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY I13) [-]. Without effect where
+    /// fluid.shifting is false.
+    pub shift: f64,
+    /// Keys of the table `[fluid]`.
+    #[serde(skip)]
+    pub flow: FlowSettings,
+    /// How pressures are found: by the scene's key `solver`.
+    #[serde(skip)]
+    pub method: Method,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            tolerance: 3e-4,
+            most_iterations: 2000,
+            relaxation: 3.0,
+            viscosity_coefficient: 0.15,
+            shift: 1.0,
+            flow: FlowSettings::default(),
+            method: Method::Solve,
+        }
+    }
+}

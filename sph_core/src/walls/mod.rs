@@ -1,0 +1,255 @@
+//! Walls: boundary particles that somebody else moves.
+//!
+//! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
+//! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
+
+pub mod interface;
+mod interface_dynamics;
+pub mod midline;
+mod nearest;
+mod state;
+pub(crate) mod visibility;
+
+use crate::walls::midline::Screen;
+
+/// One boundary particle as its owner samples it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallPoint {
+    /// Position [m].
+    pub at: [f64; 2],
+    /// Unit normal of the nearest face, pointing into the fluid [-].
+    pub normal: [f64; 2],
+    /// Area it stands for [m²]: half of its own where it lies on a plane of symmetry.
+    pub area: f64,
+    /// Distance to its neighbours [m].
+    pub spacing: f64,
+    /// Depth below the surface, along the normal [m].
+    pub depth: f64,
+    /// The screen, of its owner's, that it is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
+    pub screen: Option<u32>,
+}
+
+/// All boundary particles. One entry per particle in every array.
+#[derive(Clone, Debug, Default)]
+pub struct Walls {
+    /// Length of the step that the kinematics are given for [s]; written by the fluid.
+    pub dt: f64,
+    /// Position at the end of the step [m].
+    pub x: Vec<f64>,
+    /// Position at the end of the step [m].
+    pub y: Vec<f64>,
+    /// Velocity over the step [m/s].
+    pub u: Vec<f64>,
+    /// Velocity over the step [m/s].
+    pub v: Vec<f64>,
+    /// Acceleration [m/s²] (THEORY E9).
+    pub ax: Vec<f64>,
+    /// Acceleration [m/s²].
+    pub ay: Vec<f64>,
+    /// Unit normal into the fluid [-].
+    pub nx: Vec<f64>,
+    /// Unit normal into the fluid [-].
+    pub ny: Vec<f64>,
+    /// Area it stands for [m²].
+    pub volume: Vec<f64>,
+    /// Smoothing length [m].
+    pub h: Vec<f64>,
+    /// Depth below the surface, along the normal [m].
+    pub depth: Vec<f64>,
+    /// Pressure extrapolated from the fluid [Pa] (THEORY E9); written by the fluid.
+    pub pressure: Vec<f64>,
+    /// Force of the fluid on the particle at the end of the step, per metre of span [N/m]; written by the fluid.
+    pub fx: Vec<f64>,
+    /// Force at the end of the step [N/m].
+    pub fy: Vec<f64>,
+    /// Mean force over the step [N/m]: times Δt it is exactly the impulse that the fluid lost.
+    pub mean_fx: Vec<f64>,
+    /// Mean force over the step [N/m].
+    pub mean_fy: Vec<f64>,
+    /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
+    /// ends, lacks of the mean moment.
+    pub mean_swing: Vec<f64>,
+    /// Middle lines of thin walls (THEORY T1), in the order of their owners.
+    pub screens: Vec<Screen>,
+    /// The screen that each is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
+    pub screen: Vec<Option<u32>>,
+    /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (PB6); else empty.
+    pub begun: Vec<[f64; 2]>,
+}
+
+impl Walls {
+    /// Velocity of particle `k` at the start of a step of `dt` [m/s].
+    pub fn velocity_at_start(&self, k: usize, dt: f64) -> [f64; 2] {
+        let told = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
+        self.begun.get(k).copied().unwrap_or_else(told)
+    }
+
+    /// Number of boundary particles.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// True when there is none.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing. The owner's screens,
+    /// which its particles count from 0, are to be appended next.
+    pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> std::ops::Range<usize> {
+        let start = self.len();
+        let screens = self.screens.len() as u32;
+        for point in points {
+            self.x.push(point.at[0]);
+            self.y.push(point.at[1]);
+            self.nx.push(point.normal[0]);
+            self.ny.push(point.normal[1]);
+            self.volume.push(point.area);
+            self.h.push(ratio * point.spacing);
+            self.depth.push(point.depth);
+            self.screen.push(point.screen.map(|screen| screens + screen));
+        }
+        let n = self.len();
+        for array in [
+            &mut self.u,
+            &mut self.v,
+            &mut self.ax,
+            &mut self.ay,
+            &mut self.pressure,
+            &mut self.fx,
+            &mut self.fy,
+            &mut self.mean_fx,
+            &mut self.mean_fy,
+            &mut self.mean_swing,
+        ] {
+            array.resize(n, 0.0);
+        }
+        start..n
+    }
+
+    /// Where particle `k` is `offset` [s] from the step's end (offset ≤ 0), relative to where it ends [m]: back
+    /// along the step at constant acceleration; u is the step's mean velocity.
+    pub fn displacement(&self, k: usize, offset: f64) -> [f64; 2] {
+        let bend = 0.5 * offset * (offset + self.dt);
+        [offset * self.u[k] + bend * self.ax[k], offset * self.v[k] + bend * self.ay[k]]
+    }
+
+    /// (r − r_end)×F [N] for a force [N/m] on particle `k` at `offset` [s] from the step's end.
+    pub(crate) fn swing(&self, k: usize, offset: f64, force: [f64; 2]) -> f64 {
+        let [dx, dy] = self.displacement(k, offset);
+        dx * force[1] - dy * force[0]
+    }
+
+    /// An owner's particles, to be moved.
+    pub fn slice_mut(&mut self, range: std::ops::Range<usize>) -> WallsMut<'_> {
+        WallsMut {
+            x: &mut self.x[range.clone()],
+            y: &mut self.y[range.clone()],
+            u: &mut self.u[range.clone()],
+            v: &mut self.v[range.clone()],
+            ax: &mut self.ax[range.clone()],
+            ay: &mut self.ay[range.clone()],
+            nx: &mut self.nx[range.clone()],
+            ny: &mut self.ny[range],
+        }
+    }
+
+    /// The forces on an owner's particles, to be read.
+    pub fn forces(&self, range: std::ops::Range<usize>) -> WallForces<'_> {
+        WallForces {
+            x: &self.x[range.clone()],
+            y: &self.y[range.clone()],
+            fx: &self.fx[range.clone()],
+            fy: &self.fy[range.clone()],
+            mean_fx: &self.mean_fx[range.clone()],
+            mean_fy: &self.mean_fy[range.clone()],
+            mean_swing: &self.mean_swing[range],
+            mirrored: false,
+        }
+    }
+}
+
+/// Kinematics of one owner's particles, in the owner's order.
+pub struct WallsMut<'a> {
+    /// Position [m].
+    pub x: &'a mut [f64],
+    /// Position [m].
+    pub y: &'a mut [f64],
+    /// Velocity [m/s].
+    pub u: &'a mut [f64],
+    /// Velocity [m/s].
+    pub v: &'a mut [f64],
+    /// Acceleration [m/s²].
+    pub ax: &'a mut [f64],
+    /// Acceleration [m/s²].
+    pub ay: &'a mut [f64],
+    /// Normal [-].
+    pub nx: &'a mut [f64],
+    /// Normal [-].
+    pub ny: &'a mut [f64],
+}
+
+/// Forces of the fluid on one owner's particles, in the owner's order.
+#[derive(Clone, Copy)]
+pub struct WallForces<'a> {
+    /// Where the force acts [m].
+    pub x: &'a [f64],
+    /// Where the force acts [m].
+    pub y: &'a [f64],
+    /// Force now [N/m].
+    pub fx: &'a [f64],
+    /// Force now [N/m].
+    pub fy: &'a [f64],
+    /// Mean force over the step just taken [N/m].
+    pub mean_fx: &'a [f64],
+    /// Mean force over the step just taken [N/m].
+    pub mean_fy: &'a [f64],
+    /// Mean over the step of (r − r_end)×F [N].
+    pub mean_swing: &'a [f64],
+    /// True when the particles are the right half of an owner that is symmetric about x = 0.
+    pub mirrored: bool,
+}
+
+/// Force [N/m] and moment about a point [N] of many small forces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Resultant {
+    /// Force per metre of span [N/m].
+    pub force: [f64; 2],
+    /// Moment per metre of span, counter-clockwise [N].
+    pub moment: f64,
+}
+
+impl Resultant {
+    /// The same forces with their moment about a pole displaced by `d` [m].
+    pub fn about(self, d: [f64; 2]) -> Resultant {
+        Resultant { moment: self.moment - (d[0] * self.force[1] - d[1] * self.force[0]), ..self }
+    }
+}
+
+impl WallForces<'_> {
+    /// Resultant about `pole` [m] of the force now; both halves counted when mirrored.
+    pub fn resultant(&self, pole: [f64; 2]) -> Resultant {
+        self.sum(self.fx, self.fy, pole)
+    }
+
+    /// Mean over the step of the resultant about the fixed `pole` [m]; both halves counted when mirrored.
+    pub fn mean_resultant(&self, pole: [f64; 2]) -> Resultant {
+        let mean = self.sum(self.mean_fx, self.mean_fy, pole);
+        let swing = if self.mirrored { 0.0 } else { self.mean_swing.iter().sum() };
+        Resultant { moment: mean.moment + swing, ..mean }
+    }
+
+    fn sum(&self, fx: &[f64], fy: &[f64], pole: [f64; 2]) -> Resultant {
+        let mut total = Resultant::default();
+        for k in 0..fx.len() {
+            total.force[0] += fx[k];
+            total.force[1] += fy[k];
+            total.moment += (self.x[k] - pole[0]) * fy[k] - (self.y[k] - pole[1]) * fx[k];
+        }
+        if self.mirrored {
+            let fy = 2.0 * total.force[1]; // acts along x = 0
+            total = Resultant { force: [0.0, fy], moment: -pole[0] * fy };
+        }
+        total
+    }
+}

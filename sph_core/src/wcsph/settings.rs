@@ -1,0 +1,81 @@
+//! Settings of the weakly compressible scheme.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::auto::Auto;
+use crate::interactions::dissipation::Dissipation;
+
+/// Courant number by default (E17) [-].
+const CFL: f64 = 0.6;
+/// The same with `wall_stretch`: two thirds of it keep forces steady (E10).
+const CFL_WITH_WALL_STRETCH: f64 = 0.4;
+/// Speed of sound over the largest known speed of the flow, where the speed of sound is `"auto"` [-].
+const SOUND_RATIO: f64 = 10.0;
+
+/// Settings of the weakly compressible scheme: the keys of a scene's table `[fluid]` that belong to
+/// `solver = "weakly_compressible"`.
+///
+/// ```
+/// use sph_core::wcsph::Settings;
+/// let settings = Settings { sound_speed: 40.0.into(), ..Settings::default() };
+/// assert_eq!(settings.courant_number(), 0.6);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Settings {
+    /// Speed of sound c0 (INDAT coef, which makes B = density sound_speed^2/eos_exponent) [m/s]. auto: compressibility costs an
+    /// impact fluid.compressibility_error of its force, and it is at least 10 times the largest known speed of the flow.
+    pub sound_speed: Auto<f64>,
+    /// Exponent of Tait's equation of state (INDAT gamma), 1 to 10; 1 is linear [-].
+    pub eos_exponent: f64,
+    /// What smooths pressures and velocities between particles of water.
+    pub dissipation: Dissipation,
+    /// Coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none [-]. Absent or 0 with
+    /// dissipation = riemann.
+    pub artificial_viscosity: f64,
+    /// Coefficient delta of density diffusion; 0 is none [-]. Absent or 0 with dissipation = riemann.
+    pub density_diffusion: f64,
+    /// Particle shifting.
+    pub shifting: bool,
+    /// Share of h^2 grad C by which particles are shifted in each step, whatever their speed, away from the surface (THEORY
+    /// E13), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
+    pub settling: f64,
+    /// Behind walls the water is stretched along them like that in front (THEORY E10). Sound along walls is nearer its speed and
+    /// particles keep their volume better; noisier at coarse spacing.
+    pub wall_stretch: bool,
+    /// Water within the kernel of both a wall and the air holds no tension (THEORY E3), so that air comes in between and flow
+    /// leaves a round bottom. It cuts noise to one side, which costs accuracy at coarse spacing. false: flow is sucked along.
+    pub ventilation: bool,
+    /// Courant number of the step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number) [-]. auto: 0.6, with wall_stretch 0.4.
+    pub cfl: Auto<f64>,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            sound_speed: Auto::Auto,
+            eos_exponent: 7.0,
+            dissipation: Dissipation::Diffusion,
+            artificial_viscosity: 0.02,
+            density_diffusion: 0.3,
+            shifting: true,
+            settling: 0.1,
+            wall_stretch: false,
+            ventilation: false,
+            cfl: Auto::Auto,
+        }
+    }
+}
+
+impl Settings {
+    /// Courant number [-].
+    pub fn courant_number(&self) -> f64 {
+        self.cfl.or(if self.wall_stretch { CFL_WITH_WALL_STRETCH } else { CFL })
+    }
+
+    /// Speed of sound [m/s] where the largest known speed of the flow is `fastest` [m/s].
+    pub fn speed_of_sound(&self, fastest: f64) -> f64 {
+        self.sound_speed.or(SOUND_RATIO * fastest)
+    }
+}
