@@ -9,12 +9,14 @@ use fsi_coupling::{
 };
 use sph_core::neighbours::images::Mirror;
 use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Parameters, Projecting, WallTreatment};
+use sph_core::legacy::settings::{DiffusionForm, EquationOfState};
+use sph_core::{Fluid, IdealGas, Parameters, Projecting, WallTreatment, wcsph};
 use structure_fe::Damping;
 
 use crate::filling::fill;
 use crate::follow::Follower;
-use crate::scene::{Body, DiffusionForm, Motion, Oscillation, PanelEnd, Scene, Symmetry};
+use crate::scene::settings::WeaklyCompressibleFluid;
+use crate::scene::{Body, Motion, Oscillation, PanelEnd, Scene, SolverSettings, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -104,45 +106,77 @@ fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
 }
 
 pub(crate) fn parameters(scene: &Scene) -> Parameters {
-    let fluid = &scene.fluid;
-    Parameters {
-        eos: Tait { rho0: fluid.density, c0: fluid.sound_speed, gamma: fluid.eos_exponent },
-        kernel: fluid.kernel,
-        smoothing_ratio: fluid.smoothing_ratio,
+    let water = scene.water();
+    let eos = Tait { rho0: water.density, c0: scene.sound_speed(), gamma: wcsph::Settings::default().eos_exponent };
+    let shared = Parameters {
+        kernel: water.kernel,
+        smoothing_ratio: water.smoothing_ratio,
         gravity: scene.gravity,
-        alpha: fluid.artificial_viscosity,
-        nu: fluid.kinematic_viscosity,
-        delta: fluid.density_diffusion,
-        shifting: fluid.shifting,
-        settling: fluid.settling,
-        volume_correction: fluid.volume_correction,
-        slip: fluid.wall_slip,
-        wall_stretch: fluid.wall_stretch,
-        ventilation: fluid.ventilation,
-        wide: true,
-        integrator: fluid.integrator,
-        cfl: fluid.cfl,
+        nu: water.kinematic_viscosity,
+        slip: water.wall_slip,
+        cfl: scene.courant_number(),
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
-        verlet_correction_every: fluid.verlet_correction_every.into(),
-        density_filter: fluid.density_filter,
-        density_filter_every: fluid.density_filter_every.into(),
-        xsph: fluid.xsph,
-        turbulence: fluid.turbulence,
-        gas: fluid.gas(),
-        density_evolution: fluid.density_evolution,
-        hydrostatic_diffusion: fluid.density_diffusion_form == DiffusionForm::Fourtakas,
-        shift_surface: false,
-        periodic: None,
-        walls: WallTreatment {
-            model: fluid.walls,
-            hydrostatic_start: fluid.limit_pressure == 1,
-            water_depth: scene.tank.depth,
-        },
-        dissipation: fluid.dissipation,
-        solver: scene.solver,
-        projecting: scene.projection.map_or_else(Projecting::default, |projection| projection.settings()),
+        solver: scene.solver.kind(),
         speed: scene.projection_speed(),
-        thesis: scene.thesis.unwrap_or_default(),
+        walls: WallTreatment { water_depth: scene.tank.depth, ..WallTreatment::default() },
+        ..Parameters::usual(eos)
+    };
+    match &scene.solver {
+        SolverSettings::WeaklyCompressible { fluid } => weakly_compressible(fluid, shared),
+        SolverSettings::Incompressible { fluid, projection }
+        | SolverSettings::IncompressibleExplicit { fluid, projection } => Parameters {
+            alpha: 0.0,
+            delta: 0.0,
+            shifting: fluid.scheme.shifting,
+            ventilation: fluid.scheme.ventilation,
+            projecting: Projecting {
+                tolerance: projection.tolerance,
+                most_iterations: projection.most_iterations,
+                relaxation: projection.relaxation,
+                calming: projection.viscosity_coefficient,
+                shift: projection.shift,
+            },
+            ..shared
+        },
+        SolverSettings::IncompressibleThesis { fluid, thesis } => Parameters {
+            alpha: fluid.scheme.artificial_viscosity,
+            delta: 0.0,
+            dissipation: fluid.scheme.dissipation,
+            thesis: *thesis,
+            ..shared
+        },
+    }
+}
+
+fn weakly_compressible(fluid: &WeaklyCompressibleFluid, shared: Parameters) -> Parameters {
+    let WeaklyCompressibleFluid { scheme, options, .. } = fluid;
+    let eos = Tait { gamma: scheme.eos_exponent, ..shared.eos };
+    let (temperature, molar_mass) = (options.temperature, options.molar_mass);
+    let gas = IdealGas { rho0: eos.rho0, gamma: eos.gamma, temperature, molar_mass };
+    Parameters {
+        eos,
+        alpha: scheme.artificial_viscosity,
+        delta: scheme.density_diffusion,
+        dissipation: scheme.dissipation,
+        shifting: scheme.shifting,
+        settling: scheme.settling,
+        wall_stretch: scheme.wall_stretch,
+        ventilation: scheme.ventilation,
+        integrator: options.integrator,
+        verlet_correction_every: options.verlet_correction_every.into(),
+        density_filter: options.density_filter,
+        density_filter_every: options.density_filter_every.into(),
+        xsph: options.xsph,
+        turbulence: options.turbulence,
+        gas: (options.equation_of_state == EquationOfState::IdealGas).then_some(gas),
+        density_evolution: options.density_evolution,
+        hydrostatic_diffusion: options.density_diffusion_form == DiffusionForm::Fourtakas,
+        walls: WallTreatment {
+            model: options.walls,
+            hydrostatic_start: options.limit_pressure == 1,
+            ..shared.walls
+        },
+        ..shared
     }
 }
 
@@ -170,7 +204,7 @@ fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>
         mass: freedom.mass,
         inertia: freedom.inertia.unwrap_or(0.0),
         center_of_mass: body.center_of_mass,
-        free: [freedom.x, freedom.y, freedom.inertia.is_some()],
+        free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
         position: body.position,
         angle: start.angle,
         velocity: body.velocity,
@@ -203,7 +237,7 @@ fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Resul
             // a frame that does not turn needs some inertia, which nothing feels
             inertia: freedom.inertia.unwrap_or(freedom.mass),
             center_of_mass: body.center_of_mass,
-            free: [freedom.x, freedom.y, freedom.inertia.is_some()],
+            free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
         },
         motion => Frame::Given(law(motion, &start)),
     };

@@ -230,14 +230,14 @@ fn list(cli: &Cli) -> Result<u8, Stop> {
 }
 
 fn keywords(cli: &Cli) -> Result<u8, Stop> {
-    for k in scene::keywords() {
+    for k in scene::schema().keywords() {
         if cli.json {
             say(format_args!(
                 "{}",
-                serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc})
+                serde_json::json!(k)
             ));
         } else {
-            say(format_args!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default));
+            say(format_args!("{}\n    {}; {} (unit: {}; default: {})", k.path, k.doc, k.takes, k.unit, k.default));
         }
     }
     Ok(DONE)

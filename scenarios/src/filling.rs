@@ -14,7 +14,7 @@ const BESIDE_PLATE: f64 = 0.5;
 /// Water at rest under its own weight, level or not (THEORY Q1), and a block of it in the air (Q2), without what the body
 /// displaces; packed round the body where the scene asks (Q6).
 pub(crate) fn fill(scene: &Scene, body: Option<&dyn WettedBody>) -> Result<Vec<Seed>, CouplingError> {
-    let weight = scene.fluid.density * scene.gravity[1];
+    let weight = scene.water().density * scene.gravity[1];
     let share = if scene.body.as_ref().is_some_and(|b| is_thin(scene, b)) { BESIDE_PLATE } else { 1.0 };
     let has_room = |cell: &Cell| {
         let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
@@ -38,7 +38,7 @@ pub(crate) fn fill(scene: &Scene, body: Option<&dyn WettedBody>) -> Result<Vec<S
             }
         });
     }
-    if let Some(block) = &scene.tank.block {
+    if let Some(block) = scene.tank.block() {
         layout::tile(block.from, block.to, scene.resolution.spacing, |cell| {
             if has_room(&cell) {
                 seeds.push(Seed { at: cell.at, velocity: block.velocity, area: cell.area(), pressure: 0.0 });

@@ -101,7 +101,7 @@ pub struct ExchangeForecast {
 /// Estimated cost of a scene's particles [core-seconds].
 pub fn core_seconds(scene: &Scene) -> f64 {
     let (particles, _) = particle_estimate(scene);
-    cost_of_step(scene.solver) * particles as f64 * (scene.time.end / step(scene)).ceil()
+    cost_of_step(scene.solver.kind()) * particles as f64 * (scene.time.end / step(scene)).ceil()
 }
 
 /// Cost of a particle and step [s].
@@ -115,12 +115,12 @@ fn cost_of_step(solver: Solver) -> f64 {
 
 /// Step at the start [s].
 fn step(scene: &Scene) -> f64 {
-    let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
+    let h = scene.water().smoothing_ratio * scene.resolution.spacing;
     let fastest = match scene.solver.is_incompressible() {
         true => scene.projection_speed(),
-        false => scene.fluid.sound_speed + scene.fastest_speed(),
+        false => scene.sound_speed() + scene.fastest_speed(),
     };
-    scene.time.step.unwrap_or(scene.fluid.cfl * h / fastest).min(scene.time.end)
+    scene.time.step.unwrap_or(scene.courant_number() * h / fastest).min(scene.time.end)
 }
 
 /// Look ahead without running.
@@ -130,10 +130,9 @@ pub fn forecast(scene: &Scene, warnings: &[String]) -> Forecast {
     let fluid_particles_at_end = scene.resolution.follow.then_some(last);
     // an area grows with the square of the draught: a third of what is added is there in the mean
     let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
-    let fluid = &scene.fluid;
     let fastest = scene.fastest_speed();
-    let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
-    let (step, cost) = (step(scene), cost_of_step(scene.solver));
+    let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
+    let (step, cost) = (step(scene), cost_of_step(scene.solver.kind()));
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
@@ -233,7 +232,7 @@ impl Forecast {
             CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
             CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
             CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
-            CouplingScheme::Aitken | CouplingScheme::IqnIls => "iterated until it agrees".into(),
+            CouplingScheme::IqnIls => "iterated until it agrees".into(),
         }
     }
 

@@ -157,6 +157,7 @@ impl<'s> Node<'s> {
             return format!("one of {}{}", words.join(", "), word.map_or(String::new(), |word| format!(", `{word}`")));
         }
         let plain = match node.kind() {
+            Some("number") if self.is_bounded() => self.number_range("number"),
             Some("number") => node.number_range("number"),
             Some("integer") => node.whole_range(),
             Some("boolean") => "true or false".into(),
@@ -200,6 +201,10 @@ impl<'s> Node<'s> {
                 format!("a {noun} {}", bounds.join(" and "))
             }
         }
+    }
+
+    fn is_bounded(self) -> bool {
+        ["exclusiveMinimum", "minimum", "exclusiveMaximum", "maximum"].iter().any(|key| self.get(key).is_some())
     }
 
     /// True for a number within its bounds.

@@ -53,20 +53,19 @@ impl Theory {
             Theory::RowOfWater => one_exchange(scene, ExchangeRatio::of(scene)?.spectral_radius()),
             Theory::Panel => one_exchange(scene, panel_exchanges(scene).first()?.1.spectral_radius),
             Theory::AddedMass => one_exchange(scene, added_mass(scene)?),
-            Theory::Pairing => Some(pairing(scene.fluid.kernel, scene.fluid.smoothing_ratio)),
+            Theory::Pairing => Some(pairing(scene.water().kernel, scene.water().smoothing_ratio)),
             Theory::SurfaceRows => surface_rows(scene),
         }
     }
 }
 
 fn courant(scene: &Scene) -> Option<f64> {
-    let fluid = &scene.fluid;
-    let h = fluid.smoothing_ratio * scene.resolution.spacing;
-    let courant = scene.time.step.map_or(fluid.cfl, |step| step * fluid.sound_speed / h);
-    let medium =
-        Medium { kernel: fluid.kernel, smoothing_ratio: fluid.smoothing_ratio, diffusion: fluid.density_diffusion };
-    let limit = largest_courant(fluid.integrator, fluid.verlet_correction_every, medium);
-    (!scene.solver.is_incompressible()).then_some(courant / limit)
+    let (water, fluid) = (scene.water(), scene.solver.weakly_compressible()?);
+    let h = water.smoothing_ratio * scene.resolution.spacing;
+    let courant = scene.time.step.map_or(scene.courant_number(), |step| step * scene.sound_speed() / h);
+    let diffusion = fluid.scheme.density_diffusion;
+    let medium = Medium { kernel: water.kernel, smoothing_ratio: water.smoothing_ratio, diffusion };
+    Some(courant / largest_courant(fluid.options.integrator, fluid.options.verlet_correction_every, medium))
 }
 
 /// The ratio with one exchange a step; the other schemes find acceleration and pressure together, at any mass.
@@ -81,7 +80,7 @@ fn added_mass(scene: &Scene) -> Option<f64> {
     let area = polygon::signed_area(&body.placed_outline());
     let radius = (area / std::f64::consts::PI).sqrt();
     let answered = (1.0 - SHORT_RADIUS * scene.resolution.spacing / radius).powi(2);
-    let displaced = scene.fluid.density * area / freedom.mass;
+    let displaced = scene.water().density * area / freedom.mass;
     scene.solver.is_incompressible().then_some(displaced * (1.0 + 2.0 * answered))
 }
 
@@ -92,8 +91,9 @@ fn pairing(kernel: Kernel, smoothing_ratio: f64) -> f64 {
 }
 
 fn surface_rows(scene: &Scene) -> Option<f64> {
-    let ratio = scene.thesis.as_ref()?.surface_ratio;
-    let around = neighbours(scene.fluid.kernel, scene.fluid.smoothing_ratio);
+    let crate::scene::SolverSettings::IncompressibleThesis { thesis, .. } = &scene.solver else { return None };
+    let ratio = thesis.surface_ratio;
+    let around = neighbours(scene.water().kernel, scene.water().smoothing_ratio);
     let inside = filling(&around, f64::INFINITY);
     let [top, second] = [0.0, 1.0].map(|above| filling(&around, above) / inside);
     Some((top / ratio).max(ratio / second))

@@ -4,7 +4,6 @@
 //! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`keywords`] has the keys.
 
 mod check;
-mod keywords;
 mod load;
 mod model;
 mod page;
@@ -13,9 +12,8 @@ mod sections;
 mod series;
 mod summary;
 
-pub use keywords::keywords;
 pub use load::{builtin, load, load_text};
-pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WaterKeys, WingKeys};
+pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WaterKeys, WingKeys, schema};
 pub use run::{FILES, Landed, follow, run};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use summary::{Peak, Summary};

@@ -40,7 +40,7 @@ impl Theory {
     pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, course) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
-        let density = scene.fluid.density;
+        let density = scene.water().density;
         if !body.panels.is_empty() {
             return bending(scene, rung, body, loads);
         }
@@ -163,7 +163,7 @@ fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theo
     let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
-    Ok((Theory { loads, instants, density: scene.fluid.density, faces: Some(faces) }, end))
+    Ok((Theory { loads, instants, density: scene.water().density, faces: Some(faces) }, end))
 }
 
 /// Least depth and half width of water that feels unbounded, in wetted half widths.
@@ -198,7 +198,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
     let tank = &scene.tank;
-    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block.is_none();
+    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
     let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
@@ -213,7 +213,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     }
     let course = match &body.motion {
         Motion::ConstantVelocity => Course::Constant,
-        Motion::Free(freedom) if freedom.y => Course::Free(freedom.mass),
+        Motion::Free(freedom) if freedom.y() => Course::Free(freedom.mass),
         _ => return Err(refuse("a body that is held or swings")),
     };
     Ok((body, Section::of(&body.shape)?, course))

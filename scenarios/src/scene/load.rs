@@ -3,17 +3,19 @@
 use std::fs;
 use std::io::ErrorKind;
 
+use fsi_coupling::settings::{Problem, significant};
+use serde_json::Value;
+
 use super::builtin::builtin;
 use super::check::check;
 use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
-use super::file::SceneFile;
-use super::keywords;
+use super::draft::Draft;
+use super::dropped::refuse_dropped;
 use super::limits::check_step;
-use super::model::Scene;
-use super::problem::{Problem, significant};
 use super::resolve::resolve;
-use super::resolve_model::{Ask, check_model, settle_auto};
+use super::resolve_model::{Ask, check_model, settle_auto, settle_solver};
+use super::settings::{Scene, schema};
 use super::source::Source;
 use super::warnings::warnings;
 
@@ -70,10 +72,9 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 }
 
 fn load_under(name: &str, text: &str, sets: &[String], limits: Limits) -> Result<Loaded, SceneError> {
-    let source =
-        Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), keys: keywords::keywords() };
-    let file = source.read()?;
-    let scene = checked(file, limits).map_err(|problem| source.error(problem))?;
+    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() };
+    let given = source.read()?;
+    let scene = checked(given, limits).map_err(|problem| source.error(problem))?;
     Ok(Loaded { warnings: warnings(&scene), scene, source })
 }
 
@@ -102,17 +103,28 @@ impl Loaded {
     }
 }
 
-fn checked(file: SceneFile, limits: Limits) -> Result<Scene, Problem> {
-    let sensible = |file: SceneFile| {
-        let scene = resolve(file)?;
-        if limits == Limits::Kept {
-            check_step(&scene)?;
-        }
-        check(&scene)?;
-        Ok(scene)
-    };
-    match Ask::of(&file)? {
-        Some(ask) => settle_auto(file, ask, sensible),
-        None => check_model(sensible(file)?),
+fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
+    refuse_dropped(&mut given)?;
+    settle_solver(&mut given)?;
+    let draft = draft_of(&given)?;
+    match Ask::of(&given, &draft)? {
+        Some(ask) => settle_auto(&given, ask, |given| sensible(draft_of(given)?, limits), draft_of),
+        None => check_model(sensible(draft, limits)?),
     }
+}
+
+fn draft_of(given: &Value) -> Result<Draft, Problem> {
+    let mut draft = Draft::of(given, schema())?;
+    draft.fill("solver", "weakly_compressible".to_string());
+    Ok(draft)
+}
+
+/// The scene of a draft, if it makes sense as a whole.
+fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
+    let scene = resolve(draft)?;
+    if limits == Limits::Kept {
+        check_step(&scene)?;
+    }
+    check(&scene)?;
+    Ok(scene)
 }

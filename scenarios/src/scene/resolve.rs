@@ -1,8 +1,7 @@
 //! From a draft to a scene: the values that the program finds, in the order in which they depend on each other.
 
-use fsi_coupling::Shape;
 use fsi_coupling::settings::Problem;
-use sph_core::{Solver, WallModel};
+use sph_core::{FluidSettings, Solver, WallModel};
 
 use super::auto::{auto_fine_zone, auto_reach, fastest_speed};
 use super::draft::Draft;
@@ -11,7 +10,7 @@ use super::resolve_body::resolve_body;
 use super::resolve_fluid::resolve_fluid;
 use super::resolve_resolution::{Growth, resolve_resolution};
 use super::settings::{
-    Body, Compare, Coupling, CouplingScheme, DENSITY, GRAVITY, Gauge, Motion, Scene, SolverSettings, Symmetry, Tank,
+    Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Motion, Scene, SolverSettings, Tank,
     Time,
 };
 use super::word::word;
@@ -33,7 +32,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
     let time = resolve_time(draft)?;
     let body = resolve_body(draft, symmetry)?;
-    let density = draft.get("fluid.density").unwrap_or_else(DENSITY);
+    let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end));
     let fastest = match &entry {
         Some(_) => fastest_speed(entry.as_ref(), body.as_ref(), gravity, 0.0),

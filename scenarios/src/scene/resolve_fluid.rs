@@ -1,17 +1,15 @@
 //! `[fluid]`: defaults that depend on the solver and on the flow, and keys that exclude each other.
 
 use fsi_coupling::settings::{Problem, significant};
-use sph_core::{Dissipation, IdealGas, Integrator, WallModel, legacy, wcsph};
+use sph_core::legacy::settings::{EquationOfState, Options};
+use sph_core::{Dissipation, IdealGas, Integrator, Turbulence, WallModel, wcsph};
 
 use super::auto::auto_sound_speed;
 use super::draft::Draft;
 use super::impact::Entry;
 use super::settings::{SolverSettings, Water};
-use sph_core::Turbulence;
-use sph_core::legacy::EquationOfState;
 
-/// Smoothing length over spacing, h/Δx [-]; that of the thesis, up to 1.25 of which its surface holds (THEORY J16).
-const SMOOTHING_RATIO: f64 = 1.5;
+/// Smoothing length over spacing of the thesis, h/Δx [-], up to 1.25 of which its surface holds (THEORY J16).
 const SMOOTHING_RATIO_OF_THESIS: f64 = 1.0;
 
 /// Ratio of specific heats of air [-].
@@ -25,7 +23,9 @@ pub(super) fn resolve_fluid(
 ) -> Result<SolverSettings, Problem> {
     let solver: String = draft.get("solver").unwrap_or_default();
     let thesis = solver == "incompressible_thesis";
-    draft.fill("fluid.smoothing_ratio", if thesis { SMOOTHING_RATIO_OF_THESIS } else { SMOOTHING_RATIO });
+    if thesis {
+        draft.fill("fluid.smoothing_ratio", SMOOTHING_RATIO_OF_THESIS);
+    }
     if draft.get("fluid.dissipation") == Some(Dissipation::Riemann) {
         no_coefficient(draft, "fluid.artificial_viscosity")?;
         if !thesis {
@@ -62,9 +62,9 @@ fn no_coefficient(draft: &mut Draft, key: &str) -> Result<(), Problem> {
 
 fn resolve_weakly_compressible(draft: &mut Draft, water: &Water, sound: Option<f64>) -> Result<(), Problem> {
     let scheme: wcsph::Settings = draft.read("fluid")?;
-    let options: legacy::Options = draft.read("fluid")?;
+    let options: Options = draft.read("fluid")?;
     draft.fill("fluid.cfl", usual_cfl(options.integrator).unwrap_or_else(|| scheme.courant_number()));
-    if options.turbulence == Turbulence::Sps && water.kinematic_viscosity == 0.0 {
+    if options.turbulence == Turbulence::Sps && water.fluid.kinematic_viscosity == 0.0 {
         return Err(Problem::new("fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0"));
     }
     let steps_density_itself = matches!(options.integrator, Integrator::Verlet | Integrator::Beeman);
@@ -75,7 +75,7 @@ fn resolve_weakly_compressible(draft: &mut Draft, water: &Water, sound: Option<f
     }
     if options.equation_of_state == EquationOfState::IdealGas {
         let gas = IdealGas {
-            rho0: water.density,
+            rho0: water.fluid.density,
             gamma: scheme.eos_exponent,
             temperature: options.temperature,
             molar_mass: options.molar_mass,

@@ -3,11 +3,12 @@
 use fsi_coupling::entry_theory::Rung;
 use fsi_coupling::settings::Problem;
 use serde_json::Value;
+use sph_core::FluidSettings;
 
 use super::draft::Draft;
 use super::impact::Entry;
 use super::resolve_body::resolve_body;
-use super::settings::{Body, DENSITY, GRAVITY, Scene, Symmetry, Want};
+use super::settings::{Body, GRAVITY, Scene, Symmetry, Want};
 use crate::chart::spacing_within;
 use crate::ladder::{Choice, Theory, charted_number, choose};
 
@@ -157,7 +158,7 @@ fn fine_enough(
 fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
     let Some(body) = resolve_body(&mut draft, Symmetry::None)? else { return Ok(None) };
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
-    let density = draft.get("fluid.density").unwrap_or_else(DENSITY);
+    let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let entry = Entry::of(&body, gravity, density, draft.get("time.end").unwrap_or(0.0));
     Ok(entry.map(|entry| (body, entry)))
 }

@@ -2,7 +2,7 @@
 
 use fsi_coupling::Shape;
 use fsi_coupling::settings::Problem;
-use sph_core::legacy::EquationOfState;
+use sph_core::legacy::settings::{EquationOfState, Options};
 use sph_core::{Integrator, WallModel};
 
 use super::draft::Draft;
@@ -55,7 +55,7 @@ impl Growth<'_> {
     fn obstacle(&self, growth: f64) -> Option<&'static str> {
         let thin = self.body.is_some_and(|body| matches!(body.shape, Shape::Polyline { .. }));
         let options = self.solver.weakly_compressible().map(|fluid| fluid.options);
-        let has = |differs: fn(&sph_core::legacy::Options) -> bool| options.as_ref().is_some_and(differs);
+        let has = |differs: fn(&Options) -> bool| options.as_ref().is_some_and(differs);
         [
             (self.entry.is_none(), "false where no body enters the water"),
             (growth == 1.0, "false with resolution.growth = 1: all the water is fine"),

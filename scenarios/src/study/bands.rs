@@ -87,7 +87,7 @@ pub fn hold(case: &BandCase) -> Result<Vec<BandLine>, StudyError> {
     before.refuse_unknown(&paths)?;
     let summary = run::run(&scene, &RunOptions::default())?.summary;
     if summary.status != Status::Completed {
-        let (dx, c) = (scene.resolution.spacing, scene.fluid.sound_speed);
+        let (dx, c) = (scene.resolution.spacing, scene.sound_speed());
         return Err(StudyError::Ended(dx, c, summary.message.unwrap_or_default()));
     }
     let core_seconds = before.core_seconds + summary.wall_time_s * summary.threads as f64;

@@ -40,7 +40,7 @@ pub fn coarser(scene: &str, sets: &[String], tell: impl Fn(usize, f64)) -> Resul
         tell(k + 1, scene.resolution.spacing);
         let summary = run::run(scene, &RunOptions::default())?.summary;
         if summary.status != Status::Completed {
-            let (dx, c) = (scene.resolution.spacing, scene.fluid.sound_speed);
+            let (dx, c) = (scene.resolution.spacing, scene.sound_speed());
             return Err(StudyError::Ended(dx, c, summary.message.unwrap_or_default()));
         }
         done.core_seconds += summary.wall_time_s * summary.threads as f64;
@@ -102,7 +102,7 @@ impl Coarser {
 /// What the speed of sound takes of a number [-]: E19 with an entry, M² of the fastest known speed without, as in the laws of
 /// G6; `None` where neither holds.
 fn sound_share(scene: &Scene) -> Option<f64> {
-    let sound = scene.fluid.sound_speed;
+    let sound = scene.sound_speed();
     match scene.entry() {
         _ if scene.solver.is_incompressible() => Some(0.0),
         Some(entry) => known_compressibility_error(entry.root_speed(), sound),

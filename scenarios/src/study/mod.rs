@@ -130,7 +130,7 @@ pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study
     }
     let own = base.resolution.spacing;
     let spacings = chosen("--spacings", &plan.spacings, &[2.0 * own, SQRT_2 * own, own])?;
-    let own = base.fluid.sound_speed;
+    let own = base.sound_speed();
     let usual = if base.solver.is_incompressible() { vec![own] } else { vec![0.5 * own, own] };
     let speeds = chosen("--sound-speeds", &plan.sound_speeds, &usual)?;
     let pairs: Vec<[f64; 2]> = spacings.iter().flat_map(|dx| speeds.iter().map(|c| [*dx, *c])).collect();
@@ -186,7 +186,7 @@ fn at(plan: &Plan, [dx, c]: [f64; 2]) -> Result<Scene, SceneError> {
 }
 
 fn point(plan: &Plan, scene: &Scene) -> Result<Point, StudyError> {
-    let (dx, c) = (scene.resolution.spacing, scene.fluid.sound_speed);
+    let (dx, c) = (scene.resolution.spacing, scene.sound_speed());
     let summary = run::run(scene, &RunOptions::default())?.summary;
     if summary.status != Status::Completed {
         return Err(StudyError::Ended(dx, c, summary.message.unwrap_or_default()));

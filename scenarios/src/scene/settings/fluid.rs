@@ -3,8 +3,9 @@
 use fsi_coupling::settings::OrAuto;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use sph_core::legacy::{Options, pilorget2010};
-use sph_core::{Auto, Kernel, Slip, projection, wcsph};
+use sph_core::legacy::pilorget2010;
+use sph_core::legacy::settings::Options;
+use sph_core::{FluidSettings, Solver, projection, wcsph};
 
 /// A solver and the settings that it reads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -54,28 +55,13 @@ pub enum SolverSettings {
 /// Keys of `[fluid]` that every solver has.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Water {
-    /// Density of the undisturbed water (INDAT rho0) [kg/m³].
-    #[serde(default = "usual::density")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub density: f64,
+    /// Properties of the water.
+    #[serde(flatten)]
+    pub fluid: FluidSettings,
     /// Share of the force that compressibility may cost; sets an "auto" speed of sound [-].
-    #[serde(default = "usual::compressibility_error")]
+    #[serde(default = "usual_error")]
     #[schemars(range(min = 1e-6, max = 0.25))]
     pub compressibility_error: f64,
-    /// Smoothing kernel (INDAT i_kernel 1 | 2 | 3 | 5: gaussian, quadratic, cubic_spline, wendland_c2).
-    #[serde(default)]
-    pub kernel: Kernel,
-    /// Smoothing length over spacing h/dx (INDAT h); the kernel's support is 2h [-].
-    #[schemars(range(min = 1.0, max = 3.0), extend("x-default" = "1.5; 1.0 with solver = incompressible_thesis"))]
-    pub smoothing_ratio: f64,
-    /// Kinematic viscosity; 0 is none (INDAT i_viscos 2 | 3: viscos_val; 3 with fluid.turbulence) [m²/s].
-    #[serde(default)]
-    #[schemars(range(min = 0.0))]
-    pub kinematic_viscosity: f64,
-    /// Tangential condition on walls. free: the water slides along them; none: it sticks to them.
-    #[serde(default)]
-    #[schemars(extend("x-when" = ".kinematic_viscosity"))]
-    pub wall_slip: Slip,
 }
 
 /// `[fluid]` of the weakly compressible solver.
@@ -114,20 +100,12 @@ pub struct ThesisFluid {
     pub water: Water,
     /// The scheme.
     #[serde(flatten)]
-    pub scheme: pilorget2010::FlowSettings,
+    pub scheme: pilorget2010::settings::FlowSettings,
 }
 
-mod usual {
-    pub fn density() -> f64 {
-        1000.0
-    }
-    pub fn compressibility_error() -> f64 {
-        0.01
-    }
+fn usual_error() -> f64 {
+    0.01
 }
-
-/// Density of water where a scene does not give it [kg/m³].
-pub(in crate::scene) const DENSITY: fn() -> f64 = usual::density;
 
 impl SolverSettings {
     /// The water.
@@ -162,6 +140,26 @@ impl SolverSettings {
             }
             SolverSettings::IncompressibleThesis { fluid, .. } => fluid.scheme.cfl,
         }
+    }
+
+    /// Name of the solver.
+    pub fn kind(&self) -> Solver {
+        match self {
+            SolverSettings::WeaklyCompressible { .. } => Solver::WeaklyCompressible,
+            SolverSettings::Incompressible { .. } => Solver::Incompressible,
+            SolverSettings::IncompressibleExplicit { .. } => Solver::IncompressibleExplicit,
+            SolverSettings::IncompressibleThesis { .. } => Solver::IncompressibleThesis,
+        }
+    }
+
+    /// Its name in a scene.
+    pub fn name(&self) -> &'static str {
+        self.kind().name()
+    }
+
+    /// True where a density has nothing to do with a pressure.
+    pub fn is_incompressible(&self) -> bool {
+        self.kind().is_incompressible()
     }
 
     /// The weakly compressible scheme; `None` with another solver.

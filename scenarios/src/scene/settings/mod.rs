@@ -16,6 +16,7 @@ use fsi_coupling::settings::{OrAuto, Schema};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Oscillation};
 pub use fluid::{IncompressibleFluid, SolverSettings, ThesisFluid, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
@@ -24,6 +25,7 @@ pub use panel::{Panel, TheoryName};
 pub use tank::{Block, Tank};
 
 use fsi_coupling::{Iteration, Scheme};
+use sph_core::FluidSettings;
 
 /// The schema of a scene file.
 pub fn schema() -> &'static Schema {
@@ -302,8 +304,8 @@ impl Coupling {
 
 impl Scene {
     /// The water.
-    pub fn water(&self) -> &Water {
-        self.solver.water()
+    pub fn water(&self) -> &FluidSettings {
+        &self.solver.water().fluid
     }
 
     /// Speed of sound c₀ [m/s]; of a projection the one from which an automatic tank follows.
