@@ -1,4 +1,4 @@
-//! The bytes that `size` says are those that an element holds (THEORY D6). Alone in its process: it counts every
+//! The bytes that `size` says are those that an element holds. Alone in its process: it counts every
 //! allocation.
 #![allow(unsafe_code)]
 

@@ -1,5 +1,5 @@
-//! Water that turns from inside to surface and back, a hundred times over (THEORY Q5): where the thesis's projection broke
-//! down.
+//! Water that turns from inside to surface and back, in a hundred random scenes (`tests/support/surfacing.rs`): the
+//! thesis's projection breaks down there.
 
 use evidence::surfacing::{run, variation};
 use rayon::prelude::*;

@@ -1,6 +1,14 @@
-//! Linear theory of a heaving box in water of finite depth (THEORY H1, H2), solved here and nowhere else.
+//! Linear theory of a heaving box in water of finite depth, as a reference solution. It shares no code with the program.
 //!
-//! Shares no code with the program: potentials on both sides of the box's edge, matched mode by mode.
+//! Heave (Black, Mei & Bray, J. Fluid Mech. 46, 1971): half breadth a, draught T, depth h, s = h − T, z from the floor.
+//! Outside φ = Σ A_n ψ_n(z) exp(−k_n (x − a)) with ω² = −g k_n tan k_n h (k₀ = −ik); under the box
+//! φ = (z² − x²)/(2s) + Σ B_m cosh(mπx/s) cos(mπz/s). φ and ∂φ/∂x are continuous below the edge, ∂φ/∂x = 0 on the side.
+//! a₃₃ + i b₃₃/ω = 2ρ ∫₀ᵃ φ dx on the bottom [kg/m].
+//!
+//! Release from rest (Cummins, Schiffstechnik 9, 1962): [m + a₃₃(∞)] y″ + ∫₀ᵗ K(t − τ) y′(τ) dτ + 2ρga y = 0 with
+//! K(t) = (2/π) ∫₀^∞ b₃₃ cos ωt dω.
+//!
+//! Valid for small motions without viscosity.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,9 @@
 //! Seeded variations of three situations in which water turns from inside to surface and back: a light body comes up from
 //! below, a light body falls in and comes out again, water falls back onto water.
+//!
+//! A run holds if it ends, no particle is beyond a wall at any step, no speed exceeds three times √(2gH) + the speeds at the
+//! start (H: from the highest point to the floor), and the energy of water and body never exceeds its start by more than a
+//! share of the largest kinetic energy, or by that of a ripple as high as a spacing, ½ρgΔx²B, where that is more.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! Linear theory of a heaving box (THEORY H1, H2) against what is known of it, the scene's reference against the theory, and
+//! Linear theory of a heaving box (`tests/support/heave.rs`) against what is known of it, the scene's reference against the theory, and
 //! the scene's box, coarse, against bounds of its period.
 
 use evidence::heave::HeavingBox;

@@ -21,7 +21,7 @@ use crate::geometry::polygon::{bounding_box, thinnest_web};
 use crate::geometry::rows::Arrangement;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
-/// (measured, THEORY D6).
+/// (measured by `tests/host_size.rs`).
 const BYTES: [u64; 2] = [385, 480];
 /// More particles than this are refused.
 const MOST_PARTICLES: f64 = 1e9;
@@ -154,7 +154,7 @@ impl SizedElement {
         self.particles[1]
     }
 
-    /// Memory that the element will hold [bytes], with one saved state (THEORY D6).
+    /// Memory that the element will hold [bytes], with one saved state.
     pub fn bytes(&self) -> u64 {
         self.particles.iter().zip(BYTES).map(|(count, bytes)| *count as u64 * bytes).sum()
     }
