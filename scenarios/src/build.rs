@@ -7,9 +7,9 @@ use fsi_coupling::{
     Arrangement, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, Plate, PrescribedBody,
     RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
 };
+use sph_core::legacy::settings::{DiffusionForm, EquationOfState};
 use sph_core::neighbours::images::Mirror;
 use sph_core::wcsph::eos::Tait;
-use sph_core::legacy::settings::{DiffusionForm, EquationOfState};
 use sph_core::{Fluid, IdealGas, Parameters, Projecting, WallTreatment, wcsph};
 use structure_fe::Damping;
 
@@ -171,11 +171,7 @@ fn weakly_compressible(fluid: &WeaklyCompressibleFluid, shared: Parameters) -> P
         gas: (options.equation_of_state == EquationOfState::IdealGas).then_some(gas),
         density_evolution: options.density_evolution,
         hydrostatic_diffusion: options.density_diffusion_form == DiffusionForm::Fourtakas,
-        walls: WallTreatment {
-            model: options.walls,
-            hydrostatic_start: options.limit_pressure == 1,
-            ..shared.walls
-        },
+        walls: WallTreatment { model: options.walls, hydrostatic_start: options.limit_pressure == 1, ..shared.walls },
         ..shared
     }
 }

@@ -232,10 +232,7 @@ fn list(cli: &Cli) -> Result<u8, Stop> {
 fn keywords(cli: &Cli) -> Result<u8, Stop> {
     for k in scene::schema().keywords() {
         if cli.json {
-            say(format_args!(
-                "{}",
-                serde_json::json!(k)
-            ));
+            say(format_args!("{}", serde_json::json!(k)));
         } else {
             say(format_args!("{}\n    {}; {} (unit: {}; default: {})", k.path, k.doc, k.takes, k.unit, k.default));
         }

@@ -73,7 +73,8 @@ impl Checker<'_> {
             return self::word(&words.into_iter().chain(word).collect::<Vec<_>>(), given, path).map(Some);
         }
         match (inner.kind(), given) {
-            (Some("number"), Value::Number(x)) if x.as_f64().is_some_and(|x| inner.allows_number(x) && node.allows_number(x)) => {}
+            (Some("number"), Value::Number(x))
+                if x.as_f64().is_some_and(|x| inner.allows_number(x) && node.allows_number(x)) => {}
             (Some("integer"), Value::Number(x)) if is_whole(inner, x) => {}
             (Some("boolean"), Value::Bool(_)) | (Some("string"), Value::String(_)) => {}
             (Some("array"), Value::Array(items)) => return self.list(inner, items, path).map(Some),

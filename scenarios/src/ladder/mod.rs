@@ -17,7 +17,6 @@ pub(crate) use run::run;
 pub use rungs::{Assessment, rungs};
 pub use theory::Theory;
 
-
 pub use crate::scene::Want;
 
 impl Want {

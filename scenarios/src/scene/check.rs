@@ -5,10 +5,10 @@ use super::start::check_start;
 use crate::observe::{FRONT, VOLUME, level_columns};
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
-use fsi_coupling::settings::{Problem, significant};
-use sph_core::WallModel;
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::geometry::thin_plate::too_tight;
+use fsi_coupling::settings::{Problem, significant};
+use sph_core::WallModel;
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;

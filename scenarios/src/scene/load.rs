@@ -8,10 +8,10 @@ use serde_json::Value;
 
 use super::builtin::builtin;
 use super::check::check;
-use super::error::SceneError;
-use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 use super::draft::Draft;
 use super::dropped::refuse_dropped;
+use super::error::SceneError;
+use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 use super::limits::check_step;
 use super::resolve::resolve;
 use super::resolve_model::{Ask, check_model, settle_auto, settle_solver};

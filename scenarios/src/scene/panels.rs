@@ -1,9 +1,9 @@
 //! Panels that may not do what a scene means: too thin, too finely divided, or too fast for the step.
 
-use super::settings::{Body, Panel, Scene};
-use fsi_coupling::settings::significant;
 use super::resolve_panel::line;
+use super::settings::{Body, Panel, Scene};
 use fsi_coupling::PanelEnd;
+use fsi_coupling::settings::significant;
 
 /// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
 const MEMBRANE: f64 = 0.1;

@@ -10,8 +10,7 @@ use super::resolve_body::resolve_body;
 use super::resolve_fluid::resolve_fluid;
 use super::resolve_resolution::{Growth, resolve_resolution};
 use super::settings::{
-    Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Motion, Scene, SolverSettings, Tank,
-    Time,
+    Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Motion, Scene, SolverSettings, Tank, Time,
 };
 use super::word::word;
 

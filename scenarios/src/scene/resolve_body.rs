@@ -5,7 +5,7 @@ use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, significant};
 
 use super::draft::Draft;
-use super::resolve_panel::{fill_panels, check_panels};
+use super::resolve_panel::{check_panels, fill_panels};
 use super::settings::{Axis, Body, Motion, Symmetry, placed};
 use super::word::word;
 

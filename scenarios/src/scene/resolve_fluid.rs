@@ -16,11 +16,7 @@ const SMOOTHING_RATIO_OF_THESIS: f64 = 1.0;
 const AIR_EXPONENT: f64 = 1.4;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s].
-pub(super) fn resolve_fluid(
-    draft: &mut Draft,
-    entry: Option<&Entry>,
-    fastest: f64,
-) -> Result<SolverSettings, Problem> {
+pub(super) fn resolve_fluid(draft: &mut Draft, entry: Option<&Entry>, fastest: f64) -> Result<SolverSettings, Problem> {
     let solver: String = draft.get("solver").unwrap_or_default();
     let thesis = solver == "incompressible_thesis";
     if thesis {

@@ -52,10 +52,8 @@ impl Ask {
         if given.get("model").and_then(Value::as_str) != Some("auto") {
             return Ok(None);
         }
-        let ask = Ask {
-            want: draft.get("want").unwrap_or_default(),
-            within: draft.get("within").unwrap_or(USUAL_TOLERANCE),
-        };
+        let ask =
+            Ask { want: draft.get("want").unwrap_or_default(), within: draft.get("within").unwrap_or(USUAL_TOLERANCE) };
         if ask.want == Want::Strain && draft.count("body.panels") == 0 {
             return Err(Problem::new("want", "\"strain\"", "something else without body.panels: nothing bends"));
         }

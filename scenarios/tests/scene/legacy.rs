@@ -1,6 +1,6 @@
 //! Every switch of the thesis's input file that has a counterpart here is named, with its numbers, by the key that it became.
 
-use scenarios::scene::keywords;
+use scenarios::scene::schema;
 
 /// What became of the switches of `INDAT`, by their numbers in its list: M. Pilorget 2010, appendix 2 (section 7.2, after
 /// page 80 of 94). Number, switch and values as our key's doc writes them, key.
@@ -44,8 +44,8 @@ const WITHOUT_A_KEY: [u32; 13] = [9, 15, 17, 21, 23, 24, 25, 29, 30, 31, 32, 33,
 #[test]
 fn every_legacy_switch_is_named_by_the_key_that_it_became() {
     for (number, said, key) in SWITCHES {
-        let keyword = keywords().iter().find(|keyword| keyword.path == key);
-        let doc = keyword.unwrap_or_else(|| panic!("{number}: no key {key}")).doc;
+        let keyword = schema().keywords().iter().find(|keyword| keyword.path == key);
+        let doc = keyword.unwrap_or_else(|| panic!("{number}: no key {key}")).doc.as_str();
         assert!(doc.contains(said) && doc.contains("INDAT"), "{number}: {said:?} is not in the doc of {key}: {doc}");
     }
     let mut accounted: Vec<u32> = SWITCHES.iter().map(|switch| switch.0).chain(WITHOUT_A_KEY).collect();

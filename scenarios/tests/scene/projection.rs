@@ -2,7 +2,7 @@
 
 use scenarios::forecast::forecast;
 use scenarios::run::{RunOptions, run};
-use scenarios::scene::{Scene, builtin, load, load_text};
+use scenarios::scene::{Scene, SolverSettings, builtin, load, load_text};
 
 use super::{DROP, TANK, changed, drop_with, warnings_with};
 
@@ -15,25 +15,33 @@ fn with(solver: &str, changes: &[&str]) -> Scene {
 
 #[test]
 fn defaults_follow_the_solver() {
-    let numbers = |s: &Scene| [s.fluid.cfl, s.fluid.artificial_viscosity, s.fluid.density_diffusion];
-    assert_eq!(numbers(&drop_with(&[])), [0.6, 0.02, 0.3]);
-    for (solver, expected) in SOLVERS.into_iter().zip([[0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [0.6, 0.1, 0.0]]) {
-        assert_eq!(numbers(&with(solver, &[])), expected, "{solver}");
+    assert_eq!(drop_with(&[]).courant_number(), 0.6);
+    for (solver, expected) in SOLVERS.into_iter().zip([0.4, 0.4, 0.6]) {
+        assert_eq!(with(solver, &[]).courant_number(), expected, "{solver}");
     }
-    assert_eq!(with("incompressible", &["fluid.cfl=0.2"]).fluid.cfl, 0.2);
+    assert_eq!(with("incompressible", &["fluid.cfl=0.2"]).courant_number(), 0.2);
+}
+
+fn projection(scene: &Scene) -> sph_core::projection::Settings {
+    match &scene.solver {
+        SolverSettings::Incompressible { projection, .. }
+        | SolverSettings::IncompressibleExplicit { projection, .. } => *projection,
+        solver => panic!("{} has no table [projection]", solver.name()),
+    }
 }
 
 #[test]
 fn a_table_of_the_projection_is_what_the_fluid_takes() {
-    assert!(drop_with(&[]).projection.is_none() && with("incompressible_thesis", &[]).projection.is_none());
     let table = "projection={ tolerance = 1e-6, most_iterations = 77, relaxation = 3.0, calming = 0.0, shift = 0.5 }";
     for solver in ["incompressible", "incompressible_explicit"] {
-        let settings = with(solver, &[table]).projection.expect("a table").settings();
-        assert_eq!([settings.tolerance, settings.relaxation, settings.calming, settings.shift], [1e-6, 3.0, 0.0, 0.5]);
+        let settings = projection(&with(solver, &[table]));
+        assert_eq!(
+            [settings.tolerance, settings.relaxation, settings.viscosity_coefficient, settings.shift],
+            [1e-6, 3.0, 0.0, 0.5]
+        );
         assert_eq!(settings.most_iterations, 77);
     }
-    let usual = sph_core::Projecting::default();
-    assert_eq!(with("incompressible", &[]).projection.expect("a table").settings(), usual);
+    assert_eq!(projection(&with("incompressible", &[])), sph_core::projection::Settings::default());
 }
 
 #[test]
@@ -55,7 +63,7 @@ fn a_resolved_incompressible_scene_loads_again_to_itself() {
 #[test]
 fn no_doubt_about_an_incompressible_scene_and_no_line_of_check_speaks_of_sound() {
     for solver in SOLVERS {
-        for set in ["fluid.sound_speed=20", "coupling.scheme=aitken"] {
+        for set in ["fluid.sound_speed=20", "coupling.scheme=iqn_ils"] {
             let sets = [format!("solver={solver}"), set.to_string(), "tank.width=3".into(), "tank.depth=1.5".into()];
             let loaded = load_text("drop.toml", DROP, &sets).expect("the scene loads");
             let text = forecast(&loaded.scene, &loaded.warnings).to_text();
@@ -87,10 +95,6 @@ fn doubts_about_an_incompressible_scene_say_what_would_cure_them() {
     assert!(near.contains("draughts away") && near.contains("answers at once"), "{near}");
     let long = doubt(&["time.step=2e-3"]);
     assert!(long.contains("time.step = 0.002 s") && long.contains("smoothing lengths"), "{long}");
-    for (key, solver) in [("ventilation", "incompressible_thesis"), ("wall_stretch", "incompressible")] {
-        let idle = doubt(&[&format!("solver={solver}"), &format!("fluid.{key}=true")]);
-        assert!(idle.contains(&format!("fluid.{key} = true does nothing")), "{idle}");
-    }
     let hasty = doubt(&["fluid.cfl=0.9"]);
     assert!(hasty.contains("fluid.cfl = 0.9") && hasty.contains("gained energy"), "{hasty}");
     let weak = doubt(&["coupling.scheme=weak"]);

@@ -1,7 +1,7 @@
 //! What is refused, and how: place, key, what was given, what was expected.
 
 use miette::Diagnostic;
-use scenarios::scene::{BYTES_PER_PARTICLE, builtin, keywords, load, load_text, particle_estimate};
+use scenarios::scene::{BYTES_PER_PARTICLE, builtin, load, load_text, particle_estimate, schema};
 
 use super::{DROP, TANK, changed, drop_with};
 
@@ -246,7 +246,7 @@ fn no_value_of_any_key_makes_loading_panic() {
     ];
     let (mut loaded, mut refused) = (0, 0);
     for (name, _) in builtin() {
-        for keyword in keywords() {
+        for keyword in schema().keywords() {
             for value in values {
                 let set = format!("{}={value}", keyword.path.replace("[]", "[0]"));
                 match load(name, &[set]) {
@@ -259,5 +259,5 @@ fn no_value_of_any_key_makes_loading_panic() {
             }
         }
     }
-    assert_eq!(loaded + refused, builtin().len() * keywords().len() * values.len());
+    assert_eq!(loaded + refused, builtin().len() * schema().keywords().len() * values.len());
 }
