@@ -86,7 +86,8 @@ fn resultant(nodes: &HostNodes, origin: [f64; 2], forces: &[[f64; 3]]) -> [f64; 
 fn momentum(state: &State, element: &FluidElement) -> f64 {
     let (fluid, basin) = (&element.system().fluid, element.system().bodies().nth(1));
     let own = SHELL * state[1][1] + CABIN * state[1][3] + (SHELL + CABIN) * GRAVITY * element.time();
-    own + fluid.momentum()[1] + GRAVITY * element.time() * fluid.mass() - basin.map_or(0.0, |b| b.ledger().external[1])
+    own + fluid.momentum()[1] + GRAVITY * element.time() * fluid.mass()
+        - basin.map_or(0.0, |b| b.momentum().external[1])
 }
 
 fn main() -> Result<(), HostError> {

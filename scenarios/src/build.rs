@@ -1,11 +1,10 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
 use fsi_coupling::bodies::prescribed::Law;
-use fsi_coupling::bodies::rigid_motion::Rigid;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{
-    Arrangement, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, Plate, PrescribedBody,
-    RigidBody2d, RigidSpec, Shape, Tank, WettedBody,
+    Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
+    RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
 use sph_core::legacy::settings::{DiffusionForm, EquationOfState};
 use sph_core::neighbours::images::Mirror;
@@ -13,36 +12,34 @@ use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, IdealGas, Parameters, Projecting, WallTreatment, wcsph};
 use structure_fe::Damping;
 
-use crate::filling::fill;
 use crate::follow::Follower;
+use crate::initial_fluid::initial_fluid;
 use crate::scene::settings::WeaklyCompressibleFluid;
-use crate::scene::{Body, Motion, Oscillation, PanelEnd, Scene, SolverSettings, Symmetry};
+use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, SolverSettings, Symmetry};
 
-/// Fluid, walls and bodies of a scene at t = 0.
+/// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let body = body(scene)?;
-    let seeds = fill(scene, body.as_deref())?;
-    let fluid = Fluid::new(parameters(scene), &seeds);
-    let bodies = body.into_iter().chain([Box::new(tank(scene)) as Box<dyn WettedBody>]).collect();
-    let system = Coupled::new(fluid, bodies, scene.coupling.scheme(), scene.resolution.spacing)?;
+    let (parameters, tiling) = (parameters(scene), tiling(scene));
+    let rows = WallRows::of(&parameters, scene.resolution.spacing);
+    let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
+    let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
+    let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
+    let placed = PlacedBodies::new(body.into_iter().chain([tank]).collect(), &parameters, scene.resolution.spacing)?;
+    let seeds = initial_fluid(scene, &parameters, &tiling, &placed, thin);
+    let system = Coupled::with_bodies(Fluid::new(parameters, &seeds), placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
-        Some(follower) => system.focused(Box::new(move |motion, outline| follower.zone(motion, outline))),
+        Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
         None => system,
     })
 }
 
-/// The scene's body, if it has one, where it starts.
-pub(crate) fn body(scene: &Scene) -> Result<Option<Box<dyn WettedBody>>, CouplingError> {
-    scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body)).transpose()
-}
-
-/// The tank, with what stands on it.
-pub(crate) fn tank(scene: &Scene) -> Tank {
+/// The tank with a plate that stands on its walls.
+fn tank(scene: &Scene, rows: &WallRows) -> Tank {
     let half = scene.symmetry == Symmetry::X;
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
-    let standing = scene.body.as_ref().and_then(|body| standing(scene, body)).into_iter().collect();
-    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).carrying(standing)
+    let standing = scene.body.as_ref().and_then(|body| standing(scene, body, rows)).into_iter().collect();
+    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
 }
 
 /// How the water is divided into particles.
@@ -67,19 +64,13 @@ pub fn tiling(scene: &Scene) -> Tiling {
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.
 const STANDS: f64 = 0.5;
 
-/// Rows of wall particles below each face.
-fn layers(scene: &Scene) -> usize {
-    Arrangement::of(&parameters(scene)).1
-}
-
 /// True for a plate whose faces' rows do not fit between them (THEORY T2).
-pub(crate) fn is_thin(scene: &Scene, body: &Body) -> bool {
-    matches!(&body.shape, Shape::Polyline { points, thickness }
-        if Plate::new(points, *thickness).is_thin(scene.resolution.spacing, layers(scene)))
+fn is_thin(body: &scene::Body, rows: &WallRows) -> bool {
+    matches!(&body.shape, Shape::Polyline { points, thickness } if Plate::new(points, *thickness).is_thin(rows))
 }
 
 /// T3: how far a fixed plate goes on into the tank's walls that its middle line's ends stand on [m].
-fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
+fn roots(scene: &Scene, body: &scene::Body, rows: &WallRows) -> [f64; 2] {
     let (Shape::Polyline { points, .. }, Motion::Fixed) = (&body.shape, &body.motion) else { return [0.0; 2] };
     let loose = |end: &[f64; 2]| {
         let ends = body.panels.iter().flat_map(|panel| [panel.from, panel.to].into_iter().zip(panel.ends));
@@ -92,20 +83,20 @@ fn roots(scene: &Scene, body: &Body) -> [f64; 2] {
         let at = body.to_tank(*end);
         let spacing = tiling(scene).spacing_at(at);
         let away = (0.5 * scene.tank.width - at[0].abs()).min(at[1] + scene.tank.depth);
-        if away < STANDS * spacing { (layers(scene) as f64 + 1.0) * spacing } else { 0.0 }
+        if away < STANDS * spacing { (rows.layers as f64 + 1.0) * spacing } else { 0.0 }
     };
     [root(&points[0]), root(&points[points.len() - 1])]
 }
 
 /// A thin plate that stands on the tank's walls, where it stands.
-fn standing(scene: &Scene, body: &Body) -> Option<Plate> {
-    let roots = roots(scene, body);
+fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate> {
+    let roots = roots(scene, body, rows);
     let Shape::Polyline { points, thickness } = &body.shape else { return None };
     let middle: Vec<[f64; 2]> = points.iter().map(|p| body.to_tank(*p)).collect();
-    (roots != [0.0; 2] && is_thin(scene, body)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
+    (roots != [0.0; 2] && is_thin(body, rows)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-pub(crate) fn parameters(scene: &Scene) -> Parameters {
+fn parameters(scene: &Scene) -> Parameters {
     let water = scene.water();
     let eos = Tait { rho0: water.density, c0: scene.sound_speed(), gamma: wcsph::Settings::default().eos_exponent };
     let shared = Parameters {
@@ -176,21 +167,20 @@ fn weakly_compressible(fluid: &WeaklyCompressibleFluid, shared: Parameters) -> P
     }
 }
 
-fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>, CouplingError> {
+fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
-    let outline = Outline::of(&body.shape)?.rooted(roots(scene, body));
-    let start = Rigid {
-        pole: body.position,
+    let outline = Outline::of(&body.shape)?.rooted(roots(scene, body, rows));
+    let start = RigidMotion {
+        position: body.position,
         angle: body.angle_deg.to_radians(),
         velocity: body.velocity,
-        spin: body.angular_velocity_deg_per_s.to_radians(),
-        ..Rigid::default()
+        angular_velocity: body.angular_velocity_deg_per_s.to_radians(),
+        ..RigidMotion::default()
     };
     if !body.panels.is_empty() {
         return flexible(scene, body, outline, start);
     }
-    let follow =
-        |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn WettedBody>;
+    let follow = |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn Body>;
     let Motion::Free(freedom) = &body.motion else {
         return Ok(follow(law(&body.motion, &start)));
     };
@@ -204,25 +194,32 @@ fn rigid_or_prescribed(scene: &Scene, body: &Body) -> Result<Box<dyn WettedBody>
         position: body.position,
         angle: start.angle,
         velocity: body.velocity,
-        spin: start.spin,
+        angular_velocity: start.angular_velocity,
         gravity: scene.gravity,
         half,
     })?))
 }
 
 /// The law of a motion that is given.
-fn law(motion: &Motion, start: &Rigid) -> Law {
+fn law(motion: &Motion, start: &RigidMotion) -> Law {
     match motion {
         Motion::Oscillating(Oscillation { amplitude, period }) => {
-            PrescribedBody::oscillating(start.pole, start.angle, *amplitude, *period)
+            PrescribedBody::oscillating(start.position, start.angle, *amplitude, *period)
         }
-        Motion::ConstantVelocity => PrescribedBody::steady(start.pole, start.angle, start.velocity, start.spin),
-        Motion::Fixed | Motion::Free(_) => PrescribedBody::steady(start.pole, start.angle, [0.0; 2], 0.0),
+        Motion::ConstantVelocity => {
+            PrescribedBody::steady(start.position, start.angle, start.velocity, start.angular_velocity)
+        }
+        Motion::Fixed | Motion::Free(_) => PrescribedBody::steady(start.position, start.angle, [0.0; 2], 0.0),
     }
 }
 
 /// A body with panels.
-fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Result<Box<dyn WettedBody>, CouplingError> {
+fn flexible(
+    scene: &Scene,
+    body: &scene::Body,
+    outline: Outline,
+    start: RigidMotion,
+) -> Result<Box<dyn Body>, CouplingError> {
     let middle = match &body.shape {
         Shape::Polyline { points, .. } => Some(points.clone()),
         _ => None,
@@ -230,7 +227,7 @@ fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Resul
     let frame = match &body.motion {
         Motion::Free(freedom) => Frame::Free {
             mass: freedom.mass,
-            // a frame that does not turn needs some inertia, which nothing feels
+            // a frame that does not turn needs an inertia, which has no effect
             inertia: freedom.inertia.unwrap_or(freedom.mass),
             center_of_mass: body.center_of_mass,
             free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
@@ -238,9 +235,9 @@ fn flexible(scene: &Scene, body: &Body, outline: Outline, start: Rigid) -> Resul
         motion => Frame::Given(law(motion, &start)),
     };
     // the body's velocity is that of its centre of mass; its frame's origin moves with it
-    let arm = body.center_of_mass.map(|c| -c);
-    let about = Rigid { pole: [0.0; 2], ..start };
-    let start = Rigid { velocity: about.point_velocity(arm), ..start };
+    let lever_arm = body.center_of_mass.map(|c| -c);
+    let about = RigidMotion { position: [0.0; 2], ..start };
+    let start = RigidMotion { velocity: about.point_velocity(lever_arm), ..start };
     Ok(Box::new(FlexibleBody::new(FlexibleSpec {
         name: body.name.clone(),
         outline,

@@ -1,11 +1,8 @@
 //! The command line: parse, call, print, exit code. No physics and no files here.
 
-mod bands;
 mod bench;
-mod chart;
 mod ditch;
-mod stability;
-mod study;
+mod experiments;
 
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -17,12 +14,12 @@ use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use tracing_subscriber::EnvFilter;
 
+use self::experiments::{convergence, coverage, stability, validation, work_precision};
 use crate::error_bar::ErrorBars;
-use crate::forecast::forecast;
+use crate::preflight::preflight;
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{self, Loaded, SceneError};
 use crate::summary::{Status, Summary};
-use crate::validate::{self, ValidateError};
 
 /// Done.
 const DONE: u8 = 0;
@@ -63,9 +60,9 @@ enum Command {
     /// Say what a run would cost and how far it can be trusted, without running it.
     Check(SceneArgs),
     /// Run a scene at several spacings and sound speeds and say what a number tends to.
-    Study(study::StudyArgs),
+    Study(convergence::StudyArgs),
     /// Chart error against cost: each way to a number whose value is known.
-    Chart(chart::ChartArgs),
+    Chart(work_precision::ChartArgs),
     /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
     Stability(stability::StabilityArgs),
     /// Land an aeroplane on water by its sections (2D+t).
@@ -73,9 +70,9 @@ enum Command {
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
     /// Hold scenes against others' data.
-    Validate(ValidateArgs),
+    Validate(validation::ValidateArgs),
     /// Count how often the error bars of `run --converge` hold an exact value.
-    Bands(bands::BandsArgs),
+    Bands(coverage::BandsArgs),
     /// Describe every key of a scene file.
     Keywords,
 }
@@ -110,21 +107,6 @@ struct RunArgs {
     quantities: Vec<String>,
 }
 
-#[derive(Args)]
-struct ValidateArgs {
-    /// Cases to run.
-    cases: Vec<String>,
-    /// Run every case.
-    #[arg(long, conflicts_with = "cases")]
-    all: bool,
-    /// Keep each case's files below this folder.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Write the table to this Markdown file.
-    #[arg(long, value_name = "FILE")]
-    table: Option<PathBuf>,
-}
-
 /// Print a line; a reader that has gone away is no reason to stop.
 fn say(text: std::fmt::Arguments<'_>) {
     let _ = writeln!(std::io::stdout(), "{text}");
@@ -146,16 +128,6 @@ impl From<SceneError> for Stop {
 impl From<RunError> for Stop {
     fn from(error: RunError) -> Stop {
         if error.is_input() { Stop::Input(error.to_string()) } else { Stop::Failed(error.to_string()) }
-    }
-}
-
-impl From<ValidateError> for Stop {
-    fn from(error: ValidateError) -> Stop {
-        match error {
-            ValidateError::Scene(e) => e.into(),
-            ValidateError::Run(e) => e.into(),
-            other => Stop::Input(other.to_string()),
-        }
     }
 }
 
@@ -204,13 +176,13 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::List => list(cli),
         Command::Run(args) => run_scene(cli, args),
         Command::Check(args) => check(cli, args),
-        Command::Study(args) => study::run_study(cli, args),
-        Command::Chart(args) => chart::run_charts(cli, args),
+        Command::Study(args) => convergence::run_study(cli, args),
+        Command::Chart(args) => work_precision::run_charts(cli, args),
         Command::Stability(args) => stability::run_maps(cli, args),
         Command::Ditch(args) => ditch::run_ditch(cli, args),
         Command::Bench(args) => bench::run_bench(cli, args),
-        Command::Validate(args) => validate_cases(cli, args),
-        Command::Bands(args) => bands::run_bands(cli, args),
+        Command::Validate(args) => validation::run_validation(cli, args),
+        Command::Bands(args) => coverage::run_bands(cli, args),
         Command::Keywords => keywords(cli),
     }
 }
@@ -256,11 +228,11 @@ fn available_memory() -> u64 {
 
 fn check(cli: &Cli, args: &SceneArgs) -> Result<u8, Stop> {
     let loaded = load(args)?;
-    let forecast = forecast(&loaded.scene, &loaded.warnings);
+    let preflight = preflight(&loaded.scene, &loaded.warnings);
     if cli.json {
-        say(format_args!("{}", serde_json::to_string_pretty(&forecast).unwrap_or_default()));
+        say(format_args!("{}", serde_json::to_string_pretty(&preflight).unwrap_or_default()));
     } else {
-        say(format_args!("{}", forecast.to_text()));
+        say(format_args!("{}", preflight.to_text()));
     }
     Ok(DONE)
 }
@@ -291,7 +263,7 @@ fn run_scene(cli: &Cli, args: &RunArgs) -> Result<u8, Stop> {
             );
             return Err(Stop::Input(text));
         }
-        true => Some(study::coarser_runs(cli, &given, &args.quantities, &out, args.force)?),
+        true => Some(convergence::coarser_runs(cli, &given, &args.quantities, &out, args.force)?),
         false => None,
     };
     let studied =
@@ -368,37 +340,4 @@ fn in_words(s: &Summary) -> String {
     ));
     lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  NOT TIGHT: {worst}")));
     lines.join("\n")
-}
-
-fn validate_cases(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
-    if args.cases.is_empty() && !args.all {
-        for case in validate::cases()? {
-            say(format_args!("{:<24} {}", case.name, case.about));
-        }
-        return Ok(DONE);
-    }
-    let mut lines = Vec::new();
-    for case in validate::select(&args.cases)? {
-        if !cli.quiet {
-            eprintln!("{} …", case.name);
-        }
-        lines.extend(validate::run_case(&case, args.out.as_ref())?);
-    }
-    let table = validate::to_markdown(&lines);
-    if cli.json {
-        say(format_args!("{}", serde_json::to_string_pretty(&lines).unwrap_or_default()));
-    } else {
-        say(format_args!("{}", table.trim_end()));
-    }
-    if let Some(path) = &args.table {
-        let text = format!(
-            "# Validation\n\nWritten by `splashdown validate --all --table docs/src/validation/cases.md`.\n\n{table}"
-        );
-        std::fs::write(path, text).map_err(|e| Stop::Failed(format!("cannot write {}: {e}", path.display())))?;
-    }
-    let misses = lines.iter().filter(|l| !l.holds).count();
-    if misses > 0 {
-        return Err(Stop::Failed(format!("{misses} of {} numbers do not hold", lines.len())));
-    }
-    Ok(DONE)
 }

@@ -1,38 +1,20 @@
-//! Linear least squares by orthogonal columns.
+//! Linear least squares.
 
-/// Coefficients x that make Σ_i (Σ_k x_k a_k[i] − b[i])² least, for the columns a_k; modified Gram–Schmidt (Björck 1967).
-/// `None` where the columns are not independent.
+use faer::linalg::solvers::SolveLstsq;
+use faer::{Col, Mat};
+
+/// Coefficients x that minimise Σ_i (Σ_k x_k a_k[i] − b[i])² for the columns a_k, by Householder's QR. `None` where the columns
+/// are not independent, or are more than their rows.
 pub(crate) fn least_squares(columns: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
-    let n = columns.len();
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    let mut q = columns.to_vec();
-    let mut r = vec![vec![0.0; n]; n];
-    let mut rest = b.to_vec();
-    let mut projected = vec![0.0; n];
-    for k in 0..n {
-        let whole = dot(&columns[k], &columns[k]).sqrt();
-        r[k][k] = dot(&q[k], &q[k]).sqrt();
-        if r[k][k] <= 1e-10 * whole || whole == 0.0 {
-            return None;
-        }
-        let length = r[k][k];
-        q[k].iter_mut().for_each(|v| *v /= length);
-        let unit = q[k].clone();
-        for j in k + 1..n {
-            r[k][j] = dot(&unit, &q[j]);
-            let share = r[k][j];
-            q[j].iter_mut().zip(&unit).for_each(|(v, u)| *v -= share * u);
-        }
-        projected[k] = dot(&unit, &rest);
-        let share = projected[k];
-        rest.iter_mut().zip(&unit).for_each(|(v, u)| *v -= share * u);
+    if columns.len() > b.len() {
+        return None;
     }
-    let mut x = vec![0.0; n];
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| r[k][j] * x[j]).sum();
-        x[k] = (projected[k] - known) / r[k][k];
-    }
-    Some(x)
+    let a = Mat::from_fn(b.len(), columns.len(), |i, k| columns[k][i]);
+    let qr = a.qr();
+    let r = qr.thin_R();
+    let independent = |k: usize| r[(k, k)].abs() > 1e-10 * a.col(k).norm_l2();
+    let x = (0..columns.len()).all(independent).then(|| qr.solve_lstsq(Col::from_fn(b.len(), |i| b[i]).as_mat()))?;
+    Some((0..columns.len()).map(|k| x[(k, 0)]).collect())
 }
 
 #[cfg(test)]
@@ -45,5 +27,6 @@ mod tests {
         let x = least_squares(&[vec![1.0; 4], vec![0.0, 1.0, 2.0, 3.0]], &[0.0, 1.0, 1.0, 3.0]).expect("two columns");
         assert!((x[0] + 0.1).abs() < 1e-14 && (x[1] - 0.9).abs() < 1e-14, "{x:?}");
         assert_eq!(least_squares(&[vec![1.0; 3], vec![2.0; 3]], &[1.0, 2.0, 3.0]), None);
+        assert_eq!(least_squares(&[vec![1.0], vec![2.0]], &[1.0]), None);
     }
 }

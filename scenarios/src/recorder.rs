@@ -138,7 +138,7 @@ impl Recorder {
         }
         self.told_until = system.fluid.time;
         if let (false, Some((body, [x, y]))) =
-            (self.told_crossing, system.bodies().find_map(|b| Some((b.name(), b.crossing()?))))
+            (self.told_crossing, system.bodies().find_map(|b| Some((b.name(), b.self_intersection()?))))
         {
             self.told_crossing = true;
             let text = format!(
@@ -183,7 +183,7 @@ impl Recorder {
     ) -> Summary {
         let fluid = &system.fluid;
         let since = LATE * fluid.time;
-        let agreement = system.agreement();
+        let agreement = system.statistics();
         let body = system.bodies().position(|b| b.motion().is_some());
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));

@@ -10,10 +10,10 @@ use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
 use crate::build;
-use crate::chart;
+use crate::charted;
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::ErrorBars;
-use crate::ladder;
+use crate::model_hierarchy;
 use crate::observe::{FlowPictures, LogObserver, ObserveError, Series};
 use crate::present;
 use crate::recorder::Recorder;
@@ -113,7 +113,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     }
     if scene.model.is_theory() {
         prepare(scene, options)?;
-        return keep(scene, ladder::run(scene, options, references)?, options);
+        return keep(scene, model_hierarchy::run(scene, options, references)?, options);
     }
     let mut system = build::build(scene)?;
     prepare(scene, options)?;
@@ -147,7 +147,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         );
     }
     if summary.status == Status::Completed {
-        summary.error_bars = options.error_bars.map_or_else(|| chart::error_bars(scene, &summary), |of| of(&summary));
+        summary.error_bars = options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
     }
     keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)
 }

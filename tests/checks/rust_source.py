@@ -54,10 +54,17 @@ def without_tests(text):
         text = text[: match.start()] + text[end_of_item(text, match.end()):]
 
 
+def is_test(file):
+    """A file of tests that a `#[path]` attribute brings in."""
+    return file.stem == "tests" or file.stem.endswith("_tests")
+
+
 def modules(source):
     """Modules of a crate, path of names -> code. A file is a module; `lib.rs` and `mod.rs` stand for their folder."""
     found, tests = {}, set()
     for file in sorted(pathlib.Path(source).rglob("*.rs")):
+        if is_test(file):
+            continue
         parts = list(file.relative_to(source).with_suffix("").parts)
         if parts[-1] in ("mod", "lib"):
             parts.pop()

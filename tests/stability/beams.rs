@@ -2,10 +2,10 @@
 
 use evidence::strip::{Floor, LENGTH, PERIOD, SOUND, WATER, deflection};
 use evidence::systems::{advance, system};
-use fsi_coupling::{Agreement, Beside, Iteration, Scheme, exchange_ratio};
+use fsi_coupling::{Beside, CouplingStatistics, Iteration, Scheme, exchange_ratio};
 
 const ENOUGH: Iteration = Iteration { tolerance: 1e-6, max_iterations: 60 };
-const SCHEMES: [Scheme; 4] = [Scheme::Weak, Scheme::AddedMass, Scheme::Aitken(ENOUGH), Scheme::IqnIls(ENOUGH)];
+const SCHEMES: [Scheme; 3] = [Scheme::Weak, Scheme::AddedMass, Scheme::IqnIls(ENOUGH)];
 
 /// What a run shows.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,7 @@ struct Run {
     deepest: f64,
     /// Energy gained [J/m].
     gained: f64,
-    agreement: Agreement,
+    agreement: CouplingStatistics,
 }
 
 impl Run {
@@ -25,10 +25,10 @@ impl Run {
 
 /// Run for some wet periods of the strip.
 fn run(floor: &Floor, scheme: Scheme, periods: f64) -> Run {
-    let mut run = Run { deepest: 0.0, gained: 0.0, agreement: Agreement::default() };
+    let mut run = Run { deepest: 0.0, gained: 0.0, agreement: CouplingStatistics::default() };
     let ended = floor.build(scheme).and_then(|mut system| {
         let ended = advance(&mut system, periods * PERIOD, |s| run.deepest = run.deepest.max(deflection(s).abs()));
-        (run.gained, run.agreement) = (system.energy_drift(), system.agreement());
+        (run.gained, run.agreement) = (system.energy_drift(), system.statistics());
         assert!(system.momentum_audit().worst < 1e-10, "{floor:?}: momentum {}", system.momentum_audit().worst);
         ended
     });
@@ -48,7 +48,7 @@ fn radius(floor: &Floor) -> f64 {
 /// Failure: one exchange a step, where C12 says. Remedy: the others, which agree with each other at any ratio.
 #[test]
 fn light_strips_hold_with_every_scheme_but_weak() {
-    println!("ratio, radius (C12): largest deflection [mm], iterations a step: weak, added_mass, aitken, iqn_ils");
+    println!("ratio, radius (C12): largest deflection [mm], iterations a step: weak, added_mass, iqn_ils");
     for ratio in [10.0, 1.0, 0.1, 0.03, 0.01, 0.003, 0.001] {
         let floor = Floor::still(ratio, 20);
         let [weak, strong @ ..] = SCHEMES.map(|scheme| run(&floor, scheme, 0.6));
@@ -57,14 +57,12 @@ fn light_strips_hold_with_every_scheme_but_weak() {
             print!(" | {:.3}, {:.2}, {}", 1e3 * found.deepest, found.iterations(), found.agreement.most_iterations);
         }
         println!(" | gained {:.3} J/m", strong[0].gained);
-        let [at_once, aitken, newton] = strong;
-        for found in [at_once, aitken] {
-            let gap = (found.deepest / newton.deepest - 1.0).abs();
-            assert!(gap < 5e-3, "{ratio}: {} m, iqn_ils {} m", found.deepest, newton.deepest);
-        }
+        let [at_once, newton] = strong;
+        let gap = (at_once.deepest / newton.deepest - 1.0).abs();
+        assert!(gap < 5e-3, "{ratio}: {} m, iqn_ils {} m", at_once.deepest, newton.deepest);
         assert!(strong.iter().all(|s| s.gained < 0.02), "{ratio}: energy {strong:?}");
         assert!(at_once.agreement.worst_residual < 1e-12, "{ratio}: {at_once:?}");
-        assert!(aitken.iterations() < 25.0 && newton.iterations() < 6.0, "{ratio}: {aitken:?}, {newton:?}");
+        assert!(newton.iterations() < 6.0, "{ratio}: {newton:?}");
         if radius(&floor) > 1.3 {
             assert!(weak.deepest.is_infinite() || weak.gained > 1.0, "{ratio}: weak coupling now survives, {weak:?}");
         }
@@ -95,19 +93,17 @@ fn one_exchange_a_step_fails_where_the_estimate_says() {
 fn water_falls_on_a_light_strip() {
     for ratio in [0.1, 0.01, 0.001] {
         let floor = Floor { fall: 1.0, ..Floor::still(ratio, 20) };
-        let [weak, at_once, aitken, newton] = SCHEMES.map(|scheme| run(&floor, scheme, 0.25));
+        let [weak, at_once, newton] = SCHEMES.map(|scheme| run(&floor, scheme, 0.25));
         let fine = run(&Floor { courant: 0.3, ..floor }, Scheme::AddedMass, 0.25);
         println!(
-            "{ratio}: weak {:.5}, added_mass {:.5}, aitken {:.5} ({:.1}), iqn_ils {:.5} ({:.1}), half the step {:.5} m",
+            "{ratio}: weak {:.5}, added_mass {:.5}, iqn_ils {:.5} ({:.1}), half the step {:.5} m",
             weak.deepest,
             at_once.deepest,
-            aitken.deepest,
-            aitken.iterations(),
             newton.deepest,
             newton.iterations(),
             fine.deepest
         );
-        for found in [aitken, newton, fine] {
+        for found in [newton, fine] {
             let gap = (found.deepest / at_once.deepest - 1.0).abs();
             assert!(gap < 5e-3 && found.gained < 0.0, "{ratio}: {found:?}, added_mass {at_once:?}");
         }
@@ -134,7 +130,7 @@ fn light_panels_on_a_light_frame_and_a_light_baffle_hold() {
                 let panels = s.bodies().find(|body| !body.panels().is_empty()).expect("panels").panels();
                 deepest = deepest.max(panels[0].watched[watched].deflection.abs());
             });
-            println!("{name} {scheme}: {deepest:.6} m, {:?}, energy {:.2}", system.agreement(), system.energy_drift());
+            println!("{name} {scheme}: {deepest:.6} m, {:?}, energy {:.2}", system.statistics(), system.energy_drift());
             (if ended.is_ok() { deepest } else { f64::INFINITY }, system.energy_drift(), system.momentum_audit().worst)
         });
         let [weak, at_once, newton] = found;

@@ -35,7 +35,7 @@ fn top_speed(mass: f64, dt: f64, tries: usize, steps: usize) -> f64 {
                 (y, v, mean) = (y + dt * (v + 0.5 * dt * a), v + dt * (found / mass - 9.81), found);
                 break;
             }
-            // Aitken's relaxation of the mean force (THEORY C6)
+            // Aitken's relaxation of the mean force (Küttler & Wall 2008)
             omega *= last.map_or(1.0, |before| -before / (lack - before));
             (mean, last) = (mean + omega * lack, Some(lack));
             element.restore().expect("saved");

@@ -1,13 +1,13 @@
 //! Stability: where the method fails. Each known failure is asserted, and its remedy beside it: a failure that stops
 //! failing is news, and its test is then to be turned round.
 
-mod atlas;
 mod beams;
 mod bodies;
 mod coupling;
 mod courant;
 mod flicker;
 mod host;
+mod maps;
 mod noise;
 mod options;
 mod order;

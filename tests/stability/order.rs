@@ -3,7 +3,7 @@
 use evidence::statistics::Noise;
 use evidence::systems::{advance, system};
 use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
+use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::{Fluid, Kernel, Parameters, Seed};
 
 const SPACING: f64 = 0.05;
@@ -23,8 +23,8 @@ fn nearest(kernel: Kernel, smoothing_ratio: f64, pressure: f64, shifting: bool) 
     });
     let lid = Outline::of(&Shape::Box { breadth: 1.0 + 12.0 * SPACING, height: 12.0 * SPACING }).expect("a box");
     let still = PrescribedBody::steady([0.5, 6.0 * SPACING], 0.0, [0.0; 2], 0.0);
-    let lid: Box<dyn WettedBody> = Box::new(PrescribedBody::new("lid", lid, false, still));
-    let tank: Box<dyn WettedBody> = Box::new(Tank::new(tiling, x, -1.0, 0.0, false));
+    let lid: Box<dyn Body> = Box::new(PrescribedBody::new("lid", lid, false, still));
+    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -1.0, 0.0, false));
     let mut system =
         Coupled::new(Fluid::new(parameters, &seeds), vec![lid, tank], Scheme::Weak, SPACING).expect("a full box");
     advance(&mut system, 0.3, |_| ()).expect("a run that ends, in order or not");

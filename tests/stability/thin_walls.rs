@@ -5,7 +5,7 @@ use evidence::plates::{
 };
 use evidence::statistics::mean;
 use evidence::systems::{advance, take};
-use fsi_coupling::{Coupled, Outline, WettedBody};
+use fsi_coupling::{Body, Coupled, Outline};
 use sph_core::{Parameters, Seed};
 
 const SPACING: f64 = 0.02;
@@ -45,7 +45,7 @@ fn a_plate_of_one_spacing_shows_each_face_the_other_water() {
 
 /// Lone particles, two supports apart, 0.15 spacings before a plate a fiftieth of a spacing thick, that fly at it with 0.3 of
 /// the speed of sound: 0.2 spacings a step.
-fn thrown(body: impl Fn(Outline) -> Box<dyn WettedBody>) -> Coupled {
+fn thrown(body: impl Fn(Outline) -> Box<dyn Body>) -> Coupled {
     let c0 = 20.0;
     let parameters = Parameters { gravity: [0.0; 2], ..parameters(c0) };
     let lone = |k: usize| Seed {

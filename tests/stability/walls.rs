@@ -2,7 +2,7 @@
 
 use evidence::systems::{advance, scene, system};
 use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Arrangement, Tank, WettedBody};
+use fsi_coupling::{Arrangement, Contact, Tank, WallRows, WettedBody};
 use scenarios::build;
 use sph_core::{Fluid, Seed, WallModel, WallTreatment, Walls};
 
@@ -29,14 +29,14 @@ fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
         seeds.push(Seed { at: cell.at, velocity: [0.0, -speed], area: cell.area(), pressure });
     });
     let mut tank = Tank::new(tiling, x, floor, 0.25, false);
-    tank.arrange(wall.arrangement);
+    let rows = WallRows { spacing: SPACING, layers: wall.layers, arrangement: wall.arrangement };
     let mut walls = Walls::default();
-    walls.extend(&tank.sample(SPACING, wall.layers).expect("a tank"), parameters.smoothing_ratio);
-    tank.place(0.0, walls.slice_mut(0..walls.len()));
+    walls.extend(&tank.sample(&rows).expect("a tank"), parameters.smoothing_ratio);
+    tank.kinematics(0.0, walls.slice_mut(0..walls.len()));
     let mut fluid = Fluid::new(parameters, &seeds);
     let out = |fluid: &Fluid| {
         let p = &fluid.particles;
-        (0..p.len()).filter(|&k| tank.clearance([p.x[k], p.y[k]]) < 0.0).count()
+        (0..p.len()).filter(|&k| tank.signed_distance([p.x[k], p.y[k]]) < 0.0).count()
     };
     fluid.initialise(&mut walls).expect("water at rest");
     while fluid.time < end {

@@ -1,6 +1,6 @@
 //! A free wedge twice: as a rigid body of a scene, and as the nodes of a host, in the same water.
 
-use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::RigidMotion;
 use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostNodes, Topology};
 use fsi_coupling::{Coupled, Motion};
 
@@ -49,12 +49,12 @@ pub fn wedge_of_nodes() -> (Topology, HostNodes) {
 
 /// Nodes of a rigid frame: its points `arms` [m] under a motion of its origin.
 pub fn placed(arms: &[[f64; 2]], motion: &Motion) -> HostNodes {
-    let frame = Rigid {
-        pole: motion.position,
+    let frame = RigidMotion {
+        position: motion.position,
         angle: motion.angle,
         velocity: motion.velocity,
-        spin: motion.spin,
-        ..Rigid::default()
+        angular_velocity: motion.angular_velocity,
+        ..RigidMotion::default()
     };
     HostNodes {
         position: arms.iter().map(|arm| frame.point(*arm)).collect(),

@@ -1,6 +1,6 @@
 //! A body pushed by hand: boundary particles and forces on them without a fluid.
 
-use fsi_coupling::WettedBody;
+use fsi_coupling::{Body, WallRows};
 use sph_core::{Walls, walls::Resultant};
 
 /// The boundary particles of one body, and the forces that a test writes on them.
@@ -15,18 +15,18 @@ const RATIO: f64 = 1.5;
 
 impl Handled {
     /// Sample a body at `spacing` [m] in three layers; `mirrored` where only its half x > 0 is simulated.
-    pub fn new(body: &mut dyn WettedBody, spacing: f64, mirrored: bool) -> Handled {
+    pub fn new(body: &mut dyn Body, spacing: f64, mirrored: bool) -> Handled {
         let mut walls = Walls::default();
-        walls.extend(&body.sample(spacing, 3).expect("a sound outline"), RATIO);
+        walls.extend(&body.sample(&WallRows::filled(spacing, 3)).expect("a sound outline"), RATIO);
         let mut handled = Handled { walls, mirrored };
         handled.place(body, 0.0);
         handled
     }
 
     /// H: let the body write where its particles will be `ahead` [s] from now.
-    pub fn place(&mut self, body: &dyn WettedBody, ahead: f64) {
+    pub fn place(&mut self, body: &dyn Body, ahead: f64) {
         let all = 0..self.walls.len();
-        body.place(ahead, self.walls.slice_mut(all));
+        body.kinematics(ahead, self.walls.slice_mut(all));
     }
 
     /// Write the force now on each particle [N/m]; the step's mean is that of this force and the one before,
@@ -40,14 +40,14 @@ impl Handled {
     }
 
     /// Hᵀ: hand the forces to the body.
-    pub fn load(&self, body: &mut dyn WettedBody) {
+    pub fn load(&self, body: &mut dyn Body) {
         let mut forces = self.walls.forces(0..self.walls.len());
         forces.mirrored = self.mirrored;
         body.load(forces);
     }
 
     /// One step of `dt` [s] as the coupling takes it, with the force of `force` on particle k where it will be.
-    pub fn step(&mut self, body: &mut dyn WettedBody, dt: f64, force: impl Fn(usize, &Walls) -> [f64; 2]) {
+    pub fn step(&mut self, body: &mut dyn Body, dt: f64, force: impl Fn(usize, &Walls) -> [f64; 2]) {
         self.place(body, dt);
         self.push(force);
         self.load(body);
@@ -55,7 +55,7 @@ impl Handled {
     }
 
     /// Start with the load of `force` where the particles are: the step's mean is the force itself.
-    pub fn start(&mut self, body: &mut dyn WettedBody, force: impl Fn(usize, &Walls) -> [f64; 2]) {
+    pub fn start(&mut self, body: &mut dyn Body, force: impl Fn(usize, &Walls) -> [f64; 2]) {
         self.place(body, 0.0);
         self.push(force);
         self.walls.mean_fx.clone_from(&self.walls.fx);

@@ -1,8 +1,8 @@
 //! Thin plates in small tanks: systems to step, and the force on each face.
 
-use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::RigidMotion;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
+use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::{Fluid, Parameters, Seed};
 
 use crate::bare;
@@ -34,12 +34,12 @@ pub fn plate(middle: &[[f64; 2]], thickness: f64) -> Outline {
 }
 
 /// A plate that does not move.
-pub fn fixed(outline: Outline) -> Box<dyn WettedBody> {
+pub fn fixed(outline: Outline) -> Box<dyn Body> {
     Box::new(PrescribedBody::new("plate", outline, false, PrescribedBody::steady([0.0; 2], 0.0, [0.0; 2], 0.0)))
 }
 
 /// Bodies (the plate first) and seeds, ready to step.
-pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn WettedBody>>, spacing: f64) -> Coupled {
+pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn Body>>, spacing: f64) -> Coupled {
     Coupled::new(Fluid::new(parameters, seeds), bodies, Scheme::Weak, spacing).expect("a sound system")
 }
 
@@ -55,7 +55,7 @@ pub fn parted_by(
     columns: usize,
     rows: [usize; 2],
     spacing: f64,
-    body: impl Fn(Outline) -> Box<dyn WettedBody>,
+    body: impl Fn(Outline) -> Box<dyn Body>,
 ) -> Coupled {
     let (half, width) = (0.5 * thickness * spacing, columns as f64 * spacing);
     let [left, right] = rows.map(|n| n as f64 * spacing);
@@ -65,7 +65,7 @@ pub fn parted_by(
     let outline = plate(&[[0.0, 0.0], [0.0, high]], 2.0 * half).rooted([4.0 * spacing, 0.0]);
     let c0 = 10.0 * (2.0 * GRAVITY * left.max(right)).sqrt();
     let tank = tank([-half - width, half + width], high, spacing);
-    let tank = tank.carrying(outline.plate().cloned().into_iter().collect());
+    let tank = tank.with_plates(outline.plate().cloned().into_iter().collect());
     coupled(parameters(c0), &seeds, vec![body(outline), Box::new(tank)], spacing)
 }
 
@@ -104,10 +104,10 @@ impl Submerged {
     }
 
     /// The water, with `body` in it (the plate, at the middle) before the tank.
-    pub fn with(&self, body: Box<dyn WettedBody>, c0: f64) -> Coupled {
+    pub fn with(&self, body: Box<dyn Body>, c0: f64) -> Coupled {
         let s = self.spacing;
         let seeds = still([-16.0 * s, 0.0], [16.0 * s, 24.0 * s], s);
-        let outside = |seed: &Seed| body.clearance(seed.at) > 0.25 * s;
+        let outside = |seed: &Seed| body.signed_distance(seed.at) > 0.25 * s;
         let seeds: Vec<Seed> = seeds.into_iter().filter(outside).collect();
         let tank = tank([-16.0 * s, 16.0 * s], 30.0 * s, s);
         coupled(parameters(c0), &seeds, vec![body, Box::new(tank)], s)
@@ -127,13 +127,13 @@ pub fn paddled(thickness: f64, columns: usize, rows: [usize; 2], travel: f64, sp
     let law = move |t: f64| {
         let (s, period) = ((t / 0.5).min(1.0), 0.5);
         let moving = if t < period { 1.0 } else { 0.0 };
-        Rigid {
-            pole: [travel * s * s * (3.0 - 2.0 * s), 0.0],
+        RigidMotion {
+            position: [travel * s * s * (3.0 - 2.0 * s), 0.0],
             velocity: [moving * travel * 6.0 * s * (1.0 - s) / period, 0.0],
             acceleration: [moving * travel * (6.0 - 12.0 * s) / (period * period), 0.0],
-            ..Rigid::default()
+            ..RigidMotion::default()
         }
     };
-    let body = |outline| Box::new(PrescribedBody::new("plate", outline, false, Box::new(law))) as Box<dyn WettedBody>;
+    let body = |outline| Box::new(PrescribedBody::new("plate", outline, false, Box::new(law))) as Box<dyn Body>;
     parted_by(thickness, columns, rows, spacing, body)
 }

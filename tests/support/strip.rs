@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use fsi_coupling::RigidMotion;
 use fsi_coupling::bodies::flexible::body::FlexibleBody;
 use fsi_coupling::bodies::flexible::model::{FlexibleSpec, Frame};
 use fsi_coupling::bodies::flexible::panel::{PanelEnd, PanelSpec};
-use fsi_coupling::bodies::rigid_motion::Rigid;
-use fsi_coupling::{Coupled, CouplingError, Outline, PrescribedBody, Scheme, WettedBody};
+use fsi_coupling::{Body, Coupled, CouplingError, Outline, PrescribedBody, Scheme};
 use sph_core::Fluid;
 use structure_fe::{Damping, Material, Theory};
 
@@ -59,7 +59,7 @@ fn strip(ratio: f64) -> FlexibleBody {
         middle: None,
         panels: vec![panel],
         frame: Frame::Given(PrescribedBody::steady([0.0; 2], 0.0, [0.0; 2], 0.0)),
-        start: Rigid::default(),
+        start: RigidMotion::default(),
         gravity: [0.0; 2],
         damping: Damping::default(),
         half: false,
@@ -67,7 +67,7 @@ fn strip(ratio: f64) -> FlexibleBody {
     FlexibleBody::new(spec).expect("a strip")
 }
 
-fn side(left: f64) -> Box<dyn WettedBody> {
+fn side(left: f64) -> Box<dyn Body> {
     let corners = [[left, 0.0], [left + 0.3, 0.0], [left + 0.3, 1.6 * LENGTH], [left, 1.6 * LENGTH]];
     let outline = Outline::polygon(&corners).expect("a box");
     let law = PrescribedBody::steady([0.0; 2], 0.0, [0.0; 2], 0.0);
@@ -101,7 +101,7 @@ impl Floor {
         let still = self.fall == 0.0;
         let pressure = |y: f64| if still { WATER * GRAVITY * (LENGTH - y) } else { 0.0 };
         let seeds = lattice([0.0; 2], [LENGTH; 2], spacing, |at| Some(([0.0, -self.fall], pressure(at[1]))));
-        let bodies: Vec<Box<dyn WettedBody>> = vec![Box::new(strip(self.ratio)), side(-0.3), side(LENGTH)];
+        let bodies: Vec<Box<dyn Body>> = vec![Box::new(strip(self.ratio)), side(-0.3), side(LENGTH)];
         Coupled::new(Fluid::new(parameters, &seeds), bodies, scheme, spacing)
     }
 }

@@ -3,7 +3,7 @@
 use evidence::statistics::period;
 use evidence::systems::advance;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
+use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, IdealGas, Parameters, Seed};
 
@@ -31,8 +31,8 @@ pub(crate) fn box_of_sound(spacing: f64, parameters: Parameters, prepare: impl F
     // the lid covers the side walls' rims, so that the corners are closed
     let lid = Outline::of(&Shape::Box { breadth: LENGTH + 6.0 * spacing, height: 6.0 * spacing }).expect("a box");
     let still = PrescribedBody::steady([0.5 * LENGTH, 3.0 * spacing], 0.0, [0.0; 2], 0.0);
-    let lid: Box<dyn WettedBody> = Box::new(PrescribedBody::new("lid", lid, false, still));
-    let tank: Box<dyn WettedBody> = Box::new(Tank::new(tiling, x, -HEIGHT, 0.0, false));
+    let lid: Box<dyn Body> = Box::new(PrescribedBody::new("lid", lid, false, still));
+    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -HEIGHT, 0.0, false));
     let mut fluid = Fluid::new(parameters, &seeds);
     prepare(&mut fluid, &seeds);
     Coupled::new(fluid, vec![lid, tank], Scheme::Weak, spacing).expect("a full box")

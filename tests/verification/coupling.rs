@@ -5,7 +5,7 @@ use evidence::systems::{scene, system, take};
 use fsi_coupling::{Coupled, CouplingError, Motion};
 use scenarios::build;
 
-const STRONG: [&str; 3] = ["coupling.scheme=added_mass", "coupling.scheme=aitken", "coupling.scheme=iqn_ils"];
+const STRONG: [&str; 2] = ["coupling.scheme=added_mass", "coupling.scheme=iqn_ils"];
 
 fn motion(system: &Coupled) -> Motion {
     system.bodies().find_map(|body| body.motion()).expect("a body")
@@ -18,7 +18,9 @@ fn bits(system: &Coupled) -> Vec<u64> {
     for array in [&p.x, &p.y, &p.u, &p.v, &p.rho, &p.theta, &p.ax, &p.ay, &w.x, &w.y, &w.pressure, &w.fx, &w.mean_fy] {
         bits.extend(array.iter().map(|value| value.to_bits()));
     }
-    for value in [m.position[0], m.position[1], m.angle, m.velocity[1], m.spin, m.force[1], system.fluid.time] {
+    for value in
+        [m.position[0], m.position[1], m.angle, m.velocity[1], m.angular_velocity, m.force[1], system.fluid.time]
+    {
         bits.push(value.to_bits());
     }
     bits.push(system.momentum_audit().worst.to_bits());
@@ -45,13 +47,13 @@ fn steps_taken_back_come_again_to_the_same_bits() {
             "fluid.density_filter_every=3",
         ],
         &["coupling.scheme=added_mass"],
-        &["coupling.scheme=aitken", "coupling.tolerance=1e-3"],
+        &["coupling.scheme=iqn_ils", "coupling.tolerance=1e-3"],
         &["coupling.scheme=iqn_ils"],
     ];
     for sets in options {
         let mut system = system("floating_box", &[&moving[..], sets].concat());
         take(&mut system, 20).expect("a stable run");
-        system.save();
+        system.checkpoint();
         let (rebuilds, mut steps) = (system.fluid.search.rebuilds, 0);
         while system.fluid.search.rebuilds < rebuilds + 2 {
             take(&mut system, 1).expect("a stable run");
@@ -81,16 +83,15 @@ fn the_three_ways_to_agree_find_the_same_accelerations() {
         ];
         let mut system = system("floating_box", &[&sets[..], &[scheme, "body.inertia=0.0667"]].concat());
         take(&mut system, 3).expect("three steps");
-        let (m, agreement) = (motion(&system), system.agreement());
+        let (m, agreement) = (motion(&system), system.statistics());
         println!("{scheme}: {:?} {:?}", m.acceleration, agreement);
         assert!(system.momentum_audit().worst < 1e-12);
-        ([m.acceleration[0], m.acceleration[1], m.spin], agreement)
+        ([m.acceleration[0], m.acceleration[1], m.angular_velocity], agreement)
     };
-    let [(at_once, solved), (aitken, _), (newton, iterated)] = STRONG.map(accelerations);
+    let [(at_once, solved), (newton, iterated)] = STRONG.map(accelerations);
     assert!(solved.worst_residual < 1e-12, "{solved:?}");
     assert!(iterated.most_iterations <= 6, "{iterated:?}");
     for k in 0..3 {
-        assert!((aitken[k] - newton[k]).abs() < 1e-7 * at_once[1].abs(), "{aitken:?} {at_once:?}");
         assert!((newton[k] - at_once[k]).abs() < 5e-4 * at_once[1].abs(), "{newton:?} {at_once:?}");
     }
     let (_, weak) = accelerations("coupling.scheme=weak");
@@ -100,7 +101,7 @@ fn the_three_ways_to_agree_find_the_same_accelerations() {
 /// A step that does not agree in time is an error that says when and by how much.
 #[test]
 fn a_step_that_does_not_agree_says_so() {
-    let sets = ["body.mass=4", "body.position=[0.05, -0.2]", "coupling.scheme=aitken", "coupling.max_iterations=2"];
+    let sets = ["body.mass=4", "body.position=[0.05, -0.2]", "coupling.scheme=iqn_ils", "coupling.max_iterations=2"];
     let refused = build::build(&scene("floating_box", &sets)).map(|_| ());
     let Err(CouplingError::NotConverged { iterations, residual, tolerance, time }) = refused else {
         panic!("two iterations are too few for three unknowns: {refused:?}");
@@ -118,7 +119,7 @@ fn wedges_do_not_notice_the_scheme() {
             let (start, mut peak) = (motion(&system).velocity[1], 0.0_f64);
             evidence::systems::advance(&mut system, 0.02, |s| peak = peak.max(motion(s).force[1]))
                 .expect("a stable run");
-            println!("{name} {scheme} {:?} momentum {:.1e}", system.agreement(), system.momentum_audit().worst);
+            println!("{name} {scheme} {:?} momentum {:.1e}", system.statistics(), system.momentum_audit().worst);
             [motion(&system).velocity[1] - start, peak]
         };
         let weak = run("coupling.scheme=weak");
@@ -148,7 +149,7 @@ fn a_light_box_floats_at_its_draught() {
                 "{spacing} {scheme}: {:.4} of exact, swing {:.4}, {:?}, momentum {momentum:.0e}, energy {lost:.5} J/m",
                 rest.draught / DRAUGHT,
                 rest.swing / DRAUGHT,
-                system.agreement()
+                system.statistics()
             );
             assert!((rest.draught / DRAUGHT - 1.0).abs() < 0.02, "{scheme}: {} m", rest.draught);
             assert!(momentum < 1e-10, "{scheme}: momentum {momentum}");

@@ -77,7 +77,7 @@ fn entering(sets: &[&str]) -> Coupled {
 #[test]
 fn steps_taken_back_come_again_to_the_same_bits() {
     let mut system = entering(&[]);
-    system.save();
+    system.checkpoint();
     let count = system.fluid.particles.len();
     take(&mut system, 60).expect("a stable run");
     let once = system.fluid.particles.clone();
@@ -99,7 +99,7 @@ fn water_at_the_body_is_as_fine_as_asked() {
     let body = system.bodies().find(|b| b.motion().is_some()).expect("a wedge");
     for k in 0..p.len() {
         assert!(spacing(k) > 0.95, "finer than asked: {}", spacing(k));
-        let beside = d.surroundings[k].wall_filling > 0.02 && body.clearance([p.x[k], p.y[k]]) < 0.05;
+        let beside = d.surroundings[k].wall_filling > 0.02 && body.signed_distance([p.x[k], p.y[k]]) < 0.05;
         assert!(!beside || spacing(k) < 1.1, "{} spacings at ({}, {})", spacing(k), p.x[k], p.y[k]);
     }
 }

@@ -39,7 +39,7 @@ fn swinging(rotations: bool) -> (FluidElement, impl Fn(f64) -> HostNodes) {
 /// Momentum that the water and the basin hold, and what gravity gave [N s/m].
 fn momentum(element: &FluidElement) -> [f64; 2] {
     let system = element.system();
-    let (fluid, basin) = (&system.fluid, system.bodies().nth(1).expect("a basin").ledger().external);
+    let (fluid, basin) = (&system.fluid, system.bodies().nth(1).expect("a basin").momentum().external);
     let held = fluid.momentum();
     [0, 1].map(|k| held[k] - basin[k] - fluid.time * fluid.mass() * fluid.parameters.gravity[k])
 }
@@ -79,7 +79,7 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
 #[test]
 fn blows_of_single_particles_reach_the_nodes() {
     let arms = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]];
-    let law = |t: f64| placed(&arms, &Motion { angle: 0.4 + 15.0 * t, spin: 15.0, ..Motion::default() });
+    let law = |t: f64| placed(&arms, &Motion { angle: 0.4 + 15.0 * t, angular_velocity: 15.0, ..Motion::default() });
     let spec = FluidElementSpec::new(0.03, 0.9, 0.6).with_sound_speed(50.0);
     let topology = Topology::of(law(0.0).position).closed(0..4);
     let mut element = spec.size(&topology).expect("a sound element").build(&law(0.0)).expect("water");

@@ -96,7 +96,8 @@ fn a_snapshot_goes_to_a_file_and_back() {
 /// The frame that `placed` makes is the scene's.
 #[test]
 fn nodes_of_a_frame_turn_with_it() {
-    let motion = Motion { position: [1.0, 2.0], angle: 0.5, velocity: [3.0, 0.0], spin: 2.0, ..Motion::default() };
+    let motion =
+        Motion { position: [1.0, 2.0], angle: 0.5, velocity: [3.0, 0.0], angular_velocity: 2.0, ..Motion::default() };
     let nodes = placed(&[[0.0, 1.0]], &motion);
     assert!((nodes.position[0][0] - (1.0 - 0.5_f64.sin())).abs() < 1e-15);
     assert!((nodes.velocity[0][0] - (3.0 - 2.0 * 0.5_f64.cos())).abs() < 1e-15);

@@ -1,11 +1,11 @@
 //! Verification: what has an exact answer must meet it, and errors must fall at the order the theory says.
 
 mod acoustics;
-mod bands;
 mod channel;
 mod closed_tank;
 mod conservation;
 mod coupling;
+mod coverage;
 mod dissipation;
 mod ditching;
 mod echo;

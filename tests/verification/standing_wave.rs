@@ -2,7 +2,7 @@
 
 use evidence::statistics::period;
 use evidence::systems::{advance, scene};
-use fsi_coupling::{Coupled, Scheme, Tank, WettedBody};
+use fsi_coupling::{Body, Coupled, Scheme, Tank};
 use scenarios::build;
 use scenarios::reference::Table;
 use scenarios::run::{RunOptions, run};
@@ -27,7 +27,7 @@ fn wave(spacing: f64, omega: f64, dissipation: &str) -> Coupled {
     });
     let parameters =
         sph_core::Parameters { eos: Tait { c0: 60.0, ..still.fluid.parameters.eos }, ..still.fluid.parameters };
-    let tank: Box<dyn WettedBody> = Box::new(Tank::new(tiling, [-0.5, 0.5], -depth, 0.5, false));
+    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, [-0.5, 0.5], -depth, 0.5, false));
     Coupled::new(Fluid::new(parameters, &seeds), vec![tank], Scheme::Weak, spacing).expect("a tank of water")
 }
 

@@ -14,7 +14,7 @@ fn mismatch(floor: &Floor) -> f64 {
         let dt = system.stable_dt().expect("a step");
         system.step(dt).expect("a stable run");
         let mut after = system.walls.clone();
-        system.bodies().next().expect("the strip").place(0.0, after.slice_mut(range.clone()));
+        system.bodies().next().expect("the strip").kinematics(0.0, after.slice_mut(range.clone()));
         let (seen, now) = (&system.walls.ay[range.clone()], &after.ay[range.clone()]);
         let size = |values: &mut dyn Iterator<Item = f64>| values.map(|a| a * a).sum::<f64>().sqrt();
         sum += size(&mut seen.iter().zip(now).map(|(seen, now)| seen - now)) / size(&mut now.iter().copied());

@@ -1,6 +1,6 @@
 //! The convergence study on a flow with an exact answer: the 30° wedge at constant speed.
 
-use scenarios::study::{Plan, study};
+use scenarios::experiments::convergence::{Plan, study};
 
 /// Impulse of the exact solution, 2∫F dt/(ρV³t²) = F/(ρV³t) (Dobrovolskaya 1969; `wedge_similarity/summary.csv`).
 const EXACT: f64 = 14.02010;

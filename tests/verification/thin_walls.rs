@@ -100,7 +100,7 @@ fn falling() -> Coupled {
         position: plate.middle(),
         angle: 0.0,
         velocity: [0.3, -0.2],
-        spin: 2.0,
+        angular_velocity: 2.0,
         gravity: [0.0, -GRAVITY],
         half: false,
     });
@@ -133,7 +133,7 @@ fn momentum_closes_around_a_free_plate_and_bits_do_not_depend_on_threads() {
 fn a_step_beside_a_plate_comes_again_to_the_same_bits() {
     let mut system = falling();
     take(&mut system, 60).expect("a stable run");
-    system.save();
+    system.checkpoint();
     let mut go = || {
         take(&mut system, 30).expect("a stable run");
         let bits: Vec<u64> = system.fluid.particles.x.iter().map(|v| v.to_bits()).collect();

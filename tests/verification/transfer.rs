@@ -3,9 +3,9 @@
 
 use evidence::load::Handled;
 use evidence::statistics::Noise;
-use fsi_coupling::bodies::rigid_motion::Rigid;
+use fsi_coupling::RigidMotion;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Outline, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank, WettedBody};
+use fsi_coupling::{Body, Outline, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank};
 
 /// Spacing of the boundary particles [m].
 const SPACING: f64 = 0.05;
@@ -16,11 +16,11 @@ const SIZE: f64 = 10.0;
 struct Case {
     what: &'static str,
     half: bool,
-    body: Box<dyn WettedBody>,
+    body: Box<dyn Body>,
 }
 
 /// A rapier body of mass 7 kg/m; where `half`, upright on the plane of symmetry and free to heave only.
-fn rigid(outline: &Outline, half: bool) -> Box<dyn WettedBody> {
+fn rigid(outline: &Outline, half: bool) -> Box<dyn Body> {
     let spec = RigidSpec {
         name: "free".into(),
         outline: outline.clone(),
@@ -31,7 +31,7 @@ fn rigid(outline: &Outline, half: bool) -> Box<dyn WettedBody> {
         position: [if half { 0.0 } else { 3.0 }, -6.0],
         angle: if half { 0.0 } else { 0.7 },
         velocity: [if half { 0.0 } else { 1.4 }, -2.3],
-        spin: if half { 0.0 } else { 0.9 },
+        angular_velocity: if half { 0.0 } else { 0.9 },
         gravity: [0.0, -9.81],
         half,
     };
@@ -39,23 +39,23 @@ fn rigid(outline: &Outline, half: bool) -> Box<dyn WettedBody> {
 }
 
 /// A body whose law has every derivative; where `half`, upright and heaving only.
-fn prescribed(outline: &Outline, half: bool) -> Box<dyn WettedBody> {
+fn prescribed(outline: &Outline, half: bool) -> Box<dyn Body> {
     let share = if half { 0.0 } else { 1.0 };
     let law = move |t: f64| {
         let (sin, cos) = (3.0 * t + 0.4).sin_cos();
-        Rigid {
-            pole: [share * (3.0 + 0.5 * sin), -6.0 + 0.2 * cos],
+        RigidMotion {
+            position: [share * (3.0 + 0.5 * sin), -6.0 + 0.2 * cos],
             angle: share * (0.7 + 0.3 * sin),
             velocity: [share * 1.5 * cos, -0.6 * sin],
-            spin: share * 0.9 * cos,
+            angular_velocity: share * 0.9 * cos,
             acceleration: [-share * 4.5 * sin, -1.8 * cos],
-            spin_rate: -share * 2.7 * sin,
+            angular_acceleration: -share * 2.7 * sin,
         }
     };
     Box::new(PrescribedBody::new("given", outline.clone(), half, Box::new(law)))
 }
 
-fn tank(half: bool) -> Box<dyn WettedBody> {
+fn tank(half: bool) -> Box<dyn Body> {
     let left = if half { 0.0 } else { -1.0 };
     let (x, y) = ([left, 1.0], [-1.0, 0.0]);
     let tiling = Tiling::new(Basin { x, y, fine_x: [left, 0.2], fine_depth: 0.2, spacing: SPACING, growth: 1.1 });
@@ -120,7 +120,7 @@ fn the_power_of_any_load_is_the_same_on_both_sides_of_the_interface() {
             let scale = halves * pairs.map(|p| p[0].abs() + p[1].abs()).sum::<f64>();
             let of_body = motion.force[0] * motion.velocity[0]
                 + motion.force[1] * motion.velocity[1]
-                + motion.moment * motion.spin;
+                + motion.moment * motion.angular_velocity;
             let gap = (at_particles - of_body).abs();
             assert!(gap <= 1e-13 * scale, "{what}: {at_particles} W/m at the particles, {of_body} W/m at the body");
             assert!((scale > 0.0) == body.motion().is_some(), "{what}: only a tank does not move");
@@ -130,7 +130,7 @@ fn the_power_of_any_load_is_the_same_on_both_sides_of_the_interface() {
 }
 
 /// Largest distance between where a body says its particles will be after `dt` and where they are then [m].
-fn placement_error(mut body: Box<dyn WettedBody>, half: bool, dt: f64) -> f64 {
+fn placement_error(mut body: Box<dyn Body>, half: bool, dt: f64) -> f64 {
     let mut handled = Handled::new(body.as_mut(), SPACING, half);
     let mut noise = Noise::new(3);
     let forces: Vec<[f64; 2]> = (0..handled.walls.len()).map(|_| [noise.draw(), noise.draw()]).collect();
@@ -143,7 +143,7 @@ fn placement_error(mut body: Box<dyn WettedBody>, half: bool, dt: f64) -> f64 {
     (0..handled.walls.len()).map(gap).fold(0.0, f64::max)
 }
 
-/// What `place(dt)` promises, `advance(dt)` keeps to O(dt³): halving the step divides the gap by eight (by more than
+/// What `kinematics(dt)` promises, `advance(dt)` keeps to O(dt³): halving the step divides the gap by eight (by more than
 /// six is asked), unless it is rounding already.
 #[test]
 fn a_body_is_where_it_said_it_would_be_to_third_order() {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use evidence::systems::advance;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Coupled, Outline, PrescribedBody, Scheme, Shape, Tank, WettedBody};
+use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::{Fluid, Parameters, Seed};
 
 /// Depth of the water [m].
@@ -41,8 +41,8 @@ fn tank(spacing: f64, swing: f64) -> Coupled {
     let outline = Outline::of(&Shape::Box { breadth, height }).expect("a box");
     let middle = [from - 0.5 * breadth, 0.5 * height - DEPTH];
     let law = PrescribedBody::oscillating(middle, 0.0, [swing, 0.0], period());
-    let piston: Box<dyn WettedBody> = Box::new(PrescribedBody::new("piston", outline, false, law));
-    let tank: Box<dyn WettedBody> = Box::new(Tank::new(tiling, x, -DEPTH, 0.5 * DEPTH, false));
+    let piston: Box<dyn Body> = Box::new(PrescribedBody::new("piston", outline, false, law));
+    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -DEPTH, 0.5 * DEPTH, false));
     Coupled::new(Fluid::new(parameters, &seeds), vec![piston, tank], Scheme::Weak, spacing).expect("a tank of water")
 }
 

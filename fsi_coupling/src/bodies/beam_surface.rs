@@ -7,7 +7,7 @@ use crate::coupling::force_rules::nodal_loads::hermite;
 
 /// Where a boundary particle sits on a beam structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Perch {
+pub struct BeamAttachment {
     /// Element it rides on.
     pub element: usize,
     /// Share of the way from the element's first node to its second, 0 to 1 [-].
@@ -20,7 +20,7 @@ pub struct Perch {
     pub normal: [f64; 2],
 }
 
-/// Position and normal of a perch.
+/// Position and normal of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Where it is [m].
@@ -61,15 +61,16 @@ impl BeamSurface {
         BeamSurface { nodes, elements }
     }
 
-    /// The perch of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
+    /// The point of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
     /// extension.
-    pub fn perch(&self, at: [f64; 2], normal: [f64; 2]) -> Perch {
-        self.perch_among(0..self.elements.len(), at, normal)
+    pub fn attach(&self, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
+        self.attach_among(0..self.elements.len(), at, normal)
     }
 
     /// The same on the nearest of some elements.
-    pub fn perch_among(&self, elements: std::ops::Range<usize>, at: [f64; 2], normal: [f64; 2]) -> Perch {
-        let mut best = (f64::INFINITY, Perch { element: elements.start, t: 0.0, beyond: 0.0, offset: 0.0, normal });
+    pub fn attach_among(&self, elements: std::ops::Range<usize>, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
+        let mut best =
+            (f64::INFINITY, BeamAttachment { element: elements.start, t: 0.0, beyond: 0.0, offset: 0.0, normal });
         for element in elements {
             let [first, second] = self.elements[element];
             let (a, b) = (self.nodes[first], self.nodes[second]);
@@ -84,15 +85,16 @@ impl BeamSurface {
             if distance < best.0 - 1e-12 * length {
                 let across = |v: [f64; 2]| v[1] * along[0] - v[0] * along[1];
                 let normal = [dot2(normal, along), across(normal)];
-                best = (distance, Perch { element, t, beyond: (free - t) * length, offset: across(r), normal });
+                best =
+                    (distance, BeamAttachment { element, t, beyond: (free - t) * length, offset: across(r), normal });
             }
         }
         best.1
     }
 
-    /// The perch on an element's middle line, a share t of the way along it, with its normal to the left.
-    pub fn on_element(&self, element: usize, t: f64) -> Perch {
-        Perch { element, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
+    /// The point on an element's middle line, a share t of the way along it, with its normal to the left.
+    pub fn on_element(&self, element: usize, t: f64) -> BeamAttachment {
+        BeamAttachment { element, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
     }
 
     /// Length of an element at rest [m].
@@ -126,31 +128,31 @@ impl BeamSurface {
         ([x1, y1], Bend { length, chord: [dx / length, dy / length], psi })
     }
 
-    /// K1: where a perch is when the nodes are displaced by q = `[nodes][u, w, θ]` [m, m, rad].
-    pub fn place(&self, perch: &Perch, q: &[[f64; 3]]) -> Place {
-        let (start, Bend { length, chord: [c, s], psi }) = self.bend(perch.element, q);
-        let (h, slope) = shapes(perch.t);
+    /// K1: where a point is when the nodes are displaced by q = `[nodes][u, w, θ]` [m, m, rad].
+    pub fn place(&self, point: &BeamAttachment, q: &[[f64; 3]]) -> Place {
+        let (start, Bend { length, chord: [c, s], psi }) = self.bend(point.element, q);
+        let (h, slope) = shapes(point.t);
         let (deflection, tan) = (length * dot2(h, psi), dot2(slope, psi));
         let cos = 1.0 / tan.hypot(1.0);
         // tangent of the bent middle line
         let [tx, ty] = [cos * (c - tan * s), cos * (s + tan * c)];
-        let along = perch.t * length;
+        let along = point.t * length;
         let at = [
-            start[0] + along * c - deflection * s + perch.beyond * tx - perch.offset * ty,
-            start[1] + along * s + deflection * c + perch.beyond * ty + perch.offset * tx,
+            start[0] + along * c - deflection * s + point.beyond * tx - point.offset * ty,
+            start[1] + along * s + deflection * c + point.beyond * ty + point.offset * tx,
         ];
-        let [n_along, n_across] = perch.normal;
+        let [n_along, n_across] = point.normal;
         Place { at, normal: [n_along * tx - n_across * ty, n_along * ty + n_across * tx] }
     }
 
     /// K2: rows x, y of ∂r/∂q by the six values of the element's ends: velocity = H q̇, to rounding.
-    pub fn influence(&self, perch: &Perch, q: &[[f64; 3]]) -> [[f64; 6]; 2] {
-        let (_, Bend { length, chord: [c, s], psi }) = self.bend(perch.element, q);
-        let (h, slope) = shapes(perch.t);
+    pub fn influence(&self, point: &BeamAttachment, q: &[[f64; 3]]) -> [[f64; 6]; 2] {
+        let (_, Bend { length, chord: [c, s], psi }) = self.bend(point.element, q);
+        let (h, slope) = shapes(point.t);
         let (shape, tan) = (dot2(h, psi), dot2(slope, psi));
         let cos = 1.0 / tan.hypot(1.0);
         let [tx, ty] = [cos * (c - tan * s), cos * (s + tan * c)];
-        let t = perch.t;
+        let t = point.t;
         let spin = [s / length, -c / length, 0.0, -s / length, c / length, 0.0]; // of the chord
         let stretch = [-c, -s, 0.0, c, s, 0.0];
         let mut rows = [[0.0; 6]; 2];
@@ -159,8 +161,8 @@ impl BeamSurface {
             let across = shape * stretch[k] + length * dot2(h, own);
             let turn = spin[k] + cos * cos * dot2(slope, own);
             let back = length * shape * spin[k];
-            rows[0][k] = -across * s - back * c - turn * (perch.beyond * ty + perch.offset * tx);
-            rows[1][k] = across * c - back * s + turn * (perch.beyond * tx - perch.offset * ty);
+            rows[0][k] = -across * s - back * c - turn * (point.beyond * ty + point.offset * tx);
+            rows[1][k] = across * c - back * s + turn * (point.beyond * tx - point.offset * ty);
         }
         for (axis, row) in rows.iter_mut().enumerate() {
             row[axis] += 1.0 - t;
@@ -169,16 +171,16 @@ impl BeamSurface {
         rows
     }
 
-    /// H q̇ (or H q̈): velocity [m/s] of a perch of the nodes' velocities `[nodes][3]`.
-    pub fn velocity(&self, perch: &Perch, q: &[[f64; 3]], rate: &[[f64; 3]]) -> [f64; 2] {
-        let [first, second] = self.elements[perch.element];
-        self.influence(perch, q).map(|row| (0..3).map(|k| row[k] * rate[first][k] + row[3 + k] * rate[second][k]).sum())
+    /// H q̇ (or H q̈): velocity [m/s] of a point of the nodes' velocities `[nodes][3]`.
+    pub fn velocity(&self, point: &BeamAttachment, q: &[[f64; 3]], rate: &[[f64; 3]]) -> [f64; 2] {
+        let [first, second] = self.elements[point.element];
+        self.influence(point, q).map(|row| (0..3).map(|k| row[k] * rate[first][k] + row[3 + k] * rate[second][k]).sum())
     }
 
-    /// K3: Hᵀ f: add a force [N/m] at a perch to the nodes' loads `[nodes][F_x, F_y, M]` [N/m, N/m, N].
-    pub fn carry(&self, perch: &Perch, q: &[[f64; 3]], force: [f64; 2], loads: &mut [[f64; 3]]) {
-        let [first, second] = self.elements[perch.element];
-        let [x, y] = self.influence(perch, q);
+    /// K3: Hᵀ f: add a force [N/m] at a point to the nodes' loads `[nodes][F_x, F_y, M]` [N/m, N/m, N].
+    pub fn add_load(&self, point: &BeamAttachment, q: &[[f64; 3]], force: [f64; 2], loads: &mut [[f64; 3]]) {
+        let [first, second] = self.elements[point.element];
+        let [x, y] = self.influence(point, q);
         for k in 0..3 {
             loads[first][k] += x[k] * force[0] + y[k] * force[1];
             loads[second][k] += x[3 + k] * force[0] + y[3 + k] * force[1];
@@ -190,22 +192,22 @@ impl BeamSurface {
 mod tests {
     use super::*;
 
-    fn bent() -> (BeamSurface, Vec<[f64; 3]>, Vec<Perch>) {
+    fn bent() -> (BeamSurface, Vec<[f64; 3]>, Vec<BeamAttachment>) {
         let surface = BeamSurface::new(vec![[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]], vec![[0, 1], [1, 2]]);
         let q = vec![[0.3, -0.2, 0.5], [0.1, 0.15, 0.9], [-0.3, 0.4, 1.1]];
-        let perches =
+        let points =
             [(0, 0.3, 0.0, 0.05), (0, 1.0, 0.0, -0.1), (1, 0.0, -0.3, 0.2), (1, 0.62, 0.0, -0.03), (1, 1.0, 0.1, 0.02)];
-        let perch = |(element, t, beyond, offset)| Perch { element, t, beyond, offset, normal: [0.6, 0.8] };
-        let perches = perches.map(perch).to_vec();
-        (surface, q, perches)
+        let point = |(element, t, beyond, offset)| BeamAttachment { element, t, beyond, offset, normal: [0.6, 0.8] };
+        let points = points.map(point).to_vec();
+        (surface, q, points)
     }
 
     #[test]
-    fn a_point_at_rest_is_where_its_perch_puts_it() {
+    fn a_point_at_rest_is_where_its_point_puts_it() {
         let (surface, _, _) = bent();
         let rest = vec![[0.0; 3]; 3];
         for at in [[0.3, 0.3], [1.1, 0.6], [0.8, 1.2], [0.0, 0.1], [1.3, 1.6]] {
-            let place = surface.place(&surface.perch(at, [0.0, 1.0]), &rest);
+            let place = surface.place(&surface.attach(at, [0.0, 1.0]), &rest);
             assert!((place.at[0] - at[0]).hypot(place.at[1] - at[1]) < 1e-14, "{at:?} {place:?}");
             assert!(place.normal[0].abs() + (place.normal[1] - 1.0).abs() < 1e-14);
         }
@@ -214,29 +216,29 @@ mod tests {
     /// H is the derivative of the places by the nodes' values.
     #[test]
     fn the_influence_is_the_places_derivative() {
-        let (surface, q, perches) = bent();
-        for perch in &perches {
-            let rows = surface.influence(perch, &q);
+        let (surface, q, points) = bent();
+        for point in &points {
+            let rows = surface.influence(point, &q);
             for k in 0..6 {
-                let (node, dof) = (surface.ends(perch.element)[k / 3], k % 3);
+                let (node, dof) = (surface.ends(point.element)[k / 3], k % 3);
                 let moved = |by: f64| {
                     let mut q = q.clone();
                     q[node][dof] += by;
-                    surface.place(perch, &q).at
+                    surface.place(point, &q).at
                 };
                 let (plus, minus) = (moved(1e-6), moved(-1e-6));
                 for axis in 0..2 {
                     let slope = (plus[axis] - minus[axis]) / 2e-6;
-                    assert!((rows[axis][k] - slope).abs() < 1e-8, "{perch:?} {axis} {k}: {} {slope}", rows[axis][k]);
+                    assert!((rows[axis][k] - slope).abs() < 1e-8, "{point:?} {axis} {k}: {} {slope}", rows[axis][k]);
                 }
             }
         }
     }
 
-    /// A rigid motion of the nodes, of any size, moves the perches rigidly, normals too.
+    /// A rigid motion of the nodes, of any size, moves the points rigidly, normals too.
     #[test]
-    fn a_rigid_motion_moves_perches_rigidly() {
-        let (surface, q, perches) = bent();
+    fn a_rigid_motion_moves_points_rigidly() {
+        let (surface, q, points) = bent();
         let (sin, cos) = 2.3_f64.sin_cos();
         let turned = |p: [f64; 2]| [cos * p[0] - sin * p[1] + 0.7, sin * p[0] + cos * p[1] - 0.4];
         let nodes = [[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]];
@@ -246,8 +248,8 @@ mod tests {
                 [at[0] - nodes[n][0], at[1] - nodes[n][1], q[n][2] + 2.3]
             })
             .collect();
-        for perch in &perches {
-            let (before, after) = (surface.place(perch, &q), surface.place(perch, &moved));
+        for point in &points {
+            let (before, after) = (surface.place(point, &q), surface.place(point, &moved));
             let expected = turned(before.at);
             assert!((after.at[0] - expected[0]).hypot(after.at[1] - expected[1]) < 1e-14);
             let normal =
@@ -259,13 +261,13 @@ mod tests {
     /// Power is the same on both sides of the interface: Σ f·(H q̇) = (Hᵀ f)·q̇; so are force and moment.
     #[test]
     fn work_force_and_moment_are_conserved() {
-        let (surface, q, perches) = bent();
+        let (surface, q, points) = bent();
         let rate = vec![[0.5, -1.0, 2.0], [-0.3, 0.8, -1.5], [1.2, 0.4, 0.7]];
         let (mut loads, mut power, mut force, mut moment) = (vec![[0.0; 3]; 3], 0.0, [0.0; 2], 0.0);
-        for (k, perch) in perches.iter().enumerate() {
+        for (k, point) in points.iter().enumerate() {
             let f = [3.0 - k as f64, 0.5 + k as f64];
-            let (v, at) = (surface.velocity(perch, &q, &rate), surface.place(perch, &q).at);
-            surface.carry(perch, &q, f, &mut loads);
+            let (v, at) = (surface.velocity(point, &q, &rate), surface.place(point, &q).at);
+            surface.add_load(point, &q, f, &mut loads);
             power += dot2(f, v);
             force = [force[0] + f[0], force[1] + f[1]];
             moment += at[0] * f[1] - at[1] * f[0];

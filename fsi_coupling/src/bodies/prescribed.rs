@@ -1,23 +1,26 @@
-//! A body whose motion is given as a function of time.
+//! A body with prescribed motion: a function of time.
 
 use sph_core::walls::Resultant;
 use sph_core::{Screen, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
-use crate::bodies::rigid_motion::{Rigid, Shape};
+use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::error::BodyError;
+use crate::bodies::rigid_motion::RigidMotion;
+use crate::bodies::rigid_surface::RigidSurface;
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
-use crate::geometry::rows::Arrangement;
+use crate::geometry::rows::WallRows;
 
 /// A motion law: time [s] → motion of the body's origin.
-pub type Law = Box<dyn Fn(f64) -> Rigid + Send + Sync>;
+pub type Law = Box<dyn Fn(f64) -> RigidMotion + Send + Sync>;
 
-/// See the module's text.
+/// A rigid body that follows a motion law.
 pub struct PrescribedBody {
     name: String,
-    shape: Shape,
+    surface: RigidSurface,
     law: Law,
     state: State,
-    saved: State,
+    checkpoint: Option<State>,
 }
 
 /// What a step changes.
@@ -33,13 +36,13 @@ struct State {
 impl PrescribedBody {
     /// A body that follows `law`; with `half`, only its half x > 0 is simulated.
     pub fn new(name: &str, outline: Outline, half: bool, law: Law) -> PrescribedBody {
-        let shape = Shape::new(outline, [0.0, 0.0], half);
-        PrescribedBody { name: name.into(), shape, law, state: State::default(), saved: State::default() }
+        let surface = RigidSurface::new(outline, [0.0, 0.0], half);
+        PrescribedBody { name: name.into(), surface, law, state: State::default(), checkpoint: None }
     }
 
-    /// The law of constant velocity [m/s] and spin [rad/s] from a start position [m] and angle [rad].
-    pub fn steady(start: [f64; 2], angle: f64, velocity: [f64; 2], spin: f64) -> Law {
-        let first = Rigid { pole: start, angle, velocity, spin, ..Rigid::default() };
+    /// The law of constant velocity [m/s] and angular velocity [rad/s] from a start position [m] and angle [rad].
+    pub fn steady(start: [f64; 2], angle: f64, velocity: [f64; 2], angular_velocity: f64) -> Law {
+        let first = RigidMotion { position: start, angle, velocity, angular_velocity, ..RigidMotion::default() };
         Box::new(move |t| first.ahead(t))
     }
 
@@ -50,129 +53,118 @@ impl PrescribedBody {
         Box::new(move |t| {
             let s = (t / period).clamp(0.0, 1.0);
             let ease = [s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / period, (6.0 - 12.0 * s) / period.powi(2)];
-            let bend = if t < period { ease[2] } else { 0.0 };
+            let curvature = if t < period { ease[2] } else { 0.0 };
             let (sin, cos) = (omega * t).sin_cos();
             let place = ease[0] * sin;
             let speed = ease[1] * sin + ease[0] * omega * cos;
-            let rate = bend * sin + 2.0 * ease[1] * omega * cos - ease[0] * omega * omega * sin;
-            Rigid {
-                pole: [0, 1].map(|k| middle[k] + amplitude[k] * place),
+            let rate = curvature * sin + 2.0 * ease[1] * omega * cos - ease[0] * omega * omega * sin;
+            RigidMotion {
+                position: [0, 1].map(|k| middle[k] + amplitude[k] * place),
                 angle,
                 velocity: amplitude.map(|a| a * speed),
                 acceleration: amplitude.map(|a| a * rate),
-                ..Rigid::default()
+                ..RigidMotion::default()
             }
         })
     }
 
-    fn rigid(&self) -> Rigid {
+    fn motion_now(&self) -> RigidMotion {
         (self.law)(self.state.time)
     }
 }
 
 impl WettedBody for PrescribedBody {
-    fn name(&self) -> &str {
-        &self.name
+    fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
+        Ok(self.surface.sample(&self.motion_now(), rows))
     }
 
-    fn arrange(&mut self, arrangement: Arrangement) {
-        self.shape.arrangement = arrangement;
-    }
-
-    fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
-        Ok(self.shape.sample(&self.rigid(), spacing, layers))
-    }
-
-    fn place(&self, ahead: f64, out: WallsMut<'_>) {
-        // the law, made a motion of constant acceleration that ends exactly where the law says
-        let (now, then) = (self.rigid(), (self.law)(self.state.time + ahead));
-        if ahead <= 0.0 {
-            return self.shape.place(&now, 0.0, out);
+    /// The law is replaced by a motion of constant acceleration that ends exactly where the law does.
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+        let (now, then) = (self.motion_now(), (self.law)(self.state.time + ahead));
+        let mut fitted = now;
+        if ahead > 0.0 {
+            let mean = |k: usize| (then.position[k] - now.position[k]) / ahead;
+            fitted = RigidMotion {
+                velocity: [0, 1].map(|k| mean(k) - 0.5 * ahead * then.acceleration[k]),
+                angular_velocity: (then.angle - now.angle) / ahead - 0.5 * ahead * then.angular_acceleration,
+                acceleration: then.acceleration,
+                angular_acceleration: then.angular_acceleration,
+                ..now
+            };
         }
-        let mean = |k: usize| (then.pole[k] - now.pole[k]) / ahead;
-        let fitted = Rigid {
-            velocity: [0, 1].map(|k| mean(k) - 0.5 * ahead * then.acceleration[k]),
-            spin: (then.angle - now.angle) / ahead - 0.5 * ahead * then.spin_rate,
-            acceleration: then.acceleration,
-            spin_rate: then.spin_rate,
-            ..now
-        };
-        self.shape.place(&fitted, ahead, out);
-    }
-
-    fn screens(&self, ahead: f64) -> Vec<Screen> {
-        self.shape.screens(&self.rigid(), &(self.law)(self.state.time + ahead))
+        self.surface.kinematics(&fitted, ahead.max(0.0), out);
+        self.surface.midlines(&now, &then)
     }
 
     fn load(&mut self, force: WallForces<'_>) {
-        let pole = self.rigid().pole;
-        (self.state.now, self.state.mean) = (force.resultant(pole), force.mean_resultant(pole));
+        let about = self.motion_now().position;
+        (self.state.now, self.state.mean) = (force.resultant(about), force.mean_resultant(about));
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
-        let (now, then) = (self.rigid(), (self.law)(self.state.time + dt));
-        let moved = [0, 1].map(|k| then.pole[k] - now.pole[k]);
+        let (now, then) = (self.motion_now(), (self.law)(self.state.time + dt));
+        let moved = [0, 1].map(|k| then.position[k] - now.position[k]);
         let (mean, state) = (self.state.mean, &mut self.state);
         for k in 0..2 {
             state.work += mean.force[k] * moved[k];
             state.external[k] -= dt * mean.force[k];
         }
-        // the mean moment about the pole, which moves through the step
+        // the mean moment, about the reference point in the middle of the step
         state.work += mean.about(moved.map(|d| 0.5 * d)).moment * (then.angle - now.angle);
         state.now = state.now.about(moved);
         state.time += dt;
         Ok(())
     }
 
-    fn save(&mut self) {
-        self.saved = self.state;
+    fn checkpoint(&mut self) {
+        self.checkpoint = Some(self.state);
     }
 
     fn restore(&mut self) {
-        self.state = self.saved;
+        self.state = self.checkpoint.unwrap_or(self.state);
+    }
+}
+
+impl Contact for PrescribedBody {
+    fn signed_distance(&self, at: [f64; 2]) -> f64 {
+        self.surface.signed_distance(&self.motion_now(), at)
+    }
+
+    fn surface(&self, at: [f64; 2]) -> SurfacePoint {
+        self.surface.nearest(&self.motion_now(), at)
+    }
+
+    fn apply_impulse(&mut self, contact: &ContactImpulse) {
+        let (at, impulse) = contact.resultant();
+        let now = self.motion_now();
+        let v = now.point_velocity(now.local(at));
+        self.state.work += impulse[0] * v[0] + impulse[1] * v[1];
+        self.state.external = [0, 1].map(|k| self.state.external[k] - impulse[k]);
+    }
+}
+
+impl Inspect for PrescribedBody {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        Some(Motion::new(&self.motion_now(), self.state.now))
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        Some(&self.surface.outline)
     }
 
     fn energy(&self) -> Energy {
         Energy { work: self.state.work, ..Energy::default() }
     }
 
-    fn ledger(&self) -> Ledger {
-        Ledger { momentum: [0.0; 2], external: self.state.external }
+    fn momentum(&self) -> Momentum {
+        Momentum { momentum: [0.0; 2], external: self.state.external }
     }
 
-    fn motion(&self) -> Option<Motion> {
-        let r = self.rigid();
-        Some(Motion {
-            position: r.pole,
-            angle: r.angle,
-            velocity: r.velocity,
-            spin: r.spin,
-            acceleration: r.acceleration,
-            force: self.state.now.force,
-            moment: self.state.now.moment,
-        })
-    }
-
-    fn outline(&self) -> Option<&Outline> {
-        Some(&self.shape.outline)
-    }
-
-    fn clearance(&self, at: [f64; 2]) -> f64 {
-        self.shape.clearance(&self.rigid(), at)
-    }
-
-    fn surface(&self, at: [f64; 2]) -> Surface {
-        self.shape.surface(&self.rigid(), at)
-    }
-
-    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
-        let r = self.rigid();
-        let v = r.point_velocity(crate::bodies::rigid_motion::rotate([at[0] - r.pole[0], at[1] - r.pole[1]], -r.angle));
-        self.state.work += impulse[0] * v[0] + impulse[1] * v[1];
-        self.state.external = [0, 1].map(|k| self.state.external[k] - impulse[k]);
-    }
-
-    fn prescribed(&self) -> bool {
+    fn is_prescribed(&self) -> bool {
         true
     }
 }
@@ -184,16 +176,16 @@ mod tests {
     #[test]
     fn an_oscillation_starts_at_rest_and_its_derivatives_are_its_own() {
         let law = PrescribedBody::oscillating([0.3, -0.1], 0.0, [0.1, 0.02], 1.25);
-        assert_eq!((law(0.0).pole, law(0.0).velocity), ([0.3, -0.1], [0.0; 2]));
+        assert_eq!((law(0.0).position, law(0.0).velocity), ([0.3, -0.1], [0.0; 2]));
         for t in [0.2, 0.9, 1.2, 1.7, 3.0] {
             let (before, now, after) = (law(t - 1e-5), law(t), law(t + 1e-5));
             for k in 0..2 {
-                let speed = (after.pole[k] - before.pole[k]) / 2e-5;
+                let speed = (after.position[k] - before.position[k]) / 2e-5;
                 let rate = (after.velocity[k] - before.velocity[k]) / 2e-5;
                 assert!((speed - now.velocity[k]).abs() < 1e-7, "t = {t}: {speed} {:?}", now.velocity);
                 assert!((rate - now.acceleration[k]).abs() < 1e-6, "t = {t}: {rate} {:?}", now.acceleration);
             }
         }
-        assert!((law(1.25 * 2.25).pole[0] - 0.4).abs() < 1e-12, "the amplitude after the first period");
+        assert!((law(1.25 * 2.25).position[0] - 0.4).abs() < 1e-12, "the amplitude after the first period");
     }
 }

@@ -11,11 +11,15 @@ use rapier2d::prelude::*;
 use sph_core::walls::Resultant;
 use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
 
-use crate::bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
-use crate::bodies::rigid_interface::RigidYield;
-use crate::bodies::rigid_motion::{Rigid, Shape};
+use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::error::BodyError;
+use crate::bodies::rigid_interface::RigidInterface;
+use crate::bodies::rigid_motion::RigidMotion;
+use crate::bodies::rigid_surface::RigidSurface;
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
-use crate::geometry::rows::Arrangement;
+use crate::geometry::rows::WallRows;
+use crate::geometry::vector::{cross, rotate};
 
 /// A rigid body to be built; everything per metre of span.
 #[derive(Clone)]
@@ -39,19 +43,19 @@ pub struct RigidSpec {
     /// Velocity of the origin at the start [m/s].
     pub velocity: [f64; 2],
     /// Angular velocity at the start [rad/s].
-    pub spin: f64,
+    pub angular_velocity: f64,
     /// Gravity [m/s²].
     pub gravity: [f64; 2],
     /// Simulate the half x > 0 of a symmetric body.
     pub half: bool,
 }
 
-/// See the module's text.
+/// A rigid body that moves under the fluid's load and gravity; any of x, y, angle may be held by a guide.
 pub struct RigidBody2d {
     spec: RigidSpec,
     world: PhysicsWorld,
     handle: RigidBodyHandle,
-    shape: Shape,
+    surface: RigidSurface,
     angle: f64,
     now: Resultant,
     mean: Resultant,
@@ -59,11 +63,11 @@ pub struct RigidBody2d {
     external: [f64; 2],
     work: f64,
     time: f64,
-    saved: Option<Saved>,
+    checkpoint: Option<Checkpoint>,
 }
 
 /// State to return to.
-struct Saved {
+struct Checkpoint {
     pose: Pose,
     angle: f64,
     linear: Vector,
@@ -90,12 +94,12 @@ impl RigidBody2d {
         world.integration_parameters.max_ccd_substeps = 0;
         world.integration_parameters.normalized_max_linear_velocity = f64::MAX;
         let com = spec.center_of_mass;
-        let start = Rigid {
-            pole: spec.position,
+        let start = RigidMotion {
+            position: spec.position,
             angle: spec.angle,
             velocity: spec.velocity,
-            spin: spec.spin,
-            ..Rigid::default()
+            angular_velocity: spec.angular_velocity,
+            ..RigidMotion::default()
         };
         let v = start.point_velocity(com);
         let inertia = if spec.free[2] { spec.inertia } else { spec.inertia.max(spec.mass) };
@@ -103,7 +107,7 @@ impl RigidBody2d {
             .translation(Vector::new(spec.position[0], spec.position[1]))
             .rotation(spec.angle)
             .linvel(Vector::new(v[0], v[1]))
-            .angvel(spec.spin)
+            .angvel(spec.angular_velocity)
             .additional_mass_properties(MassProperties::new(Vector::new(com[0], com[1]), spec.mass, inertia))
             .can_sleep(false)
             .allow_fast_rotation(true);
@@ -112,47 +116,47 @@ impl RigidBody2d {
         body.set_enabled_translations(spec.free[0], spec.free[1], true);
         body.lock_rotations(!spec.free[2], true);
         body.recompute_mass_properties_from_colliders(&world.colliders);
-        let shape = Shape::new(spec.outline.clone(), com, spec.half);
+        let surface = RigidSurface::new(spec.outline.clone(), com, spec.half);
         Ok(RigidBody2d {
             angle: spec.angle,
             spec,
             world,
             handle,
-            shape,
+            surface,
             now: Resultant::default(),
             mean: Resultant::default(),
             kicked: Resultant::default(),
             external: [0.0; 2],
             work: 0.0,
             time: 0.0,
-            saved: None,
+            checkpoint: None,
         })
     }
 
     /// Motion of the centre of mass under the load now and gravity, guides holding what is not free.
-    fn rigid(&self) -> Rigid {
+    fn motion_now(&self) -> RigidMotion {
         let (body, spec) = (&self.world.bodies[self.handle], &self.spec);
         let (com, v) = (body.center_of_mass(), body.linvel());
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
-        Rigid {
-            pole: [com.x, com.y],
+        RigidMotion {
+            position: [com.x, com.y],
             angle: self.angle,
             velocity: [v.x, v.y],
-            spin: body.angvel(),
+            angular_velocity: body.angvel(),
             acceleration: [0, 1].map(|k| free(k, self.now.force[k] / spec.mass + spec.gravity[k])),
-            spin_rate: free(2, self.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
+            angular_acceleration: free(2, self.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
         }
     }
 
     /// Add the step's turn to the angle, which counts whole turns; rapier's wraps at ±π.
-    fn follow_angle(&mut self) -> f64 {
+    fn unwrap_angle(&mut self) -> f64 {
         let wrapped = self.world.bodies[self.handle].rotation().angle();
         let turned = (wrapped - self.angle + PI).rem_euclid(TAU) - PI;
         self.angle += turned;
         turned
     }
 
-    /// E20: give the body an impulse [N s/m] and an angular impulse; guides take their share. Keeps the ledger.
+    /// E20: give the body an impulse [N s/m] and an angular impulse; guides take their share. Updates the external impulses.
     fn kick(&mut self, load: Resultant, dt: f64) {
         let g = self.spec.gravity;
         for k in 0..2 {
@@ -167,51 +171,40 @@ impl RigidBody2d {
 }
 
 impl WettedBody for RigidBody2d {
-    fn name(&self) -> &str {
-        &self.spec.name
+    fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
+        let motion = self.motion_now();
+        Ok(self.surface.sample(&motion, rows))
     }
 
-    fn arrange(&mut self, arrangement: Arrangement) {
-        self.shape.arrangement = arrangement;
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+        let now = self.motion_now();
+        self.surface.kinematics(&now, ahead, out);
+        self.surface.midlines(&now, &now.ahead(ahead))
     }
 
-    fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
-        let motion = self.rigid();
-        Ok(self.shape.sample(&motion, spacing, layers))
-    }
-
-    fn place(&self, ahead: f64, out: WallsMut<'_>) {
-        self.shape.place(&self.rigid(), ahead, out);
-    }
-
-    fn screens(&self, ahead: f64) -> Vec<Screen> {
-        let now = self.rigid();
-        self.shape.screens(&now, &now.ahead(ahead))
-    }
-
-    fn yielding(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
-        let (now, spec) = (self.rigid(), &self.spec);
+    fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+        let (now, spec) = (self.motion_now(), &self.spec);
         let ([x, y], inverse) = (now.acceleration, [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia));
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
-        Ok(Some(Box::new(RigidYield {
-            pole: now.ahead(ahead).pole,
+        Ok(Some(Box::new(RigidInterface {
+            position: now.ahead(ahead).position,
             velocity: now.ahead(0.5 * ahead).velocity,
             dt: ahead,
-            predicted: [x, y, now.spin_rate],
+            predicted: [x, y, now.angular_acceleration],
             change: [0.0; 3],
-            mobility: [0, 1, 2].map(|k| free(k, inverse[k])),
+            inverse_mass: [0, 1, 2].map(|k| free(k, inverse[k])),
             free_fall: [free(0, spec.gravity[0]), free(1, spec.gravity[1]), 0.0],
         })))
     }
 
     fn load(&mut self, force: WallForces<'_>) {
-        let pole = self.rigid().pole;
+        let about = self.motion_now().position;
         self.kicked = self.now;
-        (self.now, self.mean) = (force.resultant(pole), force.mean_resultant(pole));
+        (self.now, self.mean) = (force.resultant(about), force.mean_resultant(about));
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
-        let before = self.rigid();
+        let before = self.motion_now();
         self.kick(self.kicked, 0.5 * dt);
         self.world.integration_parameters.dt = dt;
         self.world.step();
@@ -219,8 +212,8 @@ impl WettedBody for RigidBody2d {
             return Err(BodyError::NotFinite { name: self.spec.name.clone(), time: self.time + dt });
         }
         let com = self.world.bodies[self.handle].center_of_mass();
-        let moved = [com.x - before.pole[0], com.y - before.pole[1]];
-        let turned = self.follow_angle();
+        let moved = [com.x - before.position[0], com.y - before.position[1]];
+        let turned = self.unwrap_angle();
         // what remains of the step's impulse after the first half kick, about where the centre of mass now is
         let (mean, kicked) = (self.mean, self.kicked);
         let rest = Resultant {
@@ -235,9 +228,9 @@ impl WettedBody for RigidBody2d {
         Ok(())
     }
 
-    fn save(&mut self) {
+    fn checkpoint(&mut self) {
         let body = &self.world.bodies[self.handle];
-        self.saved = Some(Saved {
+        self.checkpoint = Some(Checkpoint {
             pose: *body.position(),
             angle: self.angle,
             linear: body.linvel(),
@@ -250,7 +243,7 @@ impl WettedBody for RigidBody2d {
     }
 
     fn restore(&mut self) {
-        let Some(saved) = &self.saved else { return };
+        let Some(saved) = &self.checkpoint else { return };
         let body = &mut self.world.bodies[self.handle];
         body.set_position(saved.pose, true);
         body.set_linvel(saved.linear, true);
@@ -259,66 +252,69 @@ impl WettedBody for RigidBody2d {
         (self.angle, self.external, self.work, self.time) = (saved.angle, saved.external, saved.work, saved.time);
         self.world.bodies[self.handle].recompute_mass_properties_from_colliders(&self.world.colliders);
     }
+}
+
+impl Contact for RigidBody2d {
+    fn signed_distance(&self, at: [f64; 2]) -> f64 {
+        self.surface.signed_distance(&self.motion_now(), at)
+    }
+
+    fn surface(&self, at: [f64; 2]) -> SurfacePoint {
+        self.surface.nearest(&self.motion_now(), at)
+    }
+
+    fn apply_impulse(&mut self, contact: &ContactImpulse) {
+        let (at, impulse) = contact.resultant();
+        let before = self.motion_now();
+        let angular_impulse = cross([at[0] - before.position[0], at[1] - before.position[1]], impulse);
+        let body = &mut self.world.bodies[self.handle];
+        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
+        body.apply_torque_impulse(angular_impulse, true);
+        let after = self.motion_now();
+        for k in 0..2 {
+            self.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
+            self.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
+        }
+        self.work += 0.5 * (before.angular_velocity + after.angular_velocity) * angular_impulse;
+    }
+}
+
+impl Inspect for RigidBody2d {
+    fn name(&self) -> &str {
+        &self.spec.name
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        let now = self.motion_now();
+        let origin = self.surface.lever_arm([0.0; 2]);
+        let frame = RigidMotion {
+            position: now.point(origin),
+            velocity: now.point_velocity(origin),
+            acceleration: now.point_acceleration(origin),
+            ..now
+        };
+        Some(Motion::new(&frame, self.now.about(rotate(origin, now.angle))))
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        Some(&self.surface.outline)
+    }
 
     fn energy(&self) -> Energy {
-        let (r, s) = (self.rigid(), &self.spec);
+        let (r, s) = (self.motion_now(), &self.spec);
         let v2 = r.velocity[0] * r.velocity[0] + r.velocity[1] * r.velocity[1];
+        let rotation = if s.free[2] { s.inertia * r.angular_velocity * r.angular_velocity } else { 0.0 };
         Energy {
-            kinetic: 0.5 * (s.mass * v2 + if s.free[2] { s.inertia * r.spin * r.spin } else { 0.0 }),
-            potential: -s.mass * (s.gravity[0] * r.pole[0] + s.gravity[1] * r.pole[1]),
+            kinetic: 0.5 * (s.mass * v2 + rotation),
+            potential: -s.mass * (s.gravity[0] * r.position[0] + s.gravity[1] * r.position[1]),
             work: self.work,
             ..Energy::default()
         }
     }
 
-    fn ledger(&self) -> Ledger {
-        let v = self.rigid().velocity;
+    fn momentum(&self) -> Momentum {
+        let v = self.motion_now().velocity;
         let momentum = [0, 1].map(|k| if self.spec.free[k] { self.spec.mass * v[k] } else { 0.0 });
-        Ledger { momentum, external: self.external }
-    }
-
-    fn motion(&self) -> Option<Motion> {
-        let r = self.rigid();
-        let origin = self.shape.origin();
-        let (position, arm) = (r.point(origin), crate::bodies::rigid_motion::rotate(origin, r.angle));
-        Some(Motion {
-            position,
-            angle: r.angle,
-            velocity: r.point_velocity(origin),
-            spin: r.spin,
-            acceleration: r.point_acceleration(origin),
-            force: self.now.force,
-            moment: self.now.about(arm).moment,
-        })
-    }
-
-    fn outline(&self) -> Option<&Outline> {
-        Some(&self.shape.outline)
-    }
-
-    fn clearance(&self, at: [f64; 2]) -> f64 {
-        self.shape.clearance(&self.rigid(), at)
-    }
-
-    fn surface(&self, at: [f64; 2]) -> Surface {
-        self.shape.surface(&self.rigid(), at)
-    }
-
-    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
-        let before = self.rigid();
-        let arm = [at[0] - before.pole[0], at[1] - before.pole[1]];
-        let body = &mut self.world.bodies[self.handle];
-        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
-        body.apply_torque_impulse(arm[0] * impulse[1] - arm[1] * impulse[0], true);
-        let after = self.rigid();
-        for k in 0..2 {
-            self.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
-            self.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
-        }
-        self.work += 0.5 * (before.spin + after.spin) * (arm[0] * impulse[1] - arm[1] * impulse[0]);
-    }
-
-    fn prescribed(&self) -> bool {
-        false
+        Momentum { momentum, external: self.external }
     }
 }

@@ -1,4 +1,4 @@
-//! A rigid owner of walls as coupling schemes see it: three accelerations (THEORY C2, C5).
+//! Interface dynamics of a rigid body: three accelerations (THEORY C2, C5).
 
 use sph_core::WallsMut;
 use sph_core::walls::interface::{Encounter, Lack, Touch, Yields};
@@ -6,33 +6,33 @@ use sph_core::walls::{Resultant, WallForces};
 
 /// A rigid body under the forces at the end of a step. Directions: x, y [m], angle [rad].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct RigidYield {
+pub struct RigidInterface {
     /// Centre of mass at the end of the step [m].
-    pub pole: [f64; 2],
+    pub position: [f64; 2],
     /// Mean velocity of the centre of mass over the step [m/s].
     pub velocity: [f64; 2],
     /// Length of the step [s].
     pub dt: f64,
     /// Acceleration that its particles' kinematics are written with [m/s², m/s², rad/s²].
     pub predicted: [f64; 3],
-    /// What the acceleration now supposed is beyond that (C2, C5).
+    /// Trial acceleration less the predicted one (C2, C5).
     pub change: [f64; 3],
     /// Inverse of mass and moment of inertia [m/kg, m/kg, 1/(kg m)]; 0 where it is held.
-    pub mobility: [f64; 3],
+    pub inverse_mass: [f64; 3],
     /// Acceleration without a fluid [m/s², m/s², rad/s²].
     pub free_fall: [f64; 3],
 }
 
-impl RigidYield {
-    /// The centre of mass `offset` [s] from the end of the step: back at constant acceleration.
-    fn pole_at(&self, offset: f64) -> [f64; 2] {
-        let bend = 0.5 * offset * (offset + self.dt);
-        [0, 1].map(|k| self.pole[k] + offset * self.velocity[k] + bend * self.predicted[k])
+impl RigidInterface {
+    /// The centre of mass `offset` [s] from the end of the step: extrapolated at constant acceleration.
+    fn position_at(&self, offset: f64) -> [f64; 2] {
+        let curvature = 0.5 * offset * (offset + self.dt);
+        [0, 1].map(|k| self.position[k] + offset * self.velocity[k] + curvature * self.predicted[k])
     }
 
     /// C5: angular accelerations count by the radius of gyration [m], so that all unknowns are in m/s².
     fn scales(&self) -> [f64; 3] {
-        let [x, y, angle] = self.mobility;
+        let [x, y, angle] = self.inverse_mass;
         let gyration = if angle > 0.0 && x.max(y) > 0.0 { (x.max(y) / angle).sqrt() } else { 1.0 };
         [1.0, 1.0, gyration]
     }
@@ -41,43 +41,43 @@ impl RigidYield {
         [0, 1, 2].map(|k| self.predicted[k] + self.change[k])
     }
 
-    /// What an acceleration lacks of that under a force and moment about the pole [N/m, N/m, N] (C2).
-    fn lack_of(&self, acceleration: [f64; 3], force: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|k| match self.mobility[k] {
+    /// Residual of an acceleration under a force and a moment about the centre of mass [N/m, N/m, N] (C2).
+    fn residual_of(&self, acceleration: [f64; 3], force: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| match self.inverse_mass[k] {
             0.0 => 0.0,
-            mobility => mobility * force[k] + self.free_fall[k] - acceleration[k],
+            inverse_mass => inverse_mass * force[k] + self.free_fall[k] - acceleration[k],
         })
     }
 
-    /// C5: what the acceleration lacks under a force, its moment about the pole.
-    fn lack_under(&self, Resultant { force: [x, y], moment }: Resultant) -> Lack {
+    /// C5: residual of the present acceleration under a resultant about the centre of mass.
+    fn residual_under(&self, Resultant { force: [x, y], moment }: Resultant) -> Lack {
         let (force, scales) = ([x, y, moment], self.scales());
-        let lack = self.lack_of(self.acceleration(), force);
+        let lack = self.residual_of(self.acceleration(), force);
         Lack {
             lack: (0..3).map(|k| scales[k] * lack[k]).collect(),
-            caused: (0..3).map(|k| scales[k] * self.mobility[k] * force[k]).collect(),
+            caused: (0..3).map(|k| scales[k] * self.inverse_mass[k] * force[k]).collect(),
         }
     }
 
     /// C2: δa of (1 + M⁻¹ A) δa = M⁻¹ F + g − a.
-    fn yields(&self, force: [f64; 3], added: [[f64; 3]; 3]) -> [f64; 3] {
-        let lack = self.lack_of(self.predicted, force);
+    fn change_under(&self, force: [f64; 3], added: [[f64; 3]; 3]) -> [f64; 3] {
+        let lack = self.residual_of(self.predicted, force);
         let row = |i: usize| {
             let own = |j: usize| if i == j { 1.0 } else { 0.0 };
-            let [x, y, angle] = [0, 1, 2].map(|j| own(j) + self.mobility[i] * added[i][j]);
+            let [x, y, angle] = [0, 1, 2].map(|j| own(j) + self.inverse_mass[i] * added[i][j]);
             [x, y, angle, lack[i]]
         };
         solve([row(0), row(1), row(2)])
     }
 }
 
-impl Yields for RigidYield {
+impl Yields for RigidInterface {
     fn answer(&mut self, encounter: &Encounter<'_>, change: &mut [[f64; 2]]) {
-        let pole = self.pole_at(encounter.offset);
-        let arm = |touch: &Touch| [touch.at[0] - pole[0], touch.at[1] - pole[1]];
+        let position = self.position_at(encounter.offset);
+        let lever_arm = |touch: &Touch| [touch.at[0] - position[0], touch.at[1] - position[1]];
         let (mut force, mut added) = ([0.0; 3], [[0.0; 3]; 3]);
         for touch in encounter.touches {
-            let (r, l) = (arm(touch), touch.arm);
+            let (r, l) = (lever_arm(touch), touch.arm);
             accumulate(&mut force, touch.force, r, 1.0);
             // row i of A: force in direction i of unit accelerations, with its sign changed
             let along = [l[0], l[1], r[0] * l[1] - r[1] * l[0]];
@@ -90,10 +90,10 @@ impl Yields for RigidYield {
         if encounter.mirrored {
             (force, added) = both_halves(force, added);
         }
-        self.change = self.yields(force, added);
+        self.change = self.change_under(force, added);
         let [x, y, turn] = self.change;
         for (change, touch) in change.iter_mut().zip(encounter.touches) {
-            let r = arm(touch);
+            let r = lever_arm(touch);
             *change = [x - turn * r[1], y + turn * r[0]];
         }
     }
@@ -104,11 +104,11 @@ impl Yields for RigidYield {
     }
 
     fn lack(&self, forces: &WallForces<'_>) -> Lack {
-        self.lack_under(forces.resultant(self.pole))
+        self.residual_under(forces.resultant(self.position))
     }
 
     fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
-        self.lack_under(forces.mean_resultant(self.pole_at(-self.dt)))
+        self.residual_under(forces.mean_resultant(self.position_at(-self.dt)))
     }
 
     fn accelerate(&mut self, unknowns: &[f64], walls: WallsMut<'_>) {
@@ -116,8 +116,8 @@ impl Yields for RigidYield {
         self.change = [0, 1, 2].map(|k| unknowns[k] / scales[k] - self.predicted[k]);
         let [x, y, turn] = self.change;
         for k in 0..walls.x.len() {
-            walls.ax[k] += x - turn * (walls.y[k] - self.pole[1]);
-            walls.ay[k] += y + turn * (walls.x[k] - self.pole[0]);
+            walls.ax[k] += x - turn * (walls.y[k] - self.position[1]);
+            walls.ay[k] += y + turn * (walls.x[k] - self.position[0]);
         }
     }
 }
@@ -142,14 +142,14 @@ fn solve(mut rows: [[f64; 4]; 3]) -> [f64; 3] {
     x
 }
 
-/// Add `scale` times a force at an arm to a force and moment.
+/// Add `scale` times a force at a lever arm to a force and moment.
 fn accumulate(sum: &mut [f64; 3], force: [f64; 2], arm: [f64; 2], scale: f64) {
     sum[0] += scale * force[0];
     sum[1] += scale * force[1];
     sum[2] += scale * (arm[0] * force[1] - arm[1] * force[0]);
 }
 
-/// Of an owner whose left half is the image of the right: what is left of force and added mass acts along y.
+/// Force and added mass of both halves of a symmetric body: along y only.
 fn both_halves(force: [f64; 3], added: [[f64; 3]; 3]) -> ([f64; 3], [[f64; 3]; 3]) {
     let mut vertical = [[0.0; 3]; 3];
     vertical[1][1] = 2.0 * added[1][1];
@@ -172,10 +172,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_held_does_not_yield() {
-        let owner = RigidYield { mobility: [0.0, 0.5, 0.0], free_fall: [0.0, -9.81, 0.0], ..RigidYield::default() };
+    fn held_directions_do_not_accelerate() {
+        let owner =
+            RigidInterface { inverse_mass: [0.0, 0.5, 0.0], free_fall: [0.0, -9.81, 0.0], ..RigidInterface::default() };
         let added = [[7.0, 1.0, 2.0], [1.0, 6.0, 0.3], [0.1, 0.2, 0.9]];
-        let found = owner.yields([11.0, 30.0, -4.0], added);
+        let found = owner.change_under([11.0, 30.0, -4.0], added);
         // (m + A) a = F + m g, with m = 2
         assert_eq!([found[0], found[2]], [0.0; 2]);
         assert!((found[1] - (30.0 - 2.0 * 9.81) / (2.0 + 6.0)).abs() < 1e-14, "{found:?}");

@@ -1,12 +1,14 @@
 //! The tank: floor and side walls at rest, sampled at the spacing of the water beside them.
 
-use sph_core::{WallForces, WallPoint, WallsMut};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
+use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::error::BodyError;
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, SurfacePoint};
 use crate::geometry::layout::Tiling;
-use crate::geometry::outline::Outline;
-use crate::geometry::rows::Arrangement;
-use crate::geometry::thin_plate::{self, Plate};
+use crate::geometry::plate::Plate;
+use crate::geometry::plate_sampling;
+use crate::geometry::rows::WallRows;
 
 /// A rectangular open tank. Its particles never move.
 pub struct Tank {
@@ -15,40 +17,26 @@ pub struct Tank {
     floor: f64,
     rim: f64,
     half: bool,
-    arrangement: Arrangement,
+    plates: Vec<Plate>,
+    /// Depth of the side walls' rows [m].
     thickness: f64,
     points: Vec<WallPoint>,
     mean: [f64; 2],
     external: [f64; 2],
-    saved: [f64; 2],
-    plates: Vec<Plate>,
+    checkpoint: [f64; 2],
 }
 
 impl Tank {
-    /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, no wall at x[0]: a
-    /// plane of symmetry stands there.
+    /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, a plane of symmetry instead of the wall at
+    /// x[0].
     pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
-        let (thickness, points, none) = (f64::INFINITY, Vec::new(), [0.0; 2]);
-        let arrangement = Arrangement::default();
-        let plates = Vec::new();
-        Tank {
-            tiling,
-            x,
-            floor,
-            rim,
-            half,
-            arrangement,
-            thickness,
-            points,
-            mean: none,
-            external: none,
-            saved: none,
-            plates,
-        }
+        let (plates, points, none) = (Vec::new(), Vec::new(), [0.0; 2]);
+        let thickness = f64::INFINITY;
+        Tank { tiling, x, floor, rim, half, plates, thickness, points, mean: none, external: none, checkpoint: none }
     }
 
-    /// The same tank with fixed plates, where they stand [m], whose roots are in its walls (THEORY T3).
-    pub fn carrying(self, plates: Vec<Plate>) -> Tank {
+    /// The same tank with fixed plates [m] whose roots are in its walls (THEORY T3).
+    pub fn with_plates(self, plates: Vec<Plate>) -> Tank {
         Tank { plates, ..self }
     }
 
@@ -76,24 +64,15 @@ impl Tank {
 }
 
 impl WettedBody for Tank {
-    fn name(&self) -> &str {
-        "tank"
-    }
-
-    fn arrange(&mut self, arrangement: Arrangement) {
-        self.arrangement = arrangement;
-    }
-
-    fn sample(&mut self, _spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
-        let mut points = Vec::new();
-        let arrangement = self.arrangement;
-        let depth = |layer: usize, s: f64| (layer as f64 + 0.5) * s;
-        // rows aside: the floor's towards the plane of symmetry or to the right, the sides' upwards
-        let aside = |layer: usize, s: f64| if arrangement.aside(layer) { 0.5 * s } else { 0.0 };
+    fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
+        let (mut points, layers) = (Vec::new(), rows.layers);
+        let depth = WallRows::depth;
+        // shifted rows: the floor's towards the plane of symmetry or to the right, the sides' upwards
+        let shift = |layer: usize, s: f64| if rows.is_shifted(layer) { 0.5 * s } else { 0.0 };
         let way = if self.half { -1.0 } else { 1.0 };
         for (x, s) in self.divide(self.x[0], self.x[1], |x| [x, self.floor]) {
             for layer in 0..layers {
-                let x = x + way * aside(layer, s);
+                let x = x + way * shift(layer, s);
                 let on_plane = self.half && x - self.x[0] < 1e-6 * s;
                 points.push(WallPoint {
                     at: [if on_plane { self.x[0] } else { x }, self.floor - depth(layer, s)],
@@ -110,7 +89,7 @@ impl WettedBody for Tank {
             for (y, s) in self.divide(self.floor, self.rim, |y| [wall, y]) {
                 for layer in 0..layers {
                     points.push(WallPoint {
-                        at: [wall + out * depth(layer, s), y + aside(layer, s)],
+                        at: [wall + out * depth(layer, s), y + shift(layer, s)],
                         normal: [-out, 0.0],
                         area: s * s,
                         spacing: s,
@@ -124,7 +103,7 @@ impl WettedBody for Tank {
                 for j in 0..layers {
                     let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
                     points.push(WallPoint {
-                        at: [wall + out * depth(i, s) + way * aside(j, s), self.floor - depth(j, s) + aside(i, s)],
+                        at: [wall + out * depth(i, s) + way * shift(j, s), self.floor - depth(j, s) + shift(i, s)],
                         normal,
                         area: s * s,
                         spacing: s,
@@ -137,15 +116,16 @@ impl WettedBody for Tank {
         }
         let spacing = sides.iter().map(|&(_, wall)| self.tiling.spacing_at([wall, self.rim])).fold(0.0, f64::max);
         self.thickness = layers as f64 * spacing;
-        points = self.plates.iter().fold(points, thin_plate::cut);
+        points = self.plates.iter().fold(points, plate_sampling::cut);
         self.points = points.clone();
         Ok(points)
     }
 
-    fn place(&self, _ahead: f64, out: WallsMut<'_>) {
+    fn kinematics(&self, _ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
         for (k, p) in self.points.iter().enumerate() {
             [out.x[k], out.y[k]] = p.at;
         }
+        Vec::new()
     }
 
     fn load(&mut self, force: WallForces<'_>) {
@@ -159,32 +139,18 @@ impl WettedBody for Tank {
         Ok(())
     }
 
-    fn save(&mut self) {
-        self.saved = self.external;
+    fn checkpoint(&mut self) {
+        self.checkpoint = self.external;
     }
 
     fn restore(&mut self) {
-        self.external = self.saved;
+        self.external = self.checkpoint;
     }
+}
 
-    fn energy(&self) -> Energy {
-        Energy::default()
-    }
-
-    fn ledger(&self) -> Ledger {
-        Ledger { momentum: [0.0; 2], external: self.external }
-    }
-
-    fn motion(&self) -> Option<Motion> {
-        None
-    }
-
-    fn outline(&self) -> Option<&Outline> {
-        None
-    }
-
-    /// Water that went over the rim, and lies outside the thickness of a side wall, is not in a wall.
-    fn clearance(&self, at: [f64; 2]) -> f64 {
+impl Contact for Tank {
+    /// Water that went over the rim and is outside the thickness of a side wall is not in a wall.
+    fn signed_distance(&self, at: [f64; 2]) -> f64 {
         let left = if self.half { f64::INFINITY } else { at[0] - self.x[0] };
         let side = left.min(self.x[1] - at[0]);
         let beside = side < -self.thickness;
@@ -196,28 +162,39 @@ impl WettedBody for Tank {
         }
     }
 
-    fn surface(&self, at: [f64; 2]) -> Surface {
+    /// Of two walls that a point is behind, in a corner, the one that is further from it.
+    fn surface(&self, at: [f64; 2]) -> SurfacePoint {
         let left = if self.half { f64::INFINITY } else { at[0] - self.x[0] };
+        let fixed = |at, normal| SurfacePoint { at, normal, velocity: [0.0; 2] };
         let planes = [
-            (at[1] - self.floor, Surface { at: [at[0], self.floor], normal: [0.0, 1.0], velocity: [0.0; 2] }),
-            (self.x[1] - at[0], Surface { at: [self.x[1], at[1]], normal: [-1.0, 0.0], velocity: [0.0; 2] }),
-            (left, Surface { at: [self.x[0], at[1]], normal: [1.0, 0.0], velocity: [0.0; 2] }),
+            (at[1] - self.floor, fixed([at[0], self.floor], [0.0, 1.0])),
+            (self.x[1] - at[0], fixed([self.x[1], at[1]], [-1.0, 0.0])),
+            (left, fixed([self.x[0], at[1]], [1.0, 0.0])),
         ];
-        let mut nearest = planes[0];
-        for plane in planes {
-            // beyond two walls, in a corner, out through the one that is deeper
-            if plane.0 < nearest.0 {
-                nearest = plane;
-            }
-        }
-        nearest.1
+        let nearer = |a: (f64, SurfacePoint), b: (f64, SurfacePoint)| if b.0 < a.0 { b } else { a };
+        planes.into_iter().reduce(nearer).unwrap_or(planes[0]).1
     }
 
-    fn strike(&mut self, _at: [f64; 2], impulse: [f64; 2]) {
+    fn apply_impulse(&mut self, contact: &ContactImpulse) {
+        let (_, impulse) = contact.resultant();
         self.external = [0, 1].map(|k| self.external[k] - impulse[k]);
     }
+}
 
-    fn prescribed(&self) -> bool {
+impl Inspect for Tank {
+    fn name(&self) -> &str {
+        "tank"
+    }
+
+    fn energy(&self) -> Energy {
+        Energy::default()
+    }
+
+    fn momentum(&self) -> Momentum {
+        Momentum { momentum: [0.0; 2], external: self.external }
+    }
+
+    fn is_prescribed(&self) -> bool {
         true
     }
 }

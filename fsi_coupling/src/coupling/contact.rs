@@ -1,40 +1,40 @@
-//! Contact of single particles with a body's true surface (THEORY E25).
+//! Contact of single particles with a body's surface (THEORY E25).
 //!
-//! Pressure keeps water out of walls as long as it flows in layers; a lone particle of a jet, or one that a sharp
-//! corner cuts through, meets the outline itself: it is put back on the surface and its approach is stopped, an
-//! inelastic blow that the body feels as the same impulse.
+//! Pressure keeps water out of walls as long as it flows in layers. A single particle of a jet, or one at a sharp corner, meets
+//! the outline itself: it is put back on the surface, and its approach is stopped by an inelastic impulse that acts on the body too.
 
 use sph_core::{Fluid, Passage};
 
-use crate::bodies::body::WettedBody;
+use crate::bodies::body::Body;
+use crate::bodies::state::ContactImpulse;
 
-/// How far above the surface a particle is put back, in smoothing lengths: enough for rounding.
+/// Height above the surface at which a particle is put back, in smoothing lengths: enough for rounding.
 const ABOVE: f64 = 1e-6;
 
-/// How deep below its face a particle that went through a plate is put before it is thrown back, of half the thickness.
+/// Depth below its face at which a particle that crossed a plate is put before its contact is resolved [half thicknesses].
 const BELOW_FACE: f64 = 0.5;
 
-/// T5: take a particle that went through a screen of `body`, of the given half thickness [m], back to the face it met; the work
-/// of the blow on the body [J/m].
-pub(crate) fn take_back(
+/// T5: resolve the tunnelling of a particle through a plate of `body` of the given half thickness [m]: it returns to the face it met. Returns the
+/// work of the impulse on the body [J/m].
+pub(super) fn resolve_tunnelling(
     fluid: &mut Fluid,
     passage: &Passage,
     half_thickness: f64,
-    body: &mut dyn WettedBody,
+    body: &mut dyn Body,
     dt: f64,
 ) -> f64 {
     let below = BELOW_FACE * half_thickness;
     let Passage { particle, at, normal, .. } = *passage;
     fluid.put(particle, [at[0] + below * normal[0], at[1] + below * normal[1]]);
-    throw_back(fluid, particle, body, dt)
+    resolve_contact(fluid, particle, body, dt)
 }
 
-/// Throw particle `k` back if it is beyond the surface of `body`; the work of the blow on the body [J/m].
-pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody, dt: f64) -> f64 {
+/// E25: resolve the contact of particle `k` if it is behind the surface of `body`. Returns the work of the impulse on the body [J/m].
+pub(super) fn resolve_contact(fluid: &mut Fluid, k: usize, body: &mut dyn Body, dt: f64) -> f64 {
     let mirror = fluid.parameters.mirror;
     let p = &mut fluid.particles;
     let at = [p.x[k], p.y[k]];
-    if body.clearance(at) >= 0.0 {
+    if body.signed_distance(at) >= 0.0 {
         return 0.0;
     }
     let surface = body.surface(at);
@@ -48,18 +48,14 @@ pub(crate) fn throw_back(fluid: &mut Fluid, k: usize, body: &mut dyn WettedBody,
     if approach >= 0.0 {
         return 0.0;
     }
-    // what yields to the blow takes part of the approach: both end with one velocity, and no energy comes of it
-    let yields = body.mobility(surface.at, n, dt);
-    let stopped = approach / (1.0 + p.mass[k] * yields);
+    // both end with one normal velocity: the impulse is that of two masses
+    let inverse_mass = body.inverse_effective_mass(surface.at, n, dt);
+    let stopped = approach / (1.0 + p.mass[k] * inverse_mass);
     p.u[k] -= stopped * n[0];
     p.v[k] -= stopped * n[1];
-    let blow = [p.mass[k] * stopped * n[0], p.mass[k] * stopped * n[1]];
+    let impulse = [p.mass[k] * stopped * n[0], p.mass[k] * stopped * n[1]];
     let size = p.mass[k] * stopped;
-    let work = blow[0] * surface.velocity[0] + blow[1] * surface.velocity[1] + 0.5 * size * size * yields;
-    if mirror.is_some() {
-        body.strike_both(surface.at, blow);
-        return 2.0 * work;
-    }
-    body.strike(surface.at, blow);
-    work
+    let work = impulse[0] * surface.velocity[0] + impulse[1] * surface.velocity[1] + 0.5 * size * size * inverse_mass;
+    body.apply_impulse(&ContactImpulse { at: surface.at, impulse, mirrored: mirror.is_some() });
+    if mirror.is_some() { 2.0 * work } else { work }
 }

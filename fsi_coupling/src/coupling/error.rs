@@ -2,7 +2,8 @@
 
 use sph_core::Breakdown;
 
-use crate::bodies::body::BodyError;
+use crate::bodies::error::BodyError;
+use crate::geometry::error::OutlineError;
 
 /// A coupled run cannot be set up or cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -30,6 +31,9 @@ pub enum CouplingError {
         /// When [s].
         time: f64,
     },
+    /// The outline of a body.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
     /// The bodies leave no room for water.
     #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
     NoFluid,

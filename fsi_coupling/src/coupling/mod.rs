@@ -1,5 +1,7 @@
-//! Fluid and bodies, stepped together: the step, its schemes, contact, and the audits.
+//! Fluid and bodies, stepped together: the step ([`coupled`]), the coupling schemes ([`scheme`]), contact, audits, and rules
+//! for the force on a body ([`force_rules`]).
 
+mod balance;
 #[cfg(test)]
 mod column_tests;
 mod contact;
@@ -7,9 +9,12 @@ pub mod coupled;
 pub mod error;
 pub mod force_rules;
 pub mod penetration;
-pub mod quasi_newton;
+pub mod placed_bodies;
+mod quasi_newton;
 pub mod refinement;
 mod retry;
 pub mod scheme;
 pub mod stability_estimate;
 pub mod work_audit;
+
+pub use balance::MomentumAudit;

@@ -1,22 +1,25 @@
-//! Where solids and water are not to be: particles beyond a wall's surface, bodies beyond a tank's walls.
+//! Penetration: fluid particles behind a wall's surface, bodies behind a tank's walls.
 
-use crate::bodies::body::WettedBody;
-use crate::bodies::rigid_motion::rotate;
+use std::ops::Range;
 
-/// A fluid particle beyond a wall's surface.
+use sph_core::{Fluid, parallel};
+
+use crate::bodies::body::Body;
+
+/// A fluid particle behind a wall's surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
     /// The particle.
     pub id: u32,
     /// Where it is [m].
     pub at: [f64; 2],
-    /// How far beyond the surface [m].
+    /// How far behind the surface [m].
     pub depth: f64,
     /// Name of the wall's owner; empty for the plane of symmetry.
     pub owner: String,
 }
 
-/// Fluid particles beyond a wall's surface: how many, and the deepest.
+/// Fluid particles behind a wall's surface: how many, and the deepest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Penetration {
     /// How many.
@@ -26,7 +29,7 @@ pub struct Penetration {
 }
 
 impl Penetration {
-    /// What was found among these and among `later` ones.
+    /// The sum of two counts.
     pub(crate) fn and(self, later: Penetration) -> Penetration {
         let count = self.count + later.count;
         let worst = match (self.worst, later.worst) {
@@ -36,24 +39,42 @@ impl Penetration {
         Penetration { count, worst }
     }
 
-    /// Count one particle, at `clearance` [m] from the wall of `owner`, if it is beyond it.
-    pub(crate) fn count(&mut self, id: u32, at: [f64; 2], clearance: f64, owner: &str) {
-        if clearance >= 0.0 {
+    /// Count one particle, at a signed `distance` [m] from the wall of `owner`, if it is behind it.
+    pub(crate) fn count(&mut self, id: u32, at: [f64; 2], distance: f64, owner: &str) {
+        if distance >= 0.0 {
             return;
         }
         self.count += 1;
-        if self.worst.as_ref().is_none_or(|worst| -clearance > worst.depth) {
-            self.worst = Some(Breach { id, at, depth: -clearance, owner: owner.to_string() });
+        if self.worst.as_ref().is_none_or(|worst| -distance > worst.depth) {
+            self.worst = Some(Breach { id, at, depth: -distance, owner: owner.to_string() });
         }
     }
 }
 
-/// A corner of `body` [m] that lies more than `play` [m] beyond a surface of `wall`, if there is one.
-pub(crate) fn run_into(body: &dyn WettedBody, wall: &dyn WettedBody, play: f64) -> Option<[f64; 2]> {
+/// A corner of `body` [m] that is more than `tolerance` [m] behind a surface of `wall`.
+pub(crate) fn collision(body: &dyn Body, wall: &dyn Body, tolerance: f64) -> Option<[f64; 2]> {
     let (outline, motion) = (body.outline()?, body.motion()?);
-    let placed = |corner: &[f64; 2]| {
-        let r = rotate(*corner, motion.angle);
-        [motion.position[0] + r[0], motion.position[1] + r[1]]
+    let mut corners = outline.loops().iter().flatten().map(|corner| motion.point(*corner));
+    corners.find(|at| wall.signed_distance(*at) < -tolerance)
+}
+
+/// Fluid particles behind the surface of a body, or behind the plane of symmetry.
+pub(crate) fn penetration(fluid: &Fluid, bodies: &[&dyn Body]) -> Penetration {
+    let (p, mirror) = (&fluid.particles, fluid.parameters.mirror);
+    let search = |targets: Range<usize>| {
+        let mut found = Penetration::default();
+        for k in targets {
+            let at = [p.x[k], p.y[k]];
+            let (mut nearest, mut owner) = (mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at), "");
+            for body in bodies {
+                let distance = body.signed_distance(at);
+                if distance < nearest {
+                    (nearest, owner) = (distance, body.name());
+                }
+            }
+            found.count(p.id[k], at, nearest, owner);
+        }
+        found
     };
-    outline.loops().iter().flatten().map(placed).find(|at| wall.clearance(*at) < -play)
+    parallel::by_chunk(p.len(), search).into_iter().fold(Penetration::default(), Penetration::and)
 }

@@ -1,155 +1,149 @@
-//! How fluid and bodies agree on a step: on the bodies' accelerations, which the wall pressures contain (THEORY C1–C7).
+//! Coupling schemes: how fluid and bodies find accelerations and wall pressures that belong together (THEORY C1–C7).
 
 use sph_core::walls::interface::Lack;
 use sph_core::{Breakdown, Fluid, Walls, Yielding};
 
 use crate::coupling::error::CouplingError;
-use crate::coupling::quasi_newton::Relaxation;
+use crate::coupling::quasi_newton::QuasiNewton;
 
-/// How fluid and bodies agree on a step.
+/// A coupling scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Scheme {
-    /// Not at all: the fluid sees the bodies' accelerations of the step before (E9).
+    /// Explicit: the fluid uses the accelerations of the bodies at the end of the step before (E9).
     #[default]
     Weak,
-    /// Accelerations and wall pressures are found together (C2), without iterations. Extrapolated walls.
+    /// Accelerations and wall pressures are solved together (C2), without iterations. For extrapolated walls.
     AddedMass,
-    /// Repeat the step under Aitken's relaxation (C6; Küttler & Wall 2008) until both agree.
-    Aitken(Iteration),
-    /// Repeat the step with a quasi-Newton update from the least squares of its history (C7; Degroote et al. 2009).
+    /// The step is repeated with a quasi-Newton update from the least squares of its history (C7; Degroote et al. 2009).
     IqnIls(Iteration),
 }
 
-/// When to stop iterating.
+/// When an iteration ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Iteration {
-    /// Residual C5 that is good enough [-].
+    /// Tolerance of the residual C5 [-].
     pub tolerance: f64,
-    /// Iterations, one at least, after which a step that still disagrees is an error.
+    /// Maximum number of iterations, at least one. A step that has not converged then is an error.
     pub max_iterations: u32,
 }
 
-/// How well fluid and bodies agreed, over many steps.
+/// Iterations and residuals of the coupling over many steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Agreement {
-    /// Steps taken.
+pub struct CouplingStatistics {
+    /// Steps.
     pub steps: u64,
-    /// Times that the fluid took a step.
+    /// Steps of the fluid, repeated ones included.
     pub iterations: u64,
-    /// Most of these in a step.
+    /// Most iterations in a step.
     pub most_iterations: u32,
-    /// Largest residual C5 of a step [-]: the mismatch between the acceleration that the fluid saw and the one it caused.
+    /// Largest residual C5 of a step [-]: difference between the accelerations that the fluid used and those that it caused.
     pub worst_residual: f64,
 }
 
-/// The exchange of a step, by a scheme.
+/// The interface of fluid and bodies: the scheme and its history.
 #[derive(Clone)]
-pub(crate) struct Exchange {
+pub(super) struct Interface {
     scheme: Scheme,
-    relaxation: Relaxation,
-    pub report: Agreement,
+    history: QuasiNewton,
+    pub statistics: CouplingStatistics,
 }
 
-impl Exchange {
-    pub fn new(scheme: Scheme) -> Exchange {
-        let relaxation = match scheme {
-            Scheme::IqnIls(_) => Relaxation::quasi_newton(),
-            _ => Relaxation::aitken(),
-        };
-        Exchange { scheme, relaxation, report: Agreement::default() }
+impl Interface {
+    pub fn new(scheme: Scheme) -> Interface {
+        Interface { scheme, history: QuasiNewton::default(), statistics: CouplingStatistics::default() }
     }
 
-    /// Let the fluid `attempt` a step until it agrees with the owners of its walls. Before: the walls' kinematics are
-    /// written with the owners' accelerations.
-    pub fn agree(
+    /// Let the fluid `attempt` a step until its forces and the bodies' accelerations belong together. Before: the walls'
+    /// kinematics contain the bodies' predicted accelerations.
+    pub fn solve(
         &mut self,
         fluid: &mut Fluid,
         walls: &mut Walls,
-        mut owners: Vec<Yielding>,
+        mut bodies: Vec<Yielding>,
         mut attempt: impl FnMut(&mut Fluid, &mut Walls) -> Result<(), Breakdown>,
     ) -> Result<(), CouplingError> {
         match self.scheme {
             Scheme::Weak => attempt(fluid, walls)?,
             Scheme::AddedMass => {
-                fluid.yielding = owners;
+                fluid.yielding = bodies;
                 let ended = attempt(fluid, walls);
-                owners = std::mem::take(&mut fluid.yielding);
+                bodies = std::mem::take(&mut fluid.yielding);
                 ended?;
             }
-            Scheme::Aitken(iteration) | Scheme::IqnIls(iteration) => {
+            Scheme::IqnIls(iteration) => {
                 fluid.save();
                 let (start, time) = (walls.clone(), fluid.time);
-                let ended = self.converge(iteration, time, unknowns(&owners), |accelerations, again| {
-                    if again {
+                let ended = self.iterate(iteration, time, unknowns(&bodies), |accelerations, repeated| {
+                    if repeated {
                         fluid.restore();
                         walls.clone_from(&start);
-                        accelerate(&mut owners, walls, accelerations);
+                        set_trial(&mut bodies, walls, accelerations);
                     }
                     attempt(fluid, walls)?;
-                    Ok(Residual::of(&owners, walls, obeys_mean(fluid)))
+                    Ok(Residual::of(&bodies, walls, uses_mean_force(fluid)))
                 });
                 fluid.forget();
                 return ended;
             }
         }
-        let residual = Residual::of(&owners, walls, obeys_mean(fluid)).relative;
-        self.note(1, residual);
+        let residual = Residual::of(&bodies, walls, uses_mean_force(fluid)).relative;
+        self.record(1, residual);
         Ok(())
     }
 
-    /// C5–C7: better and better unknowns, from `x` on, until a `trial` of them leaves a residual that is small enough.
-    pub fn converge(
+    /// C5, C7: improve the unknowns, from `x` on, until a `trial` of them has a small residual.
+    pub fn iterate(
         &mut self,
         Iteration { tolerance, max_iterations }: Iteration,
         time: f64,
         mut x: Vec<f64>,
         mut trial: impl FnMut(&[f64], bool) -> Result<Residual, CouplingError>,
     ) -> Result<(), CouplingError> {
-        self.relaxation.begin();
+        self.history.begin_step();
         for iterations in 1.. {
             let Residual { of_unknowns, relative: residual } = trial(&x, iterations > 1)?;
             if residual <= tolerance {
-                self.note(iterations, residual);
+                self.record(iterations, residual);
                 break;
             }
             if iterations >= max_iterations {
                 return Err(CouplingError::NotConverged { iterations, residual, tolerance, time });
             }
-            x = self.relaxation.next(&x, &of_unknowns);
+            x = self.history.next(&x, &of_unknowns);
         }
         Ok(())
     }
 
-    fn note(&mut self, iterations: u32, residual: f64) {
-        let report = &mut self.report;
-        report.steps += 1;
-        report.iterations += u64::from(iterations);
-        report.most_iterations = report.most_iterations.max(iterations);
-        report.worst_residual = report.worst_residual.max(residual);
+    fn record(&mut self, iterations: u32, residual: f64) {
+        let all = &mut self.statistics;
+        all.steps += 1;
+        all.iterations += u64::from(iterations);
+        all.most_iterations = all.most_iterations.max(iterations);
+        all.worst_residual = all.worst_residual.max(residual);
     }
 }
 
-/// PB3: what a projection's force does to a body it does over the whole step.
-fn obeys_mean(fluid: &Fluid) -> bool {
+/// PB3: the force of a projection acts over the whole step.
+fn uses_mean_force(fluid: &Fluid) -> bool {
     fluid.steps > 0 && fluid.parameters.solver.is_incompressible()
 }
 
-/// The accelerations that the walls' kinematics were written with [m/s²], of all owners.
-pub(crate) fn unknowns(owners: &[Yielding]) -> Vec<f64> {
-    owners.iter().flat_map(|member| member.owner.unknowns()).collect()
+/// The accelerations that the walls' kinematics were written with [m/s²], of all bodies.
+pub(super) fn unknowns(bodies: &[Yielding]) -> Vec<f64> {
+    bodies.iter().flat_map(|member| member.owner.unknowns()).collect()
 }
 
-/// Give the owners' particles other accelerations [m/s²], of all owners, than their kinematics were written with.
-pub(crate) fn accelerate(owners: &mut [Yielding], walls: &mut Walls, mut unknowns: &[f64]) {
-    for Yielding { range, owner, .. } in owners {
+/// Replace the accelerations of the bodies' particles by trial accelerations [m/s²] of all bodies.
+pub(super) fn set_trial(bodies: &mut [Yielding], walls: &mut Walls, mut unknowns: &[f64]) {
+    for Yielding { range, owner, .. } in bodies {
         let (own, others) = unknowns.split_at(owner.unknowns().len());
         owner.accelerate(own, walls.slice_mut(range.clone()));
         unknowns = others;
     }
 }
 
-/// C5: what the accelerations lack of those that the forces cause.
-pub(crate) struct Residual {
+/// C5: accelerations that the forces cause, less the trial accelerations.
+pub(super) struct Residual {
     pub of_unknowns: Vec<f64>,
     /// Over the accelerations that forces cause and that result, summed [-].
     pub relative: f64,
@@ -157,9 +151,9 @@ pub(crate) struct Residual {
 
 impl Residual {
     /// Under the forces now, or under the mean forces of the step.
-    pub fn of(owners: &[Yielding], walls: &Walls, in_mean: bool) -> Residual {
+    pub fn of(bodies: &[Yielding], walls: &Walls, in_mean: bool) -> Residual {
         let (mut of_unknowns, mut squares) = (Vec::new(), [0.0; 3]);
-        for Yielding { range, mirrored, owner } in owners {
+        for Yielding { range, mirrored, owner } in bodies {
             let mut forces = walls.forces(range.clone());
             forces.mirrored = *mirrored;
             let Lack { lack, caused } = if in_mean { owner.lack_in_mean(&forces) } else { owner.lack(&forces) };

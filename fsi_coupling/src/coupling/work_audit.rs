@@ -1,4 +1,4 @@
-//! Does the work that the water does arrive? (THEORY K6)
+//! Work of the fluid on a body, compared on both sides of the interface (THEORY K6).
 
 use std::ops::Range;
 
@@ -16,15 +16,15 @@ pub struct WorkAudit {
 }
 
 impl WorkAudit {
-    /// A step's work on the particles of a body, and the work of blows beside it [J/m].
-    pub(crate) fn note(&mut self, walls: &Walls, range: Range<usize>, dt: f64, halves: f64, blows: f64) {
+    /// Add the work of a step on the particles of a body, and the work of contact impulses [J/m].
+    pub(crate) fn record(&mut self, walls: &Walls, range: Range<usize>, dt: f64, halves: f64, contact: f64) {
         let power = |k: usize| walls.mean_fx[k] * walls.u[k] + walls.mean_fy[k] * walls.v[k];
-        let work = halves * dt * range.map(power).sum::<f64>() + blows;
+        let work = halves * dt * range.map(power).sum::<f64>() + contact;
         self.given += work;
         self.exchanged += work.abs();
     }
 
-    /// What is lost on the way, over the work exchanged [-].
+    /// Difference of both, over the work exchanged [-].
     pub fn residual(&self) -> f64 {
         if self.exchanged > 0.0 { (self.given - self.received).abs() / self.exchanged } else { 0.0 }
     }

@@ -2,15 +2,17 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use sph_core::{WallForces, WallPoint, WallsMut};
+use sph_core::{Screen, WallForces, WallPoint, WallsMut};
 
 use super::path::Path;
 use super::skin::{Ends, Skin};
 use super::topology::Topology;
-use crate::bodies::beam_surface::Perch;
-use crate::bodies::body::{BodyError, Energy, Ledger, Motion, Surface, WettedBody};
+use crate::bodies::beam_surface::BeamAttachment;
+use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::error::BodyError;
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
-use crate::geometry::rows::Arrangement;
+use crate::geometry::rows::WallRows;
 
 /// A difference in time for accelerations, in steps of the water [-].
 const DIFFERENCE: f64 = 1e-3;
@@ -62,11 +64,10 @@ pub(super) struct HostBody {
     /// At t = 0.
     rest: Outline,
     outline: Outline,
-    corners: Vec<Vec<Perch>>,
-    perches: Vec<Perch>,
-    arrangement: Arrangement,
+    corners: Vec<Vec<BeamAttachment>>,
+    attachments: Vec<BeamAttachment>,
     shared: Shared,
-    saved: Option<(Exchanged, Outline)>,
+    checkpoint: Option<(Exchanged, Outline)>,
 }
 
 impl HostBody {
@@ -75,28 +76,28 @@ impl HostBody {
         let (mut corners, mut first) = (Vec::new(), 0);
         for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
             let (nodes, sides) = surface.counts();
-            let mut perches = Vec::new();
+            let mut attachments = Vec::new();
             for side in first..first + sides {
                 let ends = [skin.start_of(side, 0), skin.start_of(side, 1)];
                 let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
                 let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
-                perches.extend((0..pieces as usize).map(|k| Skin::on_side(side, k as f64 / pieces)));
+                attachments.extend((0..pieces as usize).map(|k| Skin::on_side(side, k as f64 / pieces)));
             }
             if nodes > sides {
-                perches.push(Skin::on_side(first + sides - 1, 1.0));
+                attachments.push(Skin::on_side(first + sides - 1, 1.0));
             }
-            perches.extend(corner_points[nodes..].iter().map(|at| skin.perch(*at, [0.0; 2])));
-            corners.push(perches);
+            attachments.extend(corner_points[nodes..].iter().map(|at| skin.attach(*at, [0.0; 2])));
+            corners.push(attachments);
             first += sides;
         }
-        let (outline, arrangement, perches) = (rest.clone(), Arrangement::default(), Vec::new());
-        HostBody { skin, rest, outline, corners, perches, arrangement, shared, saved: None }
+        let (outline, attachments) = (rest.clone(), Vec::new());
+        HostBody { skin, rest, outline, corners, attachments, shared, checkpoint: None }
     }
 
     /// Add the loads of forces on the boundary particles, mean (0) or now (1).
-    fn carry(&self, pushed: &[[[f64; 2]; 2]], which: usize, ends: &Ends) -> Vec<[f64; 3]> {
+    fn loads(&self, pushed: &[[[f64; 2]; 2]], which: usize, ends: &Ends) -> Vec<[f64; 3]> {
         let mut loads = vec![[0.0; 3]; self.shared.open().impulse.len()];
-        self.skin.carry(self.perches.iter().zip(pushed.iter().map(|force| force[which])), ends, &mut loads);
+        self.skin.add_loads(self.attachments.iter().zip(pushed.iter().map(|force| force[which])), ends, &mut loads);
         loads
     }
 
@@ -112,21 +113,13 @@ impl HostBody {
 }
 
 impl WettedBody for HostBody {
-    fn name(&self) -> &str {
-        "host"
-    }
-
-    fn arrange(&mut self, arrangement: Arrangement) {
-        self.arrangement = arrangement;
-    }
-
-    fn sample(&mut self, spacing: f64, layers: usize) -> Result<Vec<WallPoint>, BodyError> {
-        let points = crate::geometry::sampling::sample(&self.rest, spacing, layers, false, self.arrangement);
-        self.perches = points.iter().map(|p| self.skin.perch(p.at, p.normal)).collect();
+    fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
+        let points = crate::geometry::sampling::sample(&self.rest, rows, false);
+        self.attachments = points.iter().map(|p| self.skin.attach(p.at, p.normal)).collect();
         Ok(points)
     }
 
-    fn place(&self, ahead: f64, out: WallsMut<'_>) {
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
         let (elapsed, duration) = {
             let shared = self.shared.open();
             (shared.elapsed, shared.path.duration())
@@ -134,23 +127,24 @@ impl WettedBody for HostBody {
         let (now, then) = (self.ends(elapsed), self.ends(elapsed + ahead));
         let moment = DIFFERENCE * if ahead > 0.0 { ahead } else { duration };
         let about = [self.ends(elapsed + ahead - moment), self.ends(elapsed + ahead + moment)];
-        for (k, perch) in self.perches.iter().enumerate() {
-            let place = self.skin.place(perch, &then);
+        for (k, attachment) in self.attachments.iter().enumerate() {
+            let place = self.skin.place(attachment, &then);
             [out.x[k], out.y[k]] = place.at;
             [out.nx[k], out.ny[k]] = place.normal;
             [out.u[k], out.v[k]] = if ahead > 0.0 {
-                let from = self.skin.place(perch, &now).at;
+                let from = self.skin.place(attachment, &now).at;
                 [0, 1].map(|axis| (place.at[axis] - from[axis]) / ahead)
             } else {
-                self.skin.velocity(perch, &now)
+                self.skin.velocity(attachment, &now)
             };
             [out.ax[k], out.ay[k]] = if moment > 0.0 {
-                let [before, after] = [0, 1].map(|k| self.skin.velocity(perch, &about[k]));
+                let [before, after] = [0, 1].map(|k| self.skin.velocity(attachment, &about[k]));
                 [0, 1].map(|axis| (after[axis] - before[axis]) / (2.0 * moment))
             } else {
                 [0.0; 2]
             };
         }
+        Vec::new()
     }
 
     fn load(&mut self, force: WallForces<'_>) {
@@ -158,7 +152,7 @@ impl WettedBody for HostBody {
         let pushed: Vec<_> = (0..force.x.len()).map(of).collect();
         let first = self.shared.open().pushed.is_empty();
         if first {
-            let now = self.carry(&pushed, 1, &self.ends(0.0));
+            let now = self.loads(&pushed, 1, &self.ends(0.0));
             self.shared.open().now = now;
         }
         self.shared.open().pushed = pushed;
@@ -171,20 +165,20 @@ impl WettedBody for HostBody {
             (shared.elapsed, std::mem::take(&mut shared.pushed))
         };
         let (before, middle, after) = (self.ends(elapsed), self.ends(elapsed + 0.5 * dt), self.ends(elapsed + dt));
-        let (mean, now) = (self.carry(&pushed, 0, &middle), self.carry(&pushed, 1, &after));
+        let (mean, now) = (self.loads(&pushed, 0, &middle), self.loads(&pushed, 1, &after));
         let work: f64 = self
-            .perches
+            .attachments
             .iter()
             .zip(&pushed)
-            .map(|(perch, [mean, _])| {
-                let (from, to) = (self.skin.place(perch, &before).at, self.skin.place(perch, &after).at);
+            .map(|(attachment, [mean, _])| {
+                let (from, to) = (self.skin.place(attachment, &before).at, self.skin.place(attachment, &after).at);
                 mean[0] * (to[0] - from[0]) + mean[1] * (to[1] - from[1])
             })
             .sum(); // D4
         let parts: Vec<Vec<[f64; 2]>> = self
             .corners
             .iter()
-            .map(|part| part.iter().map(|perch| self.skin.place(perch, &after).at).collect())
+            .map(|part| part.iter().map(|attachment| self.skin.place(attachment, &after).at).collect())
             .collect();
         self.outline = Outline::compound(&parts)?;
         let mut shared = self.shared.open();
@@ -200,23 +194,47 @@ impl WettedBody for HostBody {
         Ok(())
     }
 
-    fn save(&mut self) {
-        self.saved = Some((self.shared.open().clone(), self.outline.clone()));
+    fn checkpoint(&mut self) {
+        self.checkpoint = Some((self.shared.open().clone(), self.outline.clone()));
     }
 
     fn restore(&mut self) {
-        if let Some((exchanged, outline)) = &self.saved {
+        if let Some((exchanged, outline)) = &self.checkpoint {
             *self.shared.open() = exchanged.clone();
             self.outline = outline.clone();
         }
     }
+}
 
-    fn energy(&self) -> Energy {
-        Energy { work: self.shared.open().work, ..Energy::default() }
+impl Contact for HostBody {
+    fn signed_distance(&self, at: [f64; 2]) -> f64 {
+        self.outline.signed_distance(at)
     }
 
-    fn ledger(&self) -> Ledger {
-        Ledger { momentum: [0.0; 2], external: self.shared.open().external }
+    fn surface(&self, at: [f64; 2]) -> SurfacePoint {
+        let (found, normal) = self.outline.nearest(at);
+        let ends = self.ends(self.elapsed());
+        let attachment = self.skin.attach_now(found, &ends);
+        SurfacePoint { at: found, normal, velocity: self.skin.velocity(&attachment, &ends) }
+    }
+
+    fn apply_impulse(&mut self, contact: &ContactImpulse) {
+        let (at, impulse) = contact.resultant();
+        let ends = self.ends(self.elapsed());
+        let attachment = self.skin.attach_now(at, &ends);
+        let velocity = self.skin.velocity(&attachment, &ends);
+        let mut shared = self.shared.open();
+        self.skin.add_loads([(&attachment, impulse)], &ends, &mut shared.impulse);
+        for k in 0..2 {
+            shared.external[k] -= impulse[k];
+            shared.work += impulse[k] * velocity[k];
+        }
+    }
+}
+
+impl Inspect for HostBody {
+    fn name(&self) -> &str {
+        "host"
     }
 
     /// The force of the water; the frame is space itself, in which the outline moves.
@@ -235,30 +253,15 @@ impl WettedBody for HostBody {
         Some(&self.outline)
     }
 
-    fn clearance(&self, at: [f64; 2]) -> f64 {
-        self.outline.signed_distance(at)
+    fn energy(&self) -> Energy {
+        Energy { work: self.shared.open().work, ..Energy::default() }
     }
 
-    fn surface(&self, at: [f64; 2]) -> Surface {
-        let (found, normal) = self.outline.nearest(at);
-        let ends = self.ends(self.elapsed());
-        let perch = self.skin.perch_now(found, &ends);
-        Surface { at: found, normal, velocity: self.skin.velocity(&perch, &ends) }
+    fn momentum(&self) -> Momentum {
+        Momentum { momentum: [0.0; 2], external: self.shared.open().external }
     }
 
-    fn strike(&mut self, at: [f64; 2], impulse: [f64; 2]) {
-        let ends = self.ends(self.elapsed());
-        let perch = self.skin.perch_now(at, &ends);
-        let velocity = self.skin.velocity(&perch, &ends);
-        let mut shared = self.shared.open();
-        self.skin.carry([(&perch, impulse)], &ends, &mut shared.impulse);
-        for k in 0..2 {
-            shared.external[k] -= impulse[k];
-            shared.work += impulse[k] * velocity[k];
-        }
-    }
-
-    fn prescribed(&self) -> bool {
+    fn is_prescribed(&self) -> bool {
         true
     }
 }
@@ -279,16 +282,16 @@ mod tests {
         let skin = Skin::new(&topology, &nodes);
         let rest = topology.outline().expect("a square");
         let mut body = HostBody::new(&topology, rest, skin, 0.1, shared.clone());
-        body.save();
-        body.strike([0.25, 0.0], [3.0, 4.0]);
+        body.checkpoint();
+        body.apply_impulse(&ContactImpulse { at: [0.25, 0.0], impulse: [3.0, 4.0], mirrored: false });
         let impulse = shared.open().impulse.clone();
         for (found, exact) in impulse.iter().zip([[2.25, 3.0, 0.0], [0.75, 1.0, 0.0], [0.0; 3], [0.0; 3]]) {
             assert!((0..3).all(|k| (found[k] - exact[k]).abs() < 1e-14), "{impulse:?}");
         }
-        assert_eq!((body.ledger().external, body.energy().work), ([-3.0, -4.0], 3.0 * 0.5 - 4.0 * 2.0));
+        assert_eq!((body.momentum().external, body.energy().work), ([-3.0, -4.0], 3.0 * 0.5 - 4.0 * 2.0));
         let velocity = body.surface([0.3, -0.2]).velocity;
         assert!((velocity[0] - 0.5).hypot(velocity[1] + 2.0) < 1e-15, "{velocity:?}");
         body.restore();
-        assert_eq!((body.ledger(), body.energy()), (Ledger::default(), Energy::default()));
+        assert_eq!((body.momentum(), body.energy()), (Momentum::default(), Energy::default()));
     }
 }

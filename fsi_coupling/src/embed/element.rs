@@ -211,7 +211,7 @@ impl FluidElement {
     /// Remember the present state; replaces the one remembered before.
     pub fn save(&mut self) {
         if self.broken.is_none() {
-            self.system.save();
+            self.system.checkpoint();
             self.saved = true;
         }
     }
@@ -242,8 +242,8 @@ impl FluidElement {
         for k in 0..p.len() {
             let at = [p.x[k], p.y[k]];
             let inside = (0..2).all(|axis| at[axis] > low[axis] && at[axis] < high[axis]);
-            let of_host = if inside { bodies[0].clearance(at) } else { f64::INFINITY };
-            let of_basin = bodies[1].clearance(at);
+            let of_host = if inside { bodies[0].signed_distance(at) } else { f64::INFINITY };
+            let of_basin = bodies[1].signed_distance(at);
             let (clearance, owner) = if of_host <= of_basin { (of_host, "host") } else { (of_basin, "tank") };
             found.count(p.id[k], at, clearance, owner);
         }

@@ -1,6 +1,6 @@
 //! What a host is told when something is wrong: which key, node or particle, where, when.
 
-use crate::bodies::body::BodyError;
+use crate::bodies::error::BodyError;
 use crate::coupling::error::CouplingError;
 use crate::settings::Problem;
 
@@ -73,7 +73,7 @@ pub enum HostError {
         /// Steps that the water took before.
         fluid_steps: u32,
     },
-    /// The step before failed, and nobody restored.
+    /// The step before failed, and the element was not restored.
     #[error("the element failed ({0}); restore() a saved state first")]
     Failed(String),
     /// Nothing was saved.

@@ -11,14 +11,14 @@ use super::path::Path;
 use super::skin::Skin;
 use super::spec::FluidElementSpec;
 use super::topology::{Topology, WetSurface};
-use crate::bodies::body::WettedBody;
+use crate::bodies::body::{Body, WettedBody};
 use crate::bodies::tank::Tank;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::scheme::Scheme;
 use crate::geometry::layout::{Basin, Cell, Tiling};
 use crate::geometry::outline::Outline;
 use crate::geometry::polygon::{bounding_box, thinnest_web};
-use crate::geometry::rows::Arrangement;
+use crate::geometry::rows::WallRows;
 use crate::settings::Problem;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
@@ -49,11 +49,10 @@ impl FluidElementSpec {
     pub fn size(self, topology: &Topology) -> Result<SizedElement, HostError> {
         self.check()?;
         let parameters = self.parameters();
-        let (arrangement, layers) = Arrangement::of(&parameters);
-        let rows = layers as f64 * self.spacing;
-        topology.check(rows)?;
+        let rows = WallRows::of(&parameters, self.spacing);
+        topology.check(rows.reach())?;
         let outline = topology.outline()?;
-        refuse_thin(topology, &outline, rows)?;
+        refuse_thin(topology, &outline, rows.reach())?;
         let tiling = self.tiling(&outline)?;
         let x = self.walls(&outline);
         self.refuse_outside(topology, x)?;
@@ -69,13 +68,10 @@ impl FluidElementSpec {
         };
         let mut fluid = 0;
         sized.for_each_seed(|_| fluid += 1);
-        let body =
-            crate::geometry::sampling::sample(&sized.outline, sized.spec.spacing, layers, false, arrangement).len();
-        let mut tank = sized.tank();
-        tank.arrange(arrangement);
-        let tank = tank.sample(sized.spec.spacing, layers).map_err(HostError::Shape)?.len();
+        let body = crate::geometry::sampling::sample(&sized.outline, &rows, false).len();
+        let tank = sized.tank().sample(&rows).map_err(HostError::Shape)?.len();
         sized.particles = [fluid, body + tank];
-        sized.warnings = sized.doubts();
+        sized.warnings = sized.find_warnings();
         Ok(sized)
     }
 
@@ -172,7 +168,7 @@ impl SizedElement {
         self.added_mass
     }
 
-    /// Doubts, in plain words.
+    /// Warnings about the specification.
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
@@ -182,7 +178,7 @@ impl SizedElement {
         &self.spec
     }
 
-    fn doubts(&self) -> Vec<String> {
+    fn find_warnings(&self) -> Vec<String> {
         let (c0, fastest) = (self.spec.speed_of_sound(), self.spec.fastest_speed.unwrap_or(0.0));
         let slow = (c0 < 10.0 * fastest).then(|| {
             format!("sound_speed = {c0}: below ten times fastest_speed = {fastest}; compressibility will cost force (THEORY E19)")
@@ -234,7 +230,7 @@ impl SizedElement {
         let shared = Shared::new(Path::resting(nodes));
         let skin = Skin::new(&self.topology, nodes);
         let body = HostBody::new(&self.topology, self.outline.clone(), skin, self.spec.spacing, shared.clone());
-        let bodies: Vec<Box<dyn WettedBody>> = vec![Box::new(body), Box::new(self.tank())];
+        let bodies: Vec<Box<dyn Body>> = vec![Box::new(body), Box::new(self.tank())];
         let system = Coupled::new(fluid, bodies, Scheme::Weak, self.spec.spacing).map_err(HostError::Build)?;
         Ok(FluidElement::new(system, shared, &self.topology, &self.spec, self.added_mass))
     }

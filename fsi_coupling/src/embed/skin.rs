@@ -3,7 +3,7 @@
 
 use super::nodes::HostNodes;
 use super::topology::Topology;
-use crate::bodies::beam_surface::{BeamSurface, Perch, Place};
+use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
 
 /// The sides of the wet surfaces. Each has two ends of its own, which move as its nodes do and turn as the nodes, or,
 /// where these have no rotations, as the side itself (D2).
@@ -35,20 +35,20 @@ impl Skin {
     }
 
     /// Where a point at t = 0 rides.
-    pub fn perch(&self, at: [f64; 2], normal: [f64; 2]) -> Perch {
-        self.ends.perch(at, normal)
+    pub fn attach(&self, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
+        self.ends.attach(at, normal)
     }
 
     /// A place of side `side`, a share `t` of it from its first node.
-    pub fn on_side(side: usize, t: f64) -> Perch {
-        Perch { element: side, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
+    pub fn on_side(side: usize, t: f64) -> BeamAttachment {
+        BeamAttachment { element: side, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
     }
 
-    /// The perch of a place [m] near the surface where it is now, on the sides' chords.
-    pub fn perch_now(&self, at: [f64; 2], ends: &Ends) -> Perch {
+    /// The point of a place [m] near the surface where it is now, on the sides' chords.
+    pub fn attach_now(&self, at: [f64; 2], ends: &Ends) -> BeamAttachment {
         let moved = self.start.iter().zip(&ends.q).map(|(x, q)| [x[0] + q[0], x[1] + q[1]]).collect();
         let elements = (0..self.sides.len()).map(|side| self.ends.ends(side)).collect();
-        BeamSurface::new(moved, elements).perch(at, [0.0; 2])
+        BeamSurface::new(moved, elements).attach(at, [0.0; 2])
     }
 
     /// Where the first (0) or second (1) end of a side is at t = 0 [m].
@@ -81,26 +81,26 @@ impl Skin {
         Ends { q, rate }
     }
 
-    /// Where a perch is.
-    pub fn place(&self, perch: &Perch, ends: &Ends) -> Place {
-        self.ends.place(perch, &ends.q)
+    /// Where a point is.
+    pub fn place(&self, point: &BeamAttachment, ends: &Ends) -> Place {
+        self.ends.place(point, &ends.q)
     }
 
     /// H q̇ [m/s].
-    pub fn velocity(&self, perch: &Perch, ends: &Ends) -> [f64; 2] {
-        self.ends.velocity(perch, &ends.q, &ends.rate)
+    pub fn velocity(&self, point: &BeamAttachment, ends: &Ends) -> [f64; 2] {
+        self.ends.velocity(point, &ends.q, &ends.rate)
     }
 
-    /// Hᵀ f: add forces [N/m] at perches to the loads of the nodes, `[nodes][F_x, F_y, M]` [N/m, N/m, N].
-    pub fn carry<'a>(
+    /// Hᵀ f: add forces [N/m] at points to the loads of the nodes, `[nodes][F_x, F_y, M]` [N/m, N/m, N].
+    pub fn add_loads<'a>(
         &self,
-        forces: impl IntoIterator<Item = (&'a Perch, [f64; 2])>,
+        forces: impl IntoIterator<Item = (&'a BeamAttachment, [f64; 2])>,
         ends: &Ends,
         loads: &mut [[f64; 3]],
     ) {
         let mut on_ends = vec![[0.0; 3]; self.start.len()];
-        for (perch, force) in forces {
-            self.ends.carry(perch, &ends.q, force, &mut on_ends);
+        for (point, force) in forces {
+            self.ends.add_load(point, &ends.q, force, &mut on_ends);
         }
         for (side, pair) in self.sides.iter().enumerate() {
             let couple = if self.rotations { [0.0; 2] } else { self.couple(side, &ends.q, &on_ends) };
@@ -134,14 +134,14 @@ mod tests {
     use crate::embed::Side;
 
     /// Three nodes that move and turn; a chain through them; places on and beside it.
-    fn moving(rotations: bool) -> (Skin, HostNodes, Vec<Perch>) {
+    fn moving(rotations: bool) -> (Skin, HostNodes, Vec<BeamAttachment>) {
         let rest = vec![[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]];
         let topology = Topology { rotations, ..Topology::of(rest.clone()).open([0, 1, 2], Side::Right, 0.2) };
         let still = HostNodes::at_rest(rest);
         let still = if rotations { still.with_rotations() } else { still };
         let skin = Skin::new(&topology, &still);
-        let perches =
-            [[0.4, 0.3], [0.85, 0.6], [1.0, 1.0], [1.3, 1.5], [0.0, 0.1]].map(|at| skin.perch(at, [0.6, 0.8]));
+        let points =
+            [[0.4, 0.3], [0.85, 0.6], [1.0, 1.0], [1.3, 1.5], [0.0, 0.1]].map(|at| skin.attach(at, [0.6, 0.8]));
         let some = |values: [f64; 3]| if rotations { values.to_vec() } else { Vec::new() };
         let nodes = HostNodes {
             position: vec![[0.4, 0.0], [1.0, 0.65], [0.9, 1.8]],
@@ -149,22 +149,22 @@ mod tests {
             rotation: some([0.5, 0.9, 1.1]),
             spin: some([2.0, -1.5, 0.7]),
         };
-        (skin, nodes, perches.to_vec())
+        (skin, nodes, points.to_vec())
     }
 
     #[test]
     fn velocities_are_the_places_derivatives() {
         for rotations in [false, true] {
-            let (skin, nodes, perches) = moving(rotations);
+            let (skin, nodes, points) = moving(rotations);
             let ahead = |dt: f64| {
                 let mut n = nodes.clone();
                 n.position.iter_mut().zip(&nodes.velocity).for_each(|(x, v)| *x = [x[0] + dt * v[0], x[1] + dt * v[1]]);
                 n.rotation.iter_mut().zip(&nodes.spin).for_each(|(x, v)| *x += dt * v);
                 skin.ends(&n)
             };
-            for perch in &perches {
-                let (after, before) = (skin.place(perch, &ahead(1e-6)).at, skin.place(perch, &ahead(-1e-6)).at);
-                let v = skin.velocity(perch, &ahead(0.0));
+            for point in &points {
+                let (after, before) = (skin.place(point, &ahead(1e-6)).at, skin.place(point, &ahead(-1e-6)).at);
+                let v = skin.velocity(point, &ahead(0.0));
                 for k in 0..2 {
                     assert!(((after[k] - before[k]) / 2e-6 - v[k]).abs() < 1e-8, "{rotations}: {v:?}");
                 }
@@ -176,14 +176,14 @@ mod tests {
     #[test]
     fn what_the_nodes_get_is_what_the_surface_got() {
         for rotations in [false, true] {
-            let (skin, nodes, perches) = moving(rotations);
+            let (skin, nodes, points) = moving(rotations);
             let ends = skin.ends(&nodes);
             let force = |k: usize| [3.0 - k as f64, 0.5 + k as f64];
             let mut loads = vec![[0.0; 3]; 3];
-            skin.carry(perches.iter().enumerate().map(|(k, perch)| (perch, force(k))), &ends, &mut loads);
+            skin.add_loads(points.iter().enumerate().map(|(k, point)| (point, force(k))), &ends, &mut loads);
             let mut lack = [0.0; 4];
-            for (k, perch) in perches.iter().enumerate() {
-                let (f, v, at) = (force(k), skin.velocity(perch, &ends), skin.place(perch, &ends).at);
+            for (k, point) in points.iter().enumerate() {
+                let (f, v, at) = (force(k), skin.velocity(point, &ends), skin.place(point, &ends).at);
                 let of = [f[0], f[1], at[0] * f[1] - at[1] * f[0], f[0] * v[0] + f[1] * v[1]];
                 (0..4).for_each(|i| lack[i] += of[i]);
             }

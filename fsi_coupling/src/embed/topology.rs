@@ -108,7 +108,7 @@ impl Topology {
 
     /// What the surfaces enclose at t = 0: a chain together with its backing.
     pub(super) fn outline(&self) -> Result<Outline, HostError> {
-        Outline::compound(&self.loops()).map_err(HostError::Shape)
+        Outline::compound(&self.loops()).map_err(|error| HostError::Shape(error.into()))
     }
 
     /// Corners of what each surface encloses at t = 0 [m]; the first are its nodes.

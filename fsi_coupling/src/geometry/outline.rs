@@ -4,10 +4,10 @@ use parry2d::math::Vector;
 use parry2d::query::PointQuery;
 use parry2d::shape::{Polyline, PolylineFlags};
 
-use crate::bodies::body::BodyError;
+use crate::geometry::error::OutlineError;
+use crate::geometry::plate::Plate;
 use crate::geometry::polygon;
 use crate::geometry::shape::Shape;
-use crate::geometry::thin_plate::Plate;
 
 /// Below this distance [m] the way to the nearest point has no direction.
 const ON_SURFACE: f64 = 1e-9;
@@ -25,7 +25,7 @@ pub struct Outline {
 
 impl Outline {
     /// The outline of a shape.
-    pub fn of(shape: &Shape) -> Result<Outline, BodyError> {
+    pub fn of(shape: &Shape) -> Result<Outline, OutlineError> {
         let outline = Outline::polygon(&shape.outline())?;
         Ok(match shape {
             Shape::Polyline { points, thickness } => Outline { plate: Some(Plate::new(points, *thickness)), ..outline },
@@ -48,15 +48,15 @@ impl Outline {
     }
 
     /// A polygon from its corners [m], in either sense of rotation.
-    pub fn polygon(corners: &[[f64; 2]]) -> Result<Outline, BodyError> {
+    pub fn polygon(corners: &[[f64; 2]]) -> Result<Outline, OutlineError> {
         Outline::compound(&[corners.to_vec()])
     }
 
     /// A body of several separate polygons that move as one, such as the hulls of a catamaran [m].
-    pub fn compound(parts: &[Vec<[f64; 2]>]) -> Result<Outline, BodyError> {
+    pub fn compound(parts: &[Vec<[f64; 2]>]) -> Result<Outline, OutlineError> {
         let loops = parts.iter().map(|p| simple(p)).collect::<Result<Vec<_>, _>>()?;
         if loops.is_empty() {
-            return Err(BodyError::Outline("a body needs at least one polygon".into()));
+            return Err(OutlineError("a body needs at least one polygon".into()));
         }
         let outline = Outline::joined(loops);
         let inside = |k: usize, v: &[f64; 2]| {
@@ -66,7 +66,7 @@ impl Outline {
         for (i, part) in outline.loops.iter().enumerate() {
             for k in (0..outline.loops.len()).filter(|k| *k != i) {
                 if let Some(v) = part.iter().find(|v| inside(k, v)) {
-                    return Err(BodyError::Outline(format!("parts {i} and {k} overlap at {v:?}")));
+                    return Err(OutlineError(format!("parts {i} and {k} overlap at {v:?}")));
                 }
             }
         }
@@ -130,17 +130,17 @@ impl Outline {
 }
 
 /// The same corners counter-clockwise, if they make a simple polygon.
-fn simple(corners: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, BodyError> {
+fn simple(corners: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, OutlineError> {
     let n = corners.len();
     if n < 3 || corners.iter().flatten().any(|c| !c.is_finite()) {
-        return Err(BodyError::Outline(format!("a polygon needs at least 3 finite corners, got {n}")));
+        return Err(OutlineError(format!("a polygon needs at least 3 finite corners, got {n}")));
     }
     let area = polygon::signed_area(corners);
     if area == 0.0 {
-        return Err(BodyError::Outline("the polygon's corners enclose no area".into()));
+        return Err(OutlineError("the polygon's corners enclose no area".into()));
     }
     if let Some((i, j)) = polygon::first_crossing(corners) {
-        return Err(BodyError::Outline(format!("the polygon's sides {i} and {j} cross")));
+        return Err(OutlineError(format!("the polygon's sides {i} and {j} cross")));
     }
     let mut corners = corners.to_vec();
     if area < 0.0 {

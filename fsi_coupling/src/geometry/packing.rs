@@ -1,28 +1,27 @@
-//! Water that lies snug to a body from the start (THEORY Q6): as much as there is room for, moved until it is even.
+//! Packed water around a body at t = 0 (THEORY Q6): the number of cells is that of the free area, their positions are relaxed.
 
 use sph_core::Walls;
 use sph_core::interactions::kernel::Kernel;
 use sph_core::neighbours::cells::{Cells, Point};
 
-use crate::bodies::body::WettedBody;
 use crate::geometry::layout::Cell;
 
 /// Samples along a side of a cell that the body's surface may cut.
 const SAMPLES: usize = 8;
 /// Cells move up to this distance from the body [spacings].
 const REACH: f64 = 6.0;
-/// Sweeps, and the share of h²∇C that a cell moves in one.
-const SWEEPS: usize = 150;
+/// Iterations, and the share of h²∇C that a cell moves in one.
+const ITERATIONS: usize = 150;
 const SHARE: f64 = 0.25;
-/// Longest way in a sweep [spacings].
+/// Longest displacement in an iteration [spacings].
 const LONGEST: f64 = 0.05;
 /// Nearest that a cell's middle gets to the plane of symmetry [spacings]: beyond it its own image would push it on.
 const BEFORE_PLANE: f64 = 0.1;
 
-/// What packing needs to know of the fluid and its bounds.
+/// The boundary of the water, and the kernel.
 pub struct Packing<'a> {
-    /// The body.
-    pub body: &'a dyn WettedBody,
+    /// Distance of a point from the body's surface [m], positive in the water.
+    pub signed_distance: &'a dyn Fn([f64; 2]) -> f64,
     /// Every boundary particle, in place.
     pub walls: &'a Walls,
     /// The kernel, and h over the spacing.
@@ -34,24 +33,24 @@ pub struct Packing<'a> {
 }
 
 /// Share of a cell that is water [-].
-fn share(cell: &Cell, body: &dyn WettedBody) -> f64 {
+fn share(cell: &Cell, signed_distance: impl Fn([f64; 2]) -> f64) -> f64 {
     let reach = 0.5 * cell.size[0].hypot(cell.size[1]);
-    let clearance = body.clearance(cell.at);
-    if clearance.abs() >= reach {
-        return if clearance > 0.0 { 1.0 } else { 0.0 };
+    let distance = signed_distance(cell.at);
+    if distance.abs() >= reach {
+        return if distance > 0.0 { 1.0 } else { 0.0 };
     }
     let offset = |k: usize| (k as f64 + 0.5) / SAMPLES as f64 - 0.5;
     let wet = |i: usize, j: usize| {
         let at = [cell.at[0] + offset(i) * cell.size[0], cell.at[1] + offset(j) * cell.size[1]];
-        body.clearance(at) > 0.0
+        signed_distance(at) > 0.0
     };
     let count = (0..SAMPLES * SAMPLES).filter(|k| wet(k % SAMPLES, k / SAMPLES)).count();
     count as f64 / (SAMPLES * SAMPLES) as f64
 }
 
 /// Q6: of the cells that the body's surface cuts, those with most water in them, so many that the area is the water's.
-pub fn choose(cells: Vec<Cell>, body: &dyn WettedBody) -> Vec<Cell> {
-    let shares: Vec<f64> = cells.iter().map(|cell| share(cell, body)).collect();
+pub fn choose(cells: Vec<Cell>, signed_distance: impl Fn([f64; 2]) -> f64) -> Vec<Cell> {
+    let shares: Vec<f64> = cells.iter().map(|cell| share(cell, &signed_distance)).collect();
     let mut cut: Vec<usize> = (0..cells.len()).filter(|&k| shares[k] > 0.0 && shares[k] < 1.0).collect();
     let mut room: f64 = cut.iter().map(|&k| shares[k] * cells[k].area()).sum();
     cut.sort_by(|&a, &b| shares[b].total_cmp(&shares[a])); // stable: of equals the first
@@ -65,23 +64,23 @@ pub fn choose(cells: Vec<Cell>, body: &dyn WettedBody) -> Vec<Cell> {
 }
 
 impl Packing<'_> {
-    /// Q6: move the middles of the cells near the body down the gradient of Σ V W until they lie evenly. `level` is the
+    /// Q6: move the middles of the cells near the body down the gradient of Σ V W until the concentration is uniform. `level` is the
     /// surface's height at x [m]: above it stand the images of the cells below, so that the surface stays.
-    pub fn settle(&self, cells: &mut [Cell], level: impl Fn(f64) -> f64) {
+    pub fn relax(&self, cells: &mut [Cell], level: impl Fn(f64) -> f64) {
         let spacing = |cell: &Cell| cell.area().sqrt();
         let near: Vec<usize> =
-            (0..cells.len()).filter(|&k| self.body.clearance(cells[k].at) < REACH * spacing(&cells[k])).collect();
+            (0..cells.len()).filter(|&k| (self.signed_distance)(cells[k].at) < REACH * spacing(&cells[k])).collect();
         let bounds: Vec<([f64; 2], f64, f64)> = (0..self.walls.len())
             .map(|k| ([self.walls.x[k], self.walls.y[k]], self.walls.h[k], self.walls.volume[k]))
             .collect();
-        for _ in 0..SWEEPS {
+        for _ in 0..ITERATIONS {
             let mut around = bounds.clone();
             for cell in cells.iter() {
                 let (h, area) = (self.ratio * spacing(cell), cell.area());
                 let rise = level(cell.at[0]) - cell.at[1];
                 around.push((cell.at, h, area));
                 let above = [cell.at[0], cell.at[1] + 2.0 * rise];
-                if rise < 2.0 * h && self.body.clearance(above) > 0.0 {
+                if rise < 2.0 * h && (self.signed_distance)(above) > 0.0 {
                     around.push((above, h, area));
                 }
                 if self.mirrored && cell.at[0] < 2.0 * h {
@@ -99,10 +98,10 @@ impl Packing<'_> {
             for (&k, way) in near.iter().zip(moves) {
                 let cell = &mut cells[k];
                 let to = [cell.at[0] + way[0], cell.at[1] + way[1]];
-                let snug = 0.3 * spacing(cell);
-                let dry = self.body.clearance(to) <= snug.min(self.body.clearance(cell.at));
+                let margin = 0.3 * spacing(cell);
+                let dry = (self.signed_distance)(to) <= margin.min((self.signed_distance)(cell.at));
                 let beyond = self.mirrored && to[0] < BEFORE_PLANE * spacing(cell);
-                if !dry && !beyond && level(to[0]) - to[1] > snug {
+                if !dry && !beyond && level(to[0]) - to[1] > margin {
                     cell.at = to;
                 }
             }
@@ -113,17 +112,17 @@ impl Packing<'_> {
     fn step(&self, cell: &Cell, around: &[([f64; 2], f64, f64)], sorted: &Cells) -> [f64; 2] {
         let spacing = cell.area().sqrt();
         let h = self.ratio * spacing;
-        let mut crowding = [0.0; 2];
+        let mut gradient = [0.0; 2];
         sorted.for_each_within(cell.at[0], cell.at[1], h, |p| {
             let (_, other, area) = around[p.index as usize];
             let (dx, dy) = (cell.at[0] - p.x, cell.at[1] - p.y);
             let r = dx.hypot(dy);
             if r > 1e-9 * h {
-                let slope = area * self.kernel.gradient_factor(r, 0.5 * (h + other));
-                crowding = [crowding[0] + slope * dx, crowding[1] + slope * dy];
+                let factor = area * self.kernel.gradient_factor(r, 0.5 * (h + other));
+                gradient = [gradient[0] + factor * dx, gradient[1] + factor * dy];
             }
         });
-        let way = crowding.map(|c| -SHARE * h * h * c);
+        let way = gradient.map(|c| -SHARE * h * h * c);
         let length = way[0].hypot(way[1]);
         way.map(|w| if length > LONGEST * spacing { w * LONGEST * spacing / length } else { w })
     }

@@ -1,30 +1,57 @@
-//! How the rows of boundary particles lie, by wall model.
+//! The rows of boundary particles that a wall model needs.
 
 use sph_core::{Parameters, WallModel};
 
-/// How rows of boundary particles lie.
+/// How rows of boundary particles lie behind each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arrangement {
-    /// At depths ½Δx, 1½Δx, … below the surface, one behind the other.
+    /// At depths ½Δx, 1½Δx, … below the surface, aligned.
     #[default]
     Filled,
-    /// At the same depths, every other row half a spacing aside (THEORY W2).
+    /// At the same depths, every other row shifted by half a spacing (THEORY W2).
     Staggered,
 }
 
-impl Arrangement {
-    /// What a wall model needs, and how many rows of it.
-    pub fn of(parameters: &Parameters) -> (Arrangement, usize) {
-        let filling = (2.0 * parameters.smoothing_ratio - 1e-9).ceil() as usize;
-        match parameters.walls.model {
-            WallModel::Extrapolated | WallModel::MirrorPoint => (Arrangement::Filled, filling),
-            WallModel::Dynamic => (Arrangement::Staggered, 2),
-            WallModel::Repulsive => (Arrangement::Filled, 1),
-        }
+/// Rows of boundary particles below a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallRows {
+    /// Distance between particles and between rows Δx [m].
+    pub spacing: f64,
+    /// Number of rows.
+    pub layers: usize,
+    /// How they lie behind each other.
+    pub arrangement: Arrangement,
+}
+
+impl WallRows {
+    /// Aligned rows.
+    pub fn filled(spacing: f64, layers: usize) -> WallRows {
+        WallRows { spacing, layers, arrangement: Arrangement::Filled }
     }
 
-    /// True where row `layer` stands half a spacing aside.
-    pub(crate) fn aside(self, layer: usize) -> bool {
-        self == Arrangement::Staggered && layer % 2 == 1
+    /// The rows that the wall model needs: behind extrapolated walls as deep as the kernel's support 2h.
+    pub fn of(parameters: &Parameters, spacing: f64) -> WallRows {
+        let support = (2.0 * parameters.smoothing_ratio - 1e-9).ceil() as usize;
+        let (arrangement, layers) = match parameters.walls.model {
+            WallModel::Extrapolated | WallModel::MirrorPoint => (Arrangement::Filled, support),
+            WallModel::Dynamic => (Arrangement::Staggered, 2),
+            WallModel::Repulsive => (Arrangement::Filled, 1),
+        };
+        WallRows { spacing, layers, arrangement }
+    }
+
+    /// Depth of a row below the surface at a local spacing [m].
+    pub fn depth(layer: usize, spacing: f64) -> f64 {
+        (layer as f64 + 0.5) * spacing
+    }
+
+    /// How deep the rows reach below the surface [m].
+    pub fn reach(&self) -> f64 {
+        self.layers as f64 * self.spacing
+    }
+
+    /// True where row `layer` is shifted by half a spacing.
+    pub(crate) fn is_shifted(&self, layer: usize) -> bool {
+        self.arrangement == Arrangement::Staggered && layer % 2 == 1
     }
 }

@@ -10,25 +10,26 @@ use sph_core::WallPoint;
 
 use crate::geometry::outline::Outline;
 use crate::geometry::polygon::normal;
-use crate::geometry::rows::Arrangement;
+use crate::geometry::rows::WallRows;
 
 /// Neighbouring sides that turn by more than this belong to different faces.
 pub(crate) const CORNER_DEG: f64 = 20.0;
 /// Rows are walked in steps of this share of the spacing when trimming.
 const TRIM: f64 = 0.02;
 
-/// Boundary particles of `layers` rows at the given spacing [m]; with `half`, of the part x ≥ 0 only.
-pub fn sample(outline: &Outline, spacing: f64, layers: usize, half: bool, arrangement: Arrangement) -> Vec<WallPoint> {
+/// Rows of boundary particles inside an outline; with `half`, of the part x ≥ 0 only.
+pub fn sample(outline: &Outline, rows: &WallRows, half: bool) -> Vec<WallPoint> {
+    let WallRows { spacing, layers, .. } = *rows;
     let mut points = Vec::new();
     for part in outline.loops() {
         let faces = faces(part);
         for layer in 0..layers {
-            let depth = (layer as f64 + 0.5) * spacing;
+            let depth = WallRows::depth(layer, spacing);
             for (k, face) in faces.iter().enumerate() {
                 let before = &faces[(k + faces.len() - 1) % faces.len()];
                 let after = &faces[(k + 1) % faces.len()];
                 let convex = [turn(before, face), turn(face, after)].map(|turn| turn > CORNER_DEG.to_radians());
-                sample_row(outline, face, convex, arrangement.aside(layer), depth, spacing, &mut points);
+                sample_row(outline, face, convex, rows.is_shifted(layer), depth, spacing, &mut points);
                 sample_fan(face, after, depth, spacing, &mut points);
             }
         }
@@ -231,7 +232,7 @@ mod tests {
         let [lo, hi] = crate::geometry::polygon::bounding_box(&wedge.outline());
         let wedge = Outline::of(&wedge).unwrap();
         let s = 0.02;
-        let points = sample(&wedge, s, 3, false, Arrangement::Filled);
+        let points = sample(&wedge, &WallRows::filled(s, 3), false);
         for p in &points {
             let d = -wedge.signed_distance(p.at) / s;
             assert!([0.5, 1.5, 2.5].iter().any(|l| (d - l).abs() < 1e-3), "a point at depth {d} spacings");
@@ -264,8 +265,8 @@ mod tests {
         for shape in symmetric_bodies() {
             let outline = Outline::of(&shape).unwrap();
             let (half, whole) = (
-                sample(&outline, 0.05, 3, true, Arrangement::Filled),
-                sample(&outline, 0.05, 3, false, Arrangement::Filled),
+                sample(&outline, &WallRows::filled(0.05, 3), true),
+                sample(&outline, &WallRows::filled(0.05, 3), false),
             );
             let area = |points: &[WallPoint]| points.iter().map(|p| p.area).sum::<f64>();
             assert!((2.0 * area(&half) / area(&whole) - 1.0).abs() < 1e-9, "{shape:?}");
@@ -288,7 +289,7 @@ mod tests {
         let s = 0.05;
         for shape in symmetric_bodies() {
             let outline = Outline::of(&shape).unwrap();
-            let points = sample(&outline, s, 1, false, Arrangement::Filled);
+            let points = sample(&outline, &WallRows::filled(s, 1), false);
             let v = &outline.loops()[0];
             let n = v.len();
             for k in 0..n {
@@ -309,7 +310,7 @@ mod tests {
         let hull =
             Outline::polygon(&[[-1.0, 0.5], [-0.5, 0.0], [0.0, 0.3], [0.5, 0.0], [1.0, 0.5], [1.0, 1.0], [-1.0, 1.0]])
                 .unwrap();
-        for p in sample(&hull, 0.03, 3, false, Arrangement::Filled) {
+        for p in sample(&hull, &WallRows::filled(0.03, 3), false) {
             let d = hull.signed_distance(p.at);
             let out = [p.at[0] + 1e-4 * p.normal[0], p.at[1] + 1e-4 * p.normal[1]];
             assert!(hull.signed_distance(out) > d, "at {:?}", p.at);

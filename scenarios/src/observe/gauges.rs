@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::bodies::rigid_motion::rotate;
+use fsi_coupling::geometry::vector::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::particles::probe::Probe;
 
@@ -112,7 +112,7 @@ impl GaugeReader {
             let frame = if instrument.on == GaugeFrame::Body { &motion } else { &still };
             let riding = body.filter(|_| instrument.on == GaugeFrame::Body);
             let read = |place: &Place| {
-                let spot = riding.and_then(|b| b.ride(place.at)).map_or_else(
+                let spot = riding.and_then(|b| b.material_point(place.at)).map_or_else(
                     || Spot::rigid(frame, place),
                     |(surface, acceleration)| Spot { at: surface.at, normal: surface.normal, acceleration },
                 );

@@ -3,7 +3,7 @@
 use fsi_coupling::entry_theory::Rung;
 
 use super::row;
-use crate::ladder::{Assessment, Theory, Want, rungs};
+use crate::model_hierarchy::{Assessment, Theory, Want, assess};
 use crate::observe::Series;
 use crate::report::{Block, Curve, Mark, Table};
 use crate::scene::Scene;
@@ -69,7 +69,7 @@ pub(super) fn ladder_table(scene: &Scene) -> Vec<Block> {
     let table = Table {
         title: "Theories of this entry".into(),
         head,
-        rows: rungs(scene, want).into_iter().map(line).collect(),
+        rows: assess(scene, want).into_iter().map(line).collect(),
     };
     let why = scene.choice.iter().map(|why| Block::Text(format!("Model chosen: {why}.")));
     why.chain([Block::Table(table)]).collect()

@@ -1,13 +1,13 @@
 //! `[fluid]`: defaults that depend on the solver and on the flow, and keys that exclude each other.
 
 use fsi_coupling::settings::{Problem, significant};
-use sph_core::legacy::settings::{EquationOfState, Options};
-use sph_core::{Dissipation, IdealGas, Integrator, Turbulence, WallModel, wcsph};
+use sph_core::legacy::settings::EquationOfState;
+use sph_core::{Dissipation, IdealGas, Integrator, Turbulence, WallModel};
 
 use super::auto::auto_sound_speed;
 use super::draft::Draft;
 use super::impact::Entry;
-use super::settings::{SolverSettings, Water};
+use super::settings::{SolverSettings, Water, WeaklyCompressibleFluid};
 
 /// Smoothing length over spacing of the thesis, h/Δx [-], up to 1.25 of which its surface holds (THEORY J16).
 const SMOOTHING_RATIO_OF_THESIS: f64 = 1.0;
@@ -57,8 +57,7 @@ fn no_coefficient(draft: &mut Draft, key: &str) -> Result<(), Problem> {
 }
 
 fn resolve_weakly_compressible(draft: &mut Draft, water: &Water, sound: Option<f64>) -> Result<(), Problem> {
-    let scheme: wcsph::Settings = draft.read("fluid")?;
-    let options: Options = draft.read("fluid")?;
+    let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
     draft.fill("fluid.cfl", usual_cfl(options.integrator).unwrap_or_else(|| scheme.courant_number()));
     if options.turbulence == Turbulence::Sps && water.fluid.kinematic_viscosity == 0.0 {
         return Err(Problem::new("fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0"));

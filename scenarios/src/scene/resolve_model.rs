@@ -9,8 +9,8 @@ use super::draft::Draft;
 use super::impact::Entry;
 use super::resolve_body::resolve_body;
 use super::settings::{Body, GRAVITY, Scene, Symmetry, Want};
-use crate::chart::spacing_within;
-use crate::ladder::{Choice, Theory, charted_number, choose};
+use crate::charted::spacing_within;
+use crate::model_hierarchy::{Choice, Theory, charted_number, choose};
 
 /// Question that `model = "auto"` answers.
 #[derive(Clone, Copy, Debug)]

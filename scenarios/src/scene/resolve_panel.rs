@@ -1,6 +1,6 @@
 //! Panels of a body: their defaults, and what their places and ends exclude.
 
-use fsi_coupling::geometry::polyline::Course;
+use fsi_coupling::geometry::polyline::Polyline;
 use fsi_coupling::settings::{Problem, significant};
 use fsi_coupling::{PanelEnd, Shape};
 
@@ -14,10 +14,10 @@ const ELEMENTS: [f64; 2] = [8.0, 24.0];
 const PROBES: u32 = 64;
 
 /// The line that a body's panels lie along [m, body's frame].
-pub(super) fn line(shape: &Shape) -> Course {
+pub(super) fn line(shape: &Shape) -> Polyline {
     match shape {
-        Shape::Polyline { points, .. } => Course::open(points.clone()),
-        _ => Course::closed(&shape.outline()),
+        Shape::Polyline { points, .. } => Polyline::open(points.clone()),
+        _ => Polyline::closed(&shape.outline()),
     }
 }
 
@@ -39,7 +39,7 @@ pub(super) fn fill_panels(draft: &mut Draft, shape: &Shape) -> Result<(), Proble
 }
 
 /// Elements between two points of a line, at a particle spacing [m].
-fn enough_elements(line: &Course, ends: [[f64; 2]; 2], spacing: Option<f64>) -> usize {
+fn enough_elements(line: &Polyline, ends: [[f64; 2]; 2], spacing: Option<f64>) -> usize {
     let [from, to] = ends.map(|at| line.nearest(at).0);
     if !line.is_closed() && to < from {
         return ELEMENTS[1] as usize; // refused by its place
@@ -106,7 +106,7 @@ fn check_panel(i: usize, panel: &Panel, body: &Body, symmetry: Symmetry) -> Resu
     Ok(())
 }
 
-fn check_end(line: &Course, key: &str, at: [f64; 2], symmetry: Symmetry) -> Result<(), Problem> {
+fn check_end(line: &Polyline, key: &str, at: [f64; 2], symmetry: Symmetry) -> Result<(), Problem> {
     let (s, distance) = line.nearest(at);
     if distance > 1e-3 * line.length() {
         let [x, y] = line.at(s).map(significant);

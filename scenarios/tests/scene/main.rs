@@ -6,7 +6,7 @@ mod projection;
 mod refused;
 mod start;
 
-use scenarios::forecast::forecast;
+use scenarios::preflight::preflight;
 use scenarios::scene::{
     Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, load, load_text, particle_estimate,
     schema,
@@ -279,7 +279,7 @@ fn check_says_mach_number_and_compressible_share() {
         let loaded = load_text("drop.toml", DROP, &sets(&[&set])).expect("the scene loads");
         let entry = loaded.scene.entry().expect("it falls in");
         let share = 100.0 * compressibility_error(entry.root_speed(), sound);
-        let (text, mach) = (forecast(&loaded.scene, &loaded.warnings).to_text(), entry.root_speed() / sound);
+        let (text, mach) = (preflight(&loaded.scene, &loaded.warnings).to_text(), entry.root_speed() / sound);
         assert!(text.contains(&format!("Mach {mach:.3}")), "{text}");
         assert!(text.contains(&format!("compressible share of the force about {share:.2} %")), "{text}");
         (mach, text.lines().any(|l| l.starts_with("warning") && l.contains(&format!("Mach {:.2}", mach - 0.005))))

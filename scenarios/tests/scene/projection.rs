@@ -1,6 +1,6 @@
 //! What an incompressible solver makes of a scene: its defaults, its table, its doubts.
 
-use scenarios::forecast::forecast;
+use scenarios::preflight::preflight;
 use scenarios::run::{RunOptions, run};
 use scenarios::scene::{Scene, SolverSettings, builtin, load, load_text};
 
@@ -66,7 +66,7 @@ fn no_doubt_about_an_incompressible_scene_and_no_line_of_check_speaks_of_sound()
         for set in ["fluid.sound_speed=20", "coupling.scheme=iqn_ils"] {
             let sets = [format!("solver={solver}"), set.to_string(), "tank.width=3".into(), "tank.depth=1.5".into()];
             let loaded = load_text("drop.toml", DROP, &sets).expect("the scene loads");
-            let text = forecast(&loaded.scene, &loaded.warnings).to_text();
+            let text = preflight(&loaded.scene, &loaded.warnings).to_text();
             for word in ["Mach", "sound", "compressib", "echo", "c0"] {
                 let said = text.replace("incompressible", "");
                 assert!(!said.contains(word), "{solver}, {set}: {word} in {text}");
@@ -78,14 +78,14 @@ fn no_doubt_about_an_incompressible_scene_and_no_line_of_check_speaks_of_sound()
 #[test]
 fn check_counts_steps_of_the_fastest_known_speed() {
     let scene = with("incompressible", &[]);
-    let f = forecast(&scene, &[]);
+    let f = preflight(&scene, &[]);
     let step = 0.4 * 1.5 * 0.005 / scene.projection_speed();
     assert!((f.step_s / step - 1.0).abs() < 1e-12, "{} {step}", f.step_s);
     assert_eq!(f.steps, (0.02 / step).ceil() as u64);
     let cost = 2.5e-6 * f.fluid_particles as f64 * f.steps as f64;
     assert!((f.core_seconds / cost - 1.0).abs() < 1e-12);
     assert!(f.sound_speed_m_per_s.is_none() && f.mach.is_none() && f.compressibility_error.is_none());
-    assert_eq!(forecast(&with("incompressible", &["time.step=1e-4"]), &[]).steps, 200);
+    assert_eq!(preflight(&with("incompressible", &["time.step=1e-4"]), &[]).steps, 200);
 }
 
 #[test]

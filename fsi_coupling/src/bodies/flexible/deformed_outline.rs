@@ -1,32 +1,32 @@
 //! The outline of a flexible body as it is deformed, for contact, pictures and the count of strayed particles.
 
 use crate::bodies::flexible::model::Model;
-use crate::bodies::flexible::surface_map::{Carriage, Carrier, Nodal};
-use crate::bodies::rigid_motion::{Rigid, rotate};
+use crate::bodies::flexible::surface_map::{Attachment, Nodal, SurfaceMap};
+use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
-use crate::geometry::polyline::Course;
+use crate::geometry::polyline::Polyline;
 
 /// A corner of the outline, with what carries it: that of its image, where it is the left half's.
 struct Corner {
-    carrier: Carrier,
+    attachment: Attachment,
     image: bool,
 }
 
 /// Corners close enough to show the panels' bending.
-pub(crate) struct Skin {
+pub(crate) struct DeformedOutline {
     loops: Vec<Vec<Corner>>,
 }
 
-impl Skin {
+impl DeformedOutline {
     /// Of an outline [m, body's frame]; with `half` its left half is carried by the right one's image.
-    pub fn new(outline: &Outline, model: &Model, half: bool) -> Skin {
+    pub fn new(outline: &Outline, model: &Model, half: bool) -> DeformedOutline {
         let element = (0..model.panels.iter().map(|p| p.elements.len()).sum::<usize>())
-            .map(|e| model.carriage.surface.length(e))
+            .map(|e| model.map.surface.length(e))
             .fold(f64::INFINITY, f64::min);
         let corner = |at: [f64; 2]| {
             let image = half && at[0] < 0.0;
             let at = if image { [-at[0], at[1]] } else { at };
-            Corner { carrier: model.carrier(at, at, [0.0; 2]), image }
+            Corner { attachment: model.attachment(at, at, [0.0; 2]), image }
         };
         let divided = |corners: &Vec<[f64; 2]>| {
             let n = corners.len();
@@ -36,17 +36,16 @@ impl Skin {
                 (0..parts).map(move |i| [0, 1].map(|axis| a[axis] + i as f64 / parts as f64 * (b[axis] - a[axis])))
             });
             // between the corners themselves only places that bend
-            let bends = |at: &[f64; 2]| corners.contains(at) || matches!(corner(*at).carrier, Carrier::Beam(_));
+            let bends = |at: &[f64; 2]| corners.contains(at) || matches!(corner(*at).attachment, Attachment::Beam(_));
             points.filter(bends).map(corner).collect()
         };
-        Skin { loops: outline.loops().iter().map(divided).collect() }
+        DeformedOutline { loops: outline.loops().iter().map(divided).collect() }
     }
 
     /// The outline in the body's frame [m] when the nodes are displaced by q and the frame is where it is.
-    pub fn outline(&self, carriage: &Carriage, q: Nodal, frame: &Rigid) -> Option<Outline> {
+    pub fn outline(&self, map: &SurfaceMap, q: Nodal, frame: &RigidMotion) -> Option<Outline> {
         let place = |corner: &Corner| {
-            let [x, y] = carriage.place(&corner.carrier, q).at;
-            let [x, y] = rotate([x - frame.pole[0], y - frame.pole[1]], -frame.angle);
+            let [x, y] = frame.local(map.place(&corner.attachment, q).at);
             if corner.image { [-x, y] } else { [x, y] }
         };
         let loops: Vec<Vec<[f64; 2]>> = self.loops.iter().map(|l| l.iter().map(place).collect()).collect();
@@ -57,29 +56,23 @@ impl Skin {
     fn ends(&self, outline: &Outline, at: [f64; 2]) -> [(&Corner, f64); 2] {
         let mut best = (f64::INFINITY, 0, 0.0);
         for (k, corners) in outline.loops().iter().enumerate() {
-            let course = Course::closed(corners);
-            let (s, distance) = course.nearest(at);
+            let polyline = Polyline::closed(corners);
+            let (s, distance) = polyline.nearest(at);
             if distance < best.0 {
                 best = (distance, k, s);
             }
         }
         let (_, k, s) = best;
-        let (side, t) = Course::closed(&outline.loops()[k]).piece(s);
+        let (side, t) = Polyline::closed(&outline.loops()[k]).piece(s);
         let corners = &self.loops[k];
         [(&corners[side], 1.0 - t), (&corners[(side + 1) % corners.len()], t)]
     }
 
     /// Velocity [m/s] of a place of the outline [m, body's frame].
-    pub fn velocity(
-        &self,
-        carriage: &Carriage,
-        outline: &Outline,
-        at: [f64; 2],
-        (q, rate): (Nodal, Nodal),
-    ) -> [f64; 2] {
+    pub fn velocity(&self, map: &SurfaceMap, outline: &Outline, at: [f64; 2], (q, rate): (Nodal, Nodal)) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (corner, share) in self.ends(outline, at) {
-            let [u, v] = carriage.velocity(&corner.carrier, q, rate);
+            let [u, v] = map.velocity(&corner.attachment, q, rate);
             let u = if corner.image { -u } else { u };
             sum = [sum[0] + share * u, sum[1] + share * v];
         }
@@ -87,9 +80,9 @@ impl Skin {
     }
 
     /// Carry a force or an impulse at a place of the outline to the nodes.
-    pub fn carry(
+    pub fn add_load(
         &self,
-        carriage: &Carriage,
+        map: &SurfaceMap,
         outline: &Outline,
         at: [f64; 2],
         q: Nodal,
@@ -98,7 +91,7 @@ impl Skin {
     ) {
         for (corner, share) in self.ends(outline, at) {
             let x = if corner.image { -force[0] } else { force[0] };
-            carriage.carry(&corner.carrier, q, [share * x, share * force[1]], loads);
+            map.add_load(&corner.attachment, q, [share * x, share * force[1]], loads);
         }
     }
 }

@@ -5,14 +5,14 @@ use structure_fe::{Dynamics, EffectiveInertia, State};
 use sph_core::walls::interface::{Encounter, Lack, Touch, Yields};
 use sph_core::{WallForces, WallsMut};
 
-use crate::bodies::body::BodyError;
-use crate::bodies::flexible::surface_map::{Carriage, Carrier, Influence};
+use crate::bodies::error::BodyError;
+use crate::bodies::flexible::surface_map::{Attachment, Influence, SurfaceMap};
 
 /// Values of all nodes, `[nodes][x, y, turn]`.
 type Field = Vec<[f64; 3]>;
 
 /// A structure under the forces at the end of a step.
-pub struct FlexibleYield {
+pub struct FlexibleInterface {
     /// K4 of each boundary particle, at the end of the step.
     influences: Vec<Influence>,
     /// Accelerations that the particles' kinematics are written with [m/s², rad/s²].
@@ -33,31 +33,31 @@ pub struct FlexibleYield {
     scale: Vec<f64>,
 }
 
-impl FlexibleYield {
+impl FlexibleInterface {
     /// Of a structure whose motion at the start and, as predicted, at the end of a step of `dt` [s] is `now` and `then`, under
     /// loads on its nodes besides the fluid's [N/m, N].
     pub fn new(
         name: &str,
         dynamics: &mut Dynamics,
-        (carriage, carriers): (&Carriage, &[Carrier]),
+        (map, attachments): (&SurfaceMap, &[Attachment]),
         (now, then): (&State, &State),
         weight: &[[f64; 3]],
         dt: f64,
-    ) -> Result<FlexibleYield, BodyError> {
+    ) -> Result<FlexibleInterface, BodyError> {
         let wrong = |error: structure_fe::Error| BodyError::structure(name, &error);
         let amid = dynamics.lack(&amid(now, dynamics.weight_of_end(), dt), weight);
         let inertia = dynamics.effective_inertia(then, dt);
         let lack = dynamics.lack(then, weight);
         let alone = inertia.clone().solve(&lack).map_err(wrong)?;
         let alone_in_mean = inertia.clone().solve(&amid).map_err(wrong)?;
-        let begin = |carrier| carriage.velocity(carrier, &now.displacement, &now.velocity);
-        Ok(FlexibleYield {
-            influences: carriers.iter().map(|carrier| carriage.influence(carrier, &then.displacement)).collect(),
+        let begin = |attachment| map.velocity(attachment, &now.displacement, &now.velocity);
+        Ok(FlexibleInterface {
+            influences: attachments.iter().map(|attachment| map.influence(attachment, &then.displacement)).collect(),
             predicted: then.acceleration.clone(),
             change: vec![[0.0; 3]; alone.len()],
             alone,
             alone_in_mean,
-            begun: carriers.iter().map(begin).collect(),
+            begun: attachments.iter().map(begin).collect(),
             inertia,
             lack,
             scale: lengths(dynamics),
@@ -65,10 +65,10 @@ impl FlexibleYield {
     }
 
     /// K3: forces on the particles, as loads of the nodes.
-    fn carried(&self, forces: impl Iterator<Item = [f64; 2]>) -> Field {
+    fn loads(&self, forces: impl Iterator<Item = [f64; 2]>) -> Field {
         let mut loads = vec![[0.0; 3]; self.predicted.len()];
         for (influence, force) in self.influences.iter().zip(forces) {
-            influence.carry(force, &mut loads);
+            influence.add_load(force, &mut loads);
         }
         loads
     }
@@ -87,8 +87,8 @@ impl FlexibleYield {
     }
 
     /// C10, PB7: what accelerations lack under forces on the particles, beside what the structure's own forces make.
-    fn lack_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> Lack {
-        let loads = self.carried(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
+    fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> Lack {
+        let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
         let each = caused.iter().zip(alone).zip(&self.change);
         let lack: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
@@ -123,9 +123,9 @@ fn lengths(dynamics: &Dynamics) -> Vec<f64> {
     halves.iter().map(|of| if of.is_empty() { all.max(f64::MIN_POSITIVE) } else { mean(of) }).collect()
 }
 
-impl Yields for FlexibleYield {
+impl Yields for FlexibleInterface {
     fn answer(&mut self, encounter: &Encounter<'_>, change: &mut [[f64; 2]]) {
-        let mut loads = self.carried(encounter.touches.iter().map(|touch| touch.force));
+        let mut loads = self.loads(encounter.touches.iter().map(|touch| touch.force));
         loads.as_flattened_mut().iter_mut().zip(self.lack.as_flattened()).for_each(|(load, lack)| *load += lack);
         // where these have no solution the structure's own step says so
         if let Ok(found) = self.with_water(encounter.touches).solve(&loads) {
@@ -143,11 +143,11 @@ impl Yields for FlexibleYield {
     }
 
     fn lack(&self, forces: &WallForces<'_>) -> Lack {
-        self.lack_under(forces.fx, forces.fy, &self.alone)
+        self.residual_under(forces.fx, forces.fy, &self.alone)
     }
 
     fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
-        self.lack_under(forces.mean_fx, forces.mean_fy, &self.alone_in_mean)
+        self.residual_under(forces.mean_fx, forces.mean_fy, &self.alone_in_mean)
     }
 
     fn velocities_at_start(&self, velocities: &mut [[f64; 2]]) {
@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     /// A panel on a free rigid body, bent and moving; particles on both, each with its force and what is behind it.
-    fn panel_on_a_body() -> (FlexibleYield, Vec<Touch>) {
+    fn panel_on_a_body() -> (FlexibleInterface, Vec<Touch>) {
         let material = Material { youngs_modulus: 1e6, poissons_ratio: 0.3, density: 500.0 };
         let beam = Beam::straight([0.0; 2], [1.0, 0.0], 4, material, Section::strip(0.02)).expect("a beam");
         let (beam, frame) = beam.with_rigid_body([-0.3, 0.1], 2.0, 0.1).expect("a body");
@@ -183,24 +183,23 @@ mod tests {
         let rule = Integration::Trapezoidal { spectral_radius: 0.8 };
         let mut dynamics = Dynamics::new(beam, supports, rule, Damping::default()).expect("a model");
         let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), (0..4).map(|e| [e, e + 1]).collect());
-        let carriage = Carriage { surface, frame, pole: [-0.3, 0.1] };
-        let mut carriers =
-            vec![carriage.on_frame([-0.4, 0.0], [0.0, 1.0]), carriage.on_frame([-0.2, 0.15], [0.0, 1.0])];
-        let perch = |k: u32| Carrier::Beam(carriage.surface.perch([0.05 + 0.1 * f64::from(k), 0.01], [0.0, 1.0]));
-        carriers.extend((0..10).map(perch));
+        let map = SurfaceMap { surface, frame, reference: [-0.3, 0.1] };
+        let mut attachments = vec![map.on_frame([-0.4, 0.0], [0.0, 1.0]), map.on_frame([-0.2, 0.15], [0.0, 1.0])];
+        let point = |k: u32| Attachment::Beam(map.surface.attach([0.05 + 0.1 * f64::from(k), 0.01], [0.0, 1.0]));
+        attachments.extend((0..10).map(point));
         let mut then = dynamics.at_rest();
         let weight = dynamics.weight([0.0, -9.81]);
         dynamics.equilibrate(&mut then, &weight).expect("a start");
         for _ in 0..20 {
             dynamics.step(&mut then, &weight, 0.01).expect("a step");
         }
-        let owner = FlexibleYield::new("panel", &mut dynamics, (&carriage, &carriers), (&then, &then), &weight, 0.01);
+        let owner = FlexibleInterface::new("panel", &mut dynamics, (&map, &attachments), (&then, &then), &weight, 0.01);
         let touch = |k: usize| {
             let x = k as f64;
             let (force, push) = ([3.0 * x.sin(), 20.0 + 5.0 * x.cos()], [0.3 * x.cos(), 40.0 + 3.0 * x.sin()]);
             Touch { at: [0.0; 2], force, push, arm: [0.002 * x.sin(), -0.03 + 0.001 * x.cos()] }
         };
-        (owner.expect("an owner"), (0..carriers.len()).map(touch).collect())
+        (owner.expect("an owner"), (0..attachments.len()).map(touch).collect())
     }
 
     /// Under the forces that the accelerations found cause, nothing is lacking: to rounding; before, a lot is.
@@ -208,7 +207,7 @@ mod tests {
     fn accelerations_and_forces_fit() {
         let (mut owner, touches) = panel_on_a_body();
         let none = vec![0.0; touches.len()];
-        let lack = |owner: &FlexibleYield, change: &[[f64; 2]]| {
+        let lack = |owner: &FlexibleInterface, change: &[[f64; 2]]| {
             let felt = |k: usize, axis: usize| {
                 let Touch { force, push, arm, .. } = touches[k];
                 force[axis] + push[axis] * (arm[0] * change[k][0] + arm[1] * change[k][1])

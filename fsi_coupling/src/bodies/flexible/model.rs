@@ -3,13 +3,14 @@
 use structure_fe::{Beam, Damping, Dof, Dynamics, Integration, State, SupportMotion, Supports};
 
 use crate::bodies::beam_surface::BeamSurface;
-use crate::bodies::body::BodyError;
+use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel::{Panel, PanelSpec};
-use crate::bodies::flexible::surface_map::{Carriage, Carrier};
+use crate::bodies::flexible::surface_map::{Attachment, SurfaceMap};
 use crate::bodies::prescribed::Law;
-use crate::bodies::rigid_motion::{Rigid, rotate};
+use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
-use crate::geometry::polyline::Course;
+use crate::geometry::polyline::Polyline;
+use crate::geometry::vector::rotate;
 
 /// A flexible body to be built; everything per metre of span, in the body's own frame.
 pub struct FlexibleSpec {
@@ -24,7 +25,7 @@ pub struct FlexibleSpec {
     /// What holds them.
     pub frame: Frame,
     /// Motion of the frame's origin at the start.
-    pub start: Rigid,
+    pub start: RigidMotion,
     /// Gravity [m/s²].
     pub gravity: [f64; 2],
     /// Damping of the panels.
@@ -35,7 +36,7 @@ pub struct FlexibleSpec {
 
 /// The rigid part of a flexible body.
 pub enum Frame {
-    /// Moves as told.
+    /// Prescribed motion.
     Given(Law),
     /// Moves under its loads.
     Free {
@@ -57,12 +58,12 @@ const SPECTRAL_RADIUS: f64 = 0.8;
 /// The finite elements of a flexible body, and what lies where on them.
 pub(crate) struct Model {
     pub dynamics: Dynamics,
-    pub carriage: Carriage,
+    pub map: SurfaceMap,
     pub panels: Vec<Panel>,
     /// The line that the panels lie along [m, body's frame].
-    pub line: Course,
+    pub line: Polyline,
     /// The start: of the body's frame, whose places `start.point` puts in the tank's.
-    pub start: Rigid,
+    pub start: RigidMotion,
     /// Structure that is simulated, over the whole [-].
     pub share: f64,
 }
@@ -72,8 +73,8 @@ impl Model {
     pub fn new(spec: &FlexibleSpec) -> Result<(Model, State), BodyError> {
         let wrong = |error: structure_fe::Error| BodyError::structure(&spec.name, &error);
         let line = match &spec.middle {
-            Some(middle) => Course::open(middle.clone()),
-            None => Course::closed(&spec.outline.loops()[0]),
+            Some(middle) => Polyline::open(middle.clone()),
+            None => Polyline::closed(&spec.outline.loops()[0]),
         };
         let (mut nodes, mut elements, mut supports) = (Vec::new(), Vec::new(), Supports::default());
         let panels: Vec<Panel> =
@@ -103,79 +104,90 @@ impl Model {
         let rule = Integration::Trapezoidal { spectral_radius: SPECTRAL_RADIUS };
         let dynamics = Dynamics::new(beam, supports, rule, spec.damping).map_err(wrong)?;
         let mut state = dynamics.at_rest();
-        let Rigid { pole, velocity, spin, .. } = spec.start;
-        dynamics.start_moving(&mut state, pole, velocity, spin);
-        let pole = dynamics.beam().nodes()[frame];
+        let RigidMotion { position, velocity, angular_velocity, .. } = spec.start;
+        dynamics.start_moving(&mut state, position, velocity, angular_velocity);
+        let reference = dynamics.beam().nodes()[frame];
         let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), ends);
-        let carriage = Carriage { surface, frame, pole };
-        Ok((Model { dynamics, carriage, panels, line, start: spec.start, share }, state))
+        let map = SurfaceMap { surface, frame, reference };
+        Ok((Model { dynamics, map, panels, line, start: spec.start, share }, state))
     }
 
-    /// The frame's node is where the model has it: elsewhere, once a panel has broken off a free frame.
-    pub fn settle(&mut self) {
-        self.carriage.pole = self.dynamics.beam().nodes()[self.carriage.frame];
+    /// Update the position of the frame's node: it moves when a panel breaks off a free frame.
+    pub fn update_reference(&mut self) {
+        self.map.reference = self.dynamics.beam().nodes()[self.map.frame];
     }
 
     /// What carries a place of the surface [m] with its normal [-], in the body's frame; a place below the surface goes with
     /// its foot on the surface.
-    pub fn carrier(&self, foot: [f64; 2], at: [f64; 2], normal: [f64; 2]) -> Carrier {
+    pub fn attachment(&self, foot: [f64; 2], at: [f64; 2], normal: [f64; 2]) -> Attachment {
         let (s, _) = self.line.nearest(foot);
         let (at, normal) = (self.start.point(at), rotate(normal, self.start.angle));
         match self.panels.iter().find(|panel| self.line.between(s, panel.reach)) {
-            Some(panel) => Carrier::Beam(self.carriage.surface.perch_among(panel.elements.clone(), at, normal)),
-            None => self.carriage.on_frame(at, normal),
+            Some(panel) => Attachment::Beam(self.map.surface.attach_among(panel.elements.clone(), at, normal)),
+            None => self.map.on_frame(at, normal),
         }
     }
 
     /// What carries an open line [m, body's frame], with places between its points that show the panels' bending.
-    pub fn divided(&self, line: &[[f64; 2]]) -> Vec<Carrier> {
-        let course = Course::open(line.to_vec());
-        let lengths = self.panels.iter().flat_map(|p| p.elements.clone()).map(|e| self.carriage.surface.length(e));
-        let step = lengths.fold(course.length(), f64::min);
-        let mut stops: Vec<f64> = line.iter().map(|p| course.nearest(*p).0).collect();
-        let parts = (course.length() / step).ceil() as usize;
-        stops.extend((0..=parts).map(|k| course.length() * k as f64 / parts as f64));
+    pub fn divided(&self, line: &[[f64; 2]]) -> Vec<Attachment> {
+        let polyline = Polyline::open(line.to_vec());
+        let lengths = self.panels.iter().flat_map(|p| p.elements.clone()).map(|e| self.map.surface.length(e));
+        let step = lengths.fold(polyline.length(), f64::min);
+        let mut stops: Vec<f64> = line.iter().map(|p| polyline.nearest(*p).0).collect();
+        let parts = (polyline.length() / step).ceil() as usize;
+        stops.extend((0..=parts).map(|k| polyline.length() * k as f64 / parts as f64));
         stops.sort_by(f64::total_cmp);
-        stops.dedup_by(|a, b| (*a - *b).abs() < 1e-6 * course.length());
-        stops.iter().map(|s| course.at(*s)).map(|at| self.carrier(at, at, [0.0; 2])).collect()
+        stops.dedup_by(|a, b| (*a - *b).abs() < 1e-6 * polyline.length());
+        stops.iter().map(|s| polyline.at(*s)).map(|at| self.attachment(at, at, [0.0; 2])).collect()
     }
 
-    /// Motion of the body's frame, its origin for a pole.
-    pub fn frame(&self, state: &State) -> Rigid {
-        let node = self.carriage.frame;
-        let ([x, y, turn], [u, v, spin], [ax, ay, spin_rate]) =
+    /// Motion of the body's frame, about its origin.
+    pub fn frame(&self, state: &State) -> RigidMotion {
+        let node = self.map.frame;
+        let ([x, y, turn], [u, v, angular_velocity], [ax, ay, angular_acceleration]) =
             (state.displacement[node], state.velocity[node], state.acceleration[node]);
-        let pole = [self.carriage.pole[0] + x, self.carriage.pole[1] + y];
-        let about_node = Rigid { pole, angle: turn, velocity: [u, v], spin, acceleration: [ax, ay], spin_rate };
-        let arm = [0, 1].map(|k| self.start.pole[k] - self.carriage.pole[k]);
-        Rigid {
-            pole: about_node.point(arm),
+        let position = [self.map.reference[0] + x, self.map.reference[1] + y];
+        let about_node = RigidMotion {
+            position,
+            angle: turn,
+            velocity: [u, v],
+            angular_velocity,
+            acceleration: [ax, ay],
+            angular_acceleration,
+        };
+        let lever_arm = [0, 1].map(|k| self.start.position[k] - self.map.reference[k]);
+        RigidMotion {
+            position: about_node.point(lever_arm),
             angle: self.start.angle + turn,
-            velocity: about_node.point_velocity(arm),
-            acceleration: about_node.point_acceleration(arm),
+            velocity: about_node.point_velocity(lever_arm),
+            acceleration: about_node.point_acceleration(lever_arm),
             ..about_node
         }
     }
 
-    /// Motion of the frame's node where the body's frame moves as told: displacement, velocity, acceleration.
-    pub fn node_of(&self, told: &Rigid) -> [[f64; 3]; 3] {
-        let r = [0, 1].map(|k| self.carriage.pole[k] - self.start.pole[k]);
-        let arm = rotate(r, -self.start.angle);
-        let ([x, y], v, a) = (told.point(arm), told.point_velocity(arm), told.point_acceleration(arm));
+    /// Motion of the frame's node where the body's frame moves as prescribed: displacement, velocity, acceleration.
+    pub fn node_of(&self, prescribed: &RigidMotion) -> [[f64; 3]; 3] {
+        let r = [0, 1].map(|k| self.map.reference[k] - self.start.position[k]);
+        let lever_arm = rotate(r, -self.start.angle);
+        let ([x, y], v, a) = (
+            prescribed.point(lever_arm),
+            prescribed.point_velocity(lever_arm),
+            prescribed.point_acceleration(lever_arm),
+        );
         [
-            [x - self.carriage.pole[0], y - self.carriage.pole[1], told.angle - self.start.angle],
-            [v[0], v[1], told.spin],
-            [a[0], a[1], told.spin_rate],
+            [x - self.map.reference[0], y - self.map.reference[1], prescribed.angle - self.start.angle],
+            [v[0], v[1], prescribed.angular_velocity],
+            [a[0], a[1], prescribed.angular_acceleration],
         ]
     }
 
     /// Tell the frame's node how to move.
-    pub fn prescribe(&mut self, told: &Rigid) -> Result<(), structure_fe::Error> {
-        let [displacement, velocity, acceleration] = self.node_of(told);
+    pub fn prescribe(&mut self, prescribed: &RigidMotion) -> Result<(), structure_fe::Error> {
+        let [displacement, velocity, acceleration] = self.node_of(prescribed);
         for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
             let motion =
                 SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
-            self.dynamics.prescribe(self.carriage.frame, dof, motion)?;
+            self.dynamics.prescribe(self.map.frame, dof, motion)?;
         }
         Ok(())
     }

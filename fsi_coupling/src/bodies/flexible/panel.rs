@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
 
-use crate::geometry::polyline::Course;
+use crate::geometry::polyline::Polyline;
 
 /// How an end of a panel is held by the body's rigid frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -64,7 +64,7 @@ pub(crate) struct Panel {
 
 impl Panel {
     /// The panel along a line; its nodes [m, body's frame] and elements are added to the model's.
-    pub fn along(line: &Course, spec: &PanelSpec, nodes: &mut Vec<[f64; 2]>, elements: &mut Vec<Element>) -> Panel {
+    pub fn along(line: &Polyline, spec: &PanelSpec, nodes: &mut Vec<[f64; 2]>, elements: &mut Vec<Element>) -> Panel {
         let reach = spec.span.map(|end| line.nearest(end).0);
         let part = line.part(reach[0], reach[1]);
         let inwards = if line.is_closed() { 0.5 * spec.thickness } else { 0.0 };

@@ -3,8 +3,9 @@
 use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, Range, SectionForces, State};
 
 use crate::bodies::flexible::panel::Panel;
-use crate::bodies::flexible::surface_map::Carriage;
-use crate::bodies::rigid_motion::{Rigid, rotate};
+use crate::bodies::flexible::surface_map::SurfaceMap;
+use crate::bodies::rigid_motion::RigidMotion;
+use crate::geometry::vector::rotate;
 
 /// What a panel does at a place that is watched.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,19 +59,19 @@ pub struct Worst {
 /// What one panel does.
 pub(crate) fn state_of(
     panel: &Panel,
-    (dynamics, carriage): (&Dynamics, &Carriage),
+    (dynamics, map): (&Dynamics, &SurfaceMap),
     nodes: &State,
-    frame: &Rigid,
+    frame: &RigidMotion,
     envelope: &Envelope,
 ) -> PanelState {
     let (sections, strains) = (dynamics.section_forces(nodes), dynamics.fibre_strains(nodes));
     let still = vec![[0.0; 3]; nodes.displacement.len()];
     let watched = panel.spec.watch.iter().map(|&share| {
         let (element, t) = panel.element_at(share);
-        let perch = carriage.surface.on_element(element, t);
-        let (at, rest) = (carriage.surface.place(&perch, &nodes.displacement), carriage.surface.place(&perch, &still));
+        let point = map.surface.on_element(element, t);
+        let (at, rest) = (map.surface.place(&point, &nodes.displacement), map.surface.place(&point, &still));
         // the place as the frame alone would have carried it
-        let carried = carriage.place(&carriage.on_frame(rest.at, rest.normal), &nodes.displacement);
+        let carried = map.place(&map.on_frame(rest.at, rest.normal), &nodes.displacement);
         let moved = [0, 1].map(|k| at.at[k] - carried.at[k]);
         let [first, second] = [2 * element, 2 * element + 1];
         let [right, left] =

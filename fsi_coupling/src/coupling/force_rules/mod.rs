@@ -15,8 +15,8 @@ pub mod nodal_loads;
 use sph_core::particles::probe::Probe;
 use sph_core::walls::Resultant;
 
-use crate::bodies::body::{Motion, WettedBody};
-use crate::bodies::rigid_motion::rotate;
+use crate::bodies::body::Body;
+use crate::bodies::state::Motion;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::force_rules::nodal_loads::{Nodal, Side, carry, gauss_points, resultant, sides};
 use crate::geometry::outline::Outline;
@@ -96,12 +96,9 @@ struct Placed<'a> {
 }
 
 impl<'a> Placed<'a> {
-    fn of(system: &'a Coupled, body: &dyn WettedBody) -> Option<Placed<'a>> {
+    fn of(system: &'a Coupled, body: &dyn Body) -> Option<Placed<'a>> {
         let (motion, outline): (Motion, &Outline) = (body.motion()?, body.outline()?);
-        let place = |v: &[f64; 2]| {
-            let r = rotate(*v, motion.angle);
-            [motion.position[0] + r[0], motion.position[1] + r[1]]
-        };
+        let place = |v: &[f64; 2]| motion.point(*v);
         let loops: Vec<Vec<[f64; 2]>> = outline.loops().iter().map(|l| l.iter().map(place).collect()).collect();
         let sides = sides(&loops);
         let corners: Vec<[f64; 2]> = loops.concat();

@@ -1,0 +1,44 @@
+//! Why a body cannot be built or cannot continue.
+
+use crate::geometry::error::OutlineError;
+
+/// A body that cannot be built or cannot continue.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BodyError {
+    /// The corners do not make an outline.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
+    /// Mass or inertia that is not positive and finite.
+    #[error("body `{name}`: {quantity} is {given}, expected a positive finite number")]
+    Inertia {
+        /// The body.
+        name: String,
+        /// `mass` or `inertia`.
+        quantity: &'static str,
+        /// The value given, in SI units.
+        given: f64,
+    },
+    /// The structure's equations cannot be set up or solved.
+    #[error("body `{name}`: {reason}")]
+    Structure {
+        /// The body.
+        name: String,
+        /// The error of the finite-element model.
+        reason: String,
+    },
+    /// The motion is not finite.
+    #[error("body `{name}`: its motion is no longer finite at t = {time:.6e} s")]
+    NotFinite {
+        /// The body.
+        name: String,
+        /// Time [s].
+        time: f64,
+    },
+}
+
+impl BodyError {
+    /// An error of the body's finite-element model.
+    pub(crate) fn structure(name: &str, error: &structure_fe::Error) -> BodyError {
+        BodyError::Structure { name: name.into(), reason: error.to_string() }
+    }
+}

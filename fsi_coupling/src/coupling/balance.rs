@@ -1,0 +1,79 @@
+//! Balances of momentum and energy over fluid and bodies (THEORY E21, E22).
+
+use sph_core::parallel;
+use sph_core::particles::totals::FluidEnergy;
+use sph_core::{Fluid, Walls};
+
+use crate::coupling::placed_bodies::Member;
+
+/// Momentum closure (THEORY E21).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MomentumAudit {
+    /// Momentum of fluid and bodies less the external impulses [N s/m].
+    balance: [f64; 2],
+    /// Largest change of the balance in one step, relative to Σ m|v| + Δt Σ|F| [-].
+    pub worst: f64,
+}
+
+/// The balances since the start.
+#[derive(Clone, Copy)]
+pub(super) struct Balance {
+    pub momentum: MomentumAudit,
+    pub fluid_at_start: FluidEnergy,
+    energy_at_start: f64,
+    fluid_mass: f64,
+}
+
+impl Balance {
+    pub fn at_start(fluid: &Fluid, members: &[Member]) -> Balance {
+        let fluid_at_start = fluid.energy();
+        Balance {
+            momentum: MomentumAudit { balance: momentum_balance(fluid.momentum(), members), worst: 0.0 },
+            fluid_at_start,
+            energy_at_start: energy(&fluid_at_start, members),
+            fluid_mass: fluid.mass(),
+        }
+    }
+
+    /// E21: compare the balance with the one before a step of `dt` [s].
+    pub fn close_step(&mut self, fluid: &Fluid, walls: &Walls, members: &[Member], dt: f64) {
+        let (of_fluid, held) = fluid.momentum_and_its_scale();
+        let (now, w) = (momentum_balance(of_fluid, members), walls);
+        let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
+        let scale = held + dt * pushed;
+        let symmetric = fluid.parameters.mirror.is_some();
+        for k in 0..2 {
+            let gravity = if symmetric && k == 0 { 0.0 } else { dt * self.fluid_mass * fluid.parameters.gravity[k] };
+            let gap = now[k] - self.momentum.balance[k] - gravity;
+            if scale > 0.0 {
+                self.momentum.worst = self.momentum.worst.max(gap.abs() / scale);
+            }
+        }
+        self.momentum.balance = now;
+    }
+
+    /// E22: energy now, less that at the start [J/m].
+    pub fn energy_drift(&self, fluid: &FluidEnergy, members: &[Member]) -> f64 {
+        energy(fluid, members) - self.energy_at_start
+    }
+}
+
+fn energy(fluid: &FluidEnergy, members: &[Member]) -> f64 {
+    let of = |m: &Member| {
+        let e = m.body.energy();
+        if m.body.is_prescribed() { e.work } else { e.kinetic + e.potential + e.elastic - e.support }
+    };
+    fluid.total() + members.iter().map(of).sum::<f64>()
+}
+
+/// Momentum less external impulses, except for gravity on the fluid.
+fn momentum_balance(of_fluid: [f64; 2], members: &[Member]) -> [f64; 2] {
+    let mut total = of_fluid;
+    for m in members {
+        let body = m.body.momentum();
+        for k in 0..2 {
+            total[k] += body.momentum[k] - body.external[k];
+        }
+    }
+    total
+}

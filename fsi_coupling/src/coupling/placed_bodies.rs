@@ -1,0 +1,81 @@
+//! Bodies with their boundary particles: first placed alone, then the water is filled in around them.
+
+use std::ops::Range;
+
+use sph_core::{Parameters, Walls, Yielding};
+
+use crate::bodies::body::Body;
+use crate::bodies::error::BodyError;
+use crate::coupling::work_audit::WorkAudit;
+use crate::geometry::rows::WallRows;
+
+/// A body, its boundary particles and the midlines of its thin plates among those of all bodies.
+pub(super) struct Member {
+    pub body: Box<dyn Body>,
+    pub range: Range<usize>,
+    pub plates: Range<usize>,
+    pub work: WorkAudit,
+}
+
+/// Bodies at t = 0 with their boundary particles. The water may be packed around them before
+/// [`Coupled::with_bodies`](crate::Coupled::with_bodies) steps both.
+pub struct PlacedBodies {
+    pub(super) walls: Walls,
+    pub(super) members: Vec<Member>,
+    pub(super) spacing: f64,
+}
+
+impl PlacedBodies {
+    /// Sample the bodies at `spacing` [m] in the rows that the wall model needs, and place the particles.
+    pub fn new(bodies: Vec<Box<dyn Body>>, parameters: &Parameters, spacing: f64) -> Result<PlacedBodies, BodyError> {
+        let rows = WallRows::of(parameters, spacing);
+        let mut placed = PlacedBodies { walls: Walls::default(), members: Vec::new(), spacing };
+        for mut body in bodies {
+            let range = placed.walls.extend(&body.sample(&rows)?, parameters.smoothing_ratio);
+            let plates = 0..0;
+            placed.members.push(Member { body, range, plates, work: WorkAudit::default() });
+        }
+        apply_kinematics(&mut placed.members, &mut placed.walls, 0.0);
+        Ok(placed)
+    }
+
+    /// The boundary particles of all bodies.
+    pub fn walls(&self) -> &Walls {
+        &self.walls
+    }
+
+    /// The bodies, in the order they were given.
+    pub fn bodies(&self) -> impl Iterator<Item = &dyn Body> {
+        self.members.iter().map(|m| m.body.as_ref())
+    }
+}
+
+/// H: place all boundary particles and plate midlines `ahead` [s] from now.
+pub(super) fn apply_kinematics(members: &mut [Member], walls: &mut Walls, ahead: f64) {
+    walls.screens.clear();
+    for m in members {
+        let midlines = m.body.kinematics(ahead, walls.slice_mut(m.range.clone()));
+        m.plates = walls.screens.len()..walls.screens.len() + midlines.len();
+        walls.screens.extend(midlines);
+    }
+}
+
+/// C2: interface dynamics of the bodies that a force accelerates, at the end of a step of `ahead` [s].
+pub(super) fn interfaces(members: &mut [Member], ahead: f64, mirrored: bool) -> Result<Vec<Yielding>, BodyError> {
+    let mut found = Vec::new();
+    for Member { body, range, .. } in members {
+        if let Some(owner) = body.interface(ahead)? {
+            found.push(Yielding { range: range.clone(), mirrored, owner });
+        }
+    }
+    Ok(found)
+}
+
+/// Hᵀ: the fluid's forces on the boundary particles become the bodies' loads.
+pub(super) fn load(members: &mut [Member], walls: &Walls, mirrored: bool) {
+    for m in members {
+        let mut forces = walls.forces(m.range.clone());
+        forces.mirrored = mirrored;
+        m.body.load(forces);
+    }
+}

@@ -1,0 +1,24 @@
+//! `splashdown bands`.
+
+use clap::Args;
+
+use super::super::{Cli, DONE, Stop};
+use super::{Selection, lines_of, list};
+use crate::experiments::coverage::{Case, cover, table};
+
+#[derive(Args)]
+pub(in crate::cli) struct BandsArgs {
+    #[command(flatten)]
+    selection: Selection,
+}
+
+const HEADING: &str = "# Error bars\n\nWritten by `splashdown bands --all --table docs/src/validation/error_bars.md`.";
+
+pub(in crate::cli) fn run_bands(cli: &Cli, args: &BandsArgs) -> Result<u8, Stop> {
+    if args.selection.is_empty() {
+        return list::<Case>();
+    }
+    let lines = lines_of(cli, &args.selection, cover)?;
+    args.selection.show(cli, &lines, HEADING, &table(&lines))?;
+    Ok(DONE)
+}

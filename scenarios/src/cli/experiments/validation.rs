@@ -1,0 +1,32 @@
+//! `splashdown validate`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::super::{Cli, DONE, Stop};
+use super::{Selection, lines_of, list};
+use crate::experiments::validation::{Case, table, validate};
+
+#[derive(Args)]
+pub(in crate::cli) struct ValidateArgs {
+    #[command(flatten)]
+    selection: Selection,
+    /// Keep each case's files below this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+const HEADING: &str = "# Validation\n\nWritten by `splashdown validate --all --table docs/src/validation/cases.md`.";
+
+pub(in crate::cli) fn run_validation(cli: &Cli, args: &ValidateArgs) -> Result<u8, Stop> {
+    if args.selection.is_empty() {
+        return list::<Case>();
+    }
+    let lines = lines_of(cli, &args.selection, |case| validate(case, args.out.as_ref()))?;
+    args.selection.show(cli, &lines, HEADING, &table(&lines))?;
+    match lines.iter().filter(|l| !l.holds).count() {
+        0 => Ok(DONE),
+        misses => Err(Stop::Failed(format!("{misses} of {} numbers do not hold", lines.len()))),
+    }
+}

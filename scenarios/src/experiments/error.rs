@@ -1,0 +1,78 @@
+//! Why an experiment cannot be made.
+
+use crate::run::RunError;
+use crate::scene::SceneError;
+
+/// An experiment that cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ExperimentError {
+    /// No case has this name.
+    #[error("no {kind} `{name}`; there are: {known}")]
+    Unknown {
+        /// The kind of case.
+        kind: &'static str,
+        /// The name given.
+        name: String,
+        /// Names of all cases.
+        known: String,
+    },
+    /// The file of a case is wrong.
+    #[error("{kind} `{name}`: {why}")]
+    Case {
+        /// The kind of case.
+        kind: &'static str,
+        /// Its name or file.
+        name: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// A stored result cannot be read.
+    #[error("{file}: {why}; expected the JSON file of a {kind} that was measured")]
+    Stored {
+        /// The kind of case.
+        kind: &'static str,
+        /// The file.
+        file: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// An option has a wrong value.
+    #[error("{key} {given}: expected {expected}")]
+    Input {
+        /// The option.
+        key: &'static str,
+        /// The value given.
+        given: String,
+        /// The values allowed.
+        expected: String,
+    },
+    /// A run ended early.
+    #[error("the run at spacing {0} m and sound speed {1} m/s ended early: {2}")]
+    Ended(f64, f64, String),
+    /// A scene is wrong.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A run could not be made.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// A file could not be written.
+    #[error("cannot write to {0}: {1}")]
+    Write(String, std::io::Error),
+}
+
+impl ExperimentError {
+    /// A path in `summary.json` at which no number stands.
+    pub(crate) fn unknown_quantity(path: &str, known: &[String]) -> ExperimentError {
+        let expected = format!("the path of a number in summary.json: {}", known.join(", "));
+        ExperimentError::Input { key: "--quantity", given: path.to_string(), expected }
+    }
+
+    /// True if the input is at fault, not the run or the disk.
+    pub fn is_input(&self) -> bool {
+        match self {
+            ExperimentError::Run(error) => error.is_input(),
+            ExperimentError::Ended(..) | ExperimentError::Write(..) => false,
+            _ => true,
+        }
+    }
+}

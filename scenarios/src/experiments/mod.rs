@@ -1,0 +1,42 @@
+//! Experiments: many runs of scenes, and what they show together.
+//!
+//! Every experiment has the same five parts. A **case** is a TOML file in `scenarios/cases` that names a scene, overrides and
+//! numbers of `summary.json` ([`catalogue`]). Its **axes** give one list of overrides per run. The **runs** ([`runs`]) are all
+//! read before the first starts; they are made one after another or side by side, and may be stored and resumed. A **judge**
+//! reads their numbers. The result is written as JSON, as a Markdown table, and for most as a page.
+//!
+//! | command | module | axes | judge |
+//! |---|---|---|---|
+//! | `validate` | [`validation`] | the case; a coarser run | tolerances against measured and exact values |
+//! | `study`, `run --converge` | [`convergence`] | spacings, sound speeds | observed order, extrapolated value, error bar |
+//! | `bands` | [`coverage`] | spacings in the ratio 4 : 2 : 1 | does the error bar contain the exact value? |
+//! | `chart` | [`work_precision`] | families of settings at growing effort | error against cost, Pareto front |
+//! | `stability` | [`stability`] | two parameters | stable, inaccurate or failed, against a theoretical boundary |
+//!
+//! # Example
+//! ```
+//! use scenarios::experiments::{catalogue, validation};
+//!
+//! let case = catalogue::select::<validation::Case>(&["hydrostatic_tank".to_string()])?.remove(0);
+//! assert_eq!(case.scene, "hydrostatic_tank");
+//! # Ok::<(), scenarios::experiments::ExperimentError>(())
+//! ```
+
+pub mod catalogue;
+pub mod convergence;
+pub mod coverage;
+mod error;
+pub mod runs;
+pub mod stability;
+pub mod validation;
+pub mod work_precision;
+
+pub use error::ExperimentError;
+
+/// Rows of text as a Markdown table.
+pub(crate) fn markdown<Cell: AsRef<str>>(head: &[Cell], rows: &[Vec<String>]) -> String {
+    let head: Vec<&str> = head.iter().map(AsRef::as_ref).collect();
+    let mut text = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
+    rows.iter().for_each(|row| text += &format!("| {} |\n", row.join(" | ")));
+    text
+}

@@ -1,0 +1,245 @@
+//! `splashdown validate`: numbers of a run against measured and exact values.
+//!
+//! A case is a TOML file in `scenarios/cases/validation`: a scene, overrides, and the values that its `summary.json` must
+//! have. A case contains no source code.
+
+use std::path::PathBuf;
+
+use include_dir::{Dir, include_dir};
+use serde::{Deserialize, Serialize};
+
+use super::runs::RunRecord;
+use super::{ExperimentError, catalogue, markdown};
+use crate::run::{self, RunOptions};
+use crate::scene::{self, Scene};
+use crate::summary::Status;
+
+static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
+
+/// A validation case.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// Name, that of its file.
+    #[serde(skip)]
+    pub name: String,
+    /// What is shown.
+    pub about: String,
+    /// Name of a built-in scene, or path of a scene file.
+    pub scene: String,
+    /// Overrides, as for `--set`.
+    #[serde(default)]
+    pub set: Vec<String>,
+    /// Require every judged comparison of the scene to pass.
+    #[serde(default)]
+    pub comparisons: bool,
+    /// Numbers that must hold.
+    #[serde(default)]
+    pub expect: Vec<Expect>,
+    /// A coarser run of the same, whose errors must be larger.
+    pub coarser: Option<Coarser>,
+}
+
+/// A number of `summary.json` and its allowed range: near a reference, or within bounds.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Expect {
+    /// Path in `summary.json`, keys joined by `/`.
+    pub value: String,
+    /// The reference value.
+    pub reference: Option<f64>,
+    /// Largest relative difference from the reference [-].
+    pub tolerance: Option<f64>,
+    /// Largest magnitude.
+    pub at_most: Option<f64>,
+    /// Source of the reference.
+    pub source: String,
+}
+
+/// A coarser run.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Coarser {
+    /// Further overrides.
+    pub set: Vec<String>,
+    /// Paths of expected numbers whose error must fall from the coarser run to the finer: the relative error
+    /// where the number has a reference, else the number itself.
+    pub error_falls: Vec<String>,
+    /// Errors below this level need not fall any further.
+    #[serde(default)]
+    pub noise: f64,
+}
+
+/// A line of the table.
+#[derive(Clone, Debug, Serialize)]
+pub struct Line {
+    /// The case.
+    pub case: String,
+    /// The number.
+    pub quantity: String,
+    /// Its value in the run.
+    pub ours: f64,
+    /// Its reference.
+    pub theirs: String,
+    /// The error, where there is a reference.
+    pub error: Option<f64>,
+    /// The allowed range.
+    pub allowed: String,
+    /// Whether it holds.
+    pub holds: bool,
+    /// Source of the reference.
+    pub source: String,
+    /// Core-seconds of the case's run.
+    pub core_seconds: f64,
+}
+
+impl catalogue::Case for Case {
+    const KIND: &'static str = "validation case";
+
+    fn folder() -> &'static Dir<'static> {
+        &CASES
+    }
+
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn rename(&mut self, name: String) {
+        self.name = name;
+    }
+
+    fn about(&self) -> &str {
+        &self.about
+    }
+}
+
+/// Run a case; its files go to a folder of its name under `out`, if one is given.
+///
+/// # Errors
+/// The scene is wrong, or its run could not be made.
+pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, ExperimentError> {
+    let (scene, run) = run_with(case, &[], out.map(|dir| dir.join(&case.name)))?;
+    let cost = run.core_seconds();
+    let mut lines: Vec<Line> = case.expect.iter().map(|e| judge(case, e, &run)).collect();
+    if case.comparisons {
+        let judged = run.summary.comparison.iter().filter(|c| c.tolerance.is_some());
+        lines.extend(judged.clone().map(|c| Line {
+            case: case.name.clone(),
+            quantity: c.quantity.clone(),
+            ours: c.ours,
+            theirs: number(c.theirs),
+            error: Some(c.error),
+            allowed: c.tolerance.map_or(String::new(), number),
+            holds: c.passes(),
+            source: c.reference.clone(),
+            core_seconds: cost,
+        }));
+        lines.extend(missing(case, &scene, judged.count(), cost));
+    }
+    if let Some(coarser) = &case.coarser {
+        let coarse = run_with(case, &coarser.set, None)?.1;
+        lines.extend(coarser.error_falls.iter().map(|path| falls(case, coarser, path, &run, &coarse)));
+    }
+    let finished = run.summary.status == Status::Completed;
+    lines.iter_mut().for_each(|l| l.holds &= finished);
+    Ok(lines)
+}
+
+/// A line that fails where the run could not be judged by some of its scene's comparisons.
+fn missing(case: &Case, scene: &Scene, judged: usize, core_seconds: f64) -> Option<Line> {
+    let asked = scene.compare.iter().filter(|c| c.tolerance.is_some()).count();
+    (judged < asked).then(|| Line {
+        case: case.name.clone(),
+        quantity: "comparisons that the run could be judged by".into(),
+        ours: judged as f64,
+        theirs: number(asked as f64),
+        error: None,
+        allowed: "all".into(),
+        holds: false,
+        source: case.scene.clone(),
+        core_seconds,
+    })
+}
+
+fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Scene, RunRecord), ExperimentError> {
+    let loaded = scene::load(&case.scene, &[&case.set, further].concat())?;
+    let options = RunOptions { out, force: true, warnings: loaded.warnings, ..RunOptions::default() };
+    let summary = run::run(&loaded.scene, &options)?.summary;
+    Ok((loaded.scene, RunRecord::new(summary)))
+}
+
+fn judge(case: &Case, expect: &Expect, run: &RunRecord) -> Line {
+    let ours = run.numbers.get(&expect.value).unwrap_or(f64::NAN);
+    let error = expect.reference.map(|r| ours / r - 1.0);
+    let near = match (error, expect.tolerance) {
+        (Some(error), Some(tolerance)) => error.abs() <= tolerance,
+        _ => expect.at_most.is_some(), // a number without a bound is not judged: it does not hold
+    };
+    let bounded = expect.at_most.is_none_or(|bound| ours.abs() <= bound);
+    let mut allowed = Vec::new();
+    allowed.extend(expect.tolerance.map(|t| format!("{} %", number(100.0 * t))));
+    allowed.extend(expect.at_most.map(|b| format!("at most {}", number(b))));
+    Line {
+        case: case.name.clone(),
+        quantity: expect.value.clone(),
+        ours,
+        theirs: expect.reference.map_or(String::new(), number),
+        error,
+        allowed: allowed.join(", "),
+        holds: near && bounded && ours.is_finite(),
+        source: expect.source.clone(),
+        core_seconds: run.core_seconds(),
+    }
+}
+
+fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &RunRecord, coarse: &RunRecord) -> Line {
+    let reference = case.expect.iter().find(|e| e.value == path).and_then(|e| e.reference);
+    let error = |run: &RunRecord| {
+        let value = run.numbers.get(path).unwrap_or(f64::NAN);
+        reference.map_or(value, |r| value / r - 1.0)
+    };
+    let (ours, theirs, noise) = (error(fine), error(coarse), coarser.noise);
+    Line {
+        case: case.name.clone(),
+        quantity: format!("{path}, error against the coarser run's"),
+        ours,
+        theirs: number(theirs),
+        error: None,
+        allowed: if noise > 0.0 { format!("smaller, or both below {}", number(noise)) } else { "smaller".into() },
+        holds: ours.abs() < theirs.abs() || ours.abs().max(theirs.abs()) < noise,
+        source: coarser.set.join(" "),
+        core_seconds: fine.core_seconds(),
+    }
+}
+
+/// The table as Markdown.
+pub fn table(lines: &[Line]) -> String {
+    let head = ["case", "quantity", "ours", "reference", "error", "allowed", "holds", "core-s", "source"];
+    let row = |l: &Line| {
+        vec![
+            l.case.clone(),
+            l.quantity.clone(),
+            number(l.ours),
+            l.theirs.clone(),
+            l.error.map_or(String::new(), |e| format!("{:+.2} %", 100.0 * e)),
+            l.allowed.clone(),
+            if l.holds { "yes" } else { "**no**" }.into(),
+            format!("{:.0}", l.core_seconds),
+            l.source.clone(),
+        ]
+    };
+    markdown(&head, &lines.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Six digits; in powers of ten outside 10⁻³ to 10⁶.
+fn number(x: f64) -> String {
+    if x == 0.0 {
+        "0".into()
+    } else if (1e-3..1e6).contains(&x.abs()) {
+        let digits = (5.0 - x.abs().log10().floor()).max(0.0) as usize;
+        let text = format!("{x:.digits$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+    } else {
+        format!("{x:.2e}")
+    }
+}

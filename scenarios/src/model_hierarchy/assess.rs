@@ -1,0 +1,56 @@
+//! Every model of a scene: can it do it, what does it cost, how far off was it.
+
+use std::time::Instant;
+
+use fsi_coupling::entry_theory::{OutOfRange, Rung};
+use serde::Serialize;
+
+use super::{Measured, Theory, Want, measured};
+use crate::scene::Scene;
+
+/// A model, for a scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct Assessment {
+    /// The model.
+    pub rung: Rung,
+    /// Can it begin with the scene?
+    #[serde(skip)]
+    pub begins: bool,
+    /// Why it cannot do the scene; absent where it can.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<String>,
+    /// Core-seconds, measured for theories, estimated for particles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub core_seconds: Option<f64>,
+    /// Its error where it was measured nearest to the scene; absent where nothing was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<Measured>,
+}
+
+/// Every theory, from the cheapest, for what is wanted of a scene.
+pub fn assess(scene: &Scene, want: Want) -> Vec<Assessment> {
+    let theories = Rung::ALL.into_iter().filter(|rung| rung.is_theory());
+    theories
+        .map(|rung| {
+            let start = Instant::now();
+            let followed = Theory::while_in_range(scene, rung);
+            let begins = followed.is_ok();
+            match followed {
+                Ok((theory, None)) => Assessment {
+                    rung,
+                    begins,
+                    obstacle: None,
+                    core_seconds: Some(start.elapsed().as_secs_f64()),
+                    measured: measured(scene, &theory, want),
+                },
+                Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => Assessment {
+                    rung,
+                    begins,
+                    obstacle: Some(format!("holds for {range}, not {what}")),
+                    core_seconds: None,
+                    measured: None,
+                },
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,73 @@
+//! `model = "auto"`: the cheapest model that is near enough where it was measured.
+
+use fsi_coupling::entry_theory::Rung;
+
+use super::{Assessment, Measured, Want, assess};
+use crate::charted::charted_error;
+use crate::preflight::core_seconds;
+use crate::scene::{Scene, significant};
+
+/// What was chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// The model.
+    pub rung: Rung,
+    /// Which of the scenes of particles, by its place.
+    pub scene: usize,
+    /// Is that scene's spacing known to be fine enough?
+    pub spacing: bool,
+    /// Why, in a sentence.
+    pub why: String,
+}
+
+/// The path in `summary.json` of the number that charts know for what is wanted, with `BODY` for the body's name.
+pub fn charted_number(want: Want) -> Option<&'static str> {
+    match want {
+        Want::PeakForce | Want::History => Some("similarity/force_coefficient"),
+        Want::PeakPressure => Some("similarity/cp_max"),
+        Want::Motion => Some("means/BODY.vy_m_per_s"),
+        Want::Strain => None,
+    }
+}
+
+/// The cheapest model whose measured error meets the tolerance: of the theories, in their order; then of the same scene by
+/// particles, with one solver or several, by estimated cost. The first scene's solver where nothing does.
+pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
+    let per_cent = |share: f64| format!("{} %", significant(100.0 * share));
+    let told = |rung: &str, m: &Measured| {
+        let (within, off) = (per_cent(within), per_cent(m.error));
+        format!("{rung}: the cheapest model within {within} for {}: {off} off in {}", want.words(), m.case)
+    };
+    let theories = assess(&of_particles[0], want);
+    let near = |m: &&Measured| m.error <= within;
+    if let Some((rung, m)) = theories.iter().find_map(|a| Some((a.rung, a.measured.as_ref().filter(near)?))) {
+        return Choice { rung, scene: 0, spacing: false, why: told(rung.name(), m) };
+    }
+    let charted = of_particles.iter().enumerate().filter_map(|(k, scene)| {
+        let (error, from) = charted_error(scene, charted_number(want)?)?;
+        Some((k, Measured { error, case: format!("the charts of {from}, 9 runs of 10") }))
+    });
+    let cost = |k: &usize| core_seconds(&of_particles[*k]);
+    let cheapest = charted.filter(|(_, m)| m.error <= within).min_by(|a, b| cost(&a.0).total_cmp(&cost(&b.0)));
+    if let Some((k, m)) = cheapest {
+        let Scene { model, resolution, .. } = &of_particles[k];
+        let at = format!("{} at {} m", model.name(), significant(resolution.spacing));
+        return Choice { rung: *model, scene: k, spacing: true, why: told(&at, &m) };
+    }
+    let rung = of_particles[0].model;
+    let known = reason(&theories);
+    let why = format!("{}: nothing cheaper is within {} for {}: {known}", rung.name(), per_cent(within), want.words());
+    Choice { rung, scene: 0, spacing: false, why }
+}
+
+/// Why no theory will do.
+fn reason(theories: &[Assessment]) -> String {
+    let measured = theories.iter().filter_map(|a| Some((a.rung, a.measured.as_ref()?)));
+    if let Some((rung, m)) = measured.min_by(|a, b| a.1.error.total_cmp(&b.1.error)) {
+        return format!("the best theory, {}, is {} % off in {}", rung.name(), significant(100.0 * m.error), m.case);
+    }
+    let with_obstacle = || theories.iter().filter(|a| a.obstacle.is_some());
+    let nearest = with_obstacle().find(|a| a.begins).or(with_obstacle().next());
+    let obstacle = nearest.and_then(|a| a.obstacle.as_ref());
+    obstacle.map_or("no theory was measured near this scene".into(), |obstacle| format!("a theory {obstacle}"))
+}

@@ -1,0 +1,220 @@
+//! A scene as an entry theory sees it.
+
+use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
+
+use super::elastic_wedge::Faces;
+use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
+use fsi_coupling::geometry::polygon;
+
+/// Width of the window that means are taken over, the last fifth of the run.
+const LATE: f64 = 0.8;
+/// Points along the face in which the largest pressure is looked for.
+const POINTS: usize = 4000;
+
+/// A theory's account of a scene.
+#[derive(Clone, Debug)]
+pub struct Theory {
+    /// Loads of the body's section.
+    pub loads: Loads,
+    /// The section at every sample of the scene.
+    pub instants: Vec<Instant>,
+    density: f64,
+    /// Its faces, where they bend.
+    faces: Option<Faces>,
+}
+
+impl Theory {
+    /// Follow the body of a scene into the water.
+    ///
+    /// # Errors
+    /// What of the scene is beyond this rung, its range, and the next rung that can do it.
+    pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
+        let (theory, end) = Theory::while_in_range(scene, rung)?;
+        end.map_or(Ok(theory), Err)
+    }
+
+    /// The same up to where the rung's range ends, and why it does.
+    ///
+    /// # Errors
+    /// What of the scene is beyond this rung from the start.
+    pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+        let (body, section, course) = symmetric_entry(scene)?;
+        let loads = Loads::new(rung, &section)?;
+        let density = scene.water().density;
+        if !body.panels.is_empty() {
+            return bending(scene, rung, body, loads);
+        }
+        let (instants, end) = {
+            let entry = Entry {
+                loads: &loads,
+                course,
+                draught: body.draught(),
+                speed: -body.velocity[1],
+                gravity: -scene.gravity[1],
+                density,
+                buoyancy: true,
+            };
+            entry.follow_while_in_range(&sample_times(scene))
+        };
+        let open = instants.iter().take_while(|now| confined(scene, body, now).is_none()).count();
+        let closed = instants.get(open).and_then(|now| {
+            let what = confined(scene, body, now)?;
+            Some(refuse(&format!("from t = {} s on {what}", significant(now.time))))
+        });
+        let instants = instants[..open].to_vec();
+        Ok((Theory { loads, instants, density, faces: None }, closed.or(end)))
+    }
+
+    /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
+    ///
+    /// # Errors
+    /// As [`Loads::new`].
+    pub fn at_constant_speed(rung: Rung, section: Section) -> Result<Theory, OutOfRange> {
+        let loads = Loads::new(rung, &section)?;
+        let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
+        let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
+        Ok(Theory { loads, instants: vec![now], density: 1.0, faces: None })
+    }
+
+    /// Pressure at distance x from the keel's plane at sample k [Pa]; `None` where the theory has none.
+    pub fn pressure(&self, k: usize, x: f64) -> Option<f64> {
+        let Instant { draught, speed, rate, .. } = self.instants[k];
+        self.loads.pressure(x, draught, speed, rate, self.density)
+    }
+
+    /// Do its faces bend?
+    pub fn bends(&self) -> bool {
+        self.faces.is_some()
+    }
+
+    /// Rows of the series: time, then the body's columns and the gauges; what the theory does not have is no number.
+    pub fn rows(&self, scene: &Scene) -> Vec<Vec<f64>> {
+        let Some(body) = &scene.body else { return Vec::new() };
+        let [x, y] = body.position;
+        let (floats, middle) = (body.draught(), body.middle() - x);
+        let row = |(k, now): (usize, &Instant)| {
+            let Instant { time, draught, speed, rate, force, .. } = *now;
+            let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
+            let gauge = |g: &Gauge| match self.is_on_bottom(body, g) {
+                true => self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN),
+                false => f64::NAN, // of sides and deck theories of entry say nothing
+            };
+            let rest = match &self.faces {
+                Some(faces) => faces.values(time),
+                None => scene.gauges.iter().map(gauge).collect(),
+            };
+            motion.into_iter().chain(rest).collect()
+        };
+        self.instants.iter().enumerate().map(row).collect()
+    }
+
+    /// Is a gauge on the bottom, not on a side or the deck?
+    fn is_on_bottom(&self, body: &Body, gauge: &Gauge) -> bool {
+        let [low, high] = polygon::bounding_box(&body.shape.outline());
+        let section = self.loads.section();
+        let x = gauge.at[0] - 0.5 * (low[0] + high[0]);
+        let off = (gauge.at[1] - low[1] - section.height(x)).abs();
+        x.abs() <= section.half_breadth() && off < 1e-2 * section.half_breadth()
+    }
+
+    /// Pressure coefficient p/(½ρV²) along the face at sample k, at `points` places x/(V t), h for V t [-], shape (n, 2); empty
+    /// where the theory has no pressures.
+    pub fn profile(&self, k: usize, points: usize) -> Vec<[f64; 2]> {
+        let Instant { draught, speed, wetted, .. } = self.instants[k];
+        let at = |i: usize| {
+            let x = 1.3 * wetted * (i as f64 + 0.5) / points as f64;
+            self.pressure(k, x).map(|p| [x / draught, 2.0 * p / (self.density * speed * speed)])
+        };
+        (0..points).map(at).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// Largest pressure along the face at sample k [Pa], and its x [m]; `None` where the theory has none, or it is infinite.
+    pub fn peak_pressure(&self, k: usize) -> Option<[f64; 2]> {
+        if self.loads.rung() == Rung::Wagner {
+            return None; // infinite at the spray root
+        }
+        let reach = self.instants[k].wetted.min(self.loads.section().half_breadth());
+        let at = |i: usize| {
+            let x = reach * i as f64 / POINTS as f64;
+            Some([self.pressure(k, x)?, x])
+        };
+        (0..=POINTS)
+            .map(at)
+            .try_fold([0.0, 0.0], |top: [f64; 2], here| here.map(|p| if p[0] > top[0] { p } else { top }))
+    }
+
+    /// Samples of the last fifth of the run.
+    pub fn late(&self) -> impl Iterator<Item = usize> + '_ {
+        let end = self.instants.last().map_or(0.0, |i| i.time);
+        (0..self.instants.len()).filter(move |k| self.instants[*k].time >= LATE * end)
+    }
+}
+
+/// The same scene with faces that bend: by Wagner's load on a modal beam.
+fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+    if rung != Rung::Wagner {
+        return Err(OutOfRange {
+            what: "panels that bend".into(),
+            range: "rigid bodies".into(),
+            next: if rung < Rung::Wagner { Rung::Wagner } else { Rung::Wcsph },
+        });
+    }
+    let faces = Faces::of(scene, body)?;
+    let times = sample_times(scene);
+    let instants = faces.instants(&times);
+    let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
+    Ok((Theory { loads, instants, density: scene.water().density, faces: Some(faces) }, end))
+}
+
+/// Least depth and half width of water that feels unbounded, in wetted half widths.
+const UNBOUNDED: f64 = 4.0;
+/// What of this moment is beyond theories that know neither a deck nor walls.
+fn confined(scene: &Scene, body: &Body, now: &Instant) -> Option<&'static str> {
+    let [min, max] = polygon::bounding_box(&body.placed_outline());
+    let room = scene.tank.depth.min(0.5 * scene.tank.width - body.middle().abs());
+    let near = "water less than four wetted half widths wide or deep (a larger tank.width or tank.depth would do)";
+    (now.draught > max[1] - min[1])
+        .then_some("a body that is under water")
+        .or((UNBOUNDED * now.wetted > room).then_some(near))
+}
+
+fn refuse(what: &str) -> OutOfRange {
+    OutOfRange {
+        what: what.into(),
+        range: "a rigid symmetric body that goes straight down into still water".into(),
+        next: Rung::Wcsph,
+    }
+}
+
+/// Times of the rows of the series [s].
+fn sample_times(scene: &Scene) -> Vec<f64> {
+    let (every, end) = (scene.time.sample_every, scene.time.end);
+    let rows = (end / every - 1e-9).ceil() as usize;
+    (0..=rows).map(|k| (k as f64 * every).min(end)).collect()
+}
+
+/// The body of a scene that is nothing but a symmetric section going straight down into still water.
+fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange> {
+    let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
+    scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
+    let tank = &scene.tank;
+    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
+    let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
+    let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
+    let obstacles = [
+        (lopsided, "a body that is tilted, turns or moves sideways"),
+        (scene.gravity[0] != 0.0 || scene.gravity[1] > 0.0, "gravity that pulls sideways or up"),
+        (!still || tank.water_width < tank.width, "water that is not at rest"),
+        (on_tank, "gauges on the tank"),
+        (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),
+    ];
+    if let Some((_, what)) = obstacles.into_iter().find(|(stands, _)| *stands) {
+        return Err(refuse(what));
+    }
+    let course = match &body.motion {
+        Motion::ConstantVelocity => Course::Constant,
+        Motion::Free(freedom) if freedom.y() => Course::Free(freedom.mass),
+        _ => return Err(refuse("a body that is held or swings")),
+    };
+    Ok((body, Section::of(&body.shape)?, course))
+}

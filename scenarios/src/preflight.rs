@@ -1,0 +1,263 @@
+//! `splashdown check`: what a run would cost and how far it can be trusted, before it is run.
+
+use serde::Serialize;
+use sph_core::Solver;
+
+use crate::build::tiling;
+use crate::model_hierarchy::{Assessment, Want, assess};
+use crate::scene::{
+    CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
+    panel_exchanges, panel_length, particle_estimate,
+};
+use fsi_coupling::entry_theory::Rung;
+
+/// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
+/// order of magnitude of an estimate, not a promise.
+const COST: f64 = 0.7e-6;
+
+/// The same of a projection [s].
+const PROJECTION_COST: f64 = 2.5e-6;
+
+/// The same of the thesis's projection, with some 500 iterations a step [s].
+const THESIS_COST: f64 = 1e-4;
+
+/// What `check` says.
+#[derive(Clone, Debug, Serialize)]
+pub struct Preflight {
+    /// Name of the scene.
+    pub scene: String,
+    /// Fluid particles at the start, counted.
+    pub fluid_particles: usize,
+    /// Fluid particles at the end, estimated, where the fine zone grows; absent where they stay as many.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fluid_particles_at_end: Option<u64>,
+    /// Wall particles, estimated.
+    pub wall_particles: u64,
+    /// Memory, estimated [MiB].
+    pub memory_mib: f64,
+    /// Step at the start [s].
+    pub step_s: f64,
+    /// Steps, estimated.
+    pub steps: u64,
+    /// Core-seconds, estimated.
+    pub core_seconds: f64,
+    /// Sound speed [m/s]; absent where water is incompressible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sound_speed_m_per_s: Option<f64>,
+    /// Fastest speed known beforehand over the sound speed [-]; absent where water is incompressible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mach: Option<f64>,
+    /// Estimated share of the force lost to compressibility [-].
+    pub compressibility_error: Option<f64>,
+    /// Spacings across the wetted width at the end [-].
+    pub spacings_across_wetted_width: Option<f64>,
+    /// Spacings across the length with 90 % of the peak pressure at the end [-].
+    pub spacings_across_pressure_peak: Option<f64>,
+    /// The scheme of the coupling.
+    pub coupling_scheme: CouplingScheme,
+    /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY C8) [-]. The
+    /// largest is the spectral radius of the weak exchange: stable below 1. Absent where water is incompressible.
+    pub added_mass_ratios: Option<[f64; 3]>,
+    /// What one exchange a step makes of an error in a panel's acceleration, by panel (THEORY C12).
+    pub panels: Vec<PanelExchange>,
+    /// The model that runs the scene.
+    pub model: &'static str,
+    /// Why, where it was left to the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub choice: Option<String>,
+    /// The theories: which can do the scene, at what cost, how far off they were for the largest force.
+    pub ladder: Vec<Assessment>,
+    /// Doubts, in plain words.
+    pub warnings: Vec<String>,
+}
+
+/// How a panel and the water beside it would agree by one exchange a step (THEORY C12).
+#[derive(Clone, Debug, Serialize)]
+pub struct PanelExchange {
+    /// Its name.
+    pub name: String,
+    /// Its length along the body's line [m].
+    pub length_m: f64,
+    /// Its elements.
+    pub elements: usize,
+    /// Particle spacings in an element [-].
+    pub element_spacings: f64,
+    /// What one exchange a step would do; absent where water is incompressible.
+    #[serde(flatten)]
+    pub exchange: Option<ExchangeEstimate>,
+}
+
+/// One exchange a step between a panel and water that carries sound (THEORY C12).
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct ExchangeEstimate {
+    /// Mass of the water that follows it within a step, over its own [-].
+    pub added_mass: f64,
+    /// Resistance of a sound wave over its inertia in half a step [-].
+    pub acoustic: f64,
+    /// Growth of an error in a step: one exchange a step is unstable from 1 on [-].
+    pub spectral_radius: f64,
+}
+
+/// Estimated cost of a scene's particles [core-seconds].
+pub fn core_seconds(scene: &Scene) -> f64 {
+    let (particles, _) = particle_estimate(scene);
+    cost_of_step(scene.solver.kind()) * particles as f64 * (scene.time.end / step(scene)).ceil()
+}
+
+/// Cost of a particle and step [s].
+fn cost_of_step(solver: Solver) -> f64 {
+    match solver {
+        Solver::WeaklyCompressible => COST,
+        Solver::Incompressible | Solver::IncompressibleExplicit => PROJECTION_COST,
+        Solver::IncompressibleThesis => THESIS_COST,
+    }
+}
+
+/// Step at the start [s].
+fn step(scene: &Scene) -> f64 {
+    let h = scene.water().smoothing_ratio * scene.resolution.spacing;
+    let fastest = match scene.solver.is_incompressible() {
+        true => scene.projection_speed(),
+        false => scene.sound_speed() + scene.fastest_speed(),
+    };
+    scene.time.step.unwrap_or(scene.courant_number() * h / fastest).min(scene.time.end)
+}
+
+/// Look ahead without running.
+pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
+    let fluid_particles = tiling(scene).count();
+    let (last, wall_particles) = particle_estimate(scene);
+    let fluid_particles_at_end = scene.resolution.follow.then_some(last);
+    // an area grows with the square of the draught: a third of what is added is there in the mean
+    let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
+    let fastest = scene.fastest_speed();
+    let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
+    let (step, cost) = (step(scene), cost_of_step(scene.solver.kind()));
+    let steps = (scene.time.end / step).ceil();
+    let entry = scene.entry();
+    let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
+    let length = |panel: &Panel| scene.body.as_ref().map_or(0.0, |body| panel_length(body, panel));
+    let wetted = entry.map(|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
+    Preflight {
+        scene: scene.name.clone(),
+        fluid_particles,
+        fluid_particles_at_end,
+        wall_particles,
+        memory_mib: memory_estimate(scene) as f64 / f64::from(1 << 20),
+        step_s: step,
+        steps: steps as u64,
+        core_seconds: cost * (fluid_particles as f64 + added) * steps,
+        sound_speed_m_per_s: sound,
+        mach: sound.map(|sound| fastest / sound),
+        compressibility_error: entry
+            .zip(sound)
+            .and_then(|(entry, sound)| known_compressibility_error(entry.root_speed(), sound)),
+        spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
+        spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
+        coupling_scheme: scene.coupling.scheme,
+        added_mass_ratios: sound.and_then(|_| ExchangeRatio::of(scene)).map(|exchange| exchange.ratios),
+        panels: panel_exchanges(scene)
+            .into_iter()
+            .map(|(panel, exchange)| PanelExchange {
+                name: panel.name.clone(),
+                length_m: length(panel),
+                elements: panel.elements,
+                element_spacings: length(panel) / panel.elements as f64 / scene.resolution.spacing,
+                exchange: sound.map(|_| ExchangeEstimate {
+                    added_mass: exchange.added_mass,
+                    acoustic: exchange.acoustic,
+                    spectral_radius: exchange.spectral_radius,
+                }),
+            })
+            .collect(),
+        model: scene.model.name(),
+        choice: scene.choice.clone(),
+        ladder: scene.entry().map_or(Vec::new(), |_| assess(scene, Want::PeakForce)),
+        warnings: warnings.to_vec(),
+    }
+}
+
+/// A theory in a line.
+fn step_of_ladder(a: &Assessment) -> String {
+    let name = format!("  {:<15}", a.rung.name());
+    match (&a.obstacle, a.core_seconds, &a.measured) {
+        (Some(obstacle), ..) => format!("{name}{obstacle}"),
+        (None, Some(cost), Some(m)) => {
+            format!("{name}{:.1} ms, largest force {:.2} % off in {}", 1e3 * cost, 100.0 * m.error, m.case)
+        }
+        (None, cost, _) => format!("{name}{:.1} ms, measured nowhere near this scene", 1e3 * cost.unwrap_or(0.0)),
+    }
+}
+
+impl Preflight {
+    /// In plain words.
+    pub fn to_text(&self) -> String {
+        let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
+        let mut lines = vec![format!("scene        {}", self.scene), format!("model        {}", self.model)];
+        lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
+        lines.extend(self.ladder.iter().map(step_of_ladder));
+        if !self.ladder.is_empty() {
+            lines.push(format!("  {:<15}about {:.0} core-seconds", "particles", self.core_seconds));
+        }
+        if Rung::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
+            return lines.join("\n");
+        }
+        lines.extend([
+            format!("particles    {} fluid{growing}, about {} wall", self.fluid_particles, self.wall_particles),
+            format!("memory       about {:.0} MiB", self.memory_mib),
+            format!("step         {:.3e} s at the start, about {} steps", self.step_s, self.steps),
+            format!("cost         about {:.0} core-seconds", self.core_seconds),
+        ]);
+        if let Some((sound, mach)) = self.sound_speed_m_per_s.zip(self.mach) {
+            lines.push(format!("sound speed  {sound:.1} m/s, Mach {mach:.3} at the fastest known speed"));
+        }
+        if let Some(e) = self.compressibility_error {
+            lines.push(format!("compressible share of the force about {:.2} %", 100.0 * e));
+        }
+        if let Some(n) = self.spacings_across_wetted_width {
+            lines.push(format!("resolution   {n:.0} spacings across the simulated wetted width at the end"));
+        }
+        if let Some(n) = self.spacings_across_pressure_peak {
+            lines.push(format!("             {n:.1} across the pressure peak"));
+        }
+        lines.extend(self.exchange());
+        lines.extend(self.panels.iter().map(|panel| self.exchange_with(panel)));
+        lines.extend(self.warnings.iter().map(|w| format!("warning      {w}")));
+        lines.join("\n")
+    }
+
+    /// What the scheme makes of an exchange that alone would multiply an error by `radius`.
+    fn verdict(&self, radius: f64) -> String {
+        match self.coupling_scheme {
+            CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),
+            CouplingScheme::Weak => format!("exchange grows {radius:.2}-fold a step: take added_mass"),
+            CouplingScheme::AddedMass => "solved in one exchange whatever the ratio".into(),
+            CouplingScheme::IqnIls => "iterated until it agrees".into(),
+        }
+    }
+
+    fn exchange_with(&self, panel: &PanelExchange) -> String {
+        let PanelExchange { name, exchange, length_m, elements, element_spacings } = panel;
+        let size = format!("{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings");
+        let Some(ExchangeEstimate { added_mass, acoustic, spectral_radius }) = *exchange else { return size };
+        format!(
+            "{size}\n{:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would \
+             multiply an error by {spectral_radius:.2}; {}",
+            "",
+            self.coupling_scheme.name(),
+            self.verdict(spectral_radius)
+        )
+    }
+
+    /// The coupling's stability in a line.
+    fn exchange(&self) -> Option<String> {
+        let ratios = self.added_mass_ratios?;
+        let radius = ratios.into_iter().fold(0.0, f64::max);
+        let [x, y, turn] = ratios;
+        let verdict = self.verdict(radius);
+        Some(format!(
+            "coupling     {}: added mass of half a row over the body's {x:.3} (x), {y:.3} (y), {turn:.3} (angle); {verdict}",
+            self.coupling_scheme.name()
+        ))
+    }
+}
