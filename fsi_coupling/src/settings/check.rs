@@ -110,13 +110,11 @@ impl Checker<'_> {
                 self.foreign(&nested, value, &joined(path, key), chosen)
             });
         }
-        if is_off(given) || theirs.iter().any(|other| is_default(other.node, given)) {
+        if first.node.get("x-ignored-elsewhere").is_some() || theirs.iter().any(|other| is_neutral(other.node, given)) {
             return Ok(());
         }
-        let neutral = first.node.default().map_or(String::new(), |default| {
-            let neutral = if is_off(default) || default.is_string() { default.to_string() } else { "0".into() };
-            format!(", or {neutral},")
-        });
+        let neutral = first.node.get("x-neutral").or(first.node.default());
+        let neutral = neutral.map_or(String::new(), |neutral| format!(", or {neutral},"));
         let mut owners: Vec<String> = Vec::new();
         for other in theirs {
             let owner = format!("{:?}", other.owner);
@@ -162,7 +160,15 @@ fn idle(node: Node, value: &Value, path: &str, condition: &str) -> Problem {
         _ => owner,
     };
     let owner = if owner.contains(" = ") { owner } else { format!("{owner} other than 0") };
-    Problem::new(path, shown(value), format!("none{neutral}: the key has no effect here, it belongs to {owner}"))
+    Problem::new(path, shown(value), format!("none{neutral}: the key has no effect here, only with {owner}"))
+}
+
+/// A value that changes nothing under another tag: off, or the default.
+fn is_neutral(node: Node, given: &Value) -> bool {
+    match node.get("x-neutral") {
+        Some(neutral) => neutral.as_f64() == given.as_f64(),
+        None => is_off(given) || is_default(node, given),
+    }
 }
 
 fn is_default(node: Node, given: &Value) -> bool {

@@ -147,6 +147,13 @@ impl<'s> Node<'s> {
         own.chain(self.list("allOf").flat_map(|part| part.owners(key))).collect()
     }
 
+    /// True if this table, or a variant of it, requires the key.
+    pub fn requires(self, key: &str) -> bool {
+        let required = self.get("required").and_then(Value::as_array).into_iter().flatten();
+        let own = required.filter_map(Value::as_str).any(|name| name == key);
+        own || ["oneOf", "anyOf", "allOf"].iter().any(|list| self.list(list).any(|part| part.requires(key)))
+    }
+
     /// What it takes, in words.
     pub fn expected(self) -> String {
         let (node, word) = self.given();

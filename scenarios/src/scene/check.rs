@@ -5,8 +5,8 @@ use super::start::check_start;
 use crate::observe::{FRONT, VOLUME, level_columns};
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
-use fsi_coupling::geometry::polygon;
 use fsi_coupling::geometry::plate::too_tight;
+use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, significant};
 use sph_core::WallModel;
 

@@ -6,7 +6,7 @@ use serde_json::Value;
 /// Refuses a dropped setting that is in use, and removes one that is off.
 pub(super) fn refuse_dropped(given: &mut Value) -> Result<(), Problem> {
     if given.pointer("/coupling/scheme").and_then(Value::as_str) == Some("aitken") {
-        let expected = "weak, added_mass or iqn_ils: aitken was dropped, \"iqn_ils\" needs no more iterations";
+        let expected = "another scheme: aitken was dropped: \"iqn_ils\" needs no more iterations";
         return Err(Problem::new("coupling.scheme", "\"aitken\"", expected));
     }
     let Some(fluid) = given.get_mut("fluid").and_then(Value::as_object_mut) else { return Ok(()) };

@@ -6,13 +6,13 @@ use scenarios::scene::schema;
 /// page 80 of 94). Number, switch and values as our key's doc writes them, key.
 #[rustfmt::skip]
 const SWITCHES: [(u32, &str, &str); 28] = [
-    (1, "gaussian | quadratic | cubic_spline | wendland_c2 (INDAT i_kernel 1 | 2 | 3 | 5)", "fluid.kernel"),
-    (2, "predictor_corrector | verlet | beeman (INDAT i_algorithm -, 1 | 2 | 3; 4, incompressible", "fluid.integrator"),
-    (3, "none | shepard (keeps a constant density) | mls (keeps a linear one) (INDAT i_densityFilter 0 | 1 | 2)", "fluid.density_filter"),
+    (1, "INDAT i_kernel 1 | 2 | 3 | 5: gaussian, quadratic, cubic_spline, wendland_c2", "fluid.kernel"),
+    (2, "INDAT i_algorithm 1 | 2 | 3: predictor_corrector, verlet, beeman", "fluid.integrator"),
+    (3, "INDAT i_densityFilter 0 | 1 | 2", "fluid.density_filter"),
     (4, "INDAT i_viscos 1: viscos_val", "fluid.artificial_viscosity"),
     (4, "INDAT i_viscos 2 | 3: viscos_val", "fluid.kinematic_viscosity"),
-    (4, "none | sps: Smagorinsky's eddies below the spacing (INDAT i_viscos 2 | 3)", "fluid.turbulence"),
-    (5, "repulsive (Monaghan, INDAT iBC 1) | dynamic (Dalrymple, INDAT iBC 2)", "fluid.walls"),
+    (4, "INDAT i_viscos 2 | 3", "fluid.turbulence"),
+    (5, "INDAT iBC 1 | 2: repulsive, dynamic", "fluid.walls"),
     (6, "INDAT lattice 1 | 2: SC | BCC", "resolution.lattice"),
     (7, "INDAT i_EoS 1 | 2", "fluid.equation_of_state"),
     (8, "INDAT h_SWL", "tank.depth"),

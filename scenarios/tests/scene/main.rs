@@ -134,7 +134,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 15] = [
+const DEFAULTS_IN_WORDS: [&str; 16] = [
     "false; true if incompressible with a body",
     "absent",
     "end/500",
@@ -150,6 +150,7 @@ const DEFAULTS_IN_WORDS: [&str; 15] = [
     "yield_stress",
     "weak; added_mass with body.panels, and for free bodies with solver = incompressible",
     "wcsph; the solver's where there is one",
+    "true where it is possible, for a rigid body and an automatic fine zone; else false",
 ];
 
 /// A panel for the body of `DROP`.

@@ -35,10 +35,10 @@ pub struct Settings {
     pub dissipation: Dissipation,
     /// Coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none [-]. Absent or 0 with
     /// dissipation = riemann.
-    #[schemars(range(min = 0.0))]
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
     pub artificial_viscosity: f64,
     /// Coefficient delta of density diffusion; 0 is none [-]. Absent or 0 with dissipation = riemann.
-    #[schemars(range(min = 0.0))]
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
     pub density_diffusion: f64,
     /// Particle shifting.
     pub shifting: bool,

@@ -84,7 +84,7 @@ pub struct FlowSettings {
     pub dissipation: Dissipation,
     /// Coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none [-]. Absent or 0 with
     /// dissipation = riemann.
-    #[schemars(range(min = 0.0))]
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
     pub artificial_viscosity: f64,
     /// Courant number of the step limit dt <= cfl dx/(2 |v|) (INDAT CFL_number) [-].
     #[schemars(extend("exclusiveMinimum" = 0))]
