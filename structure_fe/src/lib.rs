@@ -2,21 +2,23 @@
 //!
 //! Elements are Euler-Bernoulli's or Timoshenko's ([`Theory`]), with axial stiffness, three degrees of
 //! freedom per node, at any orientation. The section is a bar, or a one metre wide strip of a plate in
-//! cylindrical bending, in which case everything is per metre of span. Materials are linearly elastic, and may
-//! yield in bending ([`Beam::with_plasticity`]); joints may break ([`Supports::breakable`]).
+//! cylindrical bending, in which case everything is per metre of span. Materials are linearly elastic, and can
+//! yield in bending ([`Beam::with_plasticity`]); joints can break ([`Supports::breakable`]).
 //!
 //! | | small displacements | any displacements and rotations, small strains |
 //! |---|---|---|
 //! | at rest | [`Statics`] | [`NonlinearStatics`]: load steps, or paths through peaks of the load |
 //! | in motion | [`natural_modes`], [`wet_modes`] | [`Dynamics`]: generalised-alpha, central differences, trapezoidal rule in momenta |
 //!
-//! Nodes may be tied to rigid bodies ([`Beam::with_rigid_body`], [`Supports::tie`]), free, guided or driven, which move
-//! with the trapezoidal rule: panel and body are one set of equations.
+//! Rigid links join nodes to rigid bodies ([`Beam::with_rigid_body`], [`Supports::link`]), free, guided or driven, under
+//! the trapezoidal rule: panel and body are one set of equations.
 //!
-//! The crate knows nothing of fluids or files: it is useful alone. Whoever has loads hands them over as
-//! forces at nodes, or as [`Loads`] along elements.
+//! The crate does not depend on fluids or files. Loads are forces at nodes, or [`Loads`] along elements.
 //!
-//! A steel plate strip, clamped at one end, under one pascal:
+//! Modules from bottom to top: [`material`], element (formulation), [`model`], assembly, then [`statics`], [`modes`] and
+//! [`dynamics`].
+//!
+//! A cantilever and its modes: a steel plate strip under one pascal:
 //!
 //! ```
 //! use structure_fe::{Beam, Loads, Material, Section, Statics, Supports, natural_modes};
@@ -45,7 +47,7 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 //!
-//! The same strip let go under a hundred pascals, for half a second:
+//! A thinner strip under a suddenly applied pressure of a hundred pascals, for half a second:
 //!
 //! ```
 //! use structure_fe::{Beam, Damping, Dynamics, Integration, Loads, Material, Section, Supports};
@@ -65,71 +67,35 @@
 //! let load = loads.at_nodes(dynamics.beam(), &state.displacement)?;
 //! dynamics.equilibrate(&mut state, &load)?;
 //! for _ in 0..500 {
-//!     // The pressure follows the strip: here with where it was at the start of the step.
+//!     // The pressure follows the strip, with its position at the start of the step.
 //!     let load = loads.at_nodes(dynamics.beam(), &state.displacement)?;
 //!     dynamics.step(&mut state, &load, 1e-3)?;
 //! }
 //! assert!((state.time - 0.5).abs() < 1e-9 && state.displacement[8][1] < 0.0);
 //! let root = &dynamics.section_forces(&state)[0];
 //! let stress = root.fibre_stress(&Section::strip(0.001), 0.0005);
-//! assert!(root.moment < 0.0 && stress > 0.0, "the pressed side is in tension at the clamp");
+//! assert!(root.moment < 0.0 && stress > 0.0, "the loaded side is in tension at the clamp");
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
-mod arc_length;
-mod banded;
-mod beam;
-mod bordered;
-mod central_difference;
-mod corotational;
-mod dynamics;
-mod effective_inertia;
+mod assembly;
+mod dof;
+pub mod dynamics;
 mod element;
-mod element_mass;
-mod envelope;
-mod equations;
 mod error;
-mod gathered;
-mod generalised_alpha;
-mod handling;
-mod inertia;
-mod loads;
-mod lumped;
-mod material;
-mod mean_forces;
-mod mechanism;
-mod modes;
-mod nonlinear_statics;
-mod ordering;
-mod plastic;
-mod restoring;
-mod rupture;
-mod section;
-mod section_forces;
-mod state;
-mod statics;
-mod supports;
-mod system;
-mod theory;
-mod ties;
-mod trapezoidal;
+mod field;
+mod linear_algebra;
+pub mod material;
+pub mod model;
+pub mod modes;
+pub mod statics;
 
-pub use arc_length::PathPoint;
-pub use beam::{Beam, Element};
-pub use dynamics::Dynamics;
-pub use effective_inertia::EffectiveInertia;
-pub use envelope::{EndEnvelope, Envelope, Range};
+pub use dof::Dof;
+pub use dynamics::SupportMotion;
+pub use dynamics::{Dynamics, EffectiveInertia, EndEnvelope, Envelope, Integration, Range, State, StepReport};
+pub use element::{Damping, SectionForces, Theory};
 pub use error::Error;
-pub use inertia::Damping;
-pub use loads::Loads;
-pub use material::Material;
+pub use material::{Material, Plasticity, Section};
+pub use model::{Beam, Break, Element, Loads, Rupture, Supports};
 pub use modes::{AddedMass, Mode, natural_modes, wet_modes};
-pub use nonlinear_statics::NonlinearStatics;
-pub use plastic::Plasticity;
-pub use rupture::{Break, Rupture};
-pub use section::Section;
-pub use section_forces::SectionForces;
-pub use state::{Integration, State, StepReport, SupportMotion};
-pub use statics::{StaticSolution, Statics};
-pub use supports::{Dof, Supports};
-pub use theory::Theory;
+pub use statics::{NonlinearStatics, PathPoint, StaticSolution, Statics};

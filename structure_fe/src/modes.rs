@@ -1,9 +1,28 @@
-//! Natural modes: K phi = omega^2 M phi.
+//! Natural modes, dry and wet: K phi = omega^2 M phi.
+//!
+//! A cantilever of steel, 1 m long, in air and with an added mass of 20 kg at its tip:
+//!
+//! ```
+//! use structure_fe::{AddedMass, Beam, Material, Section, Supports, natural_modes, wet_modes};
+//!
+//! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3, density: 7850.0 };
+//! let beam = Beam::straight([0.0, 0.0], [1.0, 0.0], 10, steel, Section::rectangular(0.02, 0.05))?;
+//! let mut supports = Supports::default();
+//! supports.clamp(0);
+//! let dry = natural_modes(&beam, &supports, 3)?;
+//! let ratio = dry[1].angular_frequency / dry[0].angular_frequency;
+//! assert!((ratio - (4.69409113_f64 / 1.87510407).powi(2)).abs() < 1e-2);
+//!
+//! let water = AddedMass { nodes: vec![10], block: vec![20.0, 0.0, 0.0, 0.0, 20.0, 0.0, 0.0, 0.0, 0.0] };
+//! let wet = wet_modes(&beam, &supports, 1, &[water])?;
+//! assert!(wet[0].angular_frequency < 0.5 * dry[0].angular_frequency);
+//! # Ok::<(), structure_fe::Error>(())
+//! ```
 
-use crate::beam::Beam;
-use crate::equations::{Entry, Equations};
+use crate::assembly::{Equations, SymmetricMatrix};
+use crate::dof::Dof;
 use crate::error::{Error, existing_node, finite};
-use crate::supports::{Dof, Supports};
+use crate::model::{Beam, Supports};
 use faer::{Mat, Scale, Side};
 
 /// The shift sigma as a fraction of the largest K_ii/M_ii, which estimates omega_max^2: the root of
@@ -19,12 +38,11 @@ pub struct Mode {
     pub shape: Vec<[f64; 3]>,
 }
 
-/// Mass that something around the model adds to it, a fluid for one: a block between nodes, row by row over their
-/// `[u, w, theta]` \[kg, kg m, kg m^2\]. Rows are forces, columns accelerations; of an unsymmetric one the mean with
-/// its transpose counts.
+/// Added mass of a surrounding fluid: a block between nodes, row by row over their `[u, w, theta]`
+/// \[kg, kg m, kg m^2\]. Rows are forces, columns accelerations; the symmetric part of the block is used.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AddedMass {
-    /// The nodes, at any distance from each other.
+    /// The nodes; they need not be adjacent.
     pub nodes: Vec<usize>,
     /// `[3 nodes][3 nodes]`, row by row.
     pub block: Vec<f64>,
@@ -37,9 +55,10 @@ impl AddedMass {
         }
         let width = 3 * self.nodes.len();
         if self.block.len() != width * width {
-            return Err(Error::WrongBlock { index, given: self.block.len(), nodes: self.nodes.len() });
+            let (given, expected) = (self.block.len(), width * width);
+            return Err(Error::WrongLength { quantity: "a block of added mass", given, expected });
         }
-        finite("added mass", index, &self.block)
+        finite("entry", "added mass", index, &self.block)
     }
 
     /// phi^T A phi/2.
@@ -57,25 +76,23 @@ impl AddedMass {
 /// error of order (kL/elements)^4. Supports may leave the model free: rigid motions come first, with
 /// frequencies that are zero but for rounding.
 ///
-/// The problem is solved as M phi = mu (K + sigma M) phi, mu = 1/(omega^2 + sigma): with
-/// K + sigma M = L L^T it is that of the symmetric C = L^-1 M L^-T, whose largest, hence best
-/// determined, eigenvalues are the lowest modes; the shift sigma admits rigid motions (Bathe 2014,
-/// ch. 10). Each frequency is then the Rayleigh quotient of its shape, from energies, with an error
-/// of second order in that of the shape. C is dense: time grows with the cube of the unknowns, so
-/// for a few hundred of them.
+/// The problem is solved as M phi = mu (K + sigma M) phi, mu = 1/(omega^2 + sigma): with K + sigma M = L L^T it is that
+/// of the symmetric C = L^-1 M L^-T, whose largest, hence best determined, eigenvalues are the lowest modes; the shift
+/// sigma admits rigid motions (Bathe 2014, ch. 10). Each frequency is then the Rayleigh quotient of its shape, from
+/// energies, with an error of second order in that of the shape. C is dense: time grows with the cube of the unknowns,
+/// so for a few hundred of them.
 pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<Vec<Mode>, Error> {
     wet_modes(beam, supports, count, &[])
 }
 
-/// The `count` lowest natural modes with `added` masses: of a plate in water, where the surface's waves and the
-/// water's compressibility do not matter (THEORY S25). Modal masses include them.
+/// The `count` lowest natural modes with `added` masses: for a plate in water if surface waves and compressibility are
+/// negligible (THEORY S25). Modal masses include them.
 pub fn wet_modes(beam: &Beam, supports: &Supports, count: usize, added: &[AddedMass]) -> Result<Vec<Mode>, Error> {
     supports.check(beam)?;
     let equations = Equations::new(beam, supports);
     for &node in beam.rigid_bodies() {
-        for (dof, quantity) in
-            [(Dof::U, "mass [kg]"), (Dof::W, "mass [kg]"), (Dof::Theta, "moment of inertia [kg m^2]")]
-        {
+        for dof in Dof::ALL {
+            let quantity = if dof == Dof::Theta { "moment of inertia [kg m^2]" } else { "mass [kg]" };
             let value = beam.points()[node][dof as usize];
             if equations.number(node, dof as usize).is_some() && value == 0.0 {
                 return Err(Error::MasslessBody { node, dof, quantity, value });
@@ -89,15 +106,14 @@ pub fn wet_modes(beam: &Beam, supports: &Supports, count: usize, added: &[AddedM
     let failed = |reason: String| Error::LinearAlgebra { unknowns, reason };
 
     let stiffness = symmetric(unknowns, &equations.stiffness(beam, supports));
-    let mass = symmetric(unknowns, &equations.mass(beam));
-    let arms = equations.ties.arms();
-    let mut mass = mass;
+    let mut mass = symmetric(unknowns, &equations.mass(beam));
+    let arms = equations.links.arms();
     for AddedMass { nodes, block } in added {
         let width = 3 * nodes.len();
         for (k, value) in block.iter().enumerate() {
             let [i, j] = [k / width, k % width].map(|i| (nodes[i / 3], i % 3));
-            for places in [(i, j), (j, i)] {
-                equations.spread(places, 0.5 * value, [&arms, &arms], |row, column, value| {
+            for places in [[i, j], [j, i]] {
+                equations.scatter_entry(places, 0.5 * value, [&arms, &arms], |row, column, value| {
                     mass[(row, column)] += value;
                 });
             }
@@ -118,7 +134,7 @@ pub fn wet_modes(beam: &Beam, supports: &Supports, count: usize, added: &[AddedM
 
     let shape_of = |column: faer::ColRef<f64>| {
         let mut shape = equations.extend(|equation| column[equation]);
-        equations.ties.follow_linearly(&arms, &mut shape);
+        equations.links.set_velocity(&arms, &mut shape);
         shape
     };
     let mut modes: Vec<Mode> = shapes.col_iter().map(|shape| mode(beam, supports, added, shape_of(shape))).collect();
@@ -138,12 +154,12 @@ fn mode(beam: &Beam, supports: &Supports, added: &[AddedMass], mut shape: Vec<[f
 }
 
 /// The full symmetric matrix of the entries of its lower triangle.
-fn symmetric(unknowns: usize, lower_triangle: &[Entry]) -> Mat<f64> {
+fn symmetric(unknowns: usize, lower_triangle: &SymmetricMatrix) -> Mat<f64> {
     let mut matrix = Mat::zeros(unknowns, unknowns);
     for entry in lower_triangle {
-        matrix[(entry.row, entry.column)] += entry.value;
-        if entry.row != entry.column {
-            matrix[(entry.column, entry.row)] += entry.value;
+        matrix[(entry.row, entry.col)] += entry.val;
+        if entry.row != entry.col {
+            matrix[(entry.col, entry.row)] += entry.val;
         }
     }
     matrix

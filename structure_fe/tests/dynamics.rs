@@ -276,14 +276,14 @@ fn a_step_can_be_redone_to_the_same_bits_and_errors_change_nothing() {
     assert_eq!(state, again);
 
     for bad in [0.0, -1e-3, f64::NAN] {
-        assert!(matches!(dynamics.step(&mut state, &load, bad), Err(Error::NotPositive { .. })));
+        assert!(matches!(dynamics.step(&mut state, &load, bad), Err(Error::OutOfRange { .. })));
     }
     let mut wrong = load.clone();
     wrong[3][1] = f64::NAN;
-    assert!(matches!(dynamics.step(&mut state, &wrong, 1e-3), Err(Error::NotFinite { index: 3, .. })));
+    assert!(matches!(dynamics.step(&mut state, &wrong, 1e-3), Err(Error::BadProperty { index: 3, .. })));
     assert!(matches!(
         dynamics.step(&mut state, &load[1..], 1e-3),
-        Err(Error::WrongLength { given: 16, nodes: 17, .. })
+        Err(Error::WrongLength { given: 16, expected: 17, .. })
     ));
     wrong[3][1] = 1e200;
     let error = dynamics.step(&mut state, &wrong, 1e-3).unwrap_err();

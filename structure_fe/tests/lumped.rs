@@ -31,7 +31,7 @@ fn accelerations_over_a_step_are_smooth_where_strict_ones_are_rough() {
         let held = supports("cantilever", elements);
         let mut dynamics = Dynamics::new(beam(elements), held, CONSERVING, Damping::default()).unwrap();
         let mut state = dynamics.at_rest();
-        let mut load = dynamics.weight([0.0, -9.81]);
+        let mut load = dynamics.gravity_load([0.0, -9.81]);
         load[elements][1] -= 10.0;
         let (mut rough, mut smooth): (f64, f64) = (0.0, 0.0);
         dynamics.equilibrate_over(&mut state, &load, dt).unwrap();
@@ -40,8 +40,8 @@ fn accelerations_over_a_step_are_smooth_where_strict_ones_are_rough() {
             dynamics.step(&mut state, &load, dt).unwrap();
             let mut strict = state.clone();
             dynamics.equilibrate(&mut strict, &load).unwrap();
-            let lack = dynamics.lack(&strict, &load);
-            assert!(lack.as_flattened().iter().all(|lack| lack.abs() < 1e-6), "in equilibrium");
+            let residual = dynamics.residual(&strict, &load);
+            assert!(residual.as_flattened().iter().all(|residual| residual.abs() < 1e-6), "in equilibrium");
             rough = rough.max(strict.acceleration[elements][1].abs());
             dynamics.equilibrate_over(&mut strict, &load, dt).unwrap();
             let (over, after) = (strict.acceleration[elements][1], state.acceleration[elements][1]);
@@ -68,7 +68,7 @@ fn blocks_add_to_the_effective_inertia() {
         load[3] = [1.0, -2.0, 0.1];
         load[0] = [0.5, 0.0, 0.0];
         dynamics.equilibrate(&mut state, &none(elements + 2)).unwrap();
-        let lack = dynamics.lack(&state, &load);
+        let residual = dynamics.residual(&state, &load);
         let mut inertia = dynamics.effective_inertia(&state, dt);
         if !point {
             let mut block = [0.0; 36];
@@ -76,7 +76,7 @@ fn blocks_add_to_the_effective_inertia() {
             let other = if node == 0 { 1 } else { node - 1 };
             inertia.add(&[other, node], &block);
         }
-        let solved = inertia.solve(&lack).unwrap();
+        let solved = inertia.solve(&residual).unwrap();
         (solved[0], solved[5], solved[node])
     };
     for node in [5, 0] {

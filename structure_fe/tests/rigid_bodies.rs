@@ -60,7 +60,7 @@ fn a_free_body_with_a_panel_keeps_momentum_and_energy() {
 }
 
 #[test]
-fn supports_of_a_body_give_what_the_panel_lacks() {
+fn reactions_of_a_body_balance_the_panel() {
     for (name, fixed) in [
         ("clamped", vec![Dof::U, Dof::W, Dof::Theta]),
         ("pinned", vec![Dof::U, Dof::W]),
@@ -92,7 +92,7 @@ fn a_body_with_a_panel_spins_through_several_turns() {
         let load = none(dynamics.beam().nodes().len());
         let mut state = dynamics.at_rest();
         let centre = dynamics.beam().nodes()[body];
-        dynamics.start_moving(&mut state, centre, [1.0, -2.0], 8.0);
+        dynamics.set_rigid_velocity(&mut state, centre, [1.0, -2.0], 8.0);
         dynamics.equilibrate_over(&mut state, &load, dt).unwrap();
         let (before, energy) = (dynamics.momentum(&state), dynamics.kinetic_energy(&state));
         let (mut by_energy, mut by_turn, mut by_push): (f64, f64, f64) = (0.0, 0.0, 0.0);
@@ -171,14 +171,14 @@ fn a_pendulum_swings_and_the_rule_is_of_second_order() {
         let rod = Beam::straight([0.0, -0.1], [0.0, -1.0], elements, MATERIAL, Section::strip(0.05)).unwrap();
         let (model, body) = rod.with_rigid_body([0.0, 0.0], 0.0, 2.0).unwrap();
         let mut held = Supports::default();
-        held.tie(body, 0).pin(body);
+        held.link(body, 0).pin(body);
         (Dynamics::new(model, held, CONSERVING, Damping::default()).unwrap(), body)
     };
     let swing = |dt: f64, end: f64, angle: f64| {
         let (mut dynamics, body) = rod();
         let mass = dynamics.beam().mass();
         let mut state = dynamics.at_rest();
-        let weight = dynamics.weight([0.0, -9.81]);
+        let weight = dynamics.gravity_load([0.0, -9.81]);
         // Turned as a whole.
         let places = dynamics.beam().nodes().to_vec();
         let (s, c) = angle.sin_cos();

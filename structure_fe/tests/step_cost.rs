@@ -35,11 +35,11 @@ fn cost_of_ties(elements: usize) -> f64 {
     let (model, body) = skin.with_rigid_body([0.5, 0.3], 50.0, 5.0).unwrap();
     let mut held = Supports::default();
     for node in (0..=elements).step_by(5) {
-        held.tie(body, node);
+        held.link(body, node);
     }
     let rule = Integration::Trapezoidal { spectral_radius: 1.0 };
     let mut dynamics = Dynamics::new(model, held, rule, Damping::default()).unwrap();
-    let load = dynamics.weight([0.0, -9.81]);
+    let load = dynamics.gravity_load([0.0, -9.81]);
     let mut state = dynamics.at_rest();
     let mut best = f64::INFINITY;
     for _ in 0..20 {

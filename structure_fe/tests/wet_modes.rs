@@ -51,7 +51,7 @@ fn a_block_at_a_node_is_a_point_mass() {
     }
     let short = AddedMass { nodes: vec![0, 1], block: vec![0.0; 9] };
     let error = wet_modes(&model, &held, 1, &[short]).unwrap_err();
-    assert_eq!(error, Error::WrongBlock { index: 0, given: 9, nodes: 2 });
+    assert_eq!(error, Error::WrongLength { quantity: "a block of added mass", given: 9, expected: 36 });
     let far = AddedMass { nodes: vec![99], block: vec![0.0; 9] };
     assert!(matches!(wet_modes(&model, &held, 1, &[far]), Err(Error::NoSuchNode { item: "added mass", node: 99, .. })));
 }

@@ -86,7 +86,7 @@ pub fn body_with_panel(material: Material, thickness: f64, elements: usize) -> (
     let panel = Beam::straight([0.1, 0.05], [0.6, 0.05], elements, material, Section::strip(thickness)).unwrap();
     let (model, body) = panel.with_rigid_body([-0.05, 0.0], 20.0, 0.3).unwrap();
     let mut held = Supports::default();
-    held.tie(body, 0);
+    held.link(body, 0);
     (model, held, body)
 }
 

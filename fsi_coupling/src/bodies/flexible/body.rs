@@ -49,7 +49,7 @@ impl FlexibleBody {
     pub fn new(spec: FlexibleSpec) -> Result<FlexibleBody, BodyError> {
         let (mut model, mut nodes) = Model::new(&spec)?;
         let FlexibleSpec { name, outline, frame, gravity, half, .. } = spec;
-        let weight = model.dynamics.weight(gravity);
+        let weight = model.dynamics.gravity_load(gravity);
         let (law, free) = match frame {
             Frame::Given(law) => (Some(law), [false; 3]),
             Frame::Free { free, .. } => (None, free),
@@ -105,7 +105,7 @@ impl FlexibleBody {
     /// After a step or a restored state: the structure may have broken, which changes the weight of the nodes and moves the frame's node.
     fn update_model(&mut self) {
         self.model.update_reference();
-        self.weight = self.model.dynamics.weight(self.gravity);
+        self.weight = self.model.dynamics.gravity_load(self.gravity);
     }
 
     /// −Σ W·x: potential energy of the structure that is simulated [J/m].
@@ -267,7 +267,7 @@ impl WettedBody for FlexibleBody {
         if let Some((state, outline)) = &self.checkpoint {
             (self.state, self.outline) = (state.clone(), outline.clone());
             // adopting cannot fail: the model had this state before
-            let _ = self.model.dynamics.adopt(&self.state.nodes);
+            let _ = self.model.dynamics.apply_ruptures(&self.state.nodes);
             self.update_model();
         }
     }

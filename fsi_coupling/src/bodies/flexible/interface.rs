@@ -45,9 +45,9 @@ impl FlexibleInterface {
         dt: f64,
     ) -> Result<FlexibleInterface, BodyError> {
         let wrong = |error: structure_fe::Error| BodyError::structure(name, &error);
-        let amid = dynamics.lack(&amid(now, dynamics.weight_of_end(), dt), weight);
+        let amid = dynamics.residual(&amid(now, dynamics.end_weight(), dt), weight);
         let inertia = dynamics.effective_inertia(then, dt);
-        let lack = dynamics.lack(then, weight);
+        let lack = dynamics.residual(then, weight);
         let alone = inertia.clone().solve(&lack).map_err(wrong)?;
         let alone_in_mean = inertia.clone().solve(&amid).map_err(wrong)?;
         let begin = |attachment| map.velocity(attachment, &now.displacement, &now.velocity);
@@ -179,7 +179,7 @@ mod tests {
         let beam = Beam::straight([0.0; 2], [1.0, 0.0], 4, material, Section::strip(0.02)).expect("a beam");
         let (beam, frame) = beam.with_rigid_body([-0.3, 0.1], 2.0, 0.1).expect("a body");
         let mut supports = Supports::default();
-        supports.tie(frame, 0);
+        supports.link(frame, 0);
         let rule = Integration::Trapezoidal { spectral_radius: 0.8 };
         let mut dynamics = Dynamics::new(beam, supports, rule, Damping::default()).expect("a model");
         let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), (0..4).map(|e| [e, e + 1]).collect());
@@ -188,7 +188,7 @@ mod tests {
         let point = |k: u32| Attachment::Beam(map.surface.attach([0.05 + 0.1 * f64::from(k), 0.01], [0.0, 1.0]));
         attachments.extend((0..10).map(point));
         let mut then = dynamics.at_rest();
-        let weight = dynamics.weight([0.0, -9.81]);
+        let weight = dynamics.gravity_load([0.0, -9.81]);
         dynamics.equilibrate(&mut then, &weight).expect("a start");
         for _ in 0..20 {
             dynamics.step(&mut then, &weight, 0.01).expect("a step");

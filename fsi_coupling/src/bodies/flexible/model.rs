@@ -105,7 +105,7 @@ impl Model {
         let dynamics = Dynamics::new(beam, supports, rule, spec.damping).map_err(wrong)?;
         let mut state = dynamics.at_rest();
         let RigidMotion { position, velocity, angular_velocity, .. } = spec.start;
-        dynamics.start_moving(&mut state, position, velocity, angular_velocity);
+        dynamics.set_rigid_velocity(&mut state, position, velocity, angular_velocity);
         let reference = dynamics.beam().nodes()[frame];
         let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), ends);
         let map = SurfaceMap { surface, frame, reference };

@@ -85,8 +85,8 @@ impl Panel {
     pub fn hold(&self, frame: usize, supports: &mut Supports) {
         for (end, node) in self.spec.ends.iter().zip([self.nodes.start, self.nodes.end - 1]) {
             match end {
-                PanelEnd::Clamped => supports.tie(frame, node),
-                PanelEnd::Pinned | PanelEnd::Sliding => supports.tie_pinned(frame, node),
+                PanelEnd::Clamped => supports.link(frame, node),
+                PanelEnd::Pinned | PanelEnd::Sliding => supports.link_pinned(frame, node),
                 PanelEnd::Free => supports,
                 PanelEnd::Mirror => supports.fix(node, Dof::U).fix(node, Dof::Theta),
             };

@@ -1,0 +1,10 @@
+//! Assembly: equation numbers, matrices, internal forces, and the recovery of section forces and reactions.
+
+mod equations;
+mod internal_forces;
+mod recovery;
+mod system;
+
+pub(crate) use equations::{Arms, Equations, SymmetricMatrix};
+pub(crate) use recovery::{linear_section_forces, reactions};
+pub(crate) use system::{Kinematics, System};
