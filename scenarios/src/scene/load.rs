@@ -5,6 +5,7 @@ use std::io::ErrorKind;
 
 use fsi_coupling::settings::{Problem, significant};
 use serde_json::Value;
+use sph_core::Solver;
 
 use super::builtin::builtin;
 use super::check::check;
@@ -74,8 +75,9 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 fn load_under(name: &str, text: &str, sets: &[String], limits: Limits) -> Result<Loaded, SceneError> {
     let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() };
     let given = source.read()?;
-    let scene = checked(given, limits).map_err(|problem| source.error(problem))?;
-    Ok(Loaded { warnings: warnings(&scene), scene, source })
+    let scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
+    let warnings = ignored(&given, &scene).into_iter().chain(warnings(&scene)).collect();
+    Ok(Loaded { warnings, scene, source })
 }
 
 impl Loaded {
@@ -111,6 +113,18 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
         Some(ask) => settle_auto(&given, ask, |given| sensible(draft_of(given)?, limits), draft_of),
         None => check_model(sensible(draft, limits)?),
     }
+}
+
+/// Options that are on and that the solver ignores.
+fn ignored(given: &Value, scene: &Scene) -> Vec<String> {
+    let solver = scene.solver.name();
+    let on = |key: &&&str| given.pointer(&format!("/fluid/{key}")) == Some(&Value::Bool(true));
+    let ignored: &[&str] = match scene.solver.kind() {
+        Solver::WeaklyCompressible => &[],
+        Solver::IncompressibleThesis => &["ventilation", "wall_stretch"],
+        Solver::Incompressible | Solver::IncompressibleExplicit => &["wall_stretch"],
+    };
+    ignored.iter().filter(on).map(|key| format!("fluid.{key} = true does nothing with solver = {solver:?}")).collect()
 }
 
 fn draft_of(given: &Value) -> Result<Draft, Problem> {

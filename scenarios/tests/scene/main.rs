@@ -3,6 +3,7 @@
 mod legacy;
 mod panels;
 mod projection;
+mod reference_page;
 mod refused;
 mod start;
 

@@ -95,6 +95,10 @@ fn doubts_about_an_incompressible_scene_say_what_would_cure_them() {
     assert!(near.contains("draughts away") && near.contains("answers at once"), "{near}");
     let long = doubt(&["time.step=2e-3"]);
     assert!(long.contains("time.step = 0.002 s") && long.contains("smoothing lengths"), "{long}");
+    for (key, solver) in [("ventilation", "incompressible_thesis"), ("wall_stretch", "incompressible")] {
+        let idle = doubt(&[&format!("solver={solver}"), &format!("fluid.{key}=true")]);
+        assert!(idle.contains(&format!("fluid.{key} = true does nothing")), "{idle}");
+    }
     let hasty = doubt(&["fluid.cfl=0.9"]);
     assert!(hasty.contains("fluid.cfl = 0.9") && hasty.contains("gained energy"), "{hasty}");
     let weak = doubt(&["coupling.scheme=weak"]);
