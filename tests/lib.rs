@@ -21,6 +21,8 @@ pub mod heave;
 pub mod light;
 #[path = "support/load.rs"]
 pub mod load;
+#[path = "support/parameters.rs"]
+pub mod parameters;
 #[path = "support/plates.rs"]
 pub mod plates;
 #[path = "support/statistics.rs"]

@@ -6,27 +6,27 @@ use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
     RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
-use sph_core::legacy::settings::{DiffusionForm, EquationOfState};
 use sph_core::neighbours::images::Mirror;
-use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, IdealGas, Parameters, Projecting, WallTreatment, wcsph};
+use sph_core::{Domain, Fluid, SchemeSettings, legacy, projection};
 use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::settings::WeaklyCompressibleFluid;
 use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, SolverSettings, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let (parameters, tiling) = (parameters(scene), tiling(scene));
-    let rows = WallRows::of(&parameters, scene.resolution.spacing);
+    let (domain, settings, tiling) = (domain(scene), settings(scene), tiling(scene));
+    let (layout, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
+    let rows = WallRows::of(layout, scene.resolution.spacing);
     let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
     let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
     let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
-    let placed = PlacedBodies::new(body.into_iter().chain([tank]).collect(), &parameters, scene.resolution.spacing)?;
-    let seeds = initial_fluid(scene, &parameters, &tiling, &placed, thin);
-    let system = Coupled::with_bodies(Fluid::new(parameters, &seeds), placed, scene.coupling.scheme())?;
+    let bodies = body.into_iter().chain([tank]).collect();
+    let placed = PlacedBodies::new(bodies, layout, ratio, scene.resolution.spacing)?;
+    let seeds = initial_fluid(scene, &domain, &tiling, &placed, thin);
+    let fluid = Fluid::new(domain, settings.as_ref(), &seeds);
+    let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
         Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
         None => system,
@@ -96,74 +96,34 @@ fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate>
     (roots != [0.0; 2] && is_thin(body, rows)).then(|| Plate { roots, ..Plate::new(&middle, *thickness) })
 }
 
-fn parameters(scene: &Scene) -> Parameters {
-    let water = scene.water();
-    let eos = Tait { rho0: water.density, c0: scene.sound_speed(), gamma: wcsph::Settings::default().eos_exponent };
-    let shared = Parameters {
-        kernel: water.kernel,
-        smoothing_ratio: water.smoothing_ratio,
+/// The water and the space it moves in.
+fn domain(scene: &Scene) -> Domain {
+    Domain {
+        fluid: *scene.water(),
         gravity: scene.gravity,
-        nu: water.kinematic_viscosity,
-        slip: water.wall_slip,
-        cfl: scene.courant_number(),
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
-        solver: scene.solver.kind(),
-        speed: scene.projection_speed(),
-        walls: WallTreatment { water_depth: scene.tank.depth, ..WallTreatment::default() },
-        ..Parameters::usual(eos)
-    };
-    match &scene.solver {
-        SolverSettings::WeaklyCompressible { fluid } => weakly_compressible(fluid, shared),
-        SolverSettings::Incompressible { fluid, projection }
-        | SolverSettings::IncompressibleExplicit { fluid, projection } => Parameters {
-            alpha: 0.0,
-            delta: 0.0,
-            shifting: fluid.scheme.shifting,
-            ventilation: fluid.scheme.ventilation,
-            projecting: Projecting {
-                tolerance: projection.tolerance,
-                most_iterations: projection.most_iterations,
-                relaxation: projection.relaxation,
-                calming: projection.viscosity_coefficient,
-                shift: projection.shift,
-            },
-            ..shared
-        },
-        SolverSettings::IncompressibleThesis { fluid, thesis } => Parameters {
-            alpha: fluid.scheme.artificial_viscosity,
-            delta: 0.0,
-            dissipation: fluid.scheme.dissipation,
-            thesis: *thesis,
-            ..shared
-        },
+        fastest_speed: scene.projection_speed(),
+        ..Domain::default()
     }
 }
 
-fn weakly_compressible(fluid: &WeaklyCompressibleFluid, shared: Parameters) -> Parameters {
-    let WeaklyCompressibleFluid { scheme, options, .. } = fluid;
-    let eos = Tait { gamma: scheme.eos_exponent, ..shared.eos };
-    let (temperature, molar_mass) = (options.temperature, options.molar_mass);
-    let gas = IdealGas { rho0: eos.rho0, gamma: eos.gamma, temperature, molar_mass };
-    Parameters {
-        eos,
-        alpha: scheme.artificial_viscosity,
-        delta: scheme.density_diffusion,
-        dissipation: scheme.dissipation,
-        shifting: scheme.shifting,
-        settling: scheme.settling,
-        wall_stretch: scheme.wall_stretch,
-        ventilation: scheme.ventilation,
-        integrator: options.integrator,
-        verlet_correction_every: options.verlet_correction_every.into(),
-        density_filter: options.density_filter,
-        density_filter_every: options.density_filter_every.into(),
-        xsph: options.xsph,
-        turbulence: options.turbulence,
-        gas: (options.equation_of_state == EquationOfState::IdealGas).then_some(gas),
-        density_evolution: options.density_evolution,
-        hydrostatic_diffusion: options.density_diffusion_form == DiffusionForm::Fourtakas,
-        walls: WallTreatment { model: options.walls, hydrostatic_start: options.limit_pressure == 1, ..shared.walls },
-        ..shared
+/// Settings of the scene's scheme.
+fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
+    use projection::Method::{OneSweep, Solve};
+    match &scene.solver {
+        SolverSettings::WeaklyCompressible { fluid } => {
+            let options = legacy::Options { water_depth: scene.tank.depth, ..fluid.options };
+            Box::new(legacy::Settings { scheme: fluid.scheme, options })
+        }
+        SolverSettings::Incompressible { fluid, projection } => {
+            Box::new(projection::Settings { flow: fluid.scheme, method: Solve, ..*projection })
+        }
+        SolverSettings::IncompressibleExplicit { fluid, projection } => {
+            Box::new(projection::Settings { flow: fluid.scheme, method: OneSweep, ..*projection })
+        }
+        SolverSettings::IncompressibleThesis { fluid, thesis } => {
+            Box::new(legacy::pilorget2010::ThesisSettings { flow: fluid.scheme, ..*thesis })
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Resolution that follows: the fine zone of an impact, as wide and deep as the present draught wants it (THEORY E26).
 
 use fsi_coupling::{Motion, Outline};
-use sph_core::FineZone;
+use sph_core::RefinementZone;
 
 use crate::observe::gauges;
 use crate::scene::{Entry, Scene, auto_fine_zone};
@@ -39,14 +39,14 @@ impl Follower {
     }
 
     /// The zone for a body that is where `motion` says.
-    pub fn zone(&self, motion: &Motion, outline: &Outline) -> FineZone {
+    pub fn zone(&self, motion: &Motion, outline: &Outline) -> RefinementZone {
         let sunk = self.origin[1] - motion.position[1];
         let [half_width, depth] = self.extent(self.draught + sunk);
         let edges = outline.loops().iter().flat_map(|corners| {
             let ends = corners.iter().zip(corners.iter().cycle().skip(1));
             ends.map(|(a, b)| [gauges::on(motion, *a), gauges::on(motion, *b)])
         });
-        FineZone {
+        RefinementZone {
             middle: self.middle + motion.position[0] - self.origin[0],
             half_width,
             depth,

@@ -3,7 +3,7 @@
 use fsi_coupling::geometry::layout::{Cell, Tiling, tile};
 use fsi_coupling::geometry::packing::{self, Packing};
 use fsi_coupling::{Body, PlacedBodies};
-use sph_core::{Parameters, Seed};
+use sph_core::{Domain, Seed};
 
 use crate::scene::Scene;
 
@@ -14,7 +14,7 @@ const BESIDE_PLATE: f64 = 0.5;
 /// displaces; packed around the body where the scene asks for it (Q6). `thin`: the body is a thin plate.
 pub(crate) fn initial_fluid(
     scene: &Scene,
-    parameters: &Parameters,
+    domain: &Domain,
     tiling: &Tiling,
     placed: &PlacedBodies,
     thin: bool,
@@ -33,7 +33,7 @@ pub(crate) fn initial_fluid(
     tiling.for_each(|cell| cells.push(surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell))));
     if let (true, Some(body)) = (scene.resolution.packing, body) {
         let cells_only = cells.into_iter().map(|(cell, _)| cell).collect();
-        cells = packed(cells_only, parameters, placed, body, level);
+        cells = packed(cells_only, domain, placed, body, level);
     } else {
         cells.retain(|(cell, _)| is_free(cell));
     }
@@ -57,7 +57,7 @@ pub(crate) fn initial_fluid(
 /// The cells packed around the body, each with the height of the surface above it.
 fn packed(
     cells: Vec<Cell>,
-    parameters: &Parameters,
+    domain: &Domain,
     placed: &PlacedBodies,
     body: &dyn Body,
     level: impl Fn(f64) -> f64,
@@ -67,9 +67,9 @@ fn packed(
     let packing = Packing {
         signed_distance: &signed_distance,
         walls: placed.walls(),
-        kernel: parameters.kernel,
-        ratio: parameters.smoothing_ratio,
-        mirrored: parameters.mirror.is_some(),
+        kernel: domain.fluid.kernel,
+        ratio: domain.fluid.smoothing_ratio,
+        mirrored: domain.mirror.is_some(),
     };
     packing.relax(&mut cells, &level);
     cells.into_iter().map(|cell| (cell, level(cell.at[0]))).collect()
@@ -96,9 +96,9 @@ mod tests {
         ];
         let scene = scene::load("floating_box", &sets.map(String::from)).expect("a built-in scene").scene;
         let system = build::build(&scene).expect("a box under water");
-        let (p, w) = (&system.fluid.particles, &system.walls);
+        let (p, w) = (system.fluid.particles(), &system.walls);
         let body = system.bodies().find(|b| b.outline().is_some()).expect("a box");
-        let kernel = system.fluid.parameters.kernel;
+        let kernel = system.fluid.domain().fluid.kernel;
         let near = |k: &usize| body.signed_distance([p.x[*k], p.y[*k]]) < 0.075 && p.y[*k] < -0.1;
         let fill = |k: usize| {
             let value = |x: f64, y: f64, h: f64| kernel.value((p.x[k] - x).hypot(p.y[k] - y), 0.5 * (p.h[k] + h));
@@ -133,7 +133,7 @@ mod tests {
         let scene = scene::load("heaving_box", &sets.map(String::from)).expect("a built-in scene").scene;
         assert!(scene.resolution.packing && scene.symmetry == crate::scene::Symmetry::X);
         let system = build::build(&scene).expect("a box afloat");
-        assert!(system.fluid.particles.x.iter().all(|&x| x > 0.0));
+        assert!(system.fluid.particles().x.iter().all(|&x| x > 0.0));
         assert!(system.penetration().worst.is_none());
     }
 }

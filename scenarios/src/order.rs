@@ -34,18 +34,18 @@ pub(crate) fn order(particles: &Particles) -> Option<Order> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sph_core::wcsph::eos::Tait;
-    use sph_core::{Fluid, Parameters, Seed};
+    use sph_core::{Domain, Fluid, Seed, wcsph};
 
     #[test]
     fn a_lattice_is_a_spacing_apart_and_a_pair_is_found() {
-        let parameters = Parameters::usual(Tait { rho0: 1000.0, c0: 10.0, gamma: 7.0 });
+        let settings = wcsph::Settings { sound_speed: 10.0.into(), ..wcsph::Settings::default() };
+        let fluid = |seeds: &[Seed]| Fluid::new(Domain::default(), &settings, seeds);
         let seed = |x: f64, y: f64| Seed { at: [x, y], velocity: [0.0; 2], area: 1.0, pressure: 0.0 };
         let mut seeds: Vec<Seed> = (0..25).map(|k| seed(f64::from(k % 5), f64::from(k / 5))).collect();
-        let whole = order(&Fluid::new(parameters, &seeds).particles).expect("25 particles");
+        let whole = order(fluid(&seeds).particles()).expect("25 particles");
         assert!((whole.nearest_least - 1.0).abs() < 1e-9 && (whole.nearest_median - 1.0).abs() < 1e-9, "{whole:?}");
         seeds[12].at[1] -= 0.75;
-        let paired = order(&Fluid::new(parameters, &seeds).particles).expect("25 particles");
+        let paired = order(fluid(&seeds).particles()).expect("25 particles");
         assert!((paired.nearest_least - 0.25).abs() < 1e-9 && (paired.nearest_median - 1.0).abs() < 1e-9, "{paired:?}");
     }
 }

@@ -4,7 +4,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::Coupled;
-use sph_core::{Fluid, Solver};
+use sph_core::legacy::pilorget2010::Thesis;
+use sph_core::{Fluid, Solver, projection};
 use tracing::warn;
 
 use crate::balance::{held, structure_gap};
@@ -75,7 +76,7 @@ impl Recorder {
     /// Observe if something is due; schedules never shorten a step.
     pub fn observe(&mut self, system: &Coupled) -> Result<(), ObserveError> {
         self.gauges.follow(system);
-        let t = system.fluid.time;
+        let t = system.fluid.time();
         let last = t >= self.end;
         if t < self.next_sample && t < self.next_frame && !last {
             return Ok(());
@@ -91,7 +92,7 @@ impl Recorder {
 
     fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let (held, penetration) = (system.fluid.holdings(), system.penetration());
+        let (held, penetration) = (system.fluid.totals(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
         if let (Some(breach), None) = (&penetration.worst, self.ledger.worst_penetration()) {
             let first = WorstPenetration::new(breach, frame.time(), frame.time()).to_string();
@@ -132,22 +133,22 @@ impl Recorder {
                     format!("{name} broke off at ({x:.5}, {y:.5}) m, t = {:.6} s, strain {:.4}", r.time, r.value);
                 warn!("{text}");
                 if let Some(log) = &mut self.log {
-                    log.note(system.fluid.time, Level::Warning, &text)?;
+                    log.note(system.fluid.time(), Level::Warning, &text)?;
                 }
             }
         }
-        self.told_until = system.fluid.time;
+        self.told_until = system.fluid.time();
         if let (false, Some((body, [x, y]))) =
             (self.told_crossing, system.bodies().find_map(|b| Some((b.name(), b.self_intersection()?))))
         {
             self.told_crossing = true;
             let text = format!(
                 "the surface of `{body}` crosses itself at ({x:.5}, {y:.5}) m, t = {:.6} s: what is inside is no longer sure",
-                system.fluid.time
+                system.fluid.time()
             );
             warn!("{text}");
             if let Some(log) = &mut self.log {
-                log.note(system.fluid.time, Level::Warning, &text)?;
+                log.note(system.fluid.time(), Level::Warning, &text)?;
             }
         }
         Ok(())
@@ -156,7 +157,7 @@ impl Recorder {
     /// A run that stops early shows its last state and says why.
     pub fn last_words(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
         let gauges = self.gauges.read(system);
-        let (held, penetration) = (system.fluid.holdings(), system.penetration());
+        let (held, penetration) = (system.fluid.totals(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true };
         self.pictures.keep(&frame);
         if let Some(log) = &mut self.log {
@@ -165,7 +166,7 @@ impl Recorder {
                 Status::Failed => (Level::Error, message.unwrap_or("failed")),
                 _ => (Level::Warning, "interrupted by the user"),
             };
-            log.note(system.fluid.time, level, text)?;
+            log.note(system.fluid.time(), level, text)?;
         }
         Ok(())
     }
@@ -182,7 +183,7 @@ impl Recorder {
         log: Option<Logged>,
     ) -> Summary {
         let fluid = &system.fluid;
-        let since = LATE * fluid.time;
+        let since = LATE * fluid.time();
         let agreement = system.statistics();
         let body = system.bodies().position(|b| b.motion().is_some());
         let exact = compare::similarity_of(scene);
@@ -199,13 +200,13 @@ impl Recorder {
             model: model(scene.solver.kind()),
             choice: scene.choice.clone(),
             version: env!("CARGO_PKG_VERSION"),
-            particles: Particles { fluid: fluid.particles.len(), wall: system.walls.len() },
-            steps: fluid.steps,
-            time_end_s: fluid.time,
+            particles: Particles { fluid: fluid.particles().len(), wall: system.walls.len() },
+            steps: fluid.steps(),
+            time_end_s: fluid.time(),
             wall_time_s: wall,
-            particle_updates_per_s: fluid.updates as f64 / wall,
+            particle_updates_per_s: fluid.updates() as f64 / wall,
             threads: rayon::current_num_threads(),
-            phases: phase_times(&fluid.phases),
+            phases: phase_times(&fluid.timers()),
             log: log.map(|Logged { bytes, frames, left_out }| Log {
                 bytes,
                 frames,
@@ -215,7 +216,7 @@ impl Recorder {
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: Some(self.ledger.rest(since)),
-            order: order(&fluid.particles),
+            order: order(fluid.particles()),
             water: self.series.water(since),
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
@@ -240,7 +241,7 @@ impl Recorder {
             error_bars: ErrorBars::new(),
             panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
             gauges: self.gauges.results(),
-            projection: projection(scene.solver.kind(), fluid),
+            projection: projection(fluid),
         }
     }
 
@@ -263,13 +264,11 @@ fn model(solver: Solver) -> &'static str {
 }
 
 /// What the pressure's equation took, where there is one.
-fn projection(solver: Solver, fluid: &Fluid) -> Option<Projection> {
-    let (iterations, solves, pinned_last) = match solver {
-        Solver::IncompressibleThesis => (fluid.thesis.iterations, fluid.thesis.solutions, None),
-        Solver::WeaklyCompressible => return None,
-        Solver::Incompressible | Solver::IncompressibleExplicit => {
-            (fluid.projection.iterations, fluid.projection.solves, Some(fluid.projection.pins))
-        }
+fn projection(fluid: &Fluid) -> Option<Projection> {
+    let (iterations, solves, pinned_last) = match (fluid.scheme::<projection::Projection>(), fluid.scheme::<Thesis>()) {
+        (Some(scheme), _) => (scheme.iterations(), scheme.solves(), Some(scheme.constrained_rows())),
+        (None, Some(thesis)) => (thesis.iterations, thesis.solutions, None),
+        (None, None) => return None,
     };
-    Some(Projection { iterations_mean: iterations as f64 / fluid.steps.max(1) as f64, solves, pinned_last })
+    Some(Projection { iterations_mean: iterations as f64 / fluid.steps().max(1) as f64, solves, pinned_last })
 }

@@ -120,7 +120,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     let log = file("log.mcap").filter(|_| !options.without_log);
     let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
     let (start, volume) = (Instant::now(), system.fluid.volume());
-    info!(scene = scene.name, fluid = system.fluid.particles.len(), walls = system.walls.len(), "built");
+    info!(scene = scene.name, fluid = system.fluid.particles().len(), walls = system.walls.len(), "built");
 
     // on a thread of the pool from beginning to end: no step has to wake it
     let ended = parallel::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
@@ -132,11 +132,11 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     if status != Status::Completed {
         recorder.last_words(&system, status, message.as_deref())?;
     }
-    system.fluid.phases.begin(Phase::Log);
+    system.fluid.timers_mut().begin(Phase::Log);
     let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
-    system.fluid.phases.end();
+    system.fluid.timers_mut().end();
     let wall = start.elapsed().as_secs_f64();
-    info!(?status, steps = system.fluid.steps, lists = system.fluid.search.rebuilds, wall, "ended");
+    info!(?status, steps = system.fluid.steps(), lists = system.fluid.neighbours().rebuilds, wall, "ended");
     let mut summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
     recorder.series.flush()?;
     if summary.audit.work > LARGEST_WORK_GAP {
@@ -181,14 +181,14 @@ fn advance(
         tell(0.0, 0);
     }
     observe(system, recorder)?;
-    while system.fluid.time < scene.time.end {
+    while system.fluid.time() < scene.time.end {
         if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Ok(Ok(Status::Interrupted));
         }
-        if options.most_steps.is_some_and(|most| system.fluid.steps >= most) {
-            return Ok(Err(Breakdown::Endless(system.fluid.steps, system.fluid.time)));
+        if options.most_steps.is_some_and(|most| system.fluid.steps() >= most) {
+            return Ok(Err(Breakdown::Endless(system.fluid.steps(), system.fluid.time())));
         }
-        system.fluid.phases.begin(Phase::Integration);
+        system.fluid.timers_mut().begin(Phase::Integration);
         let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
         let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
         match stepped {
@@ -196,17 +196,17 @@ fn advance(
             Ok((asked, taken)) if taken < asked => {
                 warn!(
                     "pressure not converged: a step of {taken:.3e} s in the place of {asked:.3e} s to t = {}",
-                    system.fluid.time
+                    system.fluid.time()
                 );
             }
             Ok(_) => {}
         }
-        debug!(step = system.fluid.steps, time = system.fluid.time, "stepped");
+        debug!(step = system.fluid.steps(), time = system.fluid.time(), "stepped");
         observe(system, recorder)?;
         if told.elapsed() > PROGRESS_EVERY {
             told = Instant::now();
             if let Some(tell) = options.progress {
-                tell(system.fluid.time, system.fluid.steps);
+                tell(system.fluid.time(), system.fluid.steps());
             }
         }
     }
@@ -215,10 +215,10 @@ fn advance(
 
 /// Observe if something is due, and say whose time that was.
 fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveError> {
-    let outer = system.fluid.phases.begin(Phase::Observers);
+    let outer = system.fluid.timers_mut().begin(Phase::Observers);
     recorder.observe(system)?;
-    system.fluid.phases.hand_over(Phase::Log, recorder.time_of_log());
-    system.fluid.phases.go_on_with(outer);
+    system.fluid.timers_mut().hand_over(Phase::Log, recorder.time_of_log());
+    system.fluid.timers_mut().resume(outer);
     Ok(())
 }
 

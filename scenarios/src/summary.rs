@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::Breach;
 use serde::Serialize;
-use sph_core::{Phase, Phases};
+use sph_core::{Phase, Timers};
 
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
@@ -201,7 +201,7 @@ pub struct PhaseTime {
 }
 
 /// The parts of a run that took time, by name.
-pub fn phase_times(phases: &Phases) -> BTreeMap<&'static str, PhaseTime> {
+pub fn phase_times(phases: &Timers) -> BTreeMap<&'static str, PhaseTime> {
     let total = phases.total().max(f64::MIN_POSITIVE);
     let time = |phase: Phase| PhaseTime { seconds: phases.seconds(phase), share: phases.seconds(phase) / total };
     Phase::ALL.into_iter().map(|phase| (phase.name(), time(phase))).filter(|(_, time)| time.seconds > 0.0).collect()

@@ -89,3 +89,12 @@ impl Default for Domain {
         }
     }
 }
+
+impl Domain {
+    /// Unit vector against gravity [-]; upwards where there is none.
+    pub fn up(&self) -> [f64; 2] {
+        let g = self.gravity;
+        let size = g[0].hypot(g[1]);
+        if size > 0.0 { g.map(|c| -c / size) } else { [0.0, 1.0] }
+    }
+}

@@ -1,88 +1,53 @@
-//! The fluid: its state, its step, and the verbs that the integrators are written in.
+//! The fluid: a particle system with the scheme that advances it.
 
-use crate::checkpoint::{Saved, set_lists_aside};
+use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::gather::{DensityRate, Forces, Momentum, WallForce};
-use crate::interactions::packed::Rows;
-use crate::interactions::pair::Extrapolated;
-use crate::legacy::dynamic_walls::DynamicWalls;
-use crate::legacy::ideal_gas::Heat;
-use crate::legacy::integrator::{self, Integrator, Old};
-use crate::legacy::multistep::{self, History};
-use crate::legacy::pilorget2010::{self, Thesis};
-use crate::legacy::turbulence::Stress;
-use crate::legacy::wall_model::WallModel;
-use crate::neighbours::Search;
+use crate::memory::of_vector;
+use crate::neighbours::Neighbours;
 use crate::parallel;
-use crate::parameters::Parameters;
-use crate::particles::refinement::FineZone;
-use crate::particles::{Derived, Particles, Seed};
-use crate::projection::{self, Projection};
-use crate::solver::Solver;
-use crate::timers::{Phase, Phases};
-use crate::walls::Walls;
-use crate::walls::interface::Yielding;
+use crate::particles::refinement::RefinementZone;
+use crate::particles::totals::{FluidEnergy, Totals, halves, momentum_and_its_scale, top_speed, totals};
+use crate::particles::{Fields, Particles, Seed};
+use crate::scheme::{Scheme, SchemeSettings};
+use crate::system::{ParticleSystem, SavedSystem};
+use crate::timers::{Phase, Timers};
+use crate::walls::contact;
+use crate::walls::interface::WallInterface;
+use crate::walls::midline::{Passage, note_start_positions, passages};
+use crate::walls::{WallLayout, Walls};
 
-/// A weakly compressible fluid.
+/// A fluid that can be stepped.
+///
+/// ```
+/// use sph_core::{Domain, Fluid, Seed, Walls, wcsph};
+///
+/// let seed = |k: usize| Seed { at: [0.1 * (k % 9) as f64, 0.1 * (k / 9) as f64], velocity: [1.0, 0.0], area: 0.01, pressure: 0.0 };
+/// let settings = wcsph::Settings { sound_speed: 20.0.into(), ..wcsph::Settings::default() };
+/// let mut fluid = Fluid::new(Domain::default(), &settings, &(0..81).map(seed).collect::<Vec<_>>());
+/// let mut walls = Walls::default();
+/// fluid.initialise(&mut walls)?;
+/// let dt = fluid.stable_dt(&walls)?;
+/// fluid.step(&mut walls, dt)?;
+/// assert_eq!(fluid.steps(), 1);
+/// # Ok::<(), sph_core::Breakdown>(())
+/// ```
 pub struct Fluid {
-    /// What does not change.
-    pub parameters: Parameters,
-    /// What a restart needs.
-    pub particles: Particles,
-    /// What a step recomputes.
-    pub derived: Derived,
-    /// Time [s].
-    pub time: f64,
-    /// Steps taken.
-    pub steps: u64,
+    system: ParticleSystem,
+    scheme: Box<dyn Scheme>,
+    saved: Vec<(SavedSystem, Box<dyn Scheme>)>,
+    wall_layout: WallLayout,
     /// Particles moved, over all steps.
-    pub updates: u64,
-    /// Neighbour lists.
-    pub search: Search,
-    /// Owners of walls whose acceleration is found together with their pressures (THEORY C2); the others' is given.
-    pub yielding: Vec<Yielding>,
-    /// Where water that is too coarse is split when the lists are made anew (THEORY E26); `None` leaves it as it is. For
-    /// [`Solver::WeaklyCompressible`] with [`Integrator::Symplectic`], which keep nothing by identity from step to step.
-    pub fine_zone: Option<FineZone>,
-    pub(crate) rows: Rows,
-    pub(crate) old: Old,
-    /// dρ/dt [kg/(m³ s)], from its sweep until the equation of state, in the array that pressures have otherwise.
-    pub(crate) density_rate: Vec<f64>,
-    pub(crate) history: History,
-    pub(crate) heating: Vec<f64>,
-    pub(crate) heat: Vec<Heat>,
-    pub(crate) excess_velocity: Vec<[f64; 2]>,
-    pub(crate) stress: Vec<Stress>,
-    pub(crate) extrapolated: Vec<Extrapolated>,
-    pub(crate) wall_force: Vec<[f64; 2]>,
-    pub(crate) scratch: Vec<f64>,
-    pub(crate) dynamic_walls: DynamicWalls,
-    pub(crate) saved: Vec<Saved>,
-    /// Where each particle began the step, by identity; empty without screens (T5).
-    pub(crate) beginning: Vec<[f64; 2]>,
-    /// A particle was put elsewhere: lists are to be made anew.
-    pub(crate) displaced: bool,
-    /// The projection (THEORY I1–I16).
-    pub projection: Projection,
-    /// The thesis's projection (THEORY J1–J16).
-    pub thesis: Thesis,
-    /// Where the time goes.
-    pub phases: Phases,
+    updates: u64,
 }
 
-/// Steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 12.0;
-/// The same of a projection's, in which fast particles go far.
-const LONG_LIFE: f64 = 2.5;
-
 impl Fluid {
-    /// A fluid from seeds; densities follow from the seeds' pressures. Panics on a period that is too short for the
+    /// A fluid from seeds; densities follow from the pressures of the seeds. Panics on a period that is too short for the
     /// kernel, or combined with a mirror (V1): both are errors of the caller, not of its data.
-    pub fn new(parameters: Parameters, seeds: &[Seed]) -> Fluid {
-        if let Some(periodic) = parameters.periodic {
-            let two_supports =
-                4.0 * parameters.smoothing_ratio * seeds.iter().map(|s| s.area).fold(0.0, f64::max).sqrt();
-            assert!(parameters.mirror.is_none(), "a mirror and a period do not go together");
+    pub fn new(domain: Domain, settings: &dyn SchemeSettings, seeds: &[Seed]) -> Fluid {
+        let ratio = domain.fluid.smoothing_ratio;
+        if let Some(periodic) = domain.periodic {
+            let two_supports = 4.0 * ratio * seeds.iter().map(|s| s.area).fold(0.0, f64::max).sqrt();
+            assert!(domain.mirror.is_none(), "a mirror and a period exclude each other");
             assert!(
                 periodic.shortest() > two_supports,
                 "a period of {} m needs to exceed two supports, {two_supports} m",
@@ -91,212 +56,261 @@ impl Fluid {
         }
         let mut particles = Particles::with_capacity(seeds.len());
         for seed in seeds {
-            let still = if parameters.solver.is_incompressible() { 0.0 } else { seed.pressure };
-            let (rho, energy) = parameters.state_at(still);
-            particles.push(seed, rho, energy, parameters.smoothing_ratio);
+            let (rho, energy) = settings.state(&domain, seed);
+            particles.push(seed, rho, energy, ratio);
         }
-        let mut fluid = Fluid {
-            parameters,
-            particles,
-            derived: Derived::default(),
-            time: 0.0,
-            steps: 0,
-            updates: 0,
-            search: Search::default(),
-            yielding: Vec::new(),
-            fine_zone: None,
-            rows: Rows::default(),
-            old: Old::default(),
-            density_rate: Vec::new(),
-            extrapolated: Vec::new(),
-            wall_force: Vec::new(),
-            history: History::default(),
-            heating: Vec::new(),
-            heat: Vec::new(),
-            excess_velocity: Vec::new(),
-            stress: Vec::new(),
-            scratch: Vec::new(),
-            dynamic_walls: DynamicWalls::default(),
-            saved: Vec::new(),
-            beginning: Vec::new(),
-            displaced: false,
-            projection: Projection::default(),
-            thesis: Thesis::default(),
-            phases: Phases::default(),
-        };
-        let n = fluid.particles.len();
-        fluid.derived.resize(n);
-        if parameters.solver.is_incompressible() {
-            fluid.derived.pressure = seeds.iter().map(|seed| seed.pressure).collect();
-            fluid.derived.volume = seeds.iter().map(|seed| seed.area).collect();
+        let mut fields = Fields::default();
+        fields.resize(particles.len());
+        if settings.keeps_volumes() {
+            fields.pressure = seeds.iter().map(|seed| seed.pressure).collect();
+            fields.volume = seeds.iter().map(|seed| seed.area).collect();
         }
-        if !parameters.keeps_volumes() {
-            (fluid.particles.theta, fluid.derived.volume) = (Vec::new(), Vec::new());
-        }
-        if parameters.gas.is_none() {
-            fluid.particles.energy = Vec::new();
-        }
-        fluid
+        let scheme = settings.scheme(&domain);
+        let wall_layout = settings.wall_layout(&domain);
+        let system = ParticleSystem::new(domain, particles, fields);
+        Fluid { system, scheme, saved: Vec::new(), wall_layout, updates: 0 }
     }
 
-    /// How near air is, 1 beside it and 0 far from it [-], per particle: the projection's (THEORY I5), empty without one.
-    pub fn exposure(&self) -> &[f64] {
-        &self.projection.air.exposure
-    }
-
-    /// Forces at the start: once, when the walls stand where they start. Panics on a period with screens (T1), an error of
-    /// the caller.
+    /// Find the forces at the start: once, when the walls stand where they start. Panics on a period with thin plates (T1), an
+    /// error of the caller.
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {
-        let unbounded = self.parameters.periodic.is_none();
-        assert!(unbounded || walls.screens.is_empty(), "a period and screens do not go together");
-        if self.parameters.solver.is_incompressible() {
-            self.pack(walls, 0.0);
-            self.extrapolate_to_walls(walls);
-            self.gather_forces(walls);
-            self.yield_walls(walls, 0.0);
-            self.accelerate();
-            if self.parameters.solver == Solver::IncompressibleThesis {
-                self.prepare_thesis(walls)?;
-            }
-            return self.check();
-        }
-        self.sum_density(walls, 0.0);
-        self.start_dynamic_walls(walls);
-        self.evaluate_forces(walls, 0.0);
-        self.search.flag_surface(&mut self.derived);
-        self.settle(walls);
-        walls.mean_fx.clone_from(&walls.fx);
-        walls.mean_fy.clone_from(&walls.fy);
-        self.check()
+        self.initialise_with(walls, &mut [])
     }
 
-    /// Advance by `dt` [s]. Before: the walls' kinematics are those of the step's end. After: the walls
-    /// carry the force now and the mean force of the step.
+    /// The same, where some owners of walls are accelerated by the force that they feel (THEORY C2).
+    pub fn initialise_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface]) -> Result<(), Breakdown> {
+        let unbounded = self.system.domain.periodic.is_none();
+        assert!(unbounded || walls.midlines.is_empty(), "a period and thin plates exclude each other");
+        self.scheme.initialise(&mut self.system, walls, interfaces)?;
+        self.scheme.check(&self.system)
+    }
+
+    /// Advance by `dt` [s]. Before: the walls' kinematics are those of the step's end. After: the walls carry the force at the
+    /// step's end and the mean force of the step.
     pub fn step(&mut self, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
+        self.step_with(walls, &mut [], dt)
+    }
+
+    /// The same, where some owners of walls are accelerated by the force that they feel (THEORY C2).
+    pub fn step_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
-        let outer = self.phases.begin(Phase::Integration);
-        self.note_beginning(walls);
-        parallel::within_pool(|| match self.parameters.solver {
-            Solver::WeaklyCompressible => {
-                self.integrate(walls, dt);
-                Ok(())
-            }
-            Solver::Incompressible | Solver::IncompressibleExplicit => projection::step(self, walls, dt),
-            Solver::IncompressibleThesis => pilorget2010::step(self, walls, dt),
-        })?;
-        self.fold();
-        self.time += dt;
-        self.steps += 1;
-        self.updates += self.particles.len() as u64;
-        let sound = self.check();
-        self.phases.go_on_with(outer);
+        let Fluid { system, scheme, .. } = self;
+        let outer = system.timers.begin(Phase::Integration);
+        note_start_positions(&mut system.start_positions, &system.particles, &walls.midlines);
+        parallel::within_pool(|| scheme.step(system, walls, interfaces, dt))?;
+        system.fold(|id| scheme.reflected(id));
+        system.time += dt;
+        system.steps += 1;
+        self.updates += system.particles.len() as u64;
+        let sound = scheme.check(system);
+        system.timers.resume(outer);
         sound
     }
 
-    fn integrate(&mut self, walls: &mut Walls, dt: f64) {
-        match self.parameters.integrator {
-            Integrator::Symplectic => integrator::symplectic(self, walls, dt),
-            Integrator::PredictorCorrector => integrator::predictor_corrector(self, walls, dt),
-            Integrator::Verlet => multistep::verlet(self, walls, dt),
-            Integrator::Beeman => multistep::beeman(self, walls, dt),
-        }
+    /// The largest stable step [s], over the fluid and the walls beside it.
+    pub fn stable_dt(&self, walls: &Walls) -> Result<f64, Breakdown> {
+        parallel::within_pool(|| self.scheme.stable_dt(&self.system, walls))
     }
 
-    /// Whoever crossed the plane of symmetry changes places with its image.
-    fn fold(&mut self) {
-        let (Some(mirror), p) = (self.parameters.mirror, &mut self.particles) else { return };
-        for k in 0..p.x.len() {
-            if p.x[k] < mirror.at {
-                p.x[k] = mirror.reflect(p.x[k]);
-                (p.u[k], p.ax[k]) = (-p.u[k], -p.ax[k]);
-                self.history.reflect(p.id[k]);
-            }
-        }
+    /// The scheme, if it is a `T`.
+    pub fn scheme<T: Scheme + 'static>(&self) -> Option<&T> {
+        self.scheme.as_any().downcast_ref()
     }
 
-    /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
-    pub(crate) fn evaluate_density_rate(&mut self, walls: &Walls, offset: f64) {
-        self.pack(walls, offset);
-        self.phases.begin(Phase::Density);
-        self.density_rate = std::mem::take(&mut self.derived.pressure); // of no use until they follow from new densities
-        let gather = DensityRate {
-            fluid: &self.rows.fluid,
-            faces: &self.rows.faces,
-            rho: &self.particles.rho,
-            search: &self.search,
-            constants: self.parameters.diffusion_constants(),
-            reflecting: self.parameters.walls.model.reflects(),
-        };
-        self.parameters.sweep(&gather, &mut self.density_rate[..]);
-        if self.parameters.walls.model == WallModel::Dynamic {
-            self.evaluate_dynamic_walls();
-        }
+    /// The same, to change its settings between steps.
+    pub fn scheme_mut<T: Scheme + 'static>(&mut self) -> Option<&mut T> {
+        self.scheme.as_any_mut().downcast_mut()
     }
 
-    /// E3, E9, E6–E8: pressures, wall pressures, accelerations, forces on walls; walls taken `offset`
-    /// seconds from the step's end.
-    pub(crate) fn evaluate_forces(&mut self, walls: &mut Walls, offset: f64) {
-        self.equation_of_state();
-        self.pack(walls, offset);
-        match self.parameters.walls.model {
-            WallModel::Extrapolated | WallModel::Repulsive => self.extrapolate_to_walls(walls),
-            WallModel::MirrorPoint => self.read_mirror_points(walls),
-            WallModel::Dynamic => self.state_of_dynamic_walls(walls),
-        }
-        self.gather_forces(walls);
-        self.gather_turbulence(); //                 L8
-        self.yield_walls(walls, offset); //          C1–C3: where owners of walls yield
-        self.accelerate();
-        self.relax_volumes();
+    /// The system with its scheme, if that is a `T`: to evaluate single terms of a scheme.
+    pub fn parts_mut<T: Scheme + 'static>(&mut self) -> Option<(&mut ParticleSystem, &mut T)> {
+        let Fluid { system, scheme, .. } = self;
+        scheme.as_any_mut().downcast_mut().map(|scheme| (system, scheme))
     }
 
-    /// The same pairs twice, once for each side: action equals reaction to rounding. Until [`Fluid::accelerate`] the
-    /// particles' accelerations are forces [N/m].
-    pub(crate) fn gather_forces(&mut self, walls: &mut Walls) {
-        let wall_nu = self.parameters.wall_nu();
-        let constants = match self.parameters.solver.projects() {
-            true => self.constants_of_projection(),
-            false => self.parameters.constants(),
-        };
-        let (fluid, wall_rows, search) = (&self.rows.fluid, &self.rows.walls, &self.search);
-        let pushing = self.parameters.walls.model.has_pressure();
-        let gather = Momentum { fluid, walls: wall_rows, search, constants, wall_nu, pushing };
-        self.phases.begin(Phase::Momentum);
-        let Particles { ax, ay, .. } = &mut self.particles;
-        self.parameters.sweep(&gather, Forces { x: ax, y: ay, around: &mut self.derived.surroundings });
-        self.phases.begin(Phase::Walls);
-        self.wall_force.resize(walls.len(), [0.0; 2]);
-        if pushing {
-            let gather = WallForce { fluid, walls: wall_rows, search, constants, wall_nu };
-            self.parameters.sweep_walls(&gather, &mut self.wall_force[..]);
-        } else {
-            self.repel();
-        }
-        for (k, force) in self.wall_force.iter().enumerate() {
-            [walls.fx[k], walls.fy[k]] = *force;
-        }
+    /// Fluid properties, gravity, kernel, bounding planes.
+    pub fn domain(&self) -> &Domain {
+        &self.system.domain
     }
 
-    /// Make the lists if they no longer hold, then pack what the sweeps read.
-    pub(crate) fn pack(&mut self, walls: &Walls, offset: f64) {
-        self.phases.begin(Phase::Search);
-        self.rows.place_walls(walls, offset);
-        let Parameters { mirror, periodic, .. } = self.parameters;
-        if self.parameters.walls.model == WallModel::MirrorPoint || self.parameters.solver.projects() {
-            self.rows.place_mirror_points(walls);
-        }
-        if self.displaced || !self.search.holds(&self.particles, &self.rows.kinematics(walls)) {
-            self.displaced = false;
-            self.refine(); //                        E26
-            let life = match self.parameters.solver.projects() {
-                true => LONG_LIFE * self.projection_dt(walls),
-                false => LIST_LIFE * self.acoustic_limit(),
-            };
-            set_lists_aside(&mut self.saved, &mut self.search);
-            let kinematics = self.rows.kinematics(walls);
-            self.search.rebuild(&mut self.particles, &mut self.derived, &kinematics, mirror, periodic, life);
-        }
-        self.phases.begin(Phase::Pack);
-        self.rows.pack(&self.particles, &self.derived, walls, &self.search, mirror, &self.extrapolated);
+    /// Rows of boundary particles that the scheme's walls need.
+    pub fn wall_layout(&self) -> WallLayout {
+        self.wall_layout
+    }
+
+    /// Particles with their neighbours.
+    pub fn system(&self) -> &ParticleSystem {
+        &self.system
+    }
+
+    /// The same, to evaluate single terms.
+    pub fn system_mut(&mut self) -> &mut ParticleSystem {
+        &mut self.system
+    }
+
+    /// State that lives from step to step.
+    pub fn particles(&self) -> &Particles {
+        &self.system.particles
+    }
+
+    /// The same, to set a state at the start that seeds do not describe.
+    pub fn particles_mut(&mut self) -> &mut Particles {
+        &mut self.system.particles
+    }
+
+    /// Quantities that the last step computed.
+    pub fn fields(&self) -> &Fields {
+        &self.system.fields
+    }
+
+    /// Neighbour lists.
+    pub fn neighbours(&self) -> &Neighbours {
+        &self.system.neighbours
+    }
+
+    /// Time [s].
+    pub fn time(&self) -> f64 {
+        self.system.time
+    }
+
+    /// Steps taken.
+    pub fn steps(&self) -> u64 {
+        self.system.steps
+    }
+
+    /// Particles moved, over all steps.
+    pub fn updates(&self) -> u64 {
+        self.updates
+    }
+
+    /// Wall time by phase.
+    pub fn timers(&self) -> &Timers {
+        &self.system.timers
+    }
+
+    /// The same, to count other parts of a run.
+    pub fn timers_mut(&mut self) -> &mut Timers {
+        &mut self.system.timers
+    }
+
+    /// Where coarse particles are split when the lists are made anew (THEORY E26); `None` splits none. For the weakly
+    /// compressible scheme.
+    pub fn set_refinement_zone(&mut self, zone: Option<RefinementZone>) {
+        self.system.refinement_zone = zone;
+    }
+
+    /// How near the free surface each particle is, 1 at it and 0 far from it [-]; empty where the scheme does not find it.
+    pub fn surface_indicator(&self) -> &[f64] {
+        self.scheme.surface_indicator()
+    }
+
+    /// True where the force on a wall is constant over a step.
+    pub fn force_is_constant_in_step(&self) -> bool {
+        self.scheme.force_is_constant_in_step()
+    }
+
+    pub(crate) fn face_kernel_sum(&self) -> Option<[f64; 2]> {
+        self.scheme.face_kernel_sum()
+    }
+
+    /// Save the present state on top of those saved before. The walls are their owners' to save: all of [`Walls`].
+    pub fn save(&mut self) {
+        self.saved.push((self.system.save(), self.scheme.checkpoint()));
+    }
+
+    /// Return to the state last saved, as often as needed; without one nothing happens.
+    pub fn restore(&mut self) {
+        let Some((system, scheme)) = self.saved.last() else { return };
+        self.system.restore(system);
+        self.scheme = scheme.checkpoint();
+    }
+
+    /// Forget the state last saved.
+    pub fn forget(&mut self) {
+        self.saved.pop();
+    }
+
+    /// Mass, momentum, energy and volume, in one pass.
+    pub fn totals(&self) -> Totals {
+        totals(self.particles(), self.domain(), |k| self.scheme.internal_energy(&self.system, k))
+    }
+
+    /// Energies [J/m]; with a mirror plane, of both halves.
+    pub fn energy(&self) -> FluidEnergy {
+        self.totals().energy
+    }
+
+    /// Σ m v and Σ m |v| [N s/m]; with a mirror plane, the first of both halves, the second of one.
+    pub fn momentum_and_its_scale(&self) -> ([f64; 2], f64) {
+        momentum_and_its_scale(self.particles(), self.domain())
+    }
+
+    /// Σ m v [N s/m]; with a mirror plane, of both halves.
+    pub fn momentum(&self) -> [f64; 2] {
+        self.momentum_and_its_scale().0
+    }
+
+    /// Σ m [kg/m]; with a mirror plane, of both halves.
+    pub fn mass(&self) -> f64 {
+        halves(self.domain()) * self.particles().mass.iter().sum::<f64>()
+    }
+
+    /// Σ m/ρ [m²]; with a mirror plane, of both halves.
+    pub fn volume(&self) -> f64 {
+        let p = self.particles();
+        halves(self.domain()) * p.mass.iter().zip(&p.rho).map(|(m, rho)| m / rho).sum::<f64>()
+    }
+
+    /// Speed of the fastest particle [m/s].
+    pub fn top_speed(&self) -> f64 {
+        top_speed(self.particles())
+    }
+
+    /// T5: the fluid particles that crossed the midline of a thin plate in the step just taken, in the order of the particles.
+    pub fn passages(&self, walls: &Walls) -> Vec<Passage> {
+        passages(self.particles(), &self.system.start_positions, &walls.midlines)
+    }
+
+    /// Fluid particles that may be beyond a wall's surface, in the order of the particles (THEORY E25).
+    pub fn contact_candidates(&self, walls: &Walls) -> Vec<usize> {
+        contact::candidates(&self.system, walls)
+    }
+
+    /// Place a particle elsewhere [m]; the neighbour lists are made anew before they are next needed.
+    pub fn place(&mut self, particle: usize, at: [f64; 2]) {
+        [self.system.particles.x[particle], self.system.particles.y[particle]] = at;
+        self.system.displaced = true;
+    }
+
+    /// E25: put a particle that is beyond a surface back on it, and stop its approach; the impulse that the wall takes, or `None`
+    /// where the particle does not approach. `inverse_mass` is the velocity along the normal that a unit impulse gives the wall
+    /// [m/kg].
+    pub fn resolve_contact(
+        &mut self,
+        particle: usize,
+        surface: &contact::Surface,
+        inverse_mass: impl FnOnce() -> f64,
+    ) -> Option<contact::Impulse> {
+        contact::resolve(&mut self.system, particle, surface, inverse_mass)
+    }
+
+    /// Memory of state, packed particles, lists and the scheme's arrays [bytes]. Not counted: saved states, and what a search
+    /// needs while it lasts.
+    pub fn bytes(&self) -> usize {
+        self.bytes_by_use().iter().map(|(_, bytes)| bytes).sum()
+    }
+
+    /// The same by use [bytes].
+    pub fn bytes_by_use(&self) -> Vec<(&'static str, usize)> {
+        let ParticleSystem { particles, fields, packed, neighbours, wall_state, .. } = &self.system;
+        let mut table = vec![
+            ("state", particles.bytes()),
+            ("fields", fields.bytes()),
+            ("scheme", self.scheme.bytes()),
+            ("wall state", of_vector(wall_state)),
+        ];
+        table.extend(packed.bytes());
+        table.extend(neighbours.bytes());
+        table
     }
 }

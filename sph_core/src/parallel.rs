@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use crate::interactions::simd::widely;
+use crate::interactions::simd::with_simd;
 
 /// Targets per chunk.
 pub const CHUNK: usize = 128;
@@ -41,7 +41,7 @@ pub fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
 
 /// `of(targets)` for every chunk of `n` targets, in order.
 pub fn by_chunk<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
-    (0..n.div_ceil(CHUNK)).into_par_iter().map(|c| widely(|| of(c * CHUNK..((c + 1) * CHUNK).min(n)))).collect()
+    (0..n.div_ceil(CHUNK)).into_par_iter().map(|c| with_simd(|| of(c * CHUNK..((c + 1) * CHUNK).min(n)))).collect()
 }
 
 /// Sums that a chunk is added up in, in turn, so that no addition waits for the one before it.
@@ -91,19 +91,19 @@ pub fn each<T: Send, const N: usize>(
         .collect();
     pieces.into_par_iter().enumerate().for_each(|(c, parts)| {
         let from = c * PIECE;
-        widely(|| change(from..from + parts[0].len(), parts));
+        with_simd(|| change(from..from + parts[0].len(), parts));
     });
 }
 
 /// True if `holds(k)` for each of `n`.
 pub fn every(n: usize, holds: impl Fn(usize) -> bool + Sync) -> bool {
-    let all = |c: usize| widely(|| (c * PIECE..((c + 1) * PIECE).min(n)).fold(true, |all, k| all & holds(k)));
+    let all = |c: usize| with_simd(|| (c * PIECE..((c + 1) * PIECE).min(n)).fold(true, |all, k| all & holds(k)));
     (0..n.div_ceil(PIECE)).into_par_iter().all(all)
 }
 
 /// True if `holds(targets)` for every chunk of `n` targets.
 pub fn every_chunk(n: usize, holds: impl Fn(std::ops::Range<usize>) -> bool + Sync) -> bool {
-    let of = |c: usize| widely(|| holds(c * CHUNK..((c + 1) * CHUNK).min(n)));
+    let of = |c: usize| with_simd(|| holds(c * CHUNK..((c + 1) * CHUNK).min(n)));
     (0..n.div_ceil(CHUNK)).into_par_iter().all(of)
 }
 

@@ -72,19 +72,19 @@ impl Phase {
 
 /// Wall time by phase.
 #[derive(Clone, Debug, Default)]
-pub struct Phases {
+pub struct Timers {
     spent: [Duration; Phase::ALL.len()],
     present: Option<(Phase, Instant)>,
 }
 
-impl Phases {
+impl Timers {
     /// From now on the time is `phase`'s; whose it was before.
     pub fn begin(&mut self, phase: Phase) -> Option<Phase> {
-        self.go_on_with(Some(phase))
+        self.resume(Some(phase))
     }
 
     /// From now on the time is that of `phase`, or nobody's; whose it was before.
-    pub fn go_on_with(&mut self, phase: Option<Phase>) -> Option<Phase> {
+    pub fn resume(&mut self, phase: Option<Phase>) -> Option<Phase> {
         let now = Instant::now();
         let before = self.present.take();
         if let Some((phase, since)) = before {
@@ -96,7 +96,7 @@ impl Phases {
 
     /// From now on the time is nobody's.
     pub fn end(&mut self) {
-        self.go_on_with(None);
+        self.resume(None);
     }
 
     /// `spent` of the present phase's time is `other`'s.
@@ -133,48 +133,48 @@ mod tests {
 
     #[test]
     fn every_moment_belongs_to_one_phase() {
-        let (mut phases, tick) = (Phases::default(), Duration::from_millis(3));
+        let (mut timers, tick) = (Timers::default(), Duration::from_millis(3));
         spin(tick); // nobody's
         let start = Instant::now();
-        phases.begin(Phase::Density);
+        timers.begin(Phase::Density);
         spin(tick);
-        phases.begin(Phase::Momentum);
+        timers.begin(Phase::Momentum);
         spin(2 * tick);
-        phases.begin(Phase::Density);
+        timers.begin(Phase::Density);
         spin(tick);
-        phases.end();
+        timers.end();
         let all = start.elapsed().as_secs_f64();
         spin(tick);
-        phases.end();
+        timers.end();
         let spun = 4.0 * tick.as_secs_f64(); // within phases; a busy machine may add to it, and between the clocks' readings
-        assert!((spun..=all).contains(&phases.total()), "{} of {all} s, {spun} s spun", phases.total());
+        assert!((spun..=all).contains(&timers.total()), "{} of {all} s, {spun} s spun", timers.total());
         for phase in [Phase::Density, Phase::Momentum] {
-            assert!(phases.seconds(phase) >= 2.0 * tick.as_secs_f64(), "{phase:?}");
+            assert!(timers.seconds(phase) >= 2.0 * tick.as_secs_f64(), "{phase:?}");
         }
-        let parts = phases.seconds(Phase::Density) + phases.seconds(Phase::Momentum);
-        assert!((phases.total() - parts).abs() < 1e-12);
+        let parts = timers.seconds(Phase::Density) + timers.seconds(Phase::Momentum);
+        assert!((timers.total() - parts).abs() < 1e-12);
     }
 
     #[test]
     fn a_part_that_interrupts_gives_the_time_back() {
-        let mut phases = Phases::default();
-        assert_eq!(phases.begin(Phase::Coupling), None);
-        let outer = phases.begin(Phase::Density);
-        assert_eq!(phases.go_on_with(outer), Some(Phase::Density));
-        assert_eq!(phases.go_on_with(None), Some(Phase::Coupling));
+        let mut timers = Timers::default();
+        assert_eq!(timers.begin(Phase::Coupling), None);
+        let outer = timers.begin(Phase::Density);
+        assert_eq!(timers.resume(outer), Some(Phase::Density));
+        assert_eq!(timers.resume(None), Some(Phase::Coupling));
     }
 
     #[test]
     fn a_part_that_is_handed_over_is_counted_once() {
-        let (mut phases, tick) = (Phases::default(), Duration::from_millis(2));
+        let (mut timers, tick) = (Timers::default(), Duration::from_millis(2));
         let start = Instant::now();
-        phases.begin(Phase::Observers);
+        timers.begin(Phase::Observers);
         spin(3 * tick);
-        phases.hand_over(Phase::Log, tick);
-        phases.end();
+        timers.hand_over(Phase::Log, tick);
+        timers.end();
         let all = start.elapsed().as_secs_f64();
-        assert_eq!(phases.seconds(Phase::Log), tick.as_secs_f64());
-        let kept = phases.seconds(Phase::Observers);
+        assert_eq!(timers.seconds(Phase::Log), tick.as_secs_f64());
+        let kept = timers.seconds(Phase::Observers);
         assert!(kept >= 2.0 * tick.as_secs_f64() && kept <= all - tick.as_secs_f64() + 1e-9, "{kept} of {all} s");
     }
 

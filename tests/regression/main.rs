@@ -30,13 +30,13 @@ fn stepped(name: &str, sets: &[&str]) -> Coupled {
 
 /// A hash of every bit that a restart would need, and of the forces on the walls.
 fn bits(system: &Coupled) -> u64 {
-    let (p, w) = (&system.fluid.particles, &system.walls);
+    let (p, w) = (system.fluid.particles(), &system.walls);
     let mut hasher = DefaultHasher::new();
     p.id.hash(&mut hasher);
-    for array in [&p.x, &p.y, &p.u, &p.v, &p.rho, &p.mass, &p.h, &p.theta, &p.ax, &p.ay, &w.x, &w.y, &w.fx, &w.fy] {
+    for array in [&p.x, &p.y, &p.u, &p.v, &p.rho, &p.mass, &p.h, &p.ax, &p.ay, &w.x, &w.y, &w.fx, &w.fy] {
         array.iter().for_each(|value| value.to_bits().hash(&mut hasher));
     }
-    system.fluid.time.to_bits().hash(&mut hasher);
+    system.fluid.time().to_bits().hash(&mut hasher);
     hasher.finish()
 }
 
@@ -95,8 +95,8 @@ fn the_hash_sees_the_last_bit_of_one_particle() {
     let (name, sets) = SCENES[0];
     let mut system = stepped(name, sets);
     let before = bits(&system);
-    let last = system.fluid.particles.len() - 1;
-    let rho = &mut system.fluid.particles.rho[last];
+    let last = system.fluid.particles().len() - 1;
+    let rho = &mut system.fluid.particles_mut().rho[last];
     *rho = f64::from_bits(rho.to_bits() ^ 1);
     assert_ne!(bits(&system), before);
 }
@@ -107,9 +107,9 @@ fn the_hash_sees_the_last_bit_of_one_particle() {
 fn the_work_of_a_run_is_what_it_was() {
     let work = SCENES.map(|(name, sets)| {
         let system = stepped(name, sets);
-        let search = &system.fluid.search;
+        let search = system.fluid.neighbours();
         let pairs = [search.fluid.pairs(), search.walls_of_fluid.pairs()];
-        (name, [system.fluid.particles.len(), system.walls.len()], search.rebuilds, pairs)
+        (name, [system.fluid.particles().len(), system.walls.len()], search.rebuilds, pairs)
     });
     let frozen = [
         ("wedge_constant", [1283, 532], 10, [38984, 1024]),

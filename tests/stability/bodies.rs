@@ -43,7 +43,7 @@ fn water_above(solver: &str, ventilation: bool) -> f64 {
     advance(&mut system, 0.06, |_| ()).expect("a stable run");
     let radius = 0.055;
     let equator = system.bodies().find_map(|body| body.motion()).expect("a cylinder").position[1] + radius; // of the lowest point
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     (0..p.len()).filter(|&k| p.x[k] < radius && p.y[k] > equator).map(|k| p.mass[k] / p.rho[k]).sum()
 }
 

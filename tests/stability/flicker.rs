@@ -10,7 +10,7 @@ fn changes(sets: &[&str], end: f64) -> [f64; 2] {
     let mut before: [HashMap<u32, bool>; 2] = Default::default();
     let (mut exposed, mut changed, mut back) = (0, 0, 0);
     advance(&mut wedge, end, |s| {
-        let (ids, exposure) = (&s.fluid.particles.id, s.fluid.exposure());
+        let (ids, exposure) = (&s.fluid.particles().id, s.fluid.surface_indicator());
         let now: HashMap<u32, bool> = ids.iter().zip(exposure).map(|(&id, &e)| (id, e > 0.5)).collect();
         let [last, earlier] = &before;
         exposed += now.values().filter(|&&beside| beside).count();

@@ -18,8 +18,8 @@ fn entry(sets: &[&str]) -> Noise {
     let mut system = system("wedge_constant", &[sets, &["resolution.spacing=0.05"]].concat());
     let mut coefficients = Vec::new();
     advance(&mut system, 1.0, |s| {
-        if s.fluid.time > 0.5 {
-            coefficients.push(lift(s) / (1000.0 * s.fluid.time));
+        if s.fluid.time() > 0.5 {
+            coefficients.push(lift(s) / (1000.0 * s.fluid.time()));
         }
     })
     .expect("a run that ends, noisy or not");
@@ -28,7 +28,7 @@ fn entry(sets: &[&str]) -> Noise {
 
 /// Standard deviation of p_a − ⟨p⟩_a of the water within 2 m of the keel, away from the free surface, over ½ρV².
 fn roughness(system: &Coupled) -> f64 {
-    let (p, d, probe) = (&system.fluid.particles, &system.fluid.derived, Probe::new(&system.fluid));
+    let (p, d, probe) = (system.fluid.particles(), system.fluid.fields(), Probe::new(&system.fluid));
     let near = (0..p.len()).filter(|&k| p.x[k] < 2.0 && p.y[k] > -1.5 && !d.near_surface[k]);
     let gaps: Vec<f64> = near.map(|k| d.pressure[k] - probe.shepard([p.x[k], p.y[k]])).collect();
     assert!(gaps.len() > 30, "{} particles near the wedge", gaps.len());

@@ -50,7 +50,6 @@ fn every_filter_viscosity_and_law_runs_a_dam_break() {
     completes(&["fluid.density_filter=mls"]);
     completes(&["fluid.xsph=0.5"]);
     completes(&["fluid.density_diffusion_form=molteni"]);
-    completes(&["fluid.volume_correction=true"]);
     completes(&["fluid.eos_exponent=1"]);
     completes(&["fluid.kinematic_viscosity=1e-6", "fluid.turbulence=sps"]);
     completes(&["fluid.kinematic_viscosity=1e-3", "fluid.wall_slip=none"]);

@@ -1,17 +1,18 @@
 //! Failures of order: particles that clump under tension, and that pair under pressure.
 
+use evidence::parameters::Parameters;
 use evidence::statistics::Noise;
 use evidence::systems::{advance, system};
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
-use sph_core::{Fluid, Kernel, Parameters, Seed};
+use sph_core::{Kernel, Seed};
 
 const SPACING: f64 = 0.05;
 
 /// Distances to the nearest neighbour, least and median, in spacings, after 0.3 s in a closed box of 20 by 20 particles
 /// that start at rest, 5 % off their lattice, under a uniform pressure [Pa].
 fn nearest(kernel: Kernel, smoothing_ratio: f64, pressure: f64, shifting: bool) -> [f64; 2] {
-    let water = system("hydrostatic_tank", &["resolution.spacing=0.25"]).fluid.parameters;
+    let water = Parameters::of(&system("hydrostatic_tank", &["resolution.spacing=0.25"]).fluid);
     let parameters = Parameters { kernel, smoothing_ratio, shifting, gravity: [0.0; 2], ..water };
     let (x, y) = ([0.0, 1.0], [-1.0, 0.0]);
     let tiling = Tiling::new(Basin { x, y, fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
@@ -26,9 +27,9 @@ fn nearest(kernel: Kernel, smoothing_ratio: f64, pressure: f64, shifting: bool) 
     let lid: Box<dyn Body> = Box::new(PrescribedBody::new("lid", lid, false, still));
     let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -1.0, 0.0, false));
     let mut system =
-        Coupled::new(Fluid::new(parameters, &seeds), vec![lid, tank], Scheme::Weak, SPACING).expect("a full box");
+        Coupled::new(parameters.fluid(&seeds), vec![lid, tank], Scheme::Weak, SPACING).expect("a full box");
     advance(&mut system, 0.3, |_| ()).expect("a run that ends, in order or not");
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     let gap = |a: usize, b: usize| (p.x[a] - p.x[b]).hypot(p.y[a] - p.y[b]) / SPACING;
     let around = |a: usize| (0..p.len()).filter(|&b| b != a).map(|b| gap(a, b)).fold(f64::INFINITY, f64::min);
     let mut gaps: Vec<f64> = (0..p.len()).map(around).collect();

@@ -93,7 +93,7 @@ ends = ["free", "clamped"]
 "#;
     let found = [1e-4, 3e-5].map(|step| {
         let mut system = of_text(&format!("{flap}{WATER}"), &[&format!("time.step={step}")]);
-        while system.fluid.time < 0.06 {
+        while system.fluid.time() < 0.06 {
             system.step(step).expect("a stable step");
         }
         let panel = system.bodies().next().expect("a flap").panels().remove(0);

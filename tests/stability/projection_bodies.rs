@@ -15,7 +15,7 @@ fn plunged(density: f64, scheme: &str) -> f64 {
     let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
     let mut system = system("plunging_body", &sets);
     let mut wildest = 0.0_f64;
-    while system.fluid.time < 0.03 && wildest < 1e5 {
+    while system.fluid.time() < 0.03 && wildest < 1e5 {
         let Ok(()) = system.stable_dt().and_then(|dt| system.step(dt)) else { return f64::INFINITY };
         let motion = system.bodies().find_map(|body| body.motion()).expect("a cylinder");
         wildest = wildest.max(motion.acceleration[0].hypot(motion.acceleration[1]));

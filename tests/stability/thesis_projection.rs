@@ -16,9 +16,9 @@ const ONE_PASS: &str = "thesis.inner_passes=1";
 
 /// Largest error of a particle's pressure against ρ g times its depth below the top row over that of the lowest [-].
 fn pressure_error(system: &Coupled) -> f64 {
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     let [top, floor] = [p.y.iter().copied().fold(f64::MIN, f64::max), p.y.iter().copied().fold(f64::MAX, f64::min)];
-    let of = |k: usize| (system.fluid.derived.pressure[k] - WEIGHT * (top - p.y[k])).abs();
+    let of = |k: usize| (system.fluid.fields().pressure[k] - WEIGHT * (top - p.y[k])).abs();
     (0..p.len()).map(of).fold(0.0, f64::max) / (WEIGHT * (top - floor))
 }
 
@@ -37,7 +37,7 @@ fn step(system: &mut Coupled) -> Result<(), CouplingError> {
 
 /// Stable steps until `end` [s].
 fn advance(system: &mut Coupled, end: f64) -> Result<(), CouplingError> {
-    while system.fluid.time < end {
+    while system.fluid.time() < end {
         step(system)?;
     }
     Ok(())
@@ -47,7 +47,7 @@ fn advance(system: &mut Coupled, end: f64) -> Result<(), CouplingError> {
 fn breaks_down(what: &str, system: &mut Coupled, from: f64, end: f64) -> CouplingError {
     let error = advance(system, end).expect_err(what);
     println!("{what}: {error}");
-    assert!(system.fluid.time > from, "{what}: {error}");
+    assert!(system.fluid.time() > from, "{what}: {error}");
     error
 }
 
@@ -56,7 +56,7 @@ fn breaks_down(what: &str, system: &mut Coupled, from: f64, end: f64) -> Couplin
 #[test]
 fn masses_that_give_every_particle_its_density_are_negative() {
     let inverse = |sets: &[&str]| column(&[&["thesis.masses=inverse"], sets].concat());
-    let least = |s: &Coupled| s.fluid.particles.mass.iter().copied().fold(f64::INFINITY, f64::min);
+    let least = |s: &Coupled| s.fluid.particles().mass.iter().copied().fold(f64::INFINITY, f64::min);
     for (sets, below) in [
         (["fluid.kernel=cubic_spline", "fluid.smoothing_ratio=1.5"], -1.0),
         (["fluid.kernel=wendland_c2", "fluid.smoothing_ratio=2.0"], -0.3),
@@ -102,7 +102,7 @@ fn a_predictor_with_the_old_pressure_diverges() {
     let mut small = column(&["thesis.predictor=old_pressure", ONE_PASS]);
     let ended = (0..300).try_for_each(|_| small.step(1e-3));
     assert!(ended.is_err(), "steps of 1 ms end with {:.2e}", pressure_error(&small));
-    assert!(small.fluid.time > 0.01, "{ended:?}");
+    assert!(small.fluid.time() > 0.01, "{ended:?}");
 }
 
 /// Failure: side walls that do not follow the predictor change the density beside them: a third of the pressure at the
@@ -135,7 +135,7 @@ fn without_gradient_correction_the_pressure_depends_on_h() {
     let floor = |sets: &[&str]| {
         let mut system = column(sets);
         advance(&mut system, 0.5).expect("still water");
-        system.fluid.derived.pressure.iter().copied().fold(0.0, f64::max) / (WEIGHT * 0.75)
+        system.fluid.fields().pressure.iter().copied().fold(0.0, f64::max) / (WEIGHT * 0.75)
     };
     for (ratio, off) in [("fluid.smoothing_ratio=1.0", 0.063), ("fluid.smoothing_ratio=1.25", 0.049)] {
         let [raw, corrected] = [floor(&["thesis.gradient_correction=false", ratio]) - 1.0, floor(&[ratio]) - 1.0];
@@ -176,15 +176,15 @@ fn a_body_that_enters_the_surfaces_support_is_the_end() {
             if let Err(error) = step(&mut system) {
                 break error;
             }
-            let above = lowest - system.fluid.time;
+            let above = lowest - system.fluid.time();
             if above > 0.03 {
-                undisturbed = if system.fluid.time < 0.01 { 0.0 } else { undisturbed.max(pressure_error(&system)) };
+                undisturbed = if system.fluid.time() < 0.01 { 0.0 } else { undisturbed.max(pressure_error(&system)) };
             } else {
                 worst = worst.max(pressure_error(&system));
             }
             assert!(above > -0.1, "{name} is {above} m below the surface, pressures off by {worst:.2e}");
         };
-        let above = lowest - system.fluid.time;
+        let above = lowest - system.fluid.time();
         println!("{name}: pressures off by {undisturbed:.2e} before, {worst:.2e} at {above:.4} m: {error}");
         assert!(undisturbed < 0.03, "{name}: off by {undisturbed:.2e} before the supports meet");
         assert!(worst > 10.0 && above < 0.025, "{name}: off by {worst:.2e}, {above} m above the surface");
@@ -197,7 +197,7 @@ fn a_body_that_enters_the_surfaces_support_is_the_end() {
 fn water_that_rises_above_the_walls_is_lost() {
     let mut tank = system("hydrostatic_tank", &[SOLVER, ONE_PASS]);
     let k = std::f64::consts::PI;
-    let p = &mut tank.fluid.particles;
+    let p = tank.fluid.particles_mut();
     for i in 0..p.len() {
         let (x, y) = (k * (p.x[i] + 0.5), k * (p.y[i] + 1.0));
         p.u[i] = 0.05 * x.sin() * y.cosh() / k.sinh();

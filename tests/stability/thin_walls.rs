@@ -1,12 +1,13 @@
 //! Failures at plates thinner than their rows of wall particles, and their remedy: screens (THEORY T1, T2).
 
+use evidence::parameters::Parameters;
 use evidence::plates::{
     DENSITY, GRAVITY, coupled, face_forces, fixed, parameters, parted, parted_by, plate, sides, tank,
 };
 use evidence::statistics::mean;
 use evidence::systems::{advance, take};
 use fsi_coupling::{Body, Coupled, Outline};
-use sph_core::{Parameters, Seed};
+use sph_core::Seed;
 
 const SPACING: f64 = 0.02;
 
@@ -66,7 +67,7 @@ fn lone_particles_fly_through_a_plate_unless_their_path_is_looked_at() {
     let bare = |outline: Outline| fixed(Outline::polygon(&outline.loops()[0]).expect("the same corners"));
     let through = |mut system: Coupled| {
         take(&mut system, 8).expect("a stable run");
-        let beyond = system.fluid.particles.x.iter().filter(|x| **x > 0.0).count();
+        let beyond = system.fluid.particles().x.iter().filter(|x| **x > 0.0).count();
         assert!(system.momentum_audit().worst < 1e-10, "momentum closes with every blow");
         (beyond, system.stopped())
     };

@@ -1,10 +1,11 @@
 //! Failures at walls: how many rows of wall particles keep water in, and what each kind of wall survives.
 
+use evidence::parameters::Parameters;
 use evidence::systems::{advance, scene, system};
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Arrangement, Contact, Tank, WallRows, WettedBody};
 use scenarios::build;
-use sph_core::{Fluid, Seed, WallModel, WallTreatment, Walls};
+use sph_core::{Fluid, Seed, WallModel, Walls};
 
 const SPACING: f64 = 0.05;
 
@@ -21,8 +22,8 @@ struct Wall {
 fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
     let (x, floor) = ([-0.5, 0.5], -1.0);
     let tiling = Tiling::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
-    let mut parameters = system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid.parameters;
-    parameters.walls = WallTreatment { model: wall.model, ..parameters.walls };
+    let water = Parameters::of(&system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid);
+    let parameters = Parameters { walls: wall.model, ..water };
     let mut seeds = Vec::new();
     tiling.for_each(|cell| {
         let pressure = parameters.eos.rho0 * parameters.gravity[1] * cell.at[1];
@@ -33,13 +34,13 @@ fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
     let mut walls = Walls::default();
     walls.extend(&tank.sample(&rows).expect("a tank"), parameters.smoothing_ratio);
     tank.kinematics(0.0, walls.slice_mut(0..walls.len()));
-    let mut fluid = Fluid::new(parameters, &seeds);
+    let mut fluid = parameters.fluid(&seeds);
     let out = |fluid: &Fluid| {
-        let p = &fluid.particles;
+        let p = fluid.particles();
         (0..p.len()).filter(|&k| tank.signed_distance([p.x[k], p.y[k]]) < 0.0).count()
     };
     fluid.initialise(&mut walls).expect("water at rest");
-    while fluid.time < end {
+    while fluid.time() < end {
         // a leak may end in a breakdown: what is out by then counts
         let Ok(dt) = fluid.stable_dt(&walls) else { break };
         if fluid.step(&mut walls, dt).is_err() {
@@ -71,7 +72,7 @@ fn a_single_row_of_wall_particles_leaks() {
 /// 0.4 there is no difference.
 #[test]
 fn a_single_row_of_a_dynamic_wall_leaks_at_mach_one_fifth() {
-    let c0 = system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid.parameters.eos.c0;
+    let c0 = Parameters::of(&system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid).eos.c0;
     let hit = |layers: usize, mach: f64| leaked(dynamic(layers), mach * c0, 0.3);
     let (one, two) = (hit(1, 0.2), hit(2, 0.2));
     assert!(one > 0, "one row held all particles at Mach 0.2");

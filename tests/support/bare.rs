@@ -1,7 +1,8 @@
 //! Fluids without bodies: lattices of particles with a given field, and the loop that steps them.
 
+use crate::parameters::Parameters;
 use sph_core::wcsph::eos::Tait;
-use sph_core::{Breakdown, Fluid, Parameters, Seed, Walls};
+use sph_core::{Breakdown, Fluid, Seed, Walls};
 
 /// The scheme as scenes have it by default, of density 1000 kg/m³ and without gravity; `c0` sound speed [m/s].
 pub fn parameters(c0: f64) -> Parameters {
@@ -25,11 +26,11 @@ pub fn lattice(
 
 /// Evaluate the first forces, then step until `end` [s], each step as long as is stable; the last one ends there.
 pub fn advance(fluid: &mut Fluid, walls: &mut Walls, end: f64, mut watch: impl FnMut(&Fluid)) -> Result<(), Breakdown> {
-    if fluid.steps == 0 {
+    if fluid.steps() == 0 {
         fluid.initialise(walls)?;
     }
-    while end - fluid.time > 1e-12 * end {
-        let left = end - fluid.time;
+    while end - fluid.time() > 1e-12 * end {
+        let left = end - fluid.time();
         let steps = (left / fluid.stable_dt(walls)?).ceil();
         fluid.step(walls, left / steps)?;
         watch(fluid);

@@ -1,7 +1,8 @@
 //! A piston under a column of real water, which it meets once a window: explicit coupling of any step (THEORY C11).
 
+use crate::parameters::Parameters;
 use sph_core::neighbours::images::Periodic;
-use sph_core::{Breakdown, Fluid, Parameters, WallPoint, Walls};
+use sph_core::{Breakdown, Fluid, WallPoint, Walls};
 
 use crate::bare::{lattice, parameters};
 
@@ -39,7 +40,7 @@ impl Column {
         let point = |k: usize| {
             let depth = ((k / COLUMNS) as f64 + 0.5) * spacing;
             let at = [((k % COLUMNS) as f64 + 0.5) * spacing, -depth];
-            WallPoint { at, normal: [0.0, 1.0], area: spacing * spacing, spacing, depth, screen: None }
+            WallPoint { at, normal: [0.0, 1.0], area: spacing * spacing, spacing, depth, midline: None }
         };
         let points: Vec<WallPoint> = (0..3 * COLUMNS).map(point).collect();
         let mut walls = Walls::default();
@@ -47,13 +48,13 @@ impl Column {
         let pressure = |y: f64| WATER * GRAVITY * (HEIGHT - y);
         let seeds = lattice([0.0; 2], [width, HEIGHT], spacing, |at| Some(([0.0; 2], pressure(at[1]))));
         let mass = WATER * HEIGHT / ratio;
-        Column { fluid: Fluid::new(parameters, &seeds), walls, mass, place: 0.0, velocity, acceleration: 0.0 }
+        Column { fluid: parameters.fluid(&seeds), walls, mass, place: 0.0, velocity, acceleration: 0.0 }
     }
 
     /// One window of `dt` [s] in as many equal steps of the water as it needs, the piston's acceleration held; then the
     /// piston's next one, from the mean force.
     pub fn window(&mut self, dt: f64) -> Result<(), Breakdown> {
-        if self.fluid.steps == 0 {
+        if self.fluid.steps() == 0 {
             self.fluid.initialise(&mut self.walls)?;
         }
         let stable = 0.55 * 1.5 * (HEIGHT / ROWS as f64) / SOUND;

@@ -82,7 +82,7 @@ pub fn element() -> (FluidElement, HostNodes) {
 
 /// Everything that a step of a host leaves behind, bit by bit.
 pub fn bits(element: &FluidElement, forces: &[[f64; 3]]) -> Vec<u64> {
-    let (p, w) = (&element.system().fluid.particles, &element.system().walls);
+    let (p, w) = (element.system().fluid.particles(), &element.system().walls);
     let mut bits: Vec<u64> = p.id.iter().map(|id| u64::from(*id)).collect();
     for array in [&p.x, &p.y, &p.u, &p.v, &p.rho, &p.ax, &p.ay, &w.x, &w.y, &w.pressure, &w.mean_fy, &w.ax] {
         bits.extend(array.iter().map(|value| value.to_bits()));

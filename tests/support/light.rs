@@ -33,7 +33,7 @@ pub fn light_box(centre: f64, depth: f64, spacing: f64, sets: &[&str]) -> Couple
 
 /// Level of the water beside the box [m]: that at which a uniform layer over the floor has the same mean height.
 fn level(system: &Coupled, box_at: f64, depth: f64, spacing: f64) -> f64 {
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     let aside = |k: &usize| (p.x[*k] - box_at).abs() > 0.5 * BREADTH + 2.0 * spacing;
     let heights: Vec<f64> = (0..p.len()).filter(aside).map(|k| p.y[k]).collect();
     2.0 * mean(&heights) + depth
@@ -57,7 +57,7 @@ pub fn settle(system: &mut Coupled, depth: f64, spacing: f64, [from, end]: [f64;
     advance(system, end, |s| {
         let motion = s.bodies().find_map(|body| body.motion()).expect("a box");
         wildest = wildest.max(motion.acceleration[0].hypot(motion.acceleration[1]));
-        if s.fluid.time >= from {
+        if s.fluid.time() >= from {
             let [x, y] = motion.position;
             draughts.push(level(s, x, depth, spacing) - (y - 0.5 * HEIGHT));
         }

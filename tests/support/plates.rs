@@ -1,9 +1,10 @@
 //! Thin plates in small tanks: systems to step, and the force on each face.
 
+use crate::parameters::Parameters;
 use fsi_coupling::RigidMotion;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
-use sph_core::{Fluid, Parameters, Seed};
+use sph_core::Seed;
 
 use crate::bare;
 
@@ -40,7 +41,7 @@ pub fn fixed(outline: Outline) -> Box<dyn Body> {
 
 /// Bodies (the plate first) and seeds, ready to step.
 pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn Body>>, spacing: f64) -> Coupled {
-    Coupled::new(Fluid::new(parameters, seeds), bodies, Scheme::Weak, spacing).expect("a sound system")
+    Coupled::new(parameters.fluid(seeds), bodies, Scheme::Weak, spacing).expect("a sound system")
 }
 
 /// A plate of `thickness` spacings that parts a tank of 2 × `columns` cells into two waters of `rows` [left, right] cells;
@@ -116,7 +117,7 @@ impl Submerged {
 
 /// By identity, whether each particle is left of the plate that parts a tank, wherever it is now.
 pub fn sides(system: &Coupled) -> Vec<bool> {
-    let (p, plate) = (&system.fluid.particles, system.walls.screens.first().map_or(0.0, |s| s.points[0][0]));
+    let (p, plate) = (system.fluid.particles(), system.walls.midlines.first().map_or(0.0, |s| s.points[0][0]));
     let mut left = vec![false; p.len()];
     (0..p.len()).for_each(|k| left[p.id[k] as usize] = p.x[k] < plate);
     left

@@ -7,7 +7,6 @@ use fsi_coupling::bodies::flexible::body::FlexibleBody;
 use fsi_coupling::bodies::flexible::model::{FlexibleSpec, Frame};
 use fsi_coupling::bodies::flexible::panel::{PanelEnd, PanelSpec};
 use fsi_coupling::{Body, Coupled, CouplingError, Outline, PrescribedBody, Scheme};
-use sph_core::Fluid;
 use structure_fe::{Damping, Material, Theory};
 
 use crate::bare::{lattice, parameters};
@@ -102,7 +101,7 @@ impl Floor {
         let pressure = |y: f64| if still { WATER * GRAVITY * (LENGTH - y) } else { 0.0 };
         let seeds = lattice([0.0; 2], [LENGTH; 2], spacing, |at| Some(([0.0, -self.fall], pressure(at[1]))));
         let bodies: Vec<Box<dyn Body>> = vec![Box::new(strip(self.ratio)), side(-0.3), side(LENGTH)];
-        Coupled::new(Fluid::new(parameters, &seeds), bodies, scheme, spacing)
+        Coupled::new(parameters.fluid(&seeds), bodies, scheme, spacing)
     }
 }
 

@@ -193,7 +193,7 @@ pub fn run(variation: &Variation) -> Verdict {
     let mut system = build::build(&variation.scene).expect("a scene that loads can be built");
     let mut seen = Seen::default();
     let (mut failures, mut why) = (Vec::new(), "");
-    while system.fluid.time < variation.scene.time.end && failures.is_empty() {
+    while system.fluid.time() < variation.scene.time.end && failures.is_empty() {
         let stepped = system.stable_dt().and_then(|dt| system.step(dt));
         match stepped {
             Err(CouplingError::Collision { .. }) => {
@@ -203,17 +203,17 @@ pub fn run(variation: &Variation) -> Verdict {
             stepped => failures.extend(stepped.err().map(|error| error.to_string())),
         }
         failures.extend(seen.look(&system, SPEED * variation.fall));
-        if system.fluid.steps > MOST_STEPS {
-            failures.push(format!("still at t = {:.4} s after {MOST_STEPS} steps", system.fluid.time));
+        if system.fluid.steps() > MOST_STEPS {
+            failures.push(format!("still at t = {:.4} s after {MOST_STEPS} steps", system.fluid.time()));
         }
     }
     // at least the energy of a ripple as high as a spacing, ½ρgΔx²B: water at rest has a scale too
     let gain = seen.gained[0] / seen.kinetic.max(0.5 * 9810.0 * SPACING * SPACING * 2.0 * TANK[0]);
     failures.extend(seen.breach);
     Verdict {
-        particles: system.fluid.particles.len(),
-        steps: system.fluid.steps,
-        end: format!("{:.3} s{why}", system.fluid.time),
+        particles: system.fluid.particles().len(),
+        steps: system.fluid.steps(),
+        end: format!("{:.3} s{why}", system.fluid.time()),
         fastest: [seen.fastest[0] / variation.fall, seen.fastest[1]],
         gain: [gain, seen.gained[1]],
         jump: format!("{:.3e} J/m {}", seen.jump, seen.where_jump),
@@ -235,7 +235,7 @@ struct Seen {
 impl Seen {
     /// Take note of a step; what is wrong if a particle is faster than `most` [m/s].
     fn look(&mut self, system: &Coupled, most: f64) -> Option<String> {
-        let (p, time) = (&system.fluid.particles, system.fluid.time);
+        let (p, time) = (system.fluid.particles(), system.fluid.time());
         let speed = |k: usize| p.u[k].hypot(p.v[k]);
         let k = (0..p.len()).max_by(|&a, &b| speed(a).total_cmp(&speed(b)))?;
         if speed(k) > most || !speed(k).is_finite() {
@@ -245,7 +245,7 @@ impl Seen {
                 p.x[k],
                 p.y[k],
                 speed(k),
-                system.fluid.derived.pressure[k],
+                system.fluid.fields().pressure[k],
             ));
         }
         if speed(k) > self.fastest[0] {
@@ -258,7 +258,7 @@ impl Seen {
             self.gained = [drift, time];
         }
         if drift - self.drift > self.jump {
-            let pressure = &system.fluid.derived.pressure;
+            let pressure = &system.fluid.fields().pressure;
             let k = (0..p.len()).max_by(|&a, &b| pressure[a].abs().total_cmp(&pressure[b].abs()))?;
             let (at, p) = ([p.x[k], p.y[k]], pressure[k]);
             self.jump = drift - self.drift;

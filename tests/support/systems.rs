@@ -17,7 +17,7 @@ pub fn system(name: &str, sets: &[&str]) -> Coupled {
 
 /// Step until `end` [s], each step as long as is stable; `watch` sees the system after each.
 pub fn advance(system: &mut Coupled, end: f64, mut watch: impl FnMut(&Coupled)) -> Result<(), CouplingError> {
-    while system.fluid.time < end {
+    while system.fluid.time() < end {
         let dt = system.stable_dt()?;
         system.step(dt)?;
         watch(system);

@@ -2,9 +2,10 @@
 //! laminar viscosity (E8), no-slip walls (E11), periodic planes (V1).
 
 use evidence::bare::{advance, lattice, parameters};
+use evidence::parameters::Parameters;
 use scenarios::reference::Table;
 use sph_core::neighbours::images::Periodic;
-use sph_core::{Fluid, Parameters, Slip, WallPoint, Walls};
+use sph_core::{Fluid, Slip, WallPoint, Walls};
 
 /// Distance of the plates [m].
 const GAP: f64 = 1e-3;
@@ -41,7 +42,7 @@ fn channel(cells: usize, push: f64, speed: f64) -> (Fluid, Walls) {
                 area: spacing * spacing,
                 spacing,
                 depth: (layer as f64 + 0.5) * spacing,
-                screen: None,
+                midline: None,
             })
         };
         let points: Vec<WallPoint> = (0..3).flat_map(row).collect();
@@ -49,7 +50,7 @@ fn channel(cells: usize, push: f64, speed: f64) -> (Fluid, Walls) {
         walls.u[range].fill(speed);
     }
     let seeds = lattice([0.0; 2], [length, GAP], spacing, |_| Some(([0.0; 2], 0.0)));
-    (Fluid::new(parameters, &seeds), walls)
+    (parameters.fluid(&seeds), walls)
 }
 
 /// The tabulated profile [y, u] at a time [s]; the steady one stands at 1e9 s.
@@ -68,7 +69,7 @@ fn errors(column: &str, cells: usize, times: &[f64]) -> Vec<f64> {
     let (mut fluid, mut walls) = channel(cells, push, speed);
     let mut at = |&time: &f64| {
         advance(&mut fluid, &mut walls, time, |_| {}).expect("a stable run");
-        let (rows, p) = (profile(column, time), &fluid.particles);
+        let (rows, p) = (profile(column, time), fluid.particles());
         assert!(rows.len() > 10, "{column} at {time} s is not tabulated");
         let exact = |y: f64| {
             let k = rows.partition_point(|row| row[0] < y).clamp(1, rows.len() - 1);

@@ -2,9 +2,10 @@
 //! level.
 
 use evidence::bare::{advance, lattice, parameters};
+use evidence::parameters::{Parameters, projection_of};
 use sph_core::neighbours::images::Periodic;
-use sph_core::projection::Projecting;
-use sph_core::{Breakdown, Fluid, Parameters, Solver, WallPoint, Walls};
+use sph_core::projection::Settings;
+use sph_core::{Breakdown, Fluid, Solver, WallPoint, Walls};
 
 const HEIGHT: f64 = 1.0;
 const ROWS: usize = 20;
@@ -27,13 +28,13 @@ fn full_tank() -> (Fluid, Walls) {
         let depth = ((k / COLUMNS) as f64 + 0.5) * spacing;
         let (y, normal) = if floor { (-depth, [0.0, 1.0]) } else { (HEIGHT + depth, [0.0, -1.0]) };
         let at = [((k % COLUMNS) as f64 + 0.5) * spacing, y];
-        WallPoint { at, normal, area: spacing * spacing, spacing, depth, screen: None }
+        WallPoint { at, normal, area: spacing * spacing, spacing, depth, midline: None }
     };
     let points: Vec<WallPoint> = (0..6 * COLUMNS).map(|k| point(k / 2, k % 2 == 0)).collect();
     let mut walls = Walls::default();
     walls.extend(&points, parameters.smoothing_ratio);
     let seeds = lattice([0.0; 2], [width, HEIGHT], spacing, |_| Some(([0.0; 2], 0.0)));
-    (Fluid::new(parameters, &seeds), walls)
+    (parameters.fluid(&seeds), walls)
 }
 
 /// At rest, from no pressure at all: hydrostatic about the mean 0, half of it tension, from the first step to the end of a
@@ -43,26 +44,26 @@ fn a_full_tank_is_at_rest_under_a_pressure_with_the_mean_0() {
     let (mut fluid, mut walls) = full_tank();
     let head = WATER * GRAVITY * HEIGHT;
     advance(&mut fluid, &mut walls, 1.0, |fluid| {
-        let (p, pressure) = (&fluid.particles, &fluid.derived.pressure);
-        assert!(fluid.exposure().iter().all(|&e| e == 0.0), "air where there is none");
+        let (p, pressure) = (fluid.particles(), &fluid.fields().pressure);
+        assert!(fluid.surface_indicator().iter().all(|&e| e == 0.0), "air where there is none");
         let mean = pressure.iter().sum::<f64>() / pressure.len() as f64;
         assert!(mean.abs() < 1e-9 * head, "mean {mean:.2e} Pa");
         let off = |k: usize| (pressure[k] - WATER * GRAVITY * (0.5 * HEIGHT - p.y[k])).abs();
         let worst = (0..p.len()).map(off).fold(0.0, f64::max);
-        assert!(worst < 0.002 * head, "{worst:.1} Pa off at t = {}", fluid.time);
+        assert!(worst < 0.002 * head, "{worst:.1} Pa off at t = {}", fluid.time());
         let fastest = (0..p.len()).map(|k| p.u[k].hypot(p.v[k])).fold(0.0, f64::max);
-        assert!(fastest < 1e-3 * (GRAVITY * HEIGHT).sqrt(), "{fastest:.2e} m/s at t = {}", fluid.time);
+        assert!(fastest < 1e-3 * (GRAVITY * HEIGHT).sqrt(), "{fastest:.2e} m/s at t = {}", fluid.time());
     })
     .expect("a stable run");
     let (weight, force) = (fluid.mass() * GRAVITY, walls.fy.iter().sum::<f64>());
-    println!("force {force:.3} N/m, weight {weight:.3} N/m, steps {}", fluid.steps);
+    println!("force {force:.3} N/m, weight {weight:.3} N/m, steps {}", fluid.steps());
     assert!((force / weight + 1.0).abs() < 1e-3, "walls bear {force:.3} of {weight:.3} N/m");
 }
 
 /// Places, velocities and pressures by identity, to the bit.
 fn state(fluid: &Fluid) -> Vec<[u64; 6]> {
-    let p = &fluid.particles;
-    let of = |k: usize| [p.x[k], p.y[k], p.u[k], p.v[k], fluid.derived.pressure[k]].map(f64::to_bits);
+    let p = fluid.particles();
+    let of = |k: usize| [p.x[k], p.y[k], p.u[k], p.v[k], fluid.fields().pressure[k]].map(f64::to_bits);
     let row = |k: usize| {
         let [x, y, u, v, pressure] = of(k);
         [u64::from(p.id[k]), x, y, u, v, pressure]
@@ -77,14 +78,15 @@ fn state(fluid: &Fluid) -> Vec<[u64; 6]> {
 fn a_step_that_is_refused_leaves_the_water_as_it_was() {
     let (mut fluid, mut walls) = full_tank();
     advance(&mut fluid, &mut walls, 0.05, |_| {}).expect("a stable run");
-    let (before, time, steps) = (state(&fluid), fluid.time, fluid.steps);
+    let (before, time, steps) = (state(&fluid), fluid.time(), fluid.steps());
     let dt = fluid.stable_dt(&walls).expect("a step");
-    fluid.parameters.projecting = Projecting { tolerance: 1e-15, most_iterations: 1, ..Projecting::default() };
+    let usual = *projection_of(&mut fluid);
+    *projection_of(&mut fluid) = Settings { tolerance: 1e-15, most_iterations: 1, ..usual };
     let refused = fluid.step(&mut walls, dt).expect_err("single iterations are too few");
     assert!(matches!(refused, Breakdown::Projection { time: at, .. } if at == time), "{refused}");
-    assert_eq!((fluid.time, fluid.steps), (time, steps));
+    assert_eq!((fluid.time(), fluid.steps()), (time, steps));
     assert!(state(&fluid) == before, "something has moved");
-    fluid.parameters.projecting = Projecting::default();
+    *projection_of(&mut fluid) = usual;
     fluid.step(&mut walls, 0.5 * dt).expect("a step");
-    assert_eq!(fluid.time, time + 0.5 * dt);
+    assert_eq!(fluid.time(), time + 0.5 * dt);
 }

@@ -5,7 +5,7 @@ use fsi_coupling::Coupled;
 
 /// Σ m (a − g) of the fluid and Σ F on the walls [N/m], and Σ |m (a − g)|, the size that rounding is relative to.
 fn exchange(system: &Coupled) -> ([f64; 2], [f64; 2], f64) {
-    let (p, g) = (&system.fluid.particles, system.fluid.parameters.gravity);
+    let (p, g) = (system.fluid.particles(), system.fluid.domain().gravity);
     let (mut gained, mut size) = ([0.0; 2], 0.0);
     for k in 0..p.len() {
         let force = [p.mass[k] * (p.ax[k] - g[0]), p.mass[k] * (p.ay[k] - g[1])];

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice};
+use evidence::parameters::Parameters;
 use sph_core::neighbours::images::Periodic;
-use sph_core::{Dissipation, Fluid, Parameters, Walls};
+use sph_core::{Dissipation, Fluid, Walls};
 
 use super::acoustics::lossless;
 
@@ -19,10 +20,10 @@ fn damping(parameters: Parameters) -> f64 {
     let (cell, k) = (Some([0.0, 1.0]), 2.0 * PI);
     let parameters = Parameters { periodic: Some(Periodic { x: cell, y: cell }), ..parameters };
     let wave = |[x, _]: [f64; 2]| Some(([0.0; 2], AMPLITUDE * (k * x).cos()));
-    let mut fluid = Fluid::new(parameters, &lattice([0.0; 2], [1.0; 2], 1.0 / CELLS as f64, wave));
+    let mut fluid = parameters.fluid(&lattice([0.0; 2], [1.0; 2], 1.0 / CELLS as f64, wave));
     let (rho0, c0) = (parameters.eos.rho0, parameters.eos.c0);
     let energy = |fluid: &Fluid| {
-        let (p, d) = (&fluid.particles, &fluid.derived);
+        let (p, d) = (fluid.particles(), fluid.fields());
         let mode =
             |value: &[f64], shape: fn(f64) -> f64| (0..p.len()).map(|a| value[a] * shape(k * p.x[a])).sum::<f64>();
         (mode(&d.pressure, f64::cos) / (rho0 * c0)).powi(2) + mode(&p.u, f64::sin).powi(2)

@@ -26,12 +26,12 @@ fn drop(spacing: f64, slope: f64, center: f64) -> Fluid {
         seed.pressure = center * (1.0 - x * x - y * y);
     }
     seeds.retain(|seed| seed.pressure > 0.0);
-    Fluid::new(parameters(SOUND), &seeds)
+    parameters(SOUND).fluid(&seeds)
 }
 
 /// Semi-axes [m] from second moments: Σ m x² = M a²/4 in a uniform ellipse.
 fn axes(fluid: &Fluid) -> [f64; 2] {
-    let p = &fluid.particles;
+    let p = fluid.particles();
     let mass: f64 = p.mass.iter().sum();
     let moment = |x: &[f64]| p.mass.iter().zip(x).map(|(m, x)| m * x * x).sum::<f64>();
     [&p.x, &p.y].map(|x| (4.0 * moment(x) / mass).sqrt())

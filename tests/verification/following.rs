@@ -1,9 +1,11 @@
 //! Resolution that follows (THEORY E26): what is halved stays what it was, lies as a lattice, and is not felt.
 
+use evidence::parameters::Parameters;
 use evidence::systems::{advance, scene, system, take};
 use fsi_coupling::Coupled;
+use sph_core::wcsph::Wcsph;
 use sph_core::wcsph::eos::Tait;
-use sph_core::{FineZone, Fluid, Parameters, Seed, Walls};
+use sph_core::{Fluid, RefinementZone, Seed, Walls};
 
 const SPACING: f64 = 0.04;
 const SIDE: usize = 24;
@@ -16,26 +18,38 @@ fn block(slope: f64) -> Fluid {
         Seed { at: [x, y], velocity: [0.3 - y, 0.1 + x], area: SPACING * SPACING, pressure: slope * x }
     };
     let parameters = Parameters::usual(Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 });
-    let mut fluid = Fluid::new(parameters, &(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
+    let mut fluid = parameters.fluid(&(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
     fluid.initialise(&mut Walls::default()).expect("water");
     fluid
 }
 
 /// The left half, finer by a half.
-fn zone() -> FineZone {
+fn zone() -> RefinementZone {
     let half = 0.5 * SIDE as f64 * SPACING;
-    FineZone { middle: 0.0, half_width: half, depth: 1.0, spacing: 0.5 * SPACING, slope: 0.1, ..FineZone::default() }
+    RefinementZone {
+        middle: 0.0,
+        half_width: half,
+        depth: 1.0,
+        spacing: 0.5 * SPACING,
+        slope: 0.1,
+        ..RefinementZone::default()
+    }
+}
+
+fn refine(fluid: &mut Fluid) {
+    let (system, scheme) = fluid.parts_mut::<Wcsph>().expect("the default scheme");
+    scheme.refine(system);
 }
 
 /// Mass, momentum, kinetic energy and the centre of mass are those before, to rounding; the volume to the square of the strain.
 #[test]
 fn halves_hold_what_the_whole_held() {
     let mut fluid = block(1e3);
-    let (before, count) = (fluid.holdings(), fluid.particles.len());
-    fluid.fine_zone = Some(zone());
+    let (before, count) = (fluid.totals(), fluid.particles().len());
+    fluid.set_refinement_zone(Some(zone()));
     for _ in 0..2 {
-        fluid.refine();
-        let now = fluid.holdings();
+        refine(&mut fluid);
+        let now = fluid.totals();
         let same = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.abs(), "{a} became {b}");
         same(before.mass, now.mass);
         same(before.height, now.height);
@@ -43,8 +57,8 @@ fn halves_hold_what_the_whole_held() {
         assert!((now.volume / before.volume - 1.0).abs() < 1e-9, "volume {} became {}", before.volume, now.volume);
         (0..2).for_each(|i| same(before.momentum[i], now.momentum[i]));
     }
-    assert!(fluid.particles.len() > 5 * count / 2, "the left half in four");
-    let mut ids = fluid.particles.id.clone();
+    assert!(fluid.particles().len() > 5 * count / 2, "the left half in four");
+    let mut ids = fluid.particles().id.clone();
     ids.sort_unstable();
     assert!(ids.iter().enumerate().all(|(k, &id)| k == id as usize), "an identity twice");
 }
@@ -53,12 +67,12 @@ fn halves_hold_what_the_whole_held() {
 #[test]
 fn halves_of_halves_of_a_lattice_are_a_lattice() {
     let mut fluid = block(0.0);
-    fluid.fine_zone = Some(zone());
-    fluid.refine();
-    fluid.refine();
-    let (p, fine) = (&fluid.particles, 0.5 * SPACING);
+    fluid.set_refinement_zone(Some(zone()));
+    refine(&mut fluid);
+    refine(&mut fluid);
+    let (p, fine) = (fluid.particles(), 0.5 * SPACING);
     for k in (0..p.len()).filter(|&k| p.x[k] < zone().half_width) {
-        assert_eq!(p.halvings[k], 2);
+        assert_eq!(p.refinement_level[k], 2);
         assert!((p.h[k] / (1.5 * fine) - 1.0).abs() < 1e-12, "h = {}", p.h[k]);
         for offset in [p.x[k] / fine, p.y[k] / fine - 0.5] {
             assert!((offset - offset.round()).abs() < 1e-9, "({}, {})", p.x[k], p.y[k]);
@@ -78,14 +92,14 @@ fn entering(sets: &[&str]) -> Coupled {
 fn steps_taken_back_come_again_to_the_same_bits() {
     let mut system = entering(&[]);
     system.checkpoint();
-    let count = system.fluid.particles.len();
+    let count = system.fluid.particles().len();
     take(&mut system, 60).expect("a stable run");
-    let once = system.fluid.particles.clone();
+    let once = system.fluid.particles().clone();
     assert!(once.len() > count, "nothing was halved");
     system.restore();
-    assert_eq!(system.fluid.particles.len(), count);
+    assert_eq!(system.fluid.particles().len(), count);
     take(&mut system, 60).expect("a stable run");
-    assert!(once == system.fluid.particles);
+    assert!(once == *system.fluid.particles());
 }
 
 /// At the end the water that touches the body is as fine as the scene says, and no particle is finer.
@@ -94,12 +108,12 @@ fn water_at_the_body_is_as_fine_as_asked() {
     let scene = scene("wedge", &["resolution.spacing=0.01"]);
     let mut system = entering(&[]);
     advance(&mut system, 0.6 * scene.time.end, |_| {}).expect("a stable run");
-    let (p, d) = (&system.fluid.particles, &system.fluid.derived);
+    let (p, d) = (system.fluid.particles(), system.fluid.fields());
     let spacing = |k: usize| (p.mass[k] / 1000.0).sqrt() / 0.01;
     let body = system.bodies().find(|b| b.motion().is_some()).expect("a wedge");
     for k in 0..p.len() {
         assert!(spacing(k) > 0.95, "finer than asked: {}", spacing(k));
-        let beside = d.surroundings[k].wall_filling > 0.02 && body.signed_distance([p.x[k], p.y[k]]) < 0.05;
+        let beside = d.moments[k].wall_kernel_sum > 0.02 && body.signed_distance([p.x[k], p.y[k]]) < 0.05;
         assert!(!beside || spacing(k) < 1.1, "{} spacings at ({}, {})", spacing(k), p.x[k], p.y[k]);
     }
 }
@@ -109,15 +123,16 @@ fn water_at_the_body_is_as_fine_as_asked() {
 fn unrest(spacing: &str, moving: bool) -> f64 {
     let mut tank = system("hydrostatic_tank", &[spacing]);
     let (mut sum, mut count) = (0.0, 0.0);
-    while tank.fluid.time < 2.0 {
+    while tank.fluid.time() < 2.0 {
         if moving {
-            let depth = 0.25 * tank.fluid.time;
-            let zone = FineZone { depth, half_width: 0.2, spacing: 0.025, slope: 0.1, ..FineZone::default() };
-            tank.fluid.fine_zone = Some(zone);
+            let depth = 0.25 * tank.fluid.time();
+            let zone =
+                RefinementZone { depth, half_width: 0.2, spacing: 0.025, slope: 0.1, ..RefinementZone::default() };
+            tank.fluid.set_refinement_zone(Some(zone));
         }
         take(&mut tank, 1).expect("a stable run");
-        if tank.fluid.time > 1.5 {
-            let (p, d) = (&tank.fluid.particles, &tank.fluid.derived);
+        if tank.fluid.time() > 1.5 {
+            let (p, d) = (tank.fluid.particles(), tank.fluid.fields());
             let error = |k: usize| d.pressure[k] / 9810.0 + p.y[k];
             let inside: Vec<usize> =
                 (0..p.len()).filter(|&k| p.x[k].abs() < 0.3 && (-0.9..-0.1).contains(&p.y[k])).collect();

@@ -15,7 +15,7 @@ fn every_rule_finds_the_weight_of_the_water_displaced() {
     let mut samples = 0;
     let mut next = 0.0;
     advance(&mut system, 0.4, |s| {
-        if s.fluid.time < next {
+        if s.fluid.time() < next {
             return;
         }
         next += 0.01;
@@ -46,7 +46,7 @@ fn differences(spacing: &str) -> [f64; 4] {
     let panel = spacing.parse().expect("a length");
     let (mut sums, mut next) = ([0.0; 4], 0.8);
     advance(&mut system, 1.0, |s| {
-        if s.fluid.time >= next {
+        if s.fluid.time() >= next {
             next += 0.004;
             let loads = force_rules(s, 0, panel).expect("a wedge");
             loads.iter().zip(&mut sums).for_each(|(load, sum)| *sum += load.resultant.force[1]);

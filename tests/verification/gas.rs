@@ -1,7 +1,8 @@
 //! The ideal gas with its energy equation (THEORY L9, L10).
 
+use evidence::parameters::Parameters;
 use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, IdealGas, Parameters, Seed, Walls};
+use sph_core::{IdealGas, Seed, Walls};
 
 use super::acoustics::lossless;
 
@@ -14,22 +15,22 @@ const SIDE: usize = 41;
 fn compression_without_a_shock_is_adiabatic() {
     let air = IdealGas { rho0: 1.225, gamma: 1.4, temperature: 288.15, molar_mass: 0.028_964_4 };
     let eos = Tait { rho0: air.rho0, c0: air.sound_speed_at_rest(), gamma: air.gamma };
-    let parameters = Parameters { eos, gas: Some(air), cfl: 0.3, ..lossless() };
+    let parameters = Parameters { eos, gas: Some([air.temperature, air.molar_mass]), cfl: 0.3, ..lossless() };
     let (rate, end) = (40.0, 0.003_5);
     let middle = 0.5 * (SIDE - 1) as f64;
     let seed = |k: usize| {
         let at = [k % SIDE, k / SIDE].map(|c| SPACING * (c as f64 - middle));
         Seed { at, velocity: at.map(|c| -rate * c), area: SPACING * SPACING, pressure: 0.0 }
     };
-    let mut fluid = Fluid::new(parameters, &(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
+    let mut fluid = parameters.fluid(&(0..SIDE * SIDE).map(seed).collect::<Vec<_>>());
     let mut walls = Walls::default();
     fluid.initialise(&mut walls).expect("a block of air");
-    while fluid.time < end {
-        let dt = fluid.stable_dt(&walls).expect("a stable step").min(end - fluid.time + 1e-12);
+    while fluid.time() < end {
+        let dt = fluid.stable_dt(&walls).expect("a stable step").min(end - fluid.time() + 1e-12);
         fluid.step(&mut walls, dt).expect("a stable run");
     }
-    let (p, d) = (&fluid.particles, &fluid.derived);
-    let shrunk = (1.0 - rate * fluid.time).powi(2);
+    let (p, d) = (fluid.particles(), fluid.fields());
+    let shrunk = (1.0 - rate * fluid.time()).powi(2);
     let exact = air.ambient() * shrunk.powf(-air.gamma);
     let mut seen = 0;
     for k in (0..p.len()).filter(|&k| p.x[k].abs().max(p.y[k].abs()) < 0.25) {

@@ -1,9 +1,10 @@
 //! Spacings that grow must not be felt: sound goes through them, and still water stands in them as in equal ones.
 
+use evidence::parameters::Parameters;
 use evidence::systems::{advance, system};
 use sph_core::neighbours::images::Periodic;
 use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Parameters, Seed, Walls};
+use sph_core::{Fluid, Seed, Walls};
 
 const SOUND: f64 = 50.0;
 const DENSITY: f64 = 1000.0;
@@ -42,7 +43,7 @@ fn strip(even: bool, width: f64) -> Fluid {
         periodic: Some(Periodic { x: None, y: Some([0.0, HEIGHT]) }),
         ..Parameters::usual(Tait { rho0: DENSITY, c0: SOUND, gamma: 7.0 })
     };
-    let mut fluid = Fluid::new(parameters, &seeds);
+    let mut fluid = parameters.fluid(&seeds);
     fluid.initialise(&mut Walls::default()).expect("water at rest");
     fluid
 }
@@ -51,11 +52,11 @@ fn strip(even: bool, width: f64) -> Fluid {
 /// the growing ones.
 fn sent_back(even: bool, width: f64) -> f64 {
     let (mut fluid, mut walls) = (strip(even, width), Walls::default());
-    while fluid.time < 1.4 / SOUND {
+    while fluid.time() < 1.4 / SOUND {
         let dt = fluid.stable_dt(&walls).expect("sound");
         fluid.step(&mut walls, dt).expect("a stable run");
     }
-    let (p, pressure) = (&fluid.particles, &fluid.derived.pressure);
+    let (p, pressure) = (fluid.particles(), &fluid.fields().pressure);
     let mut back = [[0.0; 2]; 120]; // sums and counts of columns between x = −1.2 and 0
     for k in 0..p.len() {
         let column = ((p.x[k] + 1.2) / 0.01).floor();
@@ -88,10 +89,10 @@ fn hydrostatic_error(growth: &str) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     let mut tank = system("hydrostatic_tank", &sets);
     advance(&mut tank, 4.0, |s| {
-        if s.fluid.time < 3.0 {
+        if s.fluid.time() < 3.0 {
             return;
         }
-        let (p, d) = (&s.fluid.particles, &s.fluid.derived);
+        let (p, d) = (s.fluid.particles(), s.fluid.fields());
         let error = |k: usize| d.pressure[k] / (DENSITY * 9.81) + p.y[k];
         let inside: Vec<usize> =
             (0..p.len()).filter(|&k| p.x[k].abs() < 1.0 / 3.0 && (-0.9..-0.1).contains(&p.y[k])).collect();

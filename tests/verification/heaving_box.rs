@@ -53,7 +53,7 @@ fn a_coarse_box_heaves_with_a_period_between_its_bounds_and_decays() {
     let mut heave = Vec::new();
     advance(&mut system, 1.7, |s| {
         let motion = s.bodies().find_map(|body| body.motion()).expect("the scene has a body");
-        heave.push([s.fluid.time, motion.position[1]]);
+        heave.push([s.fluid.time(), motion.position[1]]);
     })
     .expect("a stable run");
     let found = period(&heave);

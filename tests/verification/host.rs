@@ -5,7 +5,8 @@ use evidence::door::{MASS, bits, element, moved, placed, spec, total, wedge_of_t
 use fsi_coupling::Motion;
 use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Side, Topology};
 use rayon::ThreadPoolBuilder;
-use sph_core::Parameters;
+use sph_core::Domain;
+use sph_core::wcsph::{self, Wcsph};
 
 /// A box, half under water, whose nodes swing, and bend where they turn; rows of nodes along its bottom.
 fn swinging(rotations: bool) -> (FluidElement, impl Fn(f64) -> HostNodes) {
@@ -41,7 +42,7 @@ fn momentum(element: &FluidElement) -> [f64; 2] {
     let system = element.system();
     let (fluid, basin) = (&system.fluid, system.bodies().nth(1).expect("a basin").momentum().external);
     let held = fluid.momentum();
-    [0, 1].map(|k| held[k] - basin[k] - fluid.time * fluid.mass() * fluid.parameters.gravity[k])
+    [0, 1].map(|k| held[k] - basin[k] - fluid.time() * fluid.mass() * fluid.domain().gravity[k])
 }
 
 /// Σ forces × Δt is the momentum that the water lost, to rounding, in steps of 1, 7.5 and 50 times the water's; so is the
@@ -116,9 +117,9 @@ fn a_rejected_step_comes_again_to_the_same_bits() {
     };
     step(&mut element, 0.0, 3e-3).expect("a step");
     element.save();
-    let rebuilds = element.system().fluid.search.rebuilds;
+    let rebuilds = element.system().fluid.neighbours().rebuilds;
     let first = step(&mut element, 3e-3, 4e-3).expect("a step");
-    assert!(element.system().fluid.search.rebuilds > rebuilds + 1, "the lists were remade meanwhile");
+    assert!(element.system().fluid.neighbours().rebuilds > rebuilds + 1, "the lists were remade meanwhile");
     element.restore().expect("saved");
     assert!(step(&mut element, 3e-3, 4e-3).expect("again") == first, "redone at once");
     element.restore().expect("saved");
@@ -208,7 +209,7 @@ fn a_hosts_steady_wedge_is_a_prescribed_one() {
         let given = element.contribute(HostStep { dt, nodes: &end }, &mut forces).expect("a step");
         assert_eq!(given.fluid_steps, 1);
     }
-    let (ours, theirs) = (&element.system().fluid.particles, &system.fluid.particles);
+    let (ours, theirs) = (element.system().fluid.particles(), system.fluid.particles());
     let gap = |k: usize| (ours.x[k] - theirs.x[k]).hypot(ours.y[k] - theirs.y[k]);
     let (apart, force) = ((0..ours.len()).map(gap).fold(0.0, f64::max), evidence::systems::lift(&system));
     let gap = element.forces_now().iter().map(|f| f[1]).sum::<f64>() / force - 1.0;
@@ -223,16 +224,23 @@ fn a_hosts_wedge_falls_like_the_scenes() {
     let end = 0.012;
     let mut system = wedge_of_the_scene(&["body.free=[\"y\"]"]);
     // the speed known beforehand is a projection's, of which the element makes no use
-    let parameters = Parameters { speed: spec().parameters().speed, ..system.fluid.parameters };
-    assert_eq!(parameters, spec().parameters(), "what a scene calls defaults are the element's");
+    let domain = Domain { fastest_speed: spec().domain().fastest_speed, ..*system.fluid.domain() };
+    assert_eq!(domain, spec().domain(), "what a scene calls defaults are the element's");
+    let settings = system.fluid.scheme::<Wcsph>().expect("the default scheme").settings;
+    let cfl = spec().settings().courant_number().into();
+    assert_eq!(
+        settings,
+        wcsph::Settings { cfl, ..spec().settings().scheme },
+        "what a scene calls defaults are the element's"
+    );
     let (element, _) = element();
-    assert_eq!(element.system().fluid.particles.id.len(), system.fluid.particles.id.len());
+    assert_eq!(element.system().fluid.particles().id.len(), system.fluid.particles().id.len());
     let mut of_scene = Vec::new();
-    while system.fluid.time < end {
+    while system.fluid.time() < end {
         let dt = system.stable_dt().expect("a stable step");
         system.step(dt).expect("a step");
         let velocity = system.bodies().next().expect("a wedge").motion().expect("it moves").velocity;
-        of_scene.push([system.fluid.time, velocity[1]]);
+        of_scene.push([system.fluid.time(), velocity[1]]);
     }
     let reference = judged(&of_scene);
     println!("scene: {} steps, force {:.1} N/m, velocity lost {:.5} m/s", of_scene.len(), reference[0], reference[1]);

@@ -71,7 +71,7 @@ fn what_is_sized_is_what_is_built() {
     println!("{fluid} + {walls} particles, {} bytes, {dt} s, {:?}", sized.bytes(), sized.added_mass());
     println!("{:?}", sized.warnings());
     let element = sized.build(&nodes).expect("water");
-    assert_eq!((element.system().fluid.particles.len(), element.system().walls.len()), (fluid, walls));
+    assert_eq!((element.system().fluid.particles().len(), element.system().walls.len()), (fluid, walls));
     let first = element.fluid_dt().expect("a stable step");
     assert!(first <= dt && first > 0.9 * dt, "{first} s, {dt} s said");
 }
@@ -83,7 +83,7 @@ fn a_snapshot_goes_to_a_file_and_back() {
     let end = moved(&nodes, [0.0, -6.15e-3], [0.0, -6.15]);
     element.contribute(HostStep { dt: 1e-3, nodes: &end }, &mut vec![[0.0; 3]; nodes.len()]).expect("a step");
     let snapshot = element.snapshot();
-    assert_eq!(snapshot.position.len(), element.system().fluid.particles.len());
+    assert_eq!(snapshot.position.len(), element.system().fluid.particles().len());
     assert_eq!((snapshot.surface[0].len(), &snapshot.nodes), (nodes.len(), &end));
     assert!(snapshot.pressure.iter().any(|p| *p > 1e4) && snapshot.spacing.iter().all(|s| *s > 0.01));
     let text = serde_json::to_string(&snapshot).expect("plain numbers");

@@ -1,7 +1,8 @@
 //! Order of the integrators in time (THEORY E15, E16, L1, L2): a standing pressure wave in a box of 20 by 20 cells, against
 //! the same particles with steps so small that only the spacing's error is left, which all integrators share.
 
-use sph_core::{Integrator, Parameters};
+use evidence::parameters::Parameters;
+use sph_core::Integrator;
 
 use super::acoustics::{box_of_sound, lossless};
 
@@ -11,13 +12,13 @@ const STEP: f64 = 3.75e-4;
 const STEPS: usize = 32;
 
 /// Velocities of all particles by identity after `STEPS`·`STEP` seconds in steps of `STEP`/`finer`.
-fn velocities(integrator: Integrator, euler_every: u64, finer: usize) -> Vec<[f64; 2]> {
+fn velocities(integrator: Integrator, euler_every: u32, finer: usize) -> Vec<[f64; 2]> {
     let parameters = Parameters { integrator, verlet_correction_every: euler_every, ..lossless() };
     let mut system = box_of_sound(SPACING, parameters, |_, _| ());
     for _ in 0..STEPS * finer {
         system.step(STEP / finer as f64).expect("a stable run");
     }
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     let mut found = vec![[0.0; 2]; p.len()];
     for k in 0..p.len() {
         found[p.id[k] as usize] = [p.u[k], p.v[k]];
@@ -57,8 +58,8 @@ fn errors_in_time_fall_at_each_integrators_order() {
 #[test]
 fn an_even_number_of_steps_between_corrections_keeps_verlets_order() {
     let exact = velocities(Integrator::Beeman, 0, 16);
-    let error = |every: u64, finer: usize| distance(&velocities(Integrator::Verlet, every, finer), &exact);
-    let order = |every: u64| (error(every, 4) / error(every, 8)).log2();
+    let error = |every: u32, finer: usize| distance(&velocities(Integrator::Verlet, every, finer), &exact);
+    let order = |every: u32| (error(every, 4) / error(every, 8)).log2();
     let (even, odd) = (order(4), order(5));
     assert!((even - 2.0).abs() < 0.3 && (odd - 1.0).abs() < 0.3, "every 4: order {even:.2}, every 5: order {odd:.2}");
 }

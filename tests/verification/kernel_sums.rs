@@ -1,9 +1,10 @@
 //! Sums over a square lattice that have known limits (THEORY E1, E12, E14).
 
+use evidence::parameters::Parameters;
 use evidence::statistics::Noise;
-use sph_core::particles::{SPRAY_FILLING, SURFACE_LAMBDA, Surroundings};
+use sph_core::particles::{KernelMoments, SURFACE_LAMBDA, TENSIONLESS_KERNEL_SUM};
 use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Kernel, Parameters, Seed, Walls};
+use sph_core::{Kernel, Seed, Walls};
 
 /// Spacing of the lattice [m].
 const SPACING: f64 = 0.1;
@@ -11,7 +12,7 @@ const SPACING: f64 = 0.1;
 const SIDE: usize = 21;
 
 /// What the first sweep finds around each particle of a square block, by (column, row).
-fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
+fn surroundings(kernel: Kernel, disorder: f64) -> Vec<KernelMoments> {
     let eos = Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 };
     let parameters = Parameters { kernel, ..Parameters::usual(eos) };
     let mut noise = Noise::new(23);
@@ -22,11 +23,11 @@ fn surroundings(kernel: Kernel, disorder: f64) -> Vec<Surroundings> {
         pressure: 0.0,
     };
     let seeds: Vec<Seed> = (0..SIDE * SIDE).map(|k| seed(k, &mut noise)).collect();
-    let mut fluid = Fluid::new(parameters, &seeds);
+    let mut fluid = parameters.fluid(&seeds);
     fluid.initialise(&mut Walls::default()).expect("a fluid at rest");
-    let mut by_id = vec![Surroundings::default(); SIDE * SIDE];
-    for (k, &id) in fluid.particles.id.iter().enumerate() {
-        by_id[id as usize] = fluid.derived.surroundings[k];
+    let mut by_id = vec![KernelMoments::default(); SIDE * SIDE];
+    for (k, &id) in fluid.particles().id.iter().enumerate() {
+        by_id[id as usize] = fluid.fields().moments[k];
     }
     by_id
 }
@@ -50,9 +51,13 @@ fn inside_a_lattice_space_is_filled_and_gradients_are_exact() {
         let around = surroundings(kernel, 0.0);
         for k in interior() {
             let s = &around[k];
-            assert!((s.filling - 1.0).abs() < filling, "{kernel:?}: ΣVW = {}", s.filling);
+            assert!((s.kernel_sum - 1.0).abs() < filling, "{kernel:?}: ΣVW = {}", s.kernel_sum);
             assert!((lambda[0]..lambda[1]).contains(&f64::from(s.lambda)), "{kernel:?}: λ = {}", s.lambda);
-            assert!(s.crowding().iter().all(|c| c.abs() * SPACING < crowding), "{kernel:?}: ΣV∇W = {:?}", s.crowding);
+            assert!(
+                s.concentration_gradient().iter().all(|c| c.abs() * SPACING < crowding),
+                "{kernel:?}: ΣV∇W = {:?}",
+                s.concentration_gradient
+            );
         }
     }
 }
@@ -72,7 +77,7 @@ fn a_lattice_gives_0_26_percent_too_little_gradient() {
 fn a_disordered_interior_is_not_taken_for_a_surface() {
     let around = surroundings(Kernel::WendlandC2, 0.1);
     for k in interior() {
-        assert!((around[k].filling - 1.0).abs() < 0.1, "ΣVW = {}", around[k].filling);
+        assert!((around[k].kernel_sum - 1.0).abs() < 0.1, "ΣVW = {}", around[k].kernel_sum);
         assert!(around[k].lambda > SURFACE_LAMBDA + 0.15, "λ = {}", around[k].lambda);
     }
 }
@@ -88,5 +93,9 @@ fn a_free_surface_is_the_outer_row_and_nothing_else() {
         assert!(surface.lambda < SURFACE_LAMBDA, "λ = {}", surface.lambda);
     }
     assert!(at(middle, SIDE - 2).lambda > SURFACE_LAMBDA, "second row: λ = {}", at(middle, SIDE - 2).lambda);
-    assert!(at(middle, SIDE - 1).fluid_filling() > SPRAY_FILLING, "top row {}", at(middle, SIDE - 1).fluid_filling());
+    assert!(
+        at(middle, SIDE - 1).fluid_kernel_sum() > TENSIONLESS_KERNEL_SUM,
+        "top row {}",
+        at(middle, SIDE - 1).fluid_kernel_sum()
+    );
 }

@@ -1,7 +1,11 @@
 //! Sums of the fluid's options that have exact answers (THEORY L4 to L8), on an uneven block with a free edge all round.
 
+use evidence::parameters::Parameters;
 use evidence::statistics::Noise;
-use sph_core::{Fluid, Parameters, Seed, Walls};
+use sph_core::legacy::density_filter::smooth_density;
+use sph_core::legacy::turbulence::stresses;
+use sph_core::legacy::xsph::excess_velocities;
+use sph_core::{Fluid, Seed, Walls};
 
 use super::acoustics::lossless;
 
@@ -17,7 +21,7 @@ fn block(velocity: impl Fn([f64; 2]) -> [f64; 2], disorder: f64) -> Fluid {
         let velocity = velocity(at).map(|c| c + disorder * noise.draw());
         seeds.push(Seed { at, velocity, area: SPACING * SPACING, pressure: 1000.0 * noise.draw() });
     }
-    let mut fluid = Fluid::new(Parameters { nu: 1e-6, ..lossless() }, &seeds);
+    let mut fluid = Parameters { nu: 1e-6, ..lossless() }.fluid(&seeds);
     fluid.initialise(&mut Walls::default()).expect("a block of water");
     fluid
 }
@@ -25,10 +29,11 @@ fn block(velocity: impl Fn([f64; 2]) -> [f64; 2], disorder: f64) -> Fluid {
 /// Largest relative change that a filter makes to a density that varies as `rho`.
 fn change(rho: impl Fn(f64, f64) -> f64, linear: bool) -> f64 {
     let mut fluid = block(|_| [0.0; 2], 0.0);
-    let given: Vec<f64> = fluid.particles.x.iter().zip(&fluid.particles.y).map(|(&x, &y)| rho(x, y)).collect();
-    fluid.particles.rho.clone_from(&given);
-    fluid.smooth_density(&Walls::default(), linear);
-    fluid.particles.rho.iter().zip(&given).map(|(found, given)| (found / given - 1.0).abs()).fold(0.0, f64::max)
+    let given: Vec<f64> = fluid.particles().x.iter().zip(&fluid.particles().y).map(|(&x, &y)| rho(x, y)).collect();
+    fluid.particles_mut().rho.clone_from(&given);
+    fluid.system_mut().pack(&Walls::default());
+    smooth_density(fluid.system_mut(), linear, None);
+    fluid.particles().rho.iter().zip(&given).map(|(found, given)| (found / given - 1.0).abs()).fold(0.0, f64::max)
 }
 
 /// Shepard's filter (L4) keeps a constant to rounding, moving least squares (L5) a linear field, edges and corners
@@ -47,10 +52,10 @@ fn density_filters_keep_the_fields_they_are_made_for() {
 /// XSPH (L6) moves the particles of a disordered flow, and not their centre of mass.
 #[test]
 fn smoothed_velocities_carry_the_same_momentum() {
-    let mut fluid = block(|at| [at[1], 0.3], 1.0);
-    let excess = fluid.excess_velocities().to_vec();
+    let fluid = block(|at| [at[1], 0.3], 1.0);
+    let excess = excess_velocities(fluid.system());
     let (mut sum, mut size) = ([0.0; 2], 0.0);
-    for (m, e) in fluid.particles.mass.iter().zip(&excess) {
+    for (m, e) in fluid.particles().mass.iter().zip(&excess) {
         sum = [sum[0] + m * e[0], sum[1] + m * e[1]];
         size += m * e[0].hypot(e[1]);
     }
@@ -63,11 +68,11 @@ fn smoothed_velocities_carry_the_same_momentum() {
 #[test]
 fn eddies_stress_of_a_linear_shear_is_its_formula() {
     let rate = 4.0;
-    let mut fluid = block(|at| [rate * at[1], 0.0], 0.0);
-    let stress = fluid.evaluate_stress().to_vec();
+    let fluid = block(|at| [rate * at[1], 0.0], 0.0);
+    let stress = stresses(fluid.system());
     let strength = SPACING * SPACING * rate * rate;
     for (k, [xx, xy, yy]) in stress.into_iter().enumerate() {
-        let rho = fluid.particles.rho[k];
+        let rho = fluid.particles().rho[k];
         let (shear, along) = (rho * 0.12 * 0.12 * strength, -2.0 / 3.0 * rho * 0.0066 * strength);
         for (found, exact) in [(xy, shear), (xx, along), (yy, along)] {
             assert!((found / exact - 1.0).abs() < 1e-11, "particle {k}: {found} Pa, exact {exact} Pa");

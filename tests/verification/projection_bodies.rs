@@ -58,8 +58,8 @@ fn repeated_steps_agree_with_the_one_that_finds_both_together() {
 #[test]
 fn a_step_taken_back_comes_again_to_the_same_bits() {
     let bits = |s: &Coupled| -> Vec<u64> {
-        let p = &s.fluid.particles;
-        let each = (0..p.len()).flat_map(|k| [p.x[k], p.y[k], p.u[k], p.v[k], s.fluid.derived.pressure[k]]);
+        let p = s.fluid.particles();
+        let each = (0..p.len()).flat_map(|k| [p.x[k], p.y[k], p.u[k], p.v[k], s.fluid.fields().pressure[k]]);
         each.chain(velocity(s)).map(f64::to_bits).collect()
     };
     for (scene, scheme) in

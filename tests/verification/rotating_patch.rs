@@ -11,12 +11,12 @@ use sph_core::{Fluid, Walls};
 /// A patch of side 1 m that turns at −1 rad/s, without pressure at first.
 fn patch(cells: usize, sound: f64) -> Fluid {
     let seeds = lattice([-0.5; 2], [0.5; 2], 1.0 / cells as f64, |[x, y]| Some(([y, -x], 0.0)));
-    Fluid::new(parameters(sound), &seeds)
+    parameters(sound).fluid(&seeds)
 }
 
 /// Angular momentum about the middle [kg m²/s per metre of span].
 fn angular_momentum(fluid: &Fluid) -> f64 {
-    let p = &fluid.particles;
+    let p = fluid.particles();
     (0..p.len()).map(|k| p.mass[k] * (p.x[k] * p.v[k] - p.y[k] * p.u[k])).sum()
 }
 
@@ -28,9 +28,9 @@ fn pressure(cells: usize, places: &[f64]) -> Vec<f64> {
     let end = 6.0 * 2.0_f64.sqrt() / sound;
     let (mut sums, mut weights, mut last) = (vec![0.0; places.len()], 0.0, 0.0);
     advance(&mut fluid, &mut Walls::default(), end, |fluid| {
-        let weight = (fluid.time - last) * (PI * fluid.time / end).sin().powi(2);
-        (last, weights) = (fluid.time, weights + weight);
-        let ((sin, cos), probe) = ((-fluid.time).sin_cos(), Probe::new(fluid));
+        let weight = (fluid.time() - last) * (PI * fluid.time() / end).sin().powi(2);
+        (last, weights) = (fluid.time(), weights + weight);
+        let ((sin, cos), probe) = ((-fluid.time()).sin_cos(), Probe::new(fluid));
         for (sum, place) in sums.iter_mut().zip(places) {
             *sum += weight * probe.shepard([(place - 0.5) * cos, (place - 0.5) * sin]);
         }

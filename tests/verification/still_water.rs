@@ -29,9 +29,9 @@ fn still_water_carries_its_weight() {
         ("graded", 0.02, vec!["resolution.spacing=0.025", "resolution.growth=1.05", "resolution.fine_zone=[0.3, 0.3]"]),
     ] {
         let mut system = system("hydrostatic_tank", &sets);
-        let top = |s: &Coupled| s.fluid.particles.y.iter().copied().fold(f64::MIN, f64::max);
-        let (level, finest) = (top(&system), system.fluid.particles.h.iter().copied().fold(f64::MAX, f64::min));
-        let spacing = finest / system.fluid.parameters.smoothing_ratio;
+        let top = |s: &Coupled| s.fluid.particles().y.iter().copied().fold(f64::MIN, f64::max);
+        let (level, finest) = (top(&system), system.fluid.particles().h.iter().copied().fold(f64::MAX, f64::min));
+        let spacing = finest / system.fluid.domain().fluid.smoothing_ratio;
         advance(&mut system, 2.0, |_| {}).expect("a stable run");
         let error = pressure_error(&system, 1.0);
         assert!(error < tolerance, "{what}: pressure off by {:.2} %", 100.0 * error);
@@ -49,7 +49,7 @@ fn a_projection_keeps_still_water_at_rest_with_any_kernel() {
         let mut system = system("hydrostatic_tank", &["resolution.spacing=0.05", "solver=incompressible", &set]);
         let allowed = 1e-3 * 9.81_f64.sqrt();
         advance(&mut system, 8.0, |s| {
-            let (fastest, time) = (s.fluid.top_speed(), s.fluid.time);
+            let (fastest, time) = (s.fluid.top_speed(), s.fluid.time());
             assert!(fastest < allowed, "h/dx = {ratio}: {fastest:.2e} m/s at {time:.2} s");
         })
         .expect("a stable run");
@@ -72,7 +72,7 @@ fn even_still_water_comes_to_rest() {
     advance(&mut system, 7.0, |s| {
         let kinetic = s.fluid_energy().kinetic;
         peak = peak.max(kinetic);
-        if s.fluid.time > 6.5 {
+        if s.fluid.time() > 6.5 {
             late = late.max(kinetic);
         }
     })
@@ -87,7 +87,7 @@ fn a_floating_box_is_carried_by_its_weight() {
     let mut system = system("floating_box", &["resolution.spacing=0.025"]);
     let mut lifts = Vec::new();
     advance(&mut system, 1.0, |s| {
-        if s.fluid.time > 0.5 {
+        if s.fluid.time() > 0.5 {
             lifts.push(lift(s));
         }
     })

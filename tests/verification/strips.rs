@@ -10,7 +10,7 @@ fn mismatch(floor: &Floor) -> f64 {
     let mut system = floor.build(scheme).expect("a strip");
     let range = system.range(0);
     let (mut sum, mut steps) = (0.0, 0.0);
-    while system.fluid.time < 0.25 * PERIOD {
+    while system.fluid.time() < 0.25 * PERIOD {
         let dt = system.stable_dt().expect("a step");
         system.step(dt).expect("a stable run");
         let mut after = system.walls.clone();

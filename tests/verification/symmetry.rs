@@ -20,14 +20,14 @@ const EVEN: [&str; 6] = [
 
 /// Place at the start of each particle with x > 0, to the nearest 1e-6 of a metre, by identity.
 fn labels(system: &Coupled) -> HashMap<(i64, i64), u32> {
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     let micro = |x: f64| (1e6 * x).round() as i64;
     (0..p.len()).filter(|&k| p.x[k] > 0.0).map(|k| ((micro(p.x[k]), micro(p.y[k])), p.id[k])).collect()
 }
 
 /// Position, velocity and density of each particle, by identity.
 fn states(system: &Coupled) -> HashMap<u32, [f64; 5]> {
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     (0..p.len()).map(|k| (p.id[k], [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k]])).collect()
 }
 
@@ -39,14 +39,14 @@ fn half_a_tank_with_a_mirror_is_half_of_the_whole() {
     let mut half = system("wedge_constant", &EVEN);
     let mut whole = system("wedge_constant", &[&EVEN[..], &["symmetry=none"]].concat());
     let (right, all) = (labels(&half), labels(&whole));
-    assert_eq!(right.len(), half.fluid.particles.len());
-    assert_eq!(2 * right.len(), whole.fluid.particles.len(), "the whole tank is not two halves");
+    assert_eq!(right.len(), half.fluid.particles().len());
+    assert_eq!(2 * right.len(), whole.fluid.particles().len(), "the whole tank is not two halves");
     for _ in 0..STEPS {
         let dt = half.stable_dt().expect("a stable run");
         half.step(dt).expect("a stable run");
         whole.step(dt).expect("a stable run");
         let (one, other) = (lift(&half), lift(&whole));
-        assert!((one - other).abs() <= 1e-8 * other.abs().max(1.0), "t = {}: {one} and {other} N/m", half.fluid.time);
+        assert!((one - other).abs() <= 1e-8 * other.abs().max(1.0), "t = {}: {one} and {other} N/m", half.fluid.time());
     }
     assert!(lift(&half) > 1.0, "the wedge does not feel the water: {} N/m", lift(&half));
     let (ours, theirs) = (states(&half), states(&whole));

@@ -7,9 +7,10 @@
 use std::f64::consts::PI;
 
 use evidence::bare::{advance, lattice, parameters};
+use evidence::parameters::Parameters;
 use scenarios::reference::Table;
 use sph_core::neighbours::images::Periodic;
-use sph_core::{Dissipation, Fluid, Parameters, Seed, Solver, Walls};
+use sph_core::{Dissipation, Fluid, Seed, Solver, Walls};
 
 /// Re = U L/ν with U = 1 m/s, L = 1 m.
 const REYNOLDS: f64 = 100.0;
@@ -28,7 +29,7 @@ fn vortices(cells: usize, dissipation: Dissipation) -> Fluid {
     let cell = Some([0.0, 1.0]);
     let periodic = Some(Periodic { x: cell, y: cell });
     let parameters = Parameters { alpha: 0.0, nu: 1.0 / REYNOLDS, periodic, dissipation, ..parameters(SOUND) };
-    Fluid::new(parameters, &lattice([0.0; 2], [1.0; 2], 1.0 / cells as f64, |at| Some(field(at))))
+    parameters.fluid(&lattice([0.0; 2], [1.0; 2], 1.0 / cells as f64, |at| Some(field(at))))
 }
 
 /// The same, whose pressure comes from a projection: no free surface, no wall, no level of pressure (PS4, EX6).
@@ -36,26 +37,26 @@ fn projected(cells: usize, solver: Solver, cfl: f64) -> Fluid {
     let cell = Some([0.0, 1.0]);
     let periodic = Some(Periodic { x: cell, y: cell });
     let parameters = Parameters { alpha: 0.0, nu: 1.0 / REYNOLDS, periodic, solver, cfl, ..parameters(SOUND) };
-    Fluid::new(parameters, &lattice([0.0; 2], [1.0; 2], 1.0 / cells as f64, |at| Some(field(at))))
+    parameters.fluid(&lattice([0.0; 2], [1.0; 2], 1.0 / cells as f64, |at| Some(field(at))))
 }
 
 /// The vortices on particles that have lost the lattice: where those of a run of 1 s end.
 fn relaxed(mut first: Fluid) -> Fluid {
     advance(&mut first, &mut Walls::default(), 1.0, |_| {}).expect("a stable run");
-    let (p, area) = (&first.particles, 1.0 / first.particles.len() as f64);
+    let (p, area) = (first.particles(), 1.0 / first.particles().len() as f64);
     let seed = |k: usize| {
         let at = [p.x[k], p.y[k]];
         let (velocity, pressure) = field(at);
         Seed { at, velocity, area, pressure }
     };
-    Fluid::new(first.parameters, &(0..p.len()).map(seed).collect::<Vec<_>>())
+    Parameters::of(&first).fluid(&(0..p.len()).map(seed).collect::<Vec<_>>())
 }
 
 /// Root mean square error of the velocity over the exact root mean square, and kinetic energy over that at the start.
 fn error_and_energy(mut fluid: Fluid, umax: f64) -> [f64; 2] {
     let start = fluid.energy().kinetic;
     advance(&mut fluid, &mut Walls::default(), END, |_| {}).expect("a stable run");
-    let p = &fluid.particles;
+    let p = fluid.particles();
     let (mut wrong, mut exact) = (0.0, 0.0);
     for k in 0..p.len() {
         let [u, v] = field([p.x[k], p.y[k]]).0.map(|u| umax * u);
@@ -126,13 +127,13 @@ fn vortices_decay_under_a_projection_whose_pressure_nothing_gives_a_level() {
     println!("projection: errors {errors:.4?}; energies {:.4?}, exact {kinetic:.4}", runs.map(|r| r[1]));
     let mut fluid = projected(16, Solver::Incompressible, 0.2);
     advance(&mut fluid, &mut Walls::default(), 0.1, |fluid| {
-        let p = &fluid.derived.pressure;
+        let p = &fluid.fields().pressure;
         let mean = p.iter().sum::<f64>() / p.len() as f64;
-        assert!(fluid.exposure().iter().all(|&e| e == 0.0), "air where there is none");
+        assert!(fluid.surface_indicator().iter().all(|&e| e == 0.0), "air where there is none");
         assert!(mean.abs() < 1e-9, "mean {mean:.2e} Pa");
     })
     .expect("a stable run");
-    let largest = fluid.derived.pressure.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
+    let largest = fluid.fields().pressure.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
     assert!((300.0..700.0).contains(&largest), "{largest} Pa, where 427 is exact");
     let order = 0.5 * (errors[0] / errors[2]).log2();
     assert!(errors[0] > errors[1] && errors[1] > errors[2], "errors {errors:.4?}");

@@ -1,5 +1,6 @@
 //! The thesis's projection (THEORY J1–J16): what it reaches where its author got.
 
+use sph_core::legacy::pilorget2010::Thesis;
 use std::time::Instant;
 
 use evidence::systems::{of_text, system};
@@ -15,9 +16,9 @@ const ONE_PASS: &str = "thesis.inner_passes=1";
 /// Largest error of a particle's pressure against ρ g times its depth below the top row, where p = 0, over that of the
 /// lowest row [-].
 fn pressure_error(system: &Coupled) -> f64 {
-    let p = &system.fluid.particles;
+    let p = system.fluid.particles();
     let [top, floor] = [p.y.iter().copied().fold(f64::MIN, f64::max), p.y.iter().copied().fold(f64::MAX, f64::min)];
-    let of = |k: usize| (system.fluid.derived.pressure[k] - WEIGHT * (top - p.y[k])).abs();
+    let of = |k: usize| (system.fluid.fields().pressure[k] - WEIGHT * (top - p.y[k])).abs();
     (0..p.len()).map(of).fold(0.0, f64::max) / (WEIGHT * (top - floor))
 }
 
@@ -29,7 +30,7 @@ fn speed(system: &Coupled, depth: f64) -> f64 {
 /// Stable steps until `end` [s]; how many.
 fn advance(system: &mut Coupled, end: f64) -> u32 {
     let mut steps = 0;
-    while system.fluid.time < end {
+    while system.fluid.time() < end {
         let dt = system.stable_dt().expect("a step");
         system.step(dt).expect("the thesis's case runs");
         steps += 1;
@@ -80,7 +81,7 @@ fn the_tank_carries_its_weight() {
         let steps = advance(&mut tank, end);
         let cost = 1e3 * start.elapsed().as_secs_f64() / f64::from(steps);
         let (error, speed, open) = (pressure_error(&tank), speed(&tank, 1.0), tank.momentum_audit().worst);
-        let t = &tank.fluid.thesis;
+        let t = tank.fluid.scheme::<Thesis>().expect("the thesis's projection");
         let each = t.iterations as f64 / t.solutions as f64;
         println!(
             "{sets:?}: {:.3} % at first, {:.4} % at {end} s, {speed:.1e} √(gH); {cost:.1} ms a step of {:.1} solutions of \
@@ -116,18 +117,18 @@ fn a_tank_out_of_equilibrium_sloshes() {
         let mut tank = system("hydrostatic_tank", &[SOLVER, ONE_PASS, set]);
         let k = std::f64::consts::PI;
         let omega = (9.81 * k * k.tanh()).sqrt();
-        let p = &mut tank.fluid.particles;
+        let p = tank.fluid.particles_mut();
         for i in 0..p.len() {
             let (x, y) = (k * (p.x[i] + 0.5), k * (p.y[i] + 1.0));
             p.u[i] = 0.02 * x.sin() * y.cosh() / k.sinh();
             p.v[i] = -0.02 * x.cos() * y.sinh() / k.sinh();
         }
-        let momentum = |s: &Coupled| -> f64 { s.fluid.particles.u.iter().sum() };
+        let momentum = |s: &Coupled| -> f64 { s.fluid.particles().u.iter().sum() };
         let (mut before, mut crossings) = ([0.0, momentum(&tank)], Vec::new());
         while crossings.len() < 2 {
             let dt = tank.stable_dt().expect("a step");
             tank.step(dt).expect("the thesis's case runs");
-            let now = [tank.fluid.time, momentum(&tank)];
+            let now = [tank.fluid.time(), momentum(&tank)];
             assert!(now[0] < 2.0, "{set}: crossings at {crossings:?} s");
             if before[1] * now[1] < 0.0 {
                 crossings.push(before[0] + (now[0] - before[0]) * before[1] / (before[1] - now[1]));
@@ -148,8 +149,8 @@ fn threads_do_not_change_a_bit_of_the_thesiss_projection() {
         pool.install(|| {
             let mut tank = system("hydrostatic_tank", &[SOLVER, "resolution.spacing=0.05"]);
             advance(&mut tank, 0.02);
-            let p = &tank.fluid.particles;
-            (p.x.clone(), p.y.clone(), tank.fluid.derived.pressure.clone())
+            let p = tank.fluid.particles();
+            (p.x.clone(), p.y.clone(), tank.fluid.fields().pressure.clone())
         })
     };
     assert_eq!(run(1), run(2));

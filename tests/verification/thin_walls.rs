@@ -25,14 +25,14 @@ fn a_plate_parts_two_still_waters() {
         let (before, depth) = (sides(&system), rows.map(|n| n as f64 * SPACING));
         let (mut forces, mut gauged, mut kinetic) = ([vec![], vec![]], [vec![], vec![]], 0.0_f64);
         advance(&mut system, 3.0, |s| {
-            if s.fluid.time < 1.0 {
+            if s.fluid.time() < 1.0 {
                 return;
             }
             kinetic = kinetic.max(s.fluid_energy().kinetic);
             let [left, right] = face_forces(s);
             forces[0].push(left);
             forces[1].push(-right);
-            if s.fluid.steps % 100 == 0 {
+            if s.fluid.steps() % 100 == 0 {
                 let probe = Probe::new(&s.fluid);
                 for (k, sign) in [(0, -1.0), (1, 1.0)] {
                     let at = [sign * 0.5 * thickness * SPACING, 0.5 * depth[k]];
@@ -67,7 +67,7 @@ fn a_plate_under_still_water_carries_no_force() {
         let mut system = plate.with(Box::new(body), 30.0);
         let (mut forces, mut kinetic) = ([vec![], vec![]], vec![]);
         advance(&mut system, 2.5, |s| {
-            if s.fluid.time > 1.0 {
+            if s.fluid.time() > 1.0 {
                 let force = s.bodies().find_map(|b| b.motion()).expect("a plate").force;
                 (0..2).for_each(|k| forces[k].push(force[k]));
                 kinetic.push(s.fluid_energy().kinetic);
@@ -121,7 +121,7 @@ fn momentum_closes_around_a_free_plate_and_bits_do_not_depend_on_threads() {
             assert_eq!(system.penetration().count, 0);
             let motion = system.bodies().find_map(|b| b.motion()).expect("a plate");
             assert!(motion.angle.abs() > 0.02, "the plate turns: {} rad", motion.angle);
-            let p = &system.fluid.particles;
+            let p = system.fluid.particles();
             p.x.iter().chain(&p.y).chain(&p.u).chain(&p.rho).map(|v| v.to_bits()).collect::<Vec<u64>>()
         })
     };
@@ -136,7 +136,7 @@ fn a_step_beside_a_plate_comes_again_to_the_same_bits() {
     system.checkpoint();
     let mut go = || {
         take(&mut system, 30).expect("a stable run");
-        let bits: Vec<u64> = system.fluid.particles.x.iter().map(|v| v.to_bits()).collect();
+        let bits: Vec<u64> = system.fluid.particles().x.iter().map(|v| v.to_bits()).collect();
         system.restore();
         bits
     };
@@ -157,7 +157,7 @@ fn a_paddle_pushes_the_water_before_it() {
             if rows[0] == 0 {
                 assert_eq!(face_forces(s)[0], 0.0, "a dry face");
             }
-            if s.fluid.time > 0.7 {
+            if s.fluid.time() > 0.7 {
                 centres(s).into_iter().zip(&mut later).for_each(|(x, all)| all.push(x));
             }
         })
@@ -176,7 +176,7 @@ fn a_paddle_pushes_the_water_before_it() {
 
 /// Mean x of the water left and right of the plate at its place at the start [m].
 fn centres(system: &Coupled) -> [f64; 2] {
-    let (p, mut sum) = (&system.fluid.particles, [[0.0; 2]; 2]);
+    let (p, mut sum) = (system.fluid.particles(), [[0.0; 2]; 2]);
     let left = sides(system);
     for k in 0..p.len() {
         let side = usize::from(!left[p.id[k] as usize]);
@@ -195,7 +195,7 @@ fn half_a_bent_plate_is_half_of_the_whole() {
         let sets = [shape, symmetry, "resolution.spacing=0.01", "time.end=0.06", "tank.width=1.6", "tank.depth=0.4"];
         let mut system = system("wedge", &sets);
         let mut lifts = vec![];
-        advance(&mut system, 0.06, |s| lifts.push((s.fluid.time, evidence::systems::lift(s)))).expect("a stable run");
+        advance(&mut system, 0.06, |s| lifts.push((s.fluid.time(), evidence::systems::lift(s)))).expect("a stable run");
         let late = lifts.iter().filter(|(t, _)| *t > 0.03).map(|(_, f)| *f);
         mean(&late.collect::<Vec<f64>>())
     };

@@ -3,10 +3,11 @@
 
 use std::f64::consts::TAU;
 
+use evidence::parameters::Parameters;
 use evidence::systems::advance;
 use fsi_coupling::geometry::layout::{Basin, Tiling};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
-use sph_core::{Fluid, Parameters, Seed};
+use sph_core::Seed;
 
 /// Depth of the water [m].
 const DEPTH: f64 = 0.3;
@@ -43,12 +44,12 @@ fn tank(spacing: f64, swing: f64) -> Coupled {
     let law = PrescribedBody::oscillating(middle, 0.0, [swing, 0.0], period());
     let piston: Box<dyn Body> = Box::new(PrescribedBody::new("piston", outline, false, law));
     let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -DEPTH, 0.5 * DEPTH, false));
-    Coupled::new(Fluid::new(parameters, &seeds), vec![piston, tank], Scheme::Weak, spacing).expect("a tank of water")
+    Coupled::new(parameters.fluid(&seeds), vec![piston, tank], Scheme::Weak, spacing).expect("a tank of water")
 }
 
 /// Elevation [m] about the gauge: Σ V w(x − x₀) − h with a triangle of half width b for w.
 fn elevation(system: &Coupled) -> f64 {
-    let (p, [at, half]) = (&system.fluid.particles, GAUGE);
+    let (p, [at, half]) = (system.fluid.particles(), GAUGE);
     let weight = |x: f64| (1.0 - (x - LENGTH[1] - at).abs() / half).max(0.0) / half;
     (0..p.len()).map(|k| p.mass[k] / p.rho[k] * weight(p.x[k])).sum::<f64>() - DEPTH
 }
@@ -60,10 +61,10 @@ fn height(spacing: f64, swing: f64) -> f64 {
     let (from, to) = (3.0 * period, 4.0 * period);
     let mut system = tank(spacing, swing);
     advance(&mut system, to, |s| {
-        if s.fluid.time > from {
-            samples.push([s.fluid.time, s.fluid.time - last, elevation(s)]);
+        if s.fluid.time() > from {
+            samples.push([s.fluid.time(), s.fluid.time() - last, elevation(s)]);
         }
-        last = s.fluid.time;
+        last = s.fluid.time();
     })
     .expect("a stable run");
     let harmonic = |part: fn(f64) -> f64| {

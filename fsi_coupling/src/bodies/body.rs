@@ -3,7 +3,7 @@
 //! A coupled step of length `dt` calls, for each body: `kinematics(dt)`, `interface(dt)`; then the fluid steps; then `load`,
 //! `advance(dt)`, and the methods of [`Contact`] for single particles.
 
-use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
+use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel_state::PanelState;
@@ -23,12 +23,12 @@ pub trait WettedBody {
     /// H: write position and normal of the boundary particles at `ahead` [s] from now, their mean velocity until then, and their
     /// acceleration then. Return the midlines of the body's thin plates now and then (THEORY T1), always the same number in the same
     /// order. Before: `sample`. After `advance(ahead)` the body is there to second order in `ahead`.
-    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen>;
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline>;
 
     /// The accelerations of the body at the end of a step of `ahead` [s] as a function of the fluid's forces (THEORY C2); `None` for
     /// a body with prescribed motion. The solution is not handed back: after `load` and `advance` with the same
     /// forces the body has the accelerations that the interface found, to the accuracy of the step.
-    fn interface(&mut self, _ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+    fn interface(&mut self, _ahead: f64) -> Result<Option<Box<dyn InterfaceDynamics>>, BodyError> {
         Ok(None)
     }
 

@@ -1,7 +1,7 @@
 //! A body with prescribed motion: a function of time.
 
 use sph_core::walls::Resultant;
-use sph_core::{Screen, WallForces, WallPoint, WallsMut};
+use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
@@ -79,7 +79,7 @@ impl WettedBody for PrescribedBody {
     }
 
     /// The law is replaced by a motion of constant acceleration that ends exactly where the law does.
-    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
         let (now, then) = (self.motion_now(), (self.law)(self.state.time + ahead));
         let mut fitted = now;
         if ahead > 0.0 {

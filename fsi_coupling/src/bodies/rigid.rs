@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use rapier2d::prelude::*;
 use sph_core::walls::Resultant;
-use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
+use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
@@ -176,13 +176,13 @@ impl WettedBody for RigidBody2d {
         Ok(self.surface.sample(&motion, rows))
     }
 
-    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
         let now = self.motion_now();
         self.surface.kinematics(&now, ahead, out);
         self.surface.midlines(&now, &now.ahead(ahead))
     }
 
-    fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+    fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn InterfaceDynamics>>, BodyError> {
         let (now, spec) = (self.motion_now(), &self.spec);
         let ([x, y], inverse) = (now.acceleration, [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia));
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };

@@ -1,7 +1,7 @@
 //! Interface dynamics of a rigid body: three accelerations (THEORY C2, C5).
 
 use sph_core::WallsMut;
-use sph_core::walls::interface::{Encounter, Lack, Touch, Yields};
+use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
 use sph_core::walls::{Resultant, WallForces};
 
 /// A rigid body under the forces at the end of a step. Directions: x, y [m], angle [rad].
@@ -50,12 +50,12 @@ impl RigidInterface {
     }
 
     /// C5: residual of the present acceleration under a resultant about the centre of mass.
-    fn residual_under(&self, Resultant { force: [x, y], moment }: Resultant) -> Lack {
+    fn residual_under(&self, Resultant { force: [x, y], moment }: Resultant) -> InterfaceResidual {
         let (force, scales) = ([x, y, moment], self.scales());
         let lack = self.residual_of(self.acceleration(), force);
-        Lack {
-            lack: (0..3).map(|k| scales[k] * lack[k]).collect(),
-            caused: (0..3).map(|k| scales[k] * self.inverse_mass[k] * force[k]).collect(),
+        InterfaceResidual {
+            residual: (0..3).map(|k| scales[k] * lack[k]).collect(),
+            driving: (0..3).map(|k| scales[k] * self.inverse_mass[k] * force[k]).collect(),
         }
     }
 
@@ -71,12 +71,12 @@ impl RigidInterface {
     }
 }
 
-impl Yields for RigidInterface {
-    fn answer(&mut self, encounter: &Encounter<'_>, change: &mut [[f64; 2]]) {
+impl InterfaceDynamics for RigidInterface {
+    fn solve_acceleration(&mut self, encounter: &InterfaceLoad<'_>, change: &mut [[f64; 2]]) {
         let position = self.position_at(encounter.offset);
-        let lever_arm = |touch: &Touch| [touch.at[0] - position[0], touch.at[1] - position[1]];
+        let lever_arm = |touch: &ParticleLoad| [touch.at[0] - position[0], touch.at[1] - position[1]];
         let (mut force, mut added) = ([0.0; 3], [[0.0; 3]; 3]);
-        for touch in encounter.touches {
+        for touch in encounter.particles {
             let (r, l) = (lever_arm(touch), touch.arm);
             accumulate(&mut force, touch.force, r, 1.0);
             // row i of A: force in direction i of unit accelerations, with its sign changed
@@ -92,7 +92,7 @@ impl Yields for RigidInterface {
         }
         self.change = self.change_under(force, added);
         let [x, y, turn] = self.change;
-        for (change, touch) in change.iter_mut().zip(encounter.touches) {
+        for (change, touch) in change.iter_mut().zip(encounter.particles) {
             let r = lever_arm(touch);
             *change = [x - turn * r[1], y + turn * r[0]];
         }
@@ -103,11 +103,11 @@ impl Yields for RigidInterface {
         (0..3).map(|k| scales[k] * a[k]).collect()
     }
 
-    fn lack(&self, forces: &WallForces<'_>) -> Lack {
+    fn residual(&self, forces: &WallForces<'_>) -> InterfaceResidual {
         self.residual_under(forces.resultant(self.position))
     }
 
-    fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
+    fn residual_in_mean(&self, forces: &WallForces<'_>) -> InterfaceResidual {
         self.residual_under(forces.mean_resultant(self.position_at(-self.dt)))
     }
 

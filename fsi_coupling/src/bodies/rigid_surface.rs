@@ -1,6 +1,6 @@
 //! The surface of a rigid body: boundary particles and contact by rigid kinematics.
 
-use sph_core::{Screen, WallPoint, WallsMut};
+use sph_core::{PlateMidline, WallPoint, WallsMut};
 
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::state::SurfacePoint;
@@ -51,12 +51,12 @@ impl RigidSurface {
     }
 
     /// The midline of a thin plate (THEORY T1) that moves from `now` to `then`; none for other shapes.
-    pub fn midlines(&self, now: &RigidMotion, then: &RigidMotion) -> Vec<Screen> {
+    pub fn midlines(&self, now: &RigidMotion, then: &RigidMotion) -> Vec<PlateMidline> {
         let midline = |plate: &Plate| {
             let line = plate.line();
             let placed = |motion: &RigidMotion| line.iter().map(|p| motion.point(self.lever_arm(*p))).collect();
             let half_thickness = 0.5 * plate.thickness;
-            Screen { points: placed(then), start: placed(now), half_thickness, own_image: self.half }
+            PlateMidline { points: placed(then), start: placed(now), half_thickness, own_image: self.half }
         };
         self.plate.iter().map(midline).collect()
     }

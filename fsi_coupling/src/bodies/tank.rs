@@ -1,6 +1,6 @@
 //! The tank: floor and side walls at rest, sampled at the spacing of the water beside them.
 
-use sph_core::{Screen, WallForces, WallPoint, WallsMut};
+use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
@@ -80,7 +80,7 @@ impl WettedBody for Tank {
                     area: if on_plane { 0.5 * s * s } else { s * s },
                     spacing: s,
                     depth: depth(layer, s),
-                    screen: None,
+                    midline: None,
                 });
             }
         }
@@ -94,7 +94,7 @@ impl WettedBody for Tank {
                         area: s * s,
                         spacing: s,
                         depth: depth(layer, s),
-                        screen: None,
+                        midline: None,
                     });
                 }
             }
@@ -109,7 +109,7 @@ impl WettedBody for Tank {
                         spacing: s,
                         // its mirror point is then the corner's own diagonal opposite, in the water
                         depth: std::f64::consts::FRAC_1_SQRT_2 * (depth(i, s) + depth(j, s)),
-                        screen: None,
+                        midline: None,
                     });
                 }
             }
@@ -121,7 +121,7 @@ impl WettedBody for Tank {
         Ok(points)
     }
 
-    fn kinematics(&self, _ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+    fn kinematics(&self, _ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
         for (k, p) in self.points.iter().enumerate() {
             [out.x[k], out.y[k]] = p.at;
         }

@@ -41,9 +41,9 @@ impl Balance {
         let (now, w) = (momentum_balance(of_fluid, members), walls);
         let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
-        let symmetric = fluid.parameters.mirror.is_some();
+        let symmetric = fluid.domain().mirror.is_some();
         for k in 0..2 {
-            let gravity = if symmetric && k == 0 { 0.0 } else { dt * self.fluid_mass * fluid.parameters.gravity[k] };
+            let gravity = if symmetric && k == 0 { 0.0 } else { dt * self.fluid_mass * fluid.domain().gravity[k] };
             let gap = now[k] - self.momentum.balance[k] - gravity;
             if scale > 0.0 {
                 self.momentum.worst = self.momentum.worst.max(gap.abs() / scale);

@@ -4,8 +4,8 @@
 use std::f64::consts::{PI, TAU};
 
 use sph_core::walls::WallPoint;
-use sph_core::walls::interface::{Encounter, Touch};
-use sph_core::{Walls, Yielding};
+use sph_core::walls::interface::{InterfaceLoad, ParticleLoad};
+use sph_core::{WallInterface, Walls};
 
 use crate::bodies::rigid_interface::RigidInterface;
 use crate::coupling::scheme::{CouplingStatistics, Interface, Iteration, Residual, Scheme, set_trial, unknowns};
@@ -26,7 +26,7 @@ struct Pistons {
 impl Pistons {
     fn new(added: Vec<Vec<f64>>, stiffness: Vec<f64>, place: Vec<f64>, scheme: Scheme) -> Pistons {
         let (mut walls, n) = (Walls::default(), place.len());
-        let point = WallPoint { at: [0.0; 2], normal: [0.0, 1.0], area: 1.0, spacing: 1.0, depth: 0.0, screen: None };
+        let point = WallPoint { at: [0.0; 2], normal: [0.0, 1.0], area: 1.0, spacing: 1.0, depth: 0.0, midline: None };
         walls.extend(&vec![point; n], 1.0);
         let still = vec![0.0; n];
         let interface = Interface::new(scheme);
@@ -40,7 +40,7 @@ impl Pistons {
         }
     }
 
-    fn owners(&self) -> Vec<Yielding> {
+    fn owners(&self) -> Vec<WallInterface> {
         let owner = |k: usize| RigidInterface {
             predicted: [0.0, self.acceleration[k], 0.0],
             inverse_mass: [0.0, 1.0, 0.0],
@@ -48,7 +48,7 @@ impl Pistons {
             ..RigidInterface::default()
         };
         (0..self.place.len())
-            .map(|k| Yielding { range: k..k + 1, mirrored: false, owner: Box::new(owner(k)) })
+            .map(|k| WallInterface { range: k..k + 1, mirrored: false, owner: Box::new(owner(k)) })
             .collect()
     }
 
@@ -67,11 +67,15 @@ impl Pistons {
             Scheme::AddedMass => {
                 Pistons::water(added, walls);
                 // what the fluid tells an owner: δF = push (arm·δa)
-                let touch =
-                    Touch { at: [0.0; 2], force: [0.0, walls.fy[0]], push: [0.0, -added[0][0]], arm: [0.0, 1.0] };
+                let touch = ParticleLoad {
+                    at: [0.0; 2],
+                    force: [0.0, walls.fy[0]],
+                    push: [0.0, -added[0][0]],
+                    arm: [0.0, 1.0],
+                };
                 let (mut change, encounter) =
-                    ([[0.0; 2]], Encounter { touches: &[touch], offset: 0.0, mirrored: false });
-                owners[0].owner.answer(&encounter, &mut change);
+                    ([[0.0; 2]], InterfaceLoad { particles: &[touch], offset: 0.0, mirrored: false });
+                owners[0].owner.solve_acceleration(&encounter, &mut change);
                 walls.fy[0] -= added[0][0] * change[0][1];
             }
             Scheme::IqnIls(iteration) => {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
-use sph_core::{Fluid, Phase, Phases, Walls, Yielding};
+use sph_core::{Fluid, Phase, Timers, WallInterface, Walls};
 
 use crate::bodies::body::Body;
 use crate::coupling::balance::{Balance, MomentumAudit};
@@ -51,27 +51,27 @@ impl Coupled {
         scheme: Scheme,
         spacing: f64,
     ) -> Result<Coupled, CouplingError> {
-        if fluid.particles.is_empty() {
+        if fluid.particles().is_empty() {
             return Err(CouplingError::NoFluid);
         }
-        let placed = PlacedBodies::new(bodies, &fluid.parameters, spacing)?;
+        let placed = PlacedBodies::new(bodies, fluid.wall_layout(), fluid.domain().fluid.smoothing_ratio, spacing)?;
         Coupled::with_bodies(fluid, placed, scheme)
     }
 
     /// Couple a fluid with bodies that are placed already; evaluate the forces at the start.
     pub fn with_bodies(mut fluid: Fluid, placed: PlacedBodies, scheme: Scheme) -> Result<Coupled, CouplingError> {
-        if fluid.particles.is_empty() {
+        if fluid.particles().is_empty() {
             return Err(CouplingError::NoFluid);
         }
         let PlacedBodies { mut walls, mut members, spacing } = placed;
-        let mirrored = fluid.parameters.mirror.is_some();
+        let mirrored = fluid.domain().mirror.is_some();
         let mut interface = Interface::new(scheme);
         let bodies = interfaces(&mut members, 0.0, mirrored)?;
-        interface.solve(&mut fluid, &mut walls, bodies, Fluid::initialise)?;
+        interface.solve(&mut fluid, &mut walls, bodies, Fluid::initialise_with)?;
         interface.statistics = CouplingStatistics::default();
         load(&mut members, &walls, mirrored);
         let balance = Balance::at_start(&fluid, &members);
-        fluid.phases = Phases::default();
+        *fluid.timers_mut() = Timers::default();
         Ok(Coupled {
             fluid,
             walls,
@@ -102,48 +102,50 @@ impl Coupled {
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {
-        let outer = self.fluid.phases.begin(Phase::Coupling);
+        let outer = self.fluid.timers_mut().begin(Phase::Coupling);
         self.update_refinement(); //                                             E26
         apply_kinematics(&mut self.members, &mut self.walls, dt); //             H: bodies → boundary particles
         let mirrored = self.is_mirrored();
         let bodies = interfaces(&mut self.members, dt, mirrored)?;
         self.set_start_velocities(&bodies, dt);
-        self.interface.solve(&mut self.fluid, &mut self.walls, bodies, |fluid, walls| fluid.step(walls, dt))?;
+        self.interface.solve(&mut self.fluid, &mut self.walls, bodies, |fluid, walls, interfaces| {
+            fluid.step_with(walls, interfaces, dt)
+        })?;
         load(&mut self.members, &self.walls, mirrored); //                       Hᵀ: boundary particles → bodies
-        self.fluid.phases.begin(Phase::Structure);
+        self.fluid.timers_mut().begin(Phase::Structure);
         for m in &mut self.members {
             m.body.advance(dt)?;
         }
-        self.fluid.phases.begin(Phase::Coupling);
+        self.fluid.timers_mut().begin(Phase::Coupling);
         let tunnelling = self.resolve_tunnelling(dt); //                         T5: thin plates
         let contact = self.resolve_contact(dt); //                               E25: single particles
-        self.fluid.phases.begin(Phase::Audit);
+        self.fluid.timers_mut().begin(Phase::Audit);
         self.record_work(dt, tunnelling.iter().zip(&contact).map(|(a, b)| a + b));
         self.balance.close_step(&self.fluid, &self.walls, &self.members, dt);
         self.refuse_collision()?;
-        self.fluid.phases.go_on_with(outer);
+        self.fluid.timers_mut().resume(outer);
         Ok(())
     }
 
     fn is_mirrored(&self) -> bool {
-        self.fluid.parameters.mirror.is_some()
+        self.fluid.domain().mirror.is_some()
     }
 
     fn update_refinement(&mut self) {
         let Some(rule) = &self.refinement else { return };
         let zone = self.bodies().find_map(|body| Some(rule(&body.motion()?, body.outline()?)));
-        self.fluid.fine_zone = zone;
+        self.fluid.set_refinement_zone(zone);
     }
 
     /// PB6: velocities of the walls at the start of the step, which a projection needs whatever accelerations the scheme finds.
-    fn set_start_velocities(&mut self, bodies: &[Yielding], dt: f64) {
-        self.walls.begun.clear();
-        if bodies.is_empty() || !self.fluid.parameters.solver.is_incompressible() {
+    fn set_start_velocities(&mut self, bodies: &[WallInterface], dt: f64) {
+        self.walls.start_velocity.clear();
+        if bodies.is_empty() || !self.fluid.force_is_constant_in_step() {
             return;
         }
-        self.walls.begun = (0..self.walls.len()).map(|k| self.walls.velocity_at_start(k, dt)).collect();
-        for Yielding { range, owner, .. } in bodies {
-            owner.velocities_at_start(&mut self.walls.begun[range.clone()]);
+        self.walls.start_velocity = (0..self.walls.len()).map(|k| self.walls.velocity_at_start(k, dt)).collect();
+        for WallInterface { range, owner, .. } in bodies {
+            owner.velocities_at_start(&mut self.walls.start_velocity[range.clone()]);
         }
     }
 
@@ -179,8 +181,8 @@ impl Coupled {
     fn resolve_tunnelling(&mut self, dt: f64) -> Vec<f64> {
         let mut done = vec![0.0; self.members.len()];
         for passage in self.fluid.passages(&self.walls) {
-            let half = self.walls.screens[passage.screen].half_thickness;
-            let owner = self.members.iter_mut().zip(&mut done).find(|(m, _)| m.plates.contains(&passage.screen));
+            let half = self.walls.midlines[passage.midline].half_thickness;
+            let owner = self.members.iter_mut().zip(&mut done).find(|(m, _)| m.plates.contains(&passage.midline));
             if let Some((m, work)) = owner {
                 *work += resolve_tunnelling(&mut self.fluid, &passage, half, m.body.as_mut(), dt);
                 self.stopped += 1;
@@ -192,7 +194,7 @@ impl Coupled {
     /// E25: particles behind a body's surface return to it; the work of the impulses on each body [J/m].
     fn resolve_contact(&mut self, dt: f64) -> Vec<f64> {
         let mut done = vec![0.0; self.members.len()];
-        for particle in self.fluid.suspects(&self.walls) {
+        for particle in self.fluid.contact_candidates(&self.walls) {
             for (m, work) in self.members.iter_mut().zip(&mut done) {
                 *work += resolve_contact(&mut self.fluid, particle, m.body.as_mut(), dt);
             }
@@ -213,7 +215,7 @@ impl Coupled {
             for (_, other) in self.members.iter().enumerate().filter(|(j, _)| *j != k) {
                 if let Some([x, y]) = collision(m.body.as_ref(), other.body.as_ref(), self.tolerated_overlap) {
                     let (body, wall) = (m.body.name().to_string(), other.body.name().to_string());
-                    return Err(CouplingError::Collision { body, wall, x, y, time: self.fluid.time });
+                    return Err(CouplingError::Collision { body, wall, x, y, time: self.fluid.time() });
                 }
             }
         }

@@ -60,7 +60,7 @@ pub(crate) fn collision(body: &dyn Body, wall: &dyn Body, tolerance: f64) -> Opt
 
 /// Fluid particles behind the surface of a body, or behind the plane of symmetry.
 pub(crate) fn penetration(fluid: &Fluid, bodies: &[&dyn Body]) -> Penetration {
-    let (p, mirror) = (&fluid.particles, fluid.parameters.mirror);
+    let (p, mirror) = (fluid.particles(), fluid.domain().mirror);
     let search = |targets: Range<usize>| {
         let mut found = Penetration::default();
         for k in targets {

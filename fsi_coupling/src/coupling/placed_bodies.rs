@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use sph_core::{Parameters, Walls, Yielding};
+use sph_core::{WallInterface, WallLayout, Walls};
 
 use crate::bodies::body::Body;
 use crate::bodies::error::BodyError;
@@ -26,12 +26,18 @@ pub struct PlacedBodies {
 }
 
 impl PlacedBodies {
-    /// Sample the bodies at `spacing` [m] in the rows that the wall model needs, and place the particles.
-    pub fn new(bodies: Vec<Box<dyn Body>>, parameters: &Parameters, spacing: f64) -> Result<PlacedBodies, BodyError> {
-        let rows = WallRows::of(parameters, spacing);
+    /// Sample the bodies at `spacing` [m] in the rows that a scheme needs, and place the particles. `ratio` is the smoothing length
+    /// over the spacing [-].
+    pub fn new(
+        bodies: Vec<Box<dyn Body>>,
+        layout: WallLayout,
+        ratio: f64,
+        spacing: f64,
+    ) -> Result<PlacedBodies, BodyError> {
+        let rows = WallRows::of(layout, spacing);
         let mut placed = PlacedBodies { walls: Walls::default(), members: Vec::new(), spacing };
         for mut body in bodies {
-            let range = placed.walls.extend(&body.sample(&rows)?, parameters.smoothing_ratio);
+            let range = placed.walls.extend(&body.sample(&rows)?, ratio);
             let plates = 0..0;
             placed.members.push(Member { body, range, plates, work: WorkAudit::default() });
         }
@@ -52,20 +58,20 @@ impl PlacedBodies {
 
 /// H: place all boundary particles and plate midlines `ahead` [s] from now.
 pub(super) fn apply_kinematics(members: &mut [Member], walls: &mut Walls, ahead: f64) {
-    walls.screens.clear();
+    walls.midlines.clear();
     for m in members {
         let midlines = m.body.kinematics(ahead, walls.slice_mut(m.range.clone()));
-        m.plates = walls.screens.len()..walls.screens.len() + midlines.len();
-        walls.screens.extend(midlines);
+        m.plates = walls.midlines.len()..walls.midlines.len() + midlines.len();
+        walls.midlines.extend(midlines);
     }
 }
 
 /// C2: interface dynamics of the bodies that a force accelerates, at the end of a step of `ahead` [s].
-pub(super) fn interfaces(members: &mut [Member], ahead: f64, mirrored: bool) -> Result<Vec<Yielding>, BodyError> {
+pub(super) fn interfaces(members: &mut [Member], ahead: f64, mirrored: bool) -> Result<Vec<WallInterface>, BodyError> {
     let mut found = Vec::new();
     for Member { body, range, .. } in members {
         if let Some(owner) = body.interface(ahead)? {
-            found.push(Yielding { range: range.clone(), mirrored, owner });
+            found.push(WallInterface { range: range.clone(), mirrored, owner });
         }
     }
     Ok(found)

@@ -1,7 +1,7 @@
 //! Coupling schemes: how fluid and bodies find accelerations and wall pressures that belong together (THEORY C1–C7).
 
-use sph_core::walls::interface::Lack;
-use sph_core::{Breakdown, Fluid, Walls, Yielding};
+use sph_core::walls::interface::InterfaceResidual;
+use sph_core::{Breakdown, Fluid, WallInterface, Walls};
 
 use crate::coupling::error::CouplingError;
 use crate::coupling::quasi_newton::QuasiNewton;
@@ -59,27 +59,24 @@ impl Interface {
         &mut self,
         fluid: &mut Fluid,
         walls: &mut Walls,
-        mut bodies: Vec<Yielding>,
-        mut attempt: impl FnMut(&mut Fluid, &mut Walls) -> Result<(), Breakdown>,
+        mut bodies: Vec<WallInterface>,
+        mut attempt: impl FnMut(&mut Fluid, &mut Walls, &mut [WallInterface]) -> Result<(), Breakdown>,
     ) -> Result<(), CouplingError> {
         match self.scheme {
-            Scheme::Weak => attempt(fluid, walls)?,
+            Scheme::Weak => attempt(fluid, walls, &mut [])?,
             Scheme::AddedMass => {
-                fluid.yielding = bodies;
-                let ended = attempt(fluid, walls);
-                bodies = std::mem::take(&mut fluid.yielding);
-                ended?;
+                attempt(fluid, walls, &mut bodies)?;
             }
             Scheme::IqnIls(iteration) => {
                 fluid.save();
-                let (start, time) = (walls.clone(), fluid.time);
+                let (start, time) = (walls.clone(), fluid.time());
                 let ended = self.iterate(iteration, time, unknowns(&bodies), |accelerations, repeated| {
                     if repeated {
                         fluid.restore();
                         walls.clone_from(&start);
                         set_trial(&mut bodies, walls, accelerations);
                     }
-                    attempt(fluid, walls)?;
+                    attempt(fluid, walls, &mut [])?;
                     Ok(Residual::of(&bodies, walls, uses_mean_force(fluid)))
                 });
                 fluid.forget();
@@ -125,17 +122,17 @@ impl Interface {
 
 /// PB3: the force of a projection acts over the whole step.
 fn uses_mean_force(fluid: &Fluid) -> bool {
-    fluid.steps > 0 && fluid.parameters.solver.is_incompressible()
+    fluid.steps() > 0 && fluid.force_is_constant_in_step()
 }
 
 /// The accelerations that the walls' kinematics were written with [m/s²], of all bodies.
-pub(super) fn unknowns(bodies: &[Yielding]) -> Vec<f64> {
+pub(super) fn unknowns(bodies: &[WallInterface]) -> Vec<f64> {
     bodies.iter().flat_map(|member| member.owner.unknowns()).collect()
 }
 
 /// Replace the accelerations of the bodies' particles by trial accelerations [m/s²] of all bodies.
-pub(super) fn set_trial(bodies: &mut [Yielding], walls: &mut Walls, mut unknowns: &[f64]) {
-    for Yielding { range, owner, .. } in bodies {
+pub(super) fn set_trial(bodies: &mut [WallInterface], walls: &mut Walls, mut unknowns: &[f64]) {
+    for WallInterface { range, owner, .. } in bodies {
         let (own, others) = unknowns.split_at(owner.unknowns().len());
         owner.accelerate(own, walls.slice_mut(range.clone()));
         unknowns = others;
@@ -151,18 +148,19 @@ pub(super) struct Residual {
 
 impl Residual {
     /// Under the forces now, or under the mean forces of the step.
-    pub fn of(bodies: &[Yielding], walls: &Walls, in_mean: bool) -> Residual {
+    pub fn of(bodies: &[WallInterface], walls: &Walls, in_mean: bool) -> Residual {
         let (mut of_unknowns, mut squares) = (Vec::new(), [0.0; 3]);
-        for Yielding { range, mirrored, owner } in bodies {
+        for WallInterface { range, mirrored, owner } in bodies {
             let mut forces = walls.forces(range.clone());
             forces.mirrored = *mirrored;
-            let Lack { lack, caused } = if in_mean { owner.lack_in_mean(&forces) } else { owner.lack(&forces) };
-            for ((lack, caused), unknown) in lack.iter().zip(caused).zip(owner.unknowns()) {
+            let InterfaceResidual { residual, driving } =
+                if in_mean { owner.residual_in_mean(&forces) } else { owner.residual(&forces) };
+            for ((lack, caused), unknown) in residual.iter().zip(driving).zip(owner.unknowns()) {
                 for (sum, value) in squares.iter_mut().zip([*lack, caused, lack + unknown]) {
                     *sum += value * value;
                 }
             }
-            of_unknowns.extend(lack);
+            of_unknowns.extend(residual);
         }
         let [lack, caused, found] = squares.map(f64::sqrt);
         let relative = if lack == 0.0 { 0.0 } else { lack / (caused + found) };

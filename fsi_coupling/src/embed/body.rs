@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use sph_core::{Screen, WallForces, WallPoint, WallsMut};
+use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use super::path::Path;
 use super::skin::{Ends, Skin};
@@ -119,7 +119,7 @@ impl WettedBody for HostBody {
         Ok(points)
     }
 
-    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
         let (elapsed, duration) = {
             let shared = self.shared.open();
             (shared.elapsed, shared.path.duration())

@@ -183,7 +183,7 @@ impl FluidElement {
 
     /// Time of the water [s].
     pub fn time(&self) -> f64 {
-        self.system.fluid.time
+        self.system.fluid.time()
     }
 
     /// Where the nodes are now, as the water sees them.
@@ -238,7 +238,7 @@ impl FluidElement {
         let corners: Vec<[f64; 2]> =
             bodies[0].outline().into_iter().flat_map(|o| o.loops().iter().flatten().copied()).collect();
         let [low, high] = bounding_box(&corners);
-        let (p, mut found) = (&self.system.fluid.particles, Penetration::default());
+        let (p, mut found) = (self.system.fluid.particles(), Penetration::default());
         for k in 0..p.len() {
             let at = [p.x[k], p.y[k]];
             let inside = (0..2).all(|axis| at[axis] > low[axis] && at[axis] < high[axis]);
@@ -253,7 +253,7 @@ impl FluidElement {
     /// A picture of the present state.
     pub fn snapshot(&self) -> Snapshot {
         let (p, d, rho0) =
-            (&self.system.fluid.particles, &self.system.fluid.derived, self.system.fluid.parameters.eos.rho0);
+            (self.system.fluid.particles(), self.system.fluid.fields(), self.system.fluid.domain().fluid.density);
         let mut order: Vec<usize> = (0..p.len()).collect();
         order.sort_unstable_by_key(|k| p.id[*k]);
         let outline = self.system.bodies().next().and_then(|body| body.outline());

@@ -1,6 +1,6 @@
 //! How large an element would be, before anything is allocated; and the step from there to the element.
 
-use sph_core::{Fluid, Seed};
+use sph_core::{Fluid, SchemeSettings, Seed};
 
 use super::added_mass::AddedMass;
 use super::body::{HostBody, Shared};
@@ -48,8 +48,7 @@ impl FluidElementSpec {
     /// How many particles, bytes, how long a step, and what to mind: pure, and allocates nothing that grows with the water.
     pub fn size(self, topology: &Topology) -> Result<SizedElement, HostError> {
         self.check()?;
-        let parameters = self.parameters();
-        let rows = WallRows::of(&parameters, self.spacing);
+        let rows = WallRows::of(self.settings().wall_layout(&self.domain()), self.spacing);
         topology.check(rows.reach())?;
         let outline = topology.outline()?;
         refuse_thin(topology, &outline, rows.reach())?;
@@ -158,9 +157,9 @@ impl SizedElement {
 
     /// The water's step at rest [s] (THEORY E17).
     pub fn fluid_dt(&self) -> f64 {
-        let p = self.spec.parameters();
-        let h = p.smoothing_ratio * self.spec.spacing;
-        (p.cfl * h / p.eos.c0).min(0.125 * h * h / p.nu)
+        let h = self.spec.water.smoothing_ratio * self.spec.spacing;
+        let acoustic = self.spec.settings().courant_number() * h / self.spec.speed_of_sound();
+        acoustic.min(0.125 * h * h / self.spec.water.kinematic_viscosity)
     }
 
     /// The water's inertia against the host's, where the topology tells masses.
@@ -225,7 +224,7 @@ impl SizedElement {
         }
         let mut seeds = Vec::with_capacity(self.particles[0]);
         self.for_each_seed(|seed| seeds.push(seed));
-        let fluid = Fluid::new(self.spec.parameters(), &seeds);
+        let fluid = Fluid::new(self.spec.domain(), &self.spec.settings(), &seeds);
         drop(seeds);
         let shared = Shared::new(Path::resting(nodes));
         let skin = Skin::new(&self.topology, nodes);

@@ -6,16 +6,13 @@ use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use sph_core::wcsph::eos::Tait;
-use sph_core::{FluidSettings, Integrator, Parameters, wcsph};
+use sph_core::{Domain, FluidSettings, Integrator, legacy, wcsph};
 
 use super::error::HostError;
 use crate::settings::{Problem, Schema};
 
 /// Courant number at which the water's step breaks down (THEORY H4) [-].
 const BREAKDOWN_CFL: f64 = 1.2;
-/// Courant number by default of the predictor–corrector [-].
-const PREDICTOR_CORRECTOR_CFL: f64 = 0.3;
 
 /// The schema of a [`FluidElementSpec`]: its keys with units, ranges, defaults and meanings.
 pub fn schema() -> &'static Schema {
@@ -158,17 +155,10 @@ impl FluidElementSpec {
             let expected = "symplectic or predictor_corrector";
             return Err(Problem::new("integrator", self.integrator.name(), expected));
         }
-        let cfl = self.courant_number();
+        let cfl = self.settings().courant_number();
         match cfl < BREAKDOWN_CFL {
             true => Ok(()),
             false => Err(Problem::new("cfl", cfl, format!("a number above 0 and below {BREAKDOWN_CFL}"))),
-        }
-    }
-
-    fn courant_number(&self) -> f64 {
-        match self.integrator {
-            Integrator::PredictorCorrector => self.scheme.cfl.or(PREDICTOR_CORRECTOR_CFL),
-            _ => self.scheme.courant_number(),
         }
     }
 
@@ -177,29 +167,21 @@ impl FluidElementSpec {
         self.scheme.speed_of_sound(self.fastest_speed.unwrap_or(f64::NAN))
     }
 
-    /// What the water does not change during a run.
-    pub fn parameters(&self) -> Parameters {
-        let (water, scheme) = (&self.water, &self.scheme);
-        let eos = Tait { rho0: water.density, c0: self.speed_of_sound(), gamma: scheme.eos_exponent };
-        let mut parameters = Parameters {
-            kernel: water.kernel,
-            smoothing_ratio: water.smoothing_ratio,
+    /// The water and the space it moves in.
+    pub fn domain(&self) -> Domain {
+        Domain {
+            fluid: self.water,
             gravity: self.gravity,
-            alpha: scheme.artificial_viscosity,
-            nu: water.kinematic_viscosity,
-            delta: scheme.density_diffusion,
-            dissipation: scheme.dissipation,
-            shifting: scheme.shifting,
-            settling: scheme.settling,
-            slip: water.wall_slip,
-            wall_stretch: scheme.wall_stretch,
-            ventilation: scheme.ventilation,
-            integrator: self.integrator,
-            cfl: self.courant_number(),
-            ..Parameters::usual(eos)
-        };
-        parameters.walls.water_depth = self.depth;
-        parameters
+            fastest_speed: self.fastest_speed.unwrap_or(0.1 * self.speed_of_sound()),
+            ..Domain::default()
+        }
+    }
+
+    /// The scheme's settings.
+    pub fn settings(&self) -> legacy::Settings {
+        let scheme = wcsph::Settings { sound_speed: self.speed_of_sound().into(), ..self.scheme };
+        let options = legacy::Options { integrator: self.integrator, water_depth: self.depth, ..Default::default() };
+        legacy::Settings { scheme, options }
     }
 }
 

@@ -46,7 +46,7 @@ pub fn sample(plate: &Plate, &WallRows { spacing, layers, .. }: &WallRows) -> Ve
             end_row(line, thickness, depth, spacing, &mut points);
         }
     }
-    points.into_iter().map(|p| WallPoint { screen: Some(0), ..p }).collect()
+    points.into_iter().map(|p| WallPoint { midline: Some(0), ..p }).collect()
 }
 
 /// A row behind the last end of a line, as wide as the plate is thick.
@@ -59,7 +59,7 @@ fn end_row(line: &[[f64; 2]], thickness: f64, depth: f64, spacing: f64, points: 
     for k in 0..count as usize {
         let across = (k as f64 + 0.5) * part - 0.5 * thickness;
         let at = [0, 1].map(|c| end[c] - depth * along[c] + across * out[c]);
-        points.push(WallPoint { at, normal: along, area: part * spacing, spacing, depth, screen: None });
+        points.push(WallPoint { at, normal: along, area: part * spacing, spacing, depth, midline: None });
     }
 }
 
@@ -164,7 +164,7 @@ mod tests {
             for p in &points {
                 let [x, y] = [0, 1].map(|c| p.at[c] + p.depth * p.normal[c]);
                 let face = if p.normal[0] != 0.0 { x.abs() - 0.5 * t } else { (y - 0.5).abs() - 0.5 };
-                assert!(face.abs() < 1e-14 && p.screen == Some(0), "{p:?}: its depth is to its own face");
+                assert!(face.abs() < 1e-14 && p.midline == Some(0), "{p:?}: its depth is to its own face");
             }
         }
     }
@@ -213,7 +213,7 @@ mod tests {
             area: 1e-4,
             spacing: 0.01,
             depth: 0.005,
-            screen: None,
+            midline: None,
         };
         for thickness in [0.002, 0.01, 0.024] {
             let plate = Plate { roots: [0.04, 0.0], ..Plate::new(&[[0.001, 0.0], [0.001, 0.3]], thickness) };

@@ -1,6 +1,6 @@
-//! The rows of boundary particles that a wall model needs.
+//! The rows of boundary particles behind a surface.
 
-use sph_core::{Parameters, WallModel};
+use sph_core::WallLayout;
 
 /// How rows of boundary particles lie behind each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,14 +29,9 @@ impl WallRows {
         WallRows { spacing, layers, arrangement: Arrangement::Filled }
     }
 
-    /// The rows that the wall model needs: behind extrapolated walls as deep as the kernel's support 2h.
-    pub fn of(parameters: &Parameters, spacing: f64) -> WallRows {
-        let support = (2.0 * parameters.smoothing_ratio - 1e-9).ceil() as usize;
-        let (arrangement, layers) = match parameters.walls.model {
-            WallModel::Extrapolated | WallModel::MirrorPoint => (Arrangement::Filled, support),
-            WallModel::Dynamic => (Arrangement::Staggered, 2),
-            WallModel::Repulsive => (Arrangement::Filled, 1),
-        };
+    /// The rows that a scheme needs.
+    pub fn of(WallLayout { layers, staggered }: WallLayout, spacing: f64) -> WallRows {
+        let arrangement = if staggered { Arrangement::Staggered } else { Arrangement::Filled };
         WallRows { spacing, layers, arrangement }
     }
 

@@ -191,7 +191,7 @@ pub(crate) fn divide(
         let (at, normal) = station(row, s0 + (k as f64 + 0.5 - first) * part);
         let tip = (at_corner[0] && k == 0) || (at_corner[1] && k + 1 == count as usize);
         let share = if tip { 0.5 } else { 1.0 };
-        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced, depth, screen: None });
+        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced, depth, midline: None });
     }
 }
 
@@ -216,7 +216,7 @@ pub(crate) fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, poi
             area: part * spacing,
             spacing: (part * spacing).sqrt(),
             depth,
-            screen: None,
+            midline: None,
         });
     }
 }

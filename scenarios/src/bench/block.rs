@@ -5,8 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use sph_core::neighbours::images::Periodic;
-use sph_core::wcsph::eos::Tait;
-use sph_core::{Fluid, Parameters, Phase, Seed, Walls, parallel};
+use sph_core::{Domain, Fluid, Phase, Seed, Walls, parallel, wcsph};
 
 use super::BenchError;
 
@@ -20,14 +19,12 @@ const WARM_UP: usize = 2;
 /// A way to sum over pairs.
 pub(super) struct PairPath {
     pub name: &'static str,
-    choose: fn(&mut Parameters),
+    simd: bool,
 }
 
 /// All of them; the first is the reference that the others are measured by.
-pub(super) const PATHS: [PairPath; 2] = [
-    PairPath { name: "one at a time", choose: |parameters| parameters.wide = false },
-    PairPath { name: "side by side", choose: |parameters| parameters.wide = true },
-];
+pub(super) const PATHS: [PairPath; 2] =
+    [PairPath { name: "one at a time", simd: false }, PairPath { name: "side by side", simd: true }];
 
 /// A block that was stepped on one thread.
 #[derive(Clone, Debug, Serialize)]
@@ -72,12 +69,11 @@ pub struct Memory {
 }
 
 /// A doubly periodic box of Taylor & Green's vortices on a jittered lattice of `particles` [about], h/Δx = 1.5.
-fn vortices(particles: usize, choose: fn(&mut Parameters)) -> Result<Fluid, BenchError> {
+fn vortices(particles: usize, simd: bool) -> Result<Fluid, BenchError> {
     let cells = (particles as f64).sqrt().round() as usize;
     let (dx, cell) = (1.0 / cells as f64, Some([0.0, 1.0]));
-    let eos = Tait { rho0: 1000.0, c0: SOUND, gamma: 7.0 };
-    let mut parameters = Parameters { periodic: Some(Periodic { x: cell, y: cell }), ..Parameters::usual(eos) };
-    choose(&mut parameters);
+    let domain = Domain { periodic: Some(Periodic { x: cell, y: cell }), simd, ..Domain::default() };
+    let settings = wcsph::Settings { sound_speed: SOUND.into(), ..wcsph::Settings::default() };
     let mut dice = Dice(1);
     let seed = |k: usize| {
         let centre = |i: usize, throw: f64| (i as f64 + 0.5 + JITTER * throw) * dx;
@@ -86,7 +82,7 @@ fn vortices(particles: usize, choose: fn(&mut Parameters)) -> Result<Fluid, Benc
         Seed { at: [x, y], velocity, area: dx * dx, pressure: 0.0 }
     };
     let seeds: Vec<Seed> = (0..cells * cells).map(seed).collect();
-    let mut fluid = Fluid::new(parameters, &seeds);
+    let mut fluid = Fluid::new(domain, &settings, &seeds);
     fluid.initialise(&mut Walls::default())?;
     advance(&mut fluid, WARM_UP)?;
     Ok(fluid)
@@ -96,10 +92,10 @@ fn vortices(particles: usize, choose: fn(&mut Parameters)) -> Result<Fluid, Benc
 fn advance(fluid: &mut Fluid, steps: usize) -> Result<f64, BenchError> {
     let (mut walls, start) = (Walls::default(), Instant::now());
     for _ in 0..steps {
-        fluid.phases.begin(Phase::Integration);
+        fluid.timers_mut().begin(Phase::Integration);
         let dt = fluid.stable_dt(&walls)?;
         fluid.step(&mut walls, dt)?;
-        fluid.phases.end();
+        fluid.timers_mut().end();
     }
     Ok(start.elapsed().as_secs_f64())
 }
@@ -107,16 +103,16 @@ fn advance(fluid: &mut Fluid, steps: usize) -> Result<f64, BenchError> {
 /// Every path over the same block, on one thread.
 pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, BenchError> {
     let mut blocks: Vec<Block> = Vec::new();
-    for PairPath { name: path, choose } in PATHS {
+    for PairPath { name: path, simd } in PATHS {
         let block = parallel::on_threads(1, || {
-            let mut fluid = vortices(particles, choose)?;
+            let mut fluid = vortices(particles, simd)?;
             let in_sweeps =
-                |fluid: &Fluid| fluid.phases.seconds(Phase::Density) + fluid.phases.seconds(Phase::Momentum);
+                |fluid: &Fluid| fluid.timers().seconds(Phase::Density) + fluid.timers().seconds(Phase::Momentum);
             let before = in_sweeps(&fluid);
             let seconds = advance(&mut fluid, steps)?;
-            let evaluations = (fluid.particles.len() * steps) as f64;
+            let evaluations = (fluid.particles().len() * steps) as f64;
             Ok::<_, BenchError>(Block {
-                particles: fluid.particles.len(),
+                particles: fluid.particles().len(),
                 neighbours: neighbours(&fluid),
                 path,
                 steps,
@@ -133,12 +129,12 @@ pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, Bench
 
 /// The block as it is stepped by default, on one thread and on two by turns.
 pub(super) fn speedup(particles: usize, steps: usize) -> Result<(Speedup, Memory), BenchError> {
-    let mut fluid = parallel::on_threads(2, || vortices(particles, PATHS[PATHS.len() - 1].choose))?;
+    let mut fluid = parallel::on_threads(2, || vortices(particles, PATHS[PATHS.len() - 1].simd))?;
     let mut seconds = [0.0; 2];
     for threads in [1, 2, 2, 1] {
         seconds[threads - 1] += parallel::on_threads(threads, || advance(&mut fluid, steps))?;
     }
-    let particles = fluid.particles.len();
+    let particles = fluid.particles().len();
     let bytes_per_particle = fluid.bytes() as f64 / particles as f64;
     let memory = Memory { particles, bytes_per_particle, peak_resident_bytes: peak_resident() };
     Ok((Speedup { threads: 2, particles, speedup: seconds[0] / seconds[1] }, memory))
@@ -146,12 +142,12 @@ pub(super) fn speedup(particles: usize, steps: usize) -> Result<(Speedup, Memory
 
 /// Mean number of neighbours within the kernel, of every hundredth particle.
 fn neighbours(fluid: &Fluid) -> f64 {
-    let p = &fluid.particles;
+    let p = fluid.particles();
     let meets = |k: usize, j: usize| {
         let apart = |a: f64, b: f64| ((a - b).abs()).min(1.0 - (a - b).abs()); // the box repeats
         apart(p.x[k], p.x[j]).hypot(apart(p.y[k], p.y[j])) < p.h[k] + p.h[j]
     };
-    let listed = |k: usize| fluid.search.fluid.of(k).map(|j| fluid.search.source(j, p.len()));
+    let listed = |k: usize| fluid.neighbours().fluid.of(k).map(|j| fluid.neighbours().source(j, p.len()));
     let some = (0..p.len()).step_by(100);
     let met: usize = some.clone().map(|k| listed(k).filter(|&j| meets(k, j)).count()).sum();
     met as f64 / some.len() as f64

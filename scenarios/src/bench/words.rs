@@ -9,7 +9,7 @@ use crate::summary::PhaseTime;
 
 /// Width of the bar of phases in letters.
 const BAR: usize = 60;
-/// Phases of a smaller share are not shown.
+/// Timers of a smaller share are not shown.
 const UNSEEN: f64 = 0.0005;
 
 /// The table for people.

@@ -23,7 +23,7 @@ impl FlowPictures {
 
     /// Keep the state now, due or not: the last word of a run that stops early.
     pub fn keep(&mut self, frame: &Frame<'_>) {
-        let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
+        let (p, d, w) = (frame.system.fluid.particles(), frame.system.fluid.fields(), &frame.system.walls);
         let narrow = |v: &[f64]| v.iter().map(|x| *x as f32).collect::<Vec<f32>>();
         let bodies = frame.system.bodies().filter_map(|b| Some((b.motion()?, b.outline()?)));
         self.frames.push(FlowFrame {

@@ -13,7 +13,7 @@ const GAP: f64 = 2.0;
 /// V5: length of the water along the floor [m]: from its left end, through particles within three spacings of the
 /// lowest, until two spacings lie empty; half a spacing beyond the middles of the first and the last particle.
 pub fn front(fluid: &Fluid) -> f64 {
-    let (p, ratio) = (&fluid.particles, fluid.parameters.smoothing_ratio);
+    let (p, ratio) = (fluid.particles(), fluid.domain().fluid.smoothing_ratio);
     let lowest = p.y.iter().copied().fold(f64::INFINITY, f64::min);
     let spacing = |k: usize| p.h[k] / ratio;
     let mut row: Vec<[f64; 2]> =
@@ -35,7 +35,7 @@ mod tests {
         let mut system = build::build(&scene).expect("a dam");
         assert!((front(&system.fluid) - 1.2).abs() < 1e-9, "{}", front(&system.fluid));
         // a drop of spray far ahead does not count
-        system.fluid.particles.x[0] += 1.7;
+        system.fluid.particles_mut().x[0] += 1.7;
         assert!((front(&system.fluid) - 1.2).abs() < 0.051, "{}", front(&system.fluid));
     }
 }

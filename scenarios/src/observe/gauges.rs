@@ -102,7 +102,7 @@ impl GaugeReader {
         if !self.instruments.iter().any(&which) {
             return;
         }
-        let time = system.fluid.time;
+        let time = system.fluid.time();
         let probe = Probe::new(&system.fluid);
         let body = system.bodies().find(|b| b.motion().is_some());
         let motion = body.and_then(|b| b.motion()).unwrap_or_default();

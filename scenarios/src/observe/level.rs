@@ -46,7 +46,7 @@ impl LevelReader {
 
     /// Q3: η(x) = Σ V_j M₄((x − x_j)/s)/s − H [m], with the images of the water behind the side walls.
     pub fn read(&self, fluid: &Fluid) -> Vec<f64> {
-        let p = &fluid.particles;
+        let p = fluid.particles();
         let level = |place: &Place| {
             let share = |x: f64| spline((x - place.x) / place.scale) / place.scale;
             let images = |x: f64| share(x) + share(2.0 * self.walls[0] - x) + share(2.0 * self.walls[1] - x);

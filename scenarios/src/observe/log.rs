@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use sph_core::parallel;
-use sph_core::particles::totals::Holdings;
+use sph_core::particles::totals::Totals;
 
 use super::{Frame, ObserveError, Observer};
 use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogMetadata, Logged, ParticleView};
@@ -58,7 +58,7 @@ impl LogObserver {
                 self.gauges.iter().map(String::as_str).zip(frame.gauges.iter().copied()).collect();
             self.writer.sample(t, "gauges", &named)?;
         }
-        let Holdings { energy, momentum, volume, top_speed, .. } = *frame.held;
+        let Totals { energy, momentum, volume, top_speed, .. } = *frame.held;
         let audit = [
             ("momentum_x_N_s_per_m", momentum[0]),
             ("momentum_y_N_s_per_m", momentum[1]),
@@ -93,7 +93,7 @@ impl LogObserver {
     }
 
     fn picture(&mut self, frame: &Frame<'_>, last: bool) -> Result<(), ObserveError> {
-        let (p, d, w) = (&frame.system.fluid.particles, &frame.system.fluid.derived, &frame.system.walls);
+        let (p, d, w) = (frame.system.fluid.particles(), frame.system.fluid.fields(), &frame.system.walls);
         let mut spacing = vec![0.0; p.len()];
         parallel::gather_into(&mut spacing, |k| (p.mass[k] / p.rho[k]).sqrt());
         let fluid = ParticleView {
@@ -107,7 +107,7 @@ impl LogObserver {
             id: &p.id,
         };
         let wall_spacing: Vec<f64> = w.volume.iter().map(|v| v.sqrt()).collect();
-        let wall_density = vec![frame.system.fluid.parameters.eos.rho0; w.len()];
+        let wall_density = vec![frame.system.fluid.domain().fluid.density; w.len()];
         let wall_id: Vec<u32> = (0..w.len() as u32).collect();
         let walls = ParticleView {
             x: &w.x,

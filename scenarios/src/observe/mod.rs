@@ -18,7 +18,7 @@ mod volume;
 use std::io;
 
 use fsi_coupling::{Coupled, Penetration};
-use sph_core::particles::totals::Holdings;
+use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
@@ -43,7 +43,7 @@ pub struct Frame<'a> {
     /// Pressure of each gauge [Pa], in the scene's order.
     pub gauges: &'a [f64],
     /// What the fluid holds.
-    pub held: &'a Holdings,
+    pub held: &'a Totals,
     /// Fluid particles beyond a wall's surface.
     pub penetration: &'a Penetration,
     /// True where particles are due as well as curves.
@@ -53,7 +53,7 @@ pub struct Frame<'a> {
 impl Frame<'_> {
     /// Time [s].
     pub fn time(&self) -> f64 {
-        self.system.fluid.time
+        self.system.fluid.time()
     }
 }
 

@@ -29,8 +29,8 @@ impl VolumeReader {
 
     /// Q7: area between floor, side walls and surface [m²].
     pub fn read(&self, fluid: &Fluid) -> f64 {
-        let p = &fluid.particles;
-        let finest = p.h.iter().copied().fold(f64::INFINITY, f64::min) / fluid.parameters.smoothing_ratio;
+        let p = fluid.particles();
+        let finest = p.h.iter().copied().fold(f64::INFINITY, f64::min) / fluid.domain().fluid.smoothing_ratio;
         let [left, right] = self.walls;
         let columns = (CELLS * (right - left) / finest).round().max(1.0);
         let width = (right - left) / columns;
@@ -81,7 +81,7 @@ mod tests {
             let reader = VolumeReader::new(&scene);
             let volume = reader.read(&system.fluid);
             assert!((volume - 1.0).abs() < 2e-3, "{set}: {volume} m²");
-            system.fluid.particles.y.iter_mut().for_each(|y| *y = 1.01 * (*y + 1.0) - 1.0);
+            system.fluid.particles_mut().y.iter_mut().for_each(|y| *y = 1.01 * (*y + 1.0) - 1.0);
             let more = reader.read(&system.fluid) / volume - 1.0;
             assert!((more - 0.01).abs() < 1e-3, "{set}: {more}");
         }

@@ -1,7 +1,7 @@
 //! `[fluid]`: defaults that depend on the solver and on the flow, and keys that exclude each other.
 
 use fsi_coupling::settings::{Problem, significant};
-use sph_core::legacy::settings::EquationOfState;
+use sph_core::legacy::{EquationOfState, Settings};
 use sph_core::{Dissipation, IdealGas, Integrator, Turbulence, WallModel};
 
 use super::auto::auto_sound_speed;
@@ -58,7 +58,7 @@ fn no_coefficient(draft: &mut Draft, key: &str) -> Result<(), Problem> {
 
 fn resolve_weakly_compressible(draft: &mut Draft, water: &Water, sound: Option<f64>) -> Result<(), Problem> {
     let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
-    draft.fill("fluid.cfl", usual_cfl(options.integrator).unwrap_or_else(|| scheme.courant_number()));
+    draft.fill("fluid.cfl", Settings { scheme, options }.courant_number());
     if options.turbulence == Turbulence::Sps && water.fluid.kinematic_viscosity == 0.0 {
         return Err(Problem::new("fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0"));
     }
@@ -78,16 +78,6 @@ fn resolve_weakly_compressible(draft: &mut Draft, water: &Water, sound: Option<f
         draft.set("fluid.sound_speed", gas_sound_speed(&gas, sound)?);
     }
     Ok(())
-}
-
-/// Courant number by default of the integrators of 2010: the predictor–corrector needs half the symplectic scheme's for the
-/// same noise.
-fn usual_cfl(integrator: Integrator) -> Option<f64> {
-    match integrator {
-        Integrator::Symplectic => None,
-        Integrator::PredictorCorrector | Integrator::Beeman => Some(0.3),
-        Integrator::Verlet => Some(0.05),
-    }
 }
 
 /// Speed of sound of a gas at rest [m/s], which follows from its temperature; another one that is given is refused.

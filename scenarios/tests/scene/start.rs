@@ -61,7 +61,8 @@ fn a_tilted_tank_and_a_block_have_the_mass_pressure_and_velocity_asked_for() {
         "tank.block_velocity=[1, -2]",
     ];
     let scene = changed(TANK, &changes).expect("a sound scene");
-    let p = build::build(&scene).expect("a tank").fluid.particles;
+    let system = build::build(&scene).expect("a tank");
+    let p = system.fluid.particles();
     let (in_air, in_tank): (Vec<usize>, Vec<usize>) = (0..p.len()).partition(|&k| p.v[k] != 0.0);
     let mass = |of: &[usize]| of.iter().map(|&k| p.mass[k]).sum::<f64>();
     assert!((mass(&in_air) / 80.0 - 1.0).abs() < 1e-12, "{}", mass(&in_air));

@@ -4,10 +4,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{Bond, Constants};
-use crate::interactions::simd::Number;
-use crate::parameters::Parameters;
+use crate::interactions::geometry::{PairConstants, PairGeometry};
+use crate::interactions::kernel::{Kernel, Shape, WithKernel};
+use crate::interactions::simd::SimdReal;
 
 /// What smooths pressures and velocities between fluid particles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -30,11 +29,11 @@ const NEAREST: f64 = 1e-9;
 /// The dissipative part of a pair: what E4 gains by a difference of pressure, and E6 by a closing speed.
 pub trait PairDissipation: Copy + Send + Sync + 'static {
     /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (E5, R1).
-    fn length<R: Number>(ab: &Bond<R>) -> R;
+    fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R;
     /// Factor of that sum [s/m].
-    fn rate<R: Number>(c: &Constants<R>) -> R;
+    fn rate<R: SimdReal>(c: &PairConstants<R>) -> R;
     /// Pressure [Pa], taken off p_a + p_b in E6, that v_ab·r_ab [m²/s] of the pair causes (E7, R2): never positive.
-    fn pressure<R: Number>(ab: &Bond<R>, along: R, c: &Constants<R>) -> R;
+    fn pressure<R: SimdReal>(ab: &PairGeometry<R>, along: R, c: &PairConstants<R>) -> R;
 }
 
 /// E5 and E7.
@@ -49,15 +48,15 @@ pub struct ElasticPair;
 
 impl PairDissipation for DiffusivePair {
     #[inline(always)]
-    fn length<R: Number>(ab: &Bond<R>) -> R {
+    fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R {
         ab.size.h
     }
     #[inline(always)]
-    fn rate<R: Number>(c: &Constants<R>) -> R {
+    fn rate<R: SimdReal>(c: &PairConstants<R>) -> R {
         c.delta.of(2.0) * c.delta / c.c0
     }
     #[inline(always)]
-    fn pressure<R: Number>(ab: &Bond<R>, along: R, c: &Constants<R>) -> R {
+    fn pressure<R: SimdReal>(ab: &PairGeometry<R>, along: R, c: &PairConstants<R>) -> R {
         let h = ab.size.h;
         c.rho0 * c.alpha * c.c0 * h * along.min(h.of(0.0)) / (ab.r2 + h.of(0.01) * h * h)
     }
@@ -66,16 +65,16 @@ impl PairDissipation for DiffusivePair {
 impl PairDissipation for RiemannPair {
     /// R1: 2(v_a − v*)·∇W with v* = v̄ + (p_L − p_R)/(2ρ₀c₀) leaves (p_a − p_b) r/(ρ₀c₀) beside E4.
     #[inline(always)]
-    fn length<R: Number>(ab: &Bond<R>) -> R {
+    fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R {
         ab.r
     }
     #[inline(always)]
-    fn rate<R: Number>(c: &Constants<R>) -> R {
+    fn rate<R: SimdReal>(c: &PairConstants<R>) -> R {
         c.c0.of(1.0) / c.c0
     }
     /// R2: p_a + p_b − 2p* = −ρ₀ β w, w the closing speed.
     #[inline(always)]
-    fn pressure<R: Number>(ab: &Bond<R>, along: R, c: &Constants<R>) -> R {
+    fn pressure<R: SimdReal>(ab: &PairGeometry<R>, along: R, c: &PairConstants<R>) -> R {
         let parting = along.min(along.of(0.0)) / ab.r.max(along.of(NEAREST) * ab.size.h); // −w
         c.rho0 * (parting * along.of(-LIMITER)).min(c.c0) * parting
     }
@@ -83,15 +82,15 @@ impl PairDissipation for RiemannPair {
 
 impl PairDissipation for ElasticPair {
     #[inline(always)]
-    fn length<R: Number>(ab: &Bond<R>) -> R {
+    fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R {
         ab.r.of(0.0)
     }
     #[inline(always)]
-    fn rate<R: Number>(c: &Constants<R>) -> R {
+    fn rate<R: SimdReal>(c: &PairConstants<R>) -> R {
         c.c0.of(0.0)
     }
     #[inline(always)]
-    fn pressure<R: Number>(_: &Bond<R>, along: R, _: &Constants<R>) -> R {
+    fn pressure<R: SimdReal>(_: &PairGeometry<R>, along: R, _: &PairConstants<R>) -> R {
         along.of(0.0)
     }
 }
@@ -113,39 +112,39 @@ impl<T: WithPairs> WithKernel for Dissipating<T> {
     }
 }
 
-impl Parameters {
-    /// Do a task with this fluid's kernel and dissipation as types.
-    pub(crate) fn with_pairs<T: WithPairs>(&self, task: T) {
-        self.kernel.run(Dissipating(self.dissipation, task));
-    }
+/// Run `task` with the kernel and the dissipation as types.
+pub(crate) fn with_pairs<T: WithPairs>(kernel: Kernel, dissipation: Dissipation, task: T) {
+    kernel.run(Dissipating(dissipation, task));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interactions::geometry::{MeanScale, pair_geometry};
     use crate::interactions::kernel::WendlandC2;
-    use crate::interactions::pair::{Mean, Row, bond, density_rate, momentum};
+    use crate::interactions::packed_particle::PackedParticle;
+    use crate::interactions::pair::{density_rate, momentum};
 
-    const WATER: Constants =
-        Constants { gravity: [0.0, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.0, alpha: 0.0, nu: 0.0, stretch: 0.0 };
+    const WATER: PairConstants =
+        PairConstants { gravity: [0.0, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.0, alpha: 0.0, nu: 0.0, stretch: 0.0 };
 
-    fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> Row {
-        Row { x, y, u, v, p, volume: 0.01, fill: 0.01, h: 0.15 }
+    fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> PackedParticle {
+        PackedParticle { x, y, u, v, p, volume: 0.01, raw_volume: 0.01, h: 0.15 }
     }
 
-    fn rate_of<D: PairDissipation>(a: &Row, b: &Row, c: &Constants) -> f64 {
-        density_rate::<f64, WendlandC2, D>(a, 1000.0, [*b].into_iter(), [].into_iter(), Mean, c)
+    fn rate_of<D: PairDissipation>(a: &PackedParticle, b: &PackedParticle, c: &PairConstants) -> f64 {
+        density_rate::<f64, WendlandC2, D>(a, 1000.0, [*b].into_iter(), [].into_iter(), MeanScale, c)
     }
 
-    fn pushed(a: &Row, b: &Row) -> [f64; 2] {
+    fn pushed(a: &PackedParticle, b: &PackedParticle) -> [f64; 2] {
         let (near, c) = ([*b].into_iter(), &WATER);
-        momentum::<f64, WendlandC2, RiemannPair>(a, near, [].into_iter(), Mean, c, 0.0).lanes()[0].force
+        momentum::<f64, WendlandC2, RiemannPair>(a, near, [].into_iter(), MeanScale, c, 0.0).lanes()[0].force
     }
 
     /// Zhang, Hu & Adams' own form, written out: 2 ρ_a V_b (v_a − v*)·∇W and −2 V_a V_b p* ∇W with ρ = ρ₀, the states L
     /// and R along e = −r_ab/r.
-    fn written_out(a: &Row, b: &Row) -> (f64, [f64; 2]) {
-        let ab = bond::<WendlandC2>(a.x, a.y, a.h, b.x, b.y, b.h).expect("neighbours");
+    fn written_out(a: &PackedParticle, b: &PackedParticle) -> (f64, [f64; 2]) {
+        let ab = pair_geometry::<WendlandC2>(a.x, a.y, a.h, b.x, b.y, b.h).expect("neighbours");
         let r = ab.dx.hypot(ab.dy);
         let e = [-ab.dx / r, -ab.dy / r];
         let (left, right) = (a.u * e[0] + a.v * e[1], b.u * e[0] + b.v * e[1]);
@@ -155,7 +154,7 @@ mod tests {
         let velocity = [0, 1].map(|k| 0.5 * ([a.u, a.v][k] + [b.u, b.v][k]) + (star - mean) * e[k]);
         let beta = (3.0 * (left - right).max(0.0)).min(WATER.c0);
         let pressure = 0.5 * (a.p + b.p) + 0.5 * beta * WATER.rho0 * (left - right);
-        let gradient = [ab.slope * ab.dx, ab.slope * ab.dy];
+        let gradient = [ab.grad_factor * ab.dx, ab.grad_factor * ab.dy];
         let flux = (a.u - velocity[0]) * gradient[0] + (a.v - velocity[1]) * gradient[1];
         let force = gradient.map(|g| -2.0 * a.volume * b.volume * pressure * g);
         (2.0 * WATER.rho0 * b.volume * flux, force)
@@ -181,7 +180,7 @@ mod tests {
     fn a_riemann_pair_diffuses_as_half_its_distance_says() {
         let (a, b) = (row(0.0, 0.0, 0.3, 0.0, 350.0), row(0.12, 0.1, 0.0, 0.1, -80.0));
         let delta = 0.5 * 0.12_f64.hypot(0.1) / 0.15;
-        let diffusive = Constants { delta, ..WATER };
+        let diffusive = PairConstants { delta, ..WATER };
         let ours = rate_of::<RiemannPair>(&a, &b, &WATER);
         let theirs = rate_of::<DiffusivePair>(&a, &b, &diffusive);
         assert!((ours / theirs - 1.0).abs() < 1e-13, "{ours}, {theirs}");
@@ -197,8 +196,8 @@ mod tests {
         for k in 0..2 {
             assert!(on_a[k] != 0.0 && (on_a[k] + on_b[k]).abs() <= 1e-15 * on_a[k].abs());
         }
-        let still = Row { u: 0.0, v: 0.0, ..a };
-        let rate = rate_of::<RiemannPair>(&still, &Row { u: 0.0, v: 0.0, ..b }, &WATER);
+        let still = PackedParticle { u: 0.0, v: 0.0, ..a };
+        let rate = rate_of::<RiemannPair>(&still, &PackedParticle { u: 0.0, v: 0.0, ..b }, &WATER);
         assert!(rate.abs() < 1e-12, "{rate}");
     }
 

@@ -1,34 +1,53 @@
-//! The four sweeps of a step: which rows meet in which sum.
+//! The sums over pairs of a step: which particles meet in which sum.
 
 use std::marker::PhantomData;
 
-use crate::interactions::dissipation::{ElasticPair, PairDissipation, WithPairs};
-use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{self, Alike, Constants, Extrapolated, Face, Gathered, Mean, Row};
-use crate::interactions::simd::{self, LANES, Number, Task};
-use crate::neighbours::Search;
+use crate::domain::Domain;
+use crate::interactions::dissipation::{Dissipation, ElasticPair, PairDissipation, WithPairs, with_pairs};
+use crate::interactions::geometry::{MeanScale, PairConstants, UniformScale};
+use crate::interactions::kernel::{Kernel, Shape, WithKernel};
+use crate::interactions::packed_particle::{PackedParticle, PackedWall};
+use crate::interactions::pair::{self, Extrapolated, Gathered};
+use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::neighbours::Neighbours;
 use crate::neighbours::lists::{Lists, NONE};
 use crate::parallel::{self, CHUNK};
-use crate::parameters::Parameters;
-use crate::particles::Surroundings;
+use crate::particles::KernelMoments;
 
 /// What a sweep gathers for its targets, side by side.
 pub(crate) trait Gather: Sync {
     /// A target's sum.
     type Sum: Send;
-    /// Sums of the targets from `first` on, as many as an `R` is wide.
-    fn gather<R: Number, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Self::Sum; LANES];
+    /// Sums of the targets from `first` on, as many as an `R` is simd.
+    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Self::Sum; LANES];
 }
 
-impl Parameters {
-    /// `out[k]` ← the sum of target k: one dispatch on kernel and dissipation a sweep, one on the processor a chunk.
-    pub(crate) fn sweep<G: Gather>(&self, gather: &G, out: impl Sums<G::Sum>) {
-        self.with_pairs(Sweep { gather, out, wide: self.wide });
+/// How sums over pairs are run: one dispatch on kernel and dissipation per sum, one on the processor per chunk.
+pub(crate) struct PairSums {
+    kernel: Kernel,
+    dissipation: Dissipation,
+    simd: bool,
+}
+
+impl PairSums {
+    /// With the domain's kernel.
+    pub fn of(domain: &Domain) -> PairSums {
+        PairSums::with(domain, Dissipation::default())
     }
 
-    /// The same for sums in which fluid does not meet fluid, and nothing dissipates.
-    pub(crate) fn sweep_walls<G: Gather>(&self, gather: &G, out: impl Sums<G::Sum>) {
-        self.kernel.run(Sweep { gather, out, wide: self.wide });
+    /// With a dissipation too.
+    pub fn with(domain: &Domain, dissipation: Dissipation) -> PairSums {
+        PairSums { kernel: domain.fluid.kernel, dissipation, simd: domain.simd }
+    }
+
+    /// `out[k]` ← the sum of target k.
+    pub fn run<G: Gather>(&self, gather: &G, out: impl Sums<G::Sum>) {
+        with_pairs(self.kernel, self.dissipation, PairSum { gather, out, simd: self.simd });
+    }
+
+    /// The same for sums in which fluid does not meet fluid, so that nothing dissipates.
+    pub fn run_without_dissipation<G: Gather>(&self, gather: &G, out: impl Sums<G::Sum>) {
+        self.kernel.run(PairSum { gather, out, simd: self.simd });
     }
 }
 
@@ -56,24 +75,24 @@ impl<S: Send> Sums<S> for &mut [S] {
     }
 }
 
-struct Sweep<'a, G, O> {
+struct PairSum<'a, G, O> {
     gather: &'a G,
     out: O,
-    wide: bool,
+    simd: bool,
 }
 
-impl<G: Gather, O: Sums<G::Sum>> WithKernel for Sweep<'_, G, O> {
+impl<G: Gather, O: Sums<G::Sum>> WithKernel for PairSum<'_, G, O> {
     type Out = ();
     fn with<K: Shape>(self) {
         WithPairs::with::<K, ElasticPair>(self);
     }
 }
 
-impl<G: Gather, O: Sums<G::Sum>> WithPairs for Sweep<'_, G, O> {
+impl<G: Gather, O: Sums<G::Sum>> WithPairs for PairSum<'_, G, O> {
     fn with<K: Shape, D: PairDissipation>(self) {
-        let Sweep { gather, out, wide } = self;
+        let PairSum { gather, out, simd } = self;
         parallel::each_piece(out.pieces(), |c, out| {
-            simd::run(wide, Piece::<G, O, K, D> { gather, first: c * CHUNK, out, pairs: PhantomData });
+            simd::run(simd, Piece::<G, O, K, D> { gather, first: c * CHUNK, out, pairs: PhantomData });
         });
     }
 }
@@ -88,7 +107,7 @@ struct Piece<'a, G, O, K, D> {
 impl<G: Gather, O: Sums<G::Sum>, K: Shape, D: PairDissipation> Task for Piece<'_, G, O, K, D> {
     type Out = ();
     #[inline(always)]
-    fn run<R: Number>(self, zero: R) {
+    fn run<R: SimdReal>(self, zero: R) {
         let Piece { gather, first, mut out, .. } = self;
         for k in (0..out.count()).step_by(R::WIDTH) {
             let sums = gather.gather::<R, K, D>(first + k, zero);
@@ -105,27 +124,27 @@ pub(crate) fn listed(lists: &Lists, wanted: bool) -> &Lists {
 
 /// E4 + E5 (R1): dρ/dt of every fluid particle.
 pub(crate) struct DensityRate<'a> {
-    pub fluid: &'a [Row],
-    pub faces: &'a [Face],
+    pub fluid: &'a [PackedParticle],
+    pub packed_walls: &'a [PackedWall],
     pub rho: &'a [f64],
-    pub search: &'a Search,
-    pub constants: Constants,
+    pub neighbours: &'a Neighbours,
+    pub constants: PairConstants,
     /// Walls reflect the velocity (E10).
-    pub reflecting: bool,
+    pub walls_reflect: bool,
 }
 
 impl Gather for DensityRate<'_> {
     type Sum = f64;
     #[inline(always)]
-    fn gather<R: Number, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [f64; LANES] {
-        let DensityRate { fluid, faces, rho, search, constants, reflecting } = self;
-        let (a, c) = (Row::targets(fluid, first, zero), constants.spread(zero));
+    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [f64; LANES] {
+        let DensityRate { fluid, packed_walls, rho, neighbours, constants, walls_reflect } = self;
+        let (a, c) = (PackedParticle::targets(fluid, first, zero), constants.splat(zero));
         let rho_a = zero.each(|k| rho[(first + k).min(rho.len() - 1)]);
-        let near = search.fluid.around(first, zero, fluid);
-        let walls = listed(&search.walls_of_fluid, *reflecting).around(first, zero, faces);
-        let rate = match R::WIDTH > 1 && search.fluid.alike(first) {
-            true => pair::density_rate::<R, K, D>(&a, rho_a, near, walls, Alike::new::<K>(a.h), &c),
-            false => pair::density_rate::<R, K, D>(&a, rho_a, near, walls, Mean, &c),
+        let near = neighbours.fluid.around(first, zero, fluid);
+        let walls = listed(&neighbours.walls_of_fluid, *walls_reflect).around(first, zero, packed_walls);
+        let rate = match R::WIDTH > 1 && neighbours.fluid.alike(first) {
+            true => pair::density_rate::<R, K, D>(&a, rho_a, near, walls, UniformScale::new::<K>(a.h), &c),
+            false => pair::density_rate::<R, K, D>(&a, rho_a, near, walls, MeanScale, &c),
         };
         rate.lanes()
     }
@@ -133,37 +152,37 @@ impl Gather for DensityRate<'_> {
 
 /// E9: what every wall particle extrapolates from the fluid.
 pub(crate) struct WallState<'a> {
-    pub fluid: &'a [Row],
-    pub walls: &'a [Row],
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
     pub acceleration: (&'a [f64], &'a [f64]),
-    pub search: &'a Search,
-    pub constants: Constants,
+    pub neighbours: &'a Neighbours,
+    pub constants: PairConstants,
 }
 
 impl Gather for WallState<'_> {
     type Sum = Extrapolated;
     #[inline(always)]
-    fn gather<R: Number, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Extrapolated; LANES] {
-        let WallState { fluid, walls, acceleration: (ax, ay), search, constants } = self;
+    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Extrapolated; LANES] {
+        let WallState { fluid, walls, acceleration: (ax, ay), neighbours, constants } = self;
         let acceleration = [ax, ay].map(|a| zero.each(|k| a[(first + k).min(a.len() - 1)]));
-        let near = search.fluid_of_wall.around(first, zero, fluid);
-        let wall = Row::targets(walls, first, zero);
-        pair::extrapolate::<R, K>(&wall, acceleration, near, &constants.spread(zero)).lanes()
+        let near = neighbours.fluid_of_wall.around(first, zero, fluid);
+        let wall = PackedParticle::targets(walls, first, zero);
+        pair::extrapolate::<R, K>(&wall, acceleration, near, &constants.splat(zero)).lanes()
     }
 }
 
 /// Where the momentum sweep puts its sums: forces [N/m] where accelerations will stand, and how neighbours lie.
-pub(crate) struct Forces<'a> {
+pub(crate) struct MomentumSums<'a> {
     pub x: &'a mut [f64],
     pub y: &'a mut [f64],
-    pub around: &'a mut [Surroundings],
+    pub moments: &'a mut [KernelMoments],
 }
 
-impl Sums<Gathered> for Forces<'_> {
+impl Sums<Gathered> for MomentumSums<'_> {
     fn pieces(self) -> Vec<Self> {
         let (x, y) = (self.x.chunks_mut(CHUNK), self.y.chunks_mut(CHUNK));
-        let pieces = x.zip(y).zip(self.around.chunks_mut(CHUNK));
-        pieces.map(|((x, y), around)| Forces { x, y, around }).collect()
+        let pieces = x.zip(y).zip(self.moments.chunks_mut(CHUNK));
+        pieces.map(|((x, y), moments)| MomentumSums { x, y, moments }).collect()
     }
     #[inline(always)]
     fn count(&self) -> usize {
@@ -172,32 +191,32 @@ impl Sums<Gathered> for Forces<'_> {
     #[inline(always)]
     fn put(&mut self, k: usize, sum: Gathered) {
         [self.x[k], self.y[k]] = sum.force;
-        self.around[k] = sum.around;
+        self.moments[k] = sum.moments;
     }
 }
 
 /// E6–E8 (R2), E12–E14: force on every fluid particle, and how its neighbours lie.
 pub(crate) struct Momentum<'a> {
-    pub fluid: &'a [Row],
-    pub walls: &'a [Row],
-    pub search: &'a Search,
-    pub constants: Constants,
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
+    pub neighbours: &'a Neighbours,
+    pub constants: PairConstants,
     pub wall_nu: f64,
     /// Walls push by their pressure (E6).
-    pub pushing: bool,
+    pub walls_push: bool,
 }
 
 impl Gather for Momentum<'_> {
     type Sum = Gathered;
     #[inline(always)]
-    fn gather<R: Number, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Gathered; LANES] {
-        let Momentum { fluid, walls, search, constants, wall_nu, pushing } = self;
-        let (a, c, wall_nu) = (Row::targets(fluid, first, zero), constants.spread(zero), zero.of(*wall_nu));
-        let near = search.fluid.around(first, zero, fluid);
-        let near_walls = listed(&search.walls_of_fluid, *pushing).around(first, zero, walls);
-        let sums = match R::WIDTH > 1 && search.fluid.alike(first) {
-            true => pair::momentum::<R, K, D>(&a, near, near_walls, Alike::new::<K>(a.h), &c, wall_nu),
-            false => pair::momentum::<R, K, D>(&a, near, near_walls, Mean, &c, wall_nu),
+    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Gathered; LANES] {
+        let Momentum { fluid, walls, neighbours, constants, wall_nu, walls_push } = self;
+        let (a, c, wall_nu) = (PackedParticle::targets(fluid, first, zero), constants.splat(zero), zero.of(*wall_nu));
+        let near = neighbours.fluid.around(first, zero, fluid);
+        let near_walls = listed(&neighbours.walls_of_fluid, *walls_push).around(first, zero, walls);
+        let sums = match R::WIDTH > 1 && neighbours.fluid.alike(first) {
+            true => pair::momentum::<R, K, D>(&a, near, near_walls, UniformScale::new::<K>(a.h), &c, wall_nu),
+            false => pair::momentum::<R, K, D>(&a, near, near_walls, MeanScale, &c, wall_nu),
         };
         sums.lanes()
     }
@@ -205,22 +224,42 @@ impl Gather for Momentum<'_> {
 
 /// The fluid's force on every wall particle.
 pub(crate) struct WallForce<'a> {
-    pub fluid: &'a [Row],
-    pub walls: &'a [Row],
-    pub search: &'a Search,
-    pub constants: Constants,
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
+    pub neighbours: &'a Neighbours,
+    pub constants: PairConstants,
     pub wall_nu: f64,
 }
 
 impl Gather for WallForce<'_> {
     type Sum = [f64; 2];
     #[inline(always)]
-    fn gather<R: Number, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [[f64; 2]; LANES] {
-        let WallForce { fluid, walls, search, constants, wall_nu } = self;
-        let near = search.fluid_of_wall.around(first, zero, fluid);
-        let wall = Row::targets(walls, first, zero);
-        let [x, y] = pair::wall_force::<R, K>(&wall, near, &constants.spread(zero), zero.of(*wall_nu));
+    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [[f64; 2]; LANES] {
+        let WallForce { fluid, walls, neighbours, constants, wall_nu } = self;
+        let near = neighbours.fluid_of_wall.around(first, zero, fluid);
+        let wall = PackedParticle::targets(walls, first, zero);
+        let [x, y] = pair::wall_force::<R, K>(&wall, near, &constants.splat(zero), zero.of(*wall_nu));
         let (x, y) = (x.lanes(), y.lanes());
         std::array::from_fn(|k| [x[k], y[k]])
+    }
+}
+
+/// The forces on the walls, by component [N/m].
+pub(crate) struct WallForceSums<'a> {
+    pub x: &'a mut [f64],
+    pub y: &'a mut [f64],
+}
+
+impl Sums<[f64; 2]> for WallForceSums<'_> {
+    fn pieces(self) -> Vec<Self> {
+        self.x.chunks_mut(CHUNK).zip(self.y.chunks_mut(CHUNK)).map(|(x, y)| WallForceSums { x, y }).collect()
+    }
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.x.len()
+    }
+    #[inline(always)]
+    fn put(&mut self, k: usize, sum: [f64; 2]) {
+        [self.x[k], self.y[k]] = sum;
     }
 }

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-use crate::interactions::simd::Number;
+use crate::interactions::simd::SimdReal;
 
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -32,11 +32,11 @@ pub trait Shape: Copy + Send + Sync + 'static {
     /// Normalisation [-]: α ∫₀² w(q) 2πq dq = 1.
     const ALPHA: f64;
     /// w(q) [-], for 0 ≤ q.
-    fn w<R: Number>(q: R) -> R;
-    /// Factor of [`Shape::fall`] [-].
-    const FALL: f64;
-    /// w'(q)/q over `FALL` [-] (never negative), for 0 < q; finite at 0.
-    fn fall<R: Number>(q: R) -> R;
+    fn w<R: SimdReal>(q: R) -> R;
+    /// Factor of [`Shape::dw_over_q`] [-].
+    const DW_FACTOR: f64;
+    /// w'(q)/q over `DW_FACTOR` [-] (never negative), for 0 < q; finite at 0.
+    fn dw_over_q<R: SimdReal>(q: R) -> R;
 }
 
 /// See [`Kernel::Gaussian`].
@@ -60,41 +60,41 @@ const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
 
 impl Shape for Gaussian {
     const ALPHA: f64 = 1.0 / (PI * GAUSSIAN_INSIDE);
-    const FALL: f64 = -2.0;
+    const DW_FACTOR: f64 = -2.0;
     #[inline(always)]
-    fn w<R: Number>(q: R) -> R {
+    fn w<R: SimdReal>(q: R) -> R {
         q.below(q.of(2.0), (q.of(-1.0) * q * q).exp(), q.of(0.0))
     }
     #[inline(always)]
-    fn fall<R: Number>(q: R) -> R {
+    fn dw_over_q<R: SimdReal>(q: R) -> R {
         Self::w(q)
     }
 }
 
 impl Shape for Quadratic {
     const ALPHA: f64 = 2.0 / PI;
-    const FALL: f64 = -0.375;
+    const DW_FACTOR: f64 = -0.375;
     #[inline(always)]
-    fn w<R: Number>(q: R) -> R {
+    fn w<R: SimdReal>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
         q.of(0.1875) * t * t
     }
     #[inline(always)]
-    fn fall<R: Number>(q: R) -> R {
+    fn dw_over_q<R: SimdReal>(q: R) -> R {
         (q.of(2.0) - q).max(q.of(0.0)) / q.max(q.of(1e-12))
     }
 }
 
 impl Shape for CubicSpline {
     const ALPHA: f64 = 10.0 / (7.0 * PI);
-    const FALL: f64 = -0.75;
+    const DW_FACTOR: f64 = -0.75;
     #[inline(always)]
-    fn w<R: Number>(q: R) -> R {
+    fn w<R: SimdReal>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
         q.below(q.of(1.0), q.of(1.0) - q * q * (q.of(1.5) - q.of(0.75) * q), q.of(0.25) * t * t * t)
     }
     #[inline(always)]
-    fn fall<R: Number>(q: R) -> R {
+    fn dw_over_q<R: SimdReal>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
         q.below(q.of(1.0), q.of(4.0) - q.of(3.0) * q, t * t / q)
     }
@@ -102,15 +102,15 @@ impl Shape for CubicSpline {
 
 impl Shape for WendlandC2 {
     const ALPHA: f64 = 7.0 / (4.0 * PI);
-    const FALL: f64 = -5.0;
+    const DW_FACTOR: f64 = -5.0;
     #[inline(always)]
-    fn w<R: Number>(q: R) -> R {
+    fn w<R: SimdReal>(q: R) -> R {
         let t = half_left(q);
         let t2 = t * t;
         t2 * t2 * q.mul_add(q.of(2.0), q.of(1.0))
     }
     #[inline(always)]
-    fn fall<R: Number>(q: R) -> R {
+    fn dw_over_q<R: SimdReal>(q: R) -> R {
         let t = half_left(q);
         t * t * t
     }
@@ -118,15 +118,15 @@ impl Shape for WendlandC2 {
 
 impl Shape for WendlandC4 {
     const ALPHA: f64 = 9.0 / (4.0 * PI);
-    const FALL: f64 = -14.0 / 3.0;
+    const DW_FACTOR: f64 = -14.0 / 3.0;
     #[inline(always)]
-    fn w<R: Number>(q: R) -> R {
+    fn w<R: SimdReal>(q: R) -> R {
         let t = half_left(q);
         let t2 = t * t;
         t2 * t2 * t2 * q.of(35.0 / 12.0).mul_add(q, q.of(3.0)).mul_add(q, q.of(1.0))
     }
     #[inline(always)]
-    fn fall<R: Number>(q: R) -> R {
+    fn dw_over_q<R: SimdReal>(q: R) -> R {
         let t = half_left(q);
         let t2 = t * t;
         t2 * t2 * t * q.mul_add(q.of(2.5), q.of(1.0))
@@ -135,7 +135,7 @@ impl Shape for WendlandC4 {
 
 /// 1 − q/2, and nothing beyond the support.
 #[inline(always)]
-fn half_left<R: Number>(q: R) -> R {
+fn half_left<R: SimdReal>(q: R) -> R {
     q.mul_add(q.of(-0.5), q.of(1.0)).max(q.of(0.0))
 }
 
@@ -182,7 +182,7 @@ impl Kernel {
             type Out = f64;
             fn with<K: Shape>(self) -> f64 {
                 let (q, h2) = (self.0 / self.1, self.1 * self.1);
-                K::ALPHA / (h2 * h2) * K::FALL * K::fall(q)
+                K::ALPHA / (h2 * h2) * K::DW_FACTOR * K::dw_over_q(q)
             }
         }
         self.run(At(r, h))

@@ -5,159 +5,41 @@
 //! reaction to rounding.
 
 use crate::interactions::dissipation::{ElasticPair, PairDissipation};
+use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::kernel::Shape;
-pub use crate::interactions::packed::{Face, Row};
-use crate::interactions::simd::{LANES, Number};
-use crate::particles::Surroundings;
-
-/// Numbers that every pair shares.
-#[derive(Clone, Copy, Debug)]
-pub struct Constants<R = f64> {
-    /// Gravity [m/s²].
-    pub gravity: [R; 2],
-    /// Reference density ρ₀ [kg/m³].
-    pub rho0: R,
-    /// Sound speed c₀ [m/s].
-    pub c0: R,
-    /// Density diffusion δ [-] (E5).
-    pub delta: R,
-    /// Artificial viscosity α [-] (E7).
-    pub alpha: R,
-    /// Kinematic viscosity ν [m²/s] (E8).
-    pub nu: R,
-    /// Whether walls feel the fluid stretch along them [-]: 0 or 1 (E10).
-    pub stretch: R,
-}
-
-impl Constants {
-    /// The same for every lane.
-    #[inline(always)]
-    pub(crate) fn spread<R: Number>(&self, zero: R) -> Constants<R> {
-        Constants {
-            gravity: [zero.of(self.gravity[0]), zero.of(self.gravity[1])],
-            rho0: zero.of(self.rho0),
-            c0: zero.of(self.c0),
-            delta: zero.of(self.delta),
-            alpha: zero.of(self.alpha),
-            nu: zero.of(self.nu),
-            stretch: zero.of(self.stretch),
-        }
-    }
-}
-
-/// A pair's smoothing length h̄ and what follows from it.
-#[derive(Clone, Copy)]
-pub struct Size<R = f64> {
-    pub(crate) h: R,
-    inverse: R,
-    peak: R,  // α/h²
-    steep: R, // α/h⁴ times the kernel's factor of slope
-}
-
-/// How a pair finds its size.
-pub trait Sizing<R>: Copy {
-    /// Size of a pair of smoothing lengths `a` and `b` [m].
-    fn of<K: Shape>(self, a: R, b: R) -> Size<R>;
-}
-
-/// E2: the pair's kernel is taken at the mean smoothing length, so ∇_a W_ab = −∇_b W_ab exactly.
-#[derive(Clone, Copy)]
-pub struct Mean;
-
-/// The same where all smoothing lengths are one: found once.
-#[derive(Clone, Copy)]
-pub struct Alike<R>(Size<R>);
-
-impl<R: Number> Sizing<R> for Mean {
-    #[inline(always)]
-    fn of<K: Shape>(self, a: R, b: R) -> Size<R> {
-        let h = a.of(0.5) * (a + b);
-        let inverse = h.of(1.0) / h;
-        let i2 = inverse * inverse;
-        let peak = h.of(K::ALPHA) * i2;
-        Size { h, inverse, peak, steep: h.of(K::FALL) * peak * i2 }
-    }
-}
-
-impl<R: Number> Alike<R> {
-    /// The size of every pair of smoothing lengths `h` [m].
-    #[inline(always)]
-    pub fn new<K: Shape>(h: R) -> Alike<R> {
-        Alike(Mean.of::<K>(h, h))
-    }
-}
-
-impl<R: Copy> Sizing<R> for Alike<R> {
-    #[inline(always)]
-    fn of<K: Shape>(self, _: R, _: R) -> Size<R> {
-        self.0
-    }
-}
-
-/// Geometry of a pair: r_ab, its length r, h̄ and ∇_a W_ab = `slope` r_ab, which is nothing beyond the support.
-#[derive(Clone, Copy)]
-pub struct Bond<R = f64> {
-    pub(crate) dx: R,
-    pub(crate) dy: R,
-    pub(crate) r2: R,
-    pub(crate) r: R,
-    pub(crate) q: R,
-    pub(crate) size: Size<R>,
-    pub(crate) slope: R,
-}
-
-impl<R: Number> Bond<R> {
-    #[inline(always)]
-    fn new<K: Shape>(dx: R, dy: R, size: Size<R>) -> Bond<R> {
-        let r2 = dx.mul_add(dx, dy * dy);
-        let r = r2.sqrt();
-        let q = r * size.inverse;
-        Bond { dx, dy, r2, r, q, size, slope: size.steep * K::fall(q) }
-    }
-
-    /// W_ab [1/m²].
-    #[inline(always)]
-    pub fn w<K: Shape>(&self) -> R {
-        self.size.peak * K::w(self.q)
-    }
-}
-
-/// The bond of a pair whose supports overlap.
-#[inline(always)]
-pub(crate) fn bond<K: Shape>(ax: f64, ay: f64, ah: f64, bx: f64, by: f64, bh: f64) -> Option<Bond> {
-    let (dx, dy, h) = (ax - bx, ay - by, 0.5 * (ah + bh));
-    (dx * dx + dy * dy < 4.0 * h * h).then(|| Bond::new::<K>(dx, dy, Mean.of::<K>(ah, bh)))
-}
+use crate::interactions::packed_particle::{PackedParticle, PackedWall};
+use crate::interactions::simd::{LANES, SimdReal};
+use crate::particles::KernelMoments;
 
 /// E4 + E5 (R1): dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
 #[inline(always)]
-pub fn density_rate<R: Number, K: Shape, D: PairDissipation>(
-    a: &Row<R>,
+pub fn density_rate<R: SimdReal, K: Shape, D: PairDissipation>(
+    a: &PackedParticle<R>,
     rho_a: R,
-    fluid: impl Iterator<Item = Row<R>>,
-    walls: impl Iterator<Item = Face<R>>,
-    sizes: impl Sizing<R>,
-    c: &Constants<R>,
+    fluid: impl Iterator<Item = PackedParticle<R>>,
+    walls: impl Iterator<Item = PackedWall<R>>,
+    sizes: impl ScaleRule<R>,
+    c: &PairConstants<R>,
 ) -> R {
     let (mut compression, mut diffusion) = (a.x.of(0.0), a.x.of(0.0));
     let weight = [c.rho0 * c.gravity[0], c.rho0 * c.gravity[1]];
     for b in fluid {
-        let ab = Bond::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
-        let flux = b.volume * ab.slope;
-        let closing = (a.u - b.u).mul_add(ab.dx, (a.v - b.v) * ab.dy);
+        let ab = PairGeometry::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
+        let flux = b.volume * ab.grad_factor;
+        let approach = (a.u - b.u).mul_add(ab.dx, (a.v - b.v) * ab.dy);
         // dynamic pressure difference: the hydrostatic part must not diffuse (Fourtakas et al. 2019)
         let excess = weight[0].mul_add(ab.dx, weight[1].mul_add(ab.dy, b.p - a.p));
-        compression = closing.mul_add(flux, compression);
+        compression = approach.mul_add(flux, compression);
         diffusion = excess.mul_add(D::length(&ab) * flux, diffusion);
     }
     for w in walls {
-        let aw = Bond::new::<K>(a.x - w.x, a.y - w.y, Mean.of::<K>(a.h, w.h));
+        let aw = PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h));
         // E10: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n across
         // the wall; along it, if so chosen, with the velocity of the fluid in front, whose stretching is then felt
         let (un, ut) = (a.u * w.nx + a.v * w.ny, a.v * w.nx - a.u * w.ny);
         let (rn, rt) = (aw.dx * w.nx + aw.dy * w.ny, aw.dy * w.nx - aw.dx * w.ny);
-        let closing = un.of(2.0) * (un - w.vn) * rn + c.stretch * (ut - w.vt) * rt;
-        compression = closing.mul_add(w.volume * aw.slope, compression);
+        let approach = un.of(2.0) * (un - w.vn) * rn + c.stretch * (ut - w.vt) * rt;
+        compression = approach.mul_add(w.volume * aw.grad_factor, compression);
     }
     rho_a * compression - D::rate(c) * diffusion
 }
@@ -165,24 +47,18 @@ pub fn density_rate<R: Number, K: Shape, D: PairDissipation>(
 /// E6 + E7 (R2) + E8: force of b on a over V_a, in parts along r_ab [Pa/m²] and along v_ab [Pa s/m³]: pressure, artificial
 /// and laminar viscosity.
 #[inline(always)]
-pub(crate) fn force<R: Number, D: PairDissipation>(
-    a: &Row<R>,
-    b: &Row<R>,
-    ab: &Bond<R>,
-    c: &Constants<R>,
+pub(crate) fn force<R: SimdReal, D: PairDissipation>(
+    a: &PackedParticle<R>,
+    b: &PackedParticle<R>,
+    ab: &PairGeometry<R>,
+    c: &PairConstants<R>,
     nu: R,
 ) -> [R; 2] {
-    let weight = b.volume * ab.slope;
+    let weight = b.volume * ab.grad_factor;
     let along = (a.u - b.u).mul_add(ab.dx, (a.v - b.v) * ab.dy);
     let normal = weight * (D::pressure(ab, along, c) - (a.p + b.p));
     let shear = weight * (nu.of(2.0) * c.rho0 * nu); // (r·∇W)/r² is the kernel's slope: nothing to regularise
     [normal, shear]
-}
-
-/// W [1/m²] and slope [1/m⁴] (∇W = slope · d) of a distance d = (dx, dy) [m]; `None` outside the support.
-#[inline(always)]
-pub(crate) fn kernel_and_slope<K: Shape>(dx: f64, dy: f64, h: f64) -> Option<(f64, f64)> {
-    bond::<K>(dx, dy, h, 0.0, 0.0, h).map(|b| (b.w::<K>(), b.slope))
 }
 
 /// What the momentum sweep gathers for one target.
@@ -191,93 +67,107 @@ pub struct Gathered {
     /// Force of all neighbours [N/m].
     pub force: [f64; 2],
     /// Geometry of the neighbourhood.
-    pub around: Surroundings,
+    pub moments: KernelMoments,
 }
 
 /// The same for several targets side by side.
 pub struct GatheredOver<R> {
     force: [R; 2],
-    filling: R,
-    fluid_filling: R,
-    crowding: [R; 2],
+    kernel_sum: R,
+    fluid_kernel_sum: R,
+    concentration_gradient: [R; 2],
     lambda: R,
 }
 
-impl<R: Number> GatheredOver<R> {
+impl<R: SimdReal> GatheredOver<R> {
     /// Each target's.
     #[inline(always)]
     pub fn lanes(&self) -> [Gathered; LANES] {
-        let GatheredOver { force, filling, fluid_filling, crowding, lambda } = self;
-        let (fx, fy, all, fluid) = (force[0].lanes(), force[1].lanes(), filling.lanes(), fluid_filling.lanes());
-        let (cx, cy, least) = (crowding[0].lanes(), crowding[1].lanes(), lambda.lanes());
+        let GatheredOver { force, kernel_sum, fluid_kernel_sum, concentration_gradient, lambda } = self;
+        let (fx, fy, all, fluid) = (force[0].lanes(), force[1].lanes(), kernel_sum.lanes(), fluid_kernel_sum.lanes());
+        let (cx, cy, least) = (concentration_gradient[0].lanes(), concentration_gradient[1].lanes(), lambda.lanes());
         std::array::from_fn(|k| {
-            let around = Surroundings::new(all[k], fluid[k], [cx[k], cy[k]], least[k]);
-            Gathered { force: [fx[k], fy[k]], around }
+            let moments = KernelMoments::new(all[k], fluid[k], [cx[k], cy[k]], least[k]);
+            Gathered { force: [fx[k], fy[k]], moments }
         })
     }
 }
 
 /// Forces on a fluid particle, and how its neighbours lie: it is one of them. `wall_nu` is ν where walls do not slip, else 0.
 #[inline(always)]
-pub fn momentum<R: Number, K: Shape, D: PairDissipation>(
-    a: &Row<R>,
-    fluid: impl Iterator<Item = Row<R>>,
-    walls: impl Iterator<Item = Row<R>>,
-    sizes: impl Sizing<R>,
-    c: &Constants<R>,
+pub fn momentum<R: SimdReal, K: Shape, D: PairDissipation>(
+    a: &PackedParticle<R>,
+    fluid: impl Iterator<Item = PackedParticle<R>>,
+    walls: impl Iterator<Item = PackedParticle<R>>,
+    sizes: impl ScaleRule<R>,
+    c: &PairConstants<R>,
     wall_nu: R,
 ) -> GatheredOver<R> {
     let none = a.x.of(0.0);
-    let mut sum = MomentumSum { force: [none; 2], filling: none, crowding: [none; 2], spread: [none; 3] };
+    let mut sum =
+        MomentumSum { force: [none; 2], kernel_sum: none, concentration_gradient: [none; 2], second_moment: [none; 3] };
     for b in fluid {
-        let ab = Bond::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
+        let ab = PairGeometry::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
         sum.take::<K, D>(a, &b, &ab, c, c.nu);
     }
-    let fluid_filling = sum.filling;
+    let fluid_kernel_sum = sum.kernel_sum;
     for w in walls {
-        let aw = Bond::new::<K>(a.x - w.x, a.y - w.y, Mean.of::<K>(a.h, w.h));
+        let aw = PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h));
         sum.take::<K, ElasticPair>(a, &w, &aw, c, wall_nu);
     }
-    let MomentumSum { force, filling, crowding, spread } = sum;
+    let MomentumSum { force, kernel_sum, concentration_gradient, second_moment } = sum;
     let force = [a.volume * force[0], a.volume * force[1]];
-    GatheredOver { force, filling, fluid_filling, crowding, lambda: smallest_eigenvalue(spread) }
+    GatheredOver {
+        force,
+        kernel_sum,
+        fluid_kernel_sum,
+        concentration_gradient,
+        lambda: smallest_eigenvalue(second_moment),
+    }
 }
 
 /// Running sums of [`momentum`].
 struct MomentumSum<R> {
     force: [R; 2],
-    filling: R,
-    crowding: [R; 2],
-    spread: [R; 3],
+    kernel_sum: R,
+    concentration_gradient: [R; 2],
+    second_moment: [R; 3],
 }
 
-impl<R: Number> MomentumSum<R> {
+impl<R: SimdReal> MomentumSum<R> {
     #[inline(always)]
-    fn take<K: Shape, D: PairDissipation>(&mut self, a: &Row<R>, b: &Row<R>, ab: &Bond<R>, c: &Constants<R>, nu: R) {
+    fn take<K: Shape, D: PairDissipation>(
+        &mut self,
+        a: &PackedParticle<R>,
+        b: &PackedParticle<R>,
+        ab: &PairGeometry<R>,
+        c: &PairConstants<R>,
+        nu: R,
+    ) {
         let [normal, shear] = force::<R, D>(a, b, ab, c, nu);
         let [x, y] = self.force; // over V_a
         self.force =
             [normal.mul_add(ab.dx, shear.mul_add(a.u - b.u, x)), normal.mul_add(ab.dy, shear.mul_add(a.v - b.v, y))];
-        self.filling = b.fill.mul_add(ab.w::<K>(), self.filling);
-        let pull = b.fill * ab.slope;
+        self.kernel_sum = b.raw_volume.mul_add(ab.w::<K>(), self.kernel_sum);
+        let pull = b.raw_volume * ab.grad_factor;
         let (px, py) = (pull * ab.dx, pull * ab.dy);
-        self.crowding = [self.crowding[0] + px, self.crowding[1] + py];
-        let [xx, xy, yy] = self.spread; // of the neighbours, so of −r_ab: λ's sign is turned at the end
-        self.spread = [px.mul_add(ab.dx, xx), px.mul_add(ab.dy, xy), py.mul_add(ab.dy, yy)];
+        self.concentration_gradient = [self.concentration_gradient[0] + px, self.concentration_gradient[1] + py];
+        let [xx, xy, yy] = self.second_moment; // of the neighbours, so of −r_ab: λ's sign is turned at the end
+        self.second_moment = [px.mul_add(ab.dx, xx), px.mul_add(ab.dy, xy), py.mul_add(ab.dy, yy)];
     }
 }
 
 /// Force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
-pub fn wall_force<R: Number, K: Shape>(
-    wall: &Row<R>,
-    fluid: impl Iterator<Item = Row<R>>,
-    c: &Constants<R>,
+pub fn wall_force<R: SimdReal, K: Shape>(
+    wall: &PackedParticle<R>,
+    fluid: impl Iterator<Item = PackedParticle<R>>,
+    c: &PairConstants<R>,
     wall_nu: R,
 ) -> [R; 2] {
     let mut sum = [wall.x.of(0.0); 2];
     for a in fluid {
-        let wa = Bond::new::<K>(wall.x - a.x, wall.y - a.y, Mean.of::<K>(wall.h, a.h));
+        let wa = PairGeometry::new::<K>(wall.x - a.x, wall.y - a.y, MeanScale.of::<K>(wall.h, a.h));
         let [normal, shear] = force::<R, ElasticPair>(wall, &a, &wa, c, wall_nu);
         sum = [
             normal.mul_add(wa.dx, shear.mul_add(wall.u - a.u, sum[0])),
@@ -296,7 +186,7 @@ pub struct Extrapolated<R = f64> {
     pub velocity: [R; 2],
 }
 
-impl<R: Number> Extrapolated<R> {
+impl<R: SimdReal> Extrapolated<R> {
     /// Each target's.
     #[inline(always)]
     pub(crate) fn lanes(&self) -> [Extrapolated; LANES] {
@@ -311,16 +201,16 @@ const TOUCHED: f64 = 1e-9;
 /// E9 (Adami, Hu & Adams 2012): pressure at a wall particle that moves with acceleration `acceleration`;
 /// the pressure gradient beside it is ρ(g − a_w).
 #[inline(always)]
-pub fn extrapolate<R: Number, K: Shape>(
-    wall: &Row<R>,
+pub fn extrapolate<R: SimdReal, K: Shape>(
+    wall: &PackedParticle<R>,
     acceleration: [R; 2],
-    fluid: impl Iterator<Item = Row<R>>,
-    c: &Constants<R>,
+    fluid: impl Iterator<Item = PackedParticle<R>>,
+    c: &PairConstants<R>,
 ) -> Extrapolated<R> {
     let none = wall.x.of(0.0);
     let (mut weight, mut pressure, mut velocity, mut arm) = (none, none, [none; 2], [none; 2]);
     for b in fluid {
-        let ab = Bond::new::<K>(wall.x - b.x, wall.y - b.y, Mean.of::<K>(wall.h, b.h));
+        let ab = PairGeometry::new::<K>(wall.x - b.x, wall.y - b.y, MeanScale.of::<K>(wall.h, b.h));
         let w = b.volume * ab.w::<K>();
         weight = weight + w;
         pressure = w.mul_add(b.p, pressure);
@@ -342,7 +232,7 @@ pub fn extrapolate<R: Number, K: Shape>(
 
 /// E14: smallest eigenvalue of the symmetric matrix −[[m0, m1], [m1, m2]].
 #[inline(always)]
-fn smallest_eigenvalue<R: Number>(m: [R; 3]) -> R {
+fn smallest_eigenvalue<R: SimdReal>(m: [R; 3]) -> R {
     let (mean, half) = (m[0].of(-0.5) * (m[0] + m[2]), m[0].of(0.5) * (m[0] - m[2]));
     mean - (half * half + m[1] * m[1]).sqrt()
 }
@@ -353,17 +243,23 @@ mod tests {
     use crate::interactions::dissipation::DiffusivePair;
     use crate::interactions::kernel::WendlandC2;
 
-    fn constants() -> Constants {
-        Constants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3, stretch: 1.0 }
+    fn constants() -> PairConstants {
+        PairConstants { gravity: [0.3, -9.81], rho0: 1000.0, c0: 50.0, delta: 0.1, alpha: 0.05, nu: 1e-3, stretch: 1.0 }
     }
 
-    fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> Row {
-        Row { x, y, u, v, p, volume: 0.01, fill: 0.0101, h: 0.15 }
+    fn row(x: f64, y: f64, u: f64, v: f64, p: f64) -> PackedParticle {
+        PackedParticle { x, y, u, v, p, volume: 0.01, raw_volume: 0.0101, h: 0.15 }
     }
 
-    fn pushed(a: &Row, fluid: &[Row], walls: &[Row], c: &Constants, wall_nu: f64) -> [f64; 2] {
+    fn pushed(
+        a: &PackedParticle,
+        fluid: &[PackedParticle],
+        walls: &[PackedParticle],
+        c: &PairConstants,
+        wall_nu: f64,
+    ) -> [f64; 2] {
         let (fluid, walls) = (fluid.iter().copied(), walls.iter().copied());
-        momentum::<f64, WendlandC2, DiffusivePair>(a, fluid, walls, Mean, c, wall_nu).lanes()[0].force
+        momentum::<f64, WendlandC2, DiffusivePair>(a, fluid, walls, MeanScale, c, wall_nu).lanes()[0].force
     }
 
     #[test]
@@ -390,7 +286,7 @@ mod tests {
         b.p = c.rho0 * (c.gravity[0] * b.x + c.gravity[1] * b.y);
         let a = row(0.0, 0.0, 0.0, 0.0, 0.0);
         let rate =
-            density_rate::<f64, WendlandC2, DiffusivePair>(&a, 1000.0, [b].into_iter(), [].into_iter(), Mean, &c);
+            density_rate::<f64, WendlandC2, DiffusivePair>(&a, 1000.0, [b].into_iter(), [].into_iter(), MeanScale, &c);
         assert!(rate.abs() < 1e-12, "{rate}");
     }
 
@@ -400,7 +296,7 @@ mod tests {
         let acceleration = [1.5, 4.0];
         let field = [c.gravity[0] - acceleration[0], c.gravity[1] - acceleration[1]];
         let p = |x: f64, y: f64| 700.0 + c.rho0 * (field[0] * x + field[1] * y);
-        let fluid: Vec<Row> =
+        let fluid: Vec<PackedParticle> =
             [(0.1, 0.1), (0.02, 0.13), (-0.1, 0.2)].map(|(x, y)| row(x, y, 0.0, 0.0, p(x, y))).to_vec();
         let wall = row(0.03, -0.05, 0.0, 0.0, 0.0);
         let found = extrapolate::<f64, WendlandC2>(&wall, acceleration, fluid.into_iter(), &c).pressure;

@@ -9,16 +9,16 @@ use std::ops::{Add, Div, Mul, Sub};
 pub const LANES: usize = 4;
 
 /// A number of the pair physics: an f64, or one of each of [`LANES`] targets.
-pub trait Number:
+pub trait SimdReal:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Send + Sync
 {
     /// Targets it holds: 1 or [`LANES`].
     const WIDTH: usize;
     /// `x` for every target.
     fn of(self, x: f64) -> Self;
-    /// `of(k)` for target k of [`Number::WIDTH`].
+    /// `of(k)` for target k of [`SimdReal::WIDTH`].
     fn each(self, of: impl FnMut(usize) -> f64) -> Self;
-    /// What the first [`Number::WIDTH`] targets have.
+    /// What the first [`SimdReal::WIDTH`] targets have.
     fn lanes(self) -> [f64; LANES];
     /// self · b + c, rounded once where the lanes can.
     fn mul_add(self, b: Self, c: Self) -> Self;
@@ -33,12 +33,12 @@ pub trait Number:
     /// Bit k set where target k has self < b.
     fn less(self, b: Self) -> u32;
     /// self where its target's bit is set, else 0.
-    fn only(self, bits: u32) -> Self;
+    fn mask(self, bits: u32) -> Self;
     /// `then` where self < limit, else `otherwise`.
     fn below(self, limit: Self, then: Self, otherwise: Self) -> Self;
 }
 
-impl Number for f64 {
+impl SimdReal for f64 {
     const WIDTH: usize = 1;
     #[inline(always)]
     fn of(self, x: f64) -> f64 {
@@ -77,7 +77,7 @@ impl Number for f64 {
         (self < b) as u32
     }
     #[inline(always)]
-    fn only(self, bits: u32) -> f64 {
+    fn mask(self, bits: u32) -> f64 {
         if bits & 1 == 1 { self } else { 0.0 }
     }
     #[inline(always)]
@@ -91,26 +91,26 @@ pub(crate) trait Task {
     /// What comes back.
     type Out;
     /// Do it with numbers like `zero`. To be inlined, so that it is compiled for the processor found.
-    fn run<R: Number>(self, zero: R) -> Self::Out;
+    fn run<R: SimdReal>(self, zero: R) -> Self::Out;
 }
 
 /// Do `task` as wide as this processor can, or one target at a time where `wide` is false.
 #[inline]
-pub(crate) fn run<T: Task>(wide: bool, task: T) -> T::Out {
+pub(crate) fn run<T: Task>(simd: bool, task: T) -> T::Out {
     #[cfg(target_arch = "x86_64")]
-    if let Some(processor) = pulp::x86::V3::try_new().filter(|_| wide) {
+    if let Some(processor) = pulp::x86::V3::try_new().filter(|_| simd) {
         return processor.vectorize(
             #[inline(always)]
             || task.run(avx2::Four::zero(processor)),
         );
     }
-    let _ = wide;
+    let _ = simd;
     task.run(0.0)
 }
 
 /// Do `task`, compiled for the processor found: plain loops over slices then go as wide as it can.
 #[inline(always)]
-pub(crate) fn widely<T>(task: impl FnOnce() -> T) -> T {
+pub(crate) fn with_simd<T>(task: impl FnOnce() -> T) -> T {
     #[cfg(target_arch = "x86_64")]
     if let Some(processor) = pulp::x86::V3::try_new() {
         return processor.vectorize(task);
@@ -120,7 +120,7 @@ pub(crate) fn widely<T>(task: impl FnOnce() -> T) -> T {
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use super::{LANES, Number};
+    use super::{LANES, SimdReal};
     use pulp::{cast, f64x4, x86::V3};
     use std::arch::x86_64::{__m256d, _CMP_LT_OQ};
     use std::ops::{Add, Div, Mul, Sub};
@@ -182,7 +182,7 @@ mod avx2 {
         table
     };
 
-    impl Number for Four {
+    impl SimdReal for Four {
         const WIDTH: usize = LANES;
         #[inline(always)]
         fn of(self, x: f64) -> Four {
@@ -223,7 +223,7 @@ mod avx2 {
             on._mm256_movemask_pd(on._mm256_cmp_pd::<_CMP_LT_OQ>(cast(self.1), cast(b.1))) as u32
         }
         #[inline(always)]
-        fn only(self, bits: u32) -> Four {
+        fn mask(self, bits: u32) -> Four {
             let chosen: f64x4 = cast(CHOSEN[bits as usize & 15]);
             self.with(Four(self.0, chosen), |on, x, y| on.avx._mm256_and_pd(x, y))
         }
@@ -246,7 +246,7 @@ mod tests {
     impl Task for Operations {
         type Out = Vec<[f64; LANES]>;
         #[inline(always)]
-        fn run<R: Number>(self, zero: R) -> Self::Out {
+        fn run<R: SimdReal>(self, zero: R) -> Self::Out {
             let mut rows = vec![[0.0; LANES]; 13];
             for first in (0..LANES).step_by(R::WIDTH) {
                 let (a, b) = (zero.each(|k| self.0[first + k]), zero.each(|k| self.1[first + k]));
@@ -262,7 +262,7 @@ mod tests {
                     a.max(b),
                     a.exp(),
                     bits(a.less(b)),
-                    a.only(5 >> (first % LANES)),
+                    a.mask(5 >> (first % LANES)),
                     a.below(b, a.of(7.0), b),
                     a.of(2.5),
                 ];

@@ -4,13 +4,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::fluid::Fluid;
+use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{self, Row};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::neighbours::Neighbours;
 use crate::parallel;
+use crate::system::ParticleSystem;
 use crate::timers::Phase;
-use crate::walls::Walls;
 
 /// How densities are smoothed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -30,9 +30,9 @@ const LEAST_DETERMINANT: f64 = 1e-3;
 
 /// L4 or L5 for every fluid particle.
 struct Filter<'a> {
-    fluid: &'a [Row],
+    fluid: &'a [PackedParticle],
     rho: &'a [f64],
-    search: &'a Search,
+    search: &'a Neighbours,
     linear: bool,
     out: &'a mut [f64],
 }
@@ -58,12 +58,16 @@ struct Moments {
 
 impl Moments {
     #[inline(always)]
-    fn gather<'r, K: Shape>(a: &Row, rho_a: f64, near: impl Iterator<Item = (&'r Row, f64)>) -> Moments {
+    fn gather<'r, K: Shape>(
+        a: &PackedParticle,
+        rho_a: f64,
+        near: impl Iterator<Item = (&'r PackedParticle, f64)>,
+    ) -> Moments {
         let mut sum = Moments::default();
-        sum.take(a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h), 0.0, 0.0, rho_a);
+        sum.take(a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h), 0.0, 0.0, rho_a);
         for (b, rho_b) in near {
-            if let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
-                sum.take(b.fill * ab.w::<K>(), -ab.dx / a.h, -ab.dy / a.h, rho_b);
+            if let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
+                sum.take(b.raw_volume * ab.w::<K>(), -ab.dx / a.h, -ab.dy / a.h, rho_b);
             }
         }
         sum
@@ -100,42 +104,23 @@ impl Moments {
     }
 }
 
-impl Fluid {
-    /// L4, L5: smooth the densities, if a filter is chosen and this step is one of its own.
-    pub(crate) fn filter_density(&mut self, walls: &Walls) {
-        let every = self.parameters.density_filter_every.max(1);
-        let due = (self.steps + 1).is_multiple_of(every);
-        let linear = match self.parameters.density_filter {
-            DensityFilter::None => return,
-            DensityFilter::Shepard => false,
-            DensityFilter::Mls => true,
-        };
-        if due {
-            self.smooth_density(walls, linear);
+/// L5 if `linear`, else L4, at the state last packed. The energies of a gas follow its isentropes: γ [-], if it is one.
+pub fn smooth_density(system: &mut ParticleSystem, linear: bool, gamma: Option<f64>) {
+    system.timers.begin(Phase::Density);
+    let mut smooth = vec![0.0; system.particles.len()];
+    system.domain.fluid.kernel.run(Filter {
+        fluid: &system.packed.fluid,
+        rho: &system.particles.rho,
+        search: &system.neighbours,
+        linear,
+        out: &mut smooth,
+    });
+    let p = &mut system.particles;
+    std::mem::swap(&mut p.rho, &mut smooth);
+    if let Some(gamma) = gamma {
+        for k in 0..p.x.len() {
+            p.energy[k] *= (p.rho[k] / smooth[k]).powf(gamma - 1.0);
         }
-    }
-
-    /// L5 if `linear`, else L4, now; walls where they stand at the end of the step.
-    pub fn smooth_density(&mut self, walls: &Walls, linear: bool) {
-        self.pack(walls, 0.0);
-        self.phases.begin(Phase::Density);
-        let mut smooth = std::mem::take(&mut self.density_rate); // free between rates
-        smooth.resize(self.particles.len(), 0.0);
-        self.parameters.kernel.run(Filter {
-            fluid: &self.rows.fluid,
-            rho: &self.particles.rho,
-            search: &self.search,
-            linear,
-            out: &mut smooth,
-        });
-        std::mem::swap(&mut self.particles.rho, &mut smooth);
-        if let Some(gas) = self.parameters.gas {
-            let p = &mut self.particles; //          a gas follows its isentropes
-            for k in 0..p.x.len() {
-                p.energy[k] *= (p.rho[k] / smooth[k]).powf(gas.gamma - 1.0);
-            }
-        }
-        self.density_rate = smooth;
     }
 }
 
@@ -146,9 +131,16 @@ mod tests {
 
     /// An uneven one-sided cloud, as at a free surface, and a density on it.
     fn filtered(rho: impl Fn(f64, f64) -> f64) -> (Moments, f64) {
-        let row = |x: f64, y: f64, fill: f64| Row { x, y, fill, volume: fill, h: 0.15, ..Row::default() };
+        let row = |x: f64, y: f64, raw_volume: f64| PackedParticle {
+            x,
+            y,
+            raw_volume,
+            volume: raw_volume,
+            h: 0.15,
+            ..PackedParticle::default()
+        };
         let places = [(0.1, 0.02), (-0.07, 0.05), (0.03, 0.11), (0.12, 0.13), (-0.11, 0.12), (0.0, 0.21)];
-        let near: Vec<(Row, f64)> =
+        let near: Vec<(PackedParticle, f64)> =
             places.iter().enumerate().map(|(k, &(x, y))| (row(x, y, 0.01 + 0.001 * k as f64), rho(x, y))).collect();
         let a = row(0.0, 0.0, 0.012);
         (Moments::gather::<WendlandC2>(&a, rho(0.0, 0.0), near.iter().map(|(b, r)| (b, *r))), rho(0.0, 0.0))

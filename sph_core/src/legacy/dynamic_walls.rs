@@ -1,8 +1,9 @@
 //! Dynamic walls (THEORY W2): wall particles are fluid particles that somebody else moves. Their density follows
 //! from continuity, their pressure from the equation of state.
 
+use crate::interactions::geometry::kernel_and_gradient;
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{Row, kernel_and_slope};
+use crate::interactions::packed_particle::PackedParticle;
 use crate::neighbours::lists::Lists;
 use crate::parallel;
 use crate::wcsph::eos::Tait;
@@ -23,14 +24,14 @@ impl DynamicWalls {
     }
 
     /// ρ ← ρ + Δt dρ/dt.
-    pub fn compress(&mut self, dt: f64) {
+    pub fn advance_density(&mut self, dt: f64) {
         for (rho, rate) in self.rho.iter_mut().zip(&self.rate) {
             *rho += dt * rate;
         }
     }
 
     /// ρ ← ρ (2 + ε)/(2 − ε), as for the fluid (E15).
-    pub fn compress_about_middle(&mut self, dt: f64) {
+    pub fn advance_density_midpoint(&mut self, dt: f64) {
         for (rho, rate) in self.rho.iter_mut().zip(&self.rate) {
             let strain = dt * rate / *rho;
             *rho *= (2.0 + strain) / (2.0 - strain);
@@ -45,7 +46,7 @@ impl DynamicWalls {
     /// ρ' = ρ at n + Δt dρ/dt (E16).
     pub fn correct(&mut self, dt: f64) {
         self.rho.clone_from(&self.old);
-        self.compress(dt);
+        self.advance_density(dt);
     }
 
     /// Pressures [Pa] of the densities, which never fall below ρ₀: a dry wall neither pulls nor stays stretched.
@@ -60,9 +61,9 @@ impl DynamicWalls {
 /// W2: the density rate that `others` cause on `targets`, both moving with their own velocities [kg/(m³ s)]. Once
 /// for the fluid beside walls, once for the walls beside fluid.
 pub(crate) struct OwnVelocityRate<'a> {
-    pub targets: &'a [Row],
+    pub targets: &'a [PackedParticle],
     pub rho: &'a [f64],
-    pub others: &'a [Row],
+    pub others: &'a [PackedParticle],
     pub lists: &'a Lists,
     pub out: &'a mut [f64],
 }
@@ -80,11 +81,11 @@ impl WithKernel for OwnVelocityRate<'_> {
 
 /// W2: Σ_b V_b (v_a − v_b)·∇W_ab [1/s] over neighbours that move with their own velocities.
 #[inline(always)]
-fn compression<'r, K: Shape>(a: &Row, others: impl Iterator<Item = &'r Row>) -> f64 {
+fn compression<'r, K: Shape>(a: &PackedParticle, others: impl Iterator<Item = &'r PackedParticle>) -> f64 {
     let mut sum = 0.0;
     for b in others {
         let (dx, dy) = (a.x - b.x, a.y - b.y);
-        if let Some((_, slope)) = kernel_and_slope::<K>(dx, dy, 0.5 * (a.h + b.h)) {
+        if let Some((_, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (a.h + b.h)) {
             sum += b.volume * ((a.u - b.u) * dx + (a.v - b.v) * dy) * slope;
         }
     }

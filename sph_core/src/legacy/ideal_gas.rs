@@ -2,12 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::fluid::Fluid;
-use crate::interactions::dissipation::{PairDissipation, WithPairs};
+use crate::interactions::dissipation::{PairDissipation, WithPairs, with_pairs};
+use crate::interactions::forces::PairTerms;
+use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::Shape;
-use crate::interactions::pair::{self, Constants, Face, Row};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::{PackedParticle, PackedWall};
+use crate::interactions::pair;
+use crate::neighbours::Neighbours;
 use crate::parallel;
+use crate::system::ParticleSystem;
 
 /// Molar gas constant R [J/(mol K)] (exact in the SI of 2019).
 pub const GAS_CONSTANT: f64 = 8.314_462_618_153_24;
@@ -72,21 +75,21 @@ impl IdealGas {
 
 /// L10 for every fluid particle.
 struct Heating<'a> {
-    fluid: &'a [Row],
-    walls: &'a [Row],
-    faces: &'a [Face],
-    search: &'a Search,
-    constants: Constants,
+    fluid: &'a [PackedParticle],
+    walls: &'a [PackedParticle],
+    packed_walls: &'a [PackedWall],
+    search: &'a Neighbours,
+    constants: PairConstants,
     ambient: f64,
     out: &'a mut [Heat],
 }
 
 impl WithPairs for Heating<'_> {
     fn with<K: Shape, D: PairDissipation>(self) {
-        let Heating { fluid, walls, faces, search, constants, ambient, out } = self;
+        let Heating { fluid, walls, packed_walls, search, constants, ambient, out } = self;
         parallel::gather_into(out, |k| {
             let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
-            let pressed = search.walls_of_fluid.of(k).map(|j| (&walls[j as usize], &faces[j as usize]));
+            let pressed = search.walls_of_fluid.of(k).map(|j| (&walls[j as usize], &packed_walls[j as usize]));
             heating::<K, D>(&fluid[k], near, pressed, &constants, ambient)
         });
     }
@@ -104,95 +107,75 @@ pub(crate) struct Heat {
 /// L10: half of the power that the pair's absolute pressures and viscosity take from its motion; all of what a wall gives.
 #[inline(always)]
 fn heating<'r, K: Shape, D: PairDissipation>(
-    a: &Row,
-    fluid: impl Iterator<Item = &'r Row>,
-    walls: impl Iterator<Item = (&'r Row, &'r Face)>,
-    c: &Constants,
+    a: &PackedParticle,
+    fluid: impl Iterator<Item = &'r PackedParticle>,
+    walls: impl Iterator<Item = (&'r PackedParticle, &'r PackedWall)>,
+    c: &PairConstants,
     ambient: f64,
 ) -> Heat {
     let mut heat = Heat::default();
     for b in fluid {
-        let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+        let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             continue;
         };
         let (du, dv) = (a.u - b.u, a.v - b.v);
         let [normal, shear] = pair::force::<f64, D>(a, b, &ab, c, c.nu).map(|part| a.volume * part);
         let f = [normal * ab.dx + shear * du, normal * ab.dy + shear * dv];
-        let closing = (du * ab.dx + dv * ab.dy) * ab.slope;
-        heat.compression += b.volume * closing;
-        heat.power += a.volume * b.volume * ambient * closing - 0.5 * (f[0] * du + f[1] * dv);
+        let approach = (du * ab.dx + dv * ab.dy) * ab.grad_factor;
+        heat.compression += b.volume * approach;
+        heat.power += a.volume * b.volume * ambient * approach - 0.5 * (f[0] * du + f[1] * dv);
     }
     for (w, face) in walls {
-        let Some(aw) = pair::bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
+        let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
             continue;
         };
         let approach = a.u * face.nx + a.v * face.ny - face.vn;
-        let closing = approach * (aw.dx * face.nx + aw.dy * face.ny) * aw.slope;
-        heat.compression += 2.0 * w.volume * closing;
-        heat.power += a.volume * w.volume * (a.p + w.p + 2.0 * ambient) * closing;
+        let approach = approach * (aw.dx * face.nx + aw.dy * face.ny) * aw.grad_factor;
+        heat.compression += 2.0 * w.volume * approach;
+        heat.power += a.volume * w.volume * (a.p + w.p + 2.0 * ambient) * approach;
     }
     heat
 }
 
-impl Fluid {
-    /// L10: de/dt with the rows that the density rate was found with. Nothing to do for water.
-    pub(crate) fn evaluate_heating(&mut self) {
-        let Some(gas) = self.parameters.gas else { return };
-        self.heat.resize(self.particles.len(), Heat::default());
-        self.heating.resize(self.particles.len(), 0.0);
-        self.parameters.with_pairs(Heating {
-            fluid: &self.rows.fluid,
-            walls: &self.rows.walls,
-            faces: &self.rows.faces,
-            search: &self.search,
-            constants: self.parameters.constants(),
-            ambient: gas.ambient(),
-            out: &mut self.heat,
-        });
-        let p = &self.particles;
-        for (k, heat) in self.heat.iter().enumerate() {
-            let diffused = self.density_rate[k] - p.rho[k] * heat.compression; // E5, along the isentrope
-            let along = (gas.gamma - 1.0) * p.energy[k] / p.rho[k];
-            self.heating[k] = heat.power / p.mass[k] + along * diffused;
-        }
+/// L10: de/dt with the packed particles and the density rate of this moment.
+pub(crate) fn heating_rates(
+    system: &ParticleSystem,
+    terms: &PairTerms,
+    gas: IdealGas,
+    density_rate: &[f64],
+    out: &mut Vec<f64>,
+) {
+    let mut heat = vec![Heat::default(); system.particles.len()];
+    let sum = Heating {
+        fluid: &system.packed.fluid,
+        walls: &system.packed.walls,
+        packed_walls: &system.packed.packed_walls,
+        search: &system.neighbours,
+        constants: terms.constants,
+        ambient: gas.ambient(),
+        out: &mut heat,
+    };
+    with_pairs(system.domain.fluid.kernel, terms.dissipation, sum);
+    let p = &system.particles;
+    out.resize(p.len(), 0.0);
+    for (k, heat) in heat.iter().enumerate() {
+        let diffused = density_rate[k] - p.rho[k] * heat.compression; // E5, along the isentrope
+        let along = (gas.gamma - 1.0) * p.energy[k] / p.rho[k];
+        out[k] = heat.power / p.mass[k] + along * diffused;
     }
+}
 
-    /// e ← e + Δt de/dt.
-    pub(crate) fn warm(&mut self, dt: f64) {
-        if self.parameters.gas.is_none() {
-            return;
+/// L9: pressures from densities and energies. Tensionless fluid is compressed along its isentrope to p₀, or it would lose p₀ times the
+/// volume each time and grow ever colder.
+pub(crate) fn gas_state(system: &mut ParticleSystem, gas: IdealGas, ventilation: bool) {
+    let (p, fields) = (&mut system.particles, &mut system.fields);
+    for k in 0..p.x.len() {
+        if fields.tensionless(k, ventilation) {
+            let relief = gas.isentropic_relief(p.rho[k], p.energy[k]);
+            p.rho[k] *= relief;
+            p.energy[k] *= relief.powf(gas.gamma - 1.0);
         }
-        for (e, rate) in self.particles.energy.iter_mut().zip(&self.heating) {
-            *e += dt * rate;
-        }
-    }
-
-    /// e ← e (2 + η)/(2 − η), η = Δt (de/dt)/e with the rate about the step's middle: second order, since (de/dt)/e of a
-    /// gas depends on its motion alone.
-    pub(crate) fn warm_about_middle(&mut self, dt: f64) {
-        if self.parameters.gas.is_none() {
-            return;
-        }
-        for (e, rate) in self.particles.energy.iter_mut().zip(&self.heating) {
-            let growth = dt * rate / *e;
-            *e *= (2.0 + growth) / (2.0 - growth);
-        }
-    }
-
-    /// L9: pressures and volumes from densities and energies. Slack fluid holds no tension, as in water (E3): it is compressed
-    /// along its isentrope to p₀, or it would lose p₀ times the volume each time and grow ever colder.
-    pub(crate) fn gas_state(&mut self, gas: IdealGas) {
-        let ventilation = self.parameters.ventilation;
-        let (p, d) = (&mut self.particles, &mut self.derived);
-        for k in 0..p.x.len() {
-            if d.slack(k, ventilation) {
-                let relief = gas.isentropic_relief(p.rho[k], p.energy[k]);
-                p.rho[k] *= relief;
-                p.energy[k] *= relief.powf(gas.gamma - 1.0);
-            }
-            d.pressure[k] = gas.pressure(p.rho[k], p.energy[k]);
-        }
-        self.correct_volumes();
+        fields.pressure[k] = gas.pressure(p.rho[k], p.energy[k]);
     }
 }
 

@@ -1,19 +1,25 @@
 //! Pressure at a wall particle from its mirror point in the fluid (THEORY W3; English et al. 2022).
 
+use crate::interactions::geometry::kernel_and_gradient;
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{Extrapolated, Row, kernel_and_slope};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::interactions::pair::Extrapolated;
+use crate::neighbours::Neighbours;
 use crate::parallel;
+use crate::system::ParticleSystem;
+use crate::timers::Phase;
+use crate::walls::Walls;
+use crate::walls::state::set_wall_state;
 
 /// Below this determinant the first-order system is not trusted (English et al. 2022): Shepard's mean instead.
 const LEAST_DETERMINANT: f64 = 1e-3;
 
 /// W3: what every wall particle finds at its mirror point.
 pub(crate) struct MirrorState<'a> {
-    pub fluid: &'a [Row],
-    pub walls: &'a [Row],
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
     pub points: (&'a [f64], &'a [f64]),
-    pub search: &'a Search,
+    pub search: &'a Neighbours,
     pub out: &'a mut [Extrapolated],
 }
 
@@ -28,14 +34,32 @@ impl WithKernel for MirrorState<'_> {
     }
 }
 
+/// W3: pressures of the walls from their mirror points.
+pub(crate) fn read_mirror_points(system: &mut ParticleSystem, walls: &mut Walls) {
+    system.timers.begin(Phase::Walls);
+    system.wall_state.resize(walls.len(), Extrapolated::default());
+    system.domain.fluid.kernel.run(MirrorState {
+        fluid: &system.packed.fluid,
+        walls: &system.packed.walls,
+        points: (&system.packed.mirror_points.0, &system.packed.mirror_points.1),
+        search: &system.neighbours,
+        out: &mut system.wall_state,
+    });
+    set_wall_state(system, walls);
+}
+
 /// Pressure and its gradient at `point` by Liu & Liu's (2006) corrected interpolation, carried on to the wall
 /// particle; Shepard's mean, not carried on, where too little fluid is near; the fluid's mean velocity beside it.
 #[inline(always)]
-fn at_mirror_point<'r, K: Shape>(wall: &Row, point: [f64; 2], fluid: impl Iterator<Item = &'r Row>) -> Extrapolated {
+fn at_mirror_point<'r, K: Shape>(
+    wall: &PackedParticle,
+    point: [f64; 2],
+    fluid: impl Iterator<Item = &'r PackedParticle>,
+) -> Extrapolated {
     let (mut matrix, mut moments, mut velocity) = ([[0.0; 3]; 3], [0.0; 3], [0.0; 2]);
     for b in fluid {
         let (dx, dy) = (b.x - point[0], b.y - point[1]);
-        let Some((w, slope)) = kernel_and_slope::<K>(dx, dy, 0.5 * (wall.h + b.h)) else {
+        let Some((w, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (wall.h + b.h)) else {
             continue;
         };
         // V W and V ∇W, the gradient with respect to the point
@@ -84,9 +108,17 @@ mod tests {
         let mut fluid = Vec::new();
         for (i, j) in (0..7).flat_map(|i| (0..7).map(move |j| (i, j))) {
             let (x, y) = (0.1 * i as f64 - 0.31 + 0.01 * (j % 2) as f64, 0.1 * j as f64 + 0.05);
-            fluid.push(Row { x, y, p: p(x, y), volume: 0.01, fill: 0.01, h: 0.15, ..Row::default() });
+            fluid.push(PackedParticle {
+                x,
+                y,
+                p: p(x, y),
+                volume: 0.01,
+                raw_volume: 0.01,
+                h: 0.15,
+                ..PackedParticle::default()
+            });
         }
-        let wall = Row { x: 0.02, y: -0.15, h: 0.15, ..Row::default() };
+        let wall = PackedParticle { x: 0.02, y: -0.15, h: 0.15, ..PackedParticle::default() };
         let found = at_mirror_point::<WendlandC2>(&wall, [0.02, 0.15], fluid.iter()).pressure;
         assert!((found - p(0.02, -0.15)).abs() < 1e-9, "{found}");
         let lone = at_mirror_point::<WendlandC2>(&wall, [0.02, 0.15], fluid[10..11].iter()).pressure;

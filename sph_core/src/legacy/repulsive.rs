@@ -1,8 +1,12 @@
 //! Repulsive walls (THEORY W1): a row of points, half a spacing below the surface, that push along their normals.
 
-use crate::interactions::pair::{Face, Row};
-use crate::neighbours::Search;
+use crate::interactions::forces::Forces;
+use crate::interactions::packed_particle::{PackedParticle, PackedWall};
+use crate::neighbours::Neighbours;
 use crate::parallel;
+use crate::system::ParticleSystem;
+use crate::timers::Phase;
+use crate::walls::Walls;
 
 /// Least ψ/2h at which the law is taken: it is singular at the points themselves.
 const NEAREST: f64 = 0.01;
@@ -29,7 +33,7 @@ pub(crate) struct Repulsion {
 impl Repulsion {
     /// W1: force [N/m] of wall point w on fluid particle a, along the wall's normal.
     #[inline(always)]
-    fn push(&self, a: &Row, w: &Face) -> f64 {
+    fn push(&self, a: &PackedParticle, w: &PackedWall) -> f64 {
         let (dx, dy) = (a.x - w.x, a.y - w.y);
         let (above, along) = (dx * w.nx + dy * w.ny, dy * w.nx - dx * w.ny);
         let gap = w.h / self.ratio;
@@ -44,7 +48,7 @@ impl Repulsion {
         let law = 0.01 * self.c0 * self.c0 / h * (1.0 - q) / q.sqrt();
         let approach = (w.vn - a.u * w.nx - a.v * w.ny).max(0.0);
         let strength = self.at_height(a.y) + (APPROACH * approach / self.c0).min(1.0);
-        self.rho0 * a.fill * law * evenness(along, gap) * strength
+        self.rho0 * a.raw_volume * law * evenness(along, gap) * strength
     }
 
     /// ε(z) [-] of a particle at height z [m] above still water.
@@ -64,16 +68,22 @@ fn evenness(along: f64, gap: f64) -> f64 {
 
 /// True where a fluid particle and a wall point may meet.
 #[inline(always)]
-fn meet(a: &Row, w: &Face) -> bool {
+fn meet(a: &PackedParticle, w: &PackedWall) -> bool {
     let (dx, dy, reach) = (a.x - w.x, a.y - w.y, a.h + w.h);
     dx * dx + dy * dy < reach * reach
 }
 
 /// Force of the wall points on every fluid particle [N/m].
-pub(crate) fn push_fluid(fluid: &[Row], faces: &[Face], search: &Search, law: Repulsion, out: &mut [[f64; 2]]) {
+fn push_fluid(
+    fluid: &[PackedParticle],
+    packed_walls: &[PackedWall],
+    search: &Neighbours,
+    law: Repulsion,
+    out: &mut [[f64; 2]],
+) {
     parallel::gather_into(out, |k| {
         let mut sum = [0.0; 2];
-        for w in search.walls_of_fluid.of(k).map(|j| &faces[j as usize]) {
+        for w in search.walls_of_fluid.of(k).map(|j| &packed_walls[j as usize]) {
             if meet(&fluid[k], w) {
                 let push = law.push(&fluid[k], w);
                 sum[0] += push * w.nx;
@@ -85,12 +95,32 @@ pub(crate) fn push_fluid(fluid: &[Row], faces: &[Face], search: &Search, law: Re
 }
 
 /// Force of the fluid on every wall point [N/m]: the same pairs with the sign turned.
-pub(crate) fn push_walls(fluid: &[Row], faces: &[Face], search: &Search, law: Repulsion, out: &mut [[f64; 2]]) {
+fn push_walls(
+    fluid: &[PackedParticle],
+    packed_walls: &[PackedWall],
+    search: &Neighbours,
+    law: Repulsion,
+    out: &mut [[f64; 2]],
+) {
     parallel::gather_into(out, |k| {
         let near = search.fluid_of_wall.of(k).map(|j| &fluid[j as usize]);
-        let total: f64 = near.filter(|a| meet(a, &faces[k])).map(|a| law.push(a, &faces[k])).sum();
-        [-total * faces[k].nx, -total * faces[k].ny]
+        let total: f64 = near.filter(|a| meet(a, &packed_walls[k])).map(|a| law.push(a, &packed_walls[k])).sum();
+        [-total * packed_walls[k].nx, -total * packed_walls[k].ny]
     });
+}
+
+/// W1: the push of repulsive walls on the fluid, and its reaction.
+pub(crate) fn repel(system: &mut ParticleSystem, law: Repulsion, walls: &mut Walls, forces: &mut Forces) {
+    system.timers.begin(Phase::Walls);
+    let (fluid, packed_walls, search) = (&system.packed.fluid, &system.packed.packed_walls, &system.neighbours);
+    let mut on_walls = vec![[0.0; 2]; walls.len()];
+    let mut on_fluid = vec![[0.0; 2]; system.particles.len()];
+    push_fluid(fluid, packed_walls, search, law, &mut on_fluid);
+    push_walls(fluid, packed_walls, search, law, &mut on_walls);
+    forces.add(&on_fluid);
+    for (k, force) in on_walls.into_iter().enumerate() {
+        [walls.fx[k], walls.fy[k]] = force;
+    }
 }
 
 #[cfg(test)]
@@ -109,9 +139,9 @@ mod tests {
     #[test]
     fn the_push_grows_towards_the_surface_with_depth_and_with_approach() {
         let law = Repulsion { rho0: 1000.0, c0: 40.0, ratio: 1.5, water_depth: 1.0, heavy: true };
-        let face = Face { nx: 0.0, ny: 1.0, h: 0.15, ..Face::default() };
-        let at = |y: f64, v: f64| Row { y, v, fill: 0.01, h: 0.15, ..Row::default() };
-        let below = |y: f64| law.push(&Row { y: y - 0.5, ..at(0.0, 0.0) }, &Face { y: -0.5, ..face });
+        let face = PackedWall { nx: 0.0, ny: 1.0, h: 0.15, ..PackedWall::default() };
+        let at = |y: f64, v: f64| PackedParticle { y, v, raw_volume: 0.01, h: 0.15, ..PackedParticle::default() };
+        let below = |y: f64| law.push(&PackedParticle { y: y - 0.5, ..at(0.0, 0.0) }, &PackedWall { y: -0.5, ..face });
         assert!(law.push(&at(0.05, 0.0), &face) > law.push(&at(0.1, 0.0), &face));
         assert!(below(0.1) > 10.0 * law.push(&at(0.1, 0.0), &face));
         assert!(law.push(&at(0.1, -1.0), &face) > 10.0 * law.push(&at(0.1, 1.0), &face));

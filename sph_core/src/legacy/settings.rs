@@ -4,10 +4,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::density_filter::DensityFilter;
+use super::ideal_gas::IdealGas;
 use super::integrator::Integrator;
 use super::summation::DensityEvolution;
 use super::turbulence::Turbulence;
 use super::wall_model::WallModel;
+use crate::domain::Domain;
+use crate::wcsph;
 
 /// What gives the pressure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -93,5 +96,49 @@ impl Default for Options {
             limit_pressure: 1,
             water_depth: 1.0,
         }
+    }
+}
+
+impl Options {
+    /// True where no option differs from the default scheme.
+    pub fn is_neutral(&self) -> bool {
+        let usual = Options::default();
+        let idle = Options {
+            verlet_correction_every: usual.verlet_correction_every,
+            density_filter_every: usual.density_filter_every,
+            temperature: usual.temperature,
+            molar_mass: usual.molar_mass,
+            limit_pressure: usual.limit_pressure,
+            water_depth: usual.water_depth,
+            ..*self
+        };
+        idle == usual
+    }
+}
+
+/// The weakly compressible scheme with the options of 2010.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// The scheme.
+    pub scheme: wcsph::Settings,
+    /// The options.
+    pub options: Options,
+}
+
+impl Settings {
+    /// Courant number [-]; by default each integrator's own.
+    pub fn courant_number(&self) -> f64 {
+        match self.options.integrator {
+            Integrator::Symplectic => self.scheme.courant_number(),
+            Integrator::PredictorCorrector | Integrator::Beeman => self.scheme.cfl.or(0.3),
+            Integrator::Verlet => self.scheme.cfl.or(0.05),
+        }
+    }
+
+    /// The gas, if the fluid is one; its ratio of specific heats is the equation of state's exponent.
+    pub fn gas(&self, domain: &Domain) -> Option<IdealGas> {
+        let Options { temperature, molar_mass, equation_of_state, .. } = self.options;
+        let gas = IdealGas { rho0: domain.fluid.density, gamma: self.scheme.eos_exponent, temperature, molar_mass };
+        (equation_of_state == EquationOfState::IdealGas).then_some(gas)
     }
 }

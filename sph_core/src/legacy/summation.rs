@@ -3,13 +3,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::fluid::Fluid;
+use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{self, Row};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::neighbours::Neighbours;
 use crate::parallel;
+use crate::system::ParticleSystem;
 use crate::timers::Phase;
-use crate::walls::Walls;
 
 /// Where densities come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -24,11 +24,11 @@ pub enum DensityEvolution {
 
 /// L11 for every fluid particle.
 struct Summation<'a> {
-    fluid: &'a [Row],
-    walls: &'a [Row],
+    fluid: &'a [PackedParticle],
+    walls: &'a [PackedParticle],
     mass: &'a [f64],
     rho0: f64,
-    search: &'a Search,
+    search: &'a Neighbours,
     out: &'a mut [f64],
 }
 
@@ -47,32 +47,31 @@ impl WithKernel for Summation<'_> {
 
 /// L11: ρ_a = Σ_b m_b W_ab [kg/m³], a itself included; a wall particle counts with ρ₀ V_w.
 #[inline(always)]
-fn summed_density<'r, K: Shape>(a: &Row, mass_a: f64, masses: impl Iterator<Item = (&'r Row, f64)>) -> f64 {
+fn summed_density<'r, K: Shape>(
+    a: &PackedParticle,
+    mass_a: f64,
+    masses: impl Iterator<Item = (&'r PackedParticle, f64)>,
+) -> f64 {
     let mut rho = mass_a * K::ALPHA * K::w(0.0) / (a.h * a.h);
     for (b, mass_b) in masses {
-        if let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
+        if let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
             rho += mass_b * ab.w::<K>();
         }
     }
     rho
 }
 
-impl Fluid {
-    /// L11: densities from masses, walls taken `offset` seconds from the step's end. Nothing to do with the continuity
-    /// equation.
-    pub(crate) fn sum_density(&mut self, walls: &Walls, offset: f64) {
-        if self.parameters.density_evolution == DensityEvolution::Continuity {
-            return;
-        }
-        self.pack(walls, offset);
-        self.phases.begin(Phase::Density);
-        self.parameters.kernel.run(Summation {
-            fluid: &self.rows.fluid,
-            walls: &self.rows.walls,
-            mass: &self.particles.mass,
-            rho0: self.parameters.eos.rho0,
-            search: &self.search,
-            out: &mut self.particles.rho,
-        });
-    }
+/// L11: densities from masses, at the state last packed.
+pub(crate) fn sum_density(system: &mut ParticleSystem) {
+    system.timers.begin(Phase::Density);
+    let rho0 = system.domain.fluid.density;
+    let ParticleSystem { packed, particles, neighbours, domain, .. } = system;
+    domain.fluid.kernel.run(Summation {
+        fluid: &packed.fluid,
+        walls: &packed.walls,
+        mass: &particles.mass,
+        rho0,
+        search: neighbours,
+        out: &mut particles.rho,
+    });
 }

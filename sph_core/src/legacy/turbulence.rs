@@ -3,11 +3,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::fluid::Fluid;
+use crate::interactions::forces::Forces;
+use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{self, Row};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::neighbours::Neighbours;
 use crate::parallel;
+use crate::system::ParticleSystem;
 use crate::timers::Phase;
 
 /// What stands for the eddies smaller than a particle.
@@ -32,18 +34,18 @@ const LEAST_DETERMINANT: f64 = 0.05;
 pub type Stress = [f64; 3];
 
 /// L7 for every fluid particle.
-struct StressSweep<'a> {
-    fluid: &'a [Row],
+struct StressSum<'a> {
+    fluid: &'a [PackedParticle],
     rho: &'a [f64],
-    search: &'a Search,
+    search: &'a Neighbours,
     spacing_ratio: f64,
     out: &'a mut [Stress],
 }
 
-impl WithKernel for StressSweep<'_> {
+impl WithKernel for StressSum<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let StressSweep { fluid, rho, search, spacing_ratio, out } = self;
+        let StressSum { fluid, rho, search, spacing_ratio, out } = self;
         parallel::gather_into(out, |k| {
             let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
             stress(velocity_gradient::<K>(&fluid[k], near), rho[k], fluid[k].h * spacing_ratio)
@@ -53,13 +55,16 @@ impl WithKernel for StressSweep<'_> {
 
 /// ∂u_i/∂x_j [1/s] as [[u_x, u_y], [v_x, v_y]]: Σ V (u_b − u_a)⊗∇W, renormalised (E14) to be exact for a linear field.
 #[inline(always)]
-fn velocity_gradient<'r, K: Shape>(a: &Row, near: impl Iterator<Item = &'r Row>) -> [[f64; 2]; 2] {
+fn velocity_gradient<'r, K: Shape>(
+    a: &PackedParticle,
+    near: impl Iterator<Item = &'r PackedParticle>,
+) -> [[f64; 2]; 2] {
     let (mut sum, mut spread) = ([[0.0; 2]; 2], [0.0; 3]);
     for b in near {
-        let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+        let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             continue;
         };
-        let pull = b.fill * ab.slope;
+        let pull = b.raw_volume * ab.grad_factor;
         let gradient = [pull * ab.dx, pull * ab.dy];
         for j in 0..2 {
             sum[0][j] += (b.u - a.u) * gradient[j];
@@ -88,9 +93,9 @@ pub fn stress(gradient: [[f64; 2]; 2], rho: f64, spacing: f64) -> Stress {
 
 /// L8 for every fluid particle, added to the forces gathered.
 struct Divergence<'a> {
-    fluid: &'a [Row],
+    fluid: &'a [PackedParticle],
     stress: &'a [Stress],
-    search: &'a Search,
+    search: &'a Neighbours,
     out: [&'a mut [f64]; 2],
 }
 
@@ -113,16 +118,16 @@ impl WithKernel for Divergence<'_> {
 /// L8: Σ_b V_a V_b (τ_a + τ_b)·∇W_ab [N/m]: antisymmetric in a and b.
 #[inline(always)]
 fn stress_force<'r, K: Shape>(
-    a: &Row,
+    a: &PackedParticle,
     stress_a: &Stress,
-    near: impl Iterator<Item = (&'r Row, &'r Stress)>,
+    near: impl Iterator<Item = (&'r PackedParticle, &'r Stress)>,
 ) -> [f64; 2] {
     let mut force = [0.0; 2];
     for (b, stress_b) in near {
-        let Some(ab) = pair::bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
+        let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
             continue;
         };
-        let weight = a.volume * b.volume * ab.slope;
+        let weight = a.volume * b.volume * ab.grad_factor;
         let [xx, xy, yy] = [0, 1, 2].map(|c| stress_a[c] + stress_b[c]);
         force[0] += weight * (xx * ab.dx + xy * ab.dy);
         force[1] += weight * (xy * ab.dx + yy * ab.dy);
@@ -130,40 +135,34 @@ fn stress_force<'r, K: Shape>(
     force
 }
 
-impl Fluid {
-    /// L7: stress of every particle and image [Pa], from the state of the last sweep. A reflection's shear has the
-    /// other sign.
-    pub fn evaluate_stress(&mut self) -> &[Stress] {
-        let n = self.particles.len();
-        self.stress.resize(n + self.search.fluid_images.len(), [0.0; 3]);
-        self.parameters.kernel.run(StressSweep {
-            fluid: &self.rows.fluid,
-            rho: &self.particles.rho,
-            search: &self.search,
-            spacing_ratio: 1.0 / self.parameters.smoothing_ratio,
-            out: &mut self.stress[..n],
-        });
-        for (k, &source) in self.search.fluid_images.iter().enumerate() {
-            let [xx, xy, yy] = self.stress[source as usize];
-            self.stress[n + k] = if self.parameters.periodic.is_some() { [xx, xy, yy] } else { [xx, -xy, yy] };
-        }
-        &self.stress
+/// L7: stress of every particle and image [Pa], from the state last packed. A reflection's shear has the other sign.
+pub fn stresses(system: &ParticleSystem) -> Vec<Stress> {
+    let n = system.particles.len();
+    let mut stress = vec![[0.0; 3]; n + system.neighbours.fluid_images.len()];
+    system.domain.fluid.kernel.run(StressSum {
+        fluid: &system.packed.fluid,
+        rho: &system.particles.rho,
+        search: &system.neighbours,
+        spacing_ratio: 1.0 / system.domain.fluid.smoothing_ratio,
+        out: &mut stress[..n],
+    });
+    for (k, &source) in system.neighbours.fluid_images.iter().enumerate() {
+        let [xx, xy, yy] = stress[source as usize];
+        stress[n + k] = if system.domain.periodic.is_some() { [xx, xy, yy] } else { [xx, -xy, yy] };
     }
+    stress
+}
 
-    /// L7, L8: the eddies' forces on top of those gathered. Nothing to do without a turbulence model.
-    pub(crate) fn gather_turbulence(&mut self) {
-        if self.parameters.turbulence == Turbulence::None {
-            return;
-        }
-        self.phases.begin(Phase::Momentum);
-        self.evaluate_stress();
-        self.parameters.kernel.run(Divergence {
-            fluid: &self.rows.fluid,
-            stress: &self.stress,
-            search: &self.search,
-            out: [&mut self.particles.ax, &mut self.particles.ay],
-        });
-    }
+/// L7, L8: add the forces of the eddies.
+pub(crate) fn add_eddy_forces(system: &mut ParticleSystem, forces: &mut Forces) {
+    system.timers.begin(Phase::Momentum);
+    let stress = stresses(system);
+    system.domain.fluid.kernel.run(Divergence {
+        fluid: &system.packed.fluid,
+        stress: &stress,
+        search: &system.neighbours,
+        out: [&mut forces.x, &mut forces.y],
+    });
 }
 
 #[cfg(test)]
@@ -175,7 +174,15 @@ mod tests {
     #[test]
     fn stress_of_a_linear_shear_is_smagorinskys() {
         let (rate, rho, spacing) = (3.0, 1000.0, 0.1);
-        let row = |x: f64, y: f64| Row { x, y, u: rate * y, fill: 0.01, volume: 0.01, h: 0.15, ..Row::default() };
+        let row = |x: f64, y: f64| PackedParticle {
+            x,
+            y,
+            u: rate * y,
+            raw_volume: 0.01,
+            volume: 0.01,
+            h: 0.15,
+            ..PackedParticle::default()
+        };
         let near = [(0.1, 0.02), (-0.08, 0.01), (0.03, 0.11), (-0.02, -0.1), (0.12, 0.13)].map(|(x, y)| row(x, y));
         let gradient = velocity_gradient::<WendlandC2>(&row(0.0, 0.0), near.iter());
         let found = stress(gradient, rho, spacing);
@@ -188,7 +195,14 @@ mod tests {
 
     #[test]
     fn eddies_act_and_react() {
-        let row = |x: f64, y: f64, h: f64| Row { x, y, fill: 0.01, volume: 0.011, h, ..Row::default() };
+        let row = |x: f64, y: f64, h: f64| PackedParticle {
+            x,
+            y,
+            raw_volume: 0.01,
+            volume: 0.011,
+            h,
+            ..PackedParticle::default()
+        };
         let (a, b) = (row(0.0, 0.0, 0.15), row(0.1, 0.07, 0.21));
         let (of_a, of_b) = ([-3.0, 5.0, 1.0], [2.0, -1.0, 4.0]);
         let on_a = stress_force::<WendlandC2>(&a, &of_a, [(&b, &of_b)].into_iter());

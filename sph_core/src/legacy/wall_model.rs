@@ -31,20 +31,3 @@ impl WallModel {
         self != WallModel::Repulsive
     }
 }
-
-/// A wall model with its numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WallTreatment {
-    /// Which wall.
-    pub model: WallModel,
-    /// Dynamic walls only: start at the pressure of the water beside them (E9), not at ρ = ρ₀, p = 0.
-    pub hydrostatic_start: bool,
-    /// Repulsive walls only: depth of the still water below y = 0 [m], over which the push grows (W1).
-    pub water_depth: f64,
-}
-
-impl Default for WallTreatment {
-    fn default() -> WallTreatment {
-        WallTreatment { model: WallModel::default(), hydrostatic_start: true, water_depth: 1.0 }
-    }
-}

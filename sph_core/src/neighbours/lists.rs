@@ -10,20 +10,20 @@
 
 use std::ops::Range;
 
-use crate::interactions::simd::{self, LANES, Number, Task};
+use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
 use crate::parallel::{self, CHUNK};
 
 /// What a sweep reads of a neighbour, spread over the lanes of its targets.
-pub(crate) trait Spread {
+pub(crate) trait Splat {
     /// The same for lanes.
-    type Over<R: Number>;
+    type Over<R: SimdReal>;
     /// The same for every lane.
-    fn spread<R: Number>(&self, zero: R) -> Self::Over<R>;
+    fn splat<R: SimdReal>(&self, zero: R) -> Self::Over<R>;
     /// As it is where a target's bit is set; without volume, so that nothing is felt of it, elsewhere.
-    fn only<R: Number>(over: Self::Over<R>, bits: u32) -> Self::Over<R>;
+    fn mask<R: SimdReal>(over: Self::Over<R>, bits: u32) -> Self::Over<R>;
 }
 
 /// Neighbours of many targets; stored by chunk so that chunks are filled independently.
@@ -35,7 +35,7 @@ pub struct Lists {
     /// Targets are points too, and stand in their own lists.
     among: bool,
     /// Some pairs within reach do not see each other (T1).
-    struck: bool,
+    masked: bool,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -48,7 +48,7 @@ struct ChunkList {
 const _: () = assert!(CHUNK / LANES <= u32::BITS as usize);
 
 /// Empty lists.
-pub(crate) static NONE: Lists = Lists { chunks: Vec::new(), targets: 0, among: false, struck: false };
+pub(crate) static NONE: Lists = Lists { chunks: Vec::new(), targets: 0, among: false, masked: false };
 
 impl Lists {
     /// For each of `n` targets, everyone in `cells` within reach. `among`: target k is point k, and not its own neighbour.
@@ -62,7 +62,7 @@ impl Lists {
         size: (impl Fn(usize) -> f64 + Sync, impl Fn(u32) -> f64 + Sync),
     ) {
         assert!(cells.points().len() <= MOST_POINTS, "no more than {MOST_POINTS} particles");
-        (self.targets, self.among, self.struck) = (n, among, false);
+        (self.targets, self.among, self.masked) = (n, among, false);
         self.chunks.resize(n.div_ceil(CHUNK), ChunkList::default());
         parallel::for_each_chunk(&mut self.chunks, n, |targets, list| {
             let (mut start, mut alike) = (vec![0], 0);
@@ -77,7 +77,7 @@ impl Lists {
                 let from = found.len();
                 cells.for_each_run(&at[..last - first], |run| runs.push(run));
                 let count = last - first;
-                simd::run(true, Meeting { points: cells.points(), runs: &runs, at, count, found: &mut found });
+                simd::run(true, MonolithicSolve { points: cells.points(), runs: &runs, at, count, found: &mut found });
                 start.push(found.len() as u32);
                 let h = size.0(first);
                 let same = (first..last).all(|k| size.0(k) == h)
@@ -91,7 +91,7 @@ impl Lists {
     /// Of the list of each target k, keep those j that `keep(k, j)` wants.
     pub(crate) fn retain(&mut self, keep: impl Fn(usize, u32) -> bool + Sync) {
         let (n, among) = (self.chunks.len() * CHUNK, self.among);
-        self.struck = true;
+        self.masked = true;
         parallel::for_each_chunk(&mut self.chunks, n, |targets, list| {
             let (mut start, mut kept) = (vec![0], Vec::new());
             for c in 0..list.entries.clusters() {
@@ -122,12 +122,17 @@ impl Lists {
         self.cluster(k).filter(move |&(j, bits)| bits & bit != 0 && j != own).map(|(j, _)| j)
     }
 
-    /// What the targets from `first` on, as many as an `R` is wide, read of all that any of them may meet. Targets that
+    /// What the targets from `first` on, as many as an `R` is simd, read of all that any of them may meet. Targets that
     /// are points too meet themselves.
     #[inline(always)]
-    pub(crate) fn around<'a, R: Number, T: Spread>(&'a self, first: usize, zero: R, rows: &'a [T]) -> Around<'a, R, T> {
+    pub(crate) fn around<'a, R: SimdReal, T: Splat>(
+        &'a self,
+        first: usize,
+        zero: R,
+        rows: &'a [T],
+    ) -> Around<'a, R, T> {
         let (met, lane) = (self.cluster(first), (first % LANES) as u32);
-        Around { met, here: [].iter(), rows, near: rows, lane, struck: self.struck, zero }
+        Around { met, here: [].iter(), rows, near: rows, lane, masked: self.masked, zero }
     }
 
     /// True if the targets beside `k` and all that they may meet have one smoothing length.
@@ -159,11 +164,11 @@ pub(crate) struct Around<'a, R, T> {
     near: &'a [T],
     rows: &'a [T],
     lane: u32,
-    struck: bool,
+    masked: bool,
     zero: R,
 }
 
-impl<R: Number, T: Spread> Iterator for Around<'_, R, T> {
+impl<R: SimdReal, T: Splat> Iterator for Around<'_, R, T> {
     type Item = T::Over<R>;
     #[inline(always)]
     fn next(&mut self) -> Option<T::Over<R>> {
@@ -178,14 +183,14 @@ impl<R: Number, T: Spread> Iterator for Around<'_, R, T> {
             if R::WIDTH == 1 && bits & 1 == 0 {
                 continue;
             }
-            let row = self.near[within].spread(self.zero);
-            return Some(if self.struck { T::only(row, bits) } else { row });
+            let row = self.near[within].splat(self.zero);
+            return Some(if self.masked { T::mask(row, bits) } else { row });
         }
     }
 }
 
 /// Everyone in `runs` that one of `count` targets may meet.
-struct Meeting<'a> {
+struct MonolithicSolve<'a> {
     points: &'a [Point],
     runs: &'a [Range<usize>],
     at: [Point; LANES],
@@ -193,11 +198,11 @@ struct Meeting<'a> {
     found: &'a mut Vec<Entry>,
 }
 
-impl Task for Meeting<'_> {
+impl Task for MonolithicSolve<'_> {
     type Out = ();
     #[inline(always)]
-    fn run<R: Number>(self, zero: R) {
-        let Meeting { points, runs, at, count, found } = self;
+    fn run<R: SimdReal>(self, zero: R) {
+        let MonolithicSolve { points, runs, at, count, found } = self;
         let there = (1 << count) - 1;
         for run in runs {
             for q in &points[run.clone()] {

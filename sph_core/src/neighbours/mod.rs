@@ -12,7 +12,7 @@ use crate::neighbours::images::{Mirror, Periodic};
 use crate::neighbours::lists::Lists;
 use crate::neighbours::skin::Skin;
 use crate::parallel;
-use crate::particles::{Derived, Particles};
+use crate::particles::{Fields, Particles};
 use crate::walls::visibility::{Listed, ThinWalls};
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
@@ -40,9 +40,9 @@ pub struct WallKinematics<'a> {
 }
 
 /// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
-/// images, in the order of [`Search::fluid_images`] and [`Search::wall_images`].
+/// images, in the order of [`Neighbours::fluid_images`] and [`Neighbours::wall_images`].
 #[derive(Clone, Debug, Default)]
-pub struct Search {
+pub struct Neighbours {
     /// Fluid (and images) around each fluid particle.
     pub fluid: Lists,
     /// Walls (and images) around each fluid particle.
@@ -66,7 +66,12 @@ pub struct Search {
     mirror_skin: Skin,
 }
 
-impl Search {
+impl Neighbours {
+    /// Empty lists that were made `rebuilds` times before.
+    pub(crate) fn made(rebuilds: u64) -> Neighbours {
+        Neighbours { rebuilds, ..Neighbours::default() }
+    }
+
     /// True while every pair that can meet is listed.
     pub fn holds(&self, particles: &Particles, walls: &WallKinematics) -> bool {
         self.skin.holds(&particles.x, &particles.y)
@@ -78,7 +83,7 @@ impl Search {
     pub fn rebuild(
         &mut self,
         particles: &mut Particles,
-        derived: &mut Derived,
+        fields: &mut Fields,
         walls: &WallKinematics,
         mirror: Option<Mirror>,
         periodic: Option<Periodic>,
@@ -103,7 +108,7 @@ impl Search {
         let mut fluid_cells = Cells::build(&own(&particles.x, &particles.y, &reach));
         let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
         particles.permute(&order);
-        derived.permute(&order);
+        fields.permute(&order);
         allowance = order.iter().map(|&k| allowance[k as usize]).collect();
         reach = order.iter().map(|&k| reach[k as usize]).collect();
         fluid_cells.name_by_order();
@@ -150,14 +155,14 @@ impl Search {
         if let Some(thin) = walls.thin {
             let images = &self.wall_images;
             let listed = Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: images, mirror };
-            let Search { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
-            thin.strike(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
+            let Neighbours { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
+            thin.mask(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
         }
         self.skin.reset(&particles.x, &particles.y, &allowance);
         self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, &wall_allowance);
         self.wall_skin.reset(walls.x, walls.y, &wall_allowance);
         self.rebuilds += 1;
-        self.flag_surface(derived);
+        self.flag_surface(fields);
     }
 
     /// What lists and skins hold on to [bytes].
@@ -203,11 +208,11 @@ impl Search {
     }
 
     /// Who is, or has within reach, a free-surface particle (by the λ of the last sweep).
-    pub fn flag_surface(&self, derived: &mut Derived) {
-        let n = derived.surroundings.len();
-        let around = &derived.surroundings;
+    pub fn flag_surface(&self, fields: &mut Fields) {
+        let n = fields.moments.len();
+        let around = &fields.moments;
         let at_surface = |k: usize| around[k].at_surface();
-        parallel::gather_into(&mut derived.near_surface, |k| {
+        parallel::gather_into(&mut fields.near_surface, |k| {
             at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
         });
     }

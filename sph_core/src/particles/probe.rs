@@ -2,8 +2,7 @@
 
 use crate::fluid::Fluid;
 use crate::neighbours::cells::{Cells, Point};
-use crate::projection::Lattice;
-use crate::walls::visibility::Sight;
+use crate::walls::visibility::Visibility;
 
 /// A place with less of its kernel filled is dry.
 const LEAST_FILLING: f64 = 0.125;
@@ -23,7 +22,7 @@ pub struct FirstOrder {
 pub struct Probe<'a> {
     fluid: &'a Fluid,
     cells: Cells,
-    sight: Sight,
+    visibility: Visibility,
     reach: f64,
     /// Range of 2 Σ V W on a face beside a lattice, where water keeps the fillings of one.
     face: Option<[f64; 2]>,
@@ -32,14 +31,14 @@ pub struct Probe<'a> {
 impl<'a> Probe<'a> {
     /// Sort the fluid, and its images, for reading.
     pub fn new(fluid: &'a Fluid) -> Probe<'a> {
-        let p = &fluid.particles;
+        let p = fluid.particles();
         let mut points: Vec<Point> =
             (0..p.len()).map(|k| Point { x: p.x[k], y: p.y[k], reach: 2.0 * p.h[k], index: k as u32 }).collect();
-        if let Some(mirror) = fluid.parameters.mirror {
+        if let Some(mirror) = fluid.domain().mirror {
             let near: Vec<Point> = points.iter().filter(|q| q.x - mirror.at < 2.0 * q.reach).copied().collect();
             points.extend(near.iter().map(|q| Point { x: mirror.reflect(q.x), ..*q }));
         }
-        if let Some(periodic) = fluid.parameters.periodic {
+        if let Some(periodic) = fluid.domain().periodic {
             let own = Cells::build(&points);
             for [sx, sy] in periodic.shifts() {
                 let moved = (0..p.len()).map(|k| Point { x: p.x[k] + sx, y: p.y[k] + sy, ..points[k] });
@@ -48,20 +47,16 @@ impl<'a> Probe<'a> {
             }
         }
         let widest = points.iter().map(|q| q.reach).fold(0.0, f64::max);
-        let sight = Sight::new(&fluid.rows.screens, fluid.parameters.mirror);
-        let parameters = &fluid.parameters;
-        let projects = parameters.solver.projects();
-        let lattice =
-            || fluid.projection.lattice.unwrap_or_else(|| Lattice::new(parameters.kernel, parameters.smoothing_ratio));
-        let face = projects.then(|| lattice().face);
-        Probe { fluid, cells: Cells::build(&points), sight, reach: 2.0 * widest, face }
+        let visibility = Visibility::new(&fluid.system().packed.midlines, fluid.domain().mirror);
+        let face = fluid.face_kernel_sum();
+        Probe { fluid, cells: Cells::build(&points), visibility, reach: 2.0 * widest, face }
     }
 
     /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (T1), each with its
     /// own kernel.
     fn around(&self, at: [f64; 2], mut take: impl FnMut(f64, &Point)) {
-        let (p, d, kernel) = (&self.fluid.particles, &self.fluid.derived, self.fluid.parameters.kernel);
-        let view = self.sight.from(at, self.reach);
+        let (p, d, kernel) = (self.fluid.particles(), self.fluid.fields(), self.fluid.domain().fluid.kernel);
+        let view = self.visibility.from(at, self.reach);
         self.cells.for_each_within(at[0], at[1], 0.0, |q| {
             if !view.shows([q.x, q.y]) {
                 return;
@@ -80,7 +75,7 @@ impl<'a> Probe<'a> {
         let (mut sum, mut filling) = (0.0, 0.0);
         self.around(at, |weight, q| {
             let height = (q.x - at[0]) * normal[0] + (q.y - at[1]) * normal[1];
-            sum += weight * (self.fluid.derived.pressure[q.index as usize] - slope * height);
+            sum += weight * (self.fluid.fields().pressure[q.index as usize] - slope * height);
             filling += weight;
         });
         let norm = self.face.map_or(1.0, |[least, most]| (2.0 * filling).clamp(least, most));
@@ -107,7 +102,7 @@ impl<'a> Probe<'a> {
         let (mut pressure, mut filling) = (0.0, 0.0);
         self.around(at, |weight, q| {
             let carry = field[0] * (at[0] - q.x) + field[1] * (at[1] - q.y);
-            pressure += weight * (self.fluid.derived.pressure[q.index as usize] + carry);
+            pressure += weight * (self.fluid.fields().pressure[q.index as usize] + carry);
             filling += weight;
         });
         if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
@@ -117,7 +112,7 @@ impl<'a> Probe<'a> {
     /// kernel is filled, or where the particles lie in a line.
     pub fn least_squares(&self, at: [f64; 2]) -> Option<FirstOrder> {
         let (mut m, mut moments) = ([0.0; 6], [[0.0; 3]; 3]);
-        let (p, d) = (&self.fluid.particles, &self.fluid.derived);
+        let (p, d) = (self.fluid.particles(), self.fluid.fields());
         let mut reach = 0.0_f64;
         self.around(at, |weight, q| {
             let k = q.index as usize;
@@ -155,7 +150,7 @@ impl<'a> Probe<'a> {
     pub fn shepard(&self, at: [f64; 2]) -> f64 {
         let (mut pressure, mut filling) = (0.0, 0.0);
         self.around(at, |weight, q| {
-            pressure += weight * self.fluid.derived.pressure[q.index as usize];
+            pressure += weight * self.fluid.fields().pressure[q.index as usize];
             filling += weight;
         });
         if filling < LEAST_FILLING { 0.0 } else { pressure / filling }

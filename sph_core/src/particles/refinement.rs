@@ -1,15 +1,14 @@
-//! Particles where they matter: water that is coarser than wished is split while the wish moves (THEORY E26).
+//! Refinement: particles that are coarser than a moving zone allows are split (THEORY E26).
 
 use serde::{Deserialize, Serialize};
 
-use crate::fluid::Fluid;
-use crate::parameters::Parameters;
-use crate::particles::{Derived, Particles};
+use crate::neighbours::Neighbours;
+use crate::particles::{Fields, Particles};
 
 /// Where water is to be resolved: finely in a rectangle below the still surface y = 0 and in a layer beside a body, by
 /// spacings that grow around them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FineZone {
+pub struct RefinementZone {
     /// x of its middle [m].
     pub middle: f64,
     /// Half its width [m].
@@ -26,7 +25,7 @@ pub struct FineZone {
     pub slope: f64,
 }
 
-impl FineZone {
+impl RefinementZone {
     /// E26: the distance from zone and layer at which a spacing [m] is what is wished for [m]; below 0 for a finer one.
     fn distance_of(&self, spacing: f64) -> f64 {
         (spacing - self.spacing) / self.slope
@@ -75,30 +74,35 @@ const ARM: f64 = 0.25 * std::f64::consts::SQRT_2;
 /// The share of walls in a particle's filling from which on it is left whole: a half might end up behind them.
 const BESIDE_WALL: f32 = 0.02;
 
-impl Fluid {
-    /// E26: halve every particle that is coarser than the fine zone wants it. Mass, momentum and the centre of mass stay what
-    /// they are; so do volume and energy, but for the square of what the pressure changes by within a particle.
-    pub fn refine(&mut self) {
-        let Some(zone) = &self.fine_zone else { return };
-        if self.search.rebuilds == 0 {
-            return; // nobody knows yet who is beside a wall
-        }
-        let (p, d, Parameters { eos, gravity, .. }) = (&mut self.particles, &mut self.derived, self.parameters);
-        let (wholes, bounds) = (p.len(), Bounds::of(&zone.edges));
-        p.halvings.resize(wholes, 0);
-        p.stirred.resize(wholes, false);
-        for k in 0..wholes {
-            let spacing = (p.mass[k] / eos.rho0).sqrt();
-            let reach = zone.distance_of(spacing / COARSE);
-            let free = d.surroundings[k].wall_filling < BESIDE_WALL;
-            if reach > 0.0 && free && zone.is_within([p.x[k], p.y[k]], reach, &bounds) {
-                for j in self.search.fluid.of(k) {
-                    p.stirred[self.search.source(j, wholes)] = true;
-                }
-                p.stirred[k] = true;
-                p.halve(k, spacing, gravity, eos.c0);
-                d.halve(k, [k, p.len() - 1].map(|half| eos.pressure(p.rho[half])));
+/// E26: split every particle that is coarser than the zone allows. Mass, momentum and the centre of mass stay what they are; so
+/// do volume and energy, but for the square of the pressure difference within a particle. `rho0` and `c0` are the reference
+/// density [kg/m³] and the speed of sound [m/s], `pressure` [Pa] follows from a density.
+pub fn refine(
+    zone: &RefinementZone,
+    p: &mut Particles,
+    fields: &mut Fields,
+    neighbours: &Neighbours,
+    gravity: [f64; 2],
+    (rho0, c0): (f64, f64),
+    pressure: impl Fn(f64) -> f64,
+) {
+    if neighbours.rebuilds == 0 {
+        return; // which particles are beside a wall is not known yet
+    }
+    let (wholes, bounds) = (p.len(), Bounds::of(&zone.edges));
+    p.refinement_level.resize(wholes, 0);
+    p.newly_split.resize(wholes, false);
+    for k in 0..wholes {
+        let spacing = (p.mass[k] / rho0).sqrt();
+        let reach = zone.distance_of(spacing / COARSE);
+        let free = fields.moments[k].wall_kernel_sum < BESIDE_WALL;
+        if reach > 0.0 && free && zone.is_within([p.x[k], p.y[k]], reach, &bounds) {
+            for j in neighbours.fluid.of(k) {
+                p.newly_split[neighbours.source(j, wholes)] = true;
             }
+            p.newly_split[k] = true;
+            p.split(k, spacing, gravity, c0);
+            fields.split(k, [k, p.len() - 1].map(|half| pressure(p.rho[half])));
         }
     }
 }
@@ -107,15 +111,15 @@ impl Particles {
     /// E26: particle `k` of the given spacing [m] becomes two, of which one is the last. A square lattice, halved all over
     /// along its diagonals, is a square lattice again, turned by 45° and finer by √2; halved along x, it is upright again. The
     /// pressure has the gradient that accelerates the whole, under gravity `g` [m/s²], at the speed of sound `c0` [m/s].
-    fn halve(&mut self, k: usize, spacing: f64, g: [f64; 2], c0: f64) {
-        let upright = self.halvings[k].is_multiple_of(2);
+    fn split(&mut self, k: usize, spacing: f64, g: [f64; 2], c0: f64) {
+        let upright = self.refinement_level[k].is_multiple_of(2);
         let arm = if upright { [0.5f64.sqrt(), 0.5f64.sqrt()] } else { [1.0, 0.0] }.map(|e| ARM * spacing * e);
         self.mass[k] *= 0.5;
         self.h[k] *= 0.5f64.sqrt();
-        self.halvings[k] += 1;
+        self.refinement_level[k] += 1;
         let id = self.len() as u32;
-        let Particles { x, y, u, v, rho, mass, h, theta, ax, ay, id: ids, energy, halvings, stirred } = self;
-        for array in [&mut *x, y, u, v, rho, mass, h, theta, ax, ay, energy].into_iter().filter(|a| !a.is_empty()) {
+        let Particles { x, y, u, v, rho, mass, h, ax, ay, id: ids, energy, refinement_level, newly_split } = self;
+        for array in [&mut *x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().filter(|a| !a.is_empty()) {
             array.push(array[k]);
         }
         let last = x.len() - 1;
@@ -124,21 +128,21 @@ impl Particles {
         let denser = ((g[0] - ax[k]) * arm[0] + (g[1] - ay[k]) * arm[1]) / (c0 * c0); // δρ/ρ of ∇p = ρ (g − a)
         (rho[k], rho[last]) = (rho[k] * (1.0 - denser), rho[last] * (1.0 + denser));
         ids.push(id);
-        halvings.push(halvings[k]);
-        stirred.push(true);
+        refinement_level.push(refinement_level[k]);
+        newly_split.push(true);
     }
 }
 
-impl Derived {
+impl Fields {
     /// What a half knows of itself is what the whole knew, but for the pressures [Pa].
-    fn halve(&mut self, k: usize, pressures: [f64; 2]) {
+    fn split(&mut self, k: usize, pressures: [f64; 2]) {
         if !self.volume.is_empty() {
             self.volume[k] *= 0.5;
             self.volume.push(self.volume[k]);
         }
         self.pressure[k] = pressures[0];
         self.pressure.push(pressures[1]);
-        self.surroundings.push(self.surroundings[k]);
+        self.moments.push(self.moments[k]);
         self.near_surface.push(self.near_surface[k]);
     }
 }

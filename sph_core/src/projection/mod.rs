@@ -1,9 +1,8 @@
-//! The incompressible solver: a projection a step (THEORY I1–I16).
+//! The incompressible scheme: a projection per step (THEORY I1–I16). Pressures are those that leave the water's volume as it is.
 //!
-//! Read in this order: `step`, `survey` (what the pairs give), `lattice` (what a flat surface lacks), `air` (where
-//! the air is), `poisson` (the pressure).
+//! Read in this order: [`Projection::advance`], `operators` (sums over pairs), `free_surface`, `pressure` (the equation),
+//! [`linear_solver`], `forces`, `motion`; `monolithic` couples bodies.
 
-mod explicit;
 mod forces;
 mod free_surface;
 pub mod linear_solver;
@@ -11,101 +10,258 @@ mod monolithic;
 mod motion;
 mod operators;
 mod pair_batch;
-mod poisson;
+mod pressure;
 mod settings;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use free_surface::lattice::Lattice;
+use std::any::Any;
+
+use crate::domain::Domain;
+use crate::error::Breakdown;
+use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::interactions::geometry::PairConstants;
+use crate::particles::Seed;
+use crate::scheme::{Scheme, SchemeSettings};
+use crate::system::ParticleSystem;
+use crate::timers::Phase;
+use crate::walls::Walls;
+use crate::walls::interface::WallInterface;
+use crate::walls::interface_dynamics::solve_interfaces;
+use crate::walls::state::extrapolate_to_walls;
+
+use forces::PressureForces;
+use free_surface::detection::SurfaceDetection;
+use free_surface::lattice::Lattice;
+use motion::{StepLimit, move_particles};
+use operators::Operators;
+use pressure::PressureEquation;
+
 pub use linear_solver::{Matrix, NotConverged, Preconditioner, PressureSolver, RankOne, Solved, Stop, cg, matrix};
 pub use settings::{FlowSettings, Method, Settings};
 
-use serde::{Deserialize, Serialize};
+/// Steps that a neighbour list is made to last: few, since fast particles move far in each.
+const LIST_LIFE: f64 = 2.5;
 
-use crate::error::Breakdown;
-use crate::fluid::Fluid;
-use crate::solver::Solver;
-use crate::timers::Phase;
-use crate::walls::Walls;
-
-use forces::Push;
-use free_surface::detection::Air;
-use monolithic::solve::Bodies;
-use operators::Survey;
-
-/// What a projection does not change during a run.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Projecting {
-    /// Residual that ends the iteration, over the largest right-hand side [-].
-    pub tolerance: f64,
-    /// Iterations after which a solve has failed.
-    pub most_iterations: usize,
-    /// Time in which an error of density relaxes, over h/U (I9) [-].
-    pub relaxation: f64,
-    /// Viscosity over h √(|g| h) (I12) [-].
-    pub calming: f64,
-    /// Shift over the distance moved in a step, times 2h∇C [-].
-    pub shift: f64,
-}
-
-impl Default for Projecting {
-    fn default() -> Projecting {
-        Projecting { tolerance: 3e-4, most_iterations: 2000, relaxation: 3.0, calming: 0.15, shift: 1.0 }
-    }
-}
-
-/// What a step of the projection computes anew, and what it counts.
-#[derive(Clone, Debug, Default)]
+/// The projection with its own state.
+#[derive(Clone, Debug)]
 pub struct Projection {
-    pub(crate) survey: Survey,
-    pub(crate) lattice: Option<Lattice>,
-    pub(crate) air: Air,
-    /// Excess of each row's diagonal: the free surface (I7).
-    pub(crate) excess: Vec<f64>,
-    pub(crate) pushes: Vec<Push>,
-    pub(crate) wet: Vec<f64>,
-    /// Normals of the surface (I16).
-    pub(crate) normals: Vec<[f64; 2]>,
-    pub(crate) pinned: Vec<bool>,
-    /// Rows that bear no tension (I8).
-    slack: Vec<bool>,
-    pub(crate) source: Vec<f64>,
-    pub(crate) scale: Vec<f64>,
-    pub(crate) matrix: Matrix,
-    pub(crate) solver: PressureSolver,
-    /// Iterations of all solves.
-    pub iterations: u64,
-    /// Solves.
-    pub solves: u64,
-    /// Rows pinned by the unilateral condition, in the last step.
-    pub pins: usize,
-    /// What bodies need from step to step (PB2).
-    pub bodies: Bodies,
+    /// Its settings; they may change between steps.
+    pub settings: Settings,
+    lattice: Lattice,
+    surface: SurfaceDetection,
+    operators: Operators,
+    equation: PressureEquation,
+    forces: PressureForces,
+    /// Kernel sum Σ V W that each particle keeps [-], by identity (I9).
+    reference_kernel_sum: Vec<f64>,
+    /// The last step [s].
     last_dt: f64,
-    head: f64,
-    /// The last step's pressures [Pa].
-    pub(crate) before: Vec<f64>,
-    /// For how many steps each particle has been pinned, by identity (I8).
-    kept: Vec<u8>,
 }
 
-/// One step (THEORY I1). Before: the walls' kinematics are those of the step's end.
-pub(crate) fn step(fluid: &mut Fluid, walls: &mut Walls, dt: f64) -> Result<(), Breakdown> {
-    fluid.pack(walls, -dt); //           who is near whom at r
-    fluid.phases.begin(Phase::Density);
-    fluid.find_air(walls); //       holes between particles (I5)
-    fluid.dry_walls(walls); //      walls that no water meets (I5)
-    fluid.survey(walls, dt); //          C, ∇C, ∇·u*, A
-    fluid.expose(); //               who feels air (I5)
-    fluid.close_surface(); //            s
-    fluid.phases.begin(Phase::Pressure);
-    match fluid.parameters.solver {
-        Solver::IncompressibleExplicit => fluid.sweep_pressure(dt), // the same, one sweep (EX3)
-        _ => fluid.solve_pressure(walls, dt)?, // (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt); a_w with it (PB3)
+impl Projection {
+    /// The scheme for a domain.
+    pub fn new(domain: &Domain, settings: Settings) -> Projection {
+        Projection {
+            settings,
+            lattice: Lattice::new(domain.fluid.kernel, domain.fluid.smoothing_ratio),
+            surface: SurfaceDetection::default(),
+            operators: Operators::default(),
+            equation: PressureEquation::default(),
+            forces: PressureForces::default(),
+            reference_kernel_sum: Vec::new(),
+            last_dt: 0.0,
+        }
     }
-    fluid.push(walls, dt); //            a = g − ∇p/ρ, F
-    fluid.advance(dt); //                u' = u + Δt a, r' = r + Δt u' + δr
-    fluid.projection.last_dt = dt;
-    Ok(())
+
+    /// I1: one step.
+    fn advance(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+        dt: f64,
+    ) -> Result<(), Breakdown> {
+        let constants = self.constants(system);
+        self.pack(system, walls, -dt); //                                            neighbours at r
+        self.surface.detect(system, walls); //                                       holes between particles (I5)
+        self.surface.mark_dry_walls(system, walls); //                               walls without water (I5)
+        self.operators.assemble(system, walls, &self.lattice, constants, dt); //     C, ∇C, ∇·u*, A
+        self.surface.set_indicator(system, &self.operators, &self.lattice); //       particles near air (I5)
+        self.note_kernel_sums(system);
+        self.solve_pressure(system, walls, interfaces, dt)?; //                      (A + s) p = …; a_w with it (PB3)
+        self.forces.apply(system, walls, &self.operators, self.surface.indicator(), &self.lattice, constants, dt);
+        move_particles(system, self.shift_strength(), self.surface.indicator(), dt); // u' = u + Δt a, r' = r + Δt u' + δr
+        self.last_dt = dt;
+        Ok(())
+    }
+
+    /// I7–I11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi sweep of it (EX3).
+    fn solve_pressure(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+        dt: f64,
+    ) -> Result<(), Breakdown> {
+        let Projection { settings, lattice, surface, operators, equation, reference_kernel_sum, .. } = self;
+        equation.close_surface(system, operators, surface.indicator(), lattice);
+        system.timers.begin(Phase::Pressure);
+        equation.gather_source(system, operators, surface.indicator(), lattice, reference_kernel_sum, settings, dt);
+        match settings.method {
+            Method::OneSweep => equation.sweep(system, operators, surface.indicator(), settings.flow.ventilation),
+            Method::Solve => {
+                equation.solve(system, walls, interfaces, operators, surface.indicator(), lattice, settings)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Make the lists if they no longer hold, then pack.
+    fn pack(&mut self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
+        if !system.place_walls(walls, offset, true) {
+            system.rebuild_lists(walls, LIST_LIFE * self.step_limit().dt(system, walls));
+        }
+        system.pack(walls);
+    }
+
+    /// I9: at the first step, the kernel sum that each particle keeps: where spacings grow, a lattice at rest does not have that of
+    /// a uniform one to the last per cent.
+    fn note_kernel_sums(&mut self, system: &ParticleSystem) {
+        if system.steps > 0 {
+            return;
+        }
+        let (around, lattice) = (&self.operators.around, self.lattice);
+        self.reference_kernel_sum.resize(system.particles.len(), 0.0);
+        for (moments, &id) in around.iter().zip(&system.particles.id) {
+            let graded = moments.lambda > 0.9 && (moments.kernel_sum - lattice.kernel_sum).abs() < 0.1;
+            self.reference_kernel_sum[id as usize] = if graded { moments.kernel_sum } else { lattice.kernel_sum };
+        }
+    }
+
+    fn shift_strength(&self) -> f64 {
+        if self.settings.flow.shifting { self.settings.shift } else { 0.0 }
+    }
+
+    fn step_limit(&self) -> StepLimit {
+        StepLimit { cfl: self.settings.courant_number(), last_dt: self.last_dt }
+    }
+
+    /// I12: E7 with √(|g| h) instead of c₀.
+    fn constants(&self, system: &ParticleSystem) -> PairConstants {
+        let g = system.domain.gravity;
+        let c0 = (g[0].hypot(g[1]) * system.least_smoothing_length()).sqrt();
+        PairConstants { c0, alpha: 8.0 * self.settings.viscosity_coefficient, ..system.constants() }
+    }
+
+    /// Iterations of all pressure solves.
+    pub fn iterations(&self) -> u64 {
+        self.equation.iterations
+    }
+
+    /// Pressure solves.
+    pub fn solves(&self) -> u64 {
+        self.equation.solves
+    }
+
+    /// Rows held at p = 0 by the unilateral condition, in the last step (I8).
+    pub fn constrained_rows(&self) -> usize {
+        self.equation.constrained_rows()
+    }
+
+    /// Kernel sum Σ V W that each particle keeps [-], by identity (I9).
+    pub fn reference_kernel_sums(&self) -> &[f64] {
+        &self.reference_kernel_sum
+    }
+}
+
+impl Scheme for Projection {
+    fn initialise(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+    ) -> Result<(), Breakdown> {
+        self.pack(system, walls, 0.0);
+        start(
+            system,
+            walls,
+            interfaces,
+            &PairTerms { constants: self.constants(system), dissipation: Default::default() },
+        );
+        Ok(())
+    }
+
+    fn step(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+        dt: f64,
+    ) -> Result<(), Breakdown> {
+        self.advance(system, walls, interfaces, dt)
+    }
+
+    fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
+        Ok(self.step_limit().stable_dt(system, walls))
+    }
+
+    fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {
+        system.check(|_| true)
+    }
+
+    fn checkpoint(&self) -> Box<dyn Scheme> {
+        Box::new(self.clone())
+    }
+
+    fn force_is_constant_in_step(&self) -> bool {
+        true
+    }
+
+    fn face_kernel_sum(&self) -> Option<[f64; 2]> {
+        Some(self.lattice.face)
+    }
+
+    fn surface_indicator(&self) -> &[f64] {
+        self.surface.indicator()
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn as_any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
+/// Forces and accelerations at the start of an incompressible scheme, under the pressures of the seeds.
+pub(crate) fn start(
+    system: &mut ParticleSystem,
+    walls: &mut Walls,
+    interfaces: &mut [WallInterface],
+    terms: &PairTerms,
+) {
+    extrapolate_to_walls(system, walls);
+    let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
+    gather_fluid_forces(system, terms, true, &mut forces);
+    gather_wall_forces(system, terms, walls);
+    if !interfaces.is_empty() {
+        solve_interfaces(system, walls, interfaces, &mut forces, 0.0);
+    }
+    forces.accelerate(system);
+}
+
+impl SchemeSettings for Settings {
+    fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
+        Box::new(Projection::new(domain, *self))
+    }
+
+    fn state(&self, domain: &Domain, _: &Seed) -> (f64, Option<f64>) {
+        (domain.fluid.density, None)
+    }
+
+    fn keeps_volumes(&self) -> bool {
+        true
+    }
 }

@@ -1,54 +1,64 @@
-//! How long a projection's step is, and where particles are put besides where they flow (THEORY I13, I14).
+//! The step of a projection, and its motion of the particles (THEORY I13, I14).
 
-use crate::fluid::Fluid;
 use crate::parallel;
+use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.05;
 /// Share of √(h/|g|) a step may take (Monaghan 1992).
-const FALL: f64 = 0.25;
+const FREE_FALL: f64 = 0.25;
+/// Share of h²/ν a step may take (E17; Morris et al. 1997).
+const VISCOUS: f64 = 0.125;
 /// A step is at most so many times the one before: pressures go with 1/Δt.
 const GROWTH: f64 = 1.1;
 
-impl Fluid {
-    /// I1: u' = u + Δt a, r' = r + Δt u' + δr (I13: shifting, along the surface near air).
-    pub(crate) fn advance(&mut self, dt: f64) {
-        let strength = if self.parameters.shifting { self.parameters.projecting.shift } else { 0.0 };
-        let (surroundings, exposure) = (&self.derived.surroundings, &self.projection.air.exposure);
-        let p = &mut self.particles;
-        let (ax, ay, h) = (&p.ax, &p.ay, &p.h);
-        parallel::update_both(&mut p.u, &mut p.v, |k, u, v| {
-            *u += dt * ax[k];
-            *v += dt * ay[k];
-        });
-        let (u, v) = (&p.u, &p.v);
-        parallel::update_both(&mut p.x, &mut p.y, |k, x, y| {
-            let scale = -2.0 * strength * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
-            // −∇C is the surface's normal there: what is left of a shift along ∇C is nothing of its exposed share
-            let [a, b] = surroundings[k].crowding().map(|c| (1.0 - exposure[k]) * (scale * c));
-            let limit = LONGEST_SHIFT * h[k];
-            let shrink = limit / (a * a + b * b).sqrt().max(limit);
-            *x += dt * u[k] + shrink * a;
-            *y += dt * v[k] + shrink * b;
-        });
-    }
+/// I1: u' = u + Δt a, r' = r + Δt u' + δr (I13: shifting of the given strength, along the surface near air).
+pub(crate) fn move_particles(system: &mut ParticleSystem, strength: f64, indicator: &[f64], dt: f64) {
+    let moments = &system.fields.moments;
+    let p = &mut system.particles;
+    let (ax, ay, h) = (&p.ax, &p.ay, &p.h);
+    parallel::update_both(&mut p.u, &mut p.v, |k, u, v| {
+        *u += dt * ax[k];
+        *v += dt * ay[k];
+    });
+    let (u, v) = (&p.u, &p.v);
+    parallel::update_both(&mut p.x, &mut p.y, |k, x, y| {
+        let scale = -2.0 * strength * h[k] * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
+        // −∇C is the surface's normal there: of the share at the surface no shift along ∇C is left
+        let [a, b] = moments[k].concentration_gradient().map(|c| (1.0 - indicator[k]) * (scale * c));
+        let limit = LONGEST_SHIFT * h[k];
+        let shrink = limit / (a * a + b * b).sqrt().max(limit);
+        *x += dt * u[k] + shrink * a;
+        *y += dt * v[k] + shrink * b;
+    });
+}
 
-    /// Smallest smoothing length [m].
-    pub(crate) fn least_length(&self) -> f64 {
-        parallel::least(self.particles.len(), |k| self.particles.h[k])
-    }
+/// I14: what limits the step besides the state.
+pub(crate) struct StepLimit {
+    /// Courant number [-].
+    pub cfl: f64,
+    /// The last step [s]; 0 before the first.
+    pub last_dt: f64,
+}
 
-    /// I14: the step of a projection [s].
-    pub(crate) fn projection_dt(&self, walls: &Walls) -> f64 {
-        let (p, q, cfl) = (&self.particles, &self.parameters, self.courant());
+impl StepLimit {
+    /// I14 without viscosity [s].
+    pub fn dt(&self, system: &ParticleSystem, walls: &Walls) -> f64 {
+        let (p, domain, cfl) = (&system.particles, &system.domain, self.cfl);
         let limit = |h: f64, u: f64, v: f64| cfl * h / (u * u + v * v).sqrt();
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k]);
-        let h = self.least_length();
-        let g = q.gravity[0].hypot(q.gravity[1]);
-        let cap = (cfl * h / q.speed).min(FALL * (h / g).sqrt());
+        let h = system.least_smoothing_length();
+        let g = domain.gravity[0].hypot(domain.gravity[1]);
+        let cap = (cfl * h / domain.fastest_speed).min(FREE_FALL * (h / g).sqrt());
         let now = parallel::least(p.len(), of_fluid).min(parallel::least(walls.len(), of_wall)).min(cap);
-        if self.projection.last_dt > 0.0 { now.min(GROWTH * self.projection.last_dt) } else { now }
+        if self.last_dt > 0.0 { now.min(GROWTH * self.last_dt) } else { now }
+    }
+
+    /// The largest stable step [s].
+    pub fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> f64 {
+        let viscous = VISCOUS * system.least_smoothing_length().powi(2) / system.domain.fluid.kinematic_viscosity;
+        self.dt(system, walls).min(viscous)
     }
 }

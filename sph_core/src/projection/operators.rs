@@ -1,33 +1,33 @@
 //! One sweep over the pairs: geometry, divergence, viscosity and the matrix's rows (THEORY I2–I6, I12).
 
-use crate::fluid::Fluid;
+use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{Constants, Face, Row, bond};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::{PackedParticle, PackedWall};
+use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
-use crate::particles::Surroundings;
-use crate::walls::Walls;
-
+use crate::particles::KernelMoments;
 use crate::projection::free_surface::lattice::Lattice;
-use crate::projection::pair_batch::{Nearby, Sums};
+use crate::projection::pair_batch::{PairBatch, Sums};
+use crate::system::ParticleSystem;
+use crate::walls::Walls;
 
 /// What the pairs give.
 #[derive(Clone, Debug, Default)]
-pub struct Survey {
-    chunks: Vec<Rows>,
+pub struct Operators {
+    chunks: Vec<ChunkPairs>,
     /// Geometry.
-    pub around: Vec<Surroundings>,
+    pub around: Vec<KernelMoments>,
     /// ∇·u* [1/s].
     pub divergence: Vec<f64>,
     /// −Σ V r⊗∇W.
-    pub spread: Vec<[f64; 3]>,
+    pub second_moment: Vec<[f64; 3]>,
     /// κ times the viscous force [N/m] (I12).
     pub drag: Vec<[f64; 2]>,
 }
 
 /// The pairs of a chunk of targets, by row.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Rows {
+pub(crate) struct ChunkPairs {
     ends: Vec<u32>,
     near: Vec<u32>,
     values: Vec<f64>,
@@ -35,7 +35,7 @@ pub(crate) struct Rows {
     pub own_images: usize,
 }
 
-impl Rows {
+impl ChunkPairs {
     /// Of the chunk's row k: who is near, as listed, and 2 V_i V_j |slope|/ρ.
     #[inline(always)]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
@@ -50,7 +50,7 @@ impl Rows {
     }
 }
 
-impl Survey {
+impl Operators {
     /// Who is near row k, as listed (images count), and off-diagonals, positive: a_ij = 2 V_i V_j |slope|/ρ.
     #[inline(always)]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
@@ -58,143 +58,140 @@ impl Survey {
     }
 
     /// The pairs, by chunks of targets.
-    pub(crate) fn chunks(&self) -> &[Rows] {
+    pub(crate) fn chunks(&self) -> &[ChunkPairs] {
         &self.chunks
     }
 }
 
 /// What a chunk of targets finds.
 struct Found<'a> {
-    rows: &'a mut Rows,
-    around: &'a mut [Surroundings],
+    pairs: &'a mut ChunkPairs,
+    around: &'a mut [KernelMoments],
     divergence: &'a mut [f64],
-    spread: &'a mut [[f64; 3]],
+    second_moment: &'a mut [[f64; 3]],
     drag: &'a mut [[f64; 2]],
 }
 
-struct Task<'a> {
-    fluid: &'a [Row],
-    faces: &'a [Face],
-    search: &'a Search,
+struct Assembly<'a> {
+    fluid: &'a [PackedParticle],
+    packed_walls: &'a [PackedWall],
+    neighbours: &'a Neighbours,
     n: usize,
     kicks: &'a [[f64; 2]],
-    walls: &'a [Row],
-    constants: Constants,
+    walls: &'a [PackedParticle],
+    constants: PairConstants,
     /// 1/κ (I4).
     inverse: f64,
     found: Vec<Found<'a>>,
 }
 
-impl WithKernel for Task<'_> {
+impl WithKernel for Assembly<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Task { fluid, faces, search, n, kicks, walls, constants, inverse, mut found } = self;
+        let Assembly { fluid, packed_walls, neighbours, n, kicks, walls, constants, inverse, mut found } = self;
         parallel::for_each_chunk(&mut found, n, |targets, out| {
-            let Found { rows, around, divergence, spread, drag } = out;
-            rows.ends.clear();
-            rows.near.clear();
-            rows.values.clear();
-            rows.own_images = 0;
-            let mut nearby = Nearby::default();
+            let Found { pairs, around, divergence, second_moment, drag } = out;
+            pairs.ends.clear();
+            pairs.near.clear();
+            pairs.values.clear();
+            pairs.own_images = 0;
+            let mut batch = PairBatch::default();
             for (slot, k) in targets.enumerate() {
                 let a = &fluid[k];
                 let mut sums = Sums::default();
-                let (mut listed, mut more) = (search.fluid.of(k), true);
+                let (mut listed, mut more) = (neighbours.fluid.of(k), true);
                 while more {
-                    more = nearby.gather(a, &mut listed, fluid);
-                    nearby.weigh::<K>(a, &constants);
-                    sums.add(&nearby, a, &constants);
-                    rows.near.extend_from_slice(nearby.listed());
-                    rows.values.extend_from_slice(nearby.links());
-                    if !search.fluid_images.is_empty() {
-                        rows.own_images += nearby.listed().iter().filter(|&&j| search.source(j, n) == k).count();
+                    more = batch.gather(a, &mut listed, fluid);
+                    batch.evaluate::<K>(a, &constants);
+                    sums.add(&batch, a, &constants);
+                    pairs.near.extend_from_slice(batch.listed());
+                    pairs.values.extend_from_slice(batch.links());
+                    if !neighbours.fluid_images.is_empty() {
+                        pairs.own_images += batch.listed().iter().filter(|&&j| neighbours.source(j, n) == k).count();
                     }
                 }
-                rows.ends.push(rows.near.len() as u32);
-                let own = a.fill * K::ALPHA * K::w(0.0) / (a.h * a.h);
-                let fluid_filling = own + sums.filling();
-                let (mut filling, mut crowding, mut arms) = (fluid_filling, sums.crowding(), sums.spread());
+                pairs.ends.push(pairs.near.len() as u32);
+                let own = a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h);
+                let fluid_kernel_sum = own + sums.kernel_sum();
+                let (mut kernel_sum, mut concentration_gradient, mut arms) =
+                    (fluid_kernel_sum, sums.concentration_gradient(), sums.second_moment());
                 let mut rate = sums.divergence();
-                for j in search.walls_of_fluid.of(k) {
-                    let w = &faces[j as usize];
-                    let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
+                for j in neighbours.walls_of_fluid.of(k) {
+                    let w = &packed_walls[j as usize];
+                    let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
                     let wet = walls[j as usize].volume;
-                    filling += wet * aw.w::<K>();
-                    let pull = wet * aw.slope;
-                    crowding[0] += pull * aw.dx;
-                    crowding[1] += pull * aw.dy;
+                    kernel_sum += wet * aw.w::<K>();
+                    let pull = wet * aw.grad_factor;
+                    concentration_gradient[0] += pull * aw.dx;
+                    concentration_gradient[1] += pull * aw.dy;
                     arms[0] -= pull * aw.dx * aw.dx;
                     arms[1] -= pull * aw.dx * aw.dy;
                     arms[2] -= pull * aw.dy * aw.dy;
                     let un = a.u * w.nx + a.v * w.ny;
                     let rn = aw.dx * w.nx + aw.dy * w.ny;
-                    rate += 2.0 * w.volume * aw.slope * (w.vn - un) * rn;
+                    rate += 2.0 * w.volume * aw.grad_factor * (w.vn - un) * rn;
                     let kick = kicks[j as usize];
                     rate += 2.0 * pull * (kick[0] * aw.dx + kick[1] * aw.dy);
                 }
                 let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
                 let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
-                around[slot] = Surroundings::new(filling, fluid_filling, crowding, lambda);
+                around[slot] = KernelMoments::new(kernel_sum, fluid_kernel_sum, concentration_gradient, lambda);
                 divergence[slot] = inverse * rate;
-                spread[slot] = arms;
+                second_moment[slot] = arms;
                 drag[slot] = sums.drag();
             }
         });
     }
 }
 
-impl Fluid {
-    /// I2–I6, I12.
-    pub(crate) fn survey(&mut self, walls: &Walls, dt: f64) {
-        let n = self.particles.len();
-        let (kernel, g) = (self.parameters.kernel, self.parameters.gravity);
-        let ratio = self.parameters.smoothing_ratio;
-        let lattice = *self.projection.lattice.get_or_insert_with(|| Lattice::new(kernel, ratio));
-        // a face's tangential velocity is not asked here: its place takes Δt (a − g)·…
-        let mut kicks = Vec::with_capacity(self.rows.faces.len());
-        for (k, face) in self.rows.faces.iter_mut().enumerate() {
-            let source = if k < walls.len() { k } else { self.search.wall_images[k - walls.len()] as usize };
+impl Operators {
+    /// I2–I6, I12: the sums over pairs of a step of `dt` [s].
+    pub fn assemble(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &Walls,
+        lattice: &Lattice,
+        constants: PairConstants,
+        dt: f64,
+    ) {
+        let n = system.particles.len();
+        let (kernel, g) = (system.domain.fluid.kernel, system.domain.gravity);
+        // the tangential velocity of a wall is not used here; Δt (a − g) acts instead
+        let mut kicks = Vec::with_capacity(system.packed.packed_walls.len());
+        for (k, face) in system.packed.packed_walls.iter_mut().enumerate() {
+            let source = if k < walls.len() { k } else { system.neighbours.wall_images[k - walls.len()] as usize };
             // images have the same normal velocity
             let [u, v] = walls.velocity_at_start(source, dt);
             face.vn = u * walls.nx[source] + v * walls.ny[source];
             let side = if k < walls.len() { 1.0 } else { -1.0 };
             kicks.push([dt * (side * walls.ax[source] - g[0]), dt * (walls.ay[source] - g[1])]);
         }
-        let constants = self.constants_of_projection();
-        let Survey { chunks, around, divergence, spread, drag } = &mut self.projection.survey;
-        chunks.resize(n.div_ceil(CHUNK), Rows::default());
-        around.resize(n, Surroundings::default());
+        let Operators { chunks, around, divergence, second_moment, drag } = self;
+        chunks.resize(n.div_ceil(CHUNK), ChunkPairs::default());
+        around.resize(n, KernelMoments::default());
         divergence.resize(n, 0.0);
-        spread.resize(n, [0.0; 3]);
+        second_moment.resize(n, [0.0; 3]);
         drag.resize(n, [0.0; 2]);
         let pieces = around.chunks_mut(CHUNK).zip(divergence.chunks_mut(CHUNK));
-        let pieces = pieces.zip(spread.chunks_mut(CHUNK).zip(drag.chunks_mut(CHUNK)));
+        let pieces = pieces.zip(second_moment.chunks_mut(CHUNK).zip(drag.chunks_mut(CHUNK)));
         let found = chunks.iter_mut().zip(pieces);
-        let found = found.map(|(rows, ((around, divergence), (spread, drag)))| Found {
-            rows,
+        let found = found.map(|(pairs, ((around, divergence), (second_moment, drag)))| Found {
+            pairs,
             around,
             divergence,
-            spread,
+            second_moment,
             drag,
         });
-        kernel.run(Task {
-            fluid: &self.rows.fluid,
-            faces: &self.rows.faces,
-            search: &self.search,
+        kernel.run(Assembly {
+            fluid: &system.packed.fluid,
+            packed_walls: &system.packed.packed_walls,
+            neighbours: &system.neighbours,
             n,
             kicks: &kicks,
-            walls: &self.rows.walls,
+            walls: &system.packed.walls,
             constants,
             inverse: 1.0 / lattice.gradient,
             found: found.collect(),
         });
-        if self.steps == 0 {
-            // where spacings grow, a lattice at rest is not filled to the last per cent
-            let around = &self.projection.survey.around;
-            parallel::update(&mut self.particles.theta, |k, theta| {
-                let graded = around[k].lambda > 0.9 && (around[k].filling - lattice.filling).abs() < 0.1;
-                *theta = if graded { around[k].filling } else { lattice.filling };
-            });
-        }
     }
 }

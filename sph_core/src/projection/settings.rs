@@ -75,3 +75,16 @@ impl Default for Settings {
         }
     }
 }
+
+/// Largest Courant number of one sweep per step (EX4) [-].
+const LARGEST_COURANT_OF_SWEEP: f64 = 0.2;
+
+impl Settings {
+    /// I14, EX4: Courant number of a step [-].
+    pub fn courant_number(&self) -> f64 {
+        match self.method {
+            Method::Solve => self.flow.cfl,
+            Method::OneSweep => self.flow.cfl.min(LARGEST_COURANT_OF_SWEEP),
+        }
+    }
+}

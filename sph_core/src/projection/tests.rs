@@ -3,13 +3,13 @@
 use super::*;
 use crate::projection::linear_solver::test_systems::{Dice, System, body, directly, row_of, thrown};
 
-fn solve(s: &System, ranks: &[RankOne], pinned: &[bool], kind: Preconditioner) -> (Vec<f64>, Solved) {
+fn solve(s: &System, ranks: &[RankOne], constrained: &[bool], kind: Preconditioner) -> (Vec<f64>, Solved) {
     let n = s.a.rows();
     let mut solver = PressureSolver::with(kind);
     solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
     let mut x = vec![0.0; n];
     let stop = Stop { tolerance: 1e-11, most_iterations: 2000 };
-    let solved = solver.solve(&s.a, ranks, &s.b, &vec![1.0; n], pinned, &mut x, &stop).expect("converged");
+    let solved = solver.solve(&s.a, ranks, &s.b, &vec![1.0; n], constrained, &mut x, &stop).expect("converged");
     (x, solved)
 }
 
@@ -24,14 +24,14 @@ fn solutions_are_those_of_a_direct_solver() {
     for round in 0..20 {
         let s = thrown(30 + 20 * round, 1, 1, &mut dice);
         let n = s.a.rows();
-        let pinned: Vec<bool> = (0..n).map(|_| dice.throw() < 0.1 * f64::from(round as u8 % 3)).collect();
+        let constrained: Vec<bool> = (0..n).map(|_| dice.throw() < 0.1 * f64::from(round as u8 % 3)).collect();
         let ranks = if round % 2 == 0 { Vec::new() } else { body(&s, &mut dice, 10.0_f64.powi(round as i32 % 5 - 1)) };
-        let expected = directly(&s.a, &ranks, &s.b, &pinned, 0.0);
+        let expected = directly(&s.a, &ranks, &s.b, &constrained, 0.0);
         for kind in Preconditioner::ALL {
-            let (x, _) = solve(&s, &ranks, &pinned, kind);
+            let (x, _) = solve(&s, &ranks, &constrained, kind);
             let off = largest_difference(&x, &expected);
             assert!(off < 1e-8, "{n} rows, {kind:?}: off by {off:.2e}");
-            assert!(pinned.iter().zip(&x).all(|(&p, &x)| !p || x == 0.0));
+            assert!(constrained.iter().zip(&x).all(|(&p, &x)| !p || x == 0.0));
         }
     }
 }
@@ -46,15 +46,15 @@ fn what_floats_has_the_mean_zero_and_the_rest_a_level() {
     let mut dice = Dice(77);
     let n = 150;
     let s = thrown(n, 3, 1, &mut dice);
-    let pinned: Vec<bool> = (0..3 * n).map(|i| i == n + 7).collect(); // the second box has a pin, the third floats
+    let constrained: Vec<bool> = (0..3 * n).map(|i| i == n + 7).collect(); // the second box has a pin, the third floats
     let mut balanced = s.b.clone();
     let excess = box_means(&s.b, n)[2];
     balanced[2 * n..].iter_mut().for_each(|b| *b -= excess);
-    let mut expected = directly(&s.a, &[], &balanced, &pinned, 1e-9);
+    let mut expected = directly(&s.a, &[], &balanced, &constrained, 1e-9);
     let level = box_means(&expected, n)[2];
     expected[2 * n..].iter_mut().for_each(|x| *x -= level);
     for kind in Preconditioner::ALL {
-        let (x, _) = solve(&s, &[], &pinned, kind);
+        let (x, _) = solve(&s, &[], &constrained, kind);
         let off = largest_difference(&x, &expected);
         assert!(off < 1e-5, "{kind:?}: off by {off:.2e}"); // the spring's own error
         assert!(box_means(&x, n)[2].abs() < 1e-12, "{kind:?}: {:?}", box_means(&x, n));
@@ -67,20 +67,20 @@ fn a_body_gives_a_closed_tank_a_level_or_not() {
     let mut dice = Dice(4242);
     let n = 200;
     let s = thrown(n, 1, 0, &mut dice);
-    let pinned = vec![false; n];
+    let constrained = vec![false; n];
     let pushing = body(&s, &mut dice, 3.0);
-    let expected = directly(&s.a, &pushing, &s.b, &pinned, 0.0);
+    let expected = directly(&s.a, &pushing, &s.b, &constrained, 0.0);
     let mut closed = pushing.clone(); // a body that is wet all round: its normals add up to nothing
     for rank in &mut closed {
         let mean = rank.entries.iter().map(|e| e.1).sum::<f64>() / rank.entries.len() as f64;
         rank.entries.iter_mut().for_each(|e| e.1 -= mean);
     }
     for kind in Preconditioner::ALL {
-        let (x, _) = solve(&s, &pushing, &pinned, kind);
+        let (x, _) = solve(&s, &pushing, &constrained, kind);
         let off = largest_difference(&x, &expected);
         assert!(off < 1e-7, "{kind:?}: off by {off:.2e}");
         assert!(box_means(&x, n)[0].abs() > 1e-3);
-        let (x, _) = solve(&s, &closed, &pinned, kind);
+        let (x, _) = solve(&s, &closed, &constrained, kind);
         assert!(box_means(&x, n)[0].abs() < 1e-12, "{kind:?}: {:?}", box_means(&x, n));
     }
 }
@@ -104,12 +104,12 @@ fn a_lone_particle_has_no_pressure() {
 fn the_same_bits_at_one_and_two_threads() {
     let mut dice = Dice(11);
     let s = thrown(1500, 2, 1, &mut dice);
-    let pinned: Vec<bool> = (0..3000).map(|_| dice.throw() < 0.02).collect();
+    let constrained: Vec<bool> = (0..3000).map(|_| dice.throw() < 0.02).collect();
     let ranks = body(&s, &mut dice, 20.0);
     for kind in Preconditioner::ALL {
         let with = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-            pool.install(|| solve(&s, &ranks, &pinned, kind))
+            pool.install(|| solve(&s, &ranks, &constrained, kind))
         };
         let ((one, few), (two, many)) = (with(1), with(2));
         assert!(one.iter().zip(&two).all(|(a, b)| a.to_bits() == b.to_bits()), "{kind:?}");
@@ -176,7 +176,7 @@ fn the_smallest_pocket_floats_too() {
 #[test]
 fn a_surface_that_closes_or_opens_is_noticed_though_the_hierarchy_is_kept() {
     let n = 300;
-    let (pinned, scale) = (vec![false; n], vec![1.0; n]);
+    let (constrained, scale) = (vec![false; n], vec![1.0; n]);
     let stop = Stop { tolerance: 1e-8, most_iterations: 2000 };
     for kind in Preconditioner::ALL {
         let mut solver = PressureSolver::with(kind);
@@ -185,7 +185,7 @@ fn a_surface_that_closes_or_opens_is_noticed_though_the_hierarchy_is_kept() {
             let s = row_of(n, open);
             solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
             let mut x = vec![0.0; n];
-            solver.solve(&s.a, &[], &s.b, &scale, &pinned, &mut x, &stop).expect("converged");
+            solver.solve(&s.a, &[], &s.b, &scale, &constrained, &mut x, &stop).expect("converged");
             let mean = x.iter().sum::<f64>() / n as f64;
             assert_eq!(mean.abs() < 1e-9, !open, "{kind:?}: {mean}");
             set_ups.push(solver.set_ups());
@@ -212,7 +212,7 @@ fn iterations_hardly_grow_with_the_number_of_rows() {
 fn a_clone_goes_on_to_the_same_bits() {
     let mut dice = Dice(99);
     let s = thrown(900, 1, 1, &mut dice);
-    let (scale, pinned, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-6, most_iterations: 500 });
+    let (scale, constrained, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-6, most_iterations: 500 });
     let mut solver = PressureSolver::default();
     solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
     let mut kept = solver.clone();
@@ -220,7 +220,7 @@ fn a_clone_goes_on_to_the_same_bits() {
     let go_on = |solver: &mut PressureSolver| {
         let mut x = vec![0.0; 900];
         solver.prepare(&s.a, &moved, &s.at[1], &s.at[2]);
-        solver.solve(&s.a, &[], &s.b, &scale, &pinned, &mut x, &stop).expect("converged");
+        solver.solve(&s.a, &[], &s.b, &scale, &constrained, &mut x, &stop).expect("converged");
         x
     };
     assert_eq!(go_on(&mut solver), go_on(&mut kept));
@@ -232,7 +232,7 @@ fn a_clone_goes_on_to_the_same_bits() {
 fn rows_in_another_order_keep_their_hierarchy() {
     let mut dice = Dice(7);
     let s = thrown(900, 1, 1, &mut dice);
-    let (scale, pinned, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-9, most_iterations: 500 });
+    let (scale, constrained, stop) = (vec![1.0; 900], vec![false; 900], Stop { tolerance: 1e-9, most_iterations: 500 });
     let order: Vec<u32> = (0..900).map(|k| (k * 7) % 900).map(|k| if k < 450 { k + 450 } else { k - 450 }).collect();
     let mut place = vec![0; 900];
     order.iter().enumerate().for_each(|(k, &i)| place[i as usize] = k as u32);
@@ -251,11 +251,11 @@ fn rows_in_another_order_keep_their_hierarchy() {
     solver.name(&names);
     solver.prepare(&s.a, &s.at[0], &s.at[1], &s.at[2]);
     let mut x = vec![0.0; 900];
-    let first = solver.solve(&s.a, &[], &s.b, &scale, &pinned, &mut x, &stop).expect("converged");
+    let first = solver.solve(&s.a, &[], &s.b, &scale, &constrained, &mut x, &stop).expect("converged");
     solver.name(&order);
     solver.prepare(&turned, &by_order(&s.at[0]), &by_order(&s.at[1]), &by_order(&s.at[2]));
     let mut y = vec![0.0; 900];
-    let second = solver.solve(&turned, &[], &by_order(&s.b), &scale, &pinned, &mut y, &stop).expect("converged");
+    let second = solver.solve(&turned, &[], &by_order(&s.b), &scale, &constrained, &mut y, &stop).expect("converged");
     assert_eq!(solver.set_ups(), 1);
     assert!(second.iterations.abs_diff(first.iterations) <= 1, "{first:?} {second:?}");
     assert!(largest_difference(&y, &by_order(&x)) < 1e-7);
@@ -271,9 +271,12 @@ fn bodies_and_pins_at_the_surface_cost_no_iterations() {
         let plain = solve(&s, &[], &none, kind).1.iterations as f64;
         for weight in [0.1, 1e6] {
             let ranks = body(&s, &mut dice, weight);
-            let with = |pinned: &[bool]| solve(&s, &ranks, pinned, kind).1.iterations as f64;
-            let (free, pinned) = (with(&none), with(&at_surface));
-            assert!(free < 1.1 * plain && pinned < 1.1 * plain, "{kind:?}, {weight}: {plain} {free} {pinned}");
+            let with = |constrained: &[bool]| solve(&s, &ranks, constrained, kind).1.iterations as f64;
+            let (free, constrained) = (with(&none), with(&at_surface));
+            assert!(
+                free < 1.1 * plain && constrained < 1.1 * plain,
+                "{kind:?}, {weight}: {plain} {free} {constrained}"
+            );
         }
     }
 }

@@ -1,13 +1,13 @@
-//! Walls that yield: what the fluid asks of the owners of walls that a force accelerates (THEORY C1–C7).
+//! WallInterface dynamics: owners of walls whose acceleration follows from the force of the fluid (THEORY C1–C7).
 
 use std::fmt;
 use std::ops::Range;
 
 use crate::walls::{WallForces, WallsMut};
 
-/// A wall particle, the force on it, and how that answers to its acceleration: δF = push (arm·δa) (THEORY C1).
+/// The force on a wall particle, and its change with the particle's acceleration: δF = push (arm·δa) (THEORY C1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Touch {
+pub struct ParticleLoad {
     /// Where it is [m].
     pub at: [f64; 2],
     /// Force of the fluid on it [N/m].
@@ -18,42 +18,42 @@ pub struct Touch {
     pub arm: [f64; 2],
 }
 
-/// What an owner of walls meets in the fluid.
+/// The load of the fluid on an owner of walls.
 #[derive(Clone, Copy, Debug)]
-pub struct Encounter<'a> {
-    /// Its particles, in its order.
-    pub touches: &'a [Touch],
-    /// Time of the encounter, from the step's end [s]; not positive.
+pub struct InterfaceLoad<'a> {
+    /// Loads on its particles, in its order.
+    pub particles: &'a [ParticleLoad],
+    /// Time of the load, from the step's end [s]; not positive.
     pub offset: f64,
     /// True when the particles are the right half of an owner that is symmetric about x = 0.
     pub mirrored: bool,
 }
 
-/// What accelerations lack of those that the forces cause, and these (THEORY C5) [m/s²].
+/// WallInterface residual: implied minus trial acceleration (THEORY C5) [m/s²].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Lack {
-    /// r(x), an entry an unknown.
-    pub lack: Vec<f64>,
-    /// The share of the fluid's forces in r(x) + x, an entry an unknown.
-    pub caused: Vec<f64>,
+pub struct InterfaceResidual {
+    /// r(x), one entry per unknown.
+    pub residual: Vec<f64>,
+    /// The share of the fluid's forces in r(x) + x, one entry per unknown.
+    pub driving: Vec<f64>,
 }
 
 /// An owner of walls that a force accelerates, as it will be at the end of a step. Its unknowns are accelerations x, all
 /// scaled to [m/s²]; in the beginning those that its particles' kinematics were written with.
-pub trait Yields: Send + Sync {
+pub trait InterfaceDynamics: Send + Sync {
     /// C2: take as unknowns those that fit the forces which they cause; write what that adds to the accelerations that its
     /// particles' kinematics were written with [m/s²].
-    fn answer(&mut self, encounter: &Encounter<'_>, change: &mut [[f64; 2]]);
+    fn solve_acceleration(&mut self, load: &InterfaceLoad<'_>, change: &mut [[f64; 2]]);
 
     /// The unknowns [m/s²].
     fn unknowns(&self) -> Vec<f64>;
 
-    /// C5: what the unknowns lack under forces at the step's end.
-    fn lack(&self, forces: &WallForces<'_>) -> Lack;
+    /// C5: residual of the unknowns under forces at the step's end.
+    fn residual(&self, forces: &WallForces<'_>) -> InterfaceResidual;
 
     /// The same under the mean forces of the step, which act where its particles began: what a projection's body obeys (PB3).
-    fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
-        self.lack(forces)
+    fn residual_in_mean(&self, forces: &WallForces<'_>) -> InterfaceResidual {
+        self.residual(forces)
     }
 
     /// PB6: velocities of its particles at the step's start [m/s], where their kinematics do not tell them; left as they are if
@@ -66,18 +66,18 @@ pub trait Yields: Send + Sync {
 }
 
 /// An owner with its particles.
-pub struct Yielding {
+pub struct WallInterface {
     /// Its particles.
     pub range: Range<usize>,
     /// True when they are the right half of an owner that is symmetric about x = 0.
     pub mirrored: bool,
     /// The owner.
-    pub owner: Box<dyn Yields>,
+    pub owner: Box<dyn InterfaceDynamics>,
 }
 
-impl fmt::Debug for Yielding {
+impl fmt::Debug for WallInterface {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Yielding { range, mirrored, owner } = self;
-        write!(f, "Yielding {{ {range:?}, mirrored: {mirrored}, unknowns: {:?} }}", owner.unknowns())
+        let WallInterface { range, mirrored, owner } = self;
+        write!(f, "WallInterface {{ {range:?}, mirrored: {mirrored}, unknowns: {:?} }}", owner.unknowns())
     }
 }

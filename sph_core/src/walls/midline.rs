@@ -1,11 +1,10 @@
 //! Screens: the middle lines of thin walls, which nothing sees through (THEORY T1), and who has passed one (T5).
 
-use crate::fluid::Fluid;
-use crate::walls::Walls;
+use crate::particles::Particles;
 
 /// The middle line of a thin wall, moving; its owner gives it anew for every step.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Screen {
+pub struct PlateMidline {
     /// Corners of the line at the end of the step [m].
     pub points: Vec<[f64; 2]>,
     /// The same corners at the start of the step [m]; empty: they did not move.
@@ -22,7 +21,7 @@ pub struct Passage {
     /// Index of the particle.
     pub particle: usize,
     /// Which screen.
-    pub screen: usize,
+    pub midline: usize,
     /// The place of the screen where it went through, at the step's end [m].
     pub at: [f64; 2],
     /// Unit normal of the screen there, to the side that the particle came from [-].
@@ -32,15 +31,15 @@ pub struct Passage {
 /// Inner corners of a line overlap by this share of a side, so that nothing slips through while they turn.
 const LAP: f64 = 1e-3;
 
-impl Screen {
+impl PlateMidline {
     /// The screen `offset` [s] from the end of a step of `dt` [s], between its start and its end.
-    pub fn at(&self, offset: f64, dt: f64) -> Screen {
+    pub fn at(&self, offset: f64, dt: f64) -> PlateMidline {
         let back = if dt > 0.0 { -offset / dt } else { 0.0 };
         if self.start.len() != self.points.len() || back == 0.0 {
-            return Screen { start: Vec::new(), ..self.clone() };
+            return PlateMidline { start: Vec::new(), ..self.clone() };
         }
         let between = |(end, start): (&[f64; 2], &[f64; 2])| mix(*end, *start, back);
-        Screen { points: self.points.iter().zip(&self.start).map(between).collect(), start: Vec::new(), ..*self }
+        PlateMidline { points: self.points.iter().zip(&self.start).map(between).collect(), start: Vec::new(), ..*self }
     }
 
     /// T5: where a particle that moved from `from` to `to` [m] in the step went through the screen, and the normal to
@@ -101,46 +100,37 @@ fn height([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 }
 
-impl Fluid {
-    /// T5: note where every particle begins the step, where there are screens.
-    pub(crate) fn note_beginning(&mut self, walls: &Walls) {
-        if walls.screens.is_empty() {
-            return;
-        }
-        let p = &self.particles;
-        self.beginning.resize(p.len(), [0.0; 2]);
-        for k in 0..p.len() {
-            self.beginning[p.id[k] as usize] = [p.x[k], p.y[k]];
-        }
+/// T5: note where every particle starts the step, where there are thin plates.
+pub(crate) fn note_start_positions(start: &mut Vec<[f64; 2]>, p: &Particles, lines: &[PlateMidline]) {
+    if lines.is_empty() {
+        return;
     }
+    start.resize(p.len(), [0.0; 2]);
+    for k in 0..p.len() {
+        start[p.id[k] as usize] = [p.x[k], p.y[k]];
+    }
+}
 
-    /// T5: the fluid particles that went through a screen in the step just taken, in the particles' order.
-    pub fn passages(&self, walls: &Walls) -> Vec<Passage> {
-        let (p, mut found) = (&self.particles, Vec::new());
-        if self.beginning.len() != p.len() {
-            return found;
-        }
-        for (screen, line) in walls.screens.iter().enumerate() {
-            let [lo, hi] = line.bounds();
-            for particle in 0..p.len() {
-                let (from, to) = (self.beginning[p.id[particle] as usize], [p.x[particle], p.y[particle]]);
-                let beside = |c: usize| from[c].max(to[c]) < lo[c] || from[c].min(to[c]) > hi[c];
-                if beside(0) || beside(1) {
-                    continue;
-                }
-                if let Some((at, normal)) = line.passed(from, to) {
-                    found.push(Passage { particle, screen, at, normal });
-                }
+/// T5: the fluid particles that crossed a midline in the step just taken, in the order of the particles.
+pub(crate) fn passages(p: &Particles, start: &[[f64; 2]], lines: &[PlateMidline]) -> Vec<Passage> {
+    let mut found = Vec::new();
+    if start.len() != p.len() {
+        return found;
+    }
+    for (midline, line) in lines.iter().enumerate() {
+        let [lo, hi] = line.bounds();
+        for particle in 0..p.len() {
+            let (from, to) = (start[p.id[particle] as usize], [p.x[particle], p.y[particle]]);
+            let beside = |c: usize| from[c].max(to[c]) < lo[c] || from[c].min(to[c]) > hi[c];
+            if beside(0) || beside(1) {
+                continue;
+            }
+            if let Some((at, normal)) = line.passed(from, to) {
+                found.push(Passage { particle, midline, at, normal });
             }
         }
-        found
     }
-
-    /// Put a particle somewhere else [m]; its neighbours are looked for anew before they are next needed.
-    pub fn put(&mut self, particle: usize, at: [f64; 2]) {
-        [self.particles.x[particle], self.particles.y[particle]] = at;
-        self.displaced = true;
-    }
+    found
 }
 
 #[cfg(test)]
@@ -153,12 +143,12 @@ mod tests {
 
     #[test]
     fn who_goes_through_is_told_from_who_goes_round() {
-        let still = Screen { points: upright(0.0), ..Screen::default() };
+        let still = PlateMidline { points: upright(0.0), ..PlateMidline::default() };
         let (at, normal) = still.passed([0.1, 0.2], [-0.1, 0.4]).expect("through the middle");
         assert!(at[0].abs() < 1e-15 && (at[1] - 0.3).abs() < 1e-15 && normal == [1.0, 0.0], "{at:?} {normal:?}");
         assert!(still.passed([-0.1, 0.5], [0.1, 0.5]).is_some(), "through a corner");
         assert!(still.passed([-0.1, 0.4999], [0.1, 0.5003]).is_some(), "beside a corner");
-        let bend = Screen { points: vec![[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]], ..Screen::default() };
+        let bend = PlateMidline { points: vec![[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]], ..PlateMidline::default() };
         assert_eq!(bend.passed([-0.2, 0.1], [0.2, 0.1]), None, "in through one side, out through the next");
         assert_eq!(still.passed([0.1, 0.95], [-0.1, 1.06]), None, "round the end");
         assert_eq!(still.passed([0.1, 0.2], [0.001, 0.4]), None);
@@ -167,7 +157,7 @@ mod tests {
     /// A plate that sweeps past a particle at rest has been gone through; one that is followed has not.
     #[test]
     fn the_screens_own_motion_counts() {
-        let moved = Screen { points: upright(0.2), start: upright(0.0), ..Screen::default() };
+        let moved = PlateMidline { points: upright(0.2), start: upright(0.0), ..PlateMidline::default() };
         let (at, normal) = moved.passed([0.1, 0.3], [0.1, 0.3]).expect("swept over");
         assert!((at[0] - 0.2).abs() < 1e-15 && normal == [1.0, 0.0], "put before the plate: {at:?} {normal:?}");
         assert_eq!(moved.passed([-0.1, 0.3], [0.1, 0.3]), None);

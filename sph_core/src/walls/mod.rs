@@ -3,14 +3,30 @@
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
 
+pub mod contact;
 pub mod interface;
-mod interface_dynamics;
+pub(crate) mod interface_dynamics;
 pub mod midline;
-mod nearest;
-mod state;
+pub(crate) mod state;
 pub(crate) mod visibility;
 
-use crate::walls::midline::Screen;
+use crate::walls::midline::PlateMidline;
+
+/// Rows of boundary particles that a scheme needs behind a wall's surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WallLayout {
+    /// Number of rows.
+    pub layers: usize,
+    /// Every other row is shifted by half a spacing (THEORY W2).
+    pub staggered: bool,
+}
+
+impl WallLayout {
+    /// Aligned rows as deep as the kernel's support 2h, for a smoothing length over spacing of `ratio` [-].
+    pub fn filling_support(ratio: f64) -> WallLayout {
+        WallLayout { layers: (2.0 * ratio - 1e-9).ceil() as usize, staggered: false }
+    }
+}
 
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +42,7 @@ pub struct WallPoint {
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
     /// The screen, of its owner's, that it is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
-    pub screen: Option<u32>,
+    pub midline: Option<u32>,
 }
 
 /// All boundary particles. One entry per particle in every array.
@@ -70,18 +86,18 @@ pub struct Walls {
     /// ends, lacks of the mean moment.
     pub mean_swing: Vec<f64>,
     /// Middle lines of thin walls (THEORY T1), in the order of their owners.
-    pub screens: Vec<Screen>,
+    pub midlines: Vec<PlateMidline>,
     /// The screen that each is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
-    pub screen: Vec<Option<u32>>,
+    pub midline: Vec<Option<u32>>,
     /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (PB6); else empty.
-    pub begun: Vec<[f64; 2]>,
+    pub start_velocity: Vec<[f64; 2]>,
 }
 
 impl Walls {
     /// Velocity of particle `k` at the start of a step of `dt` [m/s].
     pub fn velocity_at_start(&self, k: usize, dt: f64) -> [f64; 2] {
         let told = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
-        self.begun.get(k).copied().unwrap_or_else(told)
+        self.start_velocity.get(k).copied().unwrap_or_else(told)
     }
 
     /// Number of boundary particles.
@@ -98,7 +114,7 @@ impl Walls {
     /// which its particles count from 0, are to be appended next.
     pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> std::ops::Range<usize> {
         let start = self.len();
-        let screens = self.screens.len() as u32;
+        let midlines = self.midlines.len() as u32;
         for point in points {
             self.x.push(point.at[0]);
             self.y.push(point.at[1]);
@@ -107,7 +123,7 @@ impl Walls {
             self.volume.push(point.area);
             self.h.push(ratio * point.spacing);
             self.depth.push(point.depth);
-            self.screen.push(point.screen.map(|screen| screens + screen));
+            self.midline.push(point.midline.map(|midline| midlines + midline));
         }
         let n = self.len();
         for array in [
@@ -138,6 +154,39 @@ impl Walls {
     pub(crate) fn swing(&self, k: usize, offset: f64, force: [f64; 2]) -> f64 {
         let [dx, dy] = self.displacement(k, offset);
         dx * force[1] - dy * force[0]
+    }
+
+    /// E15: half of the present force, where the walls were at the start of a step of `dt` [s], enters the step's mean force.
+    pub(crate) fn start_mean_force(&mut self, dt: f64) {
+        for k in 0..self.len() {
+            let first = [0.5 * self.fx[k], 0.5 * self.fy[k]];
+            [self.mean_fx[k], self.mean_fy[k]] = first;
+            self.mean_swing[k] = self.swing(k, -dt, first);
+        }
+    }
+
+    /// E15: half of the force at the step's end completes the mean force.
+    pub(crate) fn finish_mean_force(&mut self) {
+        for k in 0..self.len() {
+            self.mean_fx[k] += 0.5 * self.fx[k];
+            self.mean_fy[k] += 0.5 * self.fy[k];
+        }
+    }
+
+    /// Multiply the forces by `factor`; they act over the whole of a step of `dt` [s].
+    pub(crate) fn scale_forces(&mut self, factor: f64, dt: f64) {
+        for k in 0..self.len() {
+            let force = [self.fx[k], self.fy[k]].map(|f| factor * f);
+            [self.fx[k], self.fy[k]] = force;
+            [self.mean_fx[k], self.mean_fy[k]] = force;
+            self.mean_swing[k] = self.swing(k, -dt, force);
+        }
+    }
+
+    /// The present force is the mean force too.
+    pub(crate) fn set_mean_force(&mut self) {
+        self.mean_fx.clone_from(&self.fx);
+        self.mean_fy.clone_from(&self.fy);
     }
 
     /// An owner's particles, to be moved.

@@ -5,7 +5,7 @@ use crate::neighbours::images::Mirror;
 use crate::neighbours::lists::Lists;
 use crate::parallel;
 use crate::walls::Walls;
-use crate::walls::midline::Screen;
+use crate::walls::midline::PlateMidline;
 
 /// A thin wall's particle faces the water this far above its surface, in its smoothing lengths.
 const ABOVE: f64 = 0.3;
@@ -33,7 +33,7 @@ enum Zone {
 /// Where somebody is, seen from a screen near by.
 #[derive(Clone, Copy, Debug)]
 struct Standing {
-    screen: u32,
+    midline: u32,
     zone: Zone,
     /// Length of the screen up to the place of it that is nearest [m].
     along: f64,
@@ -41,7 +41,7 @@ struct Standing {
 
 /// A screen as it stands at one moment, or its image.
 struct Line {
-    screen: u32,
+    midline: u32,
     corners: Vec<[f64; 2]>,
     box_: [[f64; 2]; 2],
 }
@@ -80,7 +80,7 @@ impl Line {
                     _ if height > 0.0 => Zone::Left,
                     _ => Zone::Right,
                 };
-                (least, found) = (square, Some(Standing { screen: self.screen, zone, along: length + along }));
+                (least, found) = (square, Some(Standing { midline: self.midline, zone, along: length + along }));
             }
             length += size;
         }
@@ -97,24 +97,24 @@ impl Line {
 
 /// Screens as they stand at one moment, with their images.
 #[derive(Default)]
-pub(crate) struct Sight {
+pub(crate) struct Visibility {
     lines: Vec<Line>,
 }
 
-impl Sight {
+impl Visibility {
     /// Of screens where they are now. Images count after the screens themselves.
-    pub fn new(screens: &[Screen], mirror: Option<Mirror>) -> Sight {
-        let line = |screen: usize, corners: Vec<[f64; 2]>| {
+    pub fn new(midlines: &[PlateMidline], mirror: Option<Mirror>) -> Visibility {
+        let line = |midline: usize, corners: Vec<[f64; 2]>| {
             let box_ = crate::walls::midline::bounds(corners.iter());
-            Line { screen: screen as u32, corners, box_ }
+            Line { midline: midline as u32, corners, box_ }
         };
-        let mut lines: Vec<Line> = screens.iter().enumerate().map(|(k, s)| line(k, s.points.clone())).collect();
+        let mut lines: Vec<Line> = midlines.iter().enumerate().map(|(k, s)| line(k, s.points.clone())).collect();
         if let Some(mirror) = mirror {
-            let reflected = |s: &Screen| s.points.iter().map(|p| [mirror.reflect(p[0]), p[1]]).collect();
-            let strangers = screens.iter().enumerate().filter(|(_, s)| !s.own_image);
-            lines.extend(strangers.map(|(k, s)| line(screens.len() + k, reflected(s))));
+            let reflected = |s: &PlateMidline| s.points.iter().map(|p| [mirror.reflect(p[0]), p[1]]).collect();
+            let strangers = midlines.iter().enumerate().filter(|(_, s)| !s.own_image);
+            lines.extend(strangers.map(|(k, s)| line(midlines.len() + k, reflected(s))));
         }
-        Sight { lines }
+        Visibility { lines }
     }
 
     fn standings(&self, p: [f64; 2], radius: f64) -> Vec<Standing> {
@@ -123,13 +123,13 @@ impl Sight {
 
     /// What p [m] sees within `reach` [m].
     pub fn from(&self, p: [f64; 2], reach: f64) -> View<'_> {
-        View { sight: self, standings: self.standings(p, reach), reach }
+        View { visibility: self, standings: self.standings(p, reach), reach }
     }
 }
 
 /// What is seen from one place.
 pub(crate) struct View<'a> {
-    sight: &'a Sight,
+    visibility: &'a Visibility,
     standings: Vec<Standing>,
     reach: f64,
 }
@@ -137,16 +137,16 @@ pub(crate) struct View<'a> {
 impl View<'_> {
     /// T1: true where no screen stands between the place and q [m].
     pub fn shows(&self, q: [f64; 2]) -> bool {
-        self.standings.is_empty() || !parted(&self.standings, &self.sight.standings(q, self.reach), self.reach)
+        self.standings.is_empty() || !separated(&self.standings, &self.visibility.standings(q, self.reach), self.reach)
     }
 }
 
 /// T1: true where some screen has one on its left and the other on its right.
-fn parted(a: &[Standing], b: &[Standing], reach: f64) -> bool {
+fn separated(a: &[Standing], b: &[Standing], reach: f64) -> bool {
     a.iter().any(|a| {
         b.iter().any(|b| {
             let opposite = matches!((a.zone, b.zone), (Zone::Left, Zone::Right) | (Zone::Right, Zone::Left));
-            a.screen == b.screen && opposite && (a.along - b.along).abs() < ALONG * reach
+            a.midline == b.midline && opposite && (a.along - b.along).abs() < ALONG * reach
         })
     })
 }
@@ -163,10 +163,10 @@ impl Seen {
     /// T2: does fluid that stands so see it?
     fn from(&self, fluid: &[Standing], reach: f64) -> bool {
         let Some((own, zone)) = self.own else {
-            return !parted(fluid, &self.standings, reach);
+            return !separated(fluid, &self.standings, reach);
         };
-        let faced = fluid.iter().any(|f| f.screen == own && Some(f.zone) == zone);
-        faced && !parted(fluid, &self.standings, reach)
+        let faced = fluid.iter().any(|f| f.midline == own && Some(f.zone) == zone);
+        faced && !separated(fluid, &self.standings, reach)
     }
 }
 
@@ -174,7 +174,7 @@ impl Seen {
 #[derive(Clone, Copy)]
 pub struct ThinWalls<'a> {
     /// Their screens, where they are then.
-    pub screens: &'a [Screen],
+    pub midlines: &'a [PlateMidline],
     /// All walls.
     pub walls: &'a Walls,
 }
@@ -193,7 +193,7 @@ impl ThinWalls<'_> {
     /// T4: how far particles around ends may go, of what each is `allowed` [m].
     pub fn hold_ends(&self, x: &[f64], y: &[f64], h: &[f64], allowed: &mut [f64]) {
         let ends: Vec<[f64; 2]> =
-            self.screens.iter().flat_map(|s| s.points.first().into_iter().chain(s.points.last())).copied().collect();
+            self.midlines.iter().flat_map(|s| s.points.first().into_iter().chain(s.points.last())).copied().collect();
         parallel::update(allowed, |k, allowed| {
             if ends.iter().any(|end| (x[k] - end[0]).hypot(y[k] - end[1]) < END_REACH * h[k]) {
                 *allowed = allowed.min(END_SKIN * h[k]);
@@ -203,40 +203,40 @@ impl ThinWalls<'_> {
 
     /// T1, T2: strike out of the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around
     /// mirror points who does not see the other.
-    pub(crate) fn strike(&self, listed: &Listed<'_>, [fluid, walls_of_fluid, of_wall, of_mirror]: [&mut Lists; 4]) {
-        let sight = Sight::new(self.screens, listed.mirror);
+    pub(crate) fn mask(&self, listed: &Listed<'_>, [fluid, walls_of_fluid, of_wall, of_mirror]: [&mut Lists; 4]) {
+        let visibility = Visibility::new(self.midlines, listed.mirror);
         let widest = |points: &[Point]| points.iter().map(|p| p.reach).fold(0.0, f64::max);
         // a thin wall's particle lies as deep behind its screen at most, at a mitre twice as deep
-        let thin = self.walls.depth.iter().zip(&self.walls.screen).filter(|(_, screen)| screen.is_some());
+        let thin = self.walls.depth.iter().zip(&self.walls.midline).filter(|(_, midline)| midline.is_some());
         let deepest = thin.map(|(depth, _)| 2.0 * depth).fold(0.0, f64::max);
         let reach = 2.0 * widest(listed.fluid).max(widest(listed.wall)) + deepest;
         let stand = |points: &[Point]| {
             let mut found = vec![Vec::new(); points.len()];
-            parallel::gather_into(&mut found, |k| sight.standings([points[k].x, points[k].y], reach));
+            parallel::gather_into(&mut found, |k| visibility.standings([points[k].x, points[k].y], reach));
             found
         };
         let (standing, of_mirrors) = (stand(listed.fluid), stand(listed.mirrored));
         let mut seen = vec![Seen::default(); listed.wall.len()];
-        parallel::gather_into(&mut seen, |j| self.seen(j, listed, &sight, reach));
-        fluid.retain(|k, j| !parted(&standing[k], &standing[j as usize], reach));
+        parallel::gather_into(&mut seen, |j| self.seen(j, listed, &visibility, reach));
+        fluid.retain(|k, j| !separated(&standing[k], &standing[j as usize], reach));
         walls_of_fluid.retain(|k, j| seen[j as usize].from(&standing[k], reach));
         of_wall.retain(|k, j| seen[k].from(&standing[j as usize], reach));
-        of_mirror.retain(|k, j| !parted(&of_mirrors[k], &standing[j as usize], reach));
+        of_mirror.retain(|k, j| !separated(&of_mirrors[k], &standing[j as usize], reach));
     }
 
     /// Boundary particle j, or image, as it is looked at.
-    fn seen(&self, j: usize, listed: &Listed<'_>, sight: &Sight, reach: f64) -> Seen {
+    fn seen(&self, j: usize, listed: &Listed<'_>, visibility: &Visibility, reach: f64) -> Seen {
         let (w, p) = (self.walls, &listed.wall[j]);
         let (k, image) = if j < w.len() { (j, false) } else { (listed.wall_images[j - w.len()] as usize, true) };
-        let Some(screen) = w.screen[k] else {
-            return Seen { own: None, standings: sight.standings([p.x, p.y], reach) };
+        let Some(midline) = w.midline[k] else {
+            return Seen { own: None, standings: visibility.standings([p.x, p.y], reach) };
         };
         let (out, nx) = (w.depth[k] + ABOVE * w.h[k], if image { -w.nx[k] } else { w.nx[k] });
-        let own_image = self.screens[screen as usize].own_image;
-        let own = if image && !own_image { self.screens.len() as u32 + screen } else { screen };
-        let mut standings = sight.standings([p.x + out * nx, p.y + out * w.ny[k]], reach);
-        let zone = standings.iter().find(|s| s.screen == own).map(|s| s.zone);
-        standings.retain(|s| s.screen != own);
+        let own_image = self.midlines[midline as usize].own_image;
+        let own = if image && !own_image { self.midlines.len() as u32 + midline } else { midline };
+        let mut standings = visibility.standings([p.x + out * nx, p.y + out * w.ny[k]], reach);
+        let zone = standings.iter().find(|s| s.midline == own).map(|s| s.zone);
+        standings.retain(|s| s.midline != own);
         Seen { own: Some((own, zone)), standings }
     }
 }
@@ -245,9 +245,9 @@ impl ThinWalls<'_> {
 mod tests {
     use super::*;
 
-    fn wall() -> Sight {
+    fn wall() -> Visibility {
         let points = vec![[0.0, 0.0], [0.0, 0.4], [0.0, 1.0]];
-        Sight::new(&[Screen { points, ..Screen::default() }], Some(Mirror { at: -2.0 }))
+        Visibility::new(&[PlateMidline { points, ..PlateMidline::default() }], Some(Mirror { at: -2.0 }))
     }
 
     fn free(p: [f64; 2], q: [f64; 2]) -> bool {
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn the_turns_of_a_coil_do_not_part_the_water_between_them() {
         let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-0.2, 1.0], [-0.2, -0.2], [1.0, -0.2]];
-        let coil = Sight::new(&[Screen { points, ..Screen::default() }], None);
+        let coil = Visibility::new(&[PlateMidline { points, ..PlateMidline::default() }], None);
         let from = |p| coil.from(p, 0.2);
         assert!(from([0.5, -0.11]).shows([0.5, -0.09]), "outside one turn, inside the other");
         assert!(!from([0.5, -0.01]).shows([0.5, 0.01]) && !from([0.5, -0.19]).shows([0.5, -0.21]));
@@ -277,7 +277,7 @@ mod tests {
     #[test]
     fn a_bend_has_two_sides() {
         let points = vec![[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]];
-        let bend = Sight::new(&[Screen { points, ..Screen::default() }], None);
+        let bend = Visibility::new(&[PlateMidline { points, ..PlateMidline::default() }], None);
         assert!(!bend.from([0.0, 0.02], 0.3).shows([0.0, -0.02]));
         assert!(bend.from([0.05, -0.02], 0.3).shows([-0.05, -0.02]), "both below the corner");
     }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Tait's law p = B[(ρ/ρ₀)^γ − 1], B = ρ₀c₀²/γ (Cole 1948; γ = 7 for water, γ = 1 is the linear law).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tait {
     /// Reference density ρ₀ [kg/m³].
     pub rho0: f64,

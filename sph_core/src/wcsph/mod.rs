@@ -1,8 +1,247 @@
-//! The weakly compressible scheme (THEORY E3–E17).
+//! The weakly compressible scheme (THEORY E3–E17): pressures follow from densities by Tait's law, and run through the water as
+//! sound.
+//!
+//! Read in this order: [`Wcsph::advance`], [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`.
 
 pub mod eos;
 mod settings;
-pub mod step_limit;
-mod updates;
+pub(crate) mod shifting;
+pub(crate) mod step_limit;
+pub(crate) mod updates;
+
+use std::any::Any;
+
+use crate::domain::Domain;
+use crate::error::Breakdown;
+use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::interactions::gather::{DensityRate, PairSums};
+use crate::interactions::geometry::PairConstants;
+use crate::memory::of_vector;
+use crate::parallel;
+use crate::particles::Seed;
+use crate::particles::refinement::refine;
+use crate::scheme::{Scheme, SchemeSettings};
+use crate::system::ParticleSystem;
+use crate::timers::Phase;
+use crate::walls::Walls;
+use crate::walls::interface::WallInterface;
+use crate::walls::interface_dynamics::solve_interfaces;
+use crate::walls::state::extrapolate_to_walls;
+
+use eos::Tait;
+use shifting::{even_out, settle};
+use step_limit::{StepLimit, acoustic_limit};
+use updates::{advance_density_midpoint, drift, kick};
 
 pub use settings::Settings;
+
+/// Steps that a neighbour list is made to last.
+const LIST_LIFE: f64 = 12.0;
+/// Largest |ρ/ρ₀ − 1| at which the equation of state has a meaning.
+const LARGEST_STRAIN: f64 = 0.3;
+
+/// The weakly compressible scheme with its own state.
+#[derive(Clone, Debug)]
+pub struct Wcsph {
+    /// Its settings; they may change between steps.
+    pub settings: Settings,
+    /// Equation of state.
+    pub(crate) eos: Tait,
+    /// dρ/dt [kg/(m³ s)].
+    pub(crate) density_rate: Vec<f64>,
+}
+
+impl Wcsph {
+    /// The scheme for a domain.
+    pub fn new(domain: &Domain, settings: Settings) -> Wcsph {
+        Wcsph { settings, eos: settings.equation_of_state(domain), density_rate: Vec::new() }
+    }
+
+    /// E15: one step, kick–drift–kick with the density advanced about the midpoint; of second order.
+    fn advance(&mut self, system: &mut ParticleSystem, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) {
+        let half = 0.5 * dt;
+        kick(system, half); //                                       v½ = v + ½Δt a
+        drift(system, half); //                                      x½ = x + ½Δt v½
+        self.evaluate_density_rate(system, walls, -half); //         dρ/dt at (x½, v½)
+        advance_density_midpoint(system, &self.density_rate, dt); // ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
+        drift(system, half); //                                      x' = x½ + ½Δt v½
+        if self.settings.shifting {
+            even_out(system, self.settings.settling, dt); //         x' ← x' + δr
+        }
+        walls.start_mean_force(dt); //                               ½F, where the walls were at the start
+        self.evaluate_forces(system, walls, interfaces, 0.0); //     a', F' at (x', ρ')
+        kick(system, half); //                                       v' = v½ + ½Δt a'
+        walls.finish_mean_force(); //                                F̄ = ½(F + F')
+    }
+
+    /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
+    fn evaluate_density_rate(&mut self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
+        self.pack(system, walls, offset);
+        self.gather_density_rate(system, self.constants(system), true);
+    }
+
+    /// E3, E9, E6–E8: pressures, wall pressures, accelerations, forces on walls; walls taken `offset` seconds from the step's end.
+    fn evaluate_forces(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+        offset: f64,
+    ) {
+        self.equation_of_state(system);
+        self.pack(system, walls, offset);
+        extrapolate_to_walls(system, walls);
+        let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
+        let terms = self.terms(system);
+        gather_fluid_forces(system, &terms, true, &mut forces);
+        gather_wall_forces(system, &terms, walls);
+        if !interfaces.is_empty() {
+            solve_interfaces(system, walls, interfaces, &mut forces, offset); // C1–C3
+        }
+        forces.accelerate(system);
+    }
+
+    /// Make the lists if they no longer hold, splitting particles first where that is asked for (E26); then pack.
+    fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
+        if !system.place_walls(walls, offset, false) {
+            self.refine(system);
+            let c0 = self.eos.c0;
+            let life = LIST_LIFE * acoustic_limit(system, self.settings.courant_number(), |_| c0);
+            system.rebuild_lists(walls, life);
+        }
+        system.pack(walls);
+    }
+
+    /// E26: split particles inside the refinement zone, if there is one.
+    pub fn refine(&self, system: &mut ParticleSystem) {
+        let ParticleSystem { refinement_zone, particles, fields, neighbours, domain, .. } = system;
+        if let Some(zone) = refinement_zone {
+            let Tait { rho0, c0, .. } = self.eos;
+            refine(zone, particles, fields, neighbours, domain.gravity, (rho0, c0), |rho| self.eos.pressure(rho));
+        }
+    }
+
+    /// The density rates with given constants; `walls_reflect`: behind walls the fluid moves with the reflected velocity (E10).
+    pub(crate) fn gather_density_rate(
+        &mut self,
+        system: &mut ParticleSystem,
+        constants: PairConstants,
+        walls_reflect: bool,
+    ) {
+        system.timers.begin(Phase::Density);
+        self.density_rate.resize(system.particles.len(), 0.0);
+        let gather = DensityRate {
+            fluid: &system.packed.fluid,
+            packed_walls: &system.packed.packed_walls,
+            rho: &system.particles.rho,
+            neighbours: &system.neighbours,
+            constants,
+            walls_reflect,
+        };
+        PairSums::with(&system.domain, self.settings.dissipation).run(&gather, &mut self.density_rate[..]);
+    }
+
+    /// E3: pressures from densities. Tensionless water is never thinner than water at rest.
+    pub(crate) fn equation_of_state(&self, system: &mut ParticleSystem) {
+        system.timers.begin(Phase::Integration);
+        let (eos, ventilation) = (self.eos, self.settings.ventilation);
+        let (p, fields) = (&mut system.particles, &mut system.fields);
+        let (moments, near_surface) = (&fields.moments, &fields.near_surface);
+        parallel::each([&mut p.rho, &mut fields.pressure], |at, [rho, pressure]| {
+            let (moments, near_surface) = (&moments[at.clone()], &near_surface[at]);
+            for k in 0..moments.len() {
+                let tensionless = moments[k].tensionless(near_surface[k], ventilation);
+                rho[k] = if tensionless && rho[k] < eos.rho0 { eos.rho0 } else { rho[k] };
+                pressure[k] = eos.pressure(rho[k]);
+            }
+        });
+    }
+
+    /// Constants of the pairs.
+    pub(crate) fn constants(&self, system: &ParticleSystem) -> PairConstants {
+        let Settings { density_diffusion: delta, artificial_viscosity: alpha, wall_stretch, .. } = self.settings;
+        let stretch = f64::from(u8::from(wall_stretch));
+        PairConstants { c0: self.eos.c0, delta, alpha, stretch, ..system.constants() }
+    }
+
+    pub(crate) fn terms(&self, system: &ParticleSystem) -> PairTerms {
+        PairTerms { constants: self.constants(system), dissipation: self.settings.dissipation }
+    }
+}
+
+impl Scheme for Wcsph {
+    fn initialise(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+    ) -> Result<(), Breakdown> {
+        self.evaluate_forces(system, walls, interfaces, 0.0);
+        system.neighbours.flag_surface(&mut system.fields);
+        if self.settings.shifting {
+            settle(system, self.settings.settling, |system| self.evaluate_forces(system, walls, interfaces, 0.0));
+        }
+        walls.set_mean_force();
+        Ok(())
+    }
+
+    fn step(
+        &mut self,
+        system: &mut ParticleSystem,
+        walls: &mut Walls,
+        interfaces: &mut [WallInterface],
+        dt: f64,
+    ) -> Result<(), Breakdown> {
+        self.advance(system, walls, interfaces, dt);
+        Ok(())
+    }
+
+    fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
+        let c0 = self.eos.c0;
+        StepLimit { cfl: self.settings.courant_number(), c0, nu: system.domain.fluid.kinematic_viscosity }.stable_dt(
+            system,
+            walls,
+            |_| c0,
+        )
+    }
+
+    fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {
+        let (rho, rho0) = (&system.particles.rho, self.eos.rho0);
+        system.check(|k| is_weakly_compressed(rho[k], rho0))
+    }
+
+    fn checkpoint(&self) -> Box<dyn Scheme> {
+        Box::new(self.clone())
+    }
+
+    fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {
+        self.eos.energy(system.particles.rho[k])
+    }
+
+    fn bytes(&self) -> usize {
+        of_vector(&self.density_rate)
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn as_any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
+/// A density at which the equation of state has a meaning.
+pub(crate) fn is_weakly_compressed(rho: f64, rho0: f64) -> bool {
+    (rho / rho0 - 1.0).abs() < LARGEST_STRAIN
+}
+
+impl SchemeSettings for Settings {
+    fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
+        Box::new(Wcsph::new(domain, *self))
+    }
+
+    fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>) {
+        (self.equation_of_state(domain).density(seed.pressure), None)
+    }
+}

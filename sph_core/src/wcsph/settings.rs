@@ -4,7 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::auto::Auto;
+use crate::domain::Domain;
 use crate::interactions::dissipation::Dissipation;
+use crate::wcsph::eos::Tait;
 
 /// Courant number by default (E17) [-].
 const CFL: f64 = 0.6;
@@ -86,5 +88,11 @@ impl Settings {
     /// Speed of sound [m/s] where the largest known speed of the flow is `fastest` [m/s].
     pub fn speed_of_sound(&self, fastest: f64) -> f64 {
         self.sound_speed.or(SOUND_RATIO * fastest)
+    }
+
+    /// Tait's law with these settings.
+    pub(crate) fn equation_of_state(&self, domain: &Domain) -> Tait {
+        let (rho0, c0) = (domain.fluid.density, self.speed_of_sound(domain.fastest_speed));
+        Tait { rho0, c0, gamma: self.eos_exponent }
     }
 }

@@ -1,9 +1,8 @@
 //! The largest stable step (THEORY E17).
 
 use crate::error::Breakdown;
-use crate::fluid::Fluid;
 use crate::parallel;
-use crate::solver::Solver;
+use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
 /// Share of √(h/|a|) a step may take (E17; Monaghan 1992).
@@ -51,49 +50,42 @@ impl Bounds {
     }
 }
 
-impl Fluid {
-    /// Speed of sound at particle `k` [m/s]: c₀, and in a gas hotter than at rest more.
-    fn sound_speed(&self, k: usize) -> f64 {
-        let c0 = self.parameters.eos.c0;
-        self.parameters.gas.map_or(c0, |gas| gas.sound_speed(self.particles.energy[k]).max(c0))
-    }
+/// Δt ≤ C h/(c + |v|) [s] over all particles; `sound_speed` of each [m/s].
+pub(crate) fn acoustic_limit(system: &ParticleSystem, cfl: f64, sound_speed: impl Fn(usize) -> f64 + Sync) -> f64 {
+    let p = &system.particles;
+    let speed = |k: usize| (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
+    cfl * parallel::least(p.len(), |k| p.h[k] / (sound_speed(k) + speed(k)))
+}
 
-    /// Δt ≤ C h/(c + |v|) [s] over all particles.
-    pub fn acoustic_limit(&self) -> f64 {
-        let p = &self.particles;
-        let speed = |k: usize| (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
-        self.parameters.cfl * parallel::least(p.len(), |k| p.h[k] / (self.sound_speed(k) + speed(k)))
-    }
+/// What limits the step besides the state.
+pub(crate) struct StepLimit {
+    /// Courant number [-].
+    pub cfl: f64,
+    /// Speed of sound at rest [m/s].
+    pub c0: f64,
+    /// Kinematic viscosity [m²/s].
+    pub nu: f64,
+}
 
+impl StepLimit {
     /// The step limit [s]: acoustic, force and viscous, over the fluid and the walls beside it.
-    pub fn stable_dt(&self, walls: &Walls) -> Result<f64, Breakdown> {
-        if self.parameters.solver == Solver::IncompressibleThesis {
-            return parallel::within_pool(|| self.thesis_dt(walls));
-        }
-        if self.parameters.solver.is_incompressible() {
-            let viscous = VISCOUS * self.least_length().powi(2) / self.parameters.nu;
-            return Ok(parallel::within_pool(|| self.projection_dt(walls)).min(viscous));
-        }
-        let (p, q) = (&self.particles, &self.parameters);
-        let c0 = q.eos.c0;
-        let of_fluid = |k: usize| Bounds::of(q.cfl, self.sound_speed(k), p.h[k], [p.u[k], p.v[k]], [p.ax[k], p.ay[k]]);
-        let w = walls;
-        let of_wall = |k: usize| Bounds::of(q.cfl, c0, w.h[k], [w.u[k], w.v[k]], [w.ax[k], w.ay[k]]);
-        let (fluid, wall) =
-            parallel::within_pool(|| (Bounds::least(p.len(), of_fluid), Bounds::least(walls.len(), of_wall)));
-        let dt = fluid.dt(q.nu).min(wall.dt(q.nu));
-        if p.is_empty() || dt > COLLAPSE * (q.cfl * fluid.h / c0) {
+    pub fn stable_dt(
+        &self,
+        system: &ParticleSystem,
+        walls: &Walls,
+        sound_speed: impl Fn(usize) -> f64 + Sync,
+    ) -> Result<f64, Breakdown> {
+        let StepLimit { cfl, c0, nu } = *self;
+        let (p, w) = (&system.particles, walls);
+        let of_fluid = |k: usize| Bounds::of(cfl, sound_speed(k), p.h[k], [p.u[k], p.v[k]], [p.ax[k], p.ay[k]]);
+        let of_wall = |k: usize| Bounds::of(cfl, c0, w.h[k], [w.u[k], w.v[k]], [w.ax[k], w.ay[k]]);
+        let (fluid, wall) = (Bounds::least(p.len(), of_fluid), Bounds::least(walls.len(), of_wall));
+        let dt = fluid.dt(nu).min(wall.dt(nu));
+        if p.is_empty() || dt > COLLAPSE * (cfl * fluid.h / c0) {
             return Ok(dt);
         }
-        let of = |k: usize| of_fluid(k).dt(q.nu);
+        let of = |k: usize| of_fluid(k).dt(nu);
         let k = (0..p.len()).min_by(|&a, &b| of(a).total_cmp(&of(b))).unwrap_or(0);
-        Err(self.collapsed(k, dt))
-    }
-
-    /// The step fell to `dt` [s] because of particle `k`.
-    pub(crate) fn collapsed(&self, k: usize, dt: f64) -> Breakdown {
-        let p = &self.particles;
-        let (speed, acceleration) = (p.u[k].hypot(p.v[k]), p.ax[k].hypot(p.ay[k]));
-        Breakdown::Step { dt, id: p.id[k], x: p.x[k], y: p.y[k], speed, acceleration, time: self.time }
+        Err(system.collapsed(k, dt))
     }
 }

@@ -3,7 +3,7 @@
 use structure_fe::{Dynamics, Envelope, State};
 
 use sph_core::walls::Resultant;
-use sph_core::{Screen, WallForces, WallPoint, WallsMut, Yields};
+use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
@@ -168,7 +168,7 @@ impl WettedBody for FlexibleBody {
         Ok(points)
     }
 
-    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<Screen> {
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
         let State { displacement: now, velocity, acceleration, .. } = &self.state.nodes;
         let then = self.ahead(ahead);
         let map = &self.model.map;
@@ -185,7 +185,7 @@ impl WettedBody for FlexibleBody {
             [out.ax[k], out.ay[k]] = map.acceleration(attachment, &then, velocity, acceleration);
         }
         let placed = |q: &[[f64; 3]]| self.midline.iter().map(|point| map.place(point, q).at).collect();
-        let midline = |plate: &Plate| Screen {
+        let midline = |plate: &Plate| PlateMidline {
             points: placed(&then),
             start: placed(now),
             half_thickness: 0.5 * plate.thickness,
@@ -194,7 +194,7 @@ impl WettedBody for FlexibleBody {
         self.plate.iter().map(midline).collect()
     }
 
-    fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn Yields>>, BodyError> {
+    fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn InterfaceDynamics>>, BodyError> {
         let now = &self.state.nodes;
         let each = now.velocity.iter().zip(&now.acceleration);
         let velocity = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + ahead * a[k])).collect();

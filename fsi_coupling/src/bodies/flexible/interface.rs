@@ -2,7 +2,7 @@
 
 use structure_fe::{Dynamics, EffectiveInertia, State};
 
-use sph_core::walls::interface::{Encounter, Lack, Touch, Yields};
+use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
 use sph_core::{WallForces, WallsMut};
 
 use crate::bodies::error::BodyError;
@@ -74,7 +74,7 @@ impl FlexibleInterface {
     }
 
     /// C10: the inertia with the water that accelerates with the particles: blocks −Hᵀ push armᵀ H.
-    fn with_water(&self, touches: &[Touch]) -> EffectiveInertia {
+    fn with_water(&self, touches: &[ParticleLoad]) -> EffectiveInertia {
         let mut inertia = self.inertia.clone();
         for (influence, touch) in self.influences.iter().zip(touches).filter(|(_, t)| t.arm != [0.0; 2]) {
             let width = 3 * influence.count;
@@ -87,12 +87,12 @@ impl FlexibleInterface {
     }
 
     /// C10, PB7: what accelerations lack under forces on the particles, beside what the structure's own forces make.
-    fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> Lack {
+    fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
         let each = caused.iter().zip(alone).zip(&self.change);
         let lack: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
-        Lack { lack: self.scaled(&lack), caused: self.scaled(&caused) }
+        InterfaceResidual { residual: self.scaled(&lack), driving: self.scaled(&caused) }
     }
 
     fn scaled(&self, field: &[[f64; 3]]) -> Vec<f64> {
@@ -123,12 +123,12 @@ fn lengths(dynamics: &Dynamics) -> Vec<f64> {
     halves.iter().map(|of| if of.is_empty() { all.max(f64::MIN_POSITIVE) } else { mean(of) }).collect()
 }
 
-impl Yields for FlexibleInterface {
-    fn answer(&mut self, encounter: &Encounter<'_>, change: &mut [[f64; 2]]) {
-        let mut loads = self.loads(encounter.touches.iter().map(|touch| touch.force));
+impl InterfaceDynamics for FlexibleInterface {
+    fn solve_acceleration(&mut self, encounter: &InterfaceLoad<'_>, change: &mut [[f64; 2]]) {
+        let mut loads = self.loads(encounter.particles.iter().map(|touch| touch.force));
         loads.as_flattened_mut().iter_mut().zip(self.lack.as_flattened()).for_each(|(load, lack)| *load += lack);
         // where these have no solution the structure's own step says so
-        if let Ok(found) = self.with_water(encounter.touches).solve(&loads) {
+        if let Ok(found) = self.with_water(encounter.particles).solve(&loads) {
             self.change = found;
         }
         for (change, influence) in change.iter_mut().zip(&self.influences) {
@@ -142,11 +142,11 @@ impl Yields for FlexibleInterface {
         self.scaled(&now)
     }
 
-    fn lack(&self, forces: &WallForces<'_>) -> Lack {
+    fn residual(&self, forces: &WallForces<'_>) -> InterfaceResidual {
         self.residual_under(forces.fx, forces.fy, &self.alone)
     }
 
-    fn lack_in_mean(&self, forces: &WallForces<'_>) -> Lack {
+    fn residual_in_mean(&self, forces: &WallForces<'_>) -> InterfaceResidual {
         self.residual_under(forces.mean_fx, forces.mean_fy, &self.alone_in_mean)
     }
 
@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     /// A panel on a free rigid body, bent and moving; particles on both, each with its force and what is behind it.
-    fn panel_on_a_body() -> (FlexibleInterface, Vec<Touch>) {
+    fn panel_on_a_body() -> (FlexibleInterface, Vec<ParticleLoad>) {
         let material = Material { youngs_modulus: 1e6, poissons_ratio: 0.3, density: 500.0 };
         let beam = Beam::straight([0.0; 2], [1.0, 0.0], 4, material, Section::strip(0.02)).expect("a beam");
         let (beam, frame) = beam.with_rigid_body([-0.3, 0.1], 2.0, 0.1).expect("a body");
@@ -197,7 +197,7 @@ mod tests {
         let touch = |k: usize| {
             let x = k as f64;
             let (force, push) = ([3.0 * x.sin(), 20.0 + 5.0 * x.cos()], [0.3 * x.cos(), 40.0 + 3.0 * x.sin()]);
-            Touch { at: [0.0; 2], force, push, arm: [0.002 * x.sin(), -0.03 + 0.001 * x.cos()] }
+            ParticleLoad { at: [0.0; 2], force, push, arm: [0.002 * x.sin(), -0.03 + 0.001 * x.cos()] }
         };
         (owner.expect("an owner"), (0..attachments.len()).map(touch).collect())
     }
@@ -209,7 +209,7 @@ mod tests {
         let none = vec![0.0; touches.len()];
         let lack = |owner: &FlexibleInterface, change: &[[f64; 2]]| {
             let felt = |k: usize, axis: usize| {
-                let Touch { force, push, arm, .. } = touches[k];
+                let ParticleLoad { force, push, arm, .. } = touches[k];
                 force[axis] + push[axis] * (arm[0] * change[k][0] + arm[1] * change[k][1])
             };
             let [fx, fy] = [0, 1].map(|axis| (0..touches.len()).map(|k| felt(k, axis)).collect::<Vec<f64>>());
@@ -223,11 +223,11 @@ mod tests {
                 mean_swing: &none,
                 mirrored: false,
             };
-            owner.lack(&forces).lack.iter().fold(0.0_f64, |most, lack| most.max(lack.abs()))
+            owner.residual(&forces).residual.iter().fold(0.0_f64, |most, lack| most.max(lack.abs()))
         };
         let mut change = vec![[0.0; 2]; touches.len()];
         let before = lack(&owner, &change);
-        owner.answer(&Encounter { touches: &touches, offset: 0.0, mirrored: false }, &mut change);
+        owner.solve_acceleration(&InterfaceLoad { particles: &touches, offset: 0.0, mirrored: false }, &mut change);
         let after = lack(&owner, &change);
         assert!(before > 1.0 && after < 1e-11 * before, "{before} m/s^2 before, {after} after");
     }
@@ -237,7 +237,7 @@ mod tests {
     fn unknowns_move_the_particles() {
         let (mut owner, touches) = panel_on_a_body();
         let mut change = vec![[0.0; 2]; touches.len()];
-        owner.answer(&Encounter { touches: &touches, offset: 0.0, mirrored: false }, &mut change);
+        owner.solve_acceleration(&InterfaceLoad { particles: &touches, offset: 0.0, mirrored: false }, &mut change);
         let found = owner.unknowns();
         let (mut other, _) = panel_on_a_body();
         let n = touches.len();

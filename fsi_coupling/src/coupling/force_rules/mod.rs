@@ -109,15 +109,15 @@ impl<'a> Placed<'a> {
             cross.atan2(before[0] * s.along[0] + before[1] * s.along[1]).abs() > CORNER
         };
         let sharp = sides.iter().filter(turns).map(|s| s.from).collect();
-        let parameters = &system.fluid.parameters;
-        let finest = system.fluid.particles.h.iter().copied().fold(f64::INFINITY, f64::min);
-        let field = [0, 1].map(|k| parameters.eos.rho0 * (parameters.gravity[k] - motion.acceleration[k]));
+        let domain = system.fluid.domain();
+        let finest = system.fluid.particles().h.iter().copied().fold(f64::INFINITY, f64::min);
+        let field = [0, 1].map(|k| domain.fluid.density * (domain.gravity[k] - motion.acceleration[k]));
         Some(Placed { system, motion, sides, corners, sharp, support: 2.0 * finest, field })
     }
 
     /// x of the plane of symmetry, if there is one [m].
     fn plane(&self) -> Option<f64> {
-        self.system.fluid.parameters.mirror.map(|m| m.at)
+        self.system.fluid.domain().mirror.map(|m| m.at)
     }
 
     /// The pulls of the half in front of the plane of symmetry, and those of their images.
@@ -145,9 +145,9 @@ impl<'a> Placed<'a> {
     /// FEX_2D2: −p n ℓ on the surface above the first row; ℓ reaches half way to the neighbours along the outline. The
     /// pressure is the boundary particle's, carried to the surface by ρ₀(g − a_w)·n, times the place's wetness.
     fn first_row(&self, k: usize, probe: &Probe<'_>) -> Vec<Pull> {
-        let (w, parameters) = (&self.system.walls, &self.system.fluid.parameters);
-        let first = |j: &usize| w.depth[*j] < 0.75 * w.h[*j] / parameters.smoothing_ratio;
-        let (rho, g) = (parameters.eos.rho0, parameters.gravity);
+        let (w, domain) = (&self.system.walls, self.system.fluid.domain());
+        let first = |j: &usize| w.depth[*j] < 0.75 * w.h[*j] / domain.fluid.smoothing_ratio;
+        let (rho, g) = (domain.fluid.density, domain.gravity);
         let pressed = |j: usize| {
             let (n, at) = ([w.nx[j], w.ny[j]], self.above(j));
             let slope = rho * ((g[0] - w.ax[j]) * n[0] + (g[1] - w.ay[j]) * n[1]);
@@ -257,8 +257,8 @@ impl<'a> Placed<'a> {
             let p = probe.carried(at, self.field);
             return [-p * n[0], -p * n[1]];
         };
-        let parameters = &self.system.fluid.parameters;
-        let (mu, g) = (parameters.eos.rho0 * parameters.wall_nu(), found.gradient);
+        let domain = self.system.fluid.domain();
+        let (mu, g) = (domain.fluid.density * domain.fluid.wall_viscosity(), found.gradient);
         let shear = [0, 1].map(|i| mu * ((g[i][0] + g[0][i]) * n[0] + (g[i][1] + g[1][i]) * n[1]));
         let wetness = probe.wetness(at);
         [0, 1].map(|k| wetness * (shear[k] - found.pressure * n[k]))

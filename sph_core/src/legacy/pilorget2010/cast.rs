@@ -24,7 +24,7 @@ pub(crate) struct Reflection {
     pub n: [f64; 2],
 }
 
-/// The cast in this order: rows (fluid, then limit particles), dummies, their images, mirrored ones with theirs.
+/// The cast in this order: rows (system, then limit particles), dummies, their images, mirrored ones with theirs.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cast {
     pub players: Vec<Player>,

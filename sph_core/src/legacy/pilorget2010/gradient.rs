@@ -8,7 +8,7 @@ pub(crate) fn inside(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64,
     let mut sum = [0.0; 2];
     for pair in pairs.of(i) {
         let other = &cast.players[pair.j as usize];
-        let difference = other.mass * (other.sign * pressure[other.row as usize] - pressure[i]) * pair.slope;
+        let difference = other.mass * (other.sign * pressure[other.row as usize] - pressure[i]) * pair.grad_factor;
         sum = [0, 1].map(|axis| sum[axis] + difference * pair.r[axis]);
     }
     sum.map(|s| s / (density * density))
@@ -29,7 +29,7 @@ pub(crate) fn at_surface(
         let other = &cast.players[pair.j as usize];
         if other.counts {
             let along = pair.r[0] * n[0] + pair.r[1] * n[1];
-            sum += 2.0 * other.mass * other.sign * pressure[other.row as usize] * pair.slope * along;
+            sum += 2.0 * other.mass * other.sign * pressure[other.row as usize] * pair.grad_factor * along;
         }
     }
     n.map(|c| c * sum / (density * density))
@@ -37,11 +37,11 @@ pub(crate) fn at_surface(
 
 /// J9: Σ W_ij/|Σ (y_i − y_j) ∂W_ij/∂y| [-], y along `up`.
 pub(crate) fn correction(pairs: &Pairs, i: usize, up: [f64; 2]) -> f64 {
-    let (mut filling, mut slope) = (pairs.own[i], 0.0);
+    let (mut filling, mut grad_factor) = (pairs.own[i], 0.0);
     for pair in pairs.of(i) {
         let height = pair.r[0] * up[0] + pair.r[1] * up[1];
         filling += pair.w;
-        slope += pair.slope * height * height;
+        grad_factor += pair.grad_factor * height * height;
     }
-    if slope == 0.0 { 1.0 } else { filling / slope.abs() }
+    if grad_factor == 0.0 { 1.0 } else { filling / grad_factor.abs() }
 }

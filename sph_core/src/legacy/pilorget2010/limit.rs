@@ -1,6 +1,6 @@
 //! Limit particles and dummies: the parts that the walls' particles play (THEORY J5, J10).
 
-use crate::fluid::Fluid;
+use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
 /// A wall's first row lies less deep than this many spacings, the corner's own particle (½√2) with it.
@@ -23,14 +23,14 @@ pub(crate) struct Limits {
 
 impl Limits {
     /// J5, J10: sort the wall particles as they stand at the start.
-    pub fn sort(fluid: &Fluid, walls: &Walls) -> Limits {
-        let up = fluid.up();
-        let spacing = |k: usize| walls.h[k] / fluid.parameters.smoothing_ratio;
+    pub fn sort(system: &ParticleSystem, walls: &Walls) -> Limits {
+        let up = system.domain.up();
+        let spacing = |k: usize| walls.h[k] / system.domain.fluid.smoothing_ratio;
         let height = |x: f64, y: f64| x * up[0] + y * up[1];
         let at_rest =
             |k: usize| [walls.u[k], walls.v[k], walls.ax[k], walls.ay[k]].iter().all(|component| *component == 0.0);
-        let p = &fluid.particles;
-        let floor = (0..p.len()).map(|k| height(p.x[k], p.y[k]) - 0.75 * p.h[k] / fluid.parameters.smoothing_ratio);
+        let p = &system.particles;
+        let floor = (0..p.len()).map(|k| height(p.x[k], p.y[k]) - 0.75 * p.h[k] / system.domain.fluid.smoothing_ratio);
         let floor = floor.fold(f64::INFINITY, f64::min);
         let side: Vec<bool> = (0..walls.len())
             .map(|k| {

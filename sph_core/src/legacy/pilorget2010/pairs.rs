@@ -1,7 +1,7 @@
 //! Who meets whom: for each row its pairs, with the kernel and its gradient, so that nothing else asks for the kernel.
 
+use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Kernel, Shape, WithKernel};
-use crate::interactions::pair::bond;
 use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
@@ -17,8 +17,8 @@ pub(crate) struct Pair {
     pub r: [f64; 2],
     /// W_ij [1/m²].
     pub w: f64,
-    /// ∇W_ij = slope r_ij [1/m⁴]; negative.
-    pub slope: f64,
+    /// ∇W_ij = grad_factor r_ij [1/m⁴]; negative.
+    pub grad_factor: f64,
     /// r_ij·∇W_ij/(r² + 0.01h²) [1/m⁴]; negative.
     pub link: f64,
 }
@@ -58,9 +58,9 @@ impl WithKernel for Task<'_> {
                 let a = &players[i];
                 for j in lists.of(i) {
                     let b = &players[j as usize];
-                    let Some(ab) = bond::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { continue };
-                    let link = ab.slope * ab.r2 / (ab.r2 + 0.01 * ab.size.h * ab.size.h);
-                    chunk.pairs.push(Pair { j, r: [ab.dx, ab.dy], w: ab.w::<K>(), slope: ab.slope, link });
+                    let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else { continue };
+                    let link = ab.grad_factor * ab.r2 / (ab.r2 + 0.01 * ab.size.h * ab.size.h);
+                    chunk.pairs.push(Pair { j, r: [ab.dx, ab.dy], w: ab.w::<K>(), grad_factor: ab.grad_factor, link });
                 }
                 chunk.ends.push(chunk.pairs.len() as u32);
                 chunk.own.push(K::ALPHA * K::w(0.0) / (a.h * a.h));

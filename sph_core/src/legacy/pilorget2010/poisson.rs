@@ -37,7 +37,7 @@ impl Assembly<'_> {
                 let normal = self.normals[i - fluid];
                 for pair in self.pairs.of(i) {
                     let along = pair.r[0] * normal[0] + pair.r[1] * normal[1];
-                    self.link(&mut a, &mut diagonal, i, pair.j, pair.slope * along / (rho * rho));
+                    self.link(&mut a, &mut diagonal, i, pair.j, pair.grad_factor * along / (rho * rho));
                 }
             } else {
                 for pair in self.pairs.of(i) {

@@ -1,16 +1,16 @@
 //! Who stands where: the cast at a step's beginning, and where a trial takes it (THEORY J4, J5, J8, J10).
 
-use crate::fluid::Fluid;
+use crate::legacy::pilorget2010::state::{Thesis, Trial};
+use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
-use super::{Thesis, Trial};
 use crate::legacy::pilorget2010::cast::Player;
 
 impl Thesis {
     /// Put everybody where they are at the step's beginning (`offset` −Δt), or where the trial takes them.
-    pub(crate) fn assign(&mut self, fluid: &Fluid, walls: &Walls, offset: f64, trial: Option<&Trial>) {
-        let drift = trial.map(|trial| self.drift_of_sides(fluid, trial));
-        let (p, n, limits) = (&fluid.particles, fluid.particles.len(), &self.limits);
+    pub(crate) fn assign(&mut self, system: &ParticleSystem, walls: &Walls, offset: f64, trial: Option<&Trial>) {
+        let drift = trial.map(|trial| self.drift_of_sides(system, trial));
+        let (p, n, limits) = (&system.particles, system.particles.len(), &self.limits);
         let cast = &mut self.cast;
         cast.players.clear();
         cast.players.extend((0..n).map(|k| {
@@ -37,12 +37,12 @@ impl Thesis {
             }
         }
         cast.own = cast.players.len();
-        cast.repeat(0, fluid.parameters.mirror);
-        let kernel = fluid.parameters.kernel;
+        cast.repeat(0, system.domain.mirror);
+        let kernel = system.domain.fluid.kernel;
         if trial.is_some() {
             let from = cast.players.len();
             cast.reflect(&self.reflections); //   J8
-            cast.repeat(from, fluid.parameters.mirror);
+            cast.repeat(from, system.domain.mirror);
             self.there.find(cast, kernel);
         } else {
             self.here.find(cast, kernel);
@@ -50,10 +50,10 @@ impl Thesis {
     }
 
     /// J10: where each limit particle's column is taken by the water beside it, along gravity [m].
-    fn drift_of_sides(&self, fluid: &Fluid, trial: &Trial) -> Vec<[f64; 2]> {
-        let (n, up) = (fluid.particles.len(), fluid.up());
+    fn drift_of_sides(&self, system: &ParticleSystem, trial: &Trial) -> Vec<[f64; 2]> {
+        let (n, up) = (system.particles.len(), system.domain.up());
         let mut drift = vec![[0.0; 2]; self.limits.walls.len()];
-        if !fluid.parameters.thesis.side_freedom {
+        if !self.settings.side_freedom {
             return drift;
         }
         for (l, drift) in drift.iter_mut().enumerate() {

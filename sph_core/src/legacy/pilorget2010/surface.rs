@@ -10,7 +10,7 @@ const LOWER: f64 = 0.1;
 pub(crate) fn divergence_of_place(cast: &Cast, pairs: &Pairs, i: usize, rho0: f64) -> f64 {
     let sum = pairs.of(i).iter().filter(|pair| cast.players[pair.j as usize].counts).map(|pair| {
         let r2 = pair.r[0] * pair.r[0] + pair.r[1] * pair.r[1];
-        -cast.players[pair.j as usize].mass * pair.slope * r2
+        -cast.players[pair.j as usize].mass * pair.grad_factor * r2
     });
     sum.sum::<f64>() / rho0
 }
@@ -25,7 +25,7 @@ pub(crate) fn normal(cast: &Cast, pairs: &Pairs, i: usize) -> Option<[f64; 2]> {
     let mut sum = [0.0; 2];
     for pair in pairs.of(i).iter().filter(|pair| cast.players[pair.j as usize].counts) {
         for axis in 0..2 {
-            sum[axis] -= cast.players[pair.j as usize].mass * pair.slope * pair.r[axis];
+            sum[axis] -= cast.players[pair.j as usize].mass * pair.grad_factor * pair.r[axis];
         }
     }
     let length = sum[0].hypot(sum[1]);

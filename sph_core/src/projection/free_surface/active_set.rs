@@ -1,107 +1,142 @@
-//! Rows that bear no tension, and air that comes in along walls (THEORY I8).
+//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in along walls (THEORY I8).
 
-use crate::neighbours::Search;
+use crate::neighbours::Neighbours;
+use crate::particles::KernelMoments;
+use crate::projection::linear_solver::matrix::Matrix;
 
-use crate::projection::Projection;
-
-/// What a row leaves of the equation is worth a further solve from this share of the strongest source on [-].
+/// What a row leaves of the equation needs a further solve from this share of the strongest source on [-].
 const WORTH: f64 = 1e-3;
 
-/// Rows that were pinned in so many steps are taken to be so in the next.
+/// Rows that were constrained in so many steps start constrained in the next.
 const LASTING: u8 = 2;
 
-impl Projection {
+/// I8: the rows that are held at p = 0, since they bear no tension.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ActiveSet {
+    /// Rows held at p = 0.
+    pub constrained: Vec<bool>,
+    /// How many they are.
+    pub count: usize,
+    /// Rows that bear no tension.
+    tensionless: Vec<bool>,
+    /// For how many steps each particle's row has been constrained, by identity.
+    duration: Vec<u8>,
+}
+
+/// The pressure equation as the active set reads it.
+pub(crate) struct Rows<'a> {
+    pub matrix: &'a Matrix,
+    pub source: &'a [f64],
+    pub scale: &'a [f64],
+}
+
+impl Rows<'_> {
+    /// Residual of row `k` over its scale (PS3) [-]: by how much it would be over-filled without pressure.
+    fn residual(&self, k: usize, pressure: &[f64]) -> f64 {
+        (self.source[k] - self.matrix.times(k, pressure)) / self.scale[k]
+    }
+}
+
+/// The free surface as the active set reads it.
+#[derive(Clone, Copy)]
+pub(crate) struct Surface<'a> {
+    /// 1 beside air, 0 far from it [-].
+    pub indicator: &'a [f64],
+    /// Kernel moments.
+    pub moments: &'a [KernelMoments],
+    pub neighbours: &'a Neighbours,
+    /// Air comes in along walls.
+    pub ventilated: bool,
+}
+
+impl ActiveSet {
     /// Every row may be under tension.
-    pub(crate) fn clear_pins(&mut self, n: usize) {
-        self.pinned.clear();
-        self.pinned.resize(n, false);
-        self.pins = 0;
+    pub fn clear(&mut self, n: usize) {
+        self.constrained.clear();
+        self.constrained.resize(n, false);
+        self.count = 0;
     }
 
-    /// I8: the rows near air that were pinned in the last steps are so at first, unless the water would press there under
-    /// pressures `pressure` [Pa].
-    pub(crate) fn keep_pins(&mut self, pressure: &mut [f64], id: &[u32]) {
-        self.clear_pins(pressure.len());
-        self.kept.resize(id.len(), 0);
+    /// I8, warm start: a row near air that was constrained in the last two steps starts constrained, unless the water would press
+    /// there under pressures `pressure` [Pa].
+    pub fn warm_start(&mut self, pressure: &mut [f64], id: &[u32], rows: &Rows, indicator: &[f64]) {
+        self.clear(pressure.len());
+        self.duration.resize(id.len(), 0);
         for (k, p) in pressure.iter_mut().enumerate() {
-            if self.kept[id[k] as usize] >= LASTING && self.air.exposure[k] > 0.0 {
-                self.pinned[k] = true;
+            if self.duration[id[k] as usize] >= LASTING && indicator[k] > 0.0 {
+                self.constrained[k] = true;
                 *p = 0.0;
             }
         }
-        self.pins = self.pinned.iter().filter(|&&pinned| pinned).count();
-        self.release_pins(pressure, 0.0);
+        self.count = self.constrained.iter().filter(|&&constrained| constrained).count();
+        self.release(pressure, rows, 0.0);
     }
 
-    /// By how much row `k`, without pressure, would be over-filled [-]: its residual over the scale (PS3).
-    fn pressing(&self, k: usize, pressure: &[f64]) -> f64 {
-        (self.source[k] - self.matrix.times(k, pressure)) / self.scale[k]
-    }
-
-    /// Let go of pinned rows that press by more than `limit`; returns how many they are.
-    fn release_pins(&mut self, pressure: &[f64], limit: f64) -> usize {
-        let before = self.pins;
+    /// Release constrained rows whose residual exceeds `limit`; returns how many they are.
+    fn release(&mut self, pressure: &[f64], rows: &Rows, limit: f64) -> usize {
+        let before = self.count;
         if before == 0 {
             return 0;
         }
         for k in 0..pressure.len() {
-            if self.pinned[k] && self.pressing(k, pressure) > limit {
-                self.pinned[k] = false;
-                self.pins -= 1;
+            if self.constrained[k] && rows.residual(k, pressure) > limit {
+                self.constrained[k] = false;
+                self.count -= 1;
             }
         }
-        before - self.pins
+        before - self.count
     }
 
-    /// Who is pinned now, and for how many steps.
-    pub(crate) fn remember_pins(&mut self, id: &[u32]) {
+    /// Store which rows are constrained now, for the next warm start.
+    pub fn store(&mut self, id: &[u32]) {
         for (k, &i) in id.iter().enumerate() {
-            let kept = &mut self.kept[i as usize];
-            *kept = if self.pinned[k] { kept.saturating_add(1) } else { 0 };
+            let duration = &mut self.duration[i as usize];
+            *duration = if self.constrained[k] { duration.saturating_add(1) } else { 0 };
         }
     }
 
-    /// I8: pin the rows under tension that bear none; returns which are new, and their tension [Pa].
-    pub(crate) fn pin_slack(&mut self, pressure: &mut [f64], search: &Search, ventilated: bool) -> Vec<(usize, f64)> {
-        self.find_slack(pressure, search, ventilated);
+    /// I8: constrain the rows under tension that bear none; returns the new ones, and their tension [Pa].
+    pub fn constrain(&mut self, pressure: &mut [f64], surface: Surface) -> Vec<(usize, f64)> {
+        self.find_tensionless(pressure, surface);
         let mut new = Vec::new();
         for (k, p) in pressure.iter_mut().enumerate() {
-            if *p < 0.0 && self.slack[k] && !self.pinned[k] {
-                self.pinned[k] = true;
+            if *p < 0.0 && self.tensionless[k] && !self.constrained[k] {
+                self.constrained[k] = true;
                 new.push((k, -*p));
                 *p = 0.0;
             }
         }
-        self.pins += new.len();
+        self.count += new.len();
         new
     }
 
-    /// I8: pin rows under tension, and in the first round let go of those that lack a pressure; returns whether what that
-    /// leaves of the equation is worth a further solve.
-    pub(crate) fn revise_pins(&mut self, pressure: &mut [f64], search: &Search, ventilated: bool, first: bool) -> bool {
-        let released = if first { self.release_pins(pressure, WORTH) } else { 0 };
-        let new = self.pin_slack(pressure, search, ventilated);
-        let left = |&(k, tension): &(usize, f64)| self.matrix.diagonal[k] * tension / self.scale[k];
+    /// I8: constrain rows under tension, and in the first round release those with a positive residual; returns whether what that
+    /// leaves of the equation needs a further solve.
+    pub fn update(&mut self, pressure: &mut [f64], rows: &Rows, surface: Surface, first: bool) -> bool {
+        let released = if first { self.release(pressure, rows, WORTH) } else { 0 };
+        let new = self.constrain(pressure, surface);
+        let left = |&(k, tension): &(usize, f64)| rows.matrix.diagonal[k] * tension / rows.scale[k];
         released > 0 || new.iter().map(left).any(|left| left > WORTH)
     }
 
-    /// I8: rows near air and, where air comes in along walls, those beside one to which others like them, all under tension,
-    /// lead from there.
-    fn find_slack(&mut self, pressure: &[f64], search: &Search, ventilated: bool) {
+    /// I8: rows near air and, where air comes in along walls, rows beside a wall that rows like them, all under tension, connect to
+    /// one of those.
+    fn find_tensionless(&mut self, pressure: &[f64], surface: Surface) {
+        let Surface { indicator, moments, neighbours, ventilated } = surface;
         let n = pressure.len();
-        let Projection { slack, air, survey, pinned, .. } = self;
-        slack.clear();
-        slack.extend(air.exposure.iter().map(|&exposure| exposure > 0.0));
+        let ActiveSet { tensionless, constrained, .. } = self;
+        tensionless.clear();
+        tensionless.extend(indicator.iter().map(|&indicator| indicator > 0.0));
         if !ventilated {
             return;
         }
-        let beside_wall = |k: usize| survey.around[k].wall_filling > 0.0;
-        let mut reached: Vec<usize> = (0..n).filter(|&k| slack[k]).collect();
+        let beside_wall = |k: usize| moments[k].wall_kernel_sum > 0.0;
+        let mut reached: Vec<usize> = (0..n).filter(|&k| tensionless[k]).collect();
         while let Some(k) = reached.pop() {
-            for j in search.fluid.of(k) {
-                let j = search.source(j, n);
-                if !slack[j] && beside_wall(j) && (pinned[j] || pressure[j] < 0.0) {
-                    slack[j] = true;
+            for j in neighbours.fluid.of(k) {
+                let j = neighbours.source(j, n);
+                if !tensionless[j] && beside_wall(j) && (constrained[j] || pressure[j] < 0.0) {
+                    tensionless[j] = true;
                     reached.push(j);
                 }
             }

@@ -8,7 +8,7 @@ pub struct Lattice {
     /// κ = −½ Σ V r·∇W [-] inside.
     pub gradient: f64,
     /// Σ V W [-] inside.
-    pub filling: f64,
+    pub kernel_sum: f64,
     /// Range of 2 Σ V W [-] along a wall half a spacing beside the first row (E18).
     pub face: [f64; 2],
     rows: [Closure; ROWS],
@@ -21,7 +21,7 @@ const ROWS: usize = 4;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Closure {
     /// Filling Σ V W [-].
-    pub filling: f64,
+    pub kernel_sum: f64,
     /// Depth below the surface, in spacings.
     pub depth: f64,
     /// |Σ V ∇W| Δx/(depth/Δx) [-]: half of the diagonal's excess that makes a linear pressure exact.
@@ -34,7 +34,7 @@ impl Lattice {
     /// The sums for a kernel with h = `ratio` spacings.
     pub fn new(kernel: Kernel, ratio: f64) -> Lattice {
         let reach = (2.0 * ratio).ceil() as i32;
-        let (mut gradient, mut filling) = (0.0, 0.0);
+        let (mut gradient, mut kernel_sum) = (0.0, 0.0);
         let each = |f: &mut dyn FnMut(f64, f64, f64, f64)| {
             for i in -reach..=reach {
                 for j in -reach..=reach {
@@ -44,9 +44,9 @@ impl Lattice {
                 }
             }
         };
-        each(&mut |x, y, w, slope| {
-            filling += w;
-            gradient -= 0.5 * (x * x + y * y) * slope;
+        each(&mut |x, y, w, grad_factor| {
+            kernel_sum += w;
+            gradient -= 0.5 * (x * x + y * y) * grad_factor;
         });
         let face = [0.5, 0.0].map(|beside| {
             let place = |i: i32, j: i32| kernel.value((f64::from(i) + beside).hypot(f64::from(j) + 0.5), ratio);
@@ -57,50 +57,50 @@ impl Lattice {
         let mut rows = [Closure::default(); ROWS];
         for (k, row) in rows.iter_mut().enumerate() {
             let depth = k as f64 + 0.5;
-            let (mut present, mut lack, mut linear) = (0.0, 0.0, 0.0);
-            each(&mut |_, y, w, slope| {
+            let (mut present, mut missing, mut linear) = (0.0, 0.0, 0.0);
+            each(&mut |_, y, w, grad_factor| {
                 if y <= depth {
                     present += w;
                 } else {
                     // air at height y − depth above the surface, y above the row
-                    let push = -slope * y; // |∂W/∂y|: r_ab = −y points down
-                    lack += push;
+                    let push = -grad_factor * y; // |∂W/∂y|: r_ab = −y points down
+                    missing += push;
                     linear += (1.0 - (y - depth) / depth) * push;
                 }
             });
-            let pull = if lack > 0.0 { linear / lack } else { 0.0 };
-            *row = Closure { filling: present / filling, depth, link: lack / depth, pull };
+            let pull = if missing > 0.0 { linear / missing } else { 0.0 };
+            *row = Closure { kernel_sum: present / kernel_sum, depth, link: missing / depth, pull };
         }
-        Lattice { gradient, filling, face, rows }
+        Lattice { gradient, kernel_sum, face, rows }
     }
 
-    /// Share of its filling that the deepest row which lacks anything lacks [-].
+    /// Share of its kernel_sum that the deepest row which lacks anything lacks [-].
     pub fn faintest(&self) -> f64 {
-        self.rows.iter().map(|row| 1.0 - row.filling).filter(|&lack| lack > 1e-9).fold(1.0, f64::min)
+        self.rows.iter().map(|row| 1.0 - row.kernel_sum).filter(|&missing| missing > 1e-9).fold(1.0, f64::min)
     }
 
-    /// What a particle of this filling, near air, lacks.
-    pub fn closure(&self, filling: f64) -> Closure {
-        let filling = filling / self.filling;
+    /// What a particle of this kernel_sum, near air, lacks.
+    pub fn closure(&self, kernel_sum: f64) -> Closure {
+        let kernel_sum = kernel_sum / self.kernel_sum;
         let first = self.rows[0];
-        if filling <= first.filling {
+        if kernel_sum <= first.kernel_sum {
             // above the top row: the link grows as the neighbours go
-            let more = (1.0 - filling) / (1.0 - first.filling);
-            return Closure { filling, depth: first.depth / more, link: first.link * more * more, ..first };
+            let more = (1.0 - kernel_sum) / (1.0 - first.kernel_sum);
+            return Closure { kernel_sum, depth: first.depth / more, link: first.link * more * more, ..first };
         }
         for pair in self.rows.windows(2) {
             let [a, b] = [pair[0], pair[1]];
-            if filling < b.filling {
-                let t = (filling - a.filling) / (b.filling - a.filling);
+            if kernel_sum < b.kernel_sum {
+                let t = (kernel_sum - a.kernel_sum) / (b.kernel_sum - a.kernel_sum);
                 let mix = |from: f64, to: f64| from + t * (to - from);
                 return Closure {
-                    filling,
+                    kernel_sum,
                     depth: mix(a.depth, b.depth),
                     link: mix(a.link, b.link),
                     pull: mix(a.pull, b.pull),
                 };
             }
         }
-        Closure { filling, depth: self.rows[ROWS - 1].depth, ..Closure::default() }
+        Closure { kernel_sum, depth: self.rows[ROWS - 1].depth, ..Closure::default() }
     }
 }

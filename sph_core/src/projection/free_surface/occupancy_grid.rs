@@ -13,7 +13,7 @@ const ALL: f64 = 253.0;
 
 /// Cells of one side length over a box.
 #[derive(Clone, Debug, Default)]
-pub struct Raster {
+pub struct OccupancyGrid {
     /// Lower left corner [m].
     pub origin: [f64; 2],
     /// Side of a cell [m].
@@ -61,7 +61,7 @@ struct Holes {
     cells: Vec<u32>,
 }
 
-impl Raster {
+impl OccupancyGrid {
     /// An open raster over the box from `lo` to `hi` [m].
     pub fn lay(&mut self, lo: [f64; 2], hi: [f64; 2], side: f64) {
         let margin = MARGIN * side;
@@ -94,7 +94,7 @@ impl Raster {
     }
 
     /// Cover the cells whose centres lie in covered cells of a finer raster, which was judged.
-    pub fn copy(&mut self, finer: &Raster) {
+    pub fn copy(&mut self, finer: &OccupancyGrid) {
         if finer.columns == 0 {
             return;
         }
@@ -116,7 +116,7 @@ impl Raster {
     }
 
     /// What was added covers its cells; every hole gets the share of air that `share` gives for its size [cells].
-    pub fn judge(&mut self, share: impl Fn(f64) -> f64) {
+    pub fn classify(&mut self, share: impl Fn(f64) -> f64) {
         let (words, columns) = (self.words, self.columns);
         let bands = &self.bands;
         parallel::update_pieces(&mut self.covered, BAND * words, |band, cells| {
@@ -172,7 +172,7 @@ impl Raster {
 
     /// How much the cell is air [-], the cell inside the raster.
     #[inline(always)]
-    pub fn air(&self, column: usize, row: usize) -> f64 {
+    pub fn share(&self, column: usize, row: usize) -> f64 {
         f64::from(self.air[row * self.columns + column]) / ALL
     }
 }
@@ -305,20 +305,20 @@ mod tests {
     /// Two halves of a pond, the left one drawn finely first: the same cells are covered but for those at its edge.
     #[test]
     fn a_coarse_raster_takes_over_what_a_finer_one_has() {
-        let mut fine = Raster::default();
+        let mut fine = OccupancyGrid::default();
         fine.lay([0.0; 2], [1.0, 1.0], 0.05);
         fine.add(0.5, 0.5, 0.45);
-        fine.judge(|_| 1.0);
-        let mut coarse = Raster::default();
+        fine.classify(|_| 1.0);
+        let mut coarse = OccupancyGrid::default();
         coarse.lay([-1.0; 2], [3.0, 2.0], 0.1);
         coarse.copy(&fine);
-        coarse.judge(|_| 1.0);
+        coarse.classify(|_| 1.0);
         for row in 0..coarse.rows {
             for column in 0..coarse.columns {
                 let at = |i: usize, k: usize| coarse.origin[i] + (k as f64 + 0.5) * coarse.side;
                 let r = (at(0, column) - 0.5).hypot(at(1, row) - 0.5);
                 let expected = if r < 0.41 { 0.0 } else { 1.0 };
-                assert!((r - 0.45).abs() < 0.04 || coarse.air(column, row) == expected, "{column} {row}: {r}");
+                assert!((r - 0.45).abs() < 0.04 || coarse.share(column, row) == expected, "{column} {row}: {r}");
             }
         }
     }
@@ -326,15 +326,15 @@ mod tests {
     /// Within two cells along both axes of the only open one, and nowhere else; across the edge of a word too.
     #[test]
     fn an_open_cell_is_seen_as_far_as_is_asked() {
-        let mut raster = Raster::default();
-        raster.lay([0.0; 2], [80.0, 20.0], 1.0);
-        raster.covered.fill(u64::MAX);
+        let mut grid = OccupancyGrid::default();
+        grid.lay([0.0; 2], [80.0, 20.0], 1.0);
+        grid.covered.fill(u64::MAX);
         let open = (64, 9);
-        raster.covered[open.1 * raster.words + 1] = !1;
-        for row in 0..raster.rows as i32 {
-            for column in 0..raster.columns as i32 {
+        grid.covered[open.1 * grid.words + 1] = !1;
+        for row in 0..grid.rows as i32 {
+            for column in 0..grid.columns as i32 {
                 let near = (column - open.0).abs() <= 2 && (row - open.1 as i32).abs() <= 2;
-                assert_eq!(raster.is_open_within(column, row, 2), near, "{column} {row}");
+                assert_eq!(grid.is_open_within(column, row, 2), near, "{column} {row}");
             }
         }
     }
@@ -343,25 +343,25 @@ mod tests {
         /// Against every cell tested against every disc, and a flood from cell to cell.
         #[test]
         fn holes_are_what_a_flood_finds(discs in prop::collection::vec((0.0..9.0f64, 0.0..4.0f64, 0.2..0.9f64), 1..60)) {
-            let mut raster = Raster::default();
-            raster.lay([0.0; 2], [9.0, 4.0], 0.1);
+            let mut grid = OccupancyGrid::default();
+            grid.lay([0.0; 2], [9.0, 4.0], 0.1);
             for &(x, y, r) in &discs {
-                raster.add(x, y, r);
+                grid.add(x, y, r);
             }
-            raster.judge(|cells| (cells / 500.0).min(1.0));
-            let (columns, rows) = (raster.columns, raster.rows);
+            grid.classify(|cells| (cells / 500.0).min(1.0));
+            let (columns, rows) = (grid.columns, grid.rows);
             let open = |c: usize| {
                 let (i, j) = ((c % columns) as f64, (c / columns) as f64);
                 let near = |&(x, y, r): &(f64, f64, f64)| {
-                    let [x, y] = raster.cell([x, y]);
-                    (i - x).powi(2) + (j - y).powi(2) <= (r / raster.side).powi(2)
+                    let [x, y] = grid.cell([x, y]);
+                    (i - x).powi(2) + (j - y).powi(2) <= (r / grid.side).powi(2)
                 };
                 !discs.iter().any(near)
             };
             let mut seen = vec![false; columns * rows];
             for start in 0..columns * rows {
                 if seen[start] || !open(start) {
-                    prop_assert!(seen[start] || raster.air[start] == 0);
+                    prop_assert!(seen[start] || grid.air[start] == 0);
                     continue;
                 }
                 let mut hole = vec![start];
@@ -382,7 +382,7 @@ mod tests {
                 }
                 let mark = ((hole.len() as f64 / 500.0).min(1.0) * ALL) as u8;
                 for c in hole {
-                    prop_assert_eq!(raster.air[c], mark);
+                    prop_assert_eq!(grid.air[c], mark);
                 }
             }
         }

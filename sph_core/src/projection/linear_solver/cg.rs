@@ -48,7 +48,7 @@ struct Given<'a> {
     ranks: &'a [RankOne],
     b: &'a [f64],
     scale: &'a [f64],
-    pinned: &'a [bool],
+    constrained: &'a [bool],
     stop: &'a Stop,
 }
 
@@ -101,7 +101,7 @@ impl PressureSolver {
         self.hierarchy.set_ups
     }
 
-    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `pinned`, with the matrix that was prepared. `x` is the first guess
+    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `constrained`, with the matrix that was prepared. `x` is the first guess
     /// and becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
     pub fn solve(
         &mut self,
@@ -109,12 +109,12 @@ impl PressureSolver {
         ranks: &[RankOne],
         b: &[f64],
         scale: &[f64],
-        pinned: &[bool],
+        constrained: &[bool],
         x: &mut [f64],
         stop: &Stop,
     ) -> Result<Solved, NotConverged> {
         assert_eq!(self.inverse.len(), a.rows(), "prepare the solver for this matrix first");
-        let given = Given { ranks, b, scale, pinned, stop };
+        let given = Given { ranks, b, scale, constrained, stop };
         parallel::within_pool(|| {
             let old = self.hierarchy.is_old();
             if old {
@@ -145,12 +145,12 @@ impl PressureSolver {
         a: &Matrix,
         b: &[f64],
         scale: &[f64],
-        pinned: &[bool],
+        constrained: &[bool],
         x: &mut [f64],
         stop: &Stop,
     ) -> Result<Solved, NotConverged> {
         let more = Stop { most_iterations: MORE * stop.most_iterations, ..*stop };
-        let mut failed = match self.solve(a, &[], b, scale, pinned, x, stop) {
+        let mut failed = match self.solve(a, &[], b, scale, constrained, x, stop) {
             Err(failed) => failed,
             solved => return solved,
         };
@@ -158,7 +158,7 @@ impl PressureSolver {
         parallel::within_pool(|| self.hierarchy.renew(a));
         for stop in [*stop, more] {
             let spent = failed.iterations;
-            match self.solve(a, &[], b, scale, pinned, x, &stop) {
+            match self.solve(a, &[], b, scale, constrained, x, &stop) {
                 Ok(solved) => return Ok(Solved { iterations: spent + solved.iterations, ..solved }),
                 Err(again) => failed = NotConverged { iterations: spent + again.iterations, ..again },
             }
@@ -167,8 +167,8 @@ impl PressureSolver {
     }
 
     fn iterate(&mut self, a: &Matrix, given: &Given, x: &mut [f64], impatient: bool) -> Result<Solved, NotConverged> {
-        let &Given { ranks, b, scale, pinned, stop } = given;
-        self.null_space.find(&self.hierarchy.components, pinned, ranks);
+        let &Given { ranks, b, scale, constrained, stop } = given;
+        self.null_space.find(&self.hierarchy.components, constrained, ranks);
         let PressureSolver {
             hierarchy,
             null_space,
@@ -184,7 +184,10 @@ impl PressureSolver {
         } = self;
         parallel::gather_into(weight, |i| 1.0 / scale[i]);
         let weight = &*weight;
-        parallel::gather_into(inverse, |i| if pinned[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] });
+        parallel::gather_into(
+            inverse,
+            |i| if constrained[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] },
+        );
         let inverse = &*inverse;
         parallel::update(x, |i, x| {
             if inverse[i] == 0.0 {

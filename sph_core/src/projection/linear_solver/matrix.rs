@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use crate::neighbours::Search;
+use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 
-use crate::projection::operators::{Rows as Pairs, Survey};
+use crate::projection::operators::{ChunkPairs, Operators};
 
 /// Row sums below this share of the diagonal are zero but for rounding [-].
 const NO_EXCESS: f64 = 1e-10;
@@ -36,11 +36,11 @@ pub struct RankOne {
 
 impl Matrix {
     /// I6: the rows that a survey found, each with its excess on the diagonal.
-    pub(crate) fn assemble(&mut self, survey: &Survey, excess: &[f64], search: &Search) {
+    pub(crate) fn assemble(&mut self, operators: &Operators, excess: &[f64], search: &Neighbours) {
         let n = excess.len();
         self.starts.resize(n + 1, 0);
         self.diagonal.resize(n, 0.0);
-        let ends = survey.chunks().iter().scan(0, |end, found| {
+        let ends = operators.chunks().iter().scan(0, |end, found| {
             *end += found.pairs() - found.own_images;
             Some(*end)
         });
@@ -61,7 +61,7 @@ impl Matrix {
             pieces.push(Piece { first, starts, columns: own_columns, values: own_values, diagonal });
             first = end;
         }
-        let found = survey.chunks();
+        let found = operators.chunks();
         parallel::for_each_chunk(&mut pieces, n, |rows, piece| {
             piece.fill(&found[rows.start / CHUNK], rows, excess, search)
         });
@@ -144,7 +144,7 @@ struct Piece<'a> {
 
 impl Piece<'_> {
     /// The rows as found; an image stands for its source, and a row's own images for nobody.
-    fn fill(&mut self, found: &Pairs, rows: Range<usize>, excess: &[f64], search: &Search) {
+    fn fill(&mut self, found: &ChunkPairs, rows: Range<usize>, excess: &[f64], search: &Neighbours) {
         let n = excess.len();
         let mut end = 0;
         for (slot, k) in rows.enumerate() {

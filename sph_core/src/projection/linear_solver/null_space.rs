@@ -96,7 +96,7 @@ pub(crate) struct NullSpace {
 
 impl NullSpace {
     /// What floats, with these rows pinned and these bodies free.
-    pub fn find(&mut self, components: &Components, pinned: &[bool], ranks: &[RankOne]) {
+    pub fn find(&mut self, components: &Components, constrained: &[bool], ranks: &[RankOne]) {
         let Components { of, floating, .. } = components;
         self.part.clear();
         self.root.clear();
@@ -107,7 +107,7 @@ impl NullSpace {
         let mut rows = vec![0_u32; floating.len()];
         for (i, &c) in of.iter().enumerate() {
             rows[c as usize] += 1;
-            if pinned[i] {
+            if constrained[i] {
                 rows[c as usize] = u32::MAX / 2; // pinned somewhere: it has a level
             }
         }

@@ -51,10 +51,10 @@ pub(crate) fn thrown(n: usize, boxes: usize, open: usize, dice: &mut Dice) -> Sy
 }
 
 /// The same by Cholesky, floating rows held by a weak spring (a mean that is taken out shows no difference).
-pub(crate) fn directly(a: &Matrix, ranks: &[RankOne], b: &[f64], pinned: &[bool], spring: f64) -> Vec<f64> {
+pub(crate) fn directly(a: &Matrix, ranks: &[RankOne], b: &[f64], constrained: &[bool], spring: f64) -> Vec<f64> {
     let n = a.rows();
     let mut entries = Vec::new();
-    let free = |i: usize| !pinned[i] && a.diagonal[i] > 0.0;
+    let free = |i: usize| !constrained[i] && a.diagonal[i] > 0.0;
     for i in 0..n {
         entries.push(Triplet::new(i, i, if free(i) { a.diagonal[i] + spring } else { 1.0 }));
         entries.extend(a.row(i).filter(|&(j, _)| free(i) && free(j)).map(|(j, v)| Triplet::new(i, j, v)));

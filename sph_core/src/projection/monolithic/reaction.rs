@@ -1,16 +1,17 @@
 //! What walls and pressures are to each other in a projection (THEORY PB1, PB2): the force of pressures on wall particles,
 //! and the flow that accelerations of walls make.
 
+use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::pair::{Row, bond};
-use crate::neighbours::Search;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::neighbours::Neighbours;
 use crate::parallel;
 
 /// PB1: force on the wall particles from `first` on under any pressures, one a fluid particle; the same sums as E9 and E6.
 pub(crate) struct Reaction<'a> {
-    pub fluid: &'a [Row],
-    pub walls: &'a [Row],
-    pub search: &'a Search,
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
+    pub neighbours: &'a Neighbours,
     /// The first of these wall particles.
     pub first: usize,
     /// Pressures [Pa].
@@ -26,16 +27,17 @@ pub(crate) struct Reaction<'a> {
 impl WithKernel for Reaction<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Reaction { fluid, walls, search, first, pressure, field, inverse, out } = self;
+        let Reaction { fluid, walls, neighbours, first, pressure, field, inverse, out } = self;
         let n = pressure.len();
         parallel::gather_into(out, |k| {
             let wall = &walls[first + k];
             let (mut weight, mut mean, mut arm) = (0.0, 0.0, [0.0; 2]);
             let (mut slopes, mut push) = ([0.0; 2], [0.0; 2]);
-            for j in search.fluid_of_wall.of(first + k) {
+            for j in neighbours.fluid_of_wall.of(first + k) {
                 let b = &fluid[j as usize];
-                let Some(wb) = bond::<K>(wall.x, wall.y, wall.h, b.x, b.y, b.h) else { continue };
-                let (p, share, pull) = (pressure[search.source(j, n)], b.volume * wb.w::<K>(), b.volume * wb.slope);
+                let Some(wb) = pair_geometry::<K>(wall.x, wall.y, wall.h, b.x, b.y, b.h) else { continue };
+                let (p, share, pull) =
+                    (pressure[neighbours.source(j, n)], b.volume * wb.w::<K>(), b.volume * wb.grad_factor);
                 weight += share;
                 mean += share * p;
                 arm = [arm[0] + share * wb.dx, arm[1] + share * wb.dy];
@@ -51,9 +53,9 @@ impl WithKernel for Reaction<'_> {
 
 /// PB2: what accelerations of walls add to the right side of the pressure equation, V_i Σ_w 2V_w a_w·∇W_iw with its sign changed.
 pub(crate) struct Inflow<'a> {
-    pub fluid: &'a [Row],
-    pub walls: &'a [Row],
-    pub search: &'a Search,
+    pub fluid: &'a [PackedParticle],
+    pub walls: &'a [PackedParticle],
+    pub neighbours: &'a Neighbours,
     /// Accelerations of all wall particles [m/s²]; images follow theirs.
     pub accelerations: &'a [[f64; 2]],
     /// Sign of an image's acceleration along x: −1 where images reflect.
@@ -65,22 +67,22 @@ pub(crate) struct Inflow<'a> {
 impl WithKernel for Inflow<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Inflow { fluid, walls, search, accelerations, side, out } = self;
+        let Inflow { fluid, walls, neighbours, accelerations, side, out } = self;
         let n = accelerations.len();
         parallel::gather_into(out, |k| {
             let (a, mut sum) = (&fluid[k], 0.0);
-            for j in search.walls_of_fluid.of(k) {
+            for j in neighbours.walls_of_fluid.of(k) {
                 let j = j as usize;
-                let (source, side) = if j < n { (j, 1.0) } else { (search.wall_images[j - n] as usize, side) };
+                let (source, side) = if j < n { (j, 1.0) } else { (neighbours.wall_images[j - n] as usize, side) };
                 let [ax, ay] = accelerations[source];
                 if ax == 0.0 && ay == 0.0 {
                     continue;
                 }
                 let w = &walls[j];
-                let Some(aw) = bond::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
-                sum -= 2.0 * w.volume * aw.slope * (side * ax * aw.dx + ay * aw.dy);
+                let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
+                sum -= 2.0 * w.volume * aw.grad_factor * (side * ax * aw.dx + ay * aw.dy);
             }
-            a.fill * sum
+            a.raw_volume * sum
         });
     }
 }

@@ -1,10 +1,10 @@
 //! Bodies inside the projection (THEORY PB1–PB5): the accelerations of the walls' owners and the pressures that they cause
 //! and feel, found together.
 
-use crate::interactions::packed::Rows;
-use crate::neighbours::Search;
-use crate::parameters::Parameters;
-use crate::walls::interface::{Lack, Yielding};
+use crate::domain::Domain;
+use crate::interactions::packed::Packed;
+use crate::neighbours::Neighbours;
+use crate::walls::interface::{InterfaceResidual, WallInterface};
 use crate::walls::{WallForces, Walls};
 
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
@@ -34,7 +34,7 @@ pub struct Bodies {
 pub(crate) struct Equation<'a> {
     pub solver: &'a mut PressureSolver,
     pub matrix: &'a Matrix,
-    pub pinned: &'a [bool],
+    pub constrained: &'a [bool],
     pub stop: Stop,
     /// Its right side; what accelerations add is put there.
     pub source: &'a mut [f64],
@@ -43,15 +43,15 @@ pub(crate) struct Equation<'a> {
 }
 
 /// The owners of walls and the water beside them, in one step.
-pub(crate) struct Meeting<'a> {
-    rows: &'a Rows,
-    search: &'a Search,
-    parameters: &'a Parameters,
+pub(crate) struct MonolithicSolve<'a> {
+    packed: &'a Packed,
+    neighbours: &'a Neighbours,
+    domain: &'a Domain,
     ids: &'a [u32],
-    owners: &'a mut [Yielding],
+    owners: &'a mut [WallInterface],
     walls: &'a mut Walls,
     /// Walls with the accelerations that the present unknowns add.
-    supposed: Walls,
+    trial: Walls,
     unknowns: Vec<f64>,
     /// 1/κ (I4).
     inverse: f64,
@@ -64,38 +64,38 @@ struct Response {
     pressure: Vec<f64>,
 }
 
-impl<'a> Meeting<'a> {
+impl<'a> MonolithicSolve<'a> {
     /// Of owners whose unknowns are those that their walls' kinematics are written with.
     pub fn of(
-        (rows, search, parameters): (&'a Rows, &'a Search, &'a Parameters),
+        (packed, neighbours, domain): (&'a Packed, &'a Neighbours, &'a Domain),
         ids: &'a [u32],
-        owners: &'a mut [Yielding],
+        owners: &'a mut [WallInterface],
         walls: &'a mut Walls,
         inverse: f64,
-    ) -> Meeting<'a> {
+    ) -> MonolithicSolve<'a> {
         let unknowns = owners.iter().flat_map(|member| member.owner.unknowns()).collect();
-        let supposed = walls.clone();
-        let mut meeting = Meeting { rows, search, parameters, ids, owners, walls, supposed, unknowns, inverse };
-        meeting.suppose(&meeting.unknowns.clone());
+        let trial = walls.clone();
+        let mut meeting = MonolithicSolve { packed, neighbours, domain, ids, owners, walls, trial, unknowns, inverse };
+        meeting.set_trial(&meeting.unknowns.clone());
         meeting
     }
 
     /// PB3–PB5: the pressure equation has been solved with the present unknowns; change unknowns, right side and pressures
     /// together until the unknowns lack nothing.
-    pub fn agree(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
+    pub fn solve(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
         if self.unknowns.is_empty() {
             return Ok(());
         }
         let found = self.search_shares(bodies, equation);
-        self.suppose(&self.unknowns.clone());
+        self.set_trial(&self.unknowns.clone());
         found
     }
 
     fn search_shares(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
         let start = self.unknowns.clone();
-        let Lack { lack, caused } = self.lack(equation.pressure);
-        let scale = norm(&caused) + norm(&lack.iter().zip(&start).map(|(r, x)| r + x).collect::<Vec<f64>>());
-        let mut space = Subspace::new(lack.clone());
+        let InterfaceResidual { residual, driving } = self.residual(equation.pressure);
+        let scale = norm(&driving) + norm(&residual.iter().zip(&start).map(|(r, x)| r + x).collect::<Vec<f64>>());
+        let mut space = Subspace::new(residual.clone());
         let mut responses = Vec::new();
         let few = start.len() <= FEW;
         for k in 0..if few { start.len() } else { MOST } {
@@ -105,10 +105,10 @@ impl<'a> Meeting<'a> {
             }
             let Some(response) = self.respond(&start, (k, direction), few, bodies, equation)? else { continue };
             let moved: Vec<f64> = start.iter().zip(&response.direction).map(|(x, d)| x + d).collect();
-            self.suppose(&moved);
+            self.set_trial(&moved);
             let pressure: Vec<f64> = equation.pressure.iter().zip(&response.pressure).map(|(p, q)| p + q).collect();
-            let there = self.lack(&pressure).lack;
-            space.add(there.iter().zip(&lack).map(|(r, r0)| r - r0).collect());
+            let there = self.residual(&pressure).residual;
+            space.add(there.iter().zip(&residual).map(|(r, r0)| r - r0).collect());
             responses.push(response);
         }
         let mut x = start;
@@ -132,26 +132,26 @@ impl<'a> Meeting<'a> {
     ) -> Result<Option<Response>, NotConverged> {
         let n = equation.pressure.len();
         let moved: Vec<f64> = start.iter().zip(&direction).map(|(x, d)| x + d).collect();
-        self.suppose(start);
+        self.set_trial(start);
         let before: Vec<[f64; 2]> = self.accelerations();
-        let held = self.lack(equation.pressure).lack;
-        self.suppose(&moved);
+        let held = self.residual(equation.pressure).residual;
+        self.set_trial(&moved);
         // a direction in which an owner is held never lacks anything itself
-        if few && self.lack(equation.pressure).lack[k] == held[k] {
+        if few && self.residual(equation.pressure).residual[k] == held[k] {
             return Ok(None);
         }
         let added: Vec<[f64; 2]> =
             self.accelerations().iter().zip(&before).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
         let (mut source, mut pressure) = (vec![0.0; n], vec![0.0; n]);
-        self.parameters.kernel.run(Inflow {
-            fluid: &self.rows.fluid,
-            walls: &self.rows.walls,
-            search: self.search,
+        self.domain.fluid.kernel.run(Inflow {
+            fluid: &self.packed.fluid,
+            walls: &self.packed.walls,
+            neighbours: self.neighbours,
             accelerations: &added,
-            side: if self.parameters.mirror.is_some() { -1.0 } else { 1.0 },
+            side: if self.domain.mirror.is_some() { -1.0 } else { 1.0 },
             out: &mut source,
         });
-        let volume = |i: usize| self.rows.fluid[i].fill;
+        let volume = |i: usize| self.packed.fluid[i].raw_volume;
         let strongest = (0..n).map(|i| (source[i] / volume(i)).abs()).fold(0.0, f64::max);
         if strongest > 0.0 {
             if few {
@@ -161,8 +161,8 @@ impl<'a> Meeting<'a> {
                 pressure.iter_mut().zip(self.ids).for_each(|(p, &id)| *p = kept[id as usize]);
             }
             let scale: Vec<f64> = (0..n).map(|i| volume(i) * strongest).collect();
-            let Equation { solver, matrix, pinned, stop, .. } = equation;
-            let solved = solver.persist(matrix, &source, &scale, pinned, &mut pressure, stop)?;
+            let Equation { solver, matrix, constrained, stop, .. } = equation;
+            let solved = solver.persist(matrix, &source, &scale, constrained, &mut pressure, stop)?;
             bodies.solves += 1;
             bodies.iterations += solved.iterations as u64;
             if few {
@@ -174,45 +174,45 @@ impl<'a> Meeting<'a> {
     }
 
     /// The walls take the unknowns: their accelerations are those of the supposed walls.
-    pub fn conclude(self) {
+    pub fn finish(self) {
         for k in 0..self.walls.len() {
-            self.walls.ax[k] += self.supposed.ax[k];
-            self.walls.ay[k] += self.supposed.ay[k];
+            self.walls.ax[k] += self.trial.ax[k];
+            self.walls.ay[k] += self.trial.ay[k];
         }
     }
 
     /// Give the owners other unknowns, and the supposed walls what these add to the accelerations written.
-    fn suppose(&mut self, unknowns: &[f64]) {
-        self.supposed.ax.fill(0.0);
-        self.supposed.ay.fill(0.0);
+    fn set_trial(&mut self, unknowns: &[f64]) {
+        self.trial.ax.fill(0.0);
+        self.trial.ay.fill(0.0);
         let mut rest = unknowns;
-        for Yielding { range, owner, .. } in &mut *self.owners {
+        for WallInterface { range, owner, .. } in &mut *self.owners {
             let (own, others) = rest.split_at(owner.unknowns().len());
-            owner.accelerate(own, self.supposed.slice_mut(range.clone()));
+            owner.accelerate(own, self.trial.slice_mut(range.clone()));
             rest = others;
         }
     }
 
     /// What the unknowns supposed add to the accelerations written [m/s²].
     fn accelerations(&self) -> Vec<[f64; 2]> {
-        self.supposed.ax.iter().zip(&self.supposed.ay).map(|(x, y)| [*x, *y]).collect()
+        self.trial.ax.iter().zip(&self.trial.ay).map(|(x, y)| [*x, *y]).collect()
     }
 
     /// PB3: what the unknowns supposed lack under pressures.
-    fn lack(&self, pressure: &[f64]) -> Lack {
-        let (g, rho0) = (self.parameters.gravity, self.parameters.eos.rho0);
-        let mut all = Lack::default();
-        for Yielding { range, mirrored, owner } in &*self.owners {
+    fn residual(&self, pressure: &[f64]) -> InterfaceResidual {
+        let (g, rho0) = (self.domain.gravity, self.domain.fluid.density);
+        let mut all = InterfaceResidual::default();
+        for WallInterface { range, mirrored, owner } in &*self.owners {
             let field = |k: usize| {
-                let a = [self.walls.ax[k] + self.supposed.ax[k], self.walls.ay[k] + self.supposed.ay[k]];
+                let a = [self.walls.ax[k] + self.trial.ax[k], self.walls.ay[k] + self.trial.ay[k]];
                 [rho0 * (g[0] - a[0]), rho0 * (g[1] - a[1])]
             };
             let field: Vec<[f64; 2]> = range.clone().map(field).collect();
             let mut forces = vec![[0.0; 2]; range.len()];
-            self.parameters.kernel.run(Reaction {
-                fluid: &self.rows.fluid,
-                walls: &self.rows.walls,
-                search: self.search,
+            self.domain.fluid.kernel.run(Reaction {
+                fluid: &self.packed.fluid,
+                walls: &self.packed.walls,
+                neighbours: self.neighbours,
                 first: range.start,
                 pressure,
                 field: &field,
@@ -225,9 +225,9 @@ impl<'a> Meeting<'a> {
             let (x, y) = (&self.walls.x[range.clone()], &self.walls.y[range.clone()]);
             let (mean_fx, mean_fy, mirrored) = (&fx[..], &fy[..], *mirrored);
             let forces = WallForces { x, y, fx: &fx, fy: &fy, mean_fx, mean_fy, mean_swing: &mean_swing, mirrored };
-            let own = owner.lack_in_mean(&forces);
-            all.lack.extend(own.lack);
-            all.caused.extend(own.caused);
+            let own = owner.residual_in_mean(&forces);
+            all.residual.extend(own.residual);
+            all.driving.extend(own.driving);
         }
         all
     }

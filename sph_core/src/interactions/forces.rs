@@ -1,0 +1,91 @@
+//! Forces on fluid and walls from the sums over pairs (THEORY E6–E8), and the accelerations that follow.
+
+use crate::interactions::dissipation::Dissipation;
+use crate::interactions::gather::{Momentum, MomentumSums, PairSums, WallForce, WallForceSums};
+use crate::interactions::geometry::PairConstants;
+use crate::parallel;
+use crate::particles::Particles;
+use crate::system::ParticleSystem;
+use crate::timers::Phase;
+use crate::walls::Walls;
+
+/// Forces on the particles [N/m]. To save memory they occupy the arrays of the accelerations, which are empty meanwhile.
+pub(crate) struct Forces {
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+}
+
+impl Forces {
+    /// Forces to be gathered, in place of the particles' accelerations.
+    pub fn in_place_of_accelerations(p: &mut Particles) -> Forces {
+        Forces { x: std::mem::take(&mut p.ax), y: std::mem::take(&mut p.ay) }
+    }
+
+    /// F ← F + `more` [N/m].
+    pub fn add(&mut self, more: &[[f64; 2]]) {
+        parallel::update_both(&mut self.x, &mut self.y, |k, x, y| {
+            *x += more[k][0];
+            *y += more[k][1];
+        });
+    }
+
+    /// Give the arrays back; the accelerations are to be written anew.
+    pub fn release(self, p: &mut Particles) {
+        (p.ax, p.ay) = (self.x, self.y);
+    }
+
+    /// a = F/m + g, in place of F.
+    pub fn accelerate(mut self, system: &mut ParticleSystem) {
+        system.timers.begin(Phase::Integration);
+        let (p, g) = (&mut system.particles, system.domain.gravity);
+        parallel::each([&mut self.x, &mut self.y], |at, [ax, ay]| {
+            let mass = &p.mass[at];
+            for k in 0..mass.len() {
+                ax[k] = ax[k] / mass[k] + g[0];
+                ay[k] = ay[k] / mass[k] + g[1];
+            }
+        });
+        (p.ax, p.ay) = (self.x, self.y);
+    }
+}
+
+/// What a scheme adds to the pairs of a domain: the constants of its dissipation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PairTerms {
+    pub constants: PairConstants,
+    pub dissipation: Dissipation,
+}
+
+/// E6–E8 on the fluid, and the kernel moments E12–E14. `walls_push`: walls act by their pressure (E6).
+pub(crate) fn gather_fluid_forces(
+    system: &mut ParticleSystem,
+    terms: &PairTerms,
+    walls_push: bool,
+    forces: &mut Forces,
+) {
+    system.timers.begin(Phase::Momentum);
+    let gather = Momentum {
+        fluid: &system.packed.fluid,
+        walls: &system.packed.walls,
+        neighbours: &system.neighbours,
+        constants: terms.constants,
+        wall_nu: system.domain.fluid.wall_viscosity(),
+        walls_push,
+    };
+    let sums = MomentumSums { x: &mut forces.x, y: &mut forces.y, moments: &mut system.fields.moments };
+    PairSums::with(&system.domain, terms.dissipation).run(&gather, sums);
+}
+
+/// The same pairs seen from the walls: action equals reaction to rounding.
+pub(crate) fn gather_wall_forces(system: &mut ParticleSystem, terms: &PairTerms, walls: &mut Walls) {
+    system.timers.begin(Phase::Walls);
+    let gather = WallForce {
+        fluid: &system.packed.fluid,
+        walls: &system.packed.walls,
+        neighbours: &system.neighbours,
+        constants: terms.constants,
+        wall_nu: system.domain.fluid.wall_viscosity(),
+    };
+    let sums = WallForceSums { x: &mut walls.fx, y: &mut walls.fy };
+    PairSums::of(&system.domain).run_without_dissipation(&gather, sums);
+}

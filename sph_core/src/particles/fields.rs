@@ -1,0 +1,128 @@
+//! Quantities that a step recomputes: pressure, and the moments of the kernel.
+
+use crate::memory::of_vector;
+use crate::parallel;
+use crate::particles::Particles;
+
+/// Quantities that a step recomputes, one entry per particle.
+#[derive(Clone, Debug, Default)]
+pub struct Fields {
+    /// Pressure [Pa].
+    pub pressure: Vec<f64>,
+    /// Volume per metre of span that a scheme keeps [m²]; empty where it is m/ρ.
+    pub volume: Vec<f64>,
+    /// Kernel moments.
+    pub moments: Vec<KernelMoments>,
+    /// True for a particle that is, or has within its support, a free-surface particle.
+    pub near_surface: Vec<bool>,
+}
+
+impl Fields {
+    pub(crate) fn resize(&mut self, n: usize) {
+        self.pressure.resize(n, 0.0);
+        self.moments.resize(n, KernelMoments::default());
+        self.near_surface.resize(n, false);
+    }
+
+    /// Memory that the arrays occupy [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        let Fields { pressure, volume, moments, near_surface } = self;
+        of_vector(pressure) + of_vector(volume) + of_vector(moments) + of_vector(near_surface)
+    }
+
+    pub(crate) fn permute(&mut self, order: &[u32]) {
+        fn gather<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32]) {
+            if array.is_empty() {
+                return;
+            }
+            let mut sorted = vec![T::default(); order.len()];
+            parallel::gather_into(&mut sorted, |k| array[order[k] as usize]);
+            *array = sorted;
+        }
+        gather(&mut self.pressure, order);
+        gather(&mut self.volume, order);
+        gather(&mut self.moments, order);
+        gather(&mut self.near_surface, order);
+    }
+
+    /// Volume per metre of span of particle `k` of `p` [m²].
+    pub fn volume_of(&self, k: usize, p: &Particles) -> f64 {
+        self.volume.get(k).copied().unwrap_or_else(|| p.mass[k] / p.rho[k])
+    }
+
+    /// E3: does the fluid here hold no tension? Spray does not; nor, with `ventilation`, does what touches both a wall and
+    /// the air, which comes in between.
+    pub(crate) fn tensionless(&self, k: usize, ventilation: bool) -> bool {
+        self.moments[k].tensionless(self.near_surface[k], ventilation)
+    }
+}
+
+/// Moments of the kernel over the neighbours of a particle (THEORY E12–E14), with V = m/ρ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KernelMoments {
+    /// S = Σ V W [-] (E12): 1 where space is filled as the densities say.
+    pub kernel_sum: f64,
+    /// The walls' share of S [-]; exactly 0 away from them.
+    pub wall_kernel_sum: f32,
+    /// ∇C = Σ V ∇W [1/m] (E13), see [`KernelMoments::concentration_gradient`].
+    pub concentration_gradient: [f32; 2],
+    /// λ (E14), smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
+    pub lambda: f32,
+}
+
+impl KernelMoments {
+    /// What a sweep found, in double precision; what is only compared with thresholds or shifts a particle is kept in single.
+    pub(crate) fn new(
+        kernel_sum: f64,
+        fluid_kernel_sum: f64,
+        concentration_gradient: [f64; 2],
+        lambda: f64,
+    ) -> KernelMoments {
+        let wall_kernel_sum = (kernel_sum - fluid_kernel_sum) as f32;
+        KernelMoments {
+            kernel_sum,
+            wall_kernel_sum,
+            concentration_gradient: concentration_gradient.map(|c| c as f32),
+            lambda: lambda as f32,
+        }
+    }
+
+    /// The fluid's own share of S [-]: about 0.6 in the top row of a flat surface, 0.25 for a lone particle.
+    #[inline]
+    pub fn fluid_kernel_sum(&self) -> f64 {
+        self.kernel_sum - f64::from(self.wall_kernel_sum)
+    }
+
+    /// ∇C = Σ V ∇W [1/m] (E13): points to where particles crowd.
+    #[inline]
+    pub fn concentration_gradient(&self) -> [f64; 2] {
+        self.concentration_gradient.map(f64::from)
+    }
+
+    /// Is it in the row of the free surface (E14)?
+    #[inline]
+    pub(crate) fn at_surface(&self) -> bool {
+        self.lambda < SURFACE_LAMBDA
+    }
+
+    /// E3: see [`Fields::tensionless`].
+    #[inline]
+    pub(crate) fn tensionless(&self, near_surface: bool, ventilation: bool) -> bool {
+        let at_waterline = near_surface && self.wall_kernel_sum > 0.0;
+        self.fluid_kernel_sum() < TENSIONLESS_KERNEL_SUM || (ventilation && at_waterline)
+    }
+}
+
+impl Default for KernelMoments {
+    /// Deep inside the fluid: what a particle is taken for before its first sweep.
+    fn default() -> KernelMoments {
+        KernelMoments { kernel_sum: 1.0, wall_kernel_sum: 0.0, concentration_gradient: [0.0; 2], lambda: 1.0 }
+    }
+}
+
+/// Particles of the free surface have λ below this (E14; Marrone et al. 2010 use 0.75 for the jump to the interior).
+pub const SURFACE_LAMBDA: f32 = 0.7;
+
+/// Spray (E3): particles whose fluid kernel_sum is below this are in films a particle thick, or alone. They hold no
+/// tension, so that they leave a wall instead of creeping along it.
+pub const TENSIONLESS_KERNEL_SUM: f64 = 0.5;

@@ -1,0 +1,179 @@
+//! The particles of a run with their neighbours: what every scheme works on, without any scheme's own state.
+
+use std::sync::Arc;
+
+use crate::domain::Domain;
+use crate::error::Breakdown;
+use crate::interactions::geometry::PairConstants;
+use crate::interactions::packed::Packed;
+use crate::interactions::pair::Extrapolated;
+use crate::neighbours::Neighbours;
+use crate::parallel;
+use crate::particles::refinement::RefinementZone;
+use crate::particles::{Fields, Particles};
+use crate::timers::{Phase, Timers};
+use crate::walls::Walls;
+use crate::walls::midline::PlateMidline;
+
+/// Particles, their neighbours, and the arrays that the sums over pairs read.
+pub struct ParticleSystem {
+    /// Fluid properties, gravity, kernel, bounding planes.
+    pub(crate) domain: Domain,
+    /// State that lives from step to step.
+    pub(crate) particles: Particles,
+    /// Quantities that a step recomputes.
+    pub(crate) fields: Fields,
+    /// Neighbour lists. Shared with the states saved since they were made.
+    pub(crate) neighbours: Arc<Neighbours>,
+    /// Particles as the sums over pairs read them.
+    pub(crate) packed: Packed,
+    /// State of each wall particle, found from the fluid (E9).
+    pub(crate) wall_state: Vec<Extrapolated>,
+    /// Time [s].
+    pub(crate) time: f64,
+    /// Steps taken.
+    pub(crate) steps: u64,
+    /// Where coarse particles are split when the lists are made anew (THEORY E26).
+    pub(crate) refinement_zone: Option<RefinementZone>,
+    /// A particle was moved outside a step: lists are to be made anew.
+    pub(crate) displaced: bool,
+    /// Positions at the start of the step [m], by identity; empty without thin plates (T5).
+    pub(crate) start_positions: Vec<[f64; 2]>,
+    /// Wall time by phase.
+    pub(crate) timers: Timers,
+}
+
+/// A state to return to.
+pub(crate) struct SavedSystem {
+    particles: Particles,
+    fields: Fields,
+    neighbours: Arc<Neighbours>,
+    midlines: Vec<PlateMidline>,
+    wall_state: Vec<Extrapolated>,
+    clock: (f64, u64),
+    displaced: bool,
+}
+
+impl ParticleSystem {
+    pub(crate) fn new(domain: Domain, particles: Particles, fields: Fields) -> ParticleSystem {
+        ParticleSystem {
+            domain,
+            particles,
+            fields,
+            neighbours: Arc::default(),
+            packed: Packed::default(),
+            wall_state: Vec::new(),
+            time: 0.0,
+            steps: 0,
+            refinement_zone: None,
+            displaced: false,
+            start_positions: Vec::new(),
+            timers: Timers::default(),
+        }
+    }
+
+    /// PairConstants of the pairs without dissipation: those of the domain.
+    pub(crate) fn constants(&self) -> PairConstants {
+        let fluid = &self.domain.fluid;
+        PairConstants {
+            gravity: self.domain.gravity,
+            rho0: fluid.density,
+            c0: 1.0,
+            delta: 0.0,
+            alpha: 0.0,
+            nu: fluid.kinematic_viscosity,
+            stretch: 0.0,
+        }
+    }
+
+    /// Put the walls where they are `offset` seconds from the step's end; true if the neighbour lists still hold there.
+    pub(crate) fn place_walls(&mut self, walls: &Walls, offset: f64, with_mirror_points: bool) -> bool {
+        self.timers.begin(Phase::Search);
+        self.packed.place_walls(walls, offset);
+        if with_mirror_points {
+            self.packed.place_mirror_points(walls);
+        }
+        !self.displaced && self.neighbours.holds(&self.particles, &self.packed.kinematics(walls))
+    }
+
+    /// Make the lists anew, to last about `life` seconds; a saved state keeps those it was saved with.
+    pub(crate) fn rebuild_lists(&mut self, walls: &Walls, life: f64) {
+        self.displaced = false;
+        if Arc::get_mut(&mut self.neighbours).is_none() {
+            self.neighbours = Arc::new(Neighbours::made(self.neighbours.rebuilds));
+        }
+        let lists = Arc::get_mut(&mut self.neighbours).expect("lists that are not shared");
+        let Domain { mirror, periodic, .. } = self.domain;
+        let kinematics = self.packed.kinematics(walls);
+        lists.rebuild(&mut self.particles, &mut self.fields, &kinematics, mirror, periodic, life);
+    }
+
+    /// Pack what the sums over pairs read, at the present positions and with the present lists.
+    pub fn pack(&mut self, walls: &Walls) {
+        self.timers.begin(Phase::Pack);
+        let mirror = self.domain.mirror;
+        self.packed.pack(&self.particles, &self.fields, walls, &self.neighbours, mirror, &self.wall_state);
+    }
+
+    /// Smallest smoothing length [m].
+    pub(crate) fn least_smoothing_length(&self) -> f64 {
+        parallel::least(self.particles.len(), |k| self.particles.h[k])
+    }
+
+    /// Particles that crossed the plane of symmetry change places with their images; `reflected` is told their identity.
+    pub(crate) fn fold(&mut self, mut reflected: impl FnMut(u32)) {
+        let (Some(mirror), p) = (self.domain.mirror, &mut self.particles) else { return };
+        for k in 0..p.x.len() {
+            if p.x[k] < mirror.at {
+                p.x[k] = mirror.reflect(p.x[k]);
+                (p.u[k], p.ax[k]) = (-p.u[k], -p.ax[k]);
+                reflected(p.id[k]);
+            }
+        }
+    }
+
+    /// Every particle must have a finite state and satisfy `accepts`.
+    pub(crate) fn check(&self, accepts: impl Fn(usize) -> bool + Sync) -> Result<(), Breakdown> {
+        let (p, time) = (&self.particles, self.time);
+        let finite = |k: usize| (p.x[k] + p.y[k] + p.u[k] + p.v[k] + p.ax[k] + p.ay[k]).is_finite();
+        let sound = |k: usize| finite(k) && accepts(k);
+        if parallel::every(p.len(), sound) {
+            return Ok(());
+        }
+        let k = (0..p.len()).find(|&k| !sound(k)).unwrap_or(0);
+        let (id, x, y, rho) = (p.id[k], p.x[k], p.y[k], p.rho[k]);
+        Err(match rho.is_finite() && finite(k) {
+            true => Breakdown::Density { id, x, y, rho, time },
+            false => Breakdown::NotFinite { id, x, y, time },
+        })
+    }
+
+    /// The step fell to `dt` [s] because of particle `k`.
+    pub(crate) fn collapsed(&self, k: usize, dt: f64) -> Breakdown {
+        let p = &self.particles;
+        let (speed, acceleration) = (p.u[k].hypot(p.v[k]), p.ax[k].hypot(p.ay[k]));
+        Breakdown::Step { dt, id: p.id[k], x: p.x[k], y: p.y[k], speed, acceleration, time: self.time }
+    }
+
+    pub(crate) fn save(&self) -> SavedSystem {
+        SavedSystem {
+            particles: self.particles.clone(),
+            fields: self.fields.clone(),
+            neighbours: self.neighbours.clone(),
+            midlines: self.packed.midlines.clone(),
+            wall_state: self.wall_state.clone(),
+            clock: (self.time, self.steps),
+            displaced: self.displaced,
+        }
+    }
+
+    pub(crate) fn restore(&mut self, saved: &SavedSystem) {
+        self.particles.clone_from(&saved.particles);
+        self.fields.clone_from(&saved.fields);
+        self.neighbours = saved.neighbours.clone();
+        self.packed.midlines.clone_from(&saved.midlines);
+        self.wall_state.clone_from(&saved.wall_state);
+        (self.time, self.steps) = saved.clock;
+        self.displaced = saved.displaced;
+    }
+}

@@ -1,0 +1,66 @@
+//! Particle shifting (THEORY E13).
+
+use crate::parallel;
+use crate::system::ParticleSystem;
+
+/// Longest shift in a step, in smoothing lengths.
+const LONGEST_SHIFT: f64 = 0.02;
+/// Before time starts, particles are shifted until no shift exceeds this [h].
+const SETTLED: f64 = 1e-4;
+/// Most shifts before time starts.
+const MOST_SETTLING_SHIFTS: u32 = 60;
+
+/// E13: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, outside the free surface; κ, `settling` [-], acts on particles that were newly
+/// split (E26).
+pub(crate) fn even_out(system: &mut ParticleSystem, settling: f64, dt: f64) {
+    shift(system, settling, dt, false);
+}
+
+/// `all`: κ acts on all particles that have neither surface nor wall in their neighbourhood.
+fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, all: bool) {
+    let (p, fields) = (&mut system.particles, &system.fields);
+    let newly_split = &p.newly_split;
+    parallel::each([&mut p.x, &mut p.y], |at, [x, y]| {
+        let (u, v, h) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()]);
+        let (moments, near_surface) = (&fields.moments[at.clone()], &fields.near_surface[at.clone()]);
+        let settles = |k: usize| match all {
+            true => !near_surface[k] && moments[k].wall_kernel_sum == 0.0,
+            false => !near_surface[k] && newly_split.get(at.start + k) == Some(&true),
+        };
+        for k in 0..u.len() {
+            let settling = if settles(k) { settling * h[k] } else { 0.0 };
+            let scale = -h[k] * (2.0 * dt * (u[k] * u[k] + v[k] * v[k]).sqrt() + settling);
+            let [dx, dy] = moments[k].concentration_gradient().map(|c| scale * c);
+            let (length, limit) = ((dx * dx + dy * dy).sqrt(), LONGEST_SHIFT * h[k]);
+            let shrink = if length > limit { limit / length } else { 1.0 };
+            let share = if moments[k].at_surface() { 0.0 } else { shrink };
+            x[k] += share * dx;
+            y[k] += share * dy;
+        }
+    });
+}
+
+/// E13 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W vanishes where rows grow. Particles of one
+/// size stay where they are. `evaluate_forces` finds the kernel moments anew.
+pub(crate) fn settle(system: &mut ParticleSystem, settling: f64, mut evaluate_forces: impl FnMut(&mut ParticleSystem)) {
+    let h = &system.particles.h;
+    if h.iter().all(|&one| (one / h[0] - 1.0).abs() < 1e-9) {
+        return;
+    }
+    for _ in 0..MOST_SETTLING_SHIFTS {
+        let (p, fields) = (&system.particles, &system.fields);
+        let length = |k: usize| match fields.near_surface[k] || fields.moments[k].wall_kernel_sum > 0.0 {
+            true => 0.0,
+            false => {
+                let [x, y] = fields.moments[k].concentration_gradient();
+                settling * p.h[k] * x.hypot(y)
+            }
+        };
+        if -parallel::least(p.len(), |k| -length(k)) < SETTLED {
+            return;
+        }
+        shift(system, settling, 0.0, true);
+        evaluate_forces(system);
+        system.neighbours.flag_surface(&mut system.fields);
+    }
+}
