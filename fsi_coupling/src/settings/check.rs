@@ -5,11 +5,11 @@ use serde_json::{Map, Value};
 use super::condition::{Place, is_off};
 use super::node::{Foreign, Node};
 use super::problem::Problem;
-use super::schema::Schema;
 
 /// Checks values of one set of settings.
 pub(super) struct Checker<'a> {
-    pub schema: &'a Schema,
+    /// The refusal of an unknown key.
+    pub unknown: &'a dyn Fn(&str) -> Problem,
     pub root: Place<'a>,
 }
 
@@ -103,7 +103,7 @@ impl Checker<'_> {
 
     /// Refuses a key that the present tags do not allow, unless its value is neutral.
     fn foreign(&self, theirs: &[Foreign], given: &Value, path: &str, chosen: &str) -> Result<(), Problem> {
-        let Some(first) = theirs.first() else { return Err(self.schema.unknown(path)) };
+        let Some(first) = theirs.first() else { return Err((self.unknown)(path)) };
         if let (Value::Object(content), Some("object")) = (given, first.node.kind()) {
             return content.iter().try_for_each(|(key, value)| {
                 let nested: Vec<Foreign> = theirs.iter().flat_map(|other| within(other, content, key)).collect();
@@ -157,6 +157,7 @@ fn idle(node: Node, value: &Value, path: &str, condition: &str) -> Problem {
     };
     let owner = match (owner.strip_prefix('.'), path.rsplit_once('.')) {
         (Some(rest), Some((table, _))) => format!("{table}.{rest}"),
+        (Some(rest), None) => rest.to_string(),
         _ => owner,
     };
     let owner = if owner.contains(" = ") { owner } else { format!("{owner} other than 0") };

@@ -40,6 +40,8 @@ mod keyword;
 mod node;
 mod problem;
 mod schema;
+#[cfg(test)]
+mod tests;
 
 pub use keyword::Keyword;
 pub use problem::{Problem, significant};

@@ -88,7 +88,7 @@ impl Schema {
         let node = Node(&self.value);
         let content = given.as_object().ok_or_else(|| Problem::new("", given, "a table of keys"))?;
         let root = Place { node, content };
-        Checker { schema: self, root }.table(node, &[], content, "").map(Value::Object)
+        Checker { unknown: &|path| self.unknown(path), root }.table(node, &[], content, "").map(Value::Object)
     }
 
     /// The refusal of a key that is absent, found by serde at `table`; anything else that serde refuses in its words.
@@ -107,7 +107,7 @@ impl Schema {
     }
 
     /// The refusal of an unknown key, with the nearest known one.
-    pub(super) fn unknown(&self, path: &str) -> Problem {
+    fn unknown(&self, path: &str) -> Problem {
         let near = self.nearest(path).map_or(String::new(), |near| format!(", such as `{near}`"));
         let sentence = format!("unknown key `{path}`: expected a key of {}{near}", self.noun);
         Problem { key: path.to_string(), sentence }
