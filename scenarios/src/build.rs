@@ -109,7 +109,7 @@ fn domain(scene: &Scene) -> Domain {
 
 /// Settings of the scene's scheme.
 fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
-    use projection::Method::{OneSweep, Solve};
+    use projection::Method::{OneIteration, Solve};
     match &scene.solver {
         SolverSettings::WeaklyCompressible { fluid } => {
             let options = legacy::Options { water_depth: scene.tank.depth, ..fluid.options };
@@ -119,7 +119,7 @@ fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
             Box::new(projection::Settings { flow: fluid.scheme, method: Solve, ..*projection })
         }
         SolverSettings::IncompressibleExplicit { fluid, projection } => {
-            Box::new(projection::Settings { flow: fluid.scheme, method: OneSweep, ..*projection })
+            Box::new(projection::Settings { flow: fluid.scheme, method: OneIteration, ..*projection })
         }
         SolverSettings::IncompressibleThesis { fluid, thesis } => {
             Box::new(legacy::pilorget2010::ThesisSettings { flow: fluid.scheme, ..*thesis })

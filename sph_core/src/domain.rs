@@ -59,6 +59,13 @@ impl FluidSettings {
 }
 
 /// The space in which the fluid moves, and the fluid's properties.
+///
+/// ```
+/// use sph_core::{Domain, FluidSettings};
+/// let fluid = FluidSettings { density: 1025.0, ..FluidSettings::default() };
+/// let sea = Domain { fluid, gravity: [0.0, -9.81], fastest_speed: 4.5, ..Domain::default() };
+/// assert_eq!(sea.up(), [0.0, 1.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
     /// The fluid.

@@ -1,18 +1,64 @@
 //! Two-dimensional smoothed particle hydrodynamics for free-surface impact, f64.
 //!
-//! The crate knows a fluid and *walls*: particles that somebody else moves and that carry back the
-//! fluid's force. Who moves them, and why, is not its business.
+//! The crate computes a fluid between *walls*: boundary particles that their owners move and that carry back the force of the
+//! fluid. SI units, per metre of span; equations are numbered in the book's theory part.
 //!
-//! Read in this order: [`fluid`] (the step), [`interactions`] (the physics of two particles), [`walls`], then the machinery:
-//! [`neighbours`], [`parallel`].
+//! | read | for |
+//! |---|---|
+//! | [`fluid`], [`scheme`], [`system`] | what is stepped, and how a scheme plugs in |
+//! | [`wcsph`], [`projection`] | the weakly compressible and the incompressible scheme |
+//! | [`interactions`], [`walls`] | the physics of two particles; boundary particles |
+//! | [`neighbours`], [`parallel`] | lists of neighbours; threads |
+//! | `legacy` (a cargo feature, on by default) | schemes and options of 2010 |
 //!
-//! Units are SI, per metre of span; equations are numbered in `THEORY.md`.
+//! A dam break: water of 1 m by 1 m in the left half of a tank.
+//!
+//! ```
+//! use sph_core::{Domain, Fluid, Seed, WallPoint, Walls, wcsph};
+//!
+//! const SPACING: f64 = 0.1;
+//! let centre = |k: i32| (f64::from(k) + 0.5) * SPACING;
+//!
+//! let weight = 9.81 * 1000.0; // [N/m³]
+//! let cells = (0..10).flat_map(|i| (0..10).map(move |j| (i, j)));
+//! let seeds: Vec<Seed> = cells
+//!     .map(|(i, j)| {
+//!         let at = [centre(i), centre(j)];
+//!         Seed { at, velocity: [0.0; 2], area: SPACING * SPACING, pressure: weight * (1.0 - at[1]) }
+//!     })
+//!     .collect();
+//!
+//! // three rows of boundary particles below the floor and behind both side walls
+//! let mut points = Vec::new();
+//! for row in 0..3 {
+//!     let depth = centre(row);
+//!     let point = |at, normal| WallPoint { at, normal, area: SPACING * SPACING, spacing: SPACING, depth, midline: None };
+//!     points.extend((-3..23).map(|i| point([centre(i), -depth], [0.0, 1.0])));
+//!     points.extend((0..20).map(|j| point([-depth, centre(j)], [1.0, 0.0])));
+//!     points.extend((0..20).map(|j| point([2.0 + depth, centre(j)], [-1.0, 0.0])));
+//! }
+//!
+//! let domain = Domain { gravity: [0.0, -9.81], fastest_speed: 4.5, ..Domain::default() };
+//! let mut fluid = Fluid::new(domain, &wcsph::Settings::default(), &seeds);
+//! let mut walls = Walls::default();
+//! walls.extend(&points, domain.fluid.smoothing_ratio);
+//!
+//! fluid.initialise(&mut walls)?;
+//! while fluid.time() < 0.3 {
+//!     let dt = fluid.stable_dt(&walls)?;
+//!     fluid.step(&mut walls, dt)?;
+//! }
+//! let front = fluid.particles().x.iter().fold(0.0_f64, |front, &x| front.max(x));
+//! assert!((1.2..1.9).contains(&front), "the front is at {front} m");
+//! # Ok::<(), sph_core::Breakdown>(())
+//! ```
 
 pub mod auto;
 pub mod domain;
 pub mod error;
 pub mod fluid;
 pub mod interactions;
+#[cfg(feature = "legacy")]
 pub mod legacy;
 mod memory;
 pub mod neighbours;
@@ -32,12 +78,19 @@ pub use error::Breakdown;
 pub use fluid::Fluid;
 pub use interactions::dissipation::Dissipation;
 pub use interactions::kernel::Kernel;
+#[cfg(feature = "legacy")]
 pub use legacy::density_filter::DensityFilter;
+#[cfg(feature = "legacy")]
 pub use legacy::ideal_gas::IdealGas;
+#[cfg(feature = "legacy")]
 pub use legacy::integrator::Integrator;
+#[cfg(feature = "legacy")]
 pub use legacy::pilorget2010::ThesisSettings;
+#[cfg(feature = "legacy")]
 pub use legacy::summation::DensityEvolution;
+#[cfg(feature = "legacy")]
 pub use legacy::turbulence::Turbulence;
+#[cfg(feature = "legacy")]
 pub use legacy::wall_model::WallModel;
 pub use particles::refinement::RefinementZone;
 pub use particles::{Particles, Seed};

@@ -1,4 +1,4 @@
-//! Parallel sweeps: every target gathers its own sum in a fixed order.
+//! Parallel loops: every target gathers its own sum in a fixed order.
 //!
 //! The only module that knows of threads. Targets are cut into chunks of fixed length, so the bits of a
 //! result never depend on the number of threads; nothing is scattered, so there are no locks or atomics.
@@ -10,7 +10,7 @@ use crate::interactions::simd::with_simd;
 /// Targets per chunk.
 pub const CHUNK: usize = 128;
 
-/// Do `task` on a thread of the pool: the sweeps inside then start without waking the pool each time.
+/// Do `task` on a thread of the pool: the loops inside then start without waking the pool each time.
 pub fn within_pool<T: Send>(task: impl FnOnce() -> T + Send) -> T {
     if rayon::current_thread_index().is_some() { task() } else { rayon::scope(|_| task()) }
 }
@@ -48,6 +48,11 @@ pub fn by_chunk<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sy
 const LANES: usize = 4;
 
 /// Σ `value(k)` over `n` targets: the sums of the chunks, added in order.
+///
+/// ```
+/// let [count, total] = sph_core::parallel::sum(4, |k| [1.0, k as f64]);
+/// assert_eq!([count, total], [4.0, 6.0]);
+/// ```
 pub fn sum<const N: usize>(n: usize, value: impl Fn(usize) -> [f64; N] + Sync) -> [f64; N] {
     let add = |mut sum: [f64; N], part: [f64; N]| {
         (0..N).for_each(|i| sum[i] += part[i]);

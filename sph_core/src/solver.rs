@@ -12,7 +12,7 @@ pub enum Solver {
     WeaklyCompressible,
     /// A Poisson equation: pressures are those that leave the water's volume as it is (THEORY I1–I16).
     Incompressible,
-    /// The same with the diagonal instead of the matrix: one sweep per step (THEORY EX3).
+    /// The same with the diagonal instead of the matrix: one iteration per step (THEORY EX3).
     IncompressibleExplicit,
     /// Pilorget's (2010) projection, with the choices of its thesis (THEORY J1–J16).
     IncompressibleThesis,

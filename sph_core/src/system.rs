@@ -120,7 +120,7 @@ impl ParticleSystem {
         parallel::least(self.particles.len(), |k| self.particles.h[k])
     }
 
-    /// Particles that crossed the plane of symmetry change places with their images; `reflected` is told their identity.
+    /// Particles that crossed the plane of symmetry change places with their images; `reflected` takes their identity.
     pub(crate) fn fold(&mut self, mut reflected: impl FnMut(u32)) {
         let (Some(mirror), p) = (self.domain.mirror, &mut self.particles) else { return };
         for k in 0..p.x.len() {

@@ -10,13 +10,13 @@ use std::time::{Duration, Instant};
 pub enum Phase {
     /// Neighbour lists: whether they hold, and making them.
     Search,
-    /// Packing the rows that the sweeps read.
+    /// Packing what the sums over pairs read.
     Pack,
-    /// The sweep of the continuity equation (E4, E5); of a projection its survey of pairs.
+    /// Sums of the continuity equation (E4, E5); of a projection the assembly of its operators.
     Density,
     /// The pressure equation of a projection, or the thesis's step.
     Pressure,
-    /// The sweep of the momentum equation (E6–E8).
+    /// Sums of the momentum equation (E6–E8).
     Momentum,
     /// Pressures of the walls, and forces on them (E9).
     Walls,
@@ -71,6 +71,14 @@ impl Phase {
 }
 
 /// Wall time by phase.
+///
+/// ```
+/// use sph_core::{Phase, Timers};
+/// let mut timers = Timers::default();
+/// timers.begin(Phase::Density);
+/// timers.end();
+/// assert_eq!(timers.seconds(Phase::Density), timers.total());
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Timers {
     spent: [Duration; Phase::ALL.len()],
@@ -83,7 +91,7 @@ impl Timers {
         self.resume(Some(phase))
     }
 
-    /// From now on the time is that of `phase`, or nobody's; whose it was before.
+    /// From now on the time is that of `phase`, or of none; the phase before.
     pub fn resume(&mut self, phase: Option<Phase>) -> Option<Phase> {
         let now = Instant::now();
         let before = self.present.take();
@@ -94,7 +102,7 @@ impl Timers {
         before.map(|(phase, _)| phase)
     }
 
-    /// From now on the time is nobody's.
+    /// From now on the time belongs to no phase.
     pub fn end(&mut self) {
         self.resume(None);
     }
@@ -134,7 +142,7 @@ mod tests {
     #[test]
     fn every_moment_belongs_to_one_phase() {
         let (mut timers, tick) = (Timers::default(), Duration::from_millis(3));
-        spin(tick); // nobody's
+        spin(tick); // no phase's
         let start = Instant::now();
         timers.begin(Phase::Density);
         spin(tick);

@@ -103,7 +103,7 @@ impl Parameters {
         if let Some(Projection { settings, .. }) = fluid.scheme() {
             let solver = match settings.method {
                 projection::Method::Solve => Solver::Incompressible,
-                projection::Method::OneSweep => Solver::IncompressibleExplicit,
+                projection::Method::OneIteration => Solver::IncompressibleExplicit,
             };
             let projection::FlowSettings { shifting, cfl, .. } = settings.flow;
             return Parameters { solver, projection: *settings, shifting, cfl, ..common };
@@ -144,7 +144,7 @@ impl Parameters {
         match self.solver {
             Solver::WeaklyCompressible => Box::new(self.compressible()),
             Solver::Incompressible => Box::new(self.projection(projection::Method::Solve)),
-            Solver::IncompressibleExplicit => Box::new(self.projection(projection::Method::OneSweep)),
+            Solver::IncompressibleExplicit => Box::new(self.projection(projection::Method::OneIteration)),
             Solver::IncompressibleThesis => unimplemented!("scenes describe it"),
         }
     }

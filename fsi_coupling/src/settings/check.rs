@@ -160,7 +160,6 @@ fn idle(node: Node, value: &Value, path: &str, condition: &str) -> Problem {
         (Some(rest), None) => rest.to_string(),
         _ => owner,
     };
-    let owner = if owner.contains(" = ") { owner } else { format!("{owner} other than 0") };
     Problem::new(path, shown(value), format!("none{neutral}: the key has no effect here, only with {owner}"))
 }
 

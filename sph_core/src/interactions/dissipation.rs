@@ -1,5 +1,5 @@
 //! How a pair dissipates: density diffusion with artificial viscosity (THEORY E5, E7), or the limited Riemann form
-//! (R1, R2). A type inside the sweeps, as kernels are: one dispatch a sweep, none a pair.
+//! (R1, R2). A type inside the sums over pairs, as kernels are: one dispatch per sum, none per pair.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

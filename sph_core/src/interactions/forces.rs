@@ -29,11 +29,6 @@ impl Forces {
         });
     }
 
-    /// Give the arrays back; the accelerations are to be written anew.
-    pub fn release(self, p: &mut Particles) {
-        (p.ax, p.ay) = (self.x, self.y);
-    }
-
     /// a = F/m + g, in place of F.
     pub fn accelerate(mut self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);

@@ -14,7 +14,7 @@ use crate::neighbours::lists::{Lists, NONE};
 use crate::parallel::{self, CHUNK};
 use crate::particles::KernelMoments;
 
-/// What a sweep gathers for its targets, side by side.
+/// The sum of each target over its neighbours, several targets side by side.
 pub(crate) trait Gather: Sync {
     /// A target's sum.
     type Sum: Send;
@@ -51,7 +51,7 @@ impl PairSums {
     }
 }
 
-/// Where a sweep puts its sums, a target each.
+/// Where sums are stored, one per target.
 pub(crate) trait Sums<S>: Send + Sized {
     /// Pieces of [`CHUNK`] targets, in order.
     fn pieces(self) -> Vec<Self>;
@@ -171,7 +171,7 @@ impl Gather for WallState<'_> {
     }
 }
 
-/// Where the momentum sweep puts its sums: forces [N/m] where accelerations will stand, and how neighbours lie.
+/// Where the sums of the momentum equation are stored: forces [N/m] and kernel moments.
 pub(crate) struct MomentumSums<'a> {
     pub x: &'a mut [f64],
     pub y: &'a mut [f64],

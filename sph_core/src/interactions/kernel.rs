@@ -10,6 +10,12 @@ use std::f64::consts::PI;
 use crate::interactions::simd::SimdReal;
 
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
+///
+/// ```
+/// use sph_core::Kernel;
+/// assert!(Kernel::WendlandC2.value(0.0, 0.1) > Kernel::WendlandC2.value(0.1, 0.1));
+/// assert_eq!(Kernel::WendlandC2.value(0.2, 0.1), 0.0);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Kernel {
@@ -24,6 +30,8 @@ pub enum Kernel {
     WendlandC2,
     /// w = (1 − q/2)⁶(35q²/12 + 3q + 1) (Wendland 1995, C4): narrower for its support than C2.
     WendlandC4,
+    /// w = (1 − q/2)⁸(4q³ + 25q²/4 + 4q + 1) (Wendland 1995, C6): narrower still, for smoothing ratios from 2.
+    WendlandC6,
 }
 
 /// A kernel's dimensionless shape. `W = ALPHA/h² w(q)`; `∇_a W_ab = ALPHA/h⁴ · FALL fall(q) · r_ab`. Both are nothing for
@@ -54,6 +62,9 @@ pub struct WendlandC2;
 /// See [`Kernel::WendlandC4`].
 #[derive(Clone, Copy)]
 pub struct WendlandC4;
+/// See [`Kernel::WendlandC6`].
+#[derive(Clone, Copy)]
+pub struct WendlandC6;
 
 /// 1 − e⁻⁴, the part of the Gaussian inside q < 2.
 const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
@@ -133,6 +144,24 @@ impl Shape for WendlandC4 {
     }
 }
 
+impl Shape for WendlandC6 {
+    const ALPHA: f64 = 39.0 / (14.0 * PI);
+    const DW_FACTOR: f64 = -5.5;
+    #[inline(always)]
+    fn w<R: SimdReal>(q: R) -> R {
+        let t = half_left(q);
+        let t2 = t * t;
+        let t4 = t2 * t2;
+        t4 * t4 * q.of(4.0).mul_add(q, q.of(6.25)).mul_add(q, q.of(4.0)).mul_add(q, q.of(1.0))
+    }
+    #[inline(always)]
+    fn dw_over_q<R: SimdReal>(q: R) -> R {
+        let t = half_left(q);
+        let t3 = t * t * t;
+        t3 * t3 * t * q.of(4.0).mul_add(q, q.of(3.5)).mul_add(q, q.of(1.0))
+    }
+}
+
 /// 1 − q/2, and nothing beyond the support.
 #[inline(always)]
 fn half_left<R: SimdReal>(q: R) -> R {
@@ -149,8 +178,14 @@ pub trait WithKernel {
 
 impl Kernel {
     /// Every kernel, for tests and tables.
-    pub const ALL: [Kernel; 5] =
-        [Kernel::Gaussian, Kernel::Quadratic, Kernel::CubicSpline, Kernel::WendlandC2, Kernel::WendlandC4];
+    pub const ALL: [Kernel; 6] = [
+        Kernel::Gaussian,
+        Kernel::Quadratic,
+        Kernel::CubicSpline,
+        Kernel::WendlandC2,
+        Kernel::WendlandC4,
+        Kernel::WendlandC6,
+    ];
 
     /// Run `task` with this kernel's shape as a type.
     pub fn run<T: WithKernel>(self, task: T) -> T::Out {
@@ -160,6 +195,7 @@ impl Kernel {
             Kernel::CubicSpline => task.with::<CubicSpline>(),
             Kernel::WendlandC2 => task.with::<WendlandC2>(),
             Kernel::WendlandC4 => task.with::<WendlandC4>(),
+            Kernel::WendlandC6 => task.with::<WendlandC6>(),
         }
     }
 

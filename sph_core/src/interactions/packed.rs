@@ -1,4 +1,4 @@
-//! What the sweeps read: fluid and walls packed row by row, images behind them.
+//! What the sums over pairs read: fluid and walls packed particle by particle, images behind them.
 
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::interactions::pair::Extrapolated;
@@ -11,7 +11,7 @@ use crate::walls::Walls;
 use crate::walls::midline::PlateMidline;
 use crate::walls::visibility::ThinWalls;
 
-/// Rows of fluid and walls; indices at and above the number of particles are images, as in [`Neighbours`].
+/// Packed particles of fluid and walls; indices at and above the number of particles are images, as in [`Neighbours`].
 #[derive(Default)]
 pub(crate) struct Packed {
     /// Fluid.
@@ -22,7 +22,7 @@ pub(crate) struct Packed {
     pub packed_walls: Vec<PackedWall>,
     /// Mirror points of the walls (W3); empty where no wall asks.
     pub mirror_points: (Vec<f64>, Vec<f64>),
-    /// Screens where the walls are now (T1).
+    /// Plate midlines where the walls are now (T1).
     pub midlines: Vec<PlateMidline>,
     wall_x: Vec<f64>,
     wall_y: Vec<f64>,

@@ -61,7 +61,7 @@ pub(crate) fn force<R: SimdReal, D: PairDissipation>(
     [normal, shear]
 }
 
-/// What the momentum sweep gathers for one target.
+/// Sums of the momentum equation for one target.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gathered {
     /// Force of all neighbours [N/m].

@@ -1,4 +1,4 @@
-//! Dynamic walls (THEORY W2): wall particles are fluid particles that somebody else moves. Their density follows
+//! Dynamic walls (THEORY W2): wall particles are fluid particles with a prescribed motion. Their density follows
 //! from continuity, their pressure from the equation of state.
 
 use crate::interactions::geometry::kernel_and_gradient;

@@ -170,7 +170,7 @@ pub(crate) fn heating_rates(
 pub(crate) fn gas_state(system: &mut ParticleSystem, gas: IdealGas, ventilation: bool) {
     let (p, fields) = (&mut system.particles, &mut system.fields);
     for k in 0..p.x.len() {
-        if fields.tensionless(k, ventilation) {
+        if fields.moments[k].tensionless(fields.near_surface[k], ventilation) {
             let relief = gas.isentropic_relief(p.rho[k], p.energy[k]);
             p.rho[k] *= relief;
             p.energy[k] *= relief.powf(gas.gamma - 1.0);

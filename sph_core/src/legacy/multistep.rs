@@ -20,6 +20,11 @@ impl Rates<'_> {
     }
 }
 
+/// Specific internal energy of particle `k` [J/kg]; 0 for water.
+fn energy_of(p: &Particles, k: usize) -> f64 {
+    p.energy.get(k).copied().unwrap_or(0.0)
+}
+
 /// The state at n, by identity: the particles may be sorted anew before it is needed.
 #[derive(Clone, Default)]
 pub(crate) struct Old(Vec<[f64; 6]>);
@@ -28,7 +33,7 @@ impl Old {
     pub fn of(mut self, p: &Particles) -> Old {
         self.0.resize(p.len(), [0.0; 6]);
         for k in 0..p.len() {
-            self.0[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy_of(k)];
+            self.0[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], energy_of(p, k)];
         }
         self
     }
@@ -124,7 +129,7 @@ impl History {
         self.now.resize(p.len(), [0.0; 10]);
         self.change.resize(p.len(), [0.0; 4]);
         for k in 0..p.len() {
-            let state = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy_of(k)];
+            let state = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], energy_of(p, k)];
             let rates = rates.of(p, k);
             let now = &mut self.now[p.id[k] as usize];
             now[..6].copy_from_slice(&state);

@@ -117,6 +117,13 @@ impl Options {
 }
 
 /// The weakly compressible scheme with the options of 2010.
+///
+/// ```
+/// use sph_core::legacy::{Options, Settings};
+/// use sph_core::Integrator;
+/// let options = Options { integrator: Integrator::Verlet, ..Options::default() };
+/// assert_eq!(Settings { options, ..Settings::default() }.courant_number(), 0.05);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The scheme.

@@ -1,4 +1,4 @@
-//! Sub-particle-scale turbulence (THEORY L7, L8): a stress sweep, then its divergence. Fluid pairs only.
+//! Sub-particle-scale turbulence (THEORY L7, L8): stresses, then their divergence. Fluid pairs only.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -76,7 +76,7 @@ pub(crate) struct Entries {
 }
 
 impl Entries {
-    /// Those `found`, cluster by cluster as `start` says. Nothing is kept for nobody.
+    /// Those `found`, cluster by cluster as `start` says.
     pub fn new(found: &[Entry], start: &[u32]) -> Entries {
         if found.is_empty() {
             return Entries::default();
@@ -104,7 +104,7 @@ impl Entries {
         Entries { start: starts, stretches, within }
     }
 
-    /// How many clusters; none where nobody meets anybody.
+    /// How many clusters; none where there are no pairs.
     pub fn clusters(&self) -> usize {
         self.start.len().saturating_sub(1)
     }

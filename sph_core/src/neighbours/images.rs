@@ -2,7 +2,7 @@
 //! one in front of it; a neighbour beyond a periodic plane is the image of one beside the opposite plane.
 //!
 //! An image is never stored as state: it is a source particle and a reflection or a translation, applied whenever the
-//! rows of a sweep are packed.
+//! particles are packed.
 
 use serde::{Deserialize, Serialize};
 
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn whoever_leaves_through_one_plane_enters_through_the_other() {
+    fn a_particle_leaves_through_one_plane_and_enters_through_the_other() {
         let cell = Periodic { x: Some([-1.0, 1.0]), y: None };
         let [x, y] = cell.wrap([1.25, 7.0]);
         assert!((x + 0.75).abs() < 1e-15 && y == 7.0);

@@ -5,7 +5,7 @@
 //! should live. Jets move several times as fast as the spray root, so one skin for all would be wasted
 //! on still water (findings of the prototypes, item 10).
 //!
-//! Targets are listed in clusters of [`LANES`] that follow one another, so that a sweep sums a cluster side by side: an
+//! Targets are listed in clusters of [`LANES`] that follow one another, so that a cluster is summed side by side: an
 //! entry is a neighbour of any of them, with a bit for each target that may meet it.
 
 use std::ops::Range;
@@ -16,7 +16,7 @@ use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
 use crate::parallel::{self, CHUNK};
 
-/// What a sweep reads of a neighbour, spread over the lanes of its targets.
+/// What a sum over pairs reads of a neighbour, spread over the lanes of its targets.
 pub(crate) trait Splat {
     /// The same for lanes.
     type Over<R: SimdReal>;

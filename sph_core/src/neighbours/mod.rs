@@ -1,4 +1,4 @@
-//! Who may meet whom: neighbour lists for fluid and walls, images included, remade when a skin is used up.
+//! Neighbour lists for fluid and walls, images included, made anew when a particle has moved farther than its skin.
 
 pub mod cells;
 mod entries;
@@ -126,7 +126,7 @@ impl Neighbours {
         self.fluid_images.clear();
         self.wall_images.clear();
         if let Some(mirror) = mirror {
-            // an image is needed where it meets somebody in front of the plane
+            // an image is needed where it has a neighbour in front of the plane
             let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
             let mirrored_cells = Cells::build(&mirrored);
             let needed = |p: &Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
@@ -185,7 +185,7 @@ impl Neighbours {
         if (j as usize) < n { j as usize } else { self.fluid_images[j as usize - n] as usize }
     }
 
-    /// V1: append every translation of fluid and wall that meets somebody of the cell itself.
+    /// V1: append every translation of fluid and wall that has a neighbour in the cell itself.
     fn repeat(&mut self, periodic: Periodic, fluid: &mut Vec<Point>, wall: &mut Vec<Point>, own: [&Cells; 2]) {
         self.fluid_shifts.clear();
         self.wall_shifts.clear();
@@ -207,7 +207,7 @@ impl Neighbours {
         }
     }
 
-    /// Who is, or has within reach, a free-surface particle (by the λ of the last sweep).
+    /// Who is, or has within reach, a free-surface particle (by the λ found last).
     pub fn flag_surface(&self, fields: &mut Fields) {
         let n = fields.moments.len();
         let around = &fields.moments;
@@ -226,7 +226,7 @@ fn those(points: &[Point], wanted: impl Fn(&Point) -> bool + Sync) -> Vec<u32> {
     parallel::by_chunk(points.len(), of_chunk).concat()
 }
 
-/// V1: whoever has left the cell enters it through the opposite plane.
+/// V1: a particle that has left the cell enters it through the opposite plane.
 fn wrap(particles: &mut Particles, periodic: Option<Periodic>) {
     let Some(periodic) = periodic else { return };
     for k in 0..particles.len() {

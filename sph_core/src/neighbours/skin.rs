@@ -37,7 +37,7 @@ impl Skin {
         of_vector(&self.origins) + [&self.x, &self.y, &self.allowance].map(of_vector).iter().sum::<usize>()
     }
 
-    /// True if nobody has moved farther than its allowance.
+    /// True if no particle has moved farther than its allowance.
     pub fn holds(&self, x: &[f64], y: &[f64]) -> bool {
         self.x.len() == x.len()
             && parallel::every_chunk(x.len(), |targets| {

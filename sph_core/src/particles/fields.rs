@@ -49,12 +49,6 @@ impl Fields {
     pub fn volume_of(&self, k: usize, p: &Particles) -> f64 {
         self.volume.get(k).copied().unwrap_or_else(|| p.mass[k] / p.rho[k])
     }
-
-    /// E3: does the fluid here hold no tension? Spray does not; nor, with `ventilation`, does what touches both a wall and
-    /// the air, which comes in between.
-    pub(crate) fn tensionless(&self, k: usize, ventilation: bool) -> bool {
-        self.moments[k].tensionless(self.near_surface[k], ventilation)
-    }
 }
 
 /// Moments of the kernel over the neighbours of a particle (THEORY E12–E14), with V = m/ρ.
@@ -71,7 +65,7 @@ pub struct KernelMoments {
 }
 
 impl KernelMoments {
-    /// What a sweep found, in double precision; what is only compared with thresholds or shifts a particle is kept in single.
+    /// From sums in double precision; what is only compared with thresholds or shifts a particle is kept in single.
     pub(crate) fn new(
         kernel_sum: f64,
         fluid_kernel_sum: f64,
@@ -105,7 +99,8 @@ impl KernelMoments {
         self.lambda < SURFACE_LAMBDA
     }
 
-    /// E3: see [`Fields::tensionless`].
+    /// E3: true where the fluid holds no tension: in spray and, with `ventilation`, where both a wall and the air are within the
+    /// kernel, so that air comes in between.
     #[inline]
     pub(crate) fn tensionless(&self, near_surface: bool, ventilation: bool) -> bool {
         let at_waterline = near_surface && self.wall_kernel_sum > 0.0;
@@ -114,7 +109,7 @@ impl KernelMoments {
 }
 
 impl Default for KernelMoments {
-    /// Deep inside the fluid: what a particle is taken for before its first sweep.
+    /// Deep inside the fluid: the state before moments are found first.
     fn default() -> KernelMoments {
         KernelMoments { kernel_sum: 1.0, wall_kernel_sum: 0.0, concentration_gradient: [0.0; 2], lambda: 1.0 }
     }

@@ -80,11 +80,6 @@ impl Particles {
         }
     }
 
-    /// Specific internal energy of particle `k` [J/kg]; 0 for water.
-    pub(crate) fn energy_of(&self, k: usize) -> f64 {
-        self.energy.get(k).copied().unwrap_or(0.0)
-    }
-
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.x.len()

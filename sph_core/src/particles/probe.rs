@@ -19,6 +19,15 @@ pub struct FirstOrder {
 }
 
 /// A reader of the fluid as it stands now; make one per moment, read many points.
+///
+/// ```
+/// use sph_core::particles::probe::Probe;
+/// use sph_core::{Domain, Fluid, Seed, wcsph};
+/// let seed = |k: usize| Seed { at: [0.1 * (k % 9) as f64, 0.1 * (k / 9) as f64], velocity: [0.0; 2], area: 0.01, pressure: 0.0 };
+/// let settings = wcsph::Settings { sound_speed: 20.0.into(), ..wcsph::Settings::default() };
+/// let fluid = Fluid::new(Domain::default(), &settings, &(0..81).map(seed).collect::<Vec<_>>());
+/// assert!((Probe::new(&fluid).filling([0.4, 0.4]) - 1.0).abs() < 0.01);
+/// ```
 pub struct Probe<'a> {
     fluid: &'a Fluid,
     cells: Cells,

@@ -84,6 +84,7 @@ impl Projection {
     ) -> Result<(), Breakdown> {
         let constants = self.constants(system);
         self.pack(system, walls, -dt); //                                            neighbours at r
+        system.timers.begin(Phase::Density);
         self.surface.detect(system, walls); //                                       holes between particles (I5)
         self.surface.mark_dry_walls(system, walls); //                               walls without water (I5)
         self.operators.assemble(system, walls, &self.lattice, constants, dt); //     C, ∇C, ∇·u*, A
@@ -96,7 +97,7 @@ impl Projection {
         Ok(())
     }
 
-    /// I7–I11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi sweep of it (EX3).
+    /// I7–I11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi iteration of it (EX3).
     fn solve_pressure(
         &mut self,
         system: &mut ParticleSystem,
@@ -109,7 +110,9 @@ impl Projection {
         system.timers.begin(Phase::Pressure);
         equation.gather_source(system, operators, surface.indicator(), lattice, reference_kernel_sum, settings, dt);
         match settings.method {
-            Method::OneSweep => equation.sweep(system, operators, surface.indicator(), settings.flow.ventilation),
+            Method::OneIteration => {
+                equation.relax_once(system, operators, surface.indicator(), settings.flow.ventilation)
+            }
             Method::Solve => {
                 equation.solve(system, walls, interfaces, operators, surface.indicator(), lattice, settings)?;
             }

@@ -1,4 +1,4 @@
-//! One sweep over the pairs: geometry, divergence, viscosity and the matrix's rows (THEORY I2–I6, I12).
+//! Sums over the pairs of a step: geometry, divergence, viscosity and the matrix's rows (THEORY I2–I6, I12).
 
 use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::{Shape, WithKernel};

@@ -19,7 +19,7 @@ const LARGEST_HOLE: f64 = 0.1;
 /// Rounds in which rows under tension near air are constrained.
 const ACTIVE_SET_ROUNDS: usize = 6;
 /// How much longer an error of density takes to relax where pressures are not solved for (EX5) [-].
-const ONE_SWEEP: f64 = 100.0 / 3.0;
+const ONE_ITERATION: f64 = 100.0 / 3.0;
 
 /// The pressure equation with its solver's memory.
 #[derive(Clone, Debug, Default)]
@@ -72,7 +72,7 @@ impl PressureEquation {
         dt: f64,
     ) {
         let p = &system.particles;
-        let factor = if settings.method == Method::OneSweep { ONE_SWEEP } else { 1.0 };
+        let factor = if settings.method == Method::OneIteration { ONE_ITERATION } else { 1.0 };
         let relaxation = factor * settings.relaxation * system.least_smoothing_length() / system.domain.fastest_speed;
         self.source.resize(p.len(), 0.0);
         parallel::gather_into(&mut self.source, |k| {
@@ -83,8 +83,8 @@ impl PressureEquation {
         });
     }
 
-    /// EX3: one Jacobi sweep of the pressure equation, from the last step's pressures; no tension where I8 forbids it.
-    pub fn sweep(&mut self, system: &mut ParticleSystem, operators: &Operators, air: &[f64], ventilated: bool) {
+    /// EX3: one Jacobi iteration of the pressure equation, from the last step's pressures; no tension where I8 forbids it.
+    pub fn relax_once(&mut self, system: &mut ParticleSystem, operators: &Operators, air: &[f64], ventilated: bool) {
         let (neighbours, n) = (&system.neighbours, system.particles.len());
         self.active.clear(n);
         self.before.clone_from(&system.fields.pressure);
@@ -122,7 +122,8 @@ impl PressureEquation {
             self;
         let strongest = -parallel::least(n, |k| -(source[k] / raw_volume(p, k)).abs());
         scale.resize(n, 0.0);
-        parallel::gather_into(scale, |k| raw_volume(p, k) * strongest.max(f64::MIN_POSITIVE));
+        let strongest = if strongest > 0.0 { strongest } else { 1.0 }; // free fall has no source
+        parallel::gather_into(scale, |k| raw_volume(p, k) * strongest);
         matrix.assemble(operators, excess, neighbours);
         let x = &mut fields.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };

@@ -9,8 +9,8 @@ pub enum Method {
     /// Solved for, by conjugate gradients (THEORY I8–I11): `solver = "incompressible"`.
     #[default]
     Solve,
-    /// One Jacobi sweep per step (THEORY EX3): `solver = "incompressible_explicit"`.
-    OneSweep,
+    /// One Jacobi iteration per step (THEORY EX3): `solver = "incompressible_explicit"`.
+    OneIteration,
 }
 
 /// The keys of a scene's table `[fluid]` that belong to the incompressible solvers.
@@ -33,6 +33,18 @@ impl Default for FlowSettings {
 }
 
 /// Settings of the projection: a scene's table `[projection]`.
+///
+/// ```
+/// use sph_core::{Domain, Fluid, Seed, Walls, projection};
+/// let drop = Seed { at: [0.0, 1.0], velocity: [0.0; 2], area: 0.01, pressure: 0.0 };
+/// let domain = Domain { gravity: [0.0, -9.81], ..Domain::default() };
+/// let mut fluid = Fluid::new(domain, &projection::Settings::default(), &[drop]);
+/// let mut walls = Walls::default();
+/// fluid.initialise(&mut walls)?;
+/// fluid.step(&mut walls, 0.01)?;
+/// assert!((fluid.particles().v[0] + 0.0981).abs() < 1e-9);
+/// # Ok::<(), sph_core::Breakdown>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Settings {
@@ -76,15 +88,15 @@ impl Default for Settings {
     }
 }
 
-/// Largest Courant number of one sweep per step (EX4) [-].
-const LARGEST_COURANT_OF_SWEEP: f64 = 0.2;
+/// Largest Courant number of one iteration per step (EX4) [-].
+const LARGEST_COURANT_OF_ONE_ITERATION: f64 = 0.2;
 
 impl Settings {
     /// I14, EX4: Courant number of a step [-].
     pub fn courant_number(&self) -> f64 {
         match self.method {
             Method::Solve => self.flow.cfl,
-            Method::OneSweep => self.flow.cfl.min(LARGEST_COURANT_OF_SWEEP),
+            Method::OneIteration => self.flow.cfl.min(LARGEST_COURANT_OF_ONE_ITERATION),
         }
     }
 }

@@ -128,9 +128,9 @@ fn a_solve_that_does_not_converge_says_how_far_it_got() {
         let mut x = vec![0.0; n];
         let failed = solver.solve(&s.a, &[], &s.b, &vec![1.0; n], &vec![false; n], &mut x, &stop).unwrap_err();
         assert_eq!(failed.iterations, 3);
-        let lack = |i: usize| (s.b[i] - s.a.times(i, &x)).abs();
-        let worst = (0..n).map(lack).fold(0.0, f64::max);
-        assert!((worst - failed.residual).abs() < 1e-10 && (lack(failed.worst) - worst).abs() < 1e-10, "{failed}");
+        let left = |i: usize| (s.b[i] - s.a.times(i, &x)).abs();
+        let worst = (0..n).map(left).fold(0.0, f64::max);
+        assert!((worst - failed.residual).abs() < 1e-10 && (left(failed.worst) - worst).abs() < 1e-10, "{failed}");
         let mut broken = s.b.clone();
         broken[17] = f64::NAN;
         let failed = solver.solve(&s.a, &[], &broken, &vec![1.0; n], &vec![false; n], &mut x, &stop).unwrap_err();
@@ -262,7 +262,7 @@ fn rows_in_another_order_keep_their_hierarchy() {
 }
 
 #[test]
-fn bodies_and_pins_at_the_surface_cost_no_iterations() {
+fn bodies_and_constraints_at_the_surface_cost_no_iterations() {
     let mut dice = Dice(11);
     let s = thrown(4000, 1, 1, &mut dice);
     let at_surface: Vec<bool> = s.at[1].iter().map(|&y| y > 0.95).collect();

@@ -1,4 +1,4 @@
-//! Screens: the middle lines of thin walls, which nothing sees through (THEORY T1), and who has passed one (T5).
+//! Plate midlines: they hide what is behind them (THEORY T1), and particles that cross them are found (T5).
 
 use crate::particles::Particles;
 
@@ -15,16 +15,16 @@ pub struct PlateMidline {
     pub own_image: bool,
 }
 
-/// A fluid particle that went through a screen in the step just taken.
+/// A fluid particle that crossed a midline in the step just taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {
     /// Index of the particle.
     pub particle: usize,
-    /// Which screen.
+    /// Index of the midline.
     pub midline: usize,
-    /// The place of the screen where it went through, at the step's end [m].
+    /// The place of the midline where it went through, at the step's end [m].
     pub at: [f64; 2],
-    /// Unit normal of the screen there, to the side that the particle came from [-].
+    /// Unit normal of the midline there, to the side that the particle came from [-].
     pub normal: [f64; 2],
 }
 
@@ -32,7 +32,7 @@ pub struct Passage {
 const LAP: f64 = 1e-3;
 
 impl PlateMidline {
-    /// The screen `offset` [s] from the end of a step of `dt` [s], between its start and its end.
+    /// The midline `offset` [s] from the end of a step of `dt` [s], between its start and its end.
     pub fn at(&self, offset: f64, dt: f64) -> PlateMidline {
         let back = if dt > 0.0 { -offset / dt } else { 0.0 };
         if self.start.len() != self.points.len() || back == 0.0 {
@@ -42,7 +42,7 @@ impl PlateMidline {
         PlateMidline { points: self.points.iter().zip(&self.start).map(between).collect(), start: Vec::new(), ..*self }
     }
 
-    /// T5: where a particle that moved from `from` to `to` [m] in the step went through the screen, and the normal to
+    /// T5: where a particle that moved from `from` to `to` [m] in the step crossed the midline, and the normal to
     /// the side it came from; `None` if it is on the same side, or went round an end.
     pub fn passed(&self, from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
         let start = if self.start.len() == self.points.len() { &self.start } else { &self.points };
@@ -63,7 +63,7 @@ impl PlateMidline {
                 continue;
             }
             if along < LAP && at_corner == Some(k) {
-                continue; // through the corner that the side before ends at: told once
+                continue; // through the corner that the side before ends at: counted once
             }
             at_corner = (along > 1.0 - LAP).then_some(k + 1);
             times += 1;
@@ -154,9 +154,9 @@ mod tests {
         assert_eq!(still.passed([0.1, 0.2], [0.001, 0.4]), None);
     }
 
-    /// A plate that sweeps past a particle at rest has been gone through; one that is followed has not.
+    /// A plate that moves past a particle at rest has been crossed; one that the particle follows has not.
     #[test]
-    fn the_screens_own_motion_counts() {
+    fn the_motion_of_the_midline_counts() {
         let moved = PlateMidline { points: upright(0.2), start: upright(0.0), ..PlateMidline::default() };
         let (at, normal) = moved.passed([0.1, 0.3], [0.1, 0.3]).expect("swept over");
         assert!((at[0] - 0.2).abs() < 1e-15 && normal == [1.0, 0.0], "put before the plate: {at:?} {normal:?}");

@@ -1,4 +1,4 @@
-//! Walls: boundary particles that somebody else moves.
+//! Walls: boundary particles that their owners move.
 //!
 //! Owners (bodies, tank walls) keep their particles contiguous and in their own order. Before a step
 //! they write position, velocity and acceleration *at the end of the step*; after it they read forces.
@@ -41,11 +41,20 @@ pub struct WallPoint {
     pub spacing: f64,
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
-    /// The screen, of its owner's, that it is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
+    /// Index of the midline, among its owner's, of the thin plate that it belongs to (THEORY T2); `None` for ordinary walls.
     pub midline: Option<u32>,
 }
 
 /// All boundary particles. One entry per particle in every array.
+///
+/// ```
+/// use sph_core::{WallPoint, Walls};
+/// let point = WallPoint { at: [0.0, -0.05], normal: [0.0, 1.0], area: 0.01, spacing: 0.1, depth: 0.05, midline: None };
+/// let mut walls = Walls::default();
+/// let floor = walls.extend(&[point], 1.5);
+/// walls.fy[0] = 3.0;
+/// assert_eq!(walls.forces(floor).resultant([1.0, 0.0]).moment, -3.0);
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Walls {
     /// Length of the step that the kinematics are given for [s]; written by the fluid.
@@ -83,11 +92,11 @@ pub struct Walls {
     /// Mean force over the step [N/m].
     pub mean_fy: Vec<f64>,
     /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
-    /// ends, lacks of the mean moment.
+    /// ends, has to be corrected by.
     pub mean_swing: Vec<f64>,
     /// Middle lines of thin walls (THEORY T1), in the order of their owners.
     pub midlines: Vec<PlateMidline>,
-    /// The screen that each is a thin wall's particle of (THEORY T2); `None` for ordinary walls.
+    /// Index of the midline of the thin plate that each belongs to (THEORY T2); `None` for ordinary walls.
     pub midline: Vec<Option<u32>>,
     /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (PB6); else empty.
     pub start_velocity: Vec<[f64; 2]>,
@@ -96,8 +105,8 @@ pub struct Walls {
 impl Walls {
     /// Velocity of particle `k` at the start of a step of `dt` [m/s].
     pub fn velocity_at_start(&self, k: usize, dt: f64) -> [f64; 2] {
-        let told = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
-        self.start_velocity.get(k).copied().unwrap_or_else(told)
+        let from_kinematics = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
+        self.start_velocity.get(k).copied().unwrap_or_else(from_kinematics)
     }
 
     /// Number of boundary particles.
@@ -110,7 +119,7 @@ impl Walls {
         self.x.is_empty()
     }
 
-    /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing. The owner's screens,
+    /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing. The owner's midlines,
     /// which its particles count from 0, are to be appended next.
     pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> std::ops::Range<usize> {
         let start = self.len();

@@ -1,4 +1,4 @@
-//! Who sees whom where there are screens (THEORY T1, T2): pairs that a screen parts are struck from the neighbour lists.
+//! Visibility across plate midlines (THEORY T1, T2): pairs that a midline separates are masked out of the neighbour lists.
 
 use crate::neighbours::cells::Point;
 use crate::neighbours::images::Mirror;
@@ -9,15 +9,15 @@ use crate::walls::midline::PlateMidline;
 
 /// A thin wall's particle faces the water this far above its surface, in its smoothing lengths.
 const ABOVE: f64 = 0.3;
-/// Around an end lists last until somebody has moved this many smoothing lengths (T4).
+/// Around an end lists last until a particle has moved this many smoothing lengths (T4).
 const END_SKIN: f64 = 0.25;
 /// What counts as around an end, in smoothing lengths.
 const END_REACH: f64 = 2.5;
-/// A screen parts water whose nearest places of it are no farther apart along it than this many times the reach of the
+/// A midline separates water whose nearest places of it are no farther apart along it than this many times the reach of the
 /// two: the turns of a coil do not part what lies between them.
 const ALONG: f64 = 4.0;
 
-/// Where somebody is, seen from a screen.
+/// Where a particle is, seen from a midline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Zone {
     /// On its left, as it runs from its first corner to its last.
@@ -30,16 +30,16 @@ enum Zone {
     Last,
 }
 
-/// Where somebody is, seen from a screen near by.
+/// Where a particle is, seen from a midline near by.
 #[derive(Clone, Copy, Debug)]
 struct Standing {
     midline: u32,
     zone: Zone,
-    /// Length of the screen up to the place of it that is nearest [m].
+    /// Length of the midline up to the place of it that is nearest [m].
     along: f64,
 }
 
-/// A screen as it stands at one moment, or its image.
+/// A midline as it stands at one moment, or its image.
 struct Line {
     midline: u32,
     corners: Vec<[f64; 2]>,
@@ -95,14 +95,14 @@ impl Line {
     }
 }
 
-/// Screens as they stand at one moment, with their images.
+/// Midlines as they stand at one moment, with their images.
 #[derive(Default)]
 pub(crate) struct Visibility {
     lines: Vec<Line>,
 }
 
 impl Visibility {
-    /// Of screens where they are now. Images count after the screens themselves.
+    /// Of midlines where they are now. Images count after the midlines themselves.
     pub fn new(midlines: &[PlateMidline], mirror: Option<Mirror>) -> Visibility {
         let line = |midline: usize, corners: Vec<[f64; 2]>| {
             let box_ = crate::walls::midline::bounds(corners.iter());
@@ -135,13 +135,13 @@ pub(crate) struct View<'a> {
 }
 
 impl View<'_> {
-    /// T1: true where no screen stands between the place and q [m].
+    /// T1: true where no midline stands between the place and q [m].
     pub fn shows(&self, q: [f64; 2]) -> bool {
         self.standings.is_empty() || !separated(&self.standings, &self.visibility.standings(q, self.reach), self.reach)
     }
 }
 
-/// T1: true where some screen has one on its left and the other on its right.
+/// T1: true where a midline has one on its left and the other on its right.
 fn separated(a: &[Standing], b: &[Standing], reach: f64) -> bool {
     a.iter().any(|a| {
         b.iter().any(|b| {
@@ -154,7 +154,7 @@ fn separated(a: &[Standing], b: &[Standing], reach: f64) -> bool {
 /// A boundary particle as it is looked at: where the water stands that it faces.
 #[derive(Clone, Debug, Default)]
 struct Seen {
-    /// Its own screen and zone, if it is a thin wall's.
+    /// Its own midline and zone, if it is a thin plate's.
     own: Option<(u32, Option<Zone>)>,
     standings: Vec<Standing>,
 }
@@ -173,13 +173,13 @@ impl Seen {
 /// Thin walls at the moment of a search.
 #[derive(Clone, Copy)]
 pub struct ThinWalls<'a> {
-    /// Their screens, where they are then.
+    /// Their midlines, where they are then.
     pub midlines: &'a [PlateMidline],
     /// All walls.
     pub walls: &'a Walls,
 }
 
-/// Neighbour lists to be thinned out, and where everybody is who is listed, images included.
+/// Positions of all listed particles, images included.
 pub(crate) struct Listed<'a> {
     pub fluid: &'a [Point],
     pub wall: &'a [Point],
@@ -201,12 +201,12 @@ impl ThinWalls<'_> {
         });
     }
 
-    /// T1, T2: strike out of the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around
-    /// mirror points who does not see the other.
+    /// T1, T2: mask in the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around
+    /// mirror points all pairs that a midline separates.
     pub(crate) fn mask(&self, listed: &Listed<'_>, [fluid, walls_of_fluid, of_wall, of_mirror]: [&mut Lists; 4]) {
         let visibility = Visibility::new(self.midlines, listed.mirror);
         let widest = |points: &[Point]| points.iter().map(|p| p.reach).fold(0.0, f64::max);
-        // a thin wall's particle lies as deep behind its screen at most, at a mitre twice as deep
+        // a thin wall's particle lies as deep behind its midline at most, at a mitre twice as deep
         let thin = self.walls.depth.iter().zip(&self.walls.midline).filter(|(_, midline)| midline.is_some());
         let deepest = thin.map(|(depth, _)| 2.0 * depth).fold(0.0, f64::max);
         let reach = 2.0 * widest(listed.fluid).max(widest(listed.wall)) + deepest;
@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn a_screen_parts_its_left_from_its_right_and_neither_from_what_is_past_its_ends() {
+    fn a_midline_separates_its_left_from_its_right_and_neither_from_what_is_past_its_ends() {
         assert!(!free([-0.1, 0.5], [0.1, 0.5]) && !free([-0.1, 0.99], [0.1, 0.98]));
         assert!(free([0.1, 0.1], [0.1, 0.9]));
         assert!(free([-0.1, 0.95], [0.1, 1.05]) && free([0.1, -0.05], [-0.1, 0.05]));

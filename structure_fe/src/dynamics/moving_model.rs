@@ -106,10 +106,14 @@ impl MovingModel {
         };
         let State { displacement, velocity, acceleration, plastic_curvature, .. } = state;
         self.system.elastic_forces(displacement, plastic_curvature, &mut internal, None);
-        let viscous = self.system.viscous_forces(displacement, velocity, &self.damping, &mass.nodal);
-        let inertia = combine(&mass.nodal, acceleration, |mass, a| mass * a);
-        let elastic = combine(load, &internal, |load, elastic| load - elastic);
-        combine(&elastic, &combine(&viscous, &inertia, |a, b| a + b), |elastic, others| elastic - others)
+        let mut forces = self.system.viscous_forces(displacement, velocity, &self.damping, &mass.nodal);
+        for (node, force) in forces.iter_mut().enumerate() {
+            for dof in 0..3 {
+                let inertia = mass.nodal[node][dof] * acceleration[node][dof];
+                force[dof] = (load[node][dof] - internal[node][dof]) - (force[dof] + inertia);
+            }
+        }
+        forces
     }
 
     /// Sets the accelerations of a state to those that supports and rigid links prescribe; returns the unbalanced forces,

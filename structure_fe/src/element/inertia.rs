@@ -4,6 +4,7 @@
 //! give, beside M a, terms in the angular velocity of the chord, which conserve momentum and energy in large rotations
 //! (THEORY S12; compare Le, Battini & Hjiaj 2011, who also rotate the shape functions with the local deflection).
 
+use super::mass::mass_times;
 use super::{Chord, ElementConstants, Ends, EndsMatrix};
 use super::{add_deformation_matrix, add_elastic_tangent, deformation_forces, end_forces};
 
@@ -42,7 +43,7 @@ fn quarter_turn(x: &Ends) -> Ends {
 /// dM/dalpha x = J M x - M J x.
 #[inline]
 fn mass_by_angle(mass: &EndsMatrix, x: &Ends) -> Ends {
-    quarter_turn(&(mass * x)) - mass * quarter_turn(x)
+    quarter_turn(&mass_times(mass, x)) - mass_times(mass, &quarter_turn(x))
 }
 
 /// Derivative of the chord's angle by the end values, in its axes: dalpha = a_z^T dq.
@@ -69,7 +70,8 @@ pub(crate) fn response(
     let dm_v = mass_by_angle(mass, &v);
     let viscous = viscous_forces(element, &chord, &v, damping);
 
-    let inertia = mass * a + chord.angular_velocity(&v) * dm_v - 0.5 * v.dot(&dm_v) * angle_gradient(&chord);
+    let inertia =
+        mass_times(mass, &a) + chord.angular_velocity(&v) * dm_v - 0.5 * v.dot(&dm_v) * angle_gradient(&chord);
     let elastic = end_forces(&deformation_forces(element, &chord.deformation), chord.length);
     let force = chord.to_global(&(inertia + (elastic + end_forces(&viscous, chord.length))));
 

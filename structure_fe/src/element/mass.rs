@@ -1,6 +1,6 @@
 //! Consistent mass of an element, in its own axes.
 
-use super::ends::EndsMatrix;
+use super::ends::{Ends, EndsMatrix};
 
 /// The consistent mass matrix in the element's axes \[kg, kg m, kg m^2\] (THEORY S4) of an element of `mass` m
 /// \[kg\], `length` L \[m\] and `shear_parameter` Phi \[-\]: linear u; for w the element's own shape functions, those
@@ -31,6 +31,15 @@ pub(crate) fn consistent_mass(mass: f64, length: f64, shear_parameter: f64, radi
         0.0,   m13, -m14,  0.0,   m11, -m12,
         0.0,   m14,  m24,  0.0,  -m12,  m22,
     )
+}
+
+/// M v of a mass matrix in the element's axes, without its blocks of zeros.
+#[inline]
+pub(crate) fn mass_times(mass: &EndsMatrix, v: &Ends) -> Ends {
+    Ends::from_fn(|i, _| match i % 3 {
+        0 => mass[(i, 0)] * v[0] + mass[(i, 3)] * v[3],
+        _ => mass[(i, 1)] * v[1] + mass[(i, 2)] * v[2] + mass[(i, 4)] * v[4] + mass[(i, 5)] * v[5],
+    })
 }
 
 #[cfg(test)]

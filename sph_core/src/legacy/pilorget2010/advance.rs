@@ -35,7 +35,7 @@ impl Thesis {
             if pass > 0 && (self.density_error < settings.density_tolerance || pass == settings.inner_passes) {
                 break;
             }
-            // the first pass finds the pressure, from the last one; the others what it lacks (J11)
+            // the first pass finds the pressure, from the last one; the others its correction (J11)
             let first = pass == 0 && !carried;
             let mut change = if first { pressure.clone() } else { vec![0.0; pressure.len()] };
             self.solve(system, walls, dt, &mut change, &mut scale)?; // J6

@@ -1,4 +1,4 @@
-//! Everybody who plays: fluid, limit particles, dummies, those mirrored at the surface, images of a plane of symmetry.
+//! All particles of a step: fluid, limit particles, dummies, those mirrored at the surface, images of a plane of symmetry.
 
 use crate::neighbours::images::Mirror;
 

@@ -1,4 +1,4 @@
-//! Masses, and what a density sum lacks (THEORY J1–J3).
+//! Masses, and the deficit of a density sum (THEORY J1–J3).
 
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};

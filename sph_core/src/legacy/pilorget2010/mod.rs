@@ -100,7 +100,7 @@ impl Scheme for Thesis {
         self.gather_viscosity(system, walls, &mut forces);
         system.timers.begin(Phase::Pressure);
         let trial = self.predict(system, &forces, dt);
-        forces.release(&mut system.particles);
+        (system.particles.ax, system.particles.ay) = (forces.x, forces.y); // to be written anew
         self.advance(system, walls, trial)
     }
 

@@ -45,7 +45,7 @@ impl Assembly<'_> {
                 }
             }
             if diagonal == 0.0 {
-                (diagonal, source) = (1.0, 0.0); // nobody near
+                (diagonal, source) = (1.0, 0.0); // no neighbours
             }
             a.diagonal.push(diagonal);
             a.start.push(a.column.len() as u32);

@@ -10,7 +10,7 @@ use crate::interactions::dissipation::Dissipation;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MassRule {
-    /// One mass, that of a particle with a whole support; what the others lack is stored (J1, J2).
+    /// One mass, that of a particle with a whole support; the deficits of the others are stored (J1, J2).
     #[default]
     Interior,
     /// All masses from W m = ρ₀ (J3): the thesis's first attempt, which gives negative ones.

@@ -7,7 +7,7 @@ use crate::walls::Walls;
 use crate::legacy::pilorget2010::cast::Player;
 
 impl Thesis {
-    /// Put everybody where they are at the step's beginning (`offset` −Δt), or where the trial takes them.
+    /// Put all particles where they are at the step's beginning (`offset` −Δt), or where the trial takes them.
     pub(crate) fn assign(&mut self, system: &ParticleSystem, walls: &Walls, offset: f64, trial: Option<&Trial>) {
         let drift = trial.map(|trial| self.drift_of_sides(system, trial));
         let (p, n, limits) = (&system.particles, system.particles.len(), &self.limits);

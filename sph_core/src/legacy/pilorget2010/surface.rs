@@ -32,7 +32,7 @@ pub(crate) fn normal(cast: &Cast, pairs: &Pairs, i: usize) -> Option<[f64; 2]> {
     (length > 0.0).then(|| sum.map(|c| c / length))
 }
 
-/// J8: everybody below the surface, as mirrored by the nearest surface particle that touches water; `fluid` rows are water.
+/// J8: all particles below the surface, as mirrored by the nearest surface particle that touches water; `fluid` rows are water.
 pub(crate) fn reflections(cast: &Cast, pairs: &Pairs, at_surface: &[bool], fluid: usize) -> Vec<Reflection> {
     let mut nearest: Vec<Option<(f64, Reflection)>> = vec![None; cast.own];
     for s in (0..cast.rows).filter(|&s| at_surface[s]) {

@@ -15,7 +15,7 @@ const COVER: f64 = 1.0;
 const HOLE: [f64; 2] = [1.0, 4.0];
 /// Air is felt in full up to the first distance beyond the support [spacings], not beyond the second.
 const FEEL: [f64; 2] = [0.1, 0.5];
-/// Share of a filling whose lack shows air for certain, unless rows of a flat surface lack less [-].
+/// Missing share of a kernel sum that shows air for certain, unless less is missing in a row of a flat surface [-].
 const FAINT: f64 = 0.001;
 
 /// Relative error of spacings that are a power of two apart [-].
@@ -33,7 +33,7 @@ pub struct SurfaceDetection {
     least: f64,
 }
 
-/// Doublings of the least spacing that a spacing is worth: which raster it looks at.
+/// Doublings of the least spacing that a spacing is worth: which grid it reads.
 fn level(dx: f64, least: f64) -> usize {
     let (mut level, mut next) = (0, 2.0 * (1.0 - ROUNDING) * least);
     while dx >= next {

@@ -1,4 +1,4 @@
-//! What a lattice with a flat surface gives the sums of a survey: the norm of gradients, and how a row's depth shows.
+//! Sums over pairs on a lattice with a flat surface: the norm of gradients, and the depth of a row.
 
 use crate::interactions::kernel::Kernel;
 
@@ -17,7 +17,7 @@ pub struct Lattice {
 /// Rows of a flat surface that are looked at.
 const ROWS: usize = 4;
 
-/// What a row of a flat surface lacks.
+/// The missing part of the sums in a row of a flat surface.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Closure {
     /// Filling Σ V W [-].
@@ -26,7 +26,7 @@ pub struct Closure {
     pub depth: f64,
     /// |Σ V ∇W| Δx/(depth/Δx) [-]: half of the diagonal's excess that makes a linear pressure exact.
     pub link: f64,
-    /// τ: what the air's share of the pressure gradient lacks, over what the row's own pressure gives [-].
+    /// τ: the missing share of the pressure gradient beside air, over that of the row's own pressure [-].
     pub pull: f64,
 }
 
@@ -74,12 +74,12 @@ impl Lattice {
         Lattice { gradient, kernel_sum, face, rows }
     }
 
-    /// Share of its kernel_sum that the deepest row which lacks anything lacks [-].
+    /// Missing share of the kernel sum in the deepest row where any is missing [-].
     pub fn faintest(&self) -> f64 {
         self.rows.iter().map(|row| 1.0 - row.kernel_sum).filter(|&missing| missing > 1e-9).fold(1.0, f64::min)
     }
 
-    /// What a particle of this kernel_sum, near air, lacks.
+    /// The missing part of the sums of a particle of this kernel sum, near air.
     pub fn closure(&self, kernel_sum: f64) -> Closure {
         let kernel_sum = kernel_sum / self.kernel_sum;
         let first = self.rows[0];

@@ -18,7 +18,7 @@ pub struct OccupancyGrid {
     pub origin: [f64; 2],
     /// Side of a cell [m].
     pub side: f64,
-    /// Cells in a row; 0 where there is no raster.
+    /// Cells in a row; 0 where there is no grid.
     pub columns: usize,
     /// Rows.
     pub rows: usize,
@@ -62,7 +62,7 @@ struct Holes {
 }
 
 impl OccupancyGrid {
-    /// An open raster over the box from `lo` to `hi` [m].
+    /// An open grid over the box from `lo` to `hi` [m].
     pub fn lay(&mut self, lo: [f64; 2], hi: [f64; 2], side: f64) {
         let margin = MARGIN * side;
         self.origin = [lo[0] - margin, lo[1] - margin];
@@ -93,7 +93,7 @@ impl OccupancyGrid {
         }
     }
 
-    /// Cover the cells whose centres lie in covered cells of a finer raster, which was judged.
+    /// Cover the cells whose centres lie in covered cells of a finer grid, which was classified.
     pub fn copy(&mut self, finer: &OccupancyGrid) {
         if finer.columns == 0 {
             return;
@@ -170,7 +170,7 @@ impl OccupancyGrid {
         })
     }
 
-    /// How much the cell is air [-], the cell inside the raster.
+    /// How much the cell is air [-], the cell inside the grid.
     #[inline(always)]
     pub fn share(&self, column: usize, row: usize) -> f64 {
         f64::from(self.air[row * self.columns + column]) / ALL
@@ -304,7 +304,7 @@ mod tests {
 
     /// Two halves of a pond, the left one drawn finely first: the same cells are covered but for those at its edge.
     #[test]
-    fn a_coarse_raster_takes_over_what_a_finer_one_has() {
+    fn a_coarse_grid_takes_over_what_a_finer_one_has() {
         let mut fine = OccupancyGrid::default();
         fine.lay([0.0; 2], [1.0, 1.0], 0.05);
         fine.add(0.5, 0.5, 0.45);

@@ -3,12 +3,12 @@
 use crate::projection::linear_solver::matrix::Matrix;
 
 /// Not part of any aggregate.
-pub(crate) const NOBODY: u32 = u32::MAX;
+pub(crate) const NO_ROW: u32 = u32::MAX;
 
 /// Who belongs to whom.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Aggregates {
-    /// The aggregate of each row, or [`NOBODY`].
+    /// The aggregate of each row, or [`NO_ROW`].
     pub of: Vec<u32>,
     /// Where each aggregate's members start; one more entry than aggregates.
     pub starts: Vec<u32>,
@@ -28,22 +28,22 @@ impl Aggregates {
         &self.members[self.starts[c] as usize..self.starts[c + 1] as usize]
     }
 
-    /// PS5: a row and everybody strongly coupled to it, wherever none of them is taken; whoever is left joins the one
+    /// PS5: a row and all rows strongly coupled to it, where none of them is taken; a row that is left joins the one
     /// to whom it is coupled most. Strong is at least `share` of the row's largest coupling. Rows without couplings
     /// stay out.
     pub fn find(&mut self, a: &Matrix, share: f64) {
         let (n, of) = (a.rows(), &mut self.of);
         of.clear();
-        of.resize(n, NOBODY);
+        of.resize(n, NO_ROW);
         let mut count = 0;
         for i in 0..n {
-            if of[i] != NOBODY {
+            if of[i] != NO_ROW {
                 continue;
             }
             let run = a.starts[i]..a.starts[i + 1];
             let (columns, values) = (&a.columns[run.clone()], &a.values[run]);
             let strong = share * values.iter().fold(0.0, |least: f64, &v| if v < least { v } else { least });
-            if strong == 0.0 || columns.iter().zip(values).any(|(&j, &v)| v <= strong && of[j as usize] != NOBODY) {
+            if strong == 0.0 || columns.iter().zip(values).any(|(&j, &v)| v <= strong && of[j as usize] != NO_ROW) {
                 continue;
             }
             of[i] = count;
@@ -58,26 +58,26 @@ impl Aggregates {
         self.list(count as usize);
     }
 
-    /// Whoever is left joins the aggregate whose member it is coupled to most.
+    /// A row that is left joins the aggregate whose member it is coupled to most.
     fn join(&mut self, a: &Matrix, count: u32) {
         /// Marks a row that has joined in this pass, so that chains do not form.
         const JOINED: u32 = 1 << 31;
         for i in 0..a.rows() {
-            if self.of[i] != NOBODY {
+            if self.of[i] != NO_ROW {
                 continue;
             }
-            let (mut most, mut to) = (0.0, NOBODY);
+            let (mut most, mut to) = (0.0, NO_ROW);
             for (j, v) in a.row(i) {
                 if v < most && self.of[j] < count {
                     (most, to) = (v, self.of[j]);
                 }
             }
-            if to != NOBODY {
+            if to != NO_ROW {
                 self.of[i] = to | JOINED;
             }
         }
         for of in &mut self.of {
-            *of = if *of == NOBODY { NOBODY } else { *of & !JOINED };
+            *of = if *of == NO_ROW { NO_ROW } else { *of & !JOINED };
         }
     }
 
@@ -93,7 +93,7 @@ impl Aggregates {
         let Aggregates { of, starts, members } = self;
         starts.clear();
         starts.resize(count + 1, 0);
-        for &c in of.iter().filter(|&&c| c != NOBODY) {
+        for &c in of.iter().filter(|&&c| c != NO_ROW) {
             starts[c as usize + 1] += 1;
         }
         for c in 0..count {
@@ -102,7 +102,7 @@ impl Aggregates {
         members.clear();
         members.resize(starts[count] as usize, 0);
         for (i, &c) in of.iter().enumerate().rev() {
-            if c != NOBODY {
+            if c != NO_ROW {
                 starts[c as usize + 1] -= 1;
                 members[starts[c as usize + 1] as usize] = i as u32;
             }

@@ -53,7 +53,7 @@ struct Given<'a> {
 }
 
 /// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve
-/// to solve: whoever takes a step back and wants the same bits again keeps a clone as well.
+/// to solve: to repeat a step to the same bits, keep a clone as well.
 #[derive(Clone, Debug, Default)]
 pub struct PressureSolver {
     hierarchy: Hierarchy,

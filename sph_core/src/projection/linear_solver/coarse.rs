@@ -1,7 +1,7 @@
 //! Matrices of coarser levels (THEORY PS5, PS6).
 
 use crate::parallel::{self, CHUNK};
-use crate::projection::linear_solver::aggregates::{Aggregates, NOBODY};
+use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
 use crate::projection::linear_solver::matrix::Matrix;
 
 /// Row sums below this share of the diagonals behind them are zero but for rounding [-].
@@ -69,13 +69,13 @@ pub(crate) struct RowSum {
 
 impl Default for RowSum {
     fn default() -> RowSum {
-        RowSum { table: vec![NOBODY; 64], columns: Vec::new(), values: Vec::new() }
+        RowSum { table: vec![NO_ROW; 64], columns: Vec::new(), values: Vec::new() }
     }
 }
 
 impl RowSum {
     fn begin(&mut self) {
-        self.table.fill(NOBODY);
+        self.table.fill(NO_ROW);
         self.columns.clear();
         self.values.clear();
     }
@@ -105,10 +105,10 @@ impl RowSum {
         if 2 * self.columns.len() > self.table.len() {
             let mask = 2 * self.table.len() - 1;
             self.table.clear();
-            self.table.resize(mask + 1, NOBODY);
+            self.table.resize(mask + 1, NO_ROW);
             for (place, &c) in self.columns.iter().enumerate() {
                 let mut slot = c as usize & mask;
-                while self.table[slot] != NOBODY {
+                while self.table[slot] != NO_ROW {
                     slot = (slot + 1) & mask;
                 }
                 self.table[slot] = place as u32;
@@ -153,7 +153,7 @@ pub(crate) fn collapse(
                 for (j, v) in a.row(i) {
                     let to = aggregates.of[j];
                     tied += v;
-                    if to as usize != row && to != NOBODY {
+                    if to as usize != row && to != NO_ROW {
                         sum.add(to, v);
                     }
                 }
@@ -190,11 +190,11 @@ pub(crate) fn smoothed(a: &Matrix, aggregates: &Aggregates, omega: f64, sum: &mu
         sum.begin();
         if a.diagonal[i] > 0.0 {
             let step = omega / a.diagonal[i];
-            if aggregates.of[i] != NOBODY {
+            if aggregates.of[i] != NO_ROW {
                 sum.add(aggregates.of[i], 1.0 - omega);
             }
             for (j, v) in a.row(i) {
-                if aggregates.of[j] != NOBODY {
+                if aggregates.of[j] != NO_ROW {
                     sum.add(aggregates.of[j], -step * v);
                 }
             }

@@ -37,7 +37,7 @@ pub(crate) struct Hierarchy {
     made_at: Vec<[f64; 2]>,
     now_at: Vec<[f64; 2]>,
     moved: Vec<u32>,
-    /// Whose rows those of the hierarchy are, and where each stands; empty where nobody said.
+    /// Identities of the rows of the hierarchy, and where each stands; empty where they are not known.
     id: Vec<u32>,
     place: Vec<u32>,
     /// Made for an earlier matrix.

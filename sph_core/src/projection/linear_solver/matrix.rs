@@ -35,7 +35,7 @@ pub struct RankOne {
 }
 
 impl Matrix {
-    /// I6: the rows that a survey found, each with its excess on the diagonal.
+    /// I6: the rows of the assembled operators, each with its excess on the diagonal.
     pub(crate) fn assemble(&mut self, operators: &Operators, excess: &[f64], search: &Neighbours) {
         let n = excess.len();
         self.starts.resize(n + 1, 0);
@@ -143,7 +143,7 @@ struct Piece<'a> {
 }
 
 impl Piece<'_> {
-    /// The rows as found; an image stands for its source, and a row's own images for nobody.
+    /// The rows as found; an image stands for its source, and a row's own images are left out.
     fn fill(&mut self, found: &ChunkPairs, rows: Range<usize>, excess: &[f64], search: &Neighbours) {
         let n = excess.len();
         let mut end = 0;

@@ -1,7 +1,7 @@
 //! A hierarchy of coarser systems as an approximate inverse (THEORY PS5–PS7).
 
 use crate::parallel;
-use crate::projection::linear_solver::aggregates::{Aggregates, NOBODY};
+use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
 use crate::projection::linear_solver::coarse::{Collected, RowSum, Sparse, collapse, smoothed, triple};
 use crate::projection::linear_solver::matrix::Matrix;
 use faer::linalg::solvers::{Llt, SolveCore};
@@ -25,7 +25,7 @@ const FEW: usize = 60;
 const SPRING: f64 = 1e-3;
 /// Levels at most.
 const DEEPEST: usize = 12;
-/// Sweeps over fewer targets are not worth a second thread.
+/// Loops over fewer targets are not worth a second thread.
 const NOT_WORTH: usize = 2048;
 
 fn gather(out: &mut [f64], value: impl Fn(usize) -> f64 + Sync) {
@@ -114,7 +114,7 @@ impl Multigrid {
         parallel::update_chunks(sums, z, |rows, chunk| {
             let mut sum = 0.0;
             for (i, z) in rows.zip(chunk) {
-                let coarse = if of[i] == NOBODY { 0.0 } else { e[of[i] as usize] };
+                let coarse = if of[i] == NO_ROW { 0.0 } else { e[of[i] as usize] };
                 *z = if inverse[i] == 0.0 { 0.0 } else { coarse + STEP * inverse[i] * r[i] };
                 sum += *z * r[i];
             }

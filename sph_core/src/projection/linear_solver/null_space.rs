@@ -1,6 +1,6 @@
 //! Pressures that no equation fixes: water that no free surface, no pin and no body gives a level (THEORY PS4).
 
-use crate::projection::linear_solver::aggregates::NOBODY;
+use crate::projection::linear_solver::aggregates::NO_ROW;
 use crate::projection::linear_solver::matrix::{Matrix, RankOne};
 
 /// Shares of a body's g below this, against its length, do not fix a level [-].
@@ -23,10 +23,10 @@ impl Components {
     pub fn find(&mut self, a: &Matrix, aggregates: Option<&[u32]>) {
         let Components { node: of, floating, pending, .. } = self;
         of.clear();
-        of.resize(a.rows(), NOBODY);
+        of.resize(a.rows(), NO_ROW);
         floating.clear();
         for seed in 0..a.rows() {
-            if of[seed] != NOBODY {
+            if of[seed] != NO_ROW {
                 continue;
             }
             let name = floating.len() as u32;
@@ -39,7 +39,7 @@ impl Components {
                     floating[name as usize] = false;
                 }
                 for (j, value) in a.row(i) {
-                    if value != 0.0 && of[j] == NOBODY {
+                    if value != 0.0 && of[j] == NO_ROW {
                         of[j] = name;
                         pending.push(j as u32);
                     }

@@ -24,7 +24,7 @@ pub(crate) struct System {
     pub at: [Vec<f64>; 3],
 }
 
-/// `n` points thrown into a box per `boxes`, far from each other; within a box whoever is near is coupled. The first
+/// `n` points thrown into a box per `boxes`, far from each other; within a box near points are coupled. The first
 /// `open` boxes have a surface.
 pub(crate) fn thrown(n: usize, boxes: usize, open: usize, dice: &mut Dice) -> System {
     let points: Vec<[f64; 2]> = (0..n * boxes).map(|k| [10.0 * (k / n) as f64 + dice.throw(), dice.throw()]).collect();

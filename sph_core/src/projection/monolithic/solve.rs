@@ -16,7 +16,7 @@ use crate::projection::monolithic::subspace::Subspace;
 const FEW: usize = 6;
 /// Residuals along which is searched in a solve, at most.
 const MOST: usize = 40;
-/// What accelerations lack, over those that forces cause and that result, at which a search along residuals ends [-].
+/// Residual of the accelerations, relative, at which a search along residuals ends [-].
 const ENOUGH: f64 = 1e-7;
 
 /// What is kept from step to step.
@@ -81,7 +81,7 @@ impl<'a> MonolithicSolve<'a> {
     }
 
     /// PB3–PB5: the pressure equation has been solved with the present unknowns; change unknowns, right side and pressures
-    /// together until the unknowns lack nothing.
+    /// together until the residual vanishes.
     pub fn solve(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
         if self.unknowns.is_empty() {
             return Ok(());
@@ -136,7 +136,7 @@ impl<'a> MonolithicSolve<'a> {
         let before: Vec<[f64; 2]> = self.accelerations();
         let held = self.residual(equation.pressure).residual;
         self.set_trial(&moved);
-        // a direction in which an owner is held never lacks anything itself
+        // the residual along a direction in which an owner is held does not change
         if few && self.residual(equation.pressure).residual[k] == held[k] {
             return Ok(None);
         }
@@ -198,7 +198,7 @@ impl<'a> MonolithicSolve<'a> {
         self.trial.ax.iter().zip(&self.trial.ay).map(|(x, y)| [*x, *y]).collect()
     }
 
-    /// PB3: what the unknowns supposed lack under pressures.
+    /// PB3: residual of the trial unknowns under pressures.
     fn residual(&self, pressure: &[f64]) -> InterfaceResidual {
         let (g, rho0) = (self.domain.gravity, self.domain.fluid.density);
         let mut all = InterfaceResidual::default();
