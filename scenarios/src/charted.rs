@@ -274,8 +274,7 @@ mod tests {
 
     #[test]
     fn the_programs_own_fits_are_of_its_charts() {
-        let cases =
-            crate::experiments::catalogue::all::<crate::experiments::work_precision::Case>().expect("they parse");
+        let cases = crate::experiments::work_precision::CHARTS.all().expect("they parse");
         assert!(!LAWS.is_empty());
         for fit in LAWS.iter() {
             let case = cases.iter().find(|c| c.name == fit.case).unwrap_or_else(|| panic!("{}", fit.case));

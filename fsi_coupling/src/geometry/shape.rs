@@ -11,7 +11,7 @@ const ARC_STEP: f64 = std::f64::consts::PI / 180.0;
 /// The closed outline of a body, in the body's own frame [m].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "shape", rename_all = "snake_case")]
-#[schemars(extend("x-tag" = "Shape of the body; polyline is a bent plate"))]
+#[schemars(extend("x-shape-doc" = "Shape of the body; polyline is a bent plate"))]
 pub enum Shape {
     /// A symmetric wedge with vertical sides; the frame's origin is the keel.
     Wedge {

@@ -13,7 +13,7 @@
 //! | `schemars(extend("x-when" = ".scheme = iqn_ils"))` | the key is refused where it has no effect |
 //! | `schemars(extend("x-neutral" = 0))` | under another tag the key may stand with this value only, else off or with its default |
 //! | `schemars(extend("x-ignored-elsewhere" = true))` | under another tag the key is ignored |
-//! | `serde(flatten)` of an enum with `serde(tag = "shape")` | the tag's value selects the keys |
+//! | `serde(flatten)` of an enum with `serde(tag = "shape")` | the tag's value selects the keys; `x-shape-default`, `x-shape-doc` |
 //!
 //! ```
 //! use fsi_coupling::settings::Schema;

@@ -107,6 +107,11 @@ impl<'s> Node<'s> {
         })
     }
 
+    /// The key that selects among this table's variants.
+    pub fn tag_name(self) -> Option<&'s str> {
+        self.variants().next().map(|(_, tag, _)| tag)
+    }
+
     /// The keys of a table with this content.
     pub fn keys(self, content: &Map<String, Value>) -> Keys<'s> {
         let mut keys = Keys::default();

@@ -41,7 +41,7 @@ enum Form {
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(tag = "solver", rename_all = "snake_case")]
-#[schemars(extend("x-tag-default" = "slow"))]
+#[schemars(extend("x-solver-default" = "slow"))]
 #[allow(dead_code)]
 enum Solver {
     Slow { fluid: Slow },

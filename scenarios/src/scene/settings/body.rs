@@ -49,8 +49,8 @@ pub struct Body {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "motion", rename_all = "snake_case")]
 #[schemars(extend(
-    "x-tag-default" = "free",
-    "x-tag" = "Motion of the body; oscillating is a wave generator (thesis, chapter 4)"
+    "x-motion-default" = "free",
+    "x-motion-doc" = "Motion of the body; oscillating is a wave generator (thesis, chapter 4)"
 ))]
 pub enum Motion {
     /// By its weight and the water's load.

@@ -11,8 +11,8 @@ use sph_core::{FluidSettings, Solver, projection, wcsph};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "solver", rename_all = "snake_case")]
 #[schemars(extend(
-    "x-tag-default" = "weakly_compressible",
-    "x-tag" = "What gives the pressure: weakly_compressible: an equation of state; incompressible: a projection; \
+    "x-solver-default" = "weakly_compressible",
+    "x-solver-doc" = "What gives the pressure: weakly_compressible: an equation of state; incompressible: a projection; \
                incompressible_explicit: the projection with one pressure sweep per step, as weakly compressible as its step is \
                long (THEORY EX4); incompressible_thesis: Pilorget 2010"
 ))]
