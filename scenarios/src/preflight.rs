@@ -110,7 +110,7 @@ pub struct ExchangeEstimate {
 /// Estimated cost of a scene's particles [core-seconds].
 pub fn core_seconds(scene: &Scene) -> f64 {
     let (particles, _) = particle_estimate(scene);
-    cost_of_step(scene.solver) * particles as f64 * (scene.time.end / step(scene)).ceil()
+    cost_of_step(scene.solver.kind()) * particles as f64 * (scene.time.end / step(scene)).ceil()
 }
 
 /// Cost of a particle and step [s].
@@ -124,12 +124,12 @@ fn cost_of_step(solver: Solver) -> f64 {
 
 /// Step at the start [s].
 fn step(scene: &Scene) -> f64 {
-    let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
+    let h = scene.water().smoothing_ratio * scene.resolution.spacing;
     let fastest = match scene.solver.is_incompressible() {
         true => scene.projection_speed(),
-        false => scene.fluid.sound_speed + scene.fastest_speed(),
+        false => scene.sound_speed() + scene.fastest_speed(),
     };
-    scene.time.step.unwrap_or(scene.fluid.cfl * h / fastest).min(scene.time.end)
+    scene.time.step.unwrap_or(scene.courant_number() * h / fastest).min(scene.time.end)
 }
 
 /// Estimate cost and validity of a run, without running it.
@@ -139,10 +139,9 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let fluid_particles_at_end = scene.resolution.follow.then_some(last);
     // an area grows with the square of the draught: a third of what is added is there in the mean
     let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
-    let fluid = &scene.fluid;
     let fastest = scene.fastest_speed();
-    let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
-    let (step, cost) = (step(scene), cost_of_step(scene.solver));
+    let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
+    let (step, cost) = (step(scene), cost_of_step(scene.solver.kind()));
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };

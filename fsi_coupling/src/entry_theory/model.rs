@@ -1,11 +1,12 @@
 //! Models of water entry in order of cost.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::similarity::DEADRISES;
 
 /// A model of a body's entry into water.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum EntryModel {
     /// Added mass of a plate as wide as the body's cut with the still water (von Karman 1929).

@@ -57,7 +57,7 @@ impl Faces {
         let mut wedge = ElasticWedge {
             deadrise_deg: *deadrise_deg,
             speed: -body.velocity[1],
-            density: scene.fluid.density,
+            density: scene.water().density,
             length: half,
             thickness: panel.thickness,
             material: panel.material(),

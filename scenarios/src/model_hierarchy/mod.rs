@@ -27,24 +27,7 @@ pub use measured::{Measured, measured};
 pub(crate) use run::run;
 pub use theory::Theory;
 
-use serde::{Deserialize, Serialize};
-
-/// Quantity of interest.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Want {
-    /// The largest force.
-    #[default]
-    PeakForce,
-    /// The largest pressure.
-    PeakPressure,
-    /// The force over time.
-    History,
-    /// Strains of panels.
-    Strain,
-    /// The body's motion.
-    Motion,
-}
+pub use crate::scene::Want;
 
 impl Want {
     /// As text.

@@ -135,7 +135,7 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
 
 /// The similarity solution's numbers, by this theory.
 fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
-    let rho = scene.fluid.density;
+    let rho = scene.water().density;
     let over = |i: &Instant| i.force / (rho * i.speed.powi(2) * i.draught);
     let late: Vec<usize> = theory.late().collect();
     let (first, last) = (*late.first()?, *late.last()?);

@@ -42,7 +42,7 @@ impl Theory {
     pub fn while_in_range(scene: &Scene, rung: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, motion) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
-        let density = scene.fluid.density;
+        let density = scene.water().density;
         if !body.panels.is_empty() {
             return bending(scene, rung, body, loads);
         }
@@ -180,7 +180,7 @@ fn bending(
     let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
-    Ok((Theory { loads, instants, density: scene.fluid.density, faces: Some(faces) }, end))
+    Ok((Theory { loads, instants, density: scene.water().density, faces: Some(faces) }, end))
 }
 
 /// Least depth and half width of water that counts as unbounded, in wetted half widths.
@@ -215,7 +215,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
     let tank = &scene.tank;
-    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block.is_none();
+    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
     let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
@@ -230,7 +230,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
     }
     let motion = match &body.motion {
         Motion::ConstantVelocity => SectionMotion::Constant,
-        Motion::Free(freedom) if freedom.y => SectionMotion::Free(freedom.mass),
+        Motion::Free(freedom) if freedom.y() => SectionMotion::Free(freedom.mass),
         _ => return Err(refuse("a body that is held or swings")),
     };
     Ok((body, Section::of(&body.shape)?, motion))
