@@ -1,4 +1,4 @@
-//! Does an elastic body's own energy balance close?
+//! Energy balance of an elastic body.
 
 use fsi_coupling::{Coupled, Energy};
 

@@ -74,7 +74,13 @@ enum Command {
     /// Count how often the error bars of `run --converge` hold an exact value.
     Bands(coverage::BandsArgs),
     /// Describe every key of a scene file.
-    Keywords,
+    Keywords {
+        /// As a page of Markdown, with the keys of landings and of embedded elements.
+        #[arg(long)]
+        markdown: bool,
+    },
+    /// Print the JSON Schema (draft 2020-12) of a scene file.
+    Schema,
 }
 
 #[derive(Args, Clone)]
@@ -183,7 +189,15 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Bench(args) => bench::run_bench(cli, args),
         Command::Validate(args) => validation::run_validation(cli, args),
         Command::Bands(args) => coverage::run_bands(cli, args),
-        Command::Keywords => keywords(cli),
+        Command::Keywords { markdown: true } => {
+            say(format_args!("{}", crate::reference_page::reference_page().trim_end()));
+            Ok(DONE)
+        }
+        Command::Keywords { markdown: false } => keywords(cli),
+        Command::Schema => {
+            say(format_args!("{:#}", scene::schema().to_json()));
+            Ok(DONE)
+        }
     }
 }
 
@@ -202,14 +216,11 @@ fn list(cli: &Cli) -> Result<u8, Stop> {
 }
 
 fn keywords(cli: &Cli) -> Result<u8, Stop> {
-    for k in scene::keywords() {
+    for k in scene::schema().keywords() {
         if cli.json {
-            say(format_args!(
-                "{}",
-                serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc})
-            ));
+            say(format_args!("{}", serde_json::json!(k)));
         } else {
-            say(format_args!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default));
+            say(format_args!("{}\n    {}; {} (unit: {}; default: {})", k.path, k.doc, k.takes, k.unit, k.default));
         }
     }
     Ok(DONE)

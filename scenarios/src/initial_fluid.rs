@@ -20,7 +20,7 @@ pub(crate) fn initial_fluid(
     thin: bool,
 ) -> Vec<Seed> {
     let body = placed.bodies().next().filter(|_| scene.body.is_some());
-    let weight = scene.fluid.density * scene.gravity[1];
+    let weight = scene.water().density * scene.gravity[1];
     let share = if thin { BESIDE_PLATE } else { 1.0 };
     let is_free = |cell: &Cell| {
         let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
@@ -44,7 +44,7 @@ pub(crate) fn initial_fluid(
         pressure: weight * (cell.at[1] - height),
     };
     let mut seeds: Vec<Seed> = cells.into_iter().map(at_rest).collect();
-    if let Some(block) = &scene.tank.block {
+    if let Some(block) = scene.tank.block() {
         tile(block.from, block.to, scene.resolution.spacing, |cell| {
             if is_free(&cell) {
                 seeds.push(Seed { at: cell.at, velocity: block.velocity, area: cell.area(), pressure: 0.0 });

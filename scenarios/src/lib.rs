@@ -29,6 +29,7 @@ pub mod preflight;
 pub mod present;
 mod recorder;
 pub mod reference;
+pub mod reference_page;
 pub mod report;
 pub mod run;
 pub mod scene;

@@ -197,7 +197,7 @@ impl Recorder {
             scene: scene.name.clone(),
             status,
             message,
-            model: model(scene.solver),
+            model: model(scene.solver.kind()),
             choice: scene.choice.clone(),
             version: env!("CARGO_PKG_VERSION"),
             particles: Particles { fluid: fluid.particles().len(), wall: system.walls.len() },
@@ -247,7 +247,7 @@ impl Recorder {
 
     /// What the speed of sound cost, where there is one.
     fn compressibility(&self, scene: &Scene) -> Option<Compressibility> {
-        let sound = scene.fluid.sound_speed;
+        let sound = scene.sound_speed();
         let share = scene.entry().and_then(|entry| known_compressibility_error(entry.root_speed(), sound));
         (!scene.solver.is_incompressible()).then(|| Compressibility {
             sound_speed_m_per_s: sound,

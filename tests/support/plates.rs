@@ -46,12 +46,12 @@ pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn Body>
 
 /// A plate of `thickness` spacings that parts a tank of 2 × `columns` cells into two waters of `rows` [left, right] cells;
 /// it stands on the floor and ends above both.
-pub fn parted(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) -> Coupled {
-    parted_by(thickness, columns, rows, spacing, fixed)
+pub fn separated(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) -> Coupled {
+    separated_by(thickness, columns, rows, spacing, fixed)
 }
 
 /// The same with a body made of the plate's outline.
-pub fn parted_by(
+pub fn separated_by(
     thickness: f64,
     columns: usize,
     rows: [usize; 2],
@@ -123,7 +123,7 @@ pub fn sides(system: &Coupled) -> Vec<bool> {
     left
 }
 
-/// [`parted`], with a plate that is driven to the right by `travel` [m] in half a second and rests there.
+/// [`separated`], with a plate that is driven to the right by `travel` [m] in half a second and rests there.
 pub fn paddled(thickness: f64, columns: usize, rows: [usize; 2], travel: f64, spacing: f64) -> Coupled {
     let law = move |t: f64| {
         let (s, period) = ((t / 0.5).min(1.0), 0.5);
@@ -136,5 +136,5 @@ pub fn paddled(thickness: f64, columns: usize, rows: [usize; 2], travel: f64, sp
         }
     };
     let body = |outline| Box::new(PrescribedBody::new("plate", outline, false, Box::new(law))) as Box<dyn Body>;
-    parted_by(thickness, columns, rows, spacing, body)
+    separated_by(thickness, columns, rows, spacing, body)
 }

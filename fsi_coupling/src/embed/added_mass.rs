@@ -37,9 +37,9 @@ impl AddedMass {
             wet[b] += half;
         }
         let of = |mass: f64, length: f64, node: Option<usize>| {
-            let row = 0.5 * spec.density * spec.spacing * length / mass;
-            let all = 0.25 * PI * spec.density * breadth * length / mass;
-            let sound = spec.density * spec.speed_of_sound() * length / mass;
+            let row = 0.5 * spec.water.density * spec.spacing * length / mass;
+            let all = 0.25 * PI * spec.water.density * breadth * length / mass;
+            let sound = spec.water.density * spec.speed_of_sound() * length / mass;
             let host_dt = if all + row < 1.0 { f64::INFINITY } else { ((1.0 - row) / sound).max(0.0) };
             AddedMass { row, node, all, host_dt }
         };

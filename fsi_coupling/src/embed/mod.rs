@@ -4,7 +4,7 @@
 //!
 //! | phase | call | what happens |
 //! |---|---|---|
-//! | say | [`FluidElementSpec`] | every number about the water, checked by one table of [`keywords`] |
+//! | say | [`FluidElementSpec`] | every number about the water, checked against its [`schema`] |
 //! | size | [`FluidElementSpec::size`] | particles, bytes, step, warnings; allocates nothing that grows with the water |
 //! | build | [`SizedElement::build`] | the water at t = 0; the only phase that allocates |
 //! | contribute | [`FluidElement::contribute`] | the water follows the nodes through one step of the host, and pushes them |
@@ -66,7 +66,6 @@ mod added_mass;
 mod body;
 mod element;
 mod error;
-pub mod keywords;
 mod nodes;
 mod path;
 mod sized;
@@ -81,5 +80,5 @@ pub use error::HostError;
 pub use nodes::HostNodes;
 pub use sized::SizedElement;
 pub use snapshot::Snapshot;
-pub use spec::FluidElementSpec;
+pub use spec::{FluidElementSpec, schema};
 pub use topology::{Side, Topology, WetSurface};

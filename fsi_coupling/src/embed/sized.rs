@@ -19,6 +19,7 @@ use crate::geometry::layout::{Basin, Cell, Tiling};
 use crate::geometry::outline::Outline;
 use crate::geometry::polygon::{bounding_box, thinnest_web};
 use crate::geometry::rows::WallRows;
+use crate::settings::Problem;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
 /// (measured by `tests/host_size.rs`).
@@ -95,7 +96,7 @@ impl FluidElementSpec {
             let least = (fine / MOST_PARTICLES).sqrt();
             let expected =
                 format!("at least {least:.2e} m: the fine zone of {fine:.3} m² would have more than 10⁹ particles");
-            return Err(HostError::Key { key: "spacing".into(), given: format!("{:?}", self.spacing), expected });
+            return Err(HostError::Key(Problem::new("spacing", format!("{:?}", self.spacing), expected)));
         }
         let y = [self.still_water - self.depth, self.still_water];
         Ok(Tiling::new(Basin { x, y, fine_x, fine_depth, spacing: self.spacing, growth: self.growth }))
@@ -156,9 +157,9 @@ impl SizedElement {
 
     /// The water's step at rest [s] (THEORY E17).
     pub fn fluid_dt(&self) -> f64 {
-        let h = self.spec.smoothing_ratio * self.spec.spacing;
+        let h = self.spec.water.smoothing_ratio * self.spec.spacing;
         let acoustic = self.spec.settings().courant_number() * h / self.spec.speed_of_sound();
-        acoustic.min(0.125 * h * h / self.spec.kinematic_viscosity)
+        acoustic.min(0.125 * h * h / self.spec.water.kinematic_viscosity)
     }
 
     /// The water's inertia against the host's, where the topology tells masses.
@@ -193,7 +194,7 @@ impl SizedElement {
     /// Still water at rest under its own weight, without what the surface encloses.
     fn for_each_seed(&self, mut make: impl FnMut(Seed)) {
         let [low, high] = extent(&self.outline);
-        let weight = self.spec.density * self.spec.gravity[1];
+        let weight = self.spec.water.density * self.spec.gravity[1];
         let clear = |cell: &Cell| {
             let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
             let near = (0..2).all(|k| cell.at[k] > low[k] - room && cell.at[k] < high[k] + room);

@@ -1,12 +1,13 @@
 //! The ladder: models of an entry from the cheapest to the dearest, and what each can do.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::section::Section;
 use super::similarity::DEADRISES;
 
 /// A model of a body's entry into water.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Rung {
     /// Added mass of a plate as wide as the body's cut with the still water (von Karman 1929).

@@ -1,6 +1,7 @@
 //! Filling a rectangle of water: even cells in a fine zone at the surface, rows growing outward
 //! (THEORY E23). The cells tile the rectangle exactly, so volume and mass are exact from the start.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where the water is, and where it is resolved finely. The fine zone touches the still-water surface.
@@ -21,7 +22,7 @@ pub struct Basin {
 }
 
 /// How particles lie in uniform water.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Lattice {
     /// One particle in the middle of each square.

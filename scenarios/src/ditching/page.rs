@@ -3,8 +3,8 @@
 use fsi_coupling::entry_theory::ditching::{Fuselage, Moment};
 
 use super::check::hull;
+use super::landed::Landed;
 use super::model::Scene;
-use super::run::Landed;
 use crate::report::{Block, Chart, Curve, Mark, Report, Status as PageStatus, Table, render};
 use crate::summary::Status;
 

@@ -1,4 +1,4 @@
-//! Scenes of particles of a landing's sections, for what a theory does not say: pressures, spray, the flow.
+//! Scenes of particles of a landing's sections, for quantities that a theory does not have: pressures, spray, the flow.
 
 use std::path::PathBuf;
 
@@ -6,8 +6,8 @@ use fsi_coupling::entry_theory::ditching::{Bearing, Entering, Form, Hull};
 use serde::Serialize;
 
 use super::check::hull;
+use super::landed::Landed;
 use super::model::Scene;
-use super::run::Landed;
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{SceneError, load_text};
 use crate::summary::Status;

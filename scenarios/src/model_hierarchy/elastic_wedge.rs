@@ -1,4 +1,4 @@
-//! A wedge whose faces bend, by Wagner's load on a modal beam (THEORY HM1–HM5).
+//! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY HM1–HM5).
 
 use fsi_coupling::PanelEnd;
 use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Instant, OutOfRange, Rung};
@@ -8,15 +8,15 @@ use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 /// Modes, and steps from touch to chine.
 const MODES: usize = 8;
 const STEPS: usize = 200;
-/// Most steps, and how far the stiffest mode may turn in one [rad]: 2.8 is unstable.
+/// Largest number of steps, and largest phase of the stiffest mode per step [rad]: 2.8 is unstable.
 const MOST_STEPS: usize = 4000;
 const LONGEST_TURN: f64 = 1.5;
-/// Deepest deflection that is small, over the length.
+/// Largest deflection over the length [-].
 const DEEPEST: f64 = 0.1;
 /// Places along the face at which the largest stress is looked for.
 const PLACES: usize = 40;
 
-/// The faces of a scene's wedge on their way into the water.
+/// The faces of a scene's wedge during its entry.
 #[derive(Clone, Debug)]
 pub(super) struct Faces {
     wedge: ElasticWedge,
@@ -57,7 +57,7 @@ impl Faces {
         let mut wedge = ElasticWedge {
             deadrise_deg: *deadrise_deg,
             speed: -body.velocity[1],
-            density: scene.fluid.density,
+            density: scene.water().density,
             length: half,
             thickness: panel.thickness,
             material: panel.material(),
@@ -65,7 +65,7 @@ impl Faces {
             modes: MODES,
             steps: STEPS,
         };
-        // of stiff faces the high modes do not move, and need short steps
+        // high modes of stiff faces carry no deflection and need short steps
         while wedge.modes > 1 && steps_for(&wedge) > MOST_STEPS {
             wedge.modes -= 1;
         }

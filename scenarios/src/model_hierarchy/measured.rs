@@ -1,4 +1,4 @@
-//! How far off a model was where it was measured, in the case that is nearest to a scene.
+//! Error of a theory in the measured case that is nearest to a scene.
 
 use fsi_coupling::entry_theory::{Rung, Section, SimilarityFlow};
 
@@ -16,14 +16,14 @@ pub struct Measured {
     pub case: String,
 }
 
-/// The free drop that theories are measured by: a wedge of 25°, against boundary elements.
+/// The free drop against which theories are measured: a wedge of 25°, against boundary elements.
 const DROP: &str = "wedge25";
-/// Deadrises beside the drop's that it speaks for [deg].
+/// Largest difference of the deadrise from the drop's [deg].
 const BESIDE_DROP: f64 = 15.0;
-/// The bending wedge that the modal beam is measured by, of 10°, against others' computations.
+/// The elastic wedge of 10° against which the modal beam is measured.
 const BENCHMARK: &str = "elastic_wedge";
 const BENCHMARK_DEADRISE: f64 = 10.0;
-/// Deadrises beside it that it speaks for [deg].
+/// Largest difference of the deadrise from the benchmark's [deg].
 const BESIDE_BENCHMARK: f64 = 5.0;
 /// Largest error of the similarity solution's numbers against an independent program's (`tests/verification/theory.rs`) [-].
 const SIMILARITY_ERROR: f64 = 1e-4;
@@ -34,7 +34,7 @@ pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> 
     let deadrise = theory.loads.section().deadrise_deg()?;
     if theory.bends() {
         return match want {
-            Want::Strain if (deadrise - BENCHMARK_DEADRISE).abs() < BESIDE_BENCHMARK => bent_error(),
+            Want::Strain if (deadrise - BENCHMARK_DEADRISE).abs() < BESIDE_BENCHMARK => elastic_error(),
             _ => None,
         };
     }
@@ -79,7 +79,7 @@ fn coefficient_errors(rung: Rung, deadrise_deg: f64) -> Option<[Option<f64>; 2]>
 }
 
 /// Largest RMS error of the benchmark's deflection over its peak, of those that others computed [-].
-fn bent_error() -> Option<Measured> {
+fn elastic_error() -> Option<Measured> {
     let scene = scene::load(BENCHMARK, &[]).ok()?.scene;
     let (theory, _) = Theory::while_in_range(&scene, Rung::Wagner).ok()?;
     let mut series = Series::new(&scene, None).ok()?;

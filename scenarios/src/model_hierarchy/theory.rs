@@ -1,8 +1,10 @@
-//! A scene as an entry theory sees it.
+//! A scene solved by an entry theory.
 
+use fsi_coupling::Motion as BodyMotion;
 use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
 
 use super::elastic_wedge::Faces;
+use crate::observe::Series;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
 use fsi_coupling::geometry::polygon;
 
@@ -11,7 +13,7 @@ const LATE: f64 = 0.8;
 /// Points along the face in which the largest pressure is looked for.
 const POINTS: usize = 4000;
 
-/// A theory's account of a scene.
+/// The solution of a scene by a theory.
 #[derive(Clone, Debug)]
 pub struct Theory {
     /// Loads of the body's section.
@@ -27,20 +29,20 @@ impl Theory {
     /// Follow the body of a scene into the water.
     ///
     /// # Errors
-    /// What of the scene is beyond this rung, its range, and the next rung that can do it.
+    /// The feature of the scene outside the theory's range, the range, and the next model that covers it.
     pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
         let (theory, end) = Theory::while_in_range(scene, rung)?;
         end.map_or(Ok(theory), Err)
     }
 
-    /// The same up to where the rung's range ends, and why it does.
+    /// The same up to the end of the theory's range, with the reason.
     ///
     /// # Errors
-    /// What of the scene is beyond this rung from the start.
+    /// The feature of the scene outside the theory's range from the start.
     pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, course) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
-        let density = scene.fluid.density;
+        let density = scene.water().density;
         if !body.panels.is_empty() {
             return bending(scene, rung, body, loads);
         }
@@ -82,30 +84,40 @@ impl Theory {
         self.loads.pressure(x, draught, speed, rate, self.density)
     }
 
-    /// Do its faces bend?
+    /// True if its faces are elastic.
     pub fn bends(&self) -> bool {
         self.faces.is_some()
     }
 
-    /// Rows of the series: time, then the body's columns and the gauges; what the theory does not have is no number.
+    /// Motion of the body and the force on it, at every sample.
+    pub fn motions(&self, body: &Body) -> Vec<BodyMotion> {
+        let ([x, y], start) = (body.position, body.draught());
+        let at = |now: &Instant| BodyMotion {
+            position: [x, y - (now.draught - start)],
+            velocity: [0.0, -now.speed],
+            acceleration: [0.0, -now.rate],
+            force: [0.0, now.force],
+            ..BodyMotion::default()
+        };
+        self.instants.iter().map(at).collect()
+    }
+
+    /// Rows of the series: time, then the body's columns and the gauges; NaN for a quantity that the theory does not have.
     pub fn rows(&self, scene: &Scene) -> Vec<Vec<f64>> {
         let Some(body) = &scene.body else { return Vec::new() };
-        let [x, y] = body.position;
-        let (floats, middle) = (body.draught(), body.middle() - x);
-        let row = |(k, now): (usize, &Instant)| {
-            let Instant { time, draught, speed, rate, force, .. } = *now;
-            let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
+        let middle = body.middle() - body.position[0];
+        let row = |(k, (now, motion)): (usize, (&Instant, &BodyMotion))| {
             let gauge = |g: &Gauge| match self.is_on_bottom(body, g) {
                 true => self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN),
-                false => f64::NAN, // of sides and deck theories of entry say nothing
+                false => f64::NAN, // theories of entry have no pressure on sides and deck
             };
             let rest = match &self.faces {
-                Some(faces) => faces.values(time),
+                Some(faces) => faces.values(now.time),
                 None => scene.gauges.iter().map(gauge).collect(),
             };
-            motion.into_iter().chain(rest).collect()
+            std::iter::once(now.time).chain(Series::body_values(motion)).chain(rest).collect()
         };
-        self.instants.iter().enumerate().map(row).collect()
+        self.instants.iter().zip(&self.motions(body)).enumerate().map(row).collect()
     }
 
     /// Is a gauge on the bottom, not on a side or the deck?
@@ -150,7 +162,7 @@ impl Theory {
     }
 }
 
-/// The same scene with faces that bend: by Wagner's load on a modal beam.
+/// The same scene with elastic faces: by Wagner's load on a modal beam.
 fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
     if rung != Rung::Wagner {
         return Err(OutOfRange {
@@ -163,12 +175,12 @@ fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theo
     let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
-    Ok((Theory { loads, instants, density: scene.fluid.density, faces: Some(faces) }, end))
+    Ok((Theory { loads, instants, density: scene.water().density, faces: Some(faces) }, end))
 }
 
-/// Least depth and half width of water that feels unbounded, in wetted half widths.
+/// Least depth and half width of water that counts as unbounded, in wetted half widths.
 const UNBOUNDED: f64 = 4.0;
-/// What of this moment is beyond theories that know neither a deck nor walls.
+/// Why theories without deck and walls are not valid at this moment.
 fn confined(scene: &Scene, body: &Body, now: &Instant) -> Option<&'static str> {
     let [min, max] = polygon::bounding_box(&body.placed_outline());
     let room = scene.tank.depth.min(0.5 * scene.tank.width - body.middle().abs());
@@ -198,7 +210,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
     let tank = &scene.tank;
-    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block.is_none();
+    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
     let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
@@ -213,7 +225,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     }
     let course = match &body.motion {
         Motion::ConstantVelocity => Course::Constant,
-        Motion::Free(freedom) if freedom.y => Course::Free(freedom.mass),
+        Motion::Free(freedom) if freedom.y() => Course::Free(freedom.mass),
         _ => return Err(refuse("a body that is held or swings")),
     };
     Ok((body, Section::of(&body.shape)?, course))

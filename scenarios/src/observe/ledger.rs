@@ -28,7 +28,7 @@ impl EnergyLedger {
     /// An empty ledger for a scene.
     pub fn new(scene: &Scene) -> EnergyLedger {
         let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
-        let ripple = 0.5 * scene.fluid.density * g * spacing * spacing * scene.tank.width;
+        let ripple = 0.5 * scene.water().density * g * spacing * spacing * scene.tank.width;
         EnergyLedger { ripple, ..EnergyLedger::default() }
     }
 

@@ -82,6 +82,11 @@ impl Series {
         BODY.map(|(name, _)| name)
     }
 
+    /// Values of a body's columns.
+    pub fn body_values(motion: &Motion) -> [f64; 10] {
+        BODY.map(|(_, read)| read(motion))
+    }
+
     /// Names of the columns; the first is `time_s`.
     pub fn columns(&self) -> &[String] {
         &self.columns
@@ -153,7 +158,7 @@ impl Observer for Series {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let mut row = vec![frame.time()];
         for (body, motion) in frame.system.bodies().filter_map(|b| Some((b, b.motion()?))) {
-            row.extend(BODY.iter().map(|(_, read)| read(&motion)));
+            row.extend(Series::body_values(&motion));
             row.extend(body.panels().iter().flat_map(panel_values));
         }
         row.extend(frame.gauges);

@@ -1,12 +1,13 @@
 //! Panels: the parts of a body's surface that bend.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
 
 use crate::geometry::polyline::Polyline;
 
 /// How an end of a panel is held by the body's rigid frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PanelEnd {
     /// Moves and turns with it.
