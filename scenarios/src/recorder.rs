@@ -206,7 +206,7 @@ impl Recorder {
             wall_time_s: wall,
             particle_updates_per_s: fluid.updates() as f64 / wall,
             threads: rayon::current_num_threads(),
-            phases: phase_times(&fluid.timers()),
+            phases: phase_times(fluid.timers()),
             log: log.map(|Logged { bytes, frames, left_out }| Log {
                 bytes,
                 frames,
