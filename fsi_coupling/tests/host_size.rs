@@ -35,7 +35,7 @@ fn the_bytes_said_are_the_bytes_held() {
         let corners = box_of(0.3);
         let topology = Topology::of(corners.clone()).closed(0..4);
         let spec =
-            FluidElementSpec { sound_speed: Some(20.0), growth, ..FluidElementSpec::new(spacing, reach, 0.6 * reach) };
+            FluidElementSpec { growth, ..FluidElementSpec::new(spacing, reach, 0.6 * reach).with_sound_speed(20.0) };
         let before = HELD.load(Relaxed);
         LARGEST.store(0, Relaxed);
         let sized = spec.size(&topology).expect("a sound element");

@@ -1,31 +1,30 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
 use fsi_coupling::bodies::prescribed::Law;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
     RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
-use sph_core::legacy::{self, pilorget2010};
 use sph_core::neighbours::images::Mirror;
-use sph_core::{Domain, Fluid, FluidSettings, SchemeSettings, Solver, ThesisSettings, projection, wcsph};
+use sph_core::{Domain, Fluid, SchemeSettings, legacy, projection};
 use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, Symmetry};
+use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, SolverSettings, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let (domain, settings, tiling) = (domain(scene), settings(scene), tiling(scene));
-    let (layout, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
-    let rows = WallRows::of(layout, scene.resolution.spacing);
+    let (domain, settings, layout) = (domain(scene), settings(scene), layout(scene));
+    let (pattern, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
+    let rows = WallRows::of(pattern, scene.resolution.spacing);
     let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
     let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
     let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
     let bodies = body.into_iter().chain([tank]).collect();
-    let placed = PlacedBodies::new(bodies, layout, ratio, scene.resolution.spacing)?;
-    let seeds = initial_fluid(scene, &domain, &tiling, &placed, thin);
+    let placed = PlacedBodies::new(bodies, pattern, ratio, scene.resolution.spacing)?;
+    let seeds = initial_fluid(scene, &domain, &layout, &placed, thin);
     let fluid = Fluid::new(domain, settings.as_ref(), &seeds);
     let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
@@ -40,18 +39,18 @@ fn tank(scene: &Scene, rows: &WallRows) -> Tank {
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
     let standing = scene.body.as_ref().and_then(|body| standing(scene, body, rows)).into_iter().collect();
-    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
+    Tank::new(layout(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
 }
 
 /// How the water is divided into particles.
-pub fn tiling(scene: &Scene) -> Tiling {
+pub fn layout(scene: &Scene) -> Layout {
     let x = scene.water_sides();
     let middle = scene.fine_zone_center();
     let [half_width, fine_depth] = match Follower::of(scene) {
         Some(follower) => follower.at_start(),
         None => scene.resolution.fine_zone,
     };
-    let tiling = Tiling::new(Basin {
+    let layout = Layout::new(Basin {
         x,
         y: [-scene.tank.depth, 0.0],
         fine_x: [(middle - half_width).max(x[0]), (middle + half_width).min(x[1])],
@@ -59,7 +58,7 @@ pub fn tiling(scene: &Scene) -> Tiling {
         spacing: scene.resolution.spacing,
         growth: scene.resolution.growth,
     });
-    if scene.resolution.follow { tiling.by_halves() } else { tiling.on(scene.resolution.lattice) }
+    if scene.resolution.follow { layout.with_split_rows() } else { layout.with_lattice(scene.resolution.lattice) }
 }
 
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.
@@ -82,7 +81,7 @@ fn roots(scene: &Scene, body: &scene::Body, rows: &WallRows) -> [f64; 2] {
             return 0.0;
         }
         let at = body.to_tank(*end);
-        let spacing = tiling(scene).spacing_at(at);
+        let spacing = layout(scene).spacing_at(at);
         let away = (0.5 * scene.tank.width - at[0].abs()).min(at[1] + scene.tank.depth);
         if away < STANDS * spacing { (rows.layers as f64 + 1.0) * spacing } else { 0.0 }
     };
@@ -99,15 +98,8 @@ fn standing(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Option<Plate>
 
 /// The water and the space it moves in.
 fn domain(scene: &Scene) -> Domain {
-    let fluid = &scene.fluid;
     Domain {
-        fluid: FluidSettings {
-            density: fluid.density,
-            kernel: fluid.kernel,
-            smoothing_ratio: fluid.smoothing_ratio,
-            kinematic_viscosity: fluid.kinematic_viscosity,
-            wall_slip: fluid.wall_slip,
-        },
+        fluid: *scene.water(),
         gravity: scene.gravity,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
         fastest_speed: scene.projection_speed(),
@@ -117,64 +109,22 @@ fn domain(scene: &Scene) -> Domain {
 
 /// Settings of the scene's scheme.
 fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
-    match scene.solver {
-        Solver::WeaklyCompressible => Box::new(compressible(scene)),
-        Solver::Incompressible => Box::new(projection(scene, projection::Method::Solve)),
-        Solver::IncompressibleExplicit => Box::new(projection(scene, projection::Method::OneIteration)),
-        Solver::IncompressibleThesis => Box::new(thesis(scene)),
+    use projection::Method::{OneIteration, Solve};
+    match &scene.solver {
+        SolverSettings::WeaklyCompressible { fluid } => {
+            let options = legacy::Options { water_depth: scene.tank.depth, ..fluid.options };
+            Box::new(legacy::Settings { scheme: fluid.scheme, options })
+        }
+        SolverSettings::Incompressible { fluid, projection } => {
+            Box::new(projection::Settings { flow: fluid.scheme, method: Solve, ..*projection })
+        }
+        SolverSettings::IncompressibleExplicit { fluid, projection } => {
+            Box::new(projection::Settings { flow: fluid.scheme, method: OneIteration, ..*projection })
+        }
+        SolverSettings::IncompressibleThesis { fluid, thesis } => {
+            Box::new(legacy::pilorget2010::ThesisSettings { flow: fluid.scheme, ..*thesis })
+        }
     }
-}
-
-fn compressible(scene: &Scene) -> legacy::Settings {
-    let fluid = &scene.fluid;
-    legacy::Settings {
-        scheme: wcsph::Settings {
-            sound_speed: fluid.sound_speed.into(),
-            eos_exponent: fluid.eos_exponent,
-            dissipation: fluid.dissipation,
-            artificial_viscosity: fluid.artificial_viscosity,
-            density_diffusion: fluid.density_diffusion,
-            shifting: fluid.shifting,
-            settling: fluid.settling,
-            wall_stretch: fluid.wall_stretch,
-            ventilation: fluid.ventilation,
-            cfl: fluid.cfl.into(),
-        },
-        options: legacy::Options {
-            integrator: fluid.integrator,
-            verlet_correction_every: fluid.verlet_correction_every,
-            density_filter: fluid.density_filter,
-            density_filter_every: fluid.density_filter_every,
-            xsph: fluid.xsph,
-            turbulence: fluid.turbulence,
-            equation_of_state: fluid.equation_of_state,
-            temperature: fluid.temperature,
-            molar_mass: fluid.molar_mass,
-            density_evolution: fluid.density_evolution,
-            density_diffusion_form: fluid.density_diffusion_form,
-            walls: fluid.walls,
-            limit_pressure: fluid.limit_pressure as u8,
-            water_depth: scene.tank.depth,
-        },
-    }
-}
-
-fn projection(scene: &Scene, method: projection::Method) -> projection::Settings {
-    let fluid = &scene.fluid;
-    let settings = scene.projection.map_or_else(projection::Settings::default, |projection| projection.settings());
-    let flow = projection::FlowSettings { shifting: fluid.shifting, ventilation: fluid.ventilation, cfl: fluid.cfl };
-    projection::Settings { flow, method, ..settings }
-}
-
-fn thesis(scene: &Scene) -> ThesisSettings {
-    let fluid = &scene.fluid;
-    let flow = pilorget2010::settings::FlowSettings {
-        sound_speed: fluid.sound_speed.into(),
-        dissipation: fluid.dissipation,
-        artificial_viscosity: fluid.artificial_viscosity,
-        cfl: fluid.cfl,
-    };
-    ThesisSettings { flow, ..scene.thesis.unwrap_or_default() }
 }
 
 fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
@@ -200,7 +150,7 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
         mass: freedom.mass,
         inertia: freedom.inertia.unwrap_or(0.0),
         center_of_mass: body.center_of_mass,
-        free: [freedom.x, freedom.y, freedom.inertia.is_some()],
+        free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
         position: body.position,
         angle: start.angle,
         velocity: body.velocity,
@@ -240,7 +190,7 @@ fn flexible(
             // a frame that does not turn needs an inertia, which has no effect
             inertia: freedom.inertia.unwrap_or(freedom.mass),
             center_of_mass: body.center_of_mass,
-            free: [freedom.x, freedom.y, freedom.inertia.is_some()],
+            free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
         },
         motion => Frame::Given(law(motion, &start)),
     };

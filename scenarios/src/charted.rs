@@ -104,13 +104,13 @@ impl WedgeEntry {
         };
         let upright =
             matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
-        let sound = (!scene.solver.is_incompressible()).then_some(scene.fluid.sound_speed);
+        let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
         (upright && body.panels.is_empty()).then(|| WedgeEntry {
             kind: Kind {
                 falls,
                 solver: scene.solver.name().into(),
-                kernel: scene.fluid.kernel,
-                smoothing_ratio: scene.fluid.smoothing_ratio,
+                kernel: scene.water().kernel,
+                smoothing_ratio: scene.water().smoothing_ratio,
             },
             body: body.name.clone(),
             deadrise_deg,
@@ -274,8 +274,7 @@ mod tests {
 
     #[test]
     fn the_programs_own_fits_are_of_its_charts() {
-        let cases =
-            crate::experiments::catalogue::all::<crate::experiments::work_precision::Case>().expect("they parse");
+        let cases = crate::experiments::work_precision::CHARTS.all().expect("they parse");
         assert!(!LAWS.is_empty());
         for fit in LAWS.iter() {
             let case = cases.iter().find(|c| c.name == fit.case).unwrap_or_else(|| panic!("{}", fit.case));

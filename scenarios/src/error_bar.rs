@@ -1,4 +1,13 @@
-//! What a number of a run may be off by.
+//! Error bars of the numbers of a run.
+//!
+//! # Example
+//! ```
+//! use scenarios::error_bar::ErrorBar;
+//!
+//! let (verdict, method) = ("converged".to_string(), "convergence study".to_string());
+//! let bar = ErrorBar { value: 1.2, extrapolated: Some(1.0), band: 0.1, order: Some(1.0), verdict, method };
+//! assert!(bar.holds(1.05) && !bar.holds(1.2));
+//! ```
 
 use std::collections::BTreeMap;
 
@@ -9,7 +18,7 @@ use serde::Serialize;
 pub struct ErrorBar {
     /// The run's own.
     pub value: f64,
-    /// What it tends to, by a convergence study; absent where none was made.
+    /// The extrapolated value of a convergence study; absent without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub extrapolated: Option<f64>,
     /// Half width about the extrapolated value, or else about the run's own, in the number's unit.
@@ -17,7 +26,7 @@ pub struct ErrorBar {
     /// Observed order [-]; absent where none was observed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<f64>,
-    /// "converged", or "not converged" and why; of a charted band, what it holds.
+    /// "converged", or "not converged" and why; of a charted band, its probability.
     pub verdict: String,
     /// How the band was found.
     pub method: String,

@@ -37,6 +37,7 @@ pub mod observers;
 mod power_law;
 pub mod preflight;
 pub mod reference;
+pub mod reference_page;
 pub mod report;
 pub mod run;
 pub mod scene;

@@ -1,27 +1,36 @@
-//! `splashdown check`: what a run would cost and how far it can be trusted, before it is run.
+//! `splashdown check`: cost and validity of a run, before it is run.
+//!
+//! # Example
+//! ```
+//! use scenarios::{preflight::preflight, scene};
+//!
+//! let loaded = scene::load("wedge", &[])?;
+//! let estimate = preflight(&loaded.scene, &loaded.warnings);
+//! assert!(estimate.fluid_particles > 1000 && estimate.steps > 100);
+//! # Ok::<(), scenarios::scene::SceneError>(())
+//! ```
 
 use serde::Serialize;
 use sph_core::Solver;
 
-use crate::build::tiling;
+use crate::build::layout;
 use crate::model_hierarchy::{Assessment, Want, assess};
 use crate::scene::{
     CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
 };
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 
-/// Cost of a particle and step on one core of a present machine, search and walls included [s]; the
-/// order of magnitude of an estimate, not a promise.
+/// Cost of a particle and step on one core, search and walls included [s]; an order of magnitude.
 const COST: f64 = 0.7e-6;
 
 /// The same of a projection [s].
 const PROJECTION_COST: f64 = 2.5e-6;
 
-/// The same of the thesis's projection, with some 500 iterations a step [s].
+/// The same of the thesis's projection, with some 500 iterations per step [s].
 const THESIS_COST: f64 = 1e-4;
 
-/// What `check` says.
+/// Cost and validity of a run, estimated.
 #[derive(Clone, Debug, Serialize)]
 pub struct Preflight {
     /// Name of the scene.
@@ -58,20 +67,20 @@ pub struct Preflight {
     /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY C8) [-]. The
     /// largest is the spectral radius of the weak exchange: stable below 1. Absent where water is incompressible.
     pub added_mass_ratios: Option<[f64; 3]>,
-    /// What one exchange a step makes of an error in a panel's acceleration, by panel (THEORY C12).
+    /// Stability of an explicit coupling with each panel (THEORY C12).
     pub panels: Vec<PanelExchange>,
     /// The model that runs the scene.
     pub model: &'static str,
-    /// Why, where it was left to the program.
+    /// The reason, where the model was chosen automatically.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<String>,
-    /// The theories: which can do the scene, at what cost, how far off they were for the largest force.
+    /// The theories: range of validity, cost, and error of the largest force.
     pub ladder: Vec<Assessment>,
-    /// Doubts, in plain words.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
-/// How a panel and the water beside it would agree by one exchange a step (THEORY C12).
+/// Stability of an explicit coupling of a panel with the water beside it (THEORY C12).
 #[derive(Clone, Debug, Serialize)]
 pub struct PanelExchange {
     /// Its name.
@@ -82,26 +91,26 @@ pub struct PanelExchange {
     pub elements: usize,
     /// Particle spacings in an element [-].
     pub element_spacings: f64,
-    /// What one exchange a step would do; absent where water is incompressible.
+    /// Its estimate; absent where water is incompressible.
     #[serde(flatten)]
     pub exchange: Option<ExchangeEstimate>,
 }
 
-/// One exchange a step between a panel and water that carries sound (THEORY C12).
+/// Explicit coupling of a panel with weakly compressible water (THEORY C12).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ExchangeEstimate {
-    /// Mass of the water that follows it within a step, over its own [-].
+    /// Mass of the water that it accelerates within a step, over its own [-].
     pub added_mass: f64,
     /// Resistance of a sound wave over its inertia in half a step [-].
     pub acoustic: f64,
-    /// Growth of an error in a step: one exchange a step is unstable from 1 on [-].
+    /// Growth of an error per step [-]; explicit coupling is unstable from 1.
     pub spectral_radius: f64,
 }
 
 /// Estimated cost of a scene's particles [core-seconds].
 pub fn core_seconds(scene: &Scene) -> f64 {
     let (particles, _) = particle_estimate(scene);
-    cost_of_step(scene.solver) * particles as f64 * (scene.time.end / step(scene)).ceil()
+    cost_of_step(scene.solver.kind()) * particles as f64 * (scene.time.end / step(scene)).ceil()
 }
 
 /// Cost of a particle and step [s].
@@ -115,25 +124,24 @@ fn cost_of_step(solver: Solver) -> f64 {
 
 /// Step at the start [s].
 fn step(scene: &Scene) -> f64 {
-    let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
+    let h = scene.water().smoothing_ratio * scene.resolution.spacing;
     let fastest = match scene.solver.is_incompressible() {
         true => scene.projection_speed(),
-        false => scene.fluid.sound_speed + scene.fastest_speed(),
+        false => scene.sound_speed() + scene.fastest_speed(),
     };
-    scene.time.step.unwrap_or(scene.fluid.cfl * h / fastest).min(scene.time.end)
+    scene.time.step.unwrap_or(scene.courant_number() * h / fastest).min(scene.time.end)
 }
 
-/// Look ahead without running.
+/// Estimate cost and validity of a run, without running it.
 pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
-    let fluid_particles = tiling(scene).count();
+    let fluid_particles = layout(scene).count();
     let (last, wall_particles) = particle_estimate(scene);
     let fluid_particles_at_end = scene.resolution.follow.then_some(last);
     // an area grows with the square of the draught: a third of what is added is there in the mean
     let added = fluid_particles_at_end.map_or(0.0, |last| (last as f64 - fluid_particles as f64).max(0.0) / 3.0);
-    let fluid = &scene.fluid;
     let fastest = scene.fastest_speed();
-    let sound = (!scene.solver.is_incompressible()).then_some(fluid.sound_speed);
-    let (step, cost) = (step(scene), cost_of_step(scene.solver));
+    let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
+    let (step, cost) = (step(scene), cost_of_step(scene.solver.kind()));
     let steps = (scene.time.end / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
@@ -191,7 +199,7 @@ fn step_of_ladder(a: &Assessment) -> String {
 }
 
 impl Preflight {
-    /// In plain words.
+    /// As lines of text.
     pub fn to_text(&self) -> String {
         let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
         let mut lines = vec![format!("scene        {}", self.scene), format!("model        {}", self.model)];
@@ -200,7 +208,7 @@ impl Preflight {
         if !self.ladder.is_empty() {
             lines.push(format!("  {:<15}about {:.0} core-seconds", "particles", self.core_seconds));
         }
-        if Rung::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
+        if EntryModel::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
             return lines.join("\n");
         }
         lines.extend([
@@ -227,7 +235,7 @@ impl Preflight {
         lines.join("\n")
     }
 
-    /// What the scheme makes of an exchange that alone would multiply an error by `radius`.
+    /// Stability of the scene's coupling scheme; `radius` is the spectral radius of the explicit one.
     fn verdict(&self, radius: f64) -> String {
         match self.coupling_scheme {
             CouplingScheme::Weak if radius < 1.0 => format!("exchange contracts to {radius:.3} a step"),

@@ -1,6 +1,15 @@
 //! Reference data: tables in CSV with a header of `#` lines that states quantity, units and source.
 //!
 //! The project's own tables (`scenarios/cases/reference`) are part of the program; a scene may name a file of its own.
+//!
+//! # Example
+//! ```
+//! use scenarios::reference::Table;
+//!
+//! let name = "wedge_similarity/summary.csv";
+//! assert!(!Table::load(name)?.about.is_empty());
+//! # Ok::<(), scenarios::reference::ReferenceError>(())
+//! ```
 
 use fsi_coupling::entry_theory::SimilarityFlow;
 use include_dir::{Dir, include_dir};

@@ -23,15 +23,19 @@ pub enum Slip {
 #[serde(default, deny_unknown_fields)]
 pub struct FluidSettings {
     /// Density of the undisturbed water (INDAT rho0) [kg/m^3].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: f64,
     /// Smoothing kernel (INDAT i_kernel 1 | 2 | 3 | 5: gaussian, quadratic, cubic_spline, wendland_c2).
     pub kernel: Kernel,
     /// Smoothing length over spacing h/dx (INDAT h), 1 to 3 [-]. The kernel's support is 2h. With solver =
     /// incompressible_thesis it is 1.0 by default.
+    #[schemars(range(min = 1.0, max = 3.0))]
     pub smoothing_ratio: f64,
     /// Kinematic viscosity (INDAT i_viscos 2 | 3: viscos_val; 3 with fluid.turbulence); 0 is none [m^2/s].
+    #[schemars(range(min = 0.0))]
     pub kinematic_viscosity: f64,
     /// Tangential condition on walls.
+    #[schemars(extend("x-when" = ".kinematic_viscosity"))]
     pub wall_slip: Slip,
 }
 

@@ -27,8 +27,8 @@ fn a_quick_bench_measures_every_row() {
     assert!(blocks.len() >= 2, "{blocks:?}");
     for k in 0..blocks.len() {
         let whole = positive(&format!("/blocks/{k}/evaluations_per_core_second"));
-        let sweeps = positive(&format!("/blocks/{k}/sweeps_only_per_core_second"));
-        assert!(sweeps > whole, "the sweeps are a part of the step: {sweeps}, {whole}");
+        let interactions = positive(&format!("/blocks/{k}/sweeps_only_per_core_second"));
+        assert!(interactions > whole, "the interactions are a part of the step: {interactions}, {whole}");
         let neighbours = positive(&format!("/blocks/{k}/neighbours"));
         assert!((25.0..31.0).contains(&neighbours), "{neighbours} neighbours");
         positive(&format!("/blocks/{k}/over_reference"));

@@ -12,7 +12,7 @@ mod converge;
 mod ditch;
 mod endings;
 mod files;
-mod ladder;
+mod model;
 mod refusals;
 mod stability;
 mod study;

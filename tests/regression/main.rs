@@ -54,7 +54,7 @@ fn the_bits_do_not_depend_on_threads_and_come_again() {
     }
 }
 
-/// The options' own sweeps are gathers too: the same bits with one thread and with three.
+/// The passes of the options are gathers too: the same bits with one thread and with three.
 #[test]
 fn the_options_bits_do_not_depend_on_threads() {
     let coarse = "resolution.spacing=0.05";

@@ -1,4 +1,4 @@
-//! Coupling with beams: where one exchange a step fails, and the schemes that hold there (THEORY C10–C13).
+//! Coupling with beams: where explicit coupling fails, and the schemes that hold there (THEORY C10–C13).
 
 use evidence::strip::{Floor, LENGTH, PERIOD, SOUND, WATER, deflection};
 use evidence::systems::{advance, system};
@@ -45,7 +45,7 @@ fn radius(floor: &Floor) -> f64 {
 }
 
 /// The stability map of beams: mass ratio ρ_s t/(ρ L) × scheme, a clamped strip that begins to carry water as deep as it is long.
-/// Failure: one exchange a step, where C12 says. Remedy: the others, which agree with each other at any ratio.
+/// Failure: explicit coupling, where C12 says. Remedy: the others, which agree with each other at any ratio.
 #[test]
 fn light_strips_hold_with_every_scheme_but_weak() {
     println!("ratio, radius (C12): largest deflection [mm], iterations a step: weak, added_mass, iqn_ils");
@@ -72,7 +72,7 @@ fn light_strips_hold_with_every_scheme_but_weak() {
     }
 }
 
-/// C12 against runs: one exchange a step is quiet at 0.85 of the estimate's limit and fails at 1.2, at any step and spacing.
+/// C12 against runs: explicit coupling is quiet at 0.85 of the estimate's limit and fails at 1.2, at any step and spacing.
 #[test]
 fn one_exchange_a_step_fails_where_the_estimate_says() {
     for (courant, rows) in [(0.6, 20), (0.6, 40), (0.3, 20), (0.15, 20)] {
@@ -140,7 +140,7 @@ fn light_panels_on_a_light_frame_and_a_light_baffle_hold() {
     }
 }
 
-/// C12 with two wet faces: a baffle in still water, which has nothing to do but stand. One exchange a step is quiet at 0.85 of the
+/// C12 with two wet faces: a baffle in still water, which has nothing to do but stand. Explicit coupling is quiet at 0.85 of the
 /// estimate's limit and shakes at 1.3.
 #[test]
 fn a_plate_wet_on_both_sides_has_twice_the_water() {

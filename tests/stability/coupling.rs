@@ -1,4 +1,4 @@
-//! Coupling: where one exchange a step fails, and the schemes that hold there (THEORY C1–C8).
+//! Coupling: where explicit coupling fails, and the schemes that hold there (THEORY C1–C8).
 
 use evidence::light::{DRAUGHT, light_box, settle};
 use evidence::systems::{advance, scene, system};
@@ -86,12 +86,12 @@ fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
     }
 }
 
-/// Failure: a light box that has stirred the water up floats too high by about half a spacing (disordered water stands off
+/// Failure: a light box in water that it has disordered floats too high by about half a spacing (disordered water stands off
 /// the walls), whatever the scheme, weak coupling included where it is stable (heave only): dropped from 50 mm with a
 /// draught of two spacings it stands 28 % too high, with one of four 14 %. Remedy: spacing; or let it down gently, see
 /// `verification`.
 #[test]
-fn a_box_that_stirred_the_water_floats_too_high_whatever_the_scheme() {
+fn a_box_in_disordered_water_floats_too_high_whatever_the_scheme() {
     let (depth, spacing) = (0.2, 0.01);
     let draughts = ["weak", "added_mass", "iqn_ils"].map(|scheme| {
         let scheme = format!("coupling.scheme={scheme}");

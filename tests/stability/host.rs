@@ -8,7 +8,7 @@ fn floating(mass: f64) -> (FluidElement, HostNodes, f64) {
     let draught = mass / 400.0;
     let corners = vec![[-0.2, -draught], [0.2, -draught], [0.2, 0.2], [-0.2, 0.2]];
     let topology = Topology::of(corners.clone()).closed(0..4).weighing(vec![0.5 * mass, 0.5 * mass, 0.0, 0.0]);
-    let spec = FluidElementSpec { sound_speed: Some(20.0), ..FluidElementSpec::new(0.02, 0.8, 0.5) };
+    let spec = FluidElementSpec::new(0.02, 0.8, 0.5).with_sound_speed(20.0);
     let sized = spec.size(&topology).expect("a sound element");
     let said = sized.added_mass().expect("masses").host_dt;
     let nodes = HostNodes::at_rest(corners);

@@ -1,8 +1,7 @@
 //! Where runs fail lies where theory puts it, within one cell of each map (THEORY M1–M6).
 
 use rayon::prelude::*;
-use scenarios::experiments::catalogue;
-use scenarios::experiments::stability::{self, Map, Verdict};
+use scenarios::experiments::stability::{self, MAPS, Map, Verdict};
 
 /// Theory knows the lattice, not the jump of the cut Gaussian, whose edge lies on neighbours at h/Δx = 1 (THEORY M6).
 const ASTRAY: (&str, &str) = ("free_surface_threshold", "gaussian_1.0");
@@ -31,8 +30,7 @@ fn around(map: &Map, y: &str) -> Vec<Expectation> {
 /// scheme of which theory says that it holds everywhere does so at both ends of the map.
 #[test]
 fn boundaries_lie_within_a_cell_of_theory() {
-    let maps: Vec<Map> =
-        catalogue::all::<Map>().expect("they parse").into_iter().filter(|m| m.theory.is_some()).collect();
+    let maps: Vec<Map> = MAPS.all().expect("they parse").into_iter().filter(|m| m.theory.is_some()).collect();
     assert!(maps.len() >= 7, "{} maps with a theory", maps.len());
     let rows = maps.iter().flat_map(|map| map.y.names().into_iter().map(move |y| (map, y)));
     let rows = rows.filter(|(map, y)| (map.name.as_str(), y.as_str()) != ASTRAY);
@@ -49,7 +47,7 @@ fn boundaries_lie_within_a_cell_of_theory() {
 /// Failure: with the Gaussian at h/Δx = 1 the thesis's solver breaks down at every threshold. Remedy: another kernel.
 #[test]
 fn no_threshold_helps_where_the_kernels_edge_lies_on_neighbours() {
-    let map = catalogue::select::<Map>(&[ASTRAY.0.to_string()]).expect("a map").swap_remove(0);
+    let map = MAPS.select(&[ASTRAY.0.to_string()]).expect("a map").swap_remove(0);
     let verdict = |y: &str| stability::point(&map, &format!("0.75,{y}")).expect("a point that can be run").0.verdict;
     assert_eq!(verdict(ASTRAY.1), Verdict::Failed);
     assert_eq!(verdict("wendland_c2_1.0"), Verdict::Stable);

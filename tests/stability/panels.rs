@@ -1,4 +1,4 @@
-//! Light panels: elements between the particles, and blows of single particles (THEORY C12, E25).
+//! Light panels: elements between the particles, and impulses of single particles (THEORY C12, E25).
 
 use evidence::systems::{advance, of_text};
 use fsi_coupling::Coupled;
@@ -60,10 +60,10 @@ fn elements_shorter_than_a_spacing_crumple_under_a_light_panel() {
     assert!(default.momentum_audit().worst < 1e-10);
 }
 
-/// A flap far lighter than a particle is hit by single ones: each blow leaves flap and particle one velocity, so that no energy
+/// A flap far lighter than a particle is hit by single ones: each contact leaves flap and particle one velocity, so that no energy
 /// comes of it and the largest normal force does not grow without bound as the steps shrink.
 #[test]
-fn blows_of_single_particles_give_a_light_flap_no_energy() {
+fn impulses_of_single_particles_give_a_light_flap_no_energy() {
     let flap = r#"
 name = "flap"
 [time]

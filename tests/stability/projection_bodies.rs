@@ -1,4 +1,4 @@
-//! One exchange a step in a projection: the water answers at once with all of its added mass, so a body that is lighter than
+//! Explicit coupling with a projection: the water answers at once with all of its added mass, so a body that is lighter than
 //! that shakes itself to pieces, whatever the step (THEORY C11, PB5).
 
 use evidence::systems::{advance, system};

@@ -1,8 +1,8 @@
-//! Failures at plates thinner than their rows of wall particles, and their remedy: screens (THEORY T1, T2).
+//! Failures at plates thinner than their rows of wall particles, and their remedy: plate midlines (THEORY T1, T2).
 
 use evidence::parameters::Parameters;
 use evidence::plates::{
-    DENSITY, GRAVITY, coupled, face_forces, fixed, parameters, parted, parted_by, plate, sides, tank,
+    DENSITY, GRAVITY, coupled, face_forces, fixed, parameters, plate, separated, separated_by, sides, tank,
 };
 use evidence::statistics::mean;
 use evidence::systems::{advance, take};
@@ -31,14 +31,14 @@ fn held(mut system: Coupled, rows: [usize; 2]) -> ([f64; 2], usize) {
 
 /// A plate one spacing thick between waters 24 and 12 spacings deep, sampled as any outline is: the rows of its two faces
 /// fall together in its middle and see both waters. Failure: the forces on the faces are off by 61 and 255 % of ½ρgh², and
-/// two particles are lost in a second. Remedy: a plate, with its own rows for each face, and a screen (0.4 %, none).
+/// two particles are lost in a second. Remedy: a plate, with its own rows for each face, and a plate midline (0.4 %, none).
 #[test]
 fn a_plate_of_one_spacing_shows_each_face_the_other_water() {
     let rows = [24, 12];
     let bare = |outline: Outline| fixed(Outline::polygon(&outline.loops()[0]).expect("the same corners"));
-    let (old, through) = held(parted_by(1.0, 16, rows, SPACING, bare), rows);
-    let (new, lost) = held(parted(1.0, 16, rows, SPACING), rows);
-    println!("filled rows: {old:?}, {through} lost; screen: {new:?}, {lost} lost");
+    let (old, through) = held(separated_by(1.0, 16, rows, SPACING, bare), rows);
+    let (new, lost) = held(separated(1.0, 16, rows, SPACING), rows);
+    println!("filled rows: {old:?}, {through} lost; plate midline: {new:?}, {lost} lost");
     assert!(old[1].abs() > 0.2 || through > 10, "filled rows hold: {old:?}, {through} particles lost");
     assert!(new.iter().all(|error| error.abs() < 0.01), "{new:?}");
     assert_eq!(lost, 0);
@@ -68,7 +68,7 @@ fn lone_particles_fly_through_a_plate_unless_their_path_is_looked_at() {
     let through = |mut system: Coupled| {
         take(&mut system, 8).expect("a stable run");
         let beyond = system.fluid.particles().x.iter().filter(|x| **x > 0.0).count();
-        assert!(system.momentum_audit().worst < 1e-10, "momentum closes with every blow");
+        assert!(system.momentum_audit().worst < 1e-10, "momentum closes with every contact impulse");
         (beyond, system.stopped())
     };
     let (old, new) = (through(thrown(bare)), through(thrown(fixed)));

@@ -8,7 +8,7 @@ use sph_core::{Breakdown, Seed, Walls};
 /// The acoustic step limit Δt ≤ C h/(c₀ + |v|) (THEORY E17). Failure: with C = 1.5 the impact breaks down within a
 /// hundred steps, and says which particle, where and when. Remedy: C = 0.6.
 #[test]
-fn a_step_above_the_acoustic_limit_blows_up() {
+fn a_step_above_the_acoustic_limit_breaks_down() {
     let entry = |cfl: f64| {
         let mut system = system("wedge_constant", &["resolution.spacing=0.1"]);
         system.fluid.scheme_mut::<Wcsph>().expect("the default scheme").settings.cfl = cfl.into();
@@ -48,7 +48,7 @@ fn stretched(side: usize, parameters: Parameters) -> Vec<f64> {
     let seed = |k: usize| Seed { at: at(k), velocity: [0.0; 2], area: 0.0025, pressure: 0.0 };
     let mut fluid = parameters.fluid(&(0..side * side).map(seed).collect::<Vec<_>>());
     let mut walls = Walls::default();
-    // the first sweep counts neighbours, the second acts on what it found
+    // the first pass counts neighbours, the second acts on what it found
     fluid.initialise(&mut walls).expect("water at rest");
     fluid.particles_mut().rho.fill(parameters.eos.density(-100.0));
     fluid.initialise(&mut walls).expect("water at rest");

@@ -32,8 +32,7 @@ pub fn spec() -> FluidElementSpec {
         rim: Some(0.2),
         fine_half_width: Some(0.4),
         fine_depth: Some(0.15),
-        sound_speed: Some(167.0),
-        ..FluidElementSpec::new(SPACING, 1.2, 0.8)
+        ..FluidElementSpec::new(SPACING, 1.2, 0.8).with_sound_speed(167.0)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::parameters::Parameters;
 use fsi_coupling::RigidMotion;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::Seed;
 
@@ -25,8 +25,8 @@ pub fn still(from: [f64; 2], to: [f64; 2], spacing: f64) -> Vec<Seed> {
 
 /// A tank with a floor at y = 0 and walls at `x` up to `rim` [m].
 pub fn tank(x: [f64; 2], rim: f64, spacing: f64) -> Tank {
-    let tiling = Tiling::new(Basin { x, y: [0.0, rim], fine_x: x, fine_depth: rim, spacing, growth: 1.0 });
-    Tank::new(tiling, x, 0.0, rim, false)
+    let layout = Layout::new(Basin { x, y: [0.0, rim], fine_x: x, fine_depth: rim, spacing, growth: 1.0 });
+    Tank::new(layout, x, 0.0, rim, false)
 }
 
 /// The outline of a plate about a middle line [m].
@@ -46,12 +46,12 @@ pub fn coupled(parameters: Parameters, seeds: &[Seed], bodies: Vec<Box<dyn Body>
 
 /// A plate of `thickness` spacings that parts a tank of 2 × `columns` cells into two waters of `rows` [left, right] cells;
 /// it stands on the floor and ends above both.
-pub fn parted(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) -> Coupled {
-    parted_by(thickness, columns, rows, spacing, fixed)
+pub fn separated(thickness: f64, columns: usize, rows: [usize; 2], spacing: f64) -> Coupled {
+    separated_by(thickness, columns, rows, spacing, fixed)
 }
 
 /// The same with a body made of the plate's outline.
-pub fn parted_by(
+pub fn separated_by(
     thickness: f64,
     columns: usize,
     rows: [usize; 2],
@@ -123,7 +123,7 @@ pub fn sides(system: &Coupled) -> Vec<bool> {
     left
 }
 
-/// [`parted`], with a plate that is driven to the right by `travel` [m] in half a second and rests there.
+/// [`separated`], with a plate that is driven to the right by `travel` [m] in half a second and rests there.
 pub fn paddled(thickness: f64, columns: usize, rows: [usize; 2], travel: f64, spacing: f64) -> Coupled {
     let law = move |t: f64| {
         let (s, period) = ((t / 0.5).min(1.0), 0.5);
@@ -136,5 +136,5 @@ pub fn paddled(thickness: f64, columns: usize, rows: [usize; 2], travel: f64, sp
         }
     };
     let body = |outline| Box::new(PrescribedBody::new("plate", outline, false, Box::new(law))) as Box<dyn Body>;
-    parted_by(thickness, columns, rows, spacing, body)
+    separated_by(thickness, columns, rows, spacing, body)
 }

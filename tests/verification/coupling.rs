@@ -130,7 +130,7 @@ fn wedges_do_not_notice_the_scheme() {
 }
 
 /// A box of a twentieth of the water's density that starts afloat at its draught stays there, within 2 % of two spacings'
-/// draught and of four's; momentum closes, and energy within 2 % of its weight times its draught. (Once it has stirred the water up: see `stability`.)
+/// draught and of four's; momentum closes, and energy within 2 % of its weight times its draught. (In disordered water: see `stability`.)
 #[test]
 fn a_light_box_floats_at_its_draught() {
     let depth = 0.12;

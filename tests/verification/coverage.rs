@@ -1,13 +1,12 @@
 //! Error bars of convergence studies against exact values. The whole table: `splashdown bands --all`.
 
-use scenarios::experiments::catalogue;
-use scenarios::experiments::coverage::{Case, Line, cover};
+use scenarios::experiments::coverage::{CASES, Line, cover};
 
 /// Nine of ten bars hold the exact value.
 #[test]
 fn bars_of_coarse_studies_hold_exact_values() {
     let names = ["wedge_30_coarse", "wedge_45_coarse", "still_water_coarse"].map(String::from);
-    let cases = catalogue::select::<Case>(&names).expect("they are there");
+    let cases = CASES.select(&names).expect("they are there");
     let lines: Vec<_> = cases.iter().flat_map(|case| cover(case).expect("it runs")).collect();
     let lost: Vec<String> = lines
         .iter()

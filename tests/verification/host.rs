@@ -33,7 +33,7 @@ fn swinging(rotations: bool) -> (FluidElement, impl Fn(f64) -> HostNodes) {
     };
     let start = law(0.0);
     let topology = Topology { rotations, ..Topology::of(start.position.clone()).closed(0..11) };
-    let spec = FluidElementSpec { sound_speed: Some(40.0), ..FluidElementSpec::new(0.03, 1.0, 0.6) };
+    let spec = FluidElementSpec::new(0.03, 1.0, 0.6).with_sound_speed(40.0);
     (spec.size(&topology).expect("a sound element").build(&start).expect("water"), law)
 }
 
@@ -81,7 +81,7 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
 fn blows_of_single_particles_reach_the_nodes() {
     let arms = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]];
     let law = |t: f64| placed(&arms, &Motion { angle: 0.4 + 15.0 * t, angular_velocity: 15.0, ..Motion::default() });
-    let spec = FluidElementSpec { sound_speed: Some(50.0), ..FluidElementSpec::new(0.03, 0.9, 0.6) };
+    let spec = FluidElementSpec::new(0.03, 0.9, 0.6).with_sound_speed(50.0);
     let topology = Topology::of(law(0.0).position).closed(0..4);
     let mut element = spec.size(&topology).expect("a sound element").build(&law(0.0)).expect("water");
     let (mut forces, mut time, mut blows, mut steps) = (vec![[0.0; 3]; 4], 0.0, 0.0, 0);
@@ -303,11 +303,8 @@ fn a_chain_in_still_water_carries_its_weight() {
     for rotations in [false, true] {
         let rest: Vec<[f64; 2]> = (0..=6).map(|k| [0.3 - 0.1 * f64::from(k), -0.2]).collect();
         let topology = Topology { rotations, ..Topology::of(rest.clone()).open(0..7, Side::Left, 0.4) };
-        let spec = FluidElementSpec {
-            sound_speed: Some(20.0),
-            kinematic_viscosity: 0.01,
-            ..FluidElementSpec::new(0.02, 0.7, 0.5)
-        };
+        let mut spec = FluidElementSpec::new(0.02, 0.7, 0.5).with_sound_speed(20.0);
+        spec.water.kinematic_viscosity = 0.01;
         let nodes = HostNodes::at_rest(rest);
         let nodes = if rotations { nodes.with_rotations() } else { nodes };
         let mut element = spec.size(&topology).expect("a sound element").build(&nodes).expect("water");

@@ -52,7 +52,7 @@ fn bad_elements_are_refused_before_they_are_built() {
     assert!(said(FluidElementSpec { reach: 0.2, ..spec() }, &topology).contains("expected x between the walls"));
     assert!(
         said(FluidElementSpec { spacing: 1e-7, ..spec() }, &topology)
-            .starts_with("spacing: given 1e-7, expected at least")
+            .starts_with("`spacing` = 1e-7: expected at least")
     );
     let mut crossed = topology.clone();
     crossed.nodes.swap(0, 1);

@@ -11,8 +11,8 @@ const SPACING: f64 = 0.1;
 /// Particles along a side of the block; odd, so that one sits in the middle.
 const SIDE: usize = 21;
 
-/// What the first sweep finds around each particle of a square block, by (column, row).
-fn surroundings(kernel: Kernel, disorder: f64) -> Vec<KernelMoments> {
+/// What the first pass finds around each particle of a square block, by (column, row).
+fn moments(kernel: Kernel, disorder: f64) -> Vec<KernelMoments> {
     let eos = Tait { rho0: 1000.0, c0: 50.0, gamma: 7.0 };
     let parameters = Parameters { kernel, ..Parameters::usual(eos) };
     let mut noise = Noise::new(23);
@@ -42,19 +42,19 @@ fn interior() -> impl Iterator<Item = usize> {
 /// the jump's share, 4e⁻⁴/(1 − e⁻⁴) = 7.5 %, and the lattice's rows that lie on the edge as many percent again.
 #[test]
 fn inside_a_lattice_space_is_filled_and_gradients_are_exact() {
-    for (kernel, filling, lambda, crowding) in [
+    for (kernel, filling, lambda, gradient) in [
         (Kernel::WendlandC2, 0.01, [0.99, 1.01], 1e-12),
         (Kernel::CubicSpline, 0.01, [0.99, 1.01], 1e-12),
         (Kernel::Quadratic, 0.05, [0.95, 1.05], 1e-12),
         (Kernel::Gaussian, 0.02, [0.85, 0.99], 0.05),
     ] {
-        let around = surroundings(kernel, 0.0);
+        let around = moments(kernel, 0.0);
         for k in interior() {
             let s = &around[k];
             assert!((s.kernel_sum - 1.0).abs() < filling, "{kernel:?}: ΣVW = {}", s.kernel_sum);
             assert!((lambda[0]..lambda[1]).contains(&f64::from(s.lambda)), "{kernel:?}: λ = {}", s.lambda);
             assert!(
-                s.concentration_gradient().iter().all(|c| c.abs() * SPACING < crowding),
+                s.concentration_gradient().iter().all(|c| c.abs() * SPACING < gradient),
                 "{kernel:?}: ΣV∇W = {:?}",
                 s.concentration_gradient
             );
@@ -66,7 +66,7 @@ fn inside_a_lattice_space_is_filled_and_gradients_are_exact() {
 /// by as much. The sum by hand, over a lattice without end: −½ Σ Δx² r·∇W = 0.997399.
 #[test]
 fn a_lattice_gives_0_26_percent_too_little_gradient() {
-    let around = surroundings(Kernel::WendlandC2, 0.0);
+    let around = moments(Kernel::WendlandC2, 0.0);
     for k in interior() {
         assert!((f64::from(around[k].lambda) - 0.997_399).abs() < 1e-6, "λ = {}", around[k].lambda);
     }
@@ -75,7 +75,7 @@ fn a_lattice_gives_0_26_percent_too_little_gradient() {
 /// A disorder of a tenth of a spacing leaves ΣVW and λ within a tenth: surface detection has room above λ = 0.7.
 #[test]
 fn a_disordered_interior_is_not_taken_for_a_surface() {
-    let around = surroundings(Kernel::WendlandC2, 0.1);
+    let around = moments(Kernel::WendlandC2, 0.1);
     for k in interior() {
         assert!((around[k].kernel_sum - 1.0).abs() < 0.1, "ΣVW = {}", around[k].kernel_sum);
         assert!(around[k].lambda > SURFACE_LAMBDA + 0.15, "λ = {}", around[k].lambda);
@@ -86,7 +86,7 @@ fn a_disordered_interior_is_not_taken_for_a_surface() {
 /// The surface row is not yet spray.
 #[test]
 fn a_free_surface_is_the_outer_row_and_nothing_else() {
-    let around = surroundings(Kernel::WendlandC2, 0.0);
+    let around = moments(Kernel::WendlandC2, 0.0);
     let at = |i: usize, j: usize| &around[j * SIDE + i];
     let middle = SIDE / 2;
     for surface in [at(middle, SIDE - 1), at(0, middle), at(0, 0)] {

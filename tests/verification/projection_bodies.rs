@@ -12,7 +12,7 @@ fn velocity(system: &Coupled) -> [f64; 3] {
 }
 
 /// A cylinder of a tenth of the water's density is shoved under water without gravity: what the water gains the body loses,
-/// to rounding, and the accelerations found lack nothing of those that the forces cause.
+/// to rounding, and the accelerations found are those that the forces cause.
 #[test]
 fn a_shove_under_water_closes_momentum_to_rounding() {
     let sets = [PROJECTION, "gravity=[0,0]", "body.mass=3.12", "body.velocity=[0.5, 0.2]", "fluid.cfl=0.05"];

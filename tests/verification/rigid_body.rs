@@ -166,10 +166,10 @@ fn a_stiff_spring_load_does_not_feed_energy() {
     assert!((order - 2.0).abs() < 0.2, "{coarse:.5}, then {fine:.5}: observed order {order:.2}");
 }
 
-/// Guides hold what is not free to the last bit, whatever pushes, and the ledger says what they took: momentum equals
+/// Guides hold what is not free to the last bit, whatever pushes, and the momentum balance contains what they took: momentum equals
 /// the impulses of load, gravity and guides.
 #[test]
-fn guides_hold_to_the_bit_and_the_ledger_closes() {
+fn guides_hold_to_the_bit_and_the_momentum_balance_closes() {
     for free in [[false, true, false], [true, false, false], [true, true, true], [false, false, true]] {
         let start = RigidSpec { free, gravity: [1.0, -9.81], ..spec() };
         let (mut body, mut handled) = body(start);
@@ -191,9 +191,9 @@ fn guides_hold_to_the_bit_and_the_ledger_closes() {
         }
         let moved = motion(&body);
         assert!((0..2).all(|k| !free[k] || moved.position[k] != first.position[k]), "{free:?}: a free axis stuck");
-        let ledger = body.momentum();
+        let held_by = body.momentum();
         for k in 0..2 {
-            let gap = ledger.momentum[k] - held[k] - ledger.external[k] - given[k];
+            let gap = held_by.momentum[k] - held[k] - held_by.external[k] - given[k];
             assert!(gap.abs() < 1e-11, "{free:?}, axis {k}: {gap} N s/m are unaccounted for");
         }
     }

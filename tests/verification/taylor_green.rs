@@ -141,14 +141,14 @@ fn vortices_decay_under_a_projection_whose_pressure_nothing_gives_a_level() {
     assert!((runs[2][1] / kinetic - 1.0).abs() < 0.03, "energy {:.4}, exact {kinetic:.4}", runs[2][1]);
 }
 
-/// One pressure sweep a step (EX3) instead of a solve, at C = 0.1, 32 to the side: an error of at most 6 %, where the solve
+/// One pressure pass per step (EX3) instead of a solve, at C = 0.1, 32 to the side: an error of at most 6 %, where the solve
 /// leaves 4 %.
 #[test]
-fn vortices_decay_under_one_pressure_sweep_a_step() {
+fn vortices_decay_under_one_pressure_pass_per_step() {
     let [umax, kinetic] = tabulated();
     let start = relaxed(projected(32, Solver::IncompressibleExplicit, 0.1));
     let [error, energy] = error_and_energy(start, umax);
-    println!("one sweep: error {error:.4}; energy {energy:.4}, exact {kinetic:.4}");
+    println!("one pass: error {error:.4}; energy {energy:.4}, exact {kinetic:.4}");
     assert!(error < 0.06, "error {error:.4}");
     assert!((energy / kinetic - 1.0).abs() < 0.1, "energy {energy:.4}, exact {kinetic:.4}");
 }

@@ -1,6 +1,6 @@
 //! Thin walls (THEORY T1–T5): plates of any thickness, wet on both sides.
 
-use evidence::plates::{DENSITY, GRAVITY, Submerged, face_forces, paddled, parted, sides};
+use evidence::plates::{DENSITY, GRAVITY, Submerged, face_forces, paddled, separated, sides};
 use evidence::statistics::mean;
 use evidence::systems::{advance, system, take};
 use fsi_coupling::{Coupled, PrescribedBody, RigidBody2d, RigidSpec};
@@ -16,12 +16,12 @@ fn push(height: f64) -> f64 {
 
 /// Two still waters, 24 and 12 spacings deep, on the two sides of a plate that stands on the floor, a fifth of a spacing, one
 /// spacing, two and a half thick: each face carries ½ρgh² within 1 % (measured: +0.3 to +0.7 %, as the tank's own walls do), gauges
-/// on the faces at half depth read ρgh within 2 %, nobody changes sides or needs to be stopped, and the water stays at rest.
+/// on the faces at half depth read ρgh within 2 %, no particle changes sides or needs to be stopped, and the water stays at rest.
 #[test]
 fn a_plate_parts_two_still_waters() {
     let rows = [24, 12];
     for thickness in [0.2, 1.0, 2.5] {
-        let mut system = parted(thickness, 16, rows, SPACING);
+        let mut system = separated(thickness, 16, rows, SPACING);
         let (before, depth) = (sides(&system), rows.map(|n| n as f64 * SPACING));
         let (mut forces, mut gauged, mut kinetic) = ([vec![], vec![]], [vec![], vec![]], 0.0_f64);
         advance(&mut system, 3.0, |s| {
@@ -144,7 +144,7 @@ fn a_step_beside_a_plate_comes_again_to_the_same_bits() {
 }
 
 /// A plate a fifth of a spacing thick is driven by d = 3 spacings into the water on its right: the centre of that water moves
-/// by d/2 within 10 %, that of the water on its left follows; nobody changes sides. With nothing on its left, its left face
+/// by d/2 within 10 %, that of the water on its left follows; no particle changes sides. With nothing on its left, its left face
 /// carries nothing at all.
 #[test]
 fn a_paddle_pushes_the_water_before_it() {

@@ -1,4 +1,4 @@
-//! How long may a step of the host be that takes the water's force as it comes? An estimate (THEORY D5).
+//! Stable step of a host with explicit coupling: an estimate (THEORY D5).
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// D5; `None` where the topology tells no masses.
+    /// D5; `None` where the topology has no masses.
     pub(super) fn of(spec: &FluidElementSpec, topology: &Topology) -> Option<AddedMass> {
         if topology.masses.iter().sum::<f64>() <= 0.0 {
             return None;
@@ -37,9 +37,9 @@ impl AddedMass {
             wet[b] += half;
         }
         let of = |mass: f64, length: f64, node: Option<usize>| {
-            let row = 0.5 * spec.density * spec.spacing * length / mass;
-            let all = 0.25 * PI * spec.density * breadth * length / mass;
-            let sound = spec.density * spec.speed_of_sound() * length / mass;
+            let row = 0.5 * spec.water.density * spec.spacing * length / mass;
+            let all = 0.25 * PI * spec.water.density * breadth * length / mass;
+            let sound = spec.water.density * spec.speed_of_sound() * length / mass;
             let host_dt = if all + row < 1.0 { f64::INFINITY } else { ((1.0 - row) / sound).max(0.0) };
             AddedMass { row, node, all, host_dt }
         };
@@ -51,7 +51,7 @@ impl AddedMass {
         Some(of(topology.masses.iter().sum(), high[0] - low[0], None))
     }
 
-    /// In words, where there is something to say.
+    /// A warning where explicit coupling has a limit.
     pub(super) fn warning(&self) -> Option<String> {
         let whose = self.node.map_or("of the whole".into(), |node| format!("of node {node}"));
         match self.host_dt {

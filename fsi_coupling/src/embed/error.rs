@@ -1,22 +1,16 @@
-//! What a host is told when something is wrong: which key, node or particle, where, when.
+//! Errors of the embedding element: which key, node or particle, where, when.
 
 use crate::bodies::error::BodyError;
 use crate::coupling::error::CouplingError;
+use crate::settings::Problem;
 
 /// Bad input, or a step that failed. Nothing of the element has changed when a step's input is refused; after
 /// [`HostError::Step`] the element waits for `restore`.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum HostError {
     /// A key of the specification.
-    #[error("{key}: given {given}, expected {expected}")]
-    Key {
-        /// Which key.
-        key: String,
-        /// What was given.
-        given: String,
-        /// What is possible.
-        expected: String,
-    },
+    #[error("{0}")]
+    Key(Problem),
     /// The wet surface.
     #[error("topology, {place}: given {given}, expected {expected}")]
     Topology {

@@ -1,10 +1,10 @@
-//! The embedding element: a region of water inside somebody else's program, which keeps its own loop and step.
+//! The embedding element: a region of water inside a host program, which keeps its own time loop and step.
 //!
 //! Four phases, each of which consumes the one before, so that a wrong order does not compile:
 //!
 //! | phase | call | what happens |
 //! |---|---|---|
-//! | say | [`FluidElementSpec`] | every number about the water, checked by one table of [`keywords`] |
+//! | specify | [`FluidElementSpec`] | every number about the water, checked against its [`schema`] |
 //! | size | [`FluidElementSpec::size`] | particles, bytes, step, warnings; allocates nothing that grows with the water |
 //! | build | [`SizedElement::build`] | the water at t = 0; the only phase that allocates |
 //! | contribute | [`FluidElement::contribute`] | the water follows the nodes through one step of the host, and pushes them |
@@ -66,11 +66,10 @@ mod added_mass;
 mod body;
 mod element;
 mod error;
-pub mod keywords;
+mod node_map;
 mod nodes;
 mod path;
 mod sized;
-mod skin;
 mod snapshot;
 mod spec;
 mod topology;
@@ -81,5 +80,5 @@ pub use error::HostError;
 pub use nodes::HostNodes;
 pub use sized::SizedElement;
 pub use snapshot::Snapshot;
-pub use spec::FluidElementSpec;
+pub use spec::{FluidElementSpec, schema};
 pub use topology::{Side, Topology, WetSurface};

@@ -1,81 +1,103 @@
-//! Everything that is to be known of a region of water.
+//! The settings of a region of water that a host embeds.
 
-use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
+use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use sph_core::{Auto, Domain, FluidSettings, Integrator, Kernel, Slip, legacy, wcsph};
+use serde_json::{Map, Value};
+use sph_core::{Domain, FluidSettings, Integrator, legacy, wcsph};
 
 use super::error::HostError;
-use super::keywords::{self, Value, keywords};
+use crate::settings::{Problem, Schema};
 
-/// Least speed of sound over the fastest known speed of the flow [-] (THEORY E19).
-const LEAST_SOUND_RATIO: f64 = 10.0;
+/// Courant number at which the water's step breaks down (THEORY H4) [-].
+const BREAKDOWN_CFL: f64 = 1.2;
 
-/// A rectangular basin of water at rest, and the numerical scheme; what a scene file calls defaults are the defaults here.
-/// It is read from and written to any format of serde's as a table of [`keywords`](super::keywords), which has units,
-/// ranges and meanings.
-#[derive(Clone, Debug, PartialEq)]
+/// The schema of a [`FluidElementSpec`]: its keys with units, ranges, defaults and meanings.
+pub fn schema() -> &'static Schema {
+    static SCHEMA: LazyLock<Schema> = LazyLock::new(|| Schema::of::<FluidElementSpec>("a fluid element"));
+    &SCHEMA
+}
+
+/// A rectangular basin of water at rest, and its scheme. It is read from and written to any format of serde's as a table; a
+/// key that is unknown or out of range is refused.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(remote = "Self")]
 pub struct FluidElementSpec {
-    /// Finest particle spacing [m].
+    /// Finest particle spacing dx [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub spacing: f64,
-    /// Half width of the basin [m].
+    /// Half width of the basin, from its middle to either side wall [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub reach: f64,
     /// Depth of the water at rest [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub depth: f64,
-    /// Height of still water [m].
+    /// Height of the still-water line in the host's frame [m].
+    #[serde(default)]
     pub still_water: f64,
-    /// Middle of the basin [m]; none: that of the wet surface.
+    /// Middle of the basin [m].
+    #[schemars(extend("x-default" = "middle of the wet surface"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub middle: Option<f64>,
-    /// Height of the side walls above still water [m]; none: a quarter of the depth.
+    /// Height of the side walls above still water [m].
+    #[schemars(range(min = 0.0), extend("x-default" = "0.25 depth"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub rim: Option<f64>,
-    /// Ratio of successive rows outside the fine zone [-].
+    /// Ratio of successive rows outside the fine zone; 1 is uniform [-].
+    #[serde(default = "usual::growth")]
+    #[schemars(range(min = 1.0, max = 1.5))]
     pub growth: f64,
-    /// Half width of the fine zone [m]; none: by the wet surface.
+    /// Half width of the fine zone, about the middle of the wet surface [m].
+    #[schemars(extend(
+        "exclusiveMinimum" = 0,
+        "x-default" = "1.6 times half the wet surface's breadth, 10 spacings at least"
+    ))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub fine_half_width: Option<f64>,
-    /// Depth of the fine zone [m]; none: by the wet surface.
+    /// Depth of the fine zone below still water [m].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "half the wet surface's breadth, 4 spacings at least"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub fine_depth: Option<f64>,
-    /// Gravity on the water [m/s²].
+    /// Acceleration of gravity on the water [x, y]; the host's own weight is the host's [m/s²].
+    #[serde(default = "usual::gravity")]
     pub gravity: [f64; 2],
-    /// Density of the undisturbed water ρ₀ [kg/m³].
-    pub density: f64,
-    /// Fastest expected speed of the flow [m/s].
+    /// Largest expected speed of the flow, such as the spray root's (pi/2) V/tan(deadrise) [m/s].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required without sound_speed"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub fastest_speed: Option<f64>,
-    /// Speed of sound c₀ [m/s]; none: ten times the fastest speed.
-    pub sound_speed: Option<f64>,
-    /// Exponent γ of Tait's equation of state [-].
-    pub eos_exponent: f64,
-    /// Smoothing kernel.
-    pub kernel: Kernel,
-    /// Smoothing length over spacing h/Δx [-].
-    pub smoothing_ratio: f64,
-    /// Coefficient α of artificial viscosity [-].
-    pub artificial_viscosity: f64,
-    /// Kinematic viscosity ν [m²/s].
-    pub kinematic_viscosity: f64,
-    /// Coefficient δ of density diffusion [-].
-    pub density_diffusion: f64,
-    /// Particle shifting.
-    pub shifting: bool,
-    /// Tangential condition on walls.
-    pub wall_slip: Slip,
-    /// Walls feel the water stretch along them.
-    pub wall_stretch: bool,
-    /// Air comes in between a wall and water under tension.
-    pub ventilation: bool,
-    /// Time integration of the water.
+    /// The water.
+    #[serde(flatten)]
+    pub water: FluidSettings,
+    /// The scheme.
+    #[serde(flatten)]
+    pub scheme: wcsph::Settings,
+    /// Time integration of the water: symplectic or predictor_corrector (THEORY E15, E16).
+    #[serde(default)]
     pub integrator: Integrator,
-    /// Courant number [-]; none: the integrator's usual one.
-    pub cfl: Option<f64>,
-    /// Most steps of the water within a step of the host [-].
+    /// Steps of the water above which a step of the host is refused [-].
+    #[serde(default = "usual::most_substeps")]
+    #[schemars(range(min = 1.0, max = 1e9))]
     pub most_substeps: f64,
 }
 
+mod usual {
+    pub fn growth() -> f64 {
+        1.1
+    }
+    pub fn gravity() -> [f64; 2] {
+        [0.0, -9.81]
+    }
+    pub fn most_substeps() -> f64 {
+        100_000.0
+    }
+}
+
 impl FluidElementSpec {
-    /// Of the three lengths that have no default [m]: the finest spacing, the basin's half width and its depth. One speed,
-    /// `fastest_speed` or `sound_speed`, must be set beside them.
+    /// The three lengths that have no default [m]: the finest spacing, the basin's half width and its depth. One speed,
+    /// `fastest_speed` or [`FluidElementSpec::with_sound_speed`], must be set beside them.
     pub fn new(spacing: f64, reach: f64, depth: f64) -> FluidElementSpec {
-        let (water, usual) = (FluidSettings::default(), wcsph::Settings::default());
         FluidElementSpec {
             spacing,
             reach,
@@ -83,71 +105,72 @@ impl FluidElementSpec {
             still_water: 0.0,
             middle: None,
             rim: None,
-            growth: 1.1,
+            growth: usual::growth(),
             fine_half_width: None,
             fine_depth: None,
-            gravity: [0.0, -9.81],
-            density: water.density,
+            gravity: usual::gravity(),
             fastest_speed: None,
-            sound_speed: None,
-            eos_exponent: usual.eos_exponent,
-            kernel: water.kernel,
-            smoothing_ratio: water.smoothing_ratio,
-            artificial_viscosity: usual.artificial_viscosity,
-            kinematic_viscosity: water.kinematic_viscosity,
-            density_diffusion: usual.density_diffusion,
-            shifting: usual.shifting,
-            wall_slip: water.wall_slip,
-            wall_stretch: usual.wall_stretch,
-            ventilation: usual.ventilation,
+            water: FluidSettings::default(),
+            scheme: wcsph::Settings::default(),
             integrator: Integrator::default(),
-            cfl: None,
-            most_substeps: 100_000.0,
+            most_substeps: usual::most_substeps(),
         }
     }
 
-    /// From keys and values: unknown keys and values out of range are refused with what was expected.
-    pub fn from_keys<K: Into<String>>(
-        given: impl IntoIterator<Item = (K, Value)>,
+    /// The same with a numerical speed of sound [m/s].
+    pub fn with_sound_speed(mut self, sound_speed: f64) -> FluidElementSpec {
+        self.scheme.sound_speed = sound_speed.into();
+        self
+    }
+
+    /// A specification from keys and values.
+    ///
+    /// # Errors
+    /// A key that is unknown, absent or out of range.
+    pub fn from_keys<K: Into<String>, V: Into<Value>>(
+        given: impl IntoIterator<Item = (K, V)>,
     ) -> Result<FluidElementSpec, HostError> {
-        keywords::parse(&given.into_iter().map(|(key, value)| (key.into(), value)).collect())
+        let table: Map<String, Value> = given.into_iter().map(|(key, value)| (key.into(), value.into())).collect();
+        FluidElementSpec::from_table(&Value::Object(table)).map_err(HostError::Key)
     }
 
-    /// Refuse a value out of its range, wherever it came from.
+    fn from_table(given: &Value) -> Result<FluidElementSpec, Problem> {
+        let checked = schema().check(given)?;
+        let spec = FluidElementSpec::deserialize(&checked).map_err(|error| schema().missing("", &error))?;
+        spec.refuse_combinations()?;
+        Ok(spec)
+    }
+
+    /// Refuses a value out of its range, wherever it came from.
     pub(super) fn check(&self) -> Result<(), HostError> {
-        for key in keywords() {
-            match (key.get)(self) {
-                Some(Value::Number(x)) if x.is_nan() && key.absent == "required" => {
-                    let (given, expected) = ("nothing".into(), format!("{} [{}]", key.takes.expected(), key.unit));
-                    return Err(HostError::Key { key: key.name.into(), given, expected });
-                }
-                Some(value) => key.check(&value)?,
-                None => {}
-            }
+        let table = serde_json::to_value(self).unwrap_or_default();
+        schema().check(&table).and_then(|_| self.refuse_combinations()).map_err(HostError::Key)
+    }
+
+    fn refuse_combinations(&self) -> Result<(), Problem> {
+        if self.scheme.sound_speed.value().or(self.fastest_speed).is_none() {
+            return Err(Problem::missing("fastest_speed", "a number above 0 [m/s], or sound_speed"));
         }
-        if self.sound_speed.or(self.fastest_speed).is_none() {
-            let expected = "a number above 0 [m/s], or sound_speed".into();
-            return Err(HostError::Key { key: "fastest_speed".into(), given: "nothing".into(), expected });
+        if !matches!(self.integrator, Integrator::Symplectic | Integrator::PredictorCorrector) {
+            let expected = "symplectic or predictor_corrector";
+            return Err(Problem::new("integrator", self.integrator.name(), expected));
         }
-        Ok(())
+        let cfl = self.settings().courant_number();
+        match cfl < BREAKDOWN_CFL {
+            true => Ok(()),
+            false => Err(Problem::new("cfl", cfl, format!("a number above 0 and below {BREAKDOWN_CFL}"))),
+        }
     }
 
     /// Speed of sound c₀ [m/s].
     pub fn speed_of_sound(&self) -> f64 {
-        let least = self.fastest_speed.map(|speed| LEAST_SOUND_RATIO * speed);
-        self.sound_speed.or(least).unwrap_or(f64::NAN)
+        self.scheme.speed_of_sound(self.fastest_speed.unwrap_or(f64::NAN))
     }
 
     /// The water and the space it moves in.
     pub fn domain(&self) -> Domain {
         Domain {
-            fluid: FluidSettings {
-                density: self.density,
-                kernel: self.kernel,
-                smoothing_ratio: self.smoothing_ratio,
-                kinematic_viscosity: self.kinematic_viscosity,
-                wall_slip: self.wall_slip,
-            },
+            fluid: self.water,
             gravity: self.gravity,
             fastest_speed: self.fastest_speed.unwrap_or(0.1 * self.speed_of_sound()),
             ..Domain::default()
@@ -156,90 +179,89 @@ impl FluidElementSpec {
 
     /// The scheme's settings.
     pub fn settings(&self) -> legacy::Settings {
-        legacy::Settings {
-            scheme: wcsph::Settings {
-                sound_speed: self.speed_of_sound().into(),
-                eos_exponent: self.eos_exponent,
-                artificial_viscosity: self.artificial_viscosity,
-                density_diffusion: self.density_diffusion,
-                shifting: self.shifting,
-                wall_stretch: self.wall_stretch,
-                ventilation: self.ventilation,
-                cfl: self.cfl.map_or(Auto::Auto, Auto::Value),
-                ..wcsph::Settings::default()
-            },
-            options: legacy::Options {
-                integrator: self.integrator,
-                water_depth: self.depth,
-                ..legacy::Options::default()
-            },
-        }
+        let scheme = wcsph::Settings { sound_speed: self.speed_of_sound().into(), ..self.scheme };
+        let options = legacy::Options { integrator: self.integrator, water_depth: self.depth, ..Default::default() };
+        legacy::Settings { scheme, options }
     }
 }
 
 impl Serialize for FluidElementSpec {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(keywords().iter().filter_map(|key| Some((key.name, (key.get)(self)?))))
+        FluidElementSpec::serialize(self, serializer)
     }
 }
 
 impl<'de> Deserialize<'de> for FluidElementSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<FluidElementSpec, D::Error> {
-        let given = BTreeMap::<String, Value>::deserialize(deserializer)?;
-        keywords::parse(&given).map_err(D::Error::custom)
+        let given = Value::deserialize(deserializer)?;
+        FluidElementSpec::from_table(&given).map_err(D::Error::custom)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+    use sph_core::Kernel;
+
     use super::*;
 
-    fn said(given: &[(&str, Value)]) -> String {
-        FluidElementSpec::from_keys(given.iter().map(|(k, v)| (*k, v.clone()))).expect_err("refused").to_string()
-    }
-
-    fn sound() -> Vec<(&'static str, Value)> {
-        ["spacing", "reach", "depth", "sound_speed"]
-            .into_iter()
-            .zip([0.05, 1.0, 0.5, 40.0].map(Value::Number))
-            .collect()
+    fn refusal(change: &[(&str, Value)]) -> String {
+        let mut keys = json!({"spacing": 0.05, "reach": 1.0, "depth": 0.5, "sound_speed": 40.0});
+        for (key, value) in change {
+            match value {
+                Value::Null => drop(keys.as_object_mut().map(|keys| keys.remove(*key))),
+                value => keys[*key] = value.clone(),
+            }
+        }
+        let Value::Object(keys) = keys else { panic!("a table") };
+        FluidElementSpec::from_keys(keys).expect_err("refused").to_string()
     }
 
     #[test]
     fn a_specification_is_read_from_any_format_and_written_to_it() {
         let text = r#"{"spacing": 0.05, "reach": 2, "depth": 1.0, "fastest_speed": 4.5, "gravity": [0, -9.81],
-            "kernel": "wendland_c4", "shifting": false, "wall_slip": "none"}"#;
+            "kernel": "wendland_c4", "shifting": false, "kinematic_viscosity": 0.001, "wall_slip": "none"}"#;
         let spec: FluidElementSpec = serde_json::from_str(text).expect("a sound specification");
-        assert_eq!((spec.reach, spec.kernel, spec.shifting), (2.0, Kernel::WendlandC4, false));
+        assert_eq!((spec.reach, spec.water.kernel, spec.scheme.shifting), (2.0, Kernel::WendlandC4, false));
         assert_eq!(spec.speed_of_sound(), 45.0);
-        let again: FluidElementSpec =
-            serde_json::from_str(&serde_json::to_string(&spec).expect("numbers")).expect("what was written");
-        assert_eq!(again, spec);
+        let written = serde_json::to_string(&spec).expect("numbers");
+        assert_eq!(serde_json::from_str::<FluidElementSpec>(&written).expect("what was written"), spec);
         let wrong = serde_json::from_str::<FluidElementSpec>(r#"{"spacing": -1}"#).expect_err("refused").to_string();
-        assert_eq!(wrong, "spacing: given -1.0, expected a number above 0");
+        assert_eq!(wrong, "`spacing` = -1: expected a finite number above 0");
     }
 
     #[test]
     fn bad_keys_are_refused_with_key_given_and_expected() {
-        let with = |key, value| said(&[sound(), vec![(key, value)]].concat());
-        assert!(
-            with("spaceing", Value::Number(1.0)).starts_with("spaceing: given 1.0, expected one of spacing, reach")
-        );
+        let with = |key, value: Value| refusal(&[(key, value)]);
         assert_eq!(
-            with("growth", Value::Number(0.9)),
-            "growth: given 0.9, expected a number of at least 1 and at most 1.5"
+            with("spaceing", json!(1.0)),
+            "unknown key `spaceing`: expected a key of a fluid element, such as `spacing`"
         );
-        assert_eq!(with("cfl", Value::Number(1.2)), "cfl: given 1.2, expected a number above 0 and below 1.2");
-        assert_eq!(with("wall_slip", Value::Word("some".into())), "wall_slip: given some, expected free | none");
-        assert_eq!(with("density", Value::Flag(true)), "density: given true, expected a number above 0");
+        assert_eq!(with("growth", json!(0.9)), "`growth` = 0.9: expected a number from 1 to 1.5");
+        assert_eq!(with("cfl", json!(1.2)), "`cfl` = 1.2: expected a number above 0 and below 1.2");
+        assert_eq!(with("wall_slip", json!("some")), "`wall_slip` = `some`: expected one of `free`, `none`");
+        assert_eq!(with("density", json!(true)), "`density` = true: expected a finite number above 0");
+        assert_eq!(with("gravity", json!([0.0, f64::NAN])), "`gravity[1]` = null: expected a number");
+        assert!(with("spacing", Value::Null).starts_with("`spacing` is missing: expected a finite number above 0 [m]"));
+        assert!(with("sound_speed", Value::Null).starts_with("`fastest_speed` is missing: expected"));
+        let mut spec = FluidElementSpec::new(0.1, 1.0, 1.0).with_sound_speed(20.0);
+        spec.growth = 2.0;
         assert_eq!(
-            with("gravity", Value::Pair([0.0, f64::NAN])),
-            "gravity: given [0.0, NaN], expected two finite numbers"
+            spec.check().map_err(|e| e.to_string()),
+            Err("`growth` = 2: expected a number from 1 to 1.5".into())
         );
-        assert_eq!(said(&sound()[1..]), "spacing: given nothing, expected a number above 0 [m]");
+    }
+
+    #[test]
+    fn every_key_has_a_meaning_a_default_and_a_row_of_the_page() {
+        let page = schema().markdown();
+        for key in schema().keywords() {
+            assert!(!key.doc.is_empty() && !key.default.is_empty() && page.contains(&format!("| `{}` |", key.path)));
+        }
+        let growth = schema().keyword("growth").expect("a key").help();
         assert_eq!(
-            said(&sound()[..3]),
-            "fastest_speed: given nothing, expected a number above 0 [m/s], or sound_speed"
+            growth,
+            "growth [-]: Ratio of successive rows outside the fine zone; 1 is uniform; a number from 1 to 1.5 (default: 1.1)"
         );
     }
 }

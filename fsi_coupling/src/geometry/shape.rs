@@ -1,48 +1,64 @@
 //! The shapes that bodies may have, and their corners.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::geometry::polygon;
 
 /// Angle between the vertices that stand for a circular arc [rad]; chords leave the arc by R·4e-5 at most.
 const ARC_STEP: f64 = std::f64::consts::PI / 180.0;
 
 /// The closed outline of a body, in the body's own frame [m].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "shape", rename_all = "snake_case")]
+#[schemars(extend("x-shape-doc" = "Shape of the body; polyline is a bent plate"))]
 pub enum Shape {
     /// A symmetric wedge with vertical sides; the frame's origin is the keel.
     Wedge {
         /// Angle between the bottom and the still water [deg].
+        #[schemars(range(min = 4.0, max = 80.0))]
         deadrise_deg: f64,
-        /// Distance from chine to chine [m].
+        /// Distance from chine to chine, chord of an arc, width of a box [m].
+        #[schemars(extend("exclusiveMinimum" = 0))]
         breadth: f64,
         /// Height of the vertical sides above the chines [m].
+        #[schemars(range(min = 0.0), extend("x-default" = "breadth/4"))]
         side_height: f64,
     },
     /// A bottom that is an arc of a circle, with vertical sides; the frame's origin is the arc's lowest point.
     Arc {
-        /// Radius of the circle [m].
+        /// Radius of the bottom [m].
+        #[schemars(extend("exclusiveMinimum" = 0))]
         radius: f64,
-        /// Chord of the arc, from chine to chine [m], at most twice the radius.
+        /// Chord of the arc, from chine to chine, at most twice the radius [m].
+        #[schemars(extend("exclusiveMinimum" = 0))]
         breadth: f64,
         /// Height of the vertical sides above the chines [m].
+        #[schemars(range(min = 0.0), extend("x-default" = "breadth/4"))]
         side_height: f64,
     },
     /// A rectangle; the frame's origin is its centre.
     Box {
         /// Width along the body's x axis [m].
+        #[schemars(extend("exclusiveMinimum" = 0))]
         breadth: f64,
         /// Height along the body's y axis [m].
+        #[schemars(extend("exclusiveMinimum" = 0))]
         height: f64,
     },
     /// Any simple polygon.
     Polygon {
-        /// Vertices [m], shape (n, 2), counter-clockwise, not repeated at the end.
+        /// Vertices in the body's frame, shape (n, 2): a polygon's counter-clockwise, not repeated at the end, a plate's middle line
+        /// [m].
         points: Vec<[f64; 2]>,
     },
     /// An open line of constant thickness: a bent plate.
     Polyline {
-        /// Vertices of the plate's middle line [m], shape (n, 2).
+        /// Vertices of the plate's middle line, shape (n, 2) [m].
         points: Vec<[f64; 2]>,
-        /// Thickness of the plate [m], half of it on each side of the line.
+        /// Thickness of the plate, half of it on each side of the line [m]. Of any size, also below the spacing (THEORY T2); a fixed
+        /// plate may stand on the tank's floor or walls.
+        #[schemars(extend("exclusiveMinimum" = 0))]
         thickness: f64,
     },
 }

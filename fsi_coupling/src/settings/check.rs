@@ -5,11 +5,11 @@ use serde_json::{Map, Value};
 use super::condition::{Place, is_off};
 use super::node::{Foreign, Node};
 use super::problem::Problem;
-use super::schema::Schema;
 
 /// Checks values of one set of settings.
 pub(super) struct Checker<'a> {
-    pub schema: &'a Schema,
+    /// The refusal of an unknown key.
+    pub unknown: &'a dyn Fn(&str) -> Problem,
     pub root: Place<'a>,
 }
 
@@ -73,7 +73,8 @@ impl Checker<'_> {
             return self::word(&words.into_iter().chain(word).collect::<Vec<_>>(), given, path).map(Some);
         }
         match (inner.kind(), given) {
-            (Some("number"), Value::Number(x)) if x.as_f64().is_some_and(|x| inner.allows_number(x)) => {}
+            (Some("number"), Value::Number(x))
+                if x.as_f64().is_some_and(|x| inner.allows_number(x) && node.allows_number(x)) => {}
             (Some("integer"), Value::Number(x)) if is_whole(inner, x) => {}
             (Some("boolean"), Value::Bool(_)) | (Some("string"), Value::String(_)) => {}
             (Some("array"), Value::Array(items)) => return self.list(inner, items, path).map(Some),
@@ -102,20 +103,18 @@ impl Checker<'_> {
 
     /// Refuses a key that the present tags do not allow, unless its value is neutral.
     fn foreign(&self, theirs: &[Foreign], given: &Value, path: &str, chosen: &str) -> Result<(), Problem> {
-        let Some(first) = theirs.first() else { return Err(self.schema.unknown(path)) };
+        let Some(first) = theirs.first() else { return Err((self.unknown)(path)) };
         if let (Value::Object(content), Some("object")) = (given, first.node.kind()) {
             return content.iter().try_for_each(|(key, value)| {
                 let nested: Vec<Foreign> = theirs.iter().flat_map(|other| within(other, content, key)).collect();
                 self.foreign(&nested, value, &joined(path, key), chosen)
             });
         }
-        if is_off(given) || theirs.iter().any(|other| is_default(other.node, given)) {
+        if first.node.get("x-ignored-elsewhere").is_some() || theirs.iter().any(|other| is_neutral(other.node, given)) {
             return Ok(());
         }
-        let neutral = first.node.default().map_or(String::new(), |default| {
-            let neutral = if is_off(default) || default.is_string() { default.to_string() } else { "0".into() };
-            format!(", or {neutral},")
-        });
+        let neutral = first.node.get("x-neutral").or(first.node.default());
+        let neutral = neutral.map_or(String::new(), |neutral| format!(", or {neutral},"));
         let mut owners: Vec<String> = Vec::new();
         for other in theirs {
             let owner = format!("{:?}", other.owner);
@@ -158,10 +157,18 @@ fn idle(node: Node, value: &Value, path: &str, condition: &str) -> Problem {
     };
     let owner = match (owner.strip_prefix('.'), path.rsplit_once('.')) {
         (Some(rest), Some((table, _))) => format!("{table}.{rest}"),
+        (Some(rest), None) => rest.to_string(),
         _ => owner,
     };
-    let owner = if owner.contains(" = ") { owner } else { format!("{owner} other than 0") };
-    Problem::new(path, shown(value), format!("none{neutral}: the key has no effect here, it belongs to {owner}"))
+    Problem::new(path, shown(value), format!("none{neutral}: the key has no effect here, only with {owner}"))
+}
+
+/// A value that changes nothing under another tag: off, or the default.
+fn is_neutral(node: Node, given: &Value) -> bool {
+    match node.get("x-neutral") {
+        Some(neutral) => neutral.as_f64() == given.as_f64(),
+        None => is_off(given) || is_default(node, given),
+    }
 }
 
 fn is_default(node: Node, given: &Value) -> bool {

@@ -41,7 +41,7 @@ impl Place<'_> {
             match (value, words) {
                 (Some(value), None) => !is_off(&value),
                 (Some(value), Some(words)) => {
-                    words.split(" | ").any(|word| value.as_str() == Some(word) || value.to_string() == word)
+                    value.as_str().is_some_and(|value| words.split(" | ").any(|word| word == value))
                 }
                 (None, _) => false,
             }

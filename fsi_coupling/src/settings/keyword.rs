@@ -82,6 +82,7 @@ fn of_key(path: &str, table: Node, node: Node, key: &str, of_variant: bool) -> K
     let default = match (node.text("x-default"), node.get("default")) {
         (Some(text), _) => text.to_string(),
         (None, Some(value)) => written(value),
+        (None, None) if !table.requires(key) => "absent".into(),
         (None, None) if of_variant => required_by(table, key),
         (None, None) => "required".into(),
     };

@@ -11,7 +11,9 @@
 //! | `schemars(extend("x-default" = "end/500"))` | the program finds the value of an absent key, as described |
 //! | `schemars(with = "OrAuto<f64>")` | the word `auto` means the same as an absent key |
 //! | `schemars(extend("x-when" = ".scheme = iqn_ils"))` | the key is refused where it has no effect |
-//! | `serde(flatten)` of an enum with `serde(tag = "shape")` | the tag's value selects the keys |
+//! | `schemars(extend("x-neutral" = 0))` | under another tag the key may stand with this value only, else off or with its default |
+//! | `schemars(extend("x-ignored-elsewhere" = true))` | under another tag the key is ignored |
+//! | `serde(flatten)` of an enum with `serde(tag = "shape")` | the tag's value selects the keys; `x-shape-default`, `x-shape-doc` |
 //!
 //! ```
 //! use fsi_coupling::settings::Schema;
@@ -38,6 +40,8 @@ mod keyword;
 mod node;
 mod problem;
 mod schema;
+#[cfg(test)]
+mod tests;
 
 pub use keyword::Keyword;
 pub use problem::{Problem, significant};

@@ -107,6 +107,11 @@ impl<'s> Node<'s> {
         })
     }
 
+    /// The key that selects among this table's variants.
+    pub fn tag_name(self) -> Option<&'s str> {
+        self.variants().next().map(|(_, tag, _)| tag)
+    }
+
     /// The keys of a table with this content.
     pub fn keys(self, content: &Map<String, Value>) -> Keys<'s> {
         let mut keys = Keys::default();
@@ -147,6 +152,13 @@ impl<'s> Node<'s> {
         own.chain(self.list("allOf").flat_map(|part| part.owners(key))).collect()
     }
 
+    /// True if this table, or a variant of it, requires the key.
+    pub fn requires(self, key: &str) -> bool {
+        let required = self.get("required").and_then(Value::as_array).into_iter().flatten();
+        let own = required.filter_map(Value::as_str).any(|name| name == key);
+        own || ["oneOf", "anyOf", "allOf"].iter().any(|list| self.list(list).any(|part| part.requires(key)))
+    }
+
     /// What it takes, in words.
     pub fn expected(self) -> String {
         let (node, word) = self.given();
@@ -157,6 +169,7 @@ impl<'s> Node<'s> {
             return format!("one of {}{}", words.join(", "), word.map_or(String::new(), |word| format!(", `{word}`")));
         }
         let plain = match node.kind() {
+            Some("number") if self.is_bounded() => self.number_range("number"),
             Some("number") => node.number_range("number"),
             Some("integer") => node.whole_range(),
             Some("boolean") => "true or false".into(),
@@ -200,6 +213,10 @@ impl<'s> Node<'s> {
                 format!("a {noun} {}", bounds.join(" and "))
             }
         }
+    }
+
+    fn is_bounded(self) -> bool {
+        ["exclusiveMinimum", "minimum", "exclusiveMaximum", "maximum"].iter().any(|key| self.get(key).is_some())
     }
 
     /// True for a number within its bounds.

@@ -88,7 +88,7 @@ impl Schema {
         let node = Node(&self.value);
         let content = given.as_object().ok_or_else(|| Problem::new("", given, "a table of keys"))?;
         let root = Place { node, content };
-        Checker { schema: self, root }.table(node, &[], content, "").map(Value::Object)
+        Checker { unknown: &|path| self.unknown(path), root }.table(node, &[], content, "").map(Value::Object)
     }
 
     /// The refusal of a key that is absent, found by serde at `table`; anything else that serde refuses in its words.
@@ -107,7 +107,7 @@ impl Schema {
     }
 
     /// The refusal of an unknown key, with the nearest known one.
-    pub(super) fn unknown(&self, path: &str) -> Problem {
+    fn unknown(&self, path: &str) -> Problem {
         let near = self.nearest(path).map_or(String::new(), |near| format!(", such as `{near}`"));
         let sentence = format!("unknown key `{path}`: expected a key of {}{near}", self.noun);
         Problem { key: path.to_string(), sentence }
@@ -129,6 +129,7 @@ impl Schema {
 
 /// Keys whose value the program finds are not required, and no table has keys beyond its own.
 fn finish(schema: &mut Value, is_whole: bool) {
+    describe_tags(schema);
     let usual = schema.get("x-tag-default").cloned();
     for list in ["oneOf", "anyOf", "allOf"] {
         for part in schema.get_mut(list).and_then(Value::as_array_mut).into_iter().flatten() {
@@ -155,6 +156,21 @@ fn finish(schema: &mut Value, is_whole: bool) {
     if is_whole && table.get("type").is_some_and(|kind| kind == "object") {
         table.insert("unevaluatedProperties".into(), false.into());
     }
+}
+
+/// Writes default and meaning of each tag of a table, `x-shape-default` and `x-shape-doc`, beside the tag's variants.
+fn describe_tags(table: &mut Value) {
+    let outer = table.clone();
+    let describe = |part: &mut Value| {
+        let Some(tag) = Node(part).tag_name().map(String::from) else { return };
+        for (from, to) in [("default", "x-tag-default"), ("doc", "x-tag")] {
+            if let Some(value) = outer.get(format!("x-{tag}-{from}")) {
+                part[to] = value.clone();
+            }
+        }
+    };
+    describe(table);
+    table.get_mut("allOf").and_then(Value::as_array_mut).into_iter().flatten().for_each(describe);
 }
 
 /// A variant that an absent tag means does not require the tag.

@@ -7,7 +7,7 @@ use serde::Serialize;
 use sph_core::neighbours::images::Periodic;
 use sph_core::{Domain, Fluid, Phase, Seed, Walls, parallel, wcsph};
 
-use super::BenchError;
+use super::error::BenchError;
 
 /// Speed of sound over that of the vortices.
 const SOUND: f64 = 10.0;
@@ -39,7 +39,7 @@ pub struct Block {
     pub steps: usize,
     /// Forces on particles a second on one thread, the whole step counted [1/s].
     pub evaluations_per_core_second: f64,
-    /// The same, if a step were its two sweeps over pairs and nothing else [1/s].
+    /// The same, of its two interactions over pairs alone [1/s].
     pub sweeps_only_per_core_second: f64,
     /// Speed of the whole step over that of the reference path [-].
     pub over_reference: f64,
@@ -63,7 +63,7 @@ pub struct Memory {
     pub particles: usize,
     /// Held by state, rows and lists, counted [bytes].
     pub bytes_per_particle: f64,
-    /// Most that the process has held so far, where the system says [bytes].
+    /// Most that the process has held so far, where the system reports it [bytes].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_resident_bytes: Option<u64>,
 }
@@ -153,7 +153,7 @@ fn neighbours(fluid: &Fluid) -> f64 {
     met as f64 / some.len() as f64
 }
 
-/// Most memory that the process has held [bytes], where the system says.
+/// Most memory that the process has held [bytes], where the system reports it.
 fn peak_resident() -> Option<u64> {
     let said = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = said.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -5,35 +5,19 @@
 
 mod block;
 mod calibrate;
+mod error;
 mod runs;
 mod words;
 
 use std::time::Duration;
 
 use serde::Serialize;
-use sph_core::Breakdown;
 
 pub use block::{Block, Memory, Speedup};
 pub use calibrate::{Calibration, OneAndAll, calibrate};
+pub use error::BenchError;
 pub use runs::{Column, LogCost};
 pub use words::in_words;
-
-use crate::run::RunError;
-use crate::scene::SceneError;
-
-/// A measurement that could not be made.
-#[derive(Debug, thiserror::Error)]
-pub enum BenchError {
-    /// A block of fluid broke down.
-    #[error(transparent)]
-    Fluid(#[from] Breakdown),
-    /// A scene is not right.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// A run failed.
-    #[error(transparent)]
-    Run(#[from] RunError),
-}
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +76,7 @@ pub struct Bench {
     pub log: Vec<LogCost>,
 }
 
-/// Measure; `tell` hears what is being measured.
+/// Measure; `tell` is called before each part with its name.
 pub fn measure(extent: &Extent, tell: impl Fn(&str)) -> Result<Bench, BenchError> {
     let threads = rayon::current_num_threads();
     tell("memory and arithmetic of this machine");

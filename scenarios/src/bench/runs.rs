@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
-use super::BenchError;
+use super::error::BenchError;
 use crate::run::summary::{PhaseTime, Summary};
 use crate::run::{RunOptions, run};
 use crate::scene::{self, Scene};

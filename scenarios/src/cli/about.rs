@@ -1,7 +1,8 @@
-//! `splashdown list`, `keywords` and `check`: what there is, and what a run would cost.
+//! `splashdown list`, `keywords`, `schema` and `check`: what there is, and what a run would cost.
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
 use crate::preflight::preflight;
+use crate::reference_page::reference_page;
 use crate::scene;
 
 pub(super) fn list(output: &Output) -> Result<u8, Stop> {
@@ -18,17 +19,24 @@ pub(super) fn list(output: &Output) -> Result<u8, Stop> {
     Ok(DONE)
 }
 
-pub(super) fn keywords(output: &Output) -> Result<u8, Stop> {
-    for k in scene::keywords() {
-        if output.json {
-            say(format_args!(
-                "{}",
-                serde_json::json!({"key": k.path, "unit": k.unit, "default": k.default, "doc": k.doc})
-            ));
-        } else {
-            say(format_args!("{}\n    {} (unit: {}; default: {})", k.path, k.doc, k.unit, k.default));
+pub(super) fn keywords(output: &Output, markdown: bool) -> Result<u8, Stop> {
+    if markdown {
+        say(reference_page().trim_end());
+        return Ok(DONE);
+    }
+    for k in scene::schema().keywords() {
+        match output.json {
+            true => say(serde_json::json!(k)),
+            false => {
+                say(format_args!("{}\n    {}; {} (unit: {}; default: {})", k.path, k.doc, k.takes, k.unit, k.default))
+            }
         }
     }
+    Ok(DONE)
+}
+
+pub(super) fn schema() -> Result<u8, Stop> {
+    say(format_args!("{:#}", scene::schema().to_json()));
     Ok(DONE)
 }
 

@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::shared::{DONE, Output, Stop, say};
 use crate::experiments::ExperimentError;
-use crate::experiments::catalogue::{self, Case};
+use crate::experiments::catalogue::{self, Case, Catalogue};
 
 /// Cases of an experiment, and the file of its table.
 #[derive(Args)]
@@ -55,9 +55,10 @@ impl From<ExperimentError> for Stop {
 }
 
 /// List the built-in cases.
-fn list<C: Case>() -> Result<u8, Stop> {
-    for case in catalogue::all::<C>()? {
-        say(format_args!("{:<24} {}", case.name(), case.about()));
+fn list<C: Case>(cases: &Catalogue<C>) -> Result<u8, Stop> {
+    for case in cases.all()? {
+        let [name, about] = case.title();
+        say(format_args!("{name:<24} {about}"));
     }
     Ok(DONE)
 }
@@ -65,13 +66,13 @@ fn list<C: Case>() -> Result<u8, Stop> {
 /// Run cases that give lines of one table, one after another.
 fn lines_of<C: Case, Line>(
     output: &Output,
-    selection: &Selection,
+    cases: &[C],
     run: impl Fn(&C) -> Result<Vec<Line>, ExperimentError>,
 ) -> Result<Vec<Line>, Stop> {
     let mut lines = Vec::new();
-    for case in catalogue::select::<C>(&selection.cases)? {
-        output.progress(format_args!("{} …", case.name()));
-        lines.extend(run(&case)?);
+    for case in cases {
+        output.progress(format_args!("{} …", case.title()[0]));
+        lines.extend(run(case)?);
     }
     Ok(lines)
 }

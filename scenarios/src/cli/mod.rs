@@ -52,7 +52,13 @@ enum Command {
     /// Count how often the error bars of `run --converge` contain an exact value.
     Bands(coverage::BandsArgs),
     /// Describe every key of a scene file.
-    Keywords,
+    Keywords {
+        /// As a page of Markdown, with the keys of landings and of embedded elements.
+        #[arg(long)]
+        markdown: bool,
+    },
+    /// Print the JSON Schema (draft 2020-12) of a scene file.
+    Schema,
 }
 
 /// Entry point of the binary.
@@ -104,6 +110,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Validate(args) => validation::run_validation(output, args),
         Command::Bands(args) => coverage::run_bands(output, args),
-        Command::Keywords => about::keywords(output),
+        Command::Keywords { markdown } => about::keywords(output, *markdown),
+        Command::Schema => about::schema(),
     }
 }

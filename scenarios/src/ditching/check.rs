@@ -1,18 +1,21 @@
 //! What a landing must keep to, and the values that it leaves open.
 
+use std::ops::RangeInclusive;
+
 use fsi_coupling::entry_theory::ditching::{
     Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, Station, Water, Wing,
 };
 
 use super::model::{Scene, StationKeys};
-use crate::scene::problem::{Problem, not_negative, positive, required, within, word};
+use crate::scene::word::word;
+use fsi_coupling::settings::Problem;
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e6;
 
 /// The landing with everything filled in, if it is one.
 pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
-    scene.name = word("name", scene.name)?;
+    word("name", &scene.name)?;
     numbers(&scene)?;
     let hull = hull(&scene)?;
     let (landing, wing) = (&scene.landing, wing(&scene));
@@ -36,36 +39,22 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
 }
 
 fn numbers(scene: &Scene) -> Result<(), Problem> {
-    let Scene { landing, aeroplane, wing, water, .. } = scene;
+    let landing = &scene.landing;
     let pitch = landing.angle_of_attack_deg + landing.flight_path_deg;
-    within("landing.flight_path_deg", landing.flight_path_deg, -15.0..=-1e-3)?;
     if !(0.0..=30.0).contains(&pitch) {
         let expected = format!("an attitude of 0 to 30 degrees with landing.flight_path_deg, not {pitch}");
         return Err(Problem::new("landing.angle_of_attack_deg", landing.angle_of_attack_deg, expected));
     }
-    for (key, value) in [("landing.speed", landing.speed), ("landing.least_speed", landing.least_speed)] {
-        value.map(|v| positive(key, v)).transpose()?;
-    }
-    for (key, value) in [
-        ("landing.end", landing.end),
-        ("landing.step", landing.step),
-        ("aeroplane.mass", aeroplane.mass),
-        ("aeroplane.radius_of_gyration", aeroplane.radius_of_gyration),
-        ("wing.chord", wing.chord),
-        ("water.density", water.density),
-        ("water.gravity", water.gravity),
-    ] {
-        positive(key, value)?;
-    }
-    not_negative("wing.area", wing.area)?;
-    not_negative("wing.lift_slope", wing.lift_slope)?;
-    not_negative("wing.air_density", wing.air_density)?;
-    within("water.friction", water.friction, 0.0..=0.1)?;
-    within("water.suction", water.suction, 0.0..=1.0)?;
-    within("landing.strips", landing.strips as f64, 20.0..=5000.0)?;
     within("landing.step", landing.step, landing.end / MOST_STEPS..=landing.end)?;
     within("landing.sample_every", landing.sample_every, landing.step..=landing.end)?;
     Ok(())
+}
+
+fn within(key: &str, value: f64, range: RangeInclusive<f64>) -> Result<(), Problem> {
+    match range.contains(&value) {
+        true => Ok(()),
+        false => Err(Problem::new(key, value, format!("a number from {} to {}", range.start(), range.end()))),
+    }
 }
 
 fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
@@ -76,7 +65,7 @@ fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
         (Some(_), Some(given)) => {
             return Err(Problem::new(&key("deadrise_deg"), given, "a radius or a deadrise, not both"));
         }
-        (None, None) => Form::Radius(required(&key("radius"), None, "a radius or deadrise_deg")?),
+        (None, None) => return Err(Problem::missing(&key("radius"), "a radius or deadrise_deg")),
     };
     Ok(Station { x: keys.x, keel: keys.keel, breadth: keys.breadth, form })
 }

@@ -7,11 +7,12 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::check::checked;
-use super::keywords::keywords;
-use super::model::Scene;
+use super::model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WingKeys, schema};
 use crate::embedded::texts;
 use crate::scene::SceneError;
+use crate::scene::draft::Draft;
 use crate::scene::source::Source;
+use fsi_coupling::settings::Problem;
 
 static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");
 
@@ -41,6 +42,19 @@ pub fn load(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
 
 /// Loads a landing from its text; `name` stands for the file in messages. What the file leaves out is filled in.
 pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Scene, SceneError> {
-    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), keys: keywords() };
-    checked(source.read()?).map_err(|problem| source.error(problem))
+    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() };
+    let given = source.read()?;
+    let scene = Draft::of(&given, schema()).and_then(|draft| read(&draft));
+    scene.and_then(checked).map_err(|problem| source.error(problem))
+}
+
+/// The landing of a draft: table by table, so that a missing key is found where it belongs.
+fn read(draft: &Draft) -> Result<Scene, Problem> {
+    draft.read::<LandingKeys>("landing")?;
+    draft.read::<AeroplaneKeys>("aeroplane")?;
+    draft.read::<WingKeys>("wing")?;
+    for k in 0..draft.count("stations") {
+        draft.read::<StationKeys>(&format!("stations[{k}]"))?;
+    }
+    draft.read("")
 }

@@ -1,107 +1,129 @@
-//! A landing as its file says it; what the file leaves out is filled in when it is read.
+//! A landing: its settings, as its file gives them.
 
-use fsi_coupling::entry_theory::Rung;
+use std::sync::LazyLock;
+
+use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::settings::Schema;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A landing. Its keys are described in [`keywords`](super::keywords()).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The schema of a landing's file.
+pub fn schema() -> &'static Schema {
+    static SCHEMA: LazyLock<Schema> = LazyLock::new(|| Schema::of::<Scene>("a landing"));
+    &SCHEMA
+}
+
+/// A landing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Scene {
-    /// A word.
+    /// A word that names the landing and its folder.
     pub name: String,
-    /// What it is.
+    /// What it is, in a line.
     #[serde(default)]
     pub description: String,
-    /// Where its numbers come from.
+    /// Source of its numbers.
     #[serde(default)]
     pub source: String,
-    /// Theory of the sections.
+    /// Model of the sections: von_karman, wagner or mlm.
     #[serde(default = "usual::model")]
-    pub model: Rung,
-    /// How it comes down, and how it is followed.
+    pub model: EntryModel,
+    /// Flight and its integration.
     pub landing: LandingKeys,
-    /// What is rigid.
+    /// The rigid aeroplane.
     pub aeroplane: AeroplaneKeys,
     /// The wing.
     pub wing: WingKeys,
     /// The water.
     #[serde(default)]
     pub water: WaterKeys,
-    /// The fuselage, from the nose aft.
+    /// Sections of the fuselage, from the nose aft; two at least.
     pub stations: Vec<StationKeys>,
 }
 
 /// Table `[landing]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LandingKeys {
-    /// Of the body axis [deg].
+    /// Angle of the body axis over the flight path at the first touch [deg].
     pub angle_of_attack_deg: f64,
-    /// Upwards [deg].
+    /// Direction of flight at the first touch, upwards [deg].
+    #[schemars(range(min = -15.0, max = -1e-3))]
     pub flight_path_deg: f64,
-    /// Along the flight path [m/s]; without it the wing carries the weight.
+    /// Speed along the flight path at the first touch [m/s].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "where the wing carries the weight"))]
     pub speed: Option<f64>,
-    /// End of time [s].
+    /// End of time after the first touch [s].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub end: f64,
-    /// Forward speed that ends it [m/s]; without it √(g L).
+    /// Forward speed below which the landing ends [m/s].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "sqrt(g L), L the fuselage's length"))]
     pub least_speed: Option<f64>,
-    /// Step [s].
+    /// Step of the integration [s].
     #[serde(default = "usual::step")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub step: f64,
-    /// Between rows of the series [s].
+    /// Interval between rows of the series, in whole steps [s].
     #[serde(default = "usual::sample_every")]
     pub sample_every: f64,
-    /// Strips along the fuselage.
+    /// Strips along the fuselage; stations are at their ends [-].
     #[serde(default = "usual::strips")]
+    #[schemars(range(min = 20, max = 5000))]
     pub strips: usize,
 }
 
 /// Table `[aeroplane]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AeroplaneKeys {
     /// Mass [kg].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub mass: f64,
-    /// In pitch, about the centre of mass [m].
+    /// Radius of gyration in pitch, about the centre of mass [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius_of_gyration: f64,
-    /// From the nose, over the body axis [m].
+    /// Centre of mass, from the nose and over the body axis [m].
     pub center_of_mass: [f64; 2],
 }
 
 /// Table `[wing]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct WingKeys {
-    /// Area [m²].
+    /// Area of the wing [m²].
+    #[schemars(range(min = 0.0))]
     pub area: f64,
-    /// Mean chord [m].
+    /// Mean chord of the wing [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub chord: f64,
-    /// dC_L/dα [1/rad].
+    /// Slope of the lift coefficient against the angle of attack [1/rad].
+    #[schemars(range(min = 0.0))]
     pub lift_slope: f64,
-    /// Angle of attack without lift [deg].
+    /// Angle of attack of the body axis at which there is no lift [deg].
     pub zero_lift_deg: f64,
-    /// dC_m/dα [1/rad].
+    /// Slope of the aeroplane's moment coefficient against the angle of attack [1/rad].
     #[serde(default = "usual::pitch_stiffness")]
     pub pitch_stiffness: f64,
-    /// dC_m/d(q c/2U) [1/rad].
+    /// Its slope against q c/(2U), the rate of pitch [1/rad].
     #[serde(default = "usual::pitch_damping")]
     pub pitch_damping: f64,
     /// Density of the air [kg/m³].
     #[serde(default = "usual::air_density")]
+    #[schemars(range(min = 0.0))]
     pub air_density: f64,
 }
 
 /// Table `[water]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct WaterKeys {
-    /// Density [kg/m³].
+    /// Density of the water [kg/m³].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: f64,
     /// Acceleration of gravity [m/s²].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub gravity: f64,
-    /// Friction coefficient [-].
+    /// Friction coefficient of the wetted bottom [-].
+    #[schemars(range(min = 0.0, max = 0.1))]
     pub friction: f64,
-    /// Share of the theory's suction [-].
+    /// Share of the theory's suction where the keel curves up [-].
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub suction: f64,
 }
 
@@ -112,26 +134,27 @@ impl Default for WaterKeys {
 }
 
 /// An item of `[[stations]]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StationKeys {
-    /// From the nose [m].
+    /// Distance from the nose along the body axis [m].
     pub x: f64,
-    /// Keel over the body axis [m].
+    /// Height of the keel over the body axis [m].
     pub keel: f64,
-    /// Between the edges that the water leaves [m].
+    /// Breadth between the edges at which the water separates [m].
     pub breadth: f64,
-    /// Of an arc [m].
+    /// Radius of a section that is an arc [m].
+    #[schemars(extend("x-default" = "required unless deadrise_deg"))]
     pub radius: Option<f64>,
-    /// Of a wedge [deg].
+    /// Deadrise of a section that is a wedge [deg].
+    #[schemars(extend("x-default" = "required unless radius"))]
     pub deadrise_deg: Option<f64>,
 }
 
 mod usual {
-    use fsi_coupling::entry_theory::Rung;
+    use fsi_coupling::entry_theory::EntryModel;
 
-    pub fn model() -> Rung {
-        Rung::Mlm
+    pub fn model() -> EntryModel {
+        EntryModel::Mlm
     }
     pub fn step() -> f64 {
         0.001

@@ -1,5 +1,6 @@
 //! Cases: the built-in ones by name, others by the path of a TOML file; results that were stored as JSON.
 
+use std::marker::PhantomData;
 use std::path::Path;
 
 use include_dir::Dir;
@@ -8,24 +9,15 @@ use serde::de::DeserializeOwned;
 use super::ExperimentError;
 use crate::embedded;
 
-/// A kind of case.
+/// A case of an experiment.
 pub trait Case: Clone + DeserializeOwned {
-    /// The noun used in messages.
-    const KIND: &'static str;
-
-    /// The built-in cases.
-    fn folder() -> &'static Dir<'static>;
-
-    /// The case's name: that of its file, without folders and ending.
-    fn name(&self) -> &str;
+    /// The case's name and what it shows in one sentence.
+    fn title(&self) -> [&str; 2];
 
     /// Set the name.
     fn rename(&mut self, name: String);
 
-    /// What the case shows, in one sentence.
-    fn about(&self) -> &str;
-
-    /// The name of a case that is read from a file.
+    /// The name of a case that is read from a file: that of the file, without folders and ending.
     fn name_of_file(path: &str) -> String {
         Path::new(path).file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
@@ -39,60 +31,87 @@ pub trait Case: Clone + DeserializeOwned {
     }
 }
 
-/// All built-in cases, by name.
-///
-/// # Errors
-/// A built-in file is wrong.
-pub fn all<C: Case>() -> Result<Vec<C>, ExperimentError> {
-    let wrong = |(name, why)| ExperimentError::Case { kind: C::KIND, name, why };
-    let contents: Vec<(String, C)> = embedded::contents(C::folder()).map_err(wrong)?;
-    contents.into_iter().map(|(name, case)| checked(named(case, name))).collect()
+/// The cases of one kind.
+pub struct Catalogue<C> {
+    /// The noun used in messages.
+    kind: &'static str,
+    /// The command that makes the experiment.
+    command: &'static str,
+    folder: &'static Dir<'static>,
+    case: PhantomData<fn() -> C>,
 }
 
-/// The cases of the given names, or of the given TOML files; all built-in ones if none is given.
-///
-/// # Errors
-/// A name is unknown, or a file is wrong.
-pub fn select<C: Case>(names: &[String]) -> Result<Vec<C>, ExperimentError> {
-    let all = all::<C>()?;
-    if names.is_empty() {
-        return Ok(all);
+impl<C: Case> Catalogue<C> {
+    /// The cases in a folder.
+    pub(super) const fn new(kind: &'static str, command: &'static str, folder: &'static Dir<'static>) -> Self {
+        Catalogue { kind, command, folder, case: PhantomData }
     }
-    let known = || all.iter().map(C::name).collect::<Vec<_>>().join(", ");
-    let unknown = |name: &String| ExperimentError::Unknown { kind: C::KIND, name: name.clone(), known: known() };
-    let chosen = |name: &String| match name.ends_with(".toml") {
-        true => from_file(name),
-        false => all.iter().find(|c| c.name() == name).cloned().ok_or_else(|| unknown(name)),
-    };
-    names.iter().map(chosen).collect()
-}
 
-/// The case of a TOML file.
-fn from_file<C: Case>(path: &str) -> Result<C, ExperimentError> {
-    let wrong = |why: String| ExperimentError::Case { kind: C::KIND, name: path.to_string(), why };
-    let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
-    let case = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
-    checked(named(case, C::name_of_file(path)))
-}
-
-fn named<C: Case>(mut case: C, name: String) -> C {
-    case.rename(name);
-    case
-}
-
-/// A case whose entries are consistent.
-pub(super) fn checked<C: Case>(case: C) -> Result<C, ExperimentError> {
-    match case.check() {
-        Ok(()) => Ok(case),
-        Err(why) => Err(ExperimentError::Case { kind: C::KIND, name: case.name().to_string(), why }),
+    /// All built-in cases, by name.
+    ///
+    /// # Errors
+    /// A built-in file is wrong.
+    pub fn all(&self) -> Result<Vec<C>, ExperimentError> {
+        let contents: Vec<(String, C)> =
+            embedded::contents(self.folder).map_err(|(name, why)| self.wrong(name, why))?;
+        contents.into_iter().map(|(name, case)| self.named(case, name)).collect()
     }
-}
 
-/// A stored result of a kind of case.
-pub(super) fn stored<C: Case, T: DeserializeOwned>(path: &Path) -> Result<T, ExperimentError> {
-    let wrong = |why: String| ExperimentError::Stored { kind: C::KIND, file: path.display().to_string(), why };
-    let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
-    serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))
+    /// The cases of the given names, or of the given TOML files; all built-in ones if none is given.
+    ///
+    /// # Errors
+    /// A name is unknown, or a file is wrong.
+    pub fn select(&self, names: &[String]) -> Result<Vec<C>, ExperimentError> {
+        let all = self.all()?;
+        if names.is_empty() {
+            return Ok(all);
+        }
+        let unknown = |name: &String| {
+            let known = all.iter().map(|c| c.title()[0]).collect::<Vec<_>>().join(", ");
+            ExperimentError::Unknown { kind: self.kind, name: name.clone(), known }
+        };
+        let chosen = |name: &String| match name.ends_with(".toml") {
+            true => self.read_file(name),
+            false => all.iter().find(|c| c.title()[0] == name).cloned().ok_or_else(|| unknown(name)),
+        };
+        names.iter().map(chosen).collect()
+    }
+
+    /// The case of a TOML file.
+    fn read_file(&self, path: &str) -> Result<C, ExperimentError> {
+        let wrong = |why: String| self.wrong(path.to_string(), why);
+        let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
+        self.named(toml::from_str(&text).map_err(|e| wrong(e.to_string()))?, C::name_of_file(path))
+    }
+
+    fn named(&self, mut case: C, name: String) -> Result<C, ExperimentError> {
+        case.rename(name);
+        self.checked(case)
+    }
+
+    /// A case whose entries are consistent.
+    pub(super) fn checked(&self, case: C) -> Result<C, ExperimentError> {
+        match case.check() {
+            Ok(()) => Ok(case),
+            Err(why) => Err(self.wrong(case.title()[0].to_string(), why)),
+        }
+    }
+
+    fn wrong(&self, name: String, why: String) -> ExperimentError {
+        ExperimentError::Case { kind: self.kind, name, why }
+    }
+
+    /// A stored result.
+    pub(super) fn stored<T: DeserializeOwned>(&self, path: &Path) -> Result<T, ExperimentError> {
+        let wrong = |why: String| self.not_stored(path, why);
+        let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
+        serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))
+    }
+
+    pub(super) fn not_stored(&self, path: &Path, why: String) -> ExperimentError {
+        let file = path.display().to_string();
+        ExperimentError::Stored { kind: self.kind, command: self.command, file, why }
+    }
 }
 
 /// Write a text file and the folders that lead to it.

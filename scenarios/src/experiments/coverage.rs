@@ -3,44 +3,19 @@
 //! A case is a TOML file in `scenarios/cases/bands`: a scene and numbers of its `summary.json` whose exact values are known.
 
 use include_dir::{Dir, include_dir};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
+use super::catalogue::Catalogue;
 use super::convergence::coarser_runs;
 use super::runs::{run_to_end, scene_with};
-use super::{ExperimentError, catalogue, markdown};
+use super::validation::{Case, Expect};
+use super::{ExperimentError, markdown};
 use crate::error_bar::ErrorBar;
 
-static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
+static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
 
-/// A scene with exact answers.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Case {
-    /// Name, that of its file.
-    #[serde(skip)]
-    pub name: String,
-    /// What is shown.
-    pub about: String,
-    /// Name of a built-in scene, or path of a scene file.
-    pub scene: String,
-    /// Overrides, as for `--set`, of the finest run.
-    #[serde(default)]
-    pub set: Vec<String>,
-    /// Numbers.
-    pub number: Vec<Exact>,
-}
-
-/// A number of `summary.json` and its exact value.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Exact {
-    /// Its path, keys joined by `/`.
-    pub path: String,
-    /// Its exact value.
-    pub exact: f64,
-    /// Source of the value.
-    pub source: String,
-}
+/// The cases: validation cases whose references are exact.
+pub static CASES: Catalogue<Case> = Catalogue::new("case of bands", "bands", &FOLDER);
 
 /// A line of the table.
 #[derive(Clone, Debug, Serialize)]
@@ -61,44 +36,25 @@ pub struct Line {
     pub source: String,
 }
 
-impl catalogue::Case for Case {
-    const KIND: &'static str = "case of bands";
-
-    fn folder() -> &'static Dir<'static> {
-        &CASES
-    }
-
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn rename(&mut self, name: String) {
-        self.name = name;
-    }
-
-    fn about(&self) -> &str {
-        &self.about
-    }
-}
-
 /// Run a case at 4, 2 and 1 times its spacing, and compare its error bars with the exact values.
 ///
 /// # Errors
 /// The scene is wrong, a run ended early, or a number is missing.
 pub fn cover(case: &Case) -> Result<Vec<Line>, ExperimentError> {
-    let paths: Vec<String> = case.number.iter().map(|n| n.path.clone()).collect();
+    let exact = |e: &Expect| Some((e.value.clone(), e.reference?, e.source.clone()));
+    let numbers: Vec<(String, f64, String)> = case.expect.iter().filter_map(exact).collect();
+    let paths: Vec<String> = numbers.iter().map(|n| n.0.clone()).collect();
     let scene = scene_with(&case.scene, &case.set, &[])?;
     let coarser = coarser_runs(&case.scene, &case.set, |_, _| {})?;
     coarser.refuse_unknown(&paths)?;
     let run = run_to_end(&scene)?;
     let core_seconds = coarser.core_seconds() + run.core_seconds();
-    let bars = coarser.error_bars(&scene, &run.summary, &paths);
-    let line = |number: &Exact| {
-        let bar = bars.get(&number.path)?.clone();
-        let (case, path, source) = (case.name.clone(), number.path.clone(), number.source.clone());
-        Some(Line { case, path, exact: number.exact, holds: bar.holds(number.exact), bar, core_seconds, source })
+    let mut bars = coarser.error_bars(&scene, &run.summary, &paths);
+    let line = |(path, exact, source): (String, f64, String)| {
+        let bar = bars.remove(&path)?;
+        Some(Line { case: case.name.clone(), path, exact, holds: bar.holds(exact), bar, core_seconds, source })
     };
-    Ok(case.number.iter().filter_map(line).collect())
+    Ok(numbers.into_iter().filter_map(line).collect())
 }
 
 /// The table as Markdown, with the share of bars that contain the exact value.

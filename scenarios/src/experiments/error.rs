@@ -27,10 +27,15 @@ pub enum ExperimentError {
         why: String,
     },
     /// A stored result cannot be read.
-    #[error("{file}: {why}; expected the JSON file of a {kind} that was measured")]
+    #[error(
+        "{file}: {why}; expected the JSON file of a {kind} that was measured: `splashdown {command} NAME` writes NAME.json into \
+         --out"
+    )]
     Stored {
         /// The kind of case.
         kind: &'static str,
+        /// The command that writes the file.
+        command: &'static str,
         /// The file.
         file: String,
         /// What is wrong.

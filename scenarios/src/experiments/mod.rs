@@ -15,9 +15,9 @@
 //!
 //! # Example
 //! ```
-//! use scenarios::experiments::{catalogue, validation};
+//! use scenarios::experiments::validation::CASES;
 //!
-//! let case = catalogue::select::<validation::Case>(&["hydrostatic_tank".to_string()])?.remove(0);
+//! let case = CASES.select(&["hydrostatic_tank".to_string()])?.remove(0);
 //! assert_eq!(case.scene, "hydrostatic_tank");
 //! # Ok::<(), scenarios::experiments::ExperimentError>(())
 //! ```

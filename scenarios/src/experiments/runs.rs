@@ -46,7 +46,7 @@ pub fn run_to_end(scene: &Scene) -> Result<RunRecord, ExperimentError> {
     match summary.status {
         Status::Completed => Ok(RunRecord::new(summary)),
         _ => {
-            let (spacing, sound_speed) = (scene.resolution.spacing, scene.fluid.sound_speed);
+            let (spacing, sound_speed) = (scene.resolution.spacing, scene.sound_speed());
             Err(ExperimentError::Ended(spacing, sound_speed, summary.message.unwrap_or_default()))
         }
     }

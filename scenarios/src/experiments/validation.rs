@@ -8,13 +8,17 @@ use std::path::PathBuf;
 use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
 
+use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
-use super::{ExperimentError, catalogue, markdown};
+use super::{ExperimentError, markdown};
 use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene};
 
-static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
+static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/validation");
+
+/// The validation cases.
+pub static CASES: Catalogue<Case> = Catalogue::new("validation case", "validate", &FOLDER);
 
 /// A validation case.
 #[derive(Clone, Debug, Deserialize)]
@@ -34,7 +38,7 @@ pub struct Case {
     #[serde(default)]
     pub comparisons: bool,
     /// Numbers that must hold.
-    #[serde(default)]
+    #[serde(default, alias = "number")]
     pub expect: Vec<Expect>,
     /// A coarser run of the same, whose errors must be larger.
     pub coarser: Option<Coarser>,
@@ -45,8 +49,10 @@ pub struct Case {
 #[serde(deny_unknown_fields)]
 pub struct Expect {
     /// Path in `summary.json`, keys joined by `/`.
+    #[serde(alias = "path")]
     pub value: String,
     /// The reference value.
+    #[serde(alias = "exact")]
     pub reference: Option<f64>,
     /// Largest relative difference from the reference [-].
     pub tolerance: Option<f64>,
@@ -94,22 +100,12 @@ pub struct Line {
 }
 
 impl catalogue::Case for Case {
-    const KIND: &'static str = "validation case";
-
-    fn folder() -> &'static Dir<'static> {
-        &CASES
-    }
-
-    fn name(&self) -> &str {
-        &self.name
+    fn title(&self) -> [&str; 2] {
+        [&self.name, &self.about]
     }
 
     fn rename(&mut self, name: String) {
         self.name = name;
-    }
-
-    fn about(&self) -> &str {
-        &self.about
     }
 }
 

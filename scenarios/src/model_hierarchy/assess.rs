@@ -1,35 +1,35 @@
-//! Every model of a scene: can it do it, what does it cost, how far off was it.
+//! Every theory for a scene: range of validity, cost, measured error.
 
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::{OutOfRange, Rung};
+use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use serde::Serialize;
 
 use super::{Measured, Theory, Want, measured};
 use crate::scene::Scene;
 
-/// A model, for a scene.
+/// A theory, for a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Assessment {
     /// The model.
-    pub rung: Rung,
-    /// Can it begin with the scene?
+    pub rung: EntryModel,
+    /// True if it is valid at the start of the scene.
     #[serde(skip)]
     pub begins: bool,
-    /// Why it cannot do the scene; absent where it can.
+    /// Why it is not valid for the scene; absent where it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<String>,
     /// Core-seconds, measured for theories, estimated for particles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub core_seconds: Option<f64>,
-    /// Its error where it was measured nearest to the scene; absent where nothing was.
+    /// Its error in the nearest case that was measured; absent where none is near.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<Measured>,
 }
 
-/// Every theory, from the cheapest, for what is wanted of a scene.
+/// Every theory, from the cheapest, for a quantity of interest.
 pub fn assess(scene: &Scene, want: Want) -> Vec<Assessment> {
-    let theories = Rung::ALL.into_iter().filter(|rung| rung.is_theory());
+    let theories = EntryModel::ALL.into_iter().filter(|rung| rung.is_theory());
     theories
         .map(|rung| {
             let start = Instant::now();

@@ -1,6 +1,6 @@
-//! `model = "auto"`: the cheapest model that is near enough where it was measured.
+//! `model = "auto"`: the cheapest model whose measured error is within the tolerance.
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 
 use super::{Assessment, Measured, Want, assess};
 use crate::charted::charted_error;
@@ -11,16 +11,16 @@ use crate::scene::{Scene, significant};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The model.
-    pub rung: Rung,
-    /// Which of the scenes of particles, by its place.
+    pub rung: EntryModel,
+    /// Index of the scene of particles.
     pub scene: usize,
-    /// Is that scene's spacing known to be fine enough?
+    /// True if that scene's spacing is known to be fine enough.
     pub spacing: bool,
-    /// Why, in a sentence.
+    /// The reason.
     pub why: String,
 }
 
-/// The path in `summary.json` of the number that charts know for what is wanted, with `BODY` for the body's name.
+/// Path in `summary.json` of the charted number for a quantity of interest, with `BODY` for the body's name.
 pub fn charted_number(want: Want) -> Option<&'static str> {
     match want {
         Want::PeakForce | Want::History => Some("similarity/force_coefficient"),
@@ -34,14 +34,14 @@ pub fn charted_number(want: Want) -> Option<&'static str> {
 /// particles, with one solver or several, by estimated cost. The first scene's solver where nothing does.
 pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
     let per_cent = |share: f64| format!("{} %", significant(100.0 * share));
-    let told = |rung: &str, m: &Measured| {
+    let reason_for = |rung: &str, m: &Measured| {
         let (within, off) = (per_cent(within), per_cent(m.error));
         format!("{rung}: the cheapest model within {within} for {}: {off} off in {}", want.words(), m.case)
     };
     let theories = assess(&of_particles[0], want);
     let near = |m: &&Measured| m.error <= within;
     if let Some((rung, m)) = theories.iter().find_map(|a| Some((a.rung, a.measured.as_ref().filter(near)?))) {
-        return Choice { rung, scene: 0, spacing: false, why: told(rung.name(), m) };
+        return Choice { rung, scene: 0, spacing: false, why: reason_for(rung.name(), m) };
     }
     let charted = of_particles.iter().enumerate().filter_map(|(k, scene)| {
         let (error, from) = charted_error(scene, charted_number(want)?)?;
@@ -52,7 +52,7 @@ pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
     if let Some((k, m)) = cheapest {
         let Scene { model, resolution, .. } = &of_particles[k];
         let at = format!("{} at {} m", model.name(), significant(resolution.spacing));
-        return Choice { rung: *model, scene: k, spacing: true, why: told(&at, &m) };
+        return Choice { rung: *model, scene: k, spacing: true, why: reason_for(&at, &m) };
     }
     let rung = of_particles[0].model;
     let known = reason(&theories);
@@ -60,7 +60,7 @@ pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
     Choice { rung, scene: 0, spacing: false, why }
 }
 
-/// Why no theory will do.
+/// Why no theory is chosen.
 fn reason(theories: &[Assessment]) -> String {
     let measured = theories.iter().filter_map(|a| Some((a.rung, a.measured.as_ref()?)));
     if let Some((rung, m)) = measured.min_by(|a, b| a.1.error.total_cmp(&b.1.error)) {

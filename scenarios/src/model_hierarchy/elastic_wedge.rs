@@ -1,26 +1,26 @@
-//! A wedge whose faces bend, by Wagner's load on a modal beam (THEORY HM1–HM5).
+//! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY HM1–HM5).
 
 use fsi_coupling::PanelEnd;
-use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Instant, OutOfRange, Rung};
+use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
 
 use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 
 /// Modes, and steps from touch to chine.
 const MODES: usize = 8;
 const STEPS: usize = 200;
-/// Most steps, and how far the stiffest mode may turn in one [rad]: 2.8 is unstable.
+/// Largest number of steps, and largest phase of the stiffest mode per step [rad]: 2.8 is unstable.
 const MOST_STEPS: usize = 4000;
 const LONGEST_TURN: f64 = 1.5;
-/// Deepest deflection that is small, over the length.
+/// Largest deflection over the length [-].
 const DEEPEST: f64 = 0.1;
 /// Places along the face at which the largest stress is looked for.
 const PLACES: usize = 40;
 
-/// The faces of a scene's wedge on their way into the water.
+/// The faces of a scene's wedge during its entry.
 #[derive(Clone, Debug)]
 pub(super) struct Faces {
     wedge: ElasticWedge,
-    bent: Vec<Bent>,
+    bent: Vec<WedgeState>,
     /// Momentum of the water [N s/m], potential at each gauge [m²/s], and values of the panel's columns, at every step.
     momenta: Vec<f64>,
     potentials: Vec<Vec<f64>>,
@@ -35,7 +35,7 @@ impl Faces {
             range:
                 "faces that bend from keel to chine, of a wedge at constant speed without gravity, simulated by half"
                     .into(),
-            next: Rung::Wcsph,
+            next: EntryModel::Wcsph,
         };
         let (Shape::Wedge { deadrise_deg, breadth, .. }, [panel]) = (&body.shape, &body.panels[..]) else {
             return Err(refuse("other panels"));
@@ -57,7 +57,7 @@ impl Faces {
         let mut wedge = ElasticWedge {
             deadrise_deg: *deadrise_deg,
             speed: -body.velocity[1],
-            density: scene.fluid.density,
+            density: scene.water().density,
             length: half,
             thickness: panel.thickness,
             material: panel.material(),
@@ -65,7 +65,7 @@ impl Faces {
             modes: MODES,
             steps: STEPS,
         };
-        // of stiff faces the high modes do not move, and need short steps
+        // high modes of stiff faces carry no deflection and need short steps
         while wedge.modes > 1 && steps_for(&wedge) > MOST_STEPS {
             wedge.modes -= 1;
         }
@@ -81,7 +81,7 @@ impl Faces {
             return Err(refuse("a face that bends by more than a tenth of its length"));
         }
         let momenta = bent.iter().map(|b| wedge.momentum(b)).collect();
-        let at = |b: &Bent| scene.gauges.iter().map(|g| wedge.potential(b, g.at[0].abs())).collect();
+        let at = |b: &WedgeState| scene.gauges.iter().map(|g| wedge.potential(b, g.at[0].abs())).collect();
         let potentials = bent.iter().map(at).collect();
         let columns = bent.iter().map(|b| columns(&wedge, panel, b)).collect();
         Ok(Faces { wedge, bent, momenta, potentials, columns })
@@ -132,7 +132,7 @@ fn steps_for(wedge: &ElasticWedge) -> usize {
 }
 
 /// Values of the panel's columns, in the order of [`Panel::columns`].
-fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &Bent) -> Vec<f64> {
+fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &WedgeState) -> Vec<f64> {
     let (sin, cos) = wedge.deadrise_deg.to_radians().sin_cos();
     let modulus = wedge.material.youngs_modulus / (1.0 - wedge.material.poissons_ratio.powi(2));
     let watched = panel.watch.iter().flat_map(|&place| {

@@ -1,8 +1,18 @@
-//! The ladder: one scene, many models, from microseconds to minutes (THEORY LM11).
+//! The model hierarchy: one scene, models from microseconds to minutes (THEORY LM11).
 //!
-//! [`Theory`] follows a scene's body by a formula, [`run`] writes the files of a run from it, [`rungs`] says of every model what
-//! it costs, whether it can do the scene, and how far off it was where it was measured; [`choose`] takes the cheapest that is
-//! near enough.
+//! [`Theory`] solves a scene by an entry theory, `run` writes its files. [`assess`] gives cost, range of validity and measured
+//! error of every theory; [`choose`] takes the cheapest model whose measured error is within a tolerance.
+//!
+//! # Example
+//! ```
+//! use scenarios::model_hierarchy::{Want, assess};
+//! use scenarios::scene;
+//!
+//! let scene = scene::load("wedge_constant", &[])?.scene;
+//! let theories = assess(&scene, Want::PeakForce);
+//! assert!(theories.iter().any(|a| a.obstacle.is_none() && a.measured.is_some()));
+//! # Ok::<(), scenarios::scene::SceneError>(())
+//! ```
 
 mod assess;
 mod choose;
@@ -17,27 +27,10 @@ pub use measured::{Measured, measured};
 pub(crate) use run::run;
 pub use theory::Theory;
 
-use serde::{Deserialize, Serialize};
-
-/// What is asked of a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Want {
-    /// The largest force.
-    #[default]
-    PeakForce,
-    /// The largest pressure.
-    PeakPressure,
-    /// The force over time.
-    History,
-    /// Strains of panels.
-    Strain,
-    /// The body's motion.
-    Motion,
-}
+pub use crate::scene::Want;
 
 impl Want {
-    /// In words.
+    /// As text.
     pub fn words(self) -> &'static str {
         match self {
             Want::PeakForce => "the largest force",

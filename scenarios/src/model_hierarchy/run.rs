@@ -1,4 +1,4 @@
-//! A run by a theory: the files of a run, in milliseconds.
+//! The files of a run by a theory.
 
 use std::collections::BTreeMap;
 use std::time::Instant as Clock;
@@ -9,7 +9,7 @@ use super::{Measured, Theory, Want, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
-use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns};
+use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values};
 use crate::reference::WedgeSimilarity;
 use crate::run::summary::{Audit, Log, Particles, Peak, Status, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
@@ -81,7 +81,8 @@ pub(crate) fn run(
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
 }
 
-/// How far a true value may be from one that is off by the share `error` of the true one, over the one that is off [-].
+/// Largest difference of the true value from a computed one whose error is the share `error` of the true value, over the
+/// computed one [-].
 fn reach(error: f64) -> f64 {
     match error < 1.0 {
         true => error / (1.0 - error) * (1.0 + 1e-9), // it may be too low
@@ -89,7 +90,7 @@ fn reach(error: f64) -> f64 {
     }
 }
 
-/// What the numbers of a run by a theory may be off by, where that was measured nearest to the scene (THEORY LM11).
+/// Error bars of a run by a theory: its error in the nearest measured case (THEORY LM11).
 fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
     let bar = |want: Want, path: String, value: f64| {
         let Measured { error, case } = measured(scene, theory, want)?;
@@ -119,15 +120,13 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
     let outline = body.shape.outline();
     let none = ParticleView::default();
     let mut next = 0.0;
-    let rows = theory.rows(scene);
-    for (k, (now, values)) in theory.instants.iter().zip(&rows).enumerate() {
-        let names = body_columns();
-        let named: Vec<(&str, f64)> = names.into_iter().zip(values[1..].iter().copied()).collect();
+    for (k, (now, motion)) in theory.instants.iter().zip(theory.motions(body)).enumerate() {
+        let named: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&motion)).collect();
         log.sample(now.time, &format!("body/{}", body.name), &named)?;
         let last = k + 1 == theory.instants.len();
         if now.time >= next || last {
             next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);
-            let view = BodyView { name: &body.name, position: [values[1], values[2]], angle: 0.0, outline: &outline };
+            let view = BodyView { name: &body.name, position: motion.position, angle: motion.angle, outline: &outline };
             log.frame(Frame::new(now.time, &none, &none, &[view])?, last)?;
         }
     }
@@ -136,7 +135,7 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
 
 /// The similarity solution's numbers, by this theory.
 fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
-    let rho = scene.fluid.density;
+    let rho = scene.water().density;
     let over = |i: &Instant| i.force / (rho * i.speed.powi(2) * i.draught);
     let late: Vec<usize> = theory.late().collect();
     let (first, last) = (*late.first()?, *late.last()?);

@@ -1,8 +1,10 @@
-//! A scene as an entry theory sees it.
+//! A scene solved by an entry theory.
 
-use fsi_coupling::entry_theory::{Course, Entry, Instant, Loads, OutOfRange, Rung, Section};
+use fsi_coupling::Motion as BodyMotion;
+use fsi_coupling::entry_theory::{Entry, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
 
 use super::elastic_wedge::Faces;
+use crate::observers::body_values;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
 use fsi_coupling::geometry::polygon;
 
@@ -11,7 +13,7 @@ const LATE: f64 = 0.8;
 /// Points along the face in which the largest pressure is looked for.
 const POINTS: usize = 4000;
 
-/// A theory's account of a scene.
+/// The solution of a scene by a theory.
 #[derive(Clone, Debug)]
 pub struct Theory {
     /// Loads of the body's section.
@@ -27,34 +29,34 @@ impl Theory {
     /// Follow the body of a scene into the water.
     ///
     /// # Errors
-    /// What of the scene is beyond this rung, its range, and the next rung that can do it.
-    pub fn of(scene: &Scene, rung: Rung) -> Result<Theory, OutOfRange> {
+    /// The feature of the scene outside the theory's range, the range, and the next model that covers it.
+    pub fn of(scene: &Scene, rung: EntryModel) -> Result<Theory, OutOfRange> {
         let (theory, end) = Theory::while_in_range(scene, rung)?;
         end.map_or(Ok(theory), Err)
     }
 
-    /// The same up to where the rung's range ends, and why it does.
+    /// The same up to the end of the theory's range, with the reason.
     ///
     /// # Errors
-    /// What of the scene is beyond this rung from the start.
-    pub fn while_in_range(scene: &Scene, rung: Rung) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
-        let (body, section, course) = symmetric_entry(scene)?;
+    /// The feature of the scene outside the theory's range from the start.
+    pub fn while_in_range(scene: &Scene, rung: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+        let (body, section, motion) = symmetric_entry(scene)?;
         let loads = Loads::new(rung, &section)?;
-        let density = scene.fluid.density;
+        let density = scene.water().density;
         if !body.panels.is_empty() {
             return bending(scene, rung, body, loads);
         }
         let (instants, end) = {
             let entry = Entry {
                 loads: &loads,
-                course,
+                motion,
                 draught: body.draught(),
                 speed: -body.velocity[1],
                 gravity: -scene.gravity[1],
                 density,
                 buoyancy: true,
             };
-            entry.follow_while_in_range(&sample_times(scene))
+            entry.solve_while_in_range(&sample_times(scene))
         };
         let open = instants.iter().take_while(|now| confined(scene, body, now).is_none()).count();
         let closed = instants.get(open).and_then(|now| {
@@ -69,7 +71,7 @@ impl Theory {
     ///
     /// # Errors
     /// As [`Loads::new`].
-    pub fn at_constant_speed(rung: Rung, section: Section) -> Result<Theory, OutOfRange> {
+    pub fn at_constant_speed(rung: EntryModel, section: Section) -> Result<Theory, OutOfRange> {
         let loads = Loads::new(rung, &section)?;
         let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
         let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
@@ -82,30 +84,40 @@ impl Theory {
         self.loads.pressure(x, draught, speed, rate, self.density)
     }
 
-    /// Do its faces bend?
+    /// True if its faces are elastic.
     pub fn bends(&self) -> bool {
         self.faces.is_some()
     }
 
-    /// Rows of the series: time, then the body's columns and the gauges; what the theory does not have is no number.
+    /// Motion of the body and the force on it, at every sample.
+    pub fn motions(&self, body: &Body) -> Vec<BodyMotion> {
+        let ([x, y], start) = (body.position, body.draught());
+        let at = |now: &Instant| BodyMotion {
+            position: [x, y - (now.draught - start)],
+            velocity: [0.0, -now.speed],
+            acceleration: [0.0, -now.rate],
+            force: [0.0, now.force],
+            ..BodyMotion::default()
+        };
+        self.instants.iter().map(at).collect()
+    }
+
+    /// Rows of the series: time, then the body's columns and the gauges; NaN for a quantity that the theory does not have.
     pub fn rows(&self, scene: &Scene) -> Vec<Vec<f64>> {
         let Some(body) = &scene.body else { return Vec::new() };
-        let [x, y] = body.position;
-        let (floats, middle) = (body.draught(), body.middle() - x);
-        let row = |(k, now): (usize, &Instant)| {
-            let Instant { time, draught, speed, rate, force, .. } = *now;
-            let motion = [time, x, y - (draught - floats), 0.0, 0.0, -speed, 0.0, -rate, 0.0, force, 0.0];
+        let middle = body.middle() - body.position[0];
+        let row = |(k, (now, motion)): (usize, (&Instant, &BodyMotion))| {
             let gauge = |g: &Gauge| match self.is_on_bottom(body, g) {
                 true => self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN),
-                false => f64::NAN, // of sides and deck theories of entry say nothing
+                false => f64::NAN, // theories of entry have no pressure on sides and deck
             };
             let rest = match &self.faces {
-                Some(faces) => faces.values(time),
+                Some(faces) => faces.values(now.time),
                 None => scene.gauges.iter().map(gauge).collect(),
             };
-            motion.into_iter().chain(rest).collect()
+            std::iter::once(now.time).chain(body_values(motion)).chain(rest).collect()
         };
-        self.instants.iter().enumerate().map(row).collect()
+        self.instants.iter().zip(&self.motions(body)).enumerate().map(row).collect()
     }
 
     /// Is a gauge on the bottom, not on a side or the deck?
@@ -130,7 +142,7 @@ impl Theory {
 
     /// Largest pressure along the face at sample k [Pa], and its x [m]; `None` where the theory has none, or it is infinite.
     pub fn peak_pressure(&self, k: usize) -> Option<[f64; 2]> {
-        if self.loads.rung() == Rung::Wagner {
+        if self.loads.model() == EntryModel::Wagner {
             return None; // infinite at the spray root
         }
         let reach = self.instants[k].wetted.min(self.loads.section().half_breadth());
@@ -150,25 +162,30 @@ impl Theory {
     }
 }
 
-/// The same scene with faces that bend: by Wagner's load on a modal beam.
-fn bending(scene: &Scene, rung: Rung, body: &Body, loads: Loads) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
-    if rung != Rung::Wagner {
+/// The same scene with elastic faces: by Wagner's load on a modal beam.
+fn bending(
+    scene: &Scene,
+    rung: EntryModel,
+    body: &Body,
+    loads: Loads,
+) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+    if rung != EntryModel::Wagner {
         return Err(OutOfRange {
             what: "panels that bend".into(),
             range: "rigid bodies".into(),
-            next: if rung < Rung::Wagner { Rung::Wagner } else { Rung::Wcsph },
+            next: if rung < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::Wcsph },
         });
     }
     let faces = Faces::of(scene, body)?;
     let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
-    Ok((Theory { loads, instants, density: scene.fluid.density, faces: Some(faces) }, end))
+    Ok((Theory { loads, instants, density: scene.water().density, faces: Some(faces) }, end))
 }
 
-/// Least depth and half width of water that feels unbounded, in wetted half widths.
+/// Least depth and half width of water that counts as unbounded, in wetted half widths.
 const UNBOUNDED: f64 = 4.0;
-/// What of this moment is beyond theories that know neither a deck nor walls.
+/// Why theories without deck and walls are not valid at this moment.
 fn confined(scene: &Scene, body: &Body, now: &Instant) -> Option<&'static str> {
     let [min, max] = polygon::bounding_box(&body.placed_outline());
     let room = scene.tank.depth.min(0.5 * scene.tank.width - body.middle().abs());
@@ -182,7 +199,7 @@ fn refuse(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
         range: "a rigid symmetric body that goes straight down into still water".into(),
-        next: Rung::Wcsph,
+        next: EntryModel::Wcsph,
     }
 }
 
@@ -194,11 +211,11 @@ fn sample_times(scene: &Scene) -> Vec<f64> {
 }
 
 /// The body of a scene that is nothing but a symmetric section going straight down into still water.
-fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange> {
+fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), OutOfRange> {
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
     let tank = &scene.tank;
-    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block.is_none();
+    let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
     let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
@@ -211,10 +228,10 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, Course), OutOfRange
     if let Some((_, what)) = obstacles.into_iter().find(|(stands, _)| *stands) {
         return Err(refuse(what));
     }
-    let course = match &body.motion {
-        Motion::ConstantVelocity => Course::Constant,
-        Motion::Free(freedom) if freedom.y => Course::Free(freedom.mass),
+    let motion = match &body.motion {
+        Motion::ConstantVelocity => SectionMotion::Constant,
+        Motion::Free(freedom) if freedom.y() => SectionMotion::Free(freedom.mass),
         _ => return Err(refuse("a body that is held or swings")),
     };
-    Ok((body, Section::of(&body.shape)?, course))
+    Ok((body, Section::of(&body.shape)?, motion))
 }

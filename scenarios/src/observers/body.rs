@@ -48,7 +48,7 @@ fn read(frame: &Frame<'_>) -> Vec<f64> {
 }
 
 /// Values of [`body_columns`].
-pub(super) fn body_values(motion: &Motion) -> [f64; BODY.len()] {
+pub fn body_values(motion: &Motion) -> [f64; BODY.len()] {
     BODY.map(|(_, read)| read(motion))
 }
 

@@ -56,7 +56,7 @@ pub struct GaugeReader {
 impl GaugeReader {
     /// The gauges of a scene.
     pub fn new(scene: &Scene) -> GaugeReader {
-        let support = 2.0 * scene.fluid.smoothing_ratio * scene.resolution.spacing;
+        let support = 2.0 * scene.water().smoothing_ratio * scene.resolution.spacing;
         let half = 0.5 * scene.tank.width;
         let (floor, rim) = (-scene.tank.depth, scene.tank.height - scene.tank.depth);
         let tank = [[-half, floor], [half, floor], [half, rim], [-half, rim]];
@@ -84,7 +84,7 @@ impl GaugeReader {
         };
         GaugeReader {
             instruments: scene.gauges.iter().map(instrument).collect(),
-            rho: scene.fluid.density,
+            rho: scene.water().density,
             gravity: scene.gravity,
         }
     }

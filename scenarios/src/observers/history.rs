@@ -43,7 +43,7 @@ impl History {
     /// No samples yet.
     pub fn new(scene: &Scene) -> History {
         let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
-        let ripple = 0.5 * scene.fluid.density * g * spacing * spacing * scene.tank.width;
+        let ripple = 0.5 * scene.water().density * g * spacing * spacing * scene.tank.width;
         History { ripple, ..History::default() }
     }
 

@@ -27,7 +27,7 @@ use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
-pub use body::body_columns;
+pub use body::{body_columns, body_values};
 pub use columns::columns;
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};

@@ -88,9 +88,9 @@ impl SimilarityWindow {
         Some(SimilarityWindow {
             speed: -body.velocity[1],
             tan,
-            rho: scene.fluid.density,
+            rho: scene.water().density,
             spacing: scene.resolution.spacing,
-            support: 2.0 * scene.fluid.smoothing_ratio * scene.resolution.spacing,
+            support: 2.0 * scene.water().smoothing_ratio * scene.resolution.spacing,
             from: FROM * scene.time.end,
             reach: 1.3 * std::f64::consts::FRAC_PI_2 / tan,
             times: Vec::new(),

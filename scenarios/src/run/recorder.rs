@@ -193,7 +193,7 @@ impl Recorder {
             scene: scene.name.clone(),
             status,
             message,
-            model: model(scene.solver),
+            model: model(scene.solver.kind()),
             choice: scene.choice.clone(),
             version: env!("CARGO_PKG_VERSION"),
             particles: Particles { fluid: fluid.particles().len(), wall: system.walls.len() },
@@ -202,7 +202,7 @@ impl Recorder {
             wall_time_s: wall,
             particle_updates_per_s: fluid.updates() as f64 / wall,
             threads: rayon::current_num_threads(),
-            phases: phase_times(&fluid.timers()),
+            phases: phase_times(fluid.timers()),
             log: log.map(|Logged { bytes, frames, left_out }| Log {
                 bytes,
                 frames,
@@ -243,7 +243,7 @@ impl Recorder {
 
     /// Effect of the sound speed, for a weakly compressible fluid.
     fn compressibility(&self, scene: &Scene) -> Option<Compressibility> {
-        let sound = scene.fluid.sound_speed;
+        let sound = scene.sound_speed();
         let share = scene.entry().and_then(|entry| known_compressibility_error(entry.root_speed(), sound));
         (!scene.solver.is_incompressible()).then(|| Compressibility {
             sound_speed_m_per_s: sound,

@@ -1,7 +1,7 @@
 //! The values that a scene leaves to the program.
 
 use super::impact::{Entry, sound_speed_for};
-use super::model::Body;
+use super::settings::Body;
 
 /// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
 /// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.

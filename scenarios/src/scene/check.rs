@@ -1,13 +1,14 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
-use super::model::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry, WallModel};
-use super::problem::{Problem, significant};
+use super::settings::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::start::check_start;
 use crate::observers::columns;
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
 use fsi_coupling::geometry::polygon;
+use fsi_coupling::settings::{Problem, significant};
+use sph_core::WallModel;
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;
@@ -125,19 +126,19 @@ fn check_standing_plate(scene: &Scene, [min, max]: [[f64; 2]; 2]) -> Result<(), 
 /// A thin plate (THEORY T2) wants walls that fill it, and bends wider than its rows are deep.
 fn check_plate(scene: &Scene, body: &Body) -> Result<(), Problem> {
     let Shape::Polyline { points, thickness } = &body.shape else { return Ok(()) };
-    let fluid = &scene.fluid;
     let spacing = scene.resolution.spacing;
-    let rows = (2.0 * fluid.smoothing_ratio - 1e-9).ceil();
+    let rows = (2.0 * scene.water().smoothing_ratio - 1e-9).ceil();
     if *thickness >= 2.0 * rows * spacing {
         return Ok(());
     }
-    if !matches!(fluid.walls, WallModel::Extrapolated | WallModel::MirrorPoint) {
+    let walls = scene.solver.weakly_compressible().map_or(WallModel::default(), |fluid| fluid.options.walls);
+    if !matches!(walls, WallModel::Extrapolated | WallModel::MirrorPoint) {
         let expected = format!(
             "extrapolated or mirror_point: the body is a plate {} m thin, thinner than {} spacings",
             significant(*thickness),
             2.0 * rows
         );
-        let given = format!("{:?}", fluid.walls).to_lowercase();
+        let given = format!("{:?}", walls).to_lowercase();
         return Err(Problem::new("fluid.walls", format!("\"{given}\""), expected));
     }
     match too_tight(points, rows * spacing - 0.5 * thickness) {

@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::impact::Entry;
-use super::model::{Motion, Scene};
-use super::problem::significant;
+use super::settings::{Motion, Scene};
 use fsi_coupling::Shape;
+use fsi_coupling::settings::significant;
 
 /// Largest deadrise of the solutions that [`jet_reach`] is fitted to [deg].
 const LARGEST_DEADRISE_DEG: f64 = 50.0;

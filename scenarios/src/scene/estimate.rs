@@ -1,6 +1,8 @@
 //! The size of the work, before any particle exists.
 
-use super::model::{Scene, Symmetry, WallModel};
+use sph_core::WallModel;
+
+use super::settings::{Scene, Symmetry};
 use fsi_coupling::geometry::polygon;
 
 /// Memory per particle of a run [bytes]: 242 for state, scratch and neighbour lists (`bench`), the rest while the water is
@@ -57,12 +59,13 @@ fn fluid_particles(scene: &Scene) -> f64 {
 /// Particles of the block of water in the air.
 fn block_particles(scene: &Scene) -> f64 {
     let spacing = scene.resolution.spacing;
-    scene.tank.block.map_or(0.0, |b| (b.to[0] - b.from[0]) * (b.to[1] - b.from[1]) / (spacing * spacing))
+    scene.tank.block().map_or(0.0, |b| (b.to[0] - b.from[0]) * (b.to[1] - b.from[1]) / (spacing * spacing))
 }
 
 fn wall_particles(scene: &Scene) -> f64 {
-    let rows = match scene.fluid.walls {
-        WallModel::Extrapolated | WallModel::MirrorPoint => (2.0 * scene.fluid.smoothing_ratio).ceil(),
+    let walls = scene.solver.weakly_compressible().map_or(WallModel::default(), |fluid| fluid.options.walls);
+    let rows = match walls {
+        WallModel::Extrapolated | WallModel::MirrorPoint => (2.0 * scene.water().smoothing_ratio).ceil(),
         WallModel::Dynamic => 2.0,
         WallModel::Repulsive => 1.0,
     };

@@ -3,9 +3,9 @@
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
 
-use super::model::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry};
 use super::panels::panel_length;
-use super::problem::significant;
+use super::settings::{Body, CouplingScheme, Freedom, Motion, Panel, Scene, Symmetry};
+use fsi_coupling::settings::significant;
 
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
 const SMOOTH: f64 = 0.84;
@@ -44,8 +44,8 @@ fn inertia(scene: &Scene, freedom: &Freedom) -> [Option<f64>; 3] {
     let body = scene.body.iter();
     let of_panels: f64 = body.flat_map(|b| b.panels.iter().map(|p| p.density * p.thickness * panel_length(b, p))).sum();
     let mass = freedom.mass + halves * of_panels;
-    let x = (freedom.x && whole).then_some(mass);
-    [x, freedom.y.then_some(mass), freedom.inertia.filter(|_| whole)]
+    let x = (freedom.x() && whole).then_some(mass);
+    [x, freedom.y().then_some(mass), freedom.inertia.filter(|_| whole)]
 }
 
 /// ½ ρ Δx ∮ (n_x², n_y², (r×n)²) ds over the faces that may be wet from the start: all of a body under water, else those
@@ -55,7 +55,7 @@ fn row_of_water(scene: &Scene, body: &Body) -> [f64; 3] {
     let centre = body.to_tank(body.center_of_mass);
     let [_, top] = polygon::bounding_box(&outline);
     let submerged = top[1] < 0.0;
-    let row = 0.5 * scene.fluid.density * scene.resolution.spacing;
+    let row = 0.5 * scene.water().density * scene.resolution.spacing;
     let mut sum = [0.0; 3];
     for (a, b) in polygon::edges(&outline) {
         let n = polygon::normal(a, b);
@@ -97,8 +97,8 @@ pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
     let Some(body) = &scene.body else { return Vec::new() };
     // a panel on a plate's middle line is wet on both sides
     let faces = if matches!(body.shape, Shape::Polyline { .. }) { 2.0 } else { 1.0 };
-    let (fluid, spacing) = (&scene.fluid, scene.resolution.spacing);
-    let acoustic = fluid.smoothing_ratio * spacing / (fluid.sound_speed + scene.fastest_speed());
+    let (fluid, sound_speed, spacing) = (scene.water(), scene.sound_speed(), scene.resolution.spacing);
+    let acoustic = fluid.smoothing_ratio * spacing / (sound_speed + scene.fastest_speed());
     let of = |panel: &Panel| {
         exchange_ratio(&Beside {
             mass: panel.density * panel.thickness,
@@ -106,8 +106,8 @@ pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
             density: fluid.density,
             spacing,
             smoothing_ratio: fluid.smoothing_ratio,
-            sound_speed: fluid.sound_speed,
-            dt: scene.time.step.unwrap_or(fluid.cfl * acoustic),
+            sound_speed,
+            dt: scene.time.step.unwrap_or(scene.courant_number() * acoustic),
         })
     };
     body.panels.iter().map(|panel| (panel, of(panel))).collect()

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
-use super::model::{Body, Motion};
+use super::settings::{Body, Motion};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
 
@@ -111,7 +111,7 @@ impl Entry {
         let bottom = Bottom::of(body);
         let half_breadth = 0.5 * (max[0] - min[0]);
         let initial_speed = -body.velocity[1];
-        let falls = matches!(&body.motion, Motion::Free(freedom) if freedom.y) && gravity > 0.0;
+        let falls = matches!(&body.motion, Motion::Free(freedom) if freedom.y()) && gravity > 0.0;
         let gap = (-draught).max(0.0);
         let speed = match falls {
             true => (initial_speed.powi(2) + 2.0 * gravity * gap).sqrt(),
@@ -122,7 +122,7 @@ impl Entry {
             return None;
         }
         let final_draught = match &body.motion {
-            Motion::Free(freedom) if freedom.y => {
+            Motion::Free(freedom) if freedom.y() => {
                 let added_mass = |draught: f64| {
                     let c = bottom.still_half_width(draught.max(0.0)).min(half_breadth);
                     FRAC_PI_2 * density * c * c

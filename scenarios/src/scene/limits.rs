@@ -1,8 +1,10 @@
 //! Steps at which the scheme is known to break down: refused, not warned about.
 
-use super::model::{Integrator, Scene};
-use super::problem::{Problem, significant};
-use super::resolve_projection::check_projection_step;
+use fsi_coupling::settings::{Problem, significant};
+use sph_core::Integrator;
+
+use super::incompressible::check_projection_step;
+use super::settings::Scene;
 
 /// Courant number C = Δt (c₀ + |v|)/h (THEORY E17) at which a dam break and a wedge at constant speed break down or
 /// gain energy, with the default kernel and diffusion (THEORY H4; `tests/stability/courant.rs`) [-]. Other kernels and
@@ -18,18 +20,18 @@ pub(super) fn breakdown_cfl(integrator: Integrator) -> f64 {
 
 /// Refuses a Courant number, or a fixed step, at which the integrator breaks down.
 pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
-    if scene.solver.is_incompressible() {
+    let Some(fluid) = scene.solver.weakly_compressible() else {
         return check_projection_step(scene); // its steps know no sound
-    }
-    let fluid = &scene.fluid;
-    let largest = breakdown_cfl(fluid.integrator);
-    let name = fluid.integrator.name();
-    if fluid.cfl >= largest {
+    };
+    let largest = breakdown_cfl(fluid.options.integrator);
+    let name = fluid.options.integrator.name();
+    let cfl = scene.courant_number();
+    if cfl >= largest {
         let expected = format!("a number above 0 and below {largest}, where {name} breaks down");
-        return Err(Problem::new("fluid.cfl", fluid.cfl, expected));
+        return Err(Problem::new("fluid.cfl", cfl, expected));
     }
     // at the speed of sound alone: water that moves bears less
-    let still = largest * fluid.smoothing_ratio * scene.resolution.spacing / fluid.sound_speed;
+    let still = largest * fluid.water.fluid.smoothing_ratio * scene.resolution.spacing / scene.sound_speed();
     match scene.time.step {
         Some(step) if step >= still => {
             let expected =

@@ -3,17 +3,20 @@
 use std::fs;
 use std::io::ErrorKind;
 
+use fsi_coupling::settings::{Problem, significant};
+use serde_json::Value;
+use sph_core::Solver;
+
 use super::builtin::builtin;
 use super::check::check;
+use super::draft::Draft;
+use super::dropped::refuse_dropped;
 use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
-use super::file::SceneFile;
-use super::keywords;
 use super::limits::check_step;
-use super::model::Scene;
-use super::problem::{Problem, significant};
 use super::resolve::resolve;
-use super::resolve_model::{Ask, check_model, settle_auto};
+use super::resolve_model::{Ask, check_model, settle_auto, settle_solver};
+use super::settings::{Scene, schema};
 use super::source::Source;
 use super::warnings::warnings;
 
@@ -70,11 +73,11 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 }
 
 fn load_under(name: &str, text: &str, sets: &[String], limits: Limits) -> Result<Loaded, SceneError> {
-    let source =
-        Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), keys: keywords::keywords() };
-    let file = source.read()?;
-    let scene = checked(file, limits).map_err(|problem| source.error(problem))?;
-    Ok(Loaded { warnings: warnings(&scene), scene, source })
+    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() };
+    let given = source.read()?;
+    let scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
+    let warnings = ignored(&given, &scene).into_iter().chain(warnings(&scene)).collect();
+    Ok(Loaded { warnings, scene, source })
 }
 
 impl Loaded {
@@ -102,17 +105,40 @@ impl Loaded {
     }
 }
 
-fn checked(file: SceneFile, limits: Limits) -> Result<Scene, Problem> {
-    let sensible = |file: SceneFile| {
-        let scene = resolve(file)?;
-        if limits == Limits::Kept {
-            check_step(&scene)?;
-        }
-        check(&scene)?;
-        Ok(scene)
-    };
-    match Ask::of(&file)? {
-        Some(ask) => settle_auto(file, ask, sensible),
-        None => check_model(sensible(file)?),
+fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
+    refuse_dropped(&mut given)?;
+    settle_solver(&mut given)?;
+    let draft = draft_of(&given)?;
+    match Ask::of(&given, &draft)? {
+        Some(ask) => settle_auto(&given, ask, |given| sensible(draft_of(given)?, limits), draft_of),
+        None => check_model(sensible(draft, limits)?),
     }
+}
+
+/// Options that are on and that the solver ignores.
+fn ignored(given: &Value, scene: &Scene) -> Vec<String> {
+    let solver = scene.solver.name();
+    let on = |key: &&&str| given.pointer(&format!("/fluid/{key}")) == Some(&Value::Bool(true));
+    let ignored: &[&str] = match scene.solver.kind() {
+        Solver::WeaklyCompressible => &[],
+        Solver::IncompressibleThesis => &["ventilation", "wall_stretch"],
+        Solver::Incompressible | Solver::IncompressibleExplicit => &["wall_stretch"],
+    };
+    ignored.iter().filter(on).map(|key| format!("fluid.{key} = true does nothing with solver = {solver:?}")).collect()
+}
+
+fn draft_of(given: &Value) -> Result<Draft, Problem> {
+    let mut draft = Draft::of(given, schema())?;
+    draft.fill("solver", "weakly_compressible".to_string());
+    Ok(draft)
+}
+
+/// The scene of a draft, if it makes sense as a whole.
+fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
+    let scene = resolve(draft)?;
+    if limits == Limits::Kept {
+        check_step(&scene)?;
+    }
+    check(&scene)?;
+    Ok(scene)
 }

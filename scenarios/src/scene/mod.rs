@@ -2,7 +2,7 @@
 //!
 //! A scene is a TOML file. [`load`] reads one as written, with every key optional, and resolves it to a [`Scene`]: plain
 //! data with every number known. Whatever is wrong becomes a [`SceneError`] with file, line, key, what was given and
-//! what was expected; whatever is doubtful becomes a warning in plain words. [`keywords`] declares every key.
+//! what was expected; whatever is doubtful becomes a warning in plain words. [`settings`] declares every key, and [`schema`] lists them.
 //!
 //! ```
 //! use scenarios::scene::load;
@@ -16,33 +16,30 @@ mod auto;
 mod builtin;
 mod check;
 mod chine;
+mod derived;
+pub(crate) mod draft;
+mod dropped;
 mod error;
 mod estimate;
 mod exchange;
-mod file;
 mod impact;
-mod keywords;
+mod incompressible;
 mod limits;
 mod load;
-mod model;
-mod model_coupling;
-mod model_fluid;
-mod model_panel;
-mod model_projection;
 mod overrides;
 mod panels;
-pub(crate) mod problem;
 mod read;
 mod resolve;
 mod resolve_body;
+mod resolve_fluid;
 mod resolve_model;
 mod resolve_panel;
-mod resolve_projection;
 mod resolve_resolution;
-mod resolve_thesis;
+pub mod settings;
 pub(crate) mod source;
 mod start;
 mod warnings;
+pub(crate) mod word;
 
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use builtin::builtin;
@@ -52,19 +49,19 @@ pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
 pub use fsi_coupling::PanelEnd;
 pub use fsi_coupling::Shape;
+pub use fsi_coupling::entry_theory::EntryModel;
+pub(crate) use fsi_coupling::settings::significant;
 pub use impact::{
     Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,
     known_compressibility_error, sound_speed_for,
 };
-pub use keywords::{Keyword, keywords};
 pub use load::{Loaded, load, load_beyond_limits, load_text};
-pub use model::{
-    Block, Body, Compare, Coupling, CouplingScheme, DiffusionForm, EquationOfState, Fluid, Freedom, Gauge, GaugeFrame,
-    Integrator, Kernel, Motion, Norm, Observe, Oscillation, Resolution, Rung, Scene, Similarity, Symmetry, Tank, Time,
-    WallSlip,
-};
-pub use model_panel::{Panel, TheoryName};
 pub use overrides::apply_set;
 pub use panels::panel_length;
-pub(crate) use problem::significant;
+pub use settings::{
+    Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Norm, Observe,
+    Oscillation, Panel, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank, TheoryName, Time, Want,
+    schema,
+};
+pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;

@@ -1,9 +1,9 @@
 //! Panels that may not do what a scene means: too thin, too finely divided, or too fast for the step.
 
-use super::model::{Body, Panel, Scene};
-use super::problem::significant;
 use super::resolve_panel::line;
+use super::settings::{Body, Panel, Scene};
 use fsi_coupling::PanelEnd;
+use fsi_coupling::settings::significant;
 
 /// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
 const MEMBRANE: f64 = 0.1;
@@ -43,8 +43,8 @@ fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
     let softest = if panel.ends == [Clamped, Clamped] { 1.0 } else { 5.0 };
     // rho V dc/dt
     let pressure = match scene.entry() {
-        Some(entry) => scene.fluid.density * body.velocity[0].hypot(body.velocity[1]) * entry.root_speed(),
-        None => scene.fluid.density * scene.tank.depth * scene.gravity[1].abs(),
+        Some(entry) => scene.water().density * body.velocity[0].hypot(body.velocity[1]) * entry.root_speed(),
+        None => scene.water().density * scene.tank.depth * scene.gravity[1].abs(),
     };
     let long = panel_length(body, panel);
     let deflection = softest * pressure * long.powi(4) / (384.0 * stiffness(panel));
@@ -62,7 +62,7 @@ fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
 /// Elements much shorter than a spacing let a light panel crumple between particles.
 fn short(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
     let spacings = panel_length(body, panel) / panel.elements as f64 / scene.resolution.spacing;
-    let light = panel.density * panel.thickness < LIGHT * scene.fluid.density * scene.resolution.spacing;
+    let light = panel.density * panel.thickness < LIGHT * scene.water().density * scene.resolution.spacing;
     (light && spacings < SHORTEST).then(|| {
         format!(
             "{} is light, and its elements are {} spacings long: below {SHORTEST} soft panels crumpled between the particles and \

@@ -1,13 +1,10 @@
-//! From a file's text to the keys that it gives.
+//! From a file's text to the table that it gives.
 
-use serde::de::DeserializeOwned;
-use serde_path_to_error as tracked;
+use fsi_coupling::settings::Problem;
 use toml::{Table, Value};
 
 use super::error::SceneError;
-use super::keywords::{self, Keyword};
 use super::overrides::apply_set;
-use super::problem::Problem;
 use super::source::Source;
 
 /// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
@@ -15,14 +12,14 @@ const LARGEST_NUMBER: f64 = 1e12;
 
 impl Source {
     /// The file with its `--set` arguments applied in their order.
-    pub fn read<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
+    pub fn read(&self) -> Result<serde_json::Value, SceneError> {
         let mut table: Table = self.text.parse().map_err(|error| self.syntax_error(&error))?;
         for set in &self.sets {
             apply_set(&mut table, set)?;
         }
         let value = Value::Table(table);
         refuse_absurd_numbers("", &value).map_err(|problem| self.error(problem))?;
-        tracked::deserialize(value).map_err(|error| self.error(unreadable(&error, self.keys)))
+        Ok(serde_json::to_value(value).unwrap_or_default())
     }
 }
 
@@ -42,34 +39,4 @@ fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
         }),
         _ => Ok(()),
     }
-}
-
-/// Serde's names of types in a user's words.
-fn plain(complaint: &str) -> String {
-    let said = complaint.replace("expected f64", "expected a number");
-    let said = said.replace("expected u32", &format!("expected a whole number from 0 to {}", u32::MAX));
-    let said = said.replace("expected i64", "expected a whole number");
-    let said =
-        said.replace("expected a sequence", "expected a list (of tables: a heading in double brackets, [[...]])");
-    let said = said.replace("expected fewer elements in array", "expected two numbers");
-    match said.split_once("expected struct ") {
-        Some((given, _)) => format!("{given}expected a table of keys"),
-        None => said,
-    }
-}
-
-/// Serde's complaint about a value or a key.
-fn unreadable(error: &tracked::Error<toml::de::Error>, keys: &'static [Keyword]) -> Problem {
-    let key = error.path().to_string();
-    let complaint = error.inner().message();
-    let sentence = match complaint.starts_with("unknown field") {
-        false => format!("`{key}`: {}", plain(complaint)),
-        true => match keywords::nearest(keys, &key) {
-            Some(known) => {
-                format!("unknown key `{key}`: expected a key of a scene, such as `{known}`")
-            }
-            None => format!("unknown key `{key}`: expected a key of a scene"),
-        },
-    };
-    Problem { key, sentence }
 }

@@ -1,11 +1,13 @@
-//! The body of a scene, from as written to as run.
+//! The body of a scene: defaults that depend on its shape and motion, and what they exclude.
 
-use super::file::{Axis, BodyFile, MotionName, ShapeName};
-use super::model::{Body, Freedom, Motion, Oscillation, Symmetry};
-use super::problem::{Problem, not_negative, positive, required, significant, within, word};
-use super::resolve_panel::resolve_panels;
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
+use fsi_coupling::settings::{Problem, significant};
+
+use super::draft::Draft;
+use super::resolve_panel::{check_panels, fill_panels};
+use super::settings::{Axis, Body, Motion, Symmetry, placed};
+use super::word::word;
 
 /// Side height over breadth, where the scene does not say.
 const SIDE_OVER_BREADTH: f64 = 0.25;
@@ -13,130 +15,68 @@ const SIDE_OVER_BREADTH: f64 = 0.25;
 /// Smallest cosine of the angle by which a plate's middle line turns: sharper corners have no sensible mitre.
 const SHARPEST_TURN: f64 = -0.5;
 
-pub(super) fn resolve_body(mut file: BodyFile, symmetry: Symmetry, spacing: Option<f64>) -> Result<Body, Problem> {
-    let panels = std::mem::take(&mut file.panels);
-    let shape = resolve_shape(&file)?;
-    let motion = resolve_motion(&file, symmetry)?;
-    refuse_other_motions_keys(&file)?;
-    let angle_deg = file.angle_deg.unwrap_or(0.0);
-    let name = word("body.name", file.name.unwrap_or_else(|| "body".to_string()))?;
-    let mut body = Body {
-        name,
-        motion,
-        center_of_mass: file.center_of_mass.unwrap_or_else(|| shape.centroid()),
-        velocity: file.velocity.unwrap_or([0.0, 0.0]),
-        angular_velocity_deg_per_s: file.angular_velocity_deg_per_s.unwrap_or(0.0),
-        position: [0.0, 0.0],
-        angle_deg,
-        shape,
-        damping: [0.0; 2],
-        panels: Vec::new(),
-    };
-    body.position = file.position.unwrap_or_else(|| {
-        let [lowest, _] = polygon::bounding_box(&body.placed_outline());
-        [0.0, 0.0 - lowest[1]]
-    });
-    check_locked_directions(&body)?;
-    body.panels = resolve_panels(panels, &body, symmetry, spacing)?;
-    if let Some(damping) = file.damping {
-        if body.panels.is_empty() && damping != [0.0; 2] {
-            return Err(Problem::new("body.damping", format!("{damping:?}"), "only with [[body.panels]]"));
-        }
-        for (k, value) in damping.iter().enumerate() {
-            not_negative(&format!("body.damping[{k}]"), *value)?;
-        }
-        body.damping = damping;
+/// The body, complete; `None` in a scene without one.
+pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Option<Body>, Problem> {
+    if !draft.is_given("body") {
+        return Ok(None);
     }
-    Ok(body)
+    let shape = resolve_shape(draft)?;
+    draft.fill("body.center_of_mass", shape.centroid());
+    resolve_motion(draft, symmetry)?;
+    let angle = draft.get("body.angle_deg").unwrap_or(0.0);
+    let [lowest, _] = polygon::bounding_box(&placed(shape.outline(), [0.0; 2], angle));
+    draft.fill("body.position", [0.0, 0.0 - lowest[1]]);
+    fill_panels(draft, &shape)?;
+    let body: Body = draft.read("body")?;
+    word("body.name", &body.name)?;
+    check_locked_directions(&body)?;
+    check_panels(&body, symmetry)?;
+    Ok(Some(body))
 }
 
-fn resolve_shape(file: &BodyFile) -> Result<Shape, Problem> {
-    let name = required("body.shape", file.shape, "wedge, arc, box, polygon or polyline")?;
-    let length = |key: &str, value: Option<f64>| positive(key, required(key, value, "a length [m]")?);
-    let breadth = || length("body.breadth", file.breadth);
-    let side_height =
-        |breadth: f64| not_negative("body.side_height", file.side_height.unwrap_or(SIDE_OVER_BREADTH * breadth));
-    let points = || required("body.points", file.points.clone(), "vertices [[x, y], ...] [m]");
-    let shape = match name {
-        ShapeName::Wedge => {
-            let angle = required("body.deadrise_deg", file.deadrise_deg, "the deadrise [deg]")?;
-            Shape::Wedge {
-                deadrise_deg: within("body.deadrise_deg", angle, 4.0..=80.0)?,
-                breadth: breadth()?,
-                side_height: side_height(breadth()?)?,
-            }
+fn resolve_shape(draft: &mut Draft) -> Result<Shape, Problem> {
+    let has_sides = draft.get("body.shape").is_some_and(|shape: String| shape == "wedge" || shape == "arc");
+    if let (true, Some(breadth)) = (has_sides, draft.get::<f64>("body.breadth")) {
+        draft.fill("body.side_height", SIDE_OVER_BREADTH * breadth);
+    }
+    let shape: Shape = draft.read("body")?;
+    match &shape {
+        Shape::Arc { radius, breadth, .. } if *breadth > 2.0 * radius => {
+            let expected = format!("a chord of at most twice body.radius, {} m", 2.0 * radius);
+            return Err(Problem::new("body.breadth", breadth, expected));
         }
-        ShapeName::Arc => {
-            let (radius, breadth) = (length("body.radius", file.radius)?, breadth()?);
-            if breadth > 2.0 * radius {
-                let expected = format!("a chord of at most twice body.radius, {} m", 2.0 * radius);
-                return Err(Problem::new("body.breadth", breadth, expected));
-            }
-            Shape::Arc { radius, breadth, side_height: side_height(breadth)? }
-        }
-        ShapeName::Box => Shape::Box { breadth: breadth()?, height: length("body.height", file.height)? },
-        ShapeName::Polygon => Shape::Polygon { points: simple_polygon(points()?)? },
-        ShapeName::Polyline => {
-            Shape::Polyline { points: smooth_line(points()?)?, thickness: length("body.thickness", file.thickness)? }
-        }
-    };
-    refuse_other_shapes_keys(file, &shape)?;
+        Shape::Polygon { points } => check_polygon(points)?,
+        Shape::Polyline { points, .. } => check_line(points)?,
+        _ => {}
+    }
     check_plate_outline(&shape)?;
     Ok(shape)
 }
 
-/// A key that the shape does not use is a misunderstanding.
-fn refuse_other_shapes_keys(file: &BodyFile, shape: &Shape) -> Result<(), Problem> {
-    let used: &[&str] = match shape {
-        Shape::Wedge { .. } => &["deadrise_deg", "breadth", "side_height"],
-        Shape::Arc { .. } => &["radius", "breadth", "side_height"],
-        Shape::Box { .. } => &["breadth", "height"],
-        Shape::Polygon { .. } => &["points"],
-        Shape::Polyline { .. } => &["points", "thickness"],
-    };
-    let given = [
-        ("deadrise_deg", file.deadrise_deg),
-        ("breadth", file.breadth),
-        ("side_height", file.side_height),
-        ("radius", file.radius),
-        ("height", file.height),
-        ("thickness", file.thickness),
-        ("points", file.points.as_ref().map(|points| points.len() as f64)),
-    ];
-    let stranger = given.iter().find(|(key, value)| value.is_some() && !used.contains(key));
-    match stranger {
-        None => Ok(()),
-        Some((key, _)) => {
-            let expected = format!("only {} with shape = \"{}\"", used.join(", "), shape.name());
-            Err(Problem::new(&format!("body.{key}"), "(given)", expected))
-        }
-    }
-}
-
-fn simple_polygon(points: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, Problem> {
+fn check_polygon(points: &[[f64; 2]]) -> Result<(), Problem> {
     let problem = |given: String, expected: &str| Err(Problem::new("body.points", given, expected));
     if points.len() < 3 {
         return problem(format!("{} points", points.len()), "at least 3 points");
     }
-    if let Some(i) = repeated(&points).or_else(|| (points.first() == points.last()).then_some(0)) {
+    if let Some(i) = repeated(points).or_else(|| (points.first() == points.last()).then_some(0)) {
         return problem(format!("{:?} twice in a row", points[i]), "every vertex once");
     }
-    if let Some((i, j)) = polygon::first_crossing(&points) {
+    if let Some((i, j)) = polygon::first_crossing(points) {
         return problem(format!("a line whose edges {i} and {j} meet"), "an outline that does not cross itself");
     }
-    let area = polygon::signed_area(&points);
+    let area = polygon::signed_area(points);
     if area <= 0.0 {
         return problem(format!("points around {} m²", significant(area)), "counter-clockwise points");
     }
-    Ok(points)
+    Ok(())
 }
 
-fn smooth_line(points: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, Problem> {
+fn check_line(points: &[[f64; 2]]) -> Result<(), Problem> {
     let problem = |given: String, expected: &str| Err(Problem::new("body.points", given, expected));
     if points.len() < 2 {
         return problem(format!("{} points", points.len()), "at least 2 points");
     }
-    if let Some(i) = repeated(&points) {
+    if let Some(i) = repeated(points) {
         return problem(format!("{:?} twice in a row", points[i]), "every vertex once");
     }
     let sharp = points.windows(3).find(|w| {
@@ -145,7 +85,7 @@ fn smooth_line(points: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, Problem> {
     });
     match sharp {
         Some(w) => problem(format!("a sharp corner at {:?}", w[1]), "corners that turn by at most 120 degrees"),
-        None => Ok(points),
+        None => Ok(()),
     }
 }
 
@@ -163,61 +103,42 @@ fn check_plate_outline(shape: &Shape) -> Result<(), Problem> {
     }
 }
 
-fn resolve_motion(file: &BodyFile, symmetry: Symmetry) -> Result<Motion, Problem> {
-    match file.motion.unwrap_or_default() {
-        MotionName::Fixed => Ok(Motion::Fixed),
-        MotionName::ConstantVelocity => Ok(Motion::ConstantVelocity),
-        MotionName::Oscillating => {
-            let amplitude = required("body.amplitude", file.amplitude, "the amplitude [x, y] [m] of the motion")?;
-            if symmetry == Symmetry::X && amplitude[0] != 0.0 {
-                let expected = "[0, ...] with symmetry = \"x\"";
-                return Err(Problem::new("body.amplitude", format!("{amplitude:?}"), expected));
-            }
-            let period = required("body.period", file.period, "the period [s] of the motion")?;
-            Ok(Motion::Oscillating(Oscillation { amplitude, period: positive("body.period", period)? }))
-        }
-        MotionName::Free => {
-            let free = match (&file.free, symmetry) {
-                (Some(axes), _) => axes.clone(),
-                (None, Symmetry::None) => vec![Axis::X, Axis::Y, Axis::Angle],
-                (None, Symmetry::X) => vec![Axis::Y],
-            };
-            if free.is_empty() {
-                let expected = "some of \"x\", \"y\", \"angle\", or motion = \"fixed\"";
-                return Err(Problem::new("body.free", "[]", expected));
-            }
-            if symmetry == Symmetry::X && free.iter().any(|axis| *axis != Axis::Y) {
-                return Err(Problem::new("body.free", format!("{free:?}"), "[\"y\"] with symmetry = \"x\""));
-            }
-            let mass = required("body.mass", file.mass, "the mass of the free body [kg/m]")?;
-            let why = "the moment of inertia [kg m^2/m] of a body that is free to rotate";
-            let inertia = || positive("body.inertia", required("body.inertia", file.inertia, why)?);
-            Ok(Motion::Free(Freedom {
-                mass: positive("body.mass", mass)?,
-                x: free.contains(&Axis::X),
-                y: free.contains(&Axis::Y),
-                inertia: free.contains(&Axis::Angle).then(inertia).transpose()?,
-            }))
+fn resolve_motion(draft: &mut Draft, symmetry: Symmetry) -> Result<(), Problem> {
+    let motion = draft.fill("body.motion", "free".to_string());
+    if motion == "free" {
+        let free = match symmetry {
+            Symmetry::None => vec![Axis::X, Axis::Y, Axis::Angle],
+            Symmetry::X => vec![Axis::Y],
+        };
+        let free = draft.fill("body.free", free);
+        if !free.contains(&Axis::Angle) {
+            draft.remove("body", "inertia");
         }
     }
-}
-
-/// A motion to and fro has an amplitude and a period, and no other motion has.
-fn refuse_other_motions_keys(file: &BodyFile) -> Result<(), Problem> {
-    if file.motion == Some(MotionName::Oscillating) {
-        return Ok(());
-    }
-    let given = [("amplitude", file.amplitude.is_some()), ("period", file.period.is_some())];
-    match given.iter().find(|(_, given)| *given) {
-        None => Ok(()),
-        Some((key, _)) => Err(Problem::new(&format!("body.{key}"), "(given)", "only with motion = \"oscillating\"")),
+    match draft.read("body")? {
+        Motion::Free(freedom) if freedom.free.is_empty() => {
+            let expected = "some of \"x\", \"y\", \"angle\", or motion = \"fixed\"";
+            Err(Problem::new("body.free", "[]", expected))
+        }
+        Motion::Free(freedom) if symmetry == Symmetry::X && freedom.free.iter().any(|axis| *axis != Axis::Y) => {
+            Err(Problem::new("body.free", format!("{:?}", freedom.free), "[\"y\"] with symmetry = \"x\""))
+        }
+        Motion::Free(freedom) if freedom.free.contains(&Axis::Angle) && freedom.inertia.is_none() => {
+            let why = "the moment of inertia [kg m²/m] of a body that is free to rotate";
+            Err(Problem::missing("body.inertia", why))
+        }
+        Motion::Oscillating(oscillation) if symmetry == Symmetry::X && oscillation.amplitude[0] != 0.0 => {
+            let expected = "[0, ...] with symmetry = \"x\"";
+            Err(Problem::new("body.amplitude", format!("{:?}", oscillation.amplitude), expected))
+        }
+        _ => Ok(()),
     }
 }
 
 /// A direction that cannot move has no velocity.
 fn check_locked_directions(body: &Body) -> Result<(), Problem> {
     let (x, y, angle) = match &body.motion {
-        Motion::Free(freedom) => (freedom.x, freedom.y, freedom.inertia.is_some()),
+        Motion::Free(freedom) => (freedom.x(), freedom.y(), freedom.inertia.is_some()),
         Motion::ConstantVelocity => (true, true, true),
         Motion::Fixed | Motion::Oscillating(_) => (false, false, false),
     };

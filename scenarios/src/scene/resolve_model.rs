@@ -1,40 +1,18 @@
 //! `model`, `want`, `within`: which model runs the scene.
 
-use serde::de::Error;
-use serde::{Deserialize, Deserializer};
+use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::settings::Problem;
+use serde_json::Value;
+use sph_core::FluidSettings;
 
-use super::file::SceneFile;
+use super::draft::Draft;
 use super::impact::Entry;
-use super::model::{Body, Rung, Scene, Solver, Symmetry};
-use super::problem::{Problem, within};
 use super::resolve_body::resolve_body;
+use super::settings::{Body, GRAVITY, Scene, Symmetry, Want};
 use crate::charted::spacing_within;
-use crate::model_hierarchy::{Choice, Theory, Want, charted_number, choose};
+use crate::model_hierarchy::{Choice, Theory, charted_number, choose};
 
-/// The key `model`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModelName {
-    /// The cheapest that is near enough.
-    Auto,
-    /// This one.
-    Named(Rung),
-}
-
-impl<'de> Deserialize<'de> for ModelName {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ModelName, D::Error> {
-        let word = String::deserialize(from)?;
-        if word == "auto" {
-            return Ok(ModelName::Auto);
-        }
-        let named = Rung::ALL.into_iter().find(|rung| rung.name() == word);
-        named.map(ModelName::Named).ok_or_else(|| {
-            let known = Rung::ALL.map(|rung| format!("`{}`", rung.name())).join(", ");
-            D::Error::custom(format!("unknown variant `{word}`, expected one of `auto`, {known}"))
-        })
-    }
-}
-
-/// What `auto` is to find a model for.
+/// Question that `model = "auto"` answers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ask {
     want: Want,
@@ -49,48 +27,37 @@ const PAST_CHINES: f64 = 2.0;
 /// Spacings in the draught from which a spacing is looked for.
 const PROVISIONAL: f64 = 32.0;
 
-impl Ask {
-    /// What a scene asks of `model = "auto"`; `None` where it names its model.
-    pub fn of(file: &SceneFile) -> Result<Option<Ask>, Problem> {
-        let tolerance = file.within.map(|share| within("within", share, 0.0..=1.0)).transpose()?;
-        let asks = file.want.is_some() || tolerance.is_some();
-        match file.model {
-            Some(ModelName::Auto) => {
-                let (want, within) = (file.want.unwrap_or_default(), tolerance.unwrap_or(USUAL_TOLERANCE));
-                let bends = file.body.as_ref().is_some_and(|body| !body.panels.is_empty());
-                if want == Want::Strain && !bends {
-                    return Err(Problem::new(
-                        "want",
-                        "\"strain\"",
-                        "something else without body.panels: nothing bends",
-                    ));
-                }
-                Ok(Some(Ask { want, within }))
-            }
-            _ if asks => {
-                let key = if file.want.is_some() { "want" } else { "within" };
-                Err(Problem::new(key, "given", "no such key without model = \"auto\": the model is named"))
-            }
-            _ => Ok(None),
+/// Writes the solver of a scene whose model names one, and the model of a solver.
+pub(super) fn settle_solver(given: &mut Value) -> Result<(), Problem> {
+    let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
+    let (model, solver) = (word("model"), word("solver"));
+    let Some(model) = model.and_then(|model| EntryModel::ALL.into_iter().find(|rung| rung.name() == model)) else {
+        return Ok(());
+    };
+    let incompressible = solver.as_ref().map(|solver| solver != "weakly_compressible");
+    match (model == EntryModel::Incompressible, incompressible) {
+        (true, None) => given["solver"] = "incompressible".into(),
+        (wanted, Some(is)) if wanted != is => {
+            let expected = format!("no solver, or that of model = \"{}\"", model.name());
+            return Err(Problem::new("solver", format!("{:?}", solver.unwrap_or_default()), expected));
         }
+        _ => {}
     }
+    Ok(())
 }
 
-/// The model of a scene as written, and its solver; `auto` is settled later.
-pub(super) fn resolve_model(model: Option<ModelName>, solver: Option<Solver>) -> Result<(Rung, Solver), Problem> {
-    let of_solver = |solver: Solver| if solver.is_incompressible() { Rung::Incompressible } else { Rung::Wcsph };
-    let rung = match model {
-        None | Some(ModelName::Auto) => of_solver(solver.unwrap_or_default()),
-        Some(ModelName::Named(rung)) => rung,
-    };
-    let usual = if rung == Rung::Incompressible { Solver::Incompressible } else { Solver::WeaklyCompressible };
-    let solver = solver.unwrap_or(usual);
-    match of_solver(solver) == if rung.is_theory() { Rung::Wcsph } else { rung } {
-        true => Ok((rung, solver)),
-        false => {
-            let expected = format!("no solver, or that of model = \"{}\"", rung.name());
-            Err(Problem::new("solver", format!("\"{}\"", solver.name()), expected))
+impl Ask {
+    /// What a scene asks of `model = "auto"`; `None` where it names its model.
+    pub fn of(given: &Value, draft: &Draft) -> Result<Option<Ask>, Problem> {
+        if given.get("model").and_then(Value::as_str) != Some("auto") {
+            return Ok(None);
         }
+        let ask =
+            Ask { want: draft.get("want").unwrap_or_default(), within: draft.get("within").unwrap_or(USUAL_TOLERANCE) };
+        if ask.want == Want::Strain && draft.count("body.panels") == 0 {
+            return Err(Problem::new("want", "\"strain\"", "something else without body.panels: nothing bends"));
+        }
+        Ok(Some(ask))
     }
 }
 
@@ -105,29 +72,37 @@ pub(super) fn check_model(scene: Scene) -> Result<Scene, Problem> {
 }
 
 /// The scene of `model = "auto"`, by the model that [`choose`] takes: symmetry, end, spacing and solver are left to the program
-/// where the file is silent. `resolved` makes a sensible scene of a file, or says what is wrong.
+/// where the scene does not give them. `resolved` makes a sensible scene of a table, or says what is wrong.
 pub(super) fn settle_auto(
-    file: SceneFile,
+    given: &Value,
     ask: Ask,
-    resolved: impl Fn(SceneFile) -> Result<Scene, Problem>,
+    resolved: impl Fn(&Value) -> Result<Scene, Problem>,
+    draft_of: impl Fn(&Value) -> Result<Draft, Problem>,
 ) -> Result<Scene, Problem> {
-    let file = fill_in(SceneFile { model: None, want: None, within: None, ..file })?;
+    let mut given = given.clone();
+    for key in ["model", "want", "within"] {
+        given.as_object_mut().map(|table| table.remove(key));
+    }
+    fill_in_end(&mut given, &draft_of)?;
     // half of a symmetric scene is as good
-    let resolved = |file: SceneFile| match file.symmetry {
-        Some(_) => resolved(file),
-        None => resolved(SceneFile { symmetry: Some(Symmetry::X), ..file.clone() }).or_else(|_| resolved(file)),
+    let resolved = |given: &Value| match given.get("symmetry") {
+        Some(_) => resolved(given),
+        None => resolved(&with(given, "symmetry", "x")).or_else(|_| resolved(given)),
     };
-    let solvers = file.solver.map_or(vec![Solver::WeaklyCompressible, Solver::Incompressible], |solver| vec![solver]);
+    let solvers = match given.get("solver").and_then(Value::as_str) {
+        Some(solver) => vec![solver],
+        None => vec!["weakly_compressible", "incompressible"],
+    };
     let mut of_particles = Vec::new();
     for solver in solvers {
-        match fine_enough(SceneFile { solver: Some(solver), ..file.clone() }, ask, resolved) {
+        match fine_enough(with(&given, "solver", solver), ask, resolved, &draft_of) {
             Ok(scene) => of_particles.push(scene),
             Err(problem) if of_particles.is_empty() => return Err(problem),
             Err(_) => {} // the other solver can
         }
     }
     let Choice { rung, scene, spacing, why } = choose(&of_particles, ask.want, ask.within);
-    if !rung.is_theory() && file.resolution.spacing.is_none() && !spacing {
+    if !rung.is_theory() && spacing_of(&given).is_none() && !spacing {
         let why = format!("the finest spacing [m]: no chart is near this scene that would tell it; {why}");
         return Err(Problem::missing("resolution.spacing", why));
     }
@@ -136,43 +111,64 @@ pub(super) fn settle_auto(
     Ok(scene)
 }
 
-/// A scene at the spacing that its file says, or else at the one that charts say is fine enough.
-fn fine_enough(
-    mut file: SceneFile,
-    ask: Ask,
-    resolved: impl Fn(SceneFile) -> Result<Scene, Problem>,
-) -> Result<Scene, Problem> {
-    if file.resolution.spacing.is_some() {
-        return resolved(file);
+/// The table with another value at a key.
+fn with(given: &Value, key: &str, value: &str) -> Value {
+    let mut given = given.clone();
+    given[key] = value.into();
+    given
+}
+
+fn spacing_of(given: &Value) -> Option<&Value> {
+    given.get("resolution").and_then(|table| table.get("spacing"))
+}
+
+fn set_number(given: &mut Value, table: &str, key: &str, value: f64) {
+    if !given[table].is_object() {
+        given[table] = Value::Object(serde_json::Map::new());
     }
-    let draught =
-        entry_of(&file)?.map(|(_, entry)| entry.attached_draught().max(entry.bottom.draught_at(entry.half_breadth)));
+    given[table][key] = value.into();
+}
+
+/// A scene at the spacing that it gives, or else at the one that charts say is fine enough.
+fn fine_enough(
+    mut given: Value,
+    ask: Ask,
+    resolved: impl Fn(&Value) -> Result<Scene, Problem>,
+    draft_of: impl Fn(&Value) -> Result<Draft, Problem>,
+) -> Result<Scene, Problem> {
+    if spacing_of(&given).is_some() {
+        return resolved(&given);
+    }
+    let entry = entry_of(draft_of(&given)?)?;
+    let draught = entry.map(|(_, entry)| entry.attached_draught().max(entry.bottom.draught_at(entry.half_breadth)));
     let draught = draught
         .ok_or_else(|| Problem::missing("resolution.spacing", "the finest spacing [m]: nothing enters the water"))?;
-    file.resolution.spacing = Some(draught / PROVISIONAL);
-    let scene = resolved(file.clone())?;
+    set_number(&mut given, "resolution", "spacing", draught / PROVISIONAL);
+    let scene = resolved(&given)?;
     let fine = charted_number(ask.want).and_then(|number| spacing_within(&scene, number, ask.within));
     fine.map_or(Ok(scene), |spacing| {
-        file.resolution.spacing = Some(spacing);
-        resolved(file)
+        set_number(&mut given, "resolution", "spacing", spacing);
+        resolved(&given)
     })
 }
 
-/// The entry of a file's body, were there no end.
-fn entry_of(file: &SceneFile) -> Result<Option<(Body, Entry)>, Problem> {
-    let Some(body) = &file.body else { return Ok(None) };
-    let body = resolve_body(body.clone(), Symmetry::None, file.resolution.spacing)?;
-    let (gravity, density) = (file.gravity.unwrap_or([0.0, -9.81]), file.fluid.density.unwrap_or(1000.0));
-    let entry = Entry::of(&body, gravity, density, file.time.end.unwrap_or(0.0));
+/// The entry of a draft's body, were there no end.
+fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
+    let Some(body) = resolve_body(&mut draft, Symmetry::None)? else { return Ok(None) };
+    let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
+    let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
+    let entry = Entry::of(&body, gravity, density, draft.get("time.end").unwrap_or(0.0));
     Ok(entry.map(|entry| (body, entry)))
 }
 
 /// An entry without an end: the end from how long it takes.
-fn fill_in(mut file: SceneFile) -> Result<SceneFile, Problem> {
-    if let (None, Some((body, entry))) = (file.time.end, entry_of(&file)?) {
+fn fill_in_end(given: &mut Value, draft_of: &impl Fn(&Value) -> Result<Draft, Problem>) -> Result<(), Problem> {
+    let draft = draft_of(given)?;
+    if let (false, Some((body, entry))) = (draft.is_given("time.end"), entry_of(draft)?) {
         let gap = (-body.draught()).max(0.0);
         let fall = 2.0 * gap / (entry.speed - body.velocity[1]); // at the mean of first and last speed
-        file.time.end = Some(fall + PAST_CHINES * entry.bottom.draught_at(entry.half_breadth) / entry.speed);
+        let end = fall + PAST_CHINES * entry.bottom.draught_at(entry.half_breadth) / entry.speed;
+        set_number(given, "time", "end", end);
     }
-    Ok(file)
+    Ok(())
 }

@@ -3,13 +3,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use fsi_coupling::settings::{Keyword, Problem, Schema};
 use miette::NamedSource;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SceneError;
-use super::keywords::{self, Keyword};
 use super::overrides::{Segment, assignment, segments};
-use super::problem::Problem;
 
 /// A scene's text and the `--set` arguments that change it.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,14 +16,14 @@ pub(crate) struct Source {
     pub name: String,
     pub text: String,
     pub sets: Vec<String>,
-    /// The keys that such a file has.
-    pub keys: &'static [Keyword],
+    /// The schema of such a file.
+    pub schema: &'static Schema,
 }
 
 impl Source {
     /// Puts a problem in its place: the last `--set` argument that wrote the key, else its line in the text.
     pub fn error(&self, problem: Problem) -> SceneError {
-        let help = keywords::find(self.keys, &problem.key).map(Keyword::help);
+        let help = self.schema.keyword(&problem.key).map(Keyword::help);
         match self.sets.iter().rfind(|set| writes(set, &problem.key)) {
             Some(argument) => SceneError::Set { argument: argument.clone(), problem: problem.sentence, help },
             None => self.error_at(self.span(&problem.key), problem.sentence, help),
@@ -54,7 +53,7 @@ impl Source {
         let Ok(document) = DeTable::parse(&self.text) else {
             return 0..0;
         };
-        let known = keywords::find(self.keys, key).is_some();
+        let known = self.schema.keyword(key).is_some();
         let mut span = 0..0;
         let mut value = &DeValue::Table(document.into_inner());
         for segment in segments(key) {

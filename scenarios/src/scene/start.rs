@@ -2,52 +2,14 @@
 
 use fsi_coupling::geometry::water_surface::WaterSurface;
 
-use super::file::TankFile;
-use super::model::{Block, Scene, Symmetry, Tank};
-use super::problem::{Problem, significant, within};
+use super::settings::{Block, Scene, Symmetry, Tank};
+use fsi_coupling::settings::{Problem, significant};
 
 /// Largest rise or fall of the surface over the depth: columns are stretched by as much.
 const LARGEST_RISE: f64 = 0.5;
 
 /// Spacings across the smallest block of water.
 const SMALLEST_BLOCK: f64 = 4.0;
-
-/// Steepest tilt [deg].
-const STEEPEST: f64 = 45.0;
-
-/// The wave or tilt that the water starts with: amplitude [m], half waves, tilt [deg].
-pub(super) fn resolve_surface(file: &TankFile) -> Result<(f64, u32, f64), Problem> {
-    let amplitude = finite("tank.surface_amplitude", file.surface_amplitude.unwrap_or(0.0))?;
-    let tilt = within("tank.surface_tilt_deg", file.surface_tilt_deg.unwrap_or(0.0), -STEEPEST..=STEEPEST)?;
-    match file.surface_mode.unwrap_or(1) {
-        0 => Err(Problem::new("tank.surface_mode", 0, "a number of half waves of at least 1")),
-        mode => Ok((amplitude, mode, tilt)),
-    }
-}
-
-/// The block of water in the air, if the scene has one.
-pub(super) fn resolve_block(file: &TankFile) -> Result<Option<Block>, Problem> {
-    let velocity = file.block_velocity.unwrap_or([0.0; 2]);
-    let (from, to) = match (file.block_from, file.block_to, velocity) {
-        (None, None, [0.0, 0.0]) => return Ok(None),
-        (Some(from), Some(to), _) => (from, to),
-        (None, ..) => return Err(Problem::missing("tank.block_from", "the block's lower left corner [x, y] [m]")),
-        (_, None, _) => return Err(Problem::missing("tank.block_to", "the block's upper right corner [x, y] [m]")),
-    };
-    for (key, pair) in [("from", from), ("to", to), ("velocity", velocity)] {
-        for value in pair {
-            finite(&format!("tank.block_{key}"), value)?;
-        }
-    }
-    Ok(Some(Block { from, to, velocity }))
-}
-
-fn finite(key: &str, value: f64) -> Result<f64, Problem> {
-    match value.is_finite() {
-        true => Ok(value),
-        false => Err(Problem::new(key, value, "a finite number")),
-    }
-}
 
 impl Tank {
     /// The surface that the water starts with; `None` where it is level.
@@ -65,12 +27,12 @@ impl Tank {
 
     /// Height that water may fall through, from the highest at the start to the floor [m].
     pub fn fall(&self) -> f64 {
-        self.depth + self.block.map_or(self.rise(), |block| block.to[1].max(self.rise()))
+        self.depth + self.block().map_or(self.rise(), |block| block.to[1].max(self.rise()))
     }
 
     /// Speed of the block of water at the start [m/s]; 0 where there is none.
     pub fn block_speed(&self) -> f64 {
-        self.block.map_or(0.0, |block| block.velocity[0].hypot(block.velocity[1]))
+        self.block().map_or(0.0, |block| block.velocity[0].hypot(block.velocity[1]))
     }
 }
 
@@ -105,7 +67,7 @@ pub(super) fn check_start(scene: &Scene) -> Result<(), Problem> {
         }
         check_symmetric_start(scene)?;
     }
-    tank.block.map_or(Ok(()), |block| check_block(scene, &block))
+    tank.block().map_or(Ok(()), |block| check_block(scene, &block))
 }
 
 /// With a mirror at x = 0 the surface is its own image.

@@ -4,11 +4,12 @@ use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
 use super::chine::past_the_chine;
 use super::exchange::{light_body, light_panels};
 use super::impact::{Entry, known_compressibility_error};
-use super::model::{DensityEvolution, Dissipation, Gauge, Integrator, Kernel, Rung, Scene};
+use super::incompressible::{projection_warnings, thesis_warnings};
 use super::panels::doubtful_panels;
-use super::problem::significant;
-use super::resolve_projection::projection_warnings;
-use super::resolve_thesis::thesis_warnings;
+use super::settings::{Gauge, Scene, WeaklyCompressibleFluid};
+use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::settings::significant;
+use sph_core::{DensityEvolution, Dissipation, Integrator, Kernel};
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
 const PEAK_SPACINGS: f64 = 17.0;
@@ -39,8 +40,10 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.model.is_theory() {
         return theory_warnings(scene);
     }
-    let mut warnings =
-        if scene.solver.is_incompressible() { projection_warnings(scene) } else { sound_warnings(scene) };
+    let mut warnings = match scene.solver.weakly_compressible() {
+        None => projection_warnings(scene),
+        Some(fluid) => sound_warnings(scene, fluid),
+    };
     warnings.extend(thesis_warnings(scene));
     if let Some(entry) = scene.entry() {
         match entry.final_draught > 0.0 {
@@ -51,16 +54,13 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             )),
         }
     }
-    if scene.fluid.density_evolution == DensityEvolution::Summation {
-        warnings.push("fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".into());
-    }
     if scene.resolution.growth > LARGEST_GROWTH {
         warnings.push(format!(
             "resolution.growth = {}: up to 1.2 is harmless, 1.5 costs 9 % of the force",
             scene.resolution.growth
         ));
     }
-    if scene.fluid.kernel == Kernel::Quadratic && scene.body.is_some() {
+    if scene.water().kernel == Kernel::Quadratic && scene.body.is_some() {
         warnings
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
@@ -82,53 +82,55 @@ fn theory_warnings(scene: &Scene) -> Vec<String> {
         let above = significant(-entry.final_draught);
         format!("the body does not reach the water: at the end of the run it is {above} m above it")
     });
-    let singular = (scene.model == Rung::Wagner && !scene.gauges.is_empty()).then(|| {
+    let singular = (scene.model == EntryModel::Wagner && !scene.gauges.is_empty()).then(|| {
         "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
     });
     short.into_iter().chain(singular).collect()
 }
 
 /// Doubts about water that carries sound: how fast, in which steps, how far, and beside what.
-fn sound_warnings(scene: &Scene) -> Vec<String> {
+fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String> {
     let mut warnings = Vec::new();
+    let cfl = scene.courant_number();
     warnings.extend(slow_sound(scene));
     if let Some(entry) = scene.entry().filter(|entry| entry.final_draught > 0.0) {
         warnings.extend(lost_force(scene, &entry));
         warnings.extend(echo(scene));
     }
-    if scene.fluid.cfl > LARGEST_CFL {
-        warnings.push(format!("fluid.cfl = {}: 0.8 ran, 1.2 blew up", scene.fluid.cfl));
+    if cfl > LARGEST_CFL {
+        warnings.push(format!("fluid.cfl = {cfl}: 0.8 ran, 1.2 blew up"));
     }
-    warnings.extend(strained_step(scene));
-    let h = scene.fluid.smoothing_ratio * scene.resolution.spacing;
-    let acoustic = h / (scene.fluid.sound_speed + scene.fastest_speed());
+    warnings.extend(strained_step(fluid, cfl));
+    let h = fluid.water.fluid.smoothing_ratio * scene.resolution.spacing;
+    let acoustic = h / (scene.sound_speed() + scene.fastest_speed());
     if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * acoustic) {
         warnings.push(format!(
             "time.step = {step} s is {} times h/(c0 + |v|) at the fastest known speed: 0.8 ran, 1.2 blew up",
             significant(step / acoustic)
         ));
     }
-    warnings.extend(loose_verlet(scene));
+    warnings.extend(loose_verlet(fluid, cfl));
+    if fluid.options.density_evolution == DensityEvolution::Summation {
+        warnings.push("fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".into());
+    }
     warnings.extend(light_body(scene));
     warnings.extend(light_panels(scene));
     warnings
 }
 
 /// Limits of the step of the Riemann form (R3) and of stretched walls (E10).
-fn strained_step(scene: &Scene) -> Vec<String> {
-    let (fluid, mut warnings) = (&scene.fluid, Vec::new());
-    if fluid.dissipation == Dissipation::Riemann && fluid.cfl > RIEMANN_CFL {
+fn strained_step(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Vec<String> {
+    let (scheme, mut warnings) = (&fluid.scheme, Vec::new());
+    if scheme.dissipation == Dissipation::Riemann && cfl > RIEMANN_CFL {
         warnings.push(format!(
-            "fluid.cfl = {} with fluid.dissipation = \"riemann\": 0.7 ran and 0.75 did not with wendland_c4, 0.85 ran and \
-             0.9 did not with wendland_c2",
-            fluid.cfl
+            "fluid.cfl = {cfl} with fluid.dissipation = \"riemann\": 0.7 ran and 0.75 did not with wendland_c4, 0.85 ran and \
+             0.9 did not with wendland_c2"
         ));
     }
-    if fluid.wall_stretch && fluid.cfl > STRETCHED_CFL {
+    if scheme.wall_stretch && cfl > STRETCHED_CFL {
         warnings.push(format!(
-            "fluid.wall_stretch at fluid.cfl = {}: the force on a wedge broke into oscillation late in some runs; at 0.4 \
-             it did not",
-            fluid.cfl
+            "fluid.wall_stretch at fluid.cfl = {cfl}: the force on a wedge broke into oscillation late in some runs; at 0.4 \
+             it did not"
         ));
     }
     warnings
@@ -136,23 +138,22 @@ fn strained_step(scene: &Scene) -> Vec<String> {
 
 /// Between two Euler steps, dissipation damps the flow by about e^(−d) a step, d = 7 δ C, and grows the difference of
 /// Verlet's two time levels by as much (L1); an Euler step leaves about ½d² of it.
-fn loose_verlet(scene: &Scene) -> Option<String> {
-    let fluid = &scene.fluid;
-    let every = f64::from(fluid.verlet_correction_every);
-    let (delta, diffusion) = match fluid.dissipation {
+fn loose_verlet(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Option<String> {
+    let scheme = &fluid.scheme;
+    let every = f64::from(fluid.options.verlet_correction_every);
+    let (delta, diffusion) = match scheme.dissipation {
         Dissipation::Diffusion => {
-            (fluid.density_diffusion, format!("fluid.density_diffusion = {}", fluid.density_diffusion))
+            (scheme.density_diffusion, format!("fluid.density_diffusion = {}", scheme.density_diffusion))
         }
         Dissipation::Riemann => (RIEMANN_DELTA, "fluid.dissipation = \"riemann\"".to_string()),
     };
-    let damping = 7.0 * delta * fluid.cfl;
+    let damping = 7.0 * delta * cfl;
     let growth = 0.5 * damping * damping * (damping * every).exp();
     let loose = every == 0.0 || growth > LARGEST_VERLET_GROWTH;
-    (fluid.integrator == Integrator::Verlet && loose).then(|| {
+    (fluid.options.integrator == Integrator::Verlet && loose).then(|| {
         format!(
-            "fluid.verlet_correction_every = {every}: with fluid.cfl = {} and {diffusion} the two time \
-             levels of verlet drift apart; correct more often, or lower either",
-            fluid.cfl
+            "fluid.verlet_correction_every = {every}: with fluid.cfl = {cfl} and {diffusion} the two time \
+             levels of verlet drift apart; correct more often, or lower either"
         )
     })
 }
@@ -173,7 +174,7 @@ fn coarse_samples(scene: &Scene, gauge: &Gauge) -> Option<String> {
 }
 
 fn slow_sound(scene: &Scene) -> Option<String> {
-    let (fastest, sound) = (scene.fastest_speed(), scene.fluid.sound_speed);
+    let (fastest, sound) = (scene.fastest_speed(), scene.sound_speed());
     // A hair of slack: an "auto" speed of sound is exactly the least.
     (sound < LEAST_SOUND_RATIO * fastest * (1.0 - 1e-9)).then(|| {
         format!(
@@ -190,19 +191,19 @@ fn slow_sound(scene: &Scene) -> Option<String> {
 
 /// What compressibility takes of an impact's force.
 fn lost_force(scene: &Scene, entry: &Entry) -> Option<String> {
-    let (root, sound) = (entry.root_speed(), scene.fluid.sound_speed);
+    let (root, sound) = (entry.root_speed(), scene.sound_speed());
     match known_compressibility_error(root, sound) {
         None => Some(format!(
             "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; compare with a \
              larger fluid.sound_speed",
             significant(root / sound)
         )),
-        Some(error) if error > scene.fluid.compressibility_error * (1.0 + 1e-9) => Some(format!(
+        Some(error) if error > scene.solver.water().compressibility_error * (1.0 + 1e-9) => Some(format!(
             "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
              admits {} %: raise fluid.sound_speed",
             significant(100.0 * error),
             significant(root / sound),
-            significant(100.0 * scene.fluid.compressibility_error)
+            significant(100.0 * scene.solver.water().compressibility_error)
         )),
         Some(_) => None,
     }
@@ -253,7 +254,7 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
 fn echo(scene: &Scene) -> Option<String> {
     let beside = 0.5 * scene.tank.width - scene.fine_zone_center().abs();
     let reach = beside.min(scene.tank.depth);
-    let needed = ACOUSTIC_REACH * scene.fluid.sound_speed * scene.time.end;
+    let needed = ACOUSTIC_REACH * scene.sound_speed() * scene.time.end;
     // A hair of slack: an "auto" tank is exactly as large as needed.
     (reach < needed * (1.0 - 1e-9)).then(|| {
         format!(

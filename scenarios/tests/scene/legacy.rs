@@ -1,18 +1,18 @@
 //! Every switch of the thesis's input file that has a counterpart here is named, with its numbers, by the key that it became.
 
-use scenarios::scene::keywords;
+use scenarios::scene::schema;
 
 /// What became of the switches of `INDAT`, by their numbers in its list: M. Pilorget 2010, appendix 2 (section 7.2, after
 /// page 80 of 94). Number, switch and values as our key's doc writes them, key.
 #[rustfmt::skip]
 const SWITCHES: [(u32, &str, &str); 28] = [
-    (1, "gaussian | quadratic | cubic_spline | wendland_c2 (INDAT i_kernel 1 | 2 | 3 | 5)", "fluid.kernel"),
-    (2, "predictor_corrector | verlet | beeman (INDAT i_algorithm -, 1 | 2 | 3; 4, incompressible", "fluid.integrator"),
-    (3, "none | shepard (keeps a constant density) | mls (keeps a linear one) (INDAT i_densityFilter 0 | 1 | 2)", "fluid.density_filter"),
+    (1, "INDAT i_kernel 1 | 2 | 3 | 5: gaussian, quadratic, cubic_spline, wendland_c2", "fluid.kernel"),
+    (2, "INDAT i_algorithm 1 | 2 | 3: predictor_corrector, verlet, beeman", "fluid.integrator"),
+    (3, "INDAT i_densityFilter 0 | 1 | 2", "fluid.density_filter"),
     (4, "INDAT i_viscos 1: viscos_val", "fluid.artificial_viscosity"),
     (4, "INDAT i_viscos 2 | 3: viscos_val", "fluid.kinematic_viscosity"),
-    (4, "none | sps: Smagorinsky's eddies below the spacing (INDAT i_viscos 2 | 3)", "fluid.turbulence"),
-    (5, "repulsive (Monaghan, INDAT iBC 1) | dynamic (Dalrymple, INDAT iBC 2)", "fluid.walls"),
+    (4, "INDAT i_viscos 2 | 3", "fluid.turbulence"),
+    (5, "INDAT iBC 1 | 2: repulsive, dynamic", "fluid.walls"),
     (6, "INDAT lattice 1 | 2: SC | BCC", "resolution.lattice"),
     (7, "INDAT i_EoS 1 | 2", "fluid.equation_of_state"),
     (8, "INDAT h_SWL", "tank.depth"),
@@ -44,8 +44,8 @@ const WITHOUT_A_KEY: [u32; 13] = [9, 15, 17, 21, 23, 24, 25, 29, 30, 31, 32, 33,
 #[test]
 fn every_legacy_switch_is_named_by_the_key_that_it_became() {
     for (number, said, key) in SWITCHES {
-        let keyword = keywords().iter().find(|keyword| keyword.path == key);
-        let doc = keyword.unwrap_or_else(|| panic!("{number}: no key {key}")).doc;
+        let keyword = schema().keywords().iter().find(|keyword| keyword.path == key);
+        let doc = keyword.unwrap_or_else(|| panic!("{number}: no key {key}")).doc.as_str();
         assert!(doc.contains(said) && doc.contains("INDAT"), "{number}: {said:?} is not in the doc of {key}: {doc}");
     }
     let mut accounted: Vec<u32> = SWITCHES.iter().map(|switch| switch.0).chain(WITHOUT_A_KEY).collect();

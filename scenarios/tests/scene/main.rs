@@ -3,13 +3,14 @@
 mod legacy;
 mod panels;
 mod projection;
+mod reference_page;
 mod refused;
 mod start;
 
 use scenarios::preflight::preflight;
 use scenarios::scene::{
-    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, keywords, load, load_text,
-    particle_estimate,
+    Motion, Scene, SceneError, Symmetry, apply_set, builtin, compressibility_error, load, load_text, particle_estimate,
+    schema,
 };
 
 /// A small complete scene; the tests below count its lines.
@@ -77,7 +78,8 @@ fn resolved_scene_loads_again_to_itself() {
     ];
     let gas = drop_with(&["fluid.equation_of_state=ideal_gas", "time.step=1e-5"]);
     let riemann = drop_with(&["fluid.dissipation=riemann"]);
-    assert_eq!([riemann.fluid.density_diffusion, riemann.fluid.artificial_viscosity], [0.0; 2], "no coefficients");
+    let scheme = riemann.solver.weakly_compressible().expect("a weakly compressible scene").scheme;
+    assert_eq!([scheme.density_diffusion, scheme.artificial_viscosity], [0.0; 2], "no coefficients");
     let mut scenes = vec![drop_with(&[]), drop_with(&plate), drop_with(&thin), gas, riemann];
     for (name, _) in builtin() {
         scenes.push(load(name, &[]).expect("a built-in scene loads").scene);
@@ -133,7 +135,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 15] = [
+const DEFAULTS_IN_WORDS: [&str; 16] = [
     "false; true if incompressible with a body",
     "absent",
     "end/500",
@@ -149,6 +151,7 @@ const DEFAULTS_IN_WORDS: [&str; 15] = [
     "yield_stress",
     "weak; added_mass with body.panels, and for free bodies with solver = incompressible",
     "wcsph; the solver's where there is one",
+    "true where it is possible, for a rigid body and an automatic fine zone; else false",
 ];
 
 /// A panel for the body of `DROP`.
@@ -164,8 +167,8 @@ yield_stress = 250e6
 
 #[test]
 fn a_key_left_out_has_the_default_that_its_keyword_declares() {
-    for keyword in keywords() {
-        if keyword.default.starts_with("required") || DEFAULTS_IN_WORDS.contains(&keyword.default) {
+    for keyword in schema().keywords() {
+        if keyword.default.starts_with("required") || DEFAULTS_IN_WORDS.contains(&keyword.default.as_str()) {
             continue;
         }
         // Without a velocity the wedge needs a tank; with one the tank is left to the program.
@@ -194,7 +197,7 @@ fn auto_sound_speed_costs_the_admitted_share_of_the_force() {
     for error in [0.002, 0.01, 0.03] {
         let scene = drop_with(&[&format!("fluid.compressibility_error={error}")]);
         let entry = scene.entry().expect("the wedge enters the water");
-        let cost = compressibility_error(entry.root_speed(), scene.fluid.sound_speed);
+        let cost = compressibility_error(entry.root_speed(), scene.sound_speed());
         assert!((cost / error - 1.0).abs() < 1e-9, "{cost}");
     }
 }
@@ -203,7 +206,7 @@ fn auto_sound_speed_costs_the_admitted_share_of_the_force() {
 fn auto_tank_lies_outside_acoustic_reach_wherever_the_body_is() {
     for x in [0.0, 1.5] {
         let scene = drop_with(&[&format!("body.position=[{x}, 0]")]);
-        let reach = 0.65 * scene.fluid.sound_speed * scene.time.end;
+        let reach = 0.65 * scene.sound_speed() * scene.time.end;
         assert!((0.5 * scene.tank.width - x - reach).abs() < 1e-12 * reach);
         assert_eq!(scene.tank.depth, reach);
     }
@@ -328,8 +331,8 @@ fn mirror_plane_is_off_by_default() {
 
 #[test]
 fn a_gas_has_the_sound_speed_of_its_temperature_and_airs_exponent() {
-    let fluid = drop_with(&["fluid.equation_of_state=ideal_gas", "fluid.temperature=300"]).fluid;
-    assert_eq!(fluid.eos_exponent, 1.4);
+    let scene = drop_with(&["fluid.equation_of_state=ideal_gas", "fluid.temperature=300"]);
+    assert_eq!(scene.solver.weakly_compressible().expect("a gas").scheme.eos_exponent, 1.4);
     let exact = (1.4 * 8.314_462_618_f64 * 300.0 / 0.028_964_4).sqrt();
-    assert!((fluid.sound_speed / exact - 1.0).abs() < 1e-9, "{} m/s", fluid.sound_speed);
+    assert!((scene.sound_speed() / exact - 1.0).abs() < 1e-9, "{} m/s", scene.sound_speed());
 }

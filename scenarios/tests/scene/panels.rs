@@ -27,7 +27,7 @@ fn a_bad_panel_is_refused_with_key_given_and_expected() {
         ("ends=[\"clamped\", \"welded\"]", &["body.panels", "clamped"]),
         ("watch=[0.5, 1.2]", &["`body.panels[0].watch[1]` = 1.2", "0 to 1"]),
         ("name=wedge", &["`body.panels[0].name` = \"wedge\"", "a name that no other panel or body has"]),
-        ("hardening_modulus=1e9", &["`body.panels[0].hardening_modulus`", "only with yield_stress"]),
+        ("hardening_modulus=1e9", &["`body.panels[0].hardening_modulus`", "only with body.panels[0].yield_stress"]),
         ("rupture_strain=-1", &["`body.panels[0].rupture_strain` = -1", "above 0"]),
         ("colour=red", &["colour"]),
     ];
@@ -40,7 +40,7 @@ fn a_bad_panel_is_refused_with_key_given_and_expected() {
     let both = message("flexible_wedge", &["body.panels[0].theory=timoshenko", "body.panels[0].yield_stress=1e8"]);
     assert!(both.contains("`body.panels[0].theory`") && both.contains("euler_bernoulli"), "{both}");
     let damped = message("wedge", &["body.damping=[1.0, 0.0]"]);
-    assert!(damped.contains("`body.damping`") && damped.contains("only with [[body.panels]]"), "{damped}");
+    assert!(damped.contains("`body.damping`") && damped.contains("only with body.panels"), "{damped}");
 }
 
 /// A panel that would be unstable, a membrane, or stepped over is doubted aloud, with a number and a cure.

@@ -2,7 +2,7 @@
 
 use scenarios::preflight::preflight;
 use scenarios::run::{RunOptions, run};
-use scenarios::scene::{Scene, builtin, load, load_text};
+use scenarios::scene::{Scene, SolverSettings, builtin, load, load_text};
 
 use super::{DROP, TANK, changed, drop_with, warnings_with};
 
@@ -15,28 +15,33 @@ fn with(solver: &str, changes: &[&str]) -> Scene {
 
 #[test]
 fn defaults_follow_the_solver() {
-    let numbers = |s: &Scene| [s.fluid.cfl, s.fluid.artificial_viscosity, s.fluid.density_diffusion];
-    assert_eq!(numbers(&drop_with(&[])), [0.6, 0.02, 0.3]);
-    for (solver, expected) in SOLVERS.into_iter().zip([[0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [0.6, 0.1, 0.0]]) {
-        assert_eq!(numbers(&with(solver, &[])), expected, "{solver}");
+    assert_eq!(drop_with(&[]).courant_number(), 0.6);
+    for (solver, expected) in SOLVERS.into_iter().zip([0.4, 0.4, 0.6]) {
+        assert_eq!(with(solver, &[]).courant_number(), expected, "{solver}");
     }
-    assert_eq!(with("incompressible", &["fluid.cfl=0.2"]).fluid.cfl, 0.2);
+    assert_eq!(with("incompressible", &["fluid.cfl=0.2"]).courant_number(), 0.2);
+}
+
+fn projection(scene: &Scene) -> sph_core::projection::Settings {
+    match &scene.solver {
+        SolverSettings::Incompressible { projection, .. }
+        | SolverSettings::IncompressibleExplicit { projection, .. } => *projection,
+        solver => panic!("{} has no table [projection]", solver.name()),
+    }
 }
 
 #[test]
 fn a_table_of_the_projection_is_what_the_fluid_takes() {
-    assert!(drop_with(&[]).projection.is_none() && with("incompressible_thesis", &[]).projection.is_none());
     let table = "projection={ tolerance = 1e-6, most_iterations = 77, relaxation = 3.0, calming = 0.0, shift = 0.5 }";
     for solver in ["incompressible", "incompressible_explicit"] {
-        let settings = with(solver, &[table]).projection.expect("a table").settings();
+        let settings = projection(&with(solver, &[table]));
         assert_eq!(
             [settings.tolerance, settings.relaxation, settings.viscosity_coefficient, settings.shift],
             [1e-6, 3.0, 0.0, 0.5]
         );
         assert_eq!(settings.most_iterations, 77);
     }
-    let usual = sph_core::projection::Settings::default();
-    assert_eq!(with("incompressible", &[]).projection.expect("a table").settings(), usual);
+    assert_eq!(projection(&with("incompressible", &[])), sph_core::projection::Settings::default());
 }
 
 #[test]

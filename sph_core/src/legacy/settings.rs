@@ -43,20 +43,25 @@ pub struct Options {
     /// predictor_corrector and beeman, 0.05 for verlet.
     pub integrator: Integrator,
     /// verlet: steps between two Euler steps, which keep its two time levels together; 0 is never [-].
+    #[schemars(extend("x-when" = ".integrator = verlet"))]
     pub verlet_correction_every: u32,
     /// How densities are smoothed now and then (INDAT i_densityFilter 0 | 1 | 2).
     pub density_filter: DensityFilter,
     /// Steps between two filterings, 1 or more [-].
+    #[schemars(range(min = 1), extend("x-when" = ".density_filter = shepard | mls"))]
     pub density_filter_every: u32,
     /// Share of the neighbours' mean velocity that particles move with (INDAT eps, there 0.5), 0 to 1; 0 is none [-].
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub xsph: f64,
     /// Model of the eddies smaller than a particle (INDAT i_viscos 2 | 3). Needs fluid.kinematic_viscosity.
     pub turbulence: Turbulence,
     /// What gives the pressure (INDAT i_EoS 1 | 2).
     pub equation_of_state: EquationOfState,
     /// ideal_gas: temperature at rest (INDAT TE0: its thermal energy) [K].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = ".equation_of_state = ideal_gas"))]
     pub temperature: f64,
     /// ideal_gas: molar mass; the default is that of dry air [kg/mol].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = ".equation_of_state = ideal_gas"))]
     pub molar_mass: f64,
     /// Where densities come from.
     pub density_evolution: DensityEvolution,
@@ -66,6 +71,7 @@ pub struct Options {
     pub walls: WallModel,
     /// Dynamic walls at the start (INDAT i_correct_pb 0 | 1): 0: density rho0, no pressure, 1: the pressure of the water beside
     /// them [-].
+    #[schemars(range(max = 1), extend("x-when" = ".walls = dynamic"))]
     pub limit_pressure: u8,
     /// Repulsive walls: depth of the still water below y = 0, over which their force grows (W1) [m].
     #[serde(skip)]

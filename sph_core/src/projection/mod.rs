@@ -15,8 +15,6 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
-use std::any::Any;
-
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
@@ -84,6 +82,7 @@ impl Projection {
     ) -> Result<(), Breakdown> {
         let constants = self.constants(system);
         self.pack(system, walls, -dt); //                                            neighbours at r
+        system.timers.begin(Phase::Density);
         self.surface.detect(system, walls); //                                       holes between particles (I5)
         self.surface.mark_dry_walls(system, walls); //                               walls without water (I5)
         self.operators.assemble(system, walls, &self.lattice, constants, dt); //     C, ∇C, ∇·u*, A
@@ -226,14 +225,6 @@ impl Scheme for Projection {
 
     fn surface_indicator(&self) -> &[f64] {
         self.surface.indicator()
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-
-    fn as_any_mut(&mut self) -> &mut dyn Any {
-        self
     }
 }
 

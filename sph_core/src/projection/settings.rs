@@ -22,6 +22,7 @@ pub struct FlowSettings {
     /// Air comes in along walls between a wall and water under tension (THEORY I8).
     pub ventilation: bool,
     /// Share of its smoothing length that a particle may move in a step, above 0 and up to 1 [-].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub cfl: f64,
 }
 
@@ -49,16 +50,21 @@ impl Default for FlowSettings {
 pub struct Settings {
     /// Share of the largest right-hand side that no residual of the pressure equation exceeds, 1e-12 to 0.1 (no INDAT
     /// switch) [-].
+    #[schemars(range(min = 1e-12, max = 0.1))]
     pub tolerance: f64,
     /// Iterations after which a pressure equation has failed, 1 or more [-].
+    #[schemars(range(min = 1))]
     pub most_iterations: usize,
     /// Time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY I9) [-].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub relaxation: f64,
     /// Viscosity over h sqrt(|g| h), which brings water to rest (THEORY I12); 0 is none [-].
     #[serde(rename = "calming")]
+    #[schemars(range(min = 0.0))]
     pub viscosity_coefficient: f64,
     /// Shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY I13) [-]. Without effect where
     /// fluid.shifting is false.
+    #[schemars(range(min = 0.0, max = 10.0))]
     pub shift: f64,
     /// Keys of the table `[fluid]`.
     #[serde(skip)]

@@ -28,28 +28,37 @@ const SOUND_RATIO: f64 = 10.0;
 pub struct Settings {
     /// Speed of sound c0 (INDAT coef, which makes B = density sound_speed^2/eos_exponent) [m/s]. auto: compressibility costs an
     /// impact fluid.compressibility_error of its force, and it is at least 10 times the largest known speed of the flow.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub sound_speed: Auto<f64>,
     /// Exponent of Tait's equation of state (INDAT gamma), 1 to 10; 1 is linear [-].
+    #[schemars(range(min = 1.0, max = 10.0), extend("x-ignored-elsewhere" = true))]
     pub eos_exponent: f64,
     /// What smooths pressures and velocities between particles of water.
     pub dissipation: Dissipation,
     /// Coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none [-]. Absent or 0 with
     /// dissipation = riemann.
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
     pub artificial_viscosity: f64,
     /// Coefficient delta of density diffusion; 0 is none [-]. Absent or 0 with dissipation = riemann.
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
     pub density_diffusion: f64,
     /// Particle shifting.
+    #[schemars(extend("x-ignored-elsewhere" = true))]
     pub shifting: bool,
     /// Share of h^2 grad C by which particles are shifted in each step, whatever their speed, away from the surface (THEORY
     /// E13), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
+    #[schemars(range(min = 0.0, max = 0.3), extend("x-ignored-elsewhere" = true))]
     pub settling: f64,
     /// Behind walls the water is stretched along them like that in front (THEORY E10). Sound along walls is nearer its speed and
     /// particles keep their volume better; noisier at coarse spacing.
+    #[schemars(extend("x-ignored-elsewhere" = true))]
     pub wall_stretch: bool,
     /// Water within the kernel of both a wall and the air holds no tension (THEORY E3), so that air comes in between and flow
     /// leaves a round bottom. It cuts noise to one side, which costs accuracy at coarse spacing. false: flow is sucked along.
+    #[schemars(extend("x-ignored-elsewhere" = true))]
     pub ventilation: bool,
     /// Courant number of the step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number) [-]. auto: 0.6, with wall_stretch 0.4.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub cfl: Auto<f64>,
 }
 

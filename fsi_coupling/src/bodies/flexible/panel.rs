@@ -1,12 +1,13 @@
 //! Panels: the parts of a body's surface that bend.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
 
 use crate::geometry::polyline::Polyline;
 
 /// How an end of a panel is held by the body's rigid frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PanelEnd {
     /// Moves and turns with it.
@@ -37,7 +38,7 @@ pub struct PanelSpec {
     pub material: Material,
     /// Beam theory.
     pub theory: Theory,
-    /// How it yields in bending, if it does; Euler and Bernoulli's theory only.
+    /// Plasticity in bending; Euler–Bernoulli theory only.
     pub plasticity: Option<Plasticity>,
     /// Strain of an outer fibre at which an end breaks off [-], if it may.
     pub rupture_strain: Option<f64>,

@@ -4,7 +4,7 @@ use clap::Args;
 
 use super::{Selection, lines_of, list};
 use crate::cli::shared::{DONE, Output, Stop};
-use crate::experiments::coverage::{Case, cover, table};
+use crate::experiments::coverage::{CASES, cover, table};
 
 #[derive(Args)]
 pub(in crate::cli) struct BandsArgs {
@@ -16,9 +16,9 @@ const HEADING: &str = "# Error bars\n\nWritten by `splashdown bands --all --tabl
 
 pub(in crate::cli) fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     if args.selection.is_empty() {
-        return list::<Case>();
+        return list(&CASES);
     }
-    let lines = lines_of(output, &args.selection, cover)?;
+    let lines = lines_of(output, &CASES.select(&args.selection.cases)?, cover)?;
     args.selection.show(output, &lines, HEADING, &table(&lines))?;
     Ok(DONE)
 }

@@ -6,8 +6,8 @@ use clap::Args;
 
 use super::{Selection, list, write_all};
 use crate::cli::shared::{DONE, Output, Stop, say, to_json};
-use crate::experiments::stability::{self, Map, Measured};
-use crate::experiments::{ExperimentError, catalogue};
+use crate::experiments::ExperimentError;
+use crate::experiments::stability::{self, MAPS, Map, Measured};
 
 #[derive(Args)]
 pub(in crate::cli) struct StabilityArgs {
@@ -34,14 +34,14 @@ pub(in crate::cli) fn run_maps(output: &Output, args: &StabilityArgs) -> Result<
         return run_point(output, &selection.cases, at);
     }
     if selection.is_empty() && args.from.is_empty() {
-        return list::<Map>();
+        return list(&MAPS);
     }
     let mut maps = Vec::new();
     for file in &args.from {
         maps.push(stability::stored(file)?);
         keep(&maps[maps.len() - 1], &args.out)?;
     }
-    let chosen = if args.from.is_empty() { catalogue::select::<Map>(&selection.cases)? } else { Vec::new() };
+    let chosen = if args.from.is_empty() { MAPS.select(&selection.cases)? } else { Vec::new() };
     for map in chosen {
         maps.push(run_map(output, &map)?);
         keep(&maps[maps.len() - 1], &args.out)?; // at once: the next map may fail
@@ -67,7 +67,7 @@ fn run_point(output: &Output, maps: &[String], at: &str) -> Result<u8, Stop> {
     let [_] = maps else {
         return Err(Stop::Input(format!("--point {at}: expected one map, {} given", maps.len())));
     };
-    let map = catalogue::select::<Map>(maps)?.remove(0);
+    let map = MAPS.select(maps)?.remove(0);
     let (point, sets) = stability::point(&map, at)?;
     if output.json {
         say(to_json(&point));

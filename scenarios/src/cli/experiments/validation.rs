@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::{Selection, lines_of, list};
 use crate::cli::shared::{DONE, Output, Stop};
-use crate::experiments::validation::{Case, table, validate};
+use crate::experiments::validation::{CASES, table, validate};
 
 #[derive(Args)]
 pub(in crate::cli) struct ValidateArgs {
@@ -21,9 +21,9 @@ const HEADING: &str = "# Validation\n\nWritten by `splashdown validate --all --t
 
 pub(in crate::cli) fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> {
     if args.selection.is_empty() {
-        return list::<Case>();
+        return list(&CASES);
     }
-    let lines = lines_of(output, &args.selection, |case| validate(case, args.out.as_ref()))?;
+    let lines = lines_of(output, &CASES.select(&args.selection.cases)?, |case| validate(case, args.out.as_ref()))?;
     args.selection.show(output, &lines, HEADING, &table(&lines))?;
     match lines.iter().filter(|l| !l.holds).count() {
         0 => Ok(DONE),

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::{Selection, list, write_all};
 use crate::cli::shared::{DONE, Output, Stop};
-use crate::experiments::work_precision::{self, Case, Measured};
+use crate::experiments::work_precision::{self, CHARTS, Case, Measured};
 use crate::experiments::{ExperimentError, catalogue};
 
 #[derive(Args)]
@@ -35,7 +35,7 @@ const HEADING: &str = "# Error against cost\n\nWritten by `splashdown chart --ta
 
 pub(in crate::cli) fn run_charts(output: &Output, args: &ChartArgs) -> Result<u8, Stop> {
     if args.selection.is_empty() && args.from.is_empty() {
-        return list::<Case>();
+        return list(&CHARTS);
     }
     let charts = match args.from.is_empty() {
         true => measure(output, args)?,
@@ -69,7 +69,7 @@ fn measure(output: &Output, args: &ChartArgs) -> Result<Vec<Measured>, Experimen
         };
         work_precision::measure(&case, before.as_ref(), tell, |measured| catalogue::write(&file, &measured.to_json()))
     };
-    catalogue::select::<Case>(&args.selection.cases)?.into_iter().map(measure_one).collect()
+    CHARTS.select(&args.selection.cases)?.into_iter().map(measure_one).collect()
 }
 
 fn draw(measured: &Measured, out: &Path) -> Result<(), ExperimentError> {

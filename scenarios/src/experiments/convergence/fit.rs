@@ -52,7 +52,7 @@ pub struct Fit {
     pub warnings: Vec<String>,
 }
 
-/// Fit the runs; `None` where they cannot be told apart, or there are none.
+/// Fit the runs; `None` where there are none, or their parameters do not determine the terms.
 pub fn fit(samples: &[Sample]) -> Option<Fit> {
     let least = |f: fn(&Sample) -> f64| samples.iter().map(f).min_by(f64::total_cmp);
     let finest = Sample { spacing: least(|s| s.spacing)?, law: least(|s| s.law)?, value: 0.0 };

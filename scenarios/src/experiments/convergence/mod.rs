@@ -88,7 +88,7 @@ pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study
     }
     let own = base.resolution.spacing;
     let spacings = chosen("--spacings", &plan.spacings, &[2.0 * own, SQRT_2 * own, own])?;
-    let own = base.fluid.sound_speed;
+    let own = base.sound_speed();
     let usual = if base.solver.is_incompressible() { vec![own] } else { vec![0.5 * own, own] };
     let speeds = chosen("--sound-speeds", &plan.sound_speeds, &usual)?;
     let pairs: Vec<[f64; 2]> = spacings.iter().flat_map(|dx| speeds.iter().map(|c| [*dx, *c])).collect();
@@ -143,7 +143,7 @@ fn point(plan: &Plan, scene: &Scene) -> Result<Point, ExperimentError> {
     let run = run_to_end(scene)?;
     let value = run.numbers.get(&plan.quantity);
     let value = value.ok_or_else(|| ExperimentError::unknown_quantity(&plan.quantity, &run.numbers.paths()))?;
-    let c = scene.fluid.sound_speed;
+    let c = scene.sound_speed();
     let root = scene.entry().map(|entry| entry.root_speed());
     let mach = root.unwrap_or_else(|| scene.fastest_speed()) / c;
     Ok(Point {

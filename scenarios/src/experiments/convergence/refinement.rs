@@ -101,7 +101,7 @@ impl Refinement {
 /// Relative error of a number due to the sound speed [-]: E19 with an entry, M² of the fastest known speed without, as in the
 /// laws of G6; `None` where neither holds.
 fn sound_share(scene: &Scene) -> Option<f64> {
-    let sound = scene.fluid.sound_speed;
+    let sound = scene.sound_speed();
     match scene.entry() {
         _ if scene.solver.is_incompressible() => Some(0.0),
         Some(entry) => known_compressibility_error(entry.root_speed(), sound),

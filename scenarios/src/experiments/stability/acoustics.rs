@@ -1,18 +1,19 @@
-//! How long a step of an integrator may be for sound on a lattice (THEORY M1–M3).
+//! The largest stable step of an integrator for sound on a lattice (THEORY M1–M3).
 
 use std::f64::consts::PI;
 
+use nalgebra::{Matrix2, Matrix4, SMatrix};
 use sph_core::{Integrator, Kernel};
 
 use super::lattice::neighbours;
 
-/// Growth of an amplitude in a step that counts as none [-].
+/// Growth of an amplitude per step below which a wave counts as stable [-].
 const HARMLESS: f64 = 1e-4;
 /// Wave numbers tried along each side of the Brillouin zone's eighth.
 const WAVES: u32 = 8;
-/// Courant numbers are told apart by this.
+/// Resolution of the Courant number [-].
 const RESOLUTION: f64 = 1e-3;
-/// Largest Courant number looked at.
+/// Largest Courant number searched [-].
 const LARGEST: f64 = 4.0;
 /// ‖Rⁿ‖^(1/n) is taken as the spectral radius of R at n = 2 to the power of this.
 const SQUARINGS: u32 = 24;
@@ -71,86 +72,57 @@ fn waves(medium: Medium) -> Vec<Wave> {
 
 /// Spectral radius of a step for u' = θ r, r' = −θ u − d r (M3); of Verlet's, the mean over the steps between two Euler steps.
 fn growth(integrator: Integrator, euler_every: u32, theta: f64, d: f64) -> f64 {
-    let one = Matrix::<2>::one();
-    let rates = Matrix([[0.0, theta], [-theta, -d]]);
+    let one = Matrix2::identity();
+    let rates = Matrix2::new(0.0, theta, -theta, -d);
     match integrator {
         Integrator::Symplectic => {
-            let kick = Matrix([[1.0, 0.5 * theta], [0.0, 1.0]]);
-            let compress = Matrix([[1.0, 0.0], [-theta, 1.0 - d]]);
-            kick.times(&compress).times(&kick).radius()
+            let kick = Matrix2::new(1.0, 0.5 * theta, 0.0, 1.0);
+            let compress = Matrix2::new(1.0, 0.0, -theta, 1.0 - d);
+            spectral_radius(kick * compress * kick)
         }
-        Integrator::PredictorCorrector => one.plus(&rates, 1.0).plus(&rates.times(&rates), 0.5).radius(),
-        Integrator::Verlet if euler_every == 0 => leap(&rates).radius(),
+        Integrator::PredictorCorrector => spectral_radius(one + rates + 0.5 * rates * rates),
+        Integrator::Verlet if euler_every == 0 => spectral_radius(blocks(2.0 * rates, one, one, 0.0 * one)),
         Integrator::Verlet => {
-            let (mut before, mut now) = (one, one.plus(&rates, 1.0));
+            let (mut before, mut now) = (one, one + rates);
             for _ in 1..euler_every {
-                (before, now) = (now, before.plus(&rates.times(&now), 2.0));
+                (before, now) = (now, before + 2.0 * rates * now);
             }
-            now.radius().powf(1.0 / f64::from(euler_every))
+            spectral_radius(now).powf(1.0 / f64::from(euler_every))
         }
-        Integrator::Beeman => beeman(&rates).radius(),
+        Integrator::Beeman => spectral_radius(beeman(rates)),
     }
-}
-
-/// Verlet's leap: (q, q⁻) ← (q⁻ + 2Δt q̇, q).
-fn leap(rates: &Matrix<2>) -> Matrix<4> {
-    Matrix::of_blocks([[rates.scaled(2.0), Matrix::one()], [Matrix::one(), rates.scaled(0.0)]])
 }
 
 /// L2 for even steps: (q, Δt q̇⁻) ← (q + (5M q* + 8M q − Δt q̇⁻)/12, M q) with q* = q + (3M q − Δt q̇⁻)/2, q̇ = M q/Δt.
-fn beeman(rates: &Matrix<2>) -> Matrix<4> {
-    let one = Matrix::<2>::one();
-    let of_now = one.plus(rates, 13.0 / 12.0).plus(&rates.times(rates), 7.5 / 12.0);
-    let of_before = one.scaled(-1.0 / 12.0).plus(rates, -2.5 / 12.0);
-    Matrix::of_blocks([[of_now, of_before], [*rates, one.scaled(0.0)]])
+fn beeman(rates: Matrix2<f64>) -> Matrix4<f64> {
+    let one = Matrix2::identity();
+    let of_now = one + (13.0 / 12.0) * rates + (7.5 / 12.0) * rates * rates;
+    let of_before = (-1.0 / 12.0) * one - (2.5 / 12.0) * rates;
+    blocks(of_now, of_before, rates, 0.0 * one)
 }
 
-/// A small square matrix.
-#[derive(Clone, Copy)]
-struct Matrix<const N: usize>([[f64; N]; N]);
-
-impl<const N: usize> Matrix<N> {
-    fn one() -> Self {
-        Matrix(std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 })))
+fn blocks(a: Matrix2<f64>, b: Matrix2<f64>, c: Matrix2<f64>, d: Matrix2<f64>) -> Matrix4<f64> {
+    let mut whole = Matrix4::zeros();
+    for (block, row, column) in [(a, 0, 0), (b, 0, 2), (c, 2, 0), (d, 2, 2)] {
+        whole.fixed_view_mut::<2, 2>(row, column).copy_from(&block);
     }
+    whole
+}
 
-    fn scaled(&self, factor: f64) -> Self {
-        Matrix(self.0.map(|row| row.map(|a| factor * a)))
-    }
-
-    /// self + factor other.
-    fn plus(&self, other: &Self, factor: f64) -> Self {
-        Matrix(std::array::from_fn(|i| std::array::from_fn(|j| self.0[i][j] + factor * other.0[i][j])))
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        let entry = |i: usize, j: usize| (0..N).map(|k| self.0[i][k] * other.0[k][j]).sum();
-        Matrix(std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
-    }
-
-    /// Spectral radius by Gelfand's formula, each square brought back to size 1.
-    fn radius(&self) -> f64 {
-        let size = |m: &Self| m.0.iter().flatten().fold(0.0_f64, |largest, a| largest.max(a.abs()));
-        let (mut power, mut logarithm) = (*self, 0.0);
-        let mut share = 1.0;
-        for _ in 0..SQUARINGS {
-            let s = size(&power);
-            if s == 0.0 {
-                return 0.0;
-            }
-            logarithm += share * s.ln();
-            power = power.scaled(1.0 / s);
-            power = power.times(&power);
-            share *= 0.5;
+/// Spectral radius by Gelfand's formula; each square is scaled to the norm 1.
+fn spectral_radius<const N: usize>(matrix: SMatrix<f64, N, N>) -> f64 {
+    let (mut power, mut logarithm, mut share) = (matrix, 0.0, 1.0);
+    for _ in 0..SQUARINGS {
+        let size = power.amax();
+        if size == 0.0 {
+            return 0.0;
         }
-        (logarithm + share * size(&power).ln()).exp()
+        logarithm += share * size.ln();
+        power *= 1.0 / size;
+        power *= power;
+        share *= 0.5;
     }
-}
-
-impl Matrix<4> {
-    fn of_blocks(blocks: [[Matrix<2>; 2]; 2]) -> Self {
-        Matrix(std::array::from_fn(|i| std::array::from_fn(|j| blocks[i / 2][j / 2].0[i % 2][j % 2])))
-    }
+    (logarithm + share * power.amax().ln()).exp()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::acoustics::{Medium, largest_courant};
 use super::lattice::{gain_of_pairs, kernel_sum, neighbours};
-use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, panel_exchanges};
+use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, SolverSettings, panel_exchanges};
 use fsi_coupling::geometry::polygon;
 
 /// By so many spacings a cylinder seems smaller to a shove of one step (PB5) [-].
@@ -53,20 +53,19 @@ impl Boundary {
             Boundary::RowOfWater => one_exchange(scene, ExchangeRatio::of(scene)?.spectral_radius()),
             Boundary::Panel => one_exchange(scene, panel_exchanges(scene).first()?.1.spectral_radius),
             Boundary::AddedMass => one_exchange(scene, added_mass(scene)?),
-            Boundary::Pairing => Some(pairing(scene.fluid.kernel, scene.fluid.smoothing_ratio)),
+            Boundary::Pairing => Some(pairing(scene.water().kernel, scene.water().smoothing_ratio)),
             Boundary::SurfaceRows => surface_rows(scene),
         }
     }
 }
 
 fn courant(scene: &Scene) -> Option<f64> {
-    let fluid = &scene.fluid;
-    let h = fluid.smoothing_ratio * scene.resolution.spacing;
-    let courant = scene.time.step.map_or(fluid.cfl, |step| step * fluid.sound_speed / h);
-    let medium =
-        Medium { kernel: fluid.kernel, smoothing_ratio: fluid.smoothing_ratio, diffusion: fluid.density_diffusion };
-    let limit = largest_courant(fluid.integrator, fluid.verlet_correction_every, medium);
-    (!scene.solver.is_incompressible()).then_some(courant / limit)
+    let (water, fluid) = (scene.water(), scene.solver.weakly_compressible()?);
+    let h = water.smoothing_ratio * scene.resolution.spacing;
+    let courant = scene.time.step.map_or(scene.courant_number(), |step| step * scene.sound_speed() / h);
+    let diffusion = fluid.scheme.density_diffusion;
+    let medium = Medium { kernel: water.kernel, smoothing_ratio: water.smoothing_ratio, diffusion };
+    Some(courant / largest_courant(fluid.options.integrator, fluid.options.verlet_correction_every, medium))
 }
 
 /// The ratio with one exchange per step; 0 with the other schemes, which are stable at any mass.
@@ -81,7 +80,7 @@ fn added_mass(scene: &Scene) -> Option<f64> {
     let area = polygon::signed_area(&body.placed_outline());
     let radius = (area / std::f64::consts::PI).sqrt();
     let answered = (1.0 - SHORT_RADIUS * scene.resolution.spacing / radius).powi(2);
-    let displaced = scene.fluid.density * area / freedom.mass;
+    let displaced = scene.water().density * area / freedom.mass;
     scene.solver.is_incompressible().then_some(displaced * (1.0 + 2.0 * answered))
 }
 
@@ -92,8 +91,9 @@ fn pairing(kernel: Kernel, smoothing_ratio: f64) -> f64 {
 }
 
 fn surface_rows(scene: &Scene) -> Option<f64> {
-    let ratio = scene.thesis.as_ref()?.surface_ratio;
-    let around = neighbours(scene.fluid.kernel, scene.fluid.smoothing_ratio);
+    let SolverSettings::IncompressibleThesis { thesis, .. } = &scene.solver else { return None };
+    let ratio = thesis.surface_ratio;
+    let around = neighbours(scene.water().kernel, scene.water().smoothing_ratio);
     let inside = kernel_sum(&around, f64::INFINITY);
     let [top, second] = [0.0, 1.0].map(|above| kernel_sum(&around, above) / inside);
     Some((top / ratio).max(ratio / second))

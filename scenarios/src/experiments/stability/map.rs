@@ -4,12 +4,15 @@ use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
 
 use super::boundary::Boundary;
-use crate::experiments::catalogue::Case;
+use crate::experiments::catalogue::{Case, Catalogue};
 use crate::numbers::Numbers;
 
-static MAPS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
+static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/maps");
 
-/// Momentum gap of a step from which a run counts as failed, where a map states none: far above rounding [-].
+/// The maps.
+pub static MAPS: Catalogue<Map> = Catalogue::new("map", "stability", &FOLDER);
+
+/// Default of the momentum gap per step from which a run has failed [-]: far above rounding.
 fn usual_momentum_gap() -> f64 {
     1e-9
 }
@@ -35,7 +38,7 @@ pub struct Map {
     pub most_steps: u64,
     /// Energy that a run may gain, over the largest energy exchanged (THEORY E22), before it counts as failed [-].
     pub most_energy_gain: f64,
-    /// Momentum gap of a step from which a run counts as failed (THEORY E21) [-].
+    /// Momentum gap per step from which a run has failed (THEORY E21) [-].
     #[serde(default = "usual_momentum_gap")]
     pub most_momentum_gap: f64,
     /// Bounds on numbers of `summary.json`; a run outside them has failed.
@@ -173,22 +176,12 @@ impl Bound {
 }
 
 impl Case for Map {
-    const KIND: &'static str = "map";
-
-    fn folder() -> &'static Dir<'static> {
-        &MAPS
-    }
-
-    fn name(&self) -> &str {
-        &self.name
+    fn title(&self) -> [&str; 2] {
+        [&self.name, &self.about]
     }
 
     fn rename(&mut self, name: String) {
         self.name = name;
-    }
-
-    fn about(&self) -> &str {
-        &self.about
     }
 
     /// The path itself, so that the commands on the page work.

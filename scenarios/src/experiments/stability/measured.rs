@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::map::Map;
+use super::map::{MAPS, Map};
 use super::verdict::Verdict;
-use crate::experiments::{ExperimentError, catalogue};
+use crate::experiments::ExperimentError;
 
 /// One run.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -41,13 +41,13 @@ pub struct Measured {
 /// # Errors
 /// The file cannot be read, or is not a map.
 pub fn stored(path: &Path) -> Result<Measured, ExperimentError> {
-    let measured: Measured = catalogue::stored::<Map, _>(path)?;
-    let map = catalogue::checked(measured.map)?;
+    let measured: Measured = MAPS.stored(path)?;
+    let map = MAPS.checked(measured.map)?;
     if measured.points.len() == map.x.len() * map.y.len() {
         return Ok(Measured { map, ..measured });
     }
     let why = format!("{} points for {} by {}", measured.points.len(), map.x.len(), map.y.len());
-    Err(ExperimentError::Stored { kind: "map", file: path.display().to_string(), why })
+    Err(MAPS.not_stored(path, why))
 }
 
 impl Measured {
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     fn measured(row: &[(Verdict, Option<f64>)]) -> Measured {
-        let mut map = catalogue::all::<Map>().expect("they parse").swap_remove(0);
+        let mut map = MAPS.all().expect("they parse").swap_remove(0);
         map.x = Axis { values: (0..row.len()).map(|k| k as f64).collect(), ..map.x };
         map.y = Axis { values: vec![], choices: vec![Choice { name: "a".into(), set: vec![] }], ..map.y };
         let point = |&(verdict, theory): &(Verdict, Option<f64>)| Point {

@@ -15,7 +15,7 @@ mod points;
 mod verdict;
 
 pub use boundary::Boundary;
-pub use map::{Axis, Bound, Choice, Key, Map};
+pub use map::{Axis, Bound, Choice, Key, MAPS, Map};
 pub use measured::{Measured, Point, stored};
 pub use page::{page, table};
 pub use picture::svg;

@@ -50,10 +50,10 @@ pub fn table(measured: &Measured) -> String {
     text + "\n"
 }
 
-/// Bold where a run failed; in brackets where theory says it should and it did not, or the other way round.
+/// Bold where a run failed; in brackets where run and theory differ.
 fn mark(p: &Point) -> &'static str {
-    let foretold = p.theory.is_none_or(|ratio| (ratio >= 1.0) == (p.verdict == Verdict::Failed));
-    match (p.verdict, foretold) {
+    let expected = p.theory.is_none_or(|ratio| (ratio >= 1.0) == (p.verdict == Verdict::Failed));
+    match (p.verdict, expected) {
         (Verdict::Stable, true) => "·",
         (Verdict::Stable, false) => "(·)",
         (Verdict::Inaccurate, true) => "~",
@@ -78,20 +78,20 @@ fn criteria(measured: &Measured) -> Vec<String> {
         map.most_steps, map.most_energy_gain, map.most_momentum_gap
     );
     let failed: Vec<String> = std::iter::once(usual).chain(list(&map.failed)).collect();
-    let mut said = vec![format!("Scene: {} with {}.", map.scene, map.set.join(", "))];
-    said.push(format!("Failed (×): {}.", failed.join("; ")));
+    let mut lines = vec![format!("Scene: {} with {}.", map.scene, map.set.join(", "))];
+    lines.push(format!("Failed (×): {}.", failed.join("; ")));
     if !map.inaccurate.is_empty() {
-        said.push(format!("Inaccurate (~): {}.", list(&map.inaccurate).join("; ")));
+        lines.push(format!("Inaccurate (~): {}.", list(&map.inaccurate).join("; ")));
     }
-    said.extend(map.theory.map(|theory| format!("Boundary: {}.", theory.name())));
-    said
+    lines.extend(map.theory.map(|theory| format!("Boundary: {}.", theory.name())));
+    lines
 }
 
 /// How far each row's boundary is from the theory's.
 fn fits(measured: &Measured) -> Option<String> {
     let rows = measured.map.y.names().into_iter().enumerate();
-    let said: Vec<String> = rows.filter_map(|(j, y)| Some(format!("{y}: {}", measured.misfit(j)?))).collect();
-    (!said.is_empty()).then(|| format!("Cells between the boundary found and the theory's: {}.", said.join("; ")))
+    let rows: Vec<String> = rows.filter_map(|(j, y)| Some(format!("{y}: {}", measured.misfit(j)?))).collect();
+    (!rows.is_empty()).then(|| format!("Cells between the boundary found and the theory's: {}.", rows.join("; ")))
 }
 
 fn cells(measured: &Measured, p: &Point) -> Vec<String> {

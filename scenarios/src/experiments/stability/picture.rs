@@ -60,7 +60,7 @@ fn middle_of_row(rows: usize, j: usize) -> f64 {
     TOP + CELL[1] * ((rows - 1 - j) as f64 + 0.5)
 }
 
-/// Colours of M. Okabe and K. Ito (2008), and a mark that says the same without colour.
+/// Colours of M. Okabe and K. Ito (2008), and a mark for each verdict.
 fn look(verdict: Verdict) -> (&'static str, &'static str) {
     match verdict {
         Verdict::Stable => ("#56b4e9", ""),
@@ -73,7 +73,7 @@ fn cell(measured: &Measured, i: usize, j: usize, point: &Point) -> String {
     let (x, y) = (middle_of_column(i), middle_of_row(measured.map.y.len(), j));
     let (fill, mark) = look(point.verdict);
     let Point { verdict, why, .. } = point;
-    let said = format!("{}: {why}\n{}", verdict.name(), measured.map.command(&point.x, &point.y));
+    let tooltip = format!("{}: {why}\n{}", verdict.name(), measured.map.command(&point.x, &point.y));
     format!(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{fill}\"><title>{}</title></rect>\n\
          <text x=\"{x}\" y=\"{}\" text-anchor=\"middle\" fill=\"#000000\" pointer-events=\"none\">{mark}</text>\n",
@@ -81,7 +81,7 @@ fn cell(measured: &Measured, i: usize, j: usize, point: &Point) -> String {
         y - 0.5 * CELL[1] + 0.5,
         CELL[0] - 1.0,
         CELL[1] - 1.0,
-        escape(&said),
+        escape(&tooltip),
         y + 4.0
     )
 }

@@ -3,10 +3,13 @@
 use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
 
-use crate::experiments::catalogue;
+use crate::experiments::catalogue::{self, Catalogue};
 use crate::experiments::runs::RunRecord;
 
-static CASES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/charts");
+static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/charts");
+
+/// The charts.
+pub static CHARTS: Catalogue<Case> = Catalogue::new("chart", "chart", &FOLDER);
 
 /// A work–precision chart.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -182,22 +185,12 @@ impl Family {
 }
 
 impl catalogue::Case for Case {
-    const KIND: &'static str = "chart";
-
-    fn folder() -> &'static Dir<'static> {
-        &CASES
-    }
-
-    fn name(&self) -> &str {
-        &self.name
+    fn title(&self) -> [&str; 2] {
+        [&self.name, &self.about]
     }
 
     fn rename(&mut self, name: String) {
         self.name = name;
-    }
-
-    fn about(&self) -> &str {
-        &self.about
     }
 
     fn check(&self) -> Result<(), String> {
@@ -229,7 +222,7 @@ mod tests {
         .expect("sound");
         let json = serde_json::to_string(&family).expect("JSON");
         let back: Family = serde_json::from_str(&json).expect("comes back");
-        let case = catalogue::all::<Case>().expect("they parse").swap_remove(0);
+        let case = CHARTS.all().expect("they parse").swap_remove(0);
         let case = Case { set: Vec::new(), ..case };
         let last = |f: &Family| f.runs(&case).into_iter().map(|(_, sets)| sets[1].clone()).collect::<Vec<_>>();
         assert_eq!(last(&family), ["k=3", "k=0.5", "k=2.0", "k=wendland_c4", "k=true"]);

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::case::Case;
+use super::case::{CHARTS, Case};
 use super::measured::{Measured, Outcome, Point, Run};
+use crate::experiments::ExperimentError;
 use crate::experiments::runs::{run_to_end, scene_with};
-use crate::experiments::{ExperimentError, catalogue};
 use crate::scene::Scene;
 
 /// Run every point of a case, except those that `before` holds.
@@ -107,8 +107,8 @@ fn outcome(case: &Case, scene: &Scene) -> Outcome {
 /// # Errors
 /// The file cannot be read, or is not a chart.
 pub fn stored(path: &Path) -> Result<Measured, ExperimentError> {
-    let measured: Measured = catalogue::stored::<Case, _>(path)?;
+    let measured: Measured = CHARTS.stored(path)?;
     let name = Path::new(&measured.case.name).file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let case = catalogue::checked(Case { name, ..measured.case })?;
+    let case = CHARTS.checked(Case { name, ..measured.case })?;
     Ok(Measured { case, ..measured })
 }

@@ -87,12 +87,11 @@ pub fn peers(case: &str) -> Result<Vec<Peer>, ExperimentError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiments::catalogue;
-    use crate::experiments::work_precision::Case;
+    use crate::experiments::work_precision::CHARTS;
 
     #[test]
     fn every_peer_ran_a_charted_case_and_its_quantities() {
-        let cases = catalogue::all::<Case>().expect("they parse");
+        let cases = CHARTS.all().expect("they parse");
         let all: Vec<(String, Peer)> = embedded::contents(&FILES).expect("they parse");
         assert!(!all.is_empty());
         for (file, peer) in all {

@@ -54,14 +54,19 @@ pub struct ThesisSettings {
     /// The pressure's gradient is scaled so that water at rest does not depend on h (J9).
     pub gradient_correction: bool,
     /// Particles at the free surface have a divergence of r below this share of that inside (J7), 0 to 1 [-].
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub surface_ratio: f64,
     /// The inner corrector loop ends where no density differs from the reference by more than this share (J11) [-].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub density_tolerance: f64,
     /// Most passes of the inner corrector loop, 1 or more [-].
+    #[schemars(range(min = 1))]
     pub inner_passes: usize,
     /// Share of the largest right-hand side that the residual of no row of the pressure equation exceeds (J12), 1e-12 to 0.1 [-].
+    #[schemars(range(min = 1e-12, max = 0.1))]
     pub residual: f64,
     /// Iterations of Bi-CGSTAB after which a pressure equation ends the run with an error, 1 or more [-].
+    #[schemars(range(min = 1))]
     pub most_iterations: usize,
     /// Keys of the table `[fluid]`.
     #[serde(skip)]
@@ -73,13 +78,16 @@ pub struct ThesisSettings {
 #[serde(default, deny_unknown_fields)]
 pub struct FlowSettings {
     /// Speed of sound c0 in the artificial viscosity [m/s]. auto: 10 times the largest known speed of the flow.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub sound_speed: Auto<f64>,
     /// What smooths velocities between particles of water.
     pub dissipation: Dissipation,
     /// Coefficient alpha of artificial viscosity (INDAT i_viscos 1: viscos_val); 0 is none [-]. Absent or 0 with
     /// dissipation = riemann.
+    #[schemars(range(min = 0.0), extend("x-neutral" = 0))]
     pub artificial_viscosity: f64,
     /// Courant number of the step limit dt <= cfl dx/(2 |v|) (INDAT CFL_number) [-].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub cfl: f64,
 }
 

@@ -1,4 +1,4 @@
-//! `model`: the ladder from formulas to particles, and `auto`.
+//! `model`: models from formulas to particles, and `auto`.
 
 use serde_json::Value;
 
@@ -110,8 +110,8 @@ fn a_theory_leaves_the_files_of_a_run() {
     assert!(place.text("out/scene.resolved.toml").contains("model = \"mlm\""));
     assert!(place.text("out/series.csv").starts_with("time_s,wedge.x_m,wedge.y_m,"));
     let page = place.text("out/report.html");
-    for rung in ["von_karman", "wagner", "mlm"] {
-        assert!(page.contains(rung), "no {rung} in the report");
+    for model in ["von_karman", "wagner", "mlm"] {
+        assert!(page.contains(model), "no {model} in the report");
     }
     assert!(!place.read("out/log.mcap").is_empty());
 

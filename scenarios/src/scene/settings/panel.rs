@@ -1,55 +1,83 @@
-//! Panels of a body, in a resolved scene.
+//! A flexible panel of a body.
 
 use fsi_coupling::{PanelEnd, PanelSpec};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Material, Plasticity, Theory};
 
-/// A part of the body's surface that bends.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// A flexible part of the body's surface.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Panel {
     /// A word that starts its columns in the series.
+    #[schemars(extend("x-default" = "panel1, ..."))]
     pub name: String,
-    /// Where it starts, on the outline or a plate's middle line [m, body's frame], shape (2).
+    /// Start x, y in the body's frame, on the outline (a polyline's middle line) [m].
     pub from: [f64; 2],
-    /// Where it ends; along an outline counter-clockwise from the start [m].
+    /// End x, y; along an outline counter-clockwise, along a polyline in the order of its points [m].
     pub to: [f64; 2],
-    /// Number of elements.
+    /// Number of beam elements. Light, soft panels may break down where elements are much shorter than 1.5 spacings.
+    #[schemars(range(min = 2, max = 2000), extend("x-default" = "24, none shorter than 2 spacings, at least 8"))]
     pub elements: usize,
-    /// Thickness [m].
+    /// Thickness of the plate; along an outline its outside is wet [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: f64,
-    /// Young's modulus [Pa].
+    /// Young's modulus; the plate bends with E/(1 - nu²) [Pa].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub youngs_modulus: f64,
     /// Poisson's ratio [-].
+    #[serde(default = "usual_poissons_ratio")]
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 0.5))]
     pub poissons_ratio: f64,
-    /// Density [kg/m³].
+    /// Density of the plate [kg/m³].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: f64,
-    /// How its ends are held.
+    /// Supports of its ends on the rest of the body: sliding is pinned, but free along the panel; mirror is joined to its image,
+    /// at x = 0 with symmetry = x.
+    #[serde(default)]
     pub ends: [PanelEnd; 2],
     /// Beam theory.
+    #[serde(default)]
     pub theory: TheoryName,
-    /// Places that are reported, as shares of its length [-].
+    /// Shares of its length at which motion, moment and strains are reported [-].
+    #[serde(default = "usual_watch")]
+    #[schemars(inner(range(min = 0.0, max = 1.0)))]
     pub watch: Vec<f64>,
-    /// Yield stress of the tension test [Pa]; without one it stays elastic.
+    /// Yield stress of the tension test, beyond which the plate stays bent (bilinear moment and curvature) [Pa]. absent: elastic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub yield_stress: Option<f64>,
-    /// Hardening modulus beyond it [Pa].
+    /// Plastic modulus beyond the yield stress [Pa].
+    #[serde(default)]
+    #[schemars(range(min = 0.0), extend("x-when" = ".yield_stress"))]
     pub hardening_modulus: f64,
-    /// Strain of an outer fibre at which an end breaks off [-]; without one neither does.
+    /// Strain of an outer fibre at a held end at which that end breaks off; the wetted surface stays closed [-]. absent: never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub rupture_strain: Option<f64>,
-    /// Stress that it may bear, for the reserve factor [Pa].
+    /// Allowable stress; the reserve factor is this over the largest stress [Pa].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "yield_stress"))]
     pub allowable_stress: Option<f64>,
 }
 
 /// Beam theories.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TheoryName {
-    /// Sections stay square to the axis.
+    /// Sections stay normal to the axis.
     #[default]
     EulerBernoulli,
     /// Sections shear.
     Timoshenko,
 }
 
+fn usual_poissons_ratio() -> f64 {
+    0.3
+}
+
+fn usual_watch() -> Vec<f64> {
+    vec![0.5]
+}
 impl Panel {
     /// As the coupled system takes it.
     pub fn spec(&self) -> PanelSpec {

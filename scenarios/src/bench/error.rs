@@ -1,0 +1,20 @@
+//! Why a measurement failed.
+
+use sph_core::Breakdown;
+
+use crate::run::RunError;
+use crate::scene::SceneError;
+
+/// A measurement that could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum BenchError {
+    /// A block of fluid broke down.
+    #[error(transparent)]
+    Fluid(#[from] Breakdown),
+    /// A scene is not right.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A run failed.
+    #[error(transparent)]
+    Run(#[from] RunError),
+}

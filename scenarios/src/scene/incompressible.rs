@@ -1,0 +1,114 @@
+//! Limits and warnings of scenes with an incompressible solver (THEORY I1–I16, J1–J16).
+
+use fsi_coupling::settings::{Problem, significant};
+use sph_core::Solver;
+
+use super::settings::{CouplingScheme, Motion, Scene};
+
+/// Share of its smoothing length that a particle may move in a step, where the scene does not say.
+const CFL: f64 = 0.4;
+
+/// Largest share of it that makes sense: farther, and its neighbours are not those that its pressure was found with.
+const LARGEST_CFL: f64 = 1.0;
+
+/// Largest share that was found steady: at 0.6 forces are as good as with shorter steps, at 1 they are twice as unsteady, and
+/// falls of water on water gain energy.
+const STEADY_CFL: f64 = 0.6;
+
+/// Draughts to the tank's walls and floor from which an impact does not feel them: water that carries no sound answers at
+/// once, which took 18 % of a wedge's force at 5 draughts and 6 % at 10.
+const REACH: f64 = 15.0;
+
+/// h/Δx up to which the free surface of the thesis's projection holds (THEORY J16).
+const LARGEST_RATIO_OF_THESIS: f64 = 1.25;
+
+/// Refuses steps in which water moves farther than its neighbours reach.
+pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
+    match scene.courant_number() <= LARGEST_CFL {
+        true => Ok(()),
+        false => {
+            let expected = format!(
+                "a number above 0 and up to {LARGEST_CFL} with solver = {:?}: the share of its smoothing length that a particle \
+                 moves in a step",
+                scene.solver.name()
+            );
+            Err(Problem::new("fluid.cfl", scene.courant_number(), expected))
+        }
+    }
+}
+
+/// Doubts about a scene with an incompressible solver: its step, its walls, and what does nothing.
+pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
+    let (cfl, mut warnings) = (scene.courant_number(), Vec::new());
+    if cfl > STEADY_CFL {
+        warnings.push(format!(
+            "fluid.cfl = {cfl}: up to {STEADY_CFL} forces are as good as with shorter steps; at 1 they are twice as unsteady, \
+             and falling water has gained energy"
+        ));
+    }
+    let passing = scene.water().smoothing_ratio * scene.resolution.spacing / scene.projection_speed();
+    if let Some(step) = scene.time.step.filter(|step| *step > LARGEST_CFL * passing) {
+        warnings.push(format!(
+            "time.step = {step} s: at the fastest known speed a particle moves {} smoothing lengths in it, and beyond 1 its \
+             neighbours are others; {} s would do",
+            significant(step / passing),
+            significant(CFL * passing)
+        ));
+    }
+    warnings.extend(near_walls(scene));
+    warnings.extend(one_exchange(scene));
+    warnings
+}
+
+/// A body that moves with the water, told of it once a step.
+fn one_exchange(scene: &Scene) -> Option<String> {
+    let body = scene.body.as_ref()?;
+    let moved = !body.panels.is_empty() || matches!(body.motion, Motion::Free(_));
+    let (name, holds) = match scene.solver.kind() {
+        Solver::Incompressible => ("incompressible", "\"added_mass\" holds at any mass"),
+        solver => (solver.name(), "\"iqn_ils\" repeats the step until both agree"),
+    };
+    (moved && scene.coupling.scheme == CouplingScheme::Weak).then(|| {
+        format!(
+            "coupling.scheme = \"weak\" with solver = \"{name}\": one exchange a step holds where the body is heavier than the \
+             water that moves with it, however short the step; {holds}"
+        )
+    })
+}
+
+/// Walls that an impact feels.
+fn near_walls(scene: &Scene) -> Option<String> {
+    let draught = scene.entry()?.final_draught;
+    let beside = 0.5 * scene.tank.width - scene.fine_zone_center().abs();
+    let reach = beside.min(scene.tank.depth);
+    (draught > 0.0 && reach < REACH * draught).then(|| {
+        format!(
+            "the tank's walls are {} draughts away at the end: incompressible water answers at once, which took 6 % of a \
+             wedge's force at 10 draughts and 18 % at 5; {} m would keep it out",
+            significant(reach / draught),
+            significant(REACH * draught)
+        )
+    })
+}
+
+/// What the thesis's projection is not to be relied on for.
+pub(super) fn thesis_warnings(scene: &Scene) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if scene.solver.kind() != Solver::IncompressibleThesis {
+        return warnings;
+    }
+    let ratio = scene.water().smoothing_ratio;
+    if ratio > LARGEST_RATIO_OF_THESIS {
+        warnings.push(format!(
+            "fluid.smoothing_ratio = {ratio}: with solver = \"incompressible_thesis\" the free surface holds up to \
+             {LARGEST_RATIO_OF_THESIS}"
+        ));
+    }
+    if scene.body.is_some() {
+        warnings.push(
+            "solver = \"incompressible_thesis\" breaks down where a body enters the surface (THEORY J16): take \"incompressible\""
+                .into(),
+        );
+    }
+    warnings
+}

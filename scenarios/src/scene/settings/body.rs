@@ -1,0 +1,164 @@
+//! The body of a scene.
+
+use fsi_coupling::Shape;
+use fsi_coupling::geometry::polygon;
+use fsi_coupling::settings::OrTouching;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::panel::Panel;
+
+/// A body: rigid but for its panels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Body {
+    /// A word that starts its columns in the series.
+    #[serde(default = "usual_name")]
+    pub name: String,
+    /// Outline, in the body's frame.
+    #[serde(flatten)]
+    pub shape: Shape,
+    /// Centre of mass x, y in the body's frame, without the panels [m]. The frame's origin is a wedge's keel, an arc's lowest
+    /// point, a box's centre.
+    #[schemars(extend("x-default" = "centroid of the outline"))]
+    pub center_of_mass: [f64; 2],
+    /// How it moves.
+    #[serde(flatten)]
+    pub motion: Motion,
+    /// Velocity x, y of body.center_of_mass at t = 0 [m/s].
+    #[serde(default)]
+    pub velocity: [f64; 2],
+    /// Angular velocity at t = 0, counter-clockwise [deg/s].
+    #[serde(default)]
+    pub angular_velocity_deg_per_s: f64,
+    /// Position x, y of the body frame's origin at t = 0 [m]. touching: x = 0 and the lowest point on the still water.
+    #[schemars(with = "OrTouching<[f64; 2]>", extend("x-default" = "touching"))]
+    pub position: [f64; 2],
+    /// Rotation of the body's frame about its origin at t = 0, counter-clockwise [deg].
+    #[serde(default)]
+    pub angle_deg: f64,
+    /// Rayleigh damping of the panels, by mass and by stiffness [1/s, s].
+    #[serde(default)]
+    #[schemars(extend("x-when" = ".panels"), inner(range(min = 0.0)))]
+    pub damping: [f64; 2],
+    /// The flexible parts of its surface.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub panels: Vec<Panel>,
+}
+
+/// How a body moves.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "motion", rename_all = "snake_case")]
+#[schemars(extend(
+    "x-motion-default" = "free",
+    "x-motion-doc" = "Motion of the body; oscillating is a wave generator (thesis, chapter 4)"
+))]
+pub enum Motion {
+    /// By its weight and the water's load.
+    Free(Freedom),
+    /// At its initial velocity, whatever the load.
+    ConstantVelocity,
+    /// At rest.
+    Fixed,
+    /// A prescribed oscillation (V4).
+    Oscillating(Oscillation),
+}
+
+/// A prescribed oscillation: x(t) = x₀ + A r(t) sin(2π t/T), eased in by r over the first period (V4).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Oscillation {
+    /// Amplitude x, y of the prescribed motion A sin(2 pi t/T), eased in over its first period [m].
+    pub amplitude: [f64; 2],
+    /// Period T of the prescribed motion [s].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub period: f64,
+}
+
+/// Inertia and free directions of a free body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Freedom {
+    /// Mass of the whole body, also with symmetry; without its panels, which add theirs [kg/m].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-ignored-elsewhere" = true))]
+    pub mass: f64,
+    /// Directions in which a free body can move.
+    #[schemars(extend("x-default" = "all; [\"y\"] with symmetry", "x-ignored-elsewhere" = true))]
+    pub free: Vec<Axis>,
+    /// Moment of inertia of the whole body about its centre of mass; without its panels [kg m²/m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required if free to rotate", "x-ignored-elsewhere" = true))]
+    pub inertia: Option<f64>,
+}
+
+/// A direction of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Rotation.
+    Angle,
+}
+
+impl Freedom {
+    /// Free to move along x.
+    pub fn x(&self) -> bool {
+        self.free.contains(&Axis::X)
+    }
+
+    /// Free to move along y.
+    pub fn y(&self) -> bool {
+        self.free.contains(&Axis::Y)
+    }
+}
+
+fn usual_name() -> String {
+    "body".into()
+}
+
+/// Points of a body's frame at `origin` [m], turned by `angle_deg` [deg], in the tank's frame [m].
+pub(in crate::scene) fn placed(outline: Vec<[f64; 2]>, origin: [f64; 2], angle_deg: f64) -> Vec<[f64; 2]> {
+    let (sin, cos) = angle_deg.to_radians().sin_cos();
+    let [x0, y0] = origin;
+    outline.into_iter().map(|[x, y]| [x0 + x * cos - y * sin, y0 + x * sin + y * cos]).collect()
+}
+
+impl Body {
+    /// Outline at t = 0 in the tank's frame [m], shape (n, 2), counter-clockwise.
+    pub fn placed_outline(&self) -> Vec<[f64; 2]> {
+        placed(self.shape.outline(), self.position, self.angle_deg)
+    }
+
+    /// A point of the body's frame in the tank's frame, at t = 0 [m].
+    pub fn to_tank(&self, point: [f64; 2]) -> [f64; 2] {
+        placed(vec![point], self.position, self.angle_deg)[0]
+    }
+
+    /// Bound of the speed of its points at t = 0 [m/s]: |v| + |ω| r, with the farthest vertex at r from the centre of mass;
+    /// of an oscillating body 2π A/T at any time.
+    pub fn fastest_point(&self) -> f64 {
+        let [cx, cy] = self.center_of_mass;
+        let outline = self.shape.outline();
+        let arms = outline.iter().map(|p| (p[0] - cx).hypot(p[1] - cy));
+        let angular = self.angular_velocity_deg_per_s.to_radians().abs();
+        let oscillation = match &self.motion {
+            Motion::Oscillating(Oscillation { amplitude: [x, y], period }) => {
+                std::f64::consts::TAU * x.hypot(*y) / period
+            }
+            _ => 0.0,
+        };
+        self.velocity[0].hypot(self.velocity[1]) + angular * arms.fold(0.0, f64::max) + oscillation
+    }
+
+    /// Depth of its lowest point below the still surface at t = 0 [m]; negative above it.
+    pub fn draught(&self) -> f64 {
+        let [min, _] = polygon::bounding_box(&self.placed_outline());
+        -min[1]
+    }
+
+    /// x midway between the body's left and right ends at t = 0 [m].
+    pub fn middle(&self) -> f64 {
+        let [min, max] = polygon::bounding_box(&self.placed_outline());
+        0.5 * (min[0] + max[0])
+    }
+}

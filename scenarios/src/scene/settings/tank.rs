@@ -1,0 +1,69 @@
+//! The tank and the water that it starts with.
+
+use fsi_coupling::settings::OrAuto;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The rectangle of water and its walls.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Tank {
+    /// Full inner width, x from -width/2 to width/2 (INDAT vlx) [m]. auto: outside acoustic reach of an impact.
+    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    pub width: f64,
+    /// Depth of still water, whose surface is y = 0 and whose floor is y = -depth (INDAT h_SWL, ZZMAX) [m]. auto: outside
+    /// acoustic reach of an impact.
+    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    pub depth: f64,
+    /// Height of the side walls above the floor (INDAT vlz) [m].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "1.25 depth, 3 depth for a dam break"))]
+    pub height: f64,
+    /// Width of the water at rest from the left wall; less than width for a dam break [m].
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "width"))]
+    pub water_width: f64,
+    /// Amplitude of the wave that the water starts with, at rest and with the pressure of its depth [m]. A cosine between the
+    /// walls, its crest (where positive) at the left wall; no more than half the depth.
+    #[serde(default)]
+    pub surface_amplitude: f64,
+    /// Half waves of surface_amplitude between the walls [-].
+    #[serde(default = "one")]
+    #[schemars(range(min = 1), extend("x-when" = ".surface_amplitude"))]
+    pub surface_mode: u32,
+    /// Tilt of the surface that the water starts with, upwards to the right [deg]. It is the thesis's tank out of equilibrium,
+    /// whose INDAT has no switch: IPART places the particles.
+    #[serde(default)]
+    #[schemars(range(min = -45.0, max = 45.0))]
+    pub surface_tilt_deg: f64,
+    /// Lower left corner x, y of a block of water in the air, at or above the surface [m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block_from: Option<[f64; 2]>,
+    /// Its upper right corner x, y [m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-default" = "required with block_from"))]
+    pub block_to: Option<[f64; 2]>,
+    /// Velocity x, y of that block at t = 0 [m/s].
+    #[serde(default)]
+    pub block_velocity: [f64; 2],
+}
+
+/// A rectangle of water in the air (THEORY Q2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// Its lower left corner [m], shape (2).
+    pub from: [f64; 2],
+    /// Its upper right corner [m], shape (2).
+    pub to: [f64; 2],
+    /// Its velocity [m/s], shape (2).
+    pub velocity: [f64; 2],
+}
+
+impl Tank {
+    /// The block of water in the air.
+    pub fn block(&self) -> Option<Block> {
+        let (from, to) = self.block_from.zip(self.block_to)?;
+        Some(Block { from, to, velocity: self.block_velocity })
+    }
+}
+
+fn one() -> u32 {
+    1
+}
