@@ -64,7 +64,7 @@ pub struct Order {
     pub nearest_median: f64,
 }
 
-/// What became of the water's volume by the place of its surface (THEORY Q7).
+/// What became of the water's volume by the place of its surface (THEORY GE11).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Water {
     /// Volume per metre of span at the start [m²].
@@ -114,14 +114,14 @@ impl std::fmt::Display for WorstPenetration {
     }
 }
 
-/// Conservation over the run (THEORY E21, E22).
+/// Conservation over the run (THEORY CO27, CO28).
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Audit {
     /// Worst momentum gap of a step over the momentum held and exchanged [-].
     pub momentum: f64,
     /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
     pub energy: f64,
-    /// Of the work that the water did on the body, what did not arrive, over the work exchanged (THEORY K6) [-].
+    /// Of the work that the water did on the body, what did not arrive, over the work exchanged (THEORY CO17) [-].
     pub work: f64,
     /// What the body's own energies lack of the work done on it, over the work exchanged [-]: elastic bodies.
     pub structure: f64,
@@ -132,7 +132,7 @@ pub struct Audit {
     /// The worst of them; absent when there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worst_penetration: Option<WorstPenetration>,
-    /// How often a particle was stopped that would have gone through a thin plate (THEORY T5); absent when never.
+    /// How often a particle was stopped that would have gone through a thin plate (THEORY WA11); absent when never.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped_at_plate: Option<u64>,
 }
@@ -147,7 +147,7 @@ pub struct Coupling {
     /// Most of these in a step.
     pub iterations_max: u32,
     /// Largest mismatch of a step between the acceleration that the water saw and the one it caused, relative
-    /// (THEORY C5) [-].
+    /// (THEORY CO8) [-].
     pub residual_worst: f64,
 }
 
@@ -158,9 +158,9 @@ pub struct Compressibility {
     pub sound_speed_m_per_s: f64,
     /// Fastest particle over sound speed, largest at any sample [-].
     pub mach_reached: f64,
-    /// Estimated share of the force lost to compressibility (THEORY E19) [-]; `null` without an impact.
+    /// Estimated share of the force lost to compressibility (THEORY WC17) [-]; `null` without an impact.
     pub force_error_estimate: Option<f64>,
-    /// Factor on the force that takes this share back, 1/(1 − share) (THEORY G4) [-]; `null` without an impact. No other
+    /// Factor on the force that takes this share back, 1/(1 − share) (THEORY GE15) [-]; `null` without an impact. No other
     /// number of the summary is corrected.
     pub force_corrected: Option<f64>,
 }
@@ -265,12 +265,12 @@ pub struct Summary {
     /// The similarity solution's numbers, for scenes that have one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SimilarityResult>,
-    /// The force on the body by four rules, where the scene asks (THEORY W7).
+    /// The force on the body by four rules, where the scene asks (THEORY GE8).
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
-    /// What main numbers may be off by, where charts or a convergence study tell (THEORY G6, G7).
+    /// What main numbers may be off by, where charts or a convergence study tell (THEORY GE16, GE17).
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub error_bars: ErrorBars,
     /// What the body's panels have borne, by name.

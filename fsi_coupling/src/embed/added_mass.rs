@@ -1,4 +1,4 @@
-//! How long may a step of the host be that takes the water's force as it comes? An estimate (THEORY D5).
+//! How long may a step of the host be that takes the water's force as it comes? An estimate (THEORY CO32).
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// D5; `None` where the topology tells no masses.
+    /// CO32; `None` where the topology tells no masses.
     pub(super) fn of(spec: &FluidElementSpec, topology: &Topology) -> Option<AddedMass> {
         if topology.masses.iter().sum::<f64>() <= 0.0 {
             return None;

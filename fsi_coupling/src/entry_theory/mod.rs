@@ -1,4 +1,4 @@
-//! Low-order models of water entry: microseconds in the place of minutes (THEORY LM1–LM11).
+//! Low-order models of water entry: microseconds in the place of minutes (THEORY EN2–EN9).
 //!
 //! [`Section`] is the bottom, [`Rung`] the ladder of models and their ranges, [`Loads`] what a section bears at a draught,
 //! [`Entry`] its motion. [`SimilarityFlow`] is the exact flow about a wedge, [`ElasticWedge`] a wedge whose faces bend, [`ditching`] an

@@ -57,7 +57,7 @@ impl Rung {
         self < Rung::Wcsph
     }
 
-    /// Deadrises of a face that it holds for [deg]; THEORY LM11 has its errors there.
+    /// Deadrises of a face that it holds for [deg]; THEORY EN9 has its errors there.
     pub fn deadrises(self) -> [f64; 2] {
         match self {
             Rung::VonKarman | Rung::Wagner => [4.0, 45.0],

@@ -1,4 +1,4 @@
-//! The rows of boundary particles behind a surface.
+//! The rows of boundary particles behind a surface (THEORY WA2).
 
 use sph_core::WallLayout;
 
@@ -8,7 +8,7 @@ pub enum Arrangement {
     /// At depths ½Δx, 1½Δx, … below the surface, aligned.
     #[default]
     Filled,
-    /// At the same depths, every other row shifted by half a spacing (THEORY W2).
+    /// At the same depths, every other row shifted by half a spacing (THEORY LE16).
     Staggered,
 }
 

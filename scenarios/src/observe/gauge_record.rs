@@ -1,4 +1,4 @@
-//! What a gauge says of a run: peak, rise time, impulse (THEORY G3).
+//! What a gauge says of a run: peak, rise time, impulse (THEORY GE5).
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! Pressure gauges: where they are now, and how the fluid is read there (THEORY E18, G1, G2).
+//! Pressure gauges: where they are now, and how the fluid is read there (THEORY GE2, GE3, GE4).
 
 use std::collections::BTreeMap;
 

@@ -125,7 +125,7 @@ impl Series {
         })
     }
 
-    /// What became of the water's volume (Q7), judged over the samples from `since` [s] on; `None` where nobody asked.
+    /// What became of the water's volume (GE11), judged over the samples from `since` [s] on; `None` where nobody asked.
     pub fn water(&self, since: f64) -> Option<Water> {
         let volumes = self.column(VOLUME)?;
         let first = *volumes.first()?;

@@ -1,4 +1,4 @@
-//! The volume of the water by the place of its surface (THEORY Q7).
+//! The volume of the water by the place of its surface (THEORY GE11).
 
 use sph_core::Fluid;
 use sph_core::particles::probe::Probe;
@@ -27,7 +27,7 @@ impl VolumeReader {
         VolumeReader { walls: [left, half], floor: -scene.tank.depth }
     }
 
-    /// Q7: area between floor, side walls and surface [m²].
+    /// GE11: area between floor, side walls and surface [m²].
     pub fn read(&self, fluid: &Fluid) -> f64 {
         let p = fluid.particles();
         let finest = p.h.iter().copied().fold(f64::INFINITY, f64::min) / fluid.domain().fluid.smoothing_ratio;

@@ -51,7 +51,7 @@ pub enum Frame {
     },
 }
 
-/// What a step's vibrations that it cannot resolve are left [-] (THEORY S21): these steps are the fluid's, far shorter than
+/// What a step's vibrations that it cannot resolve are left [-] (THEORY BE20): these steps are the fluid's, far shorter than
 /// the panels' periods.
 const SPECTRAL_RADIUS: f64 = 0.8;
 

@@ -1,4 +1,4 @@
-//! Four rules for the force of the fluid on a body, from the same state (THEORY W7).
+//! Four rules for the force of the fluid on a body, from the same state (THEORY GE8).
 //!
 //! | rule | what is summed |
 //! |---|---|
@@ -8,7 +8,7 @@
 //! | [`Rule::GaussViscous`] | the same with a moving-least-squares pressure, and viscous traction (FEX_2D4) |
 //!
 //! The names in brackets are the switches of M. Pilorget's thesis (KTH, 2010). Every rule gives loads on the outline's
-//! corners, consistent with linear and Hermite shape functions (W8), whose resultant is the rule's.
+//! corners, consistent with linear and Hermite shape functions (GE9), whose resultant is the rule's.
 
 pub mod nodal_loads;
 
@@ -210,7 +210,7 @@ impl<'a> Placed<'a> {
         (side, self.sides[side].nearest(at).0)
     }
 
-    /// W8: forces carried to the corners.
+    /// GE9: forces carried to the corners.
     fn carried(&self, pulls: &[Pull]) -> Vec<Nodal> {
         let mut corners = vec![Nodal::default(); self.corners.len()];
         for pull in pulls {
@@ -220,7 +220,7 @@ impl<'a> Placed<'a> {
         corners
     }
 
-    /// W7: tractions [Pa] at Gauss points, integrated and carried to the corners. Behind a plane of symmetry the image is
+    /// GE8: tractions [Pa] at Gauss points, integrated and carried to the corners. Behind a plane of symmetry the image is
     /// read.
     fn integrated(&self, panel: f64, traction: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> Vec<Nodal> {
         let mut corners = vec![Nodal::default(); self.corners.len()];
@@ -240,7 +240,7 @@ impl<'a> Placed<'a> {
         corners
     }
 
-    /// FEX_2D3: −p n, p as a gauge reads it (E18); within 2h of a corner the carried mean (W5).
+    /// FEX_2D3: −p n, p as a gauge reads it (GE2); within 2h of a corner the carried mean (GE6).
     fn gauged(&self, probe: &Probe<'_>, at: [f64; 2], n: [f64; 2]) -> [f64; 2] {
         let near = |c: &[f64; 2]| (c[0] - at[0]).hypot(c[1] - at[1]) < self.support;
         let p = match self.sharp.iter().any(near) {
@@ -250,7 +250,7 @@ impl<'a> Placed<'a> {
         [-p * n[0], -p * n[1]]
     }
 
-    /// FEX_2D4: −p n + ρ₀ν(∇v + ∇vᵀ)·n by moving least squares (W6); the carried mean (W5) where those fail. ν = 0
+    /// FEX_2D4: −p n + ρ₀ν(∇v + ∇vᵀ)·n by moving least squares (GE7); the carried mean (GE6) where those fail. ν = 0
     /// where walls slip.
     fn fitted(&self, probe: &Probe<'_>, at: [f64; 2], n: [f64; 2]) -> [f64; 2] {
         let Some(found) = probe.least_squares(at) else {

@@ -1,4 +1,4 @@
-//! Consistent loads: forces on a polygon's sides carried to its corners (THEORY W8).
+//! Consistent loads: forces on a polygon's sides carried to its corners (THEORY GE9).
 
 use sph_core::walls::Resultant;
 
@@ -62,13 +62,13 @@ pub struct Nodal {
     pub moment: f64,
 }
 
-/// W8: cubic (Hermite) shape functions of a side of length L at t: deflection and slope at its start, at its end.
+/// GE9: cubic (Hermite) shape functions of a side of length L at t: deflection and slope at its start, at its end.
 pub fn hermite(t: f64, length: f64) -> [f64; 4] {
     let (t2, t3) = (t * t, t * t * t);
     [1.0 - 3.0 * t2 + 2.0 * t3, length * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, length * (t3 - t2)]
 }
 
-/// W8: carry a force [N/m] that acts at `at` [m] to the corners of the side beside it: along the side by linear, across
+/// GE9: carry a force [N/m] that acts at `at` [m] to the corners of the side beside it: along the side by linear, across
 /// it by Hermite's shape functions, the couple of a place off the side by linear ones.
 pub fn carry(side: &Side, t: f64, at: [f64; 2], force: [f64; 2], corners: &mut [Nodal]) {
     let (a, foot) = (side.along, side.at(t));
@@ -153,7 +153,7 @@ mod tests {
         }
     }
 
-    /// A linear pressure gives the beam's consistent loads L(7q₁ + 3q₂)/20, L²(3q₁ + 2q₂)/60 (THEORY S5) to the
+    /// A linear pressure gives the beam's consistent loads L(7q₁ + 3q₂)/20, L²(3q₁ + 2q₂)/60 (THEORY BE6) to the
     /// quadrature's error, and forces off the side keep their moment.
     #[test]
     fn a_linear_pressure_gives_a_beams_loads() {
