@@ -4,6 +4,48 @@
 //! [`geometry`] turns shapes into particles, [`bodies`] has the contract of a body and the bodies, [`coupling`] the step of fluid and
 //! bodies together, [`entry_theory`] analytical models of water entry, [`embed`] the element for programs with a time loop
 //! of their own, [`settings`] structs of settings that document and check themselves.
+//!
+//! A wedge falls into a tank of water:
+//! ```
+//! use fsi_coupling::geometry::layout::{Basin, Layout};
+//! use fsi_coupling::{Coupled, CouplingError, Outline, RigidBody2d, RigidSpec, Scheme, Shape, Tank};
+//! use sph_core::{Domain, Fluid, Seed, wcsph};
+//!
+//! # fn main() -> Result<(), CouplingError> {
+//! let (x, floor, spacing, gravity) = ([-0.5, 0.5], -0.4, 0.04, [0.0, -9.81]);
+//! let layout = Layout::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 0.4, spacing, growth: 1.0 });
+//! let domain = Domain { gravity, fastest_speed: 3.0, ..Domain::default() };
+//! let mut seeds = Vec::new();
+//! layout.for_each(|cell| {
+//!     let pressure = domain.fluid.density * gravity[1] * cell.at[1];
+//!     seeds.push(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure });
+//! });
+//! let fluid = Fluid::new(domain, &wcsph::Settings::default(), &seeds);
+//!
+//! let wedge = RigidBody2d::new(RigidSpec {
+//!     name: "wedge".into(),
+//!     outline: Outline::of(&Shape::Wedge { deadrise_deg: 30.0, breadth: 0.4, side_height: 0.2 })?,
+//!     mass: 40.0, // per metre of span
+//!     inertia: 0.0,
+//!     center_of_mass: [0.0, 0.15],
+//!     free: [false, true, false],
+//!     position: [0.0, 0.02],
+//!     angle: 0.0,
+//!     velocity: [0.0, -1.0],
+//!     angular_velocity: 0.0,
+//!     gravity,
+//!     half: false,
+//! })?;
+//! let tank = Tank::new(layout, x, floor, 0.3, false);
+//! let mut system = Coupled::new(fluid, vec![Box::new(wedge), Box::new(tank)], Scheme::Weak, spacing)?;
+//! while system.fluid.time() < 0.1 {
+//!     system.step(system.stable_dt()?)?;
+//! }
+//! let motion = system.bodies().find_map(|body| body.motion()).expect("the wedge");
+//! assert!(motion.velocity[1] > -1.0 - 9.81 * 0.1, "the water decelerates the wedge");
+//! assert!(system.momentum_audit().worst < 1e-10, "momentum is conserved");
+//! # Ok(()) }
+//! ```
 
 pub mod bodies;
 pub mod coupling;
@@ -33,5 +75,5 @@ pub use coupling::stability_estimate::{Beside, PanelExchange, exchange_ratio};
 pub use coupling::work_audit::WorkAudit;
 pub use geometry::outline::Outline;
 pub use geometry::plate::Plate;
-pub use geometry::rows::{Arrangement, WallRows};
+pub use geometry::rows::WallRows;
 pub use geometry::shape::Shape;

@@ -1,7 +1,7 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
 use fsi_coupling::bodies::prescribed::Law;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
     RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
@@ -16,15 +16,15 @@ use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, SolverSettings, S
 
 /// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let (domain, settings, tiling) = (domain(scene), settings(scene), tiling(scene));
-    let (layout, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
-    let rows = WallRows::of(layout, scene.resolution.spacing);
+    let (domain, settings, layout) = (domain(scene), settings(scene), layout(scene));
+    let (pattern, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
+    let rows = WallRows::of(pattern, scene.resolution.spacing);
     let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
     let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
     let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
     let bodies = body.into_iter().chain([tank]).collect();
-    let placed = PlacedBodies::new(bodies, layout, ratio, scene.resolution.spacing)?;
-    let seeds = initial_fluid(scene, &domain, &tiling, &placed, thin);
+    let placed = PlacedBodies::new(bodies, pattern, ratio, scene.resolution.spacing)?;
+    let seeds = initial_fluid(scene, &domain, &layout, &placed, thin);
     let fluid = Fluid::new(domain, settings.as_ref(), &seeds);
     let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
@@ -39,18 +39,18 @@ fn tank(scene: &Scene, rows: &WallRows) -> Tank {
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
     let standing = scene.body.as_ref().and_then(|body| standing(scene, body, rows)).into_iter().collect();
-    Tank::new(tiling(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
+    Tank::new(layout(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
 }
 
 /// How the water is divided into particles.
-pub fn tiling(scene: &Scene) -> Tiling {
+pub fn layout(scene: &Scene) -> Layout {
     let x = scene.water_sides();
     let middle = scene.fine_zone_center();
     let [half_width, fine_depth] = match Follower::of(scene) {
         Some(follower) => follower.at_start(),
         None => scene.resolution.fine_zone,
     };
-    let tiling = Tiling::new(Basin {
+    let layout = Layout::new(Basin {
         x,
         y: [-scene.tank.depth, 0.0],
         fine_x: [(middle - half_width).max(x[0]), (middle + half_width).min(x[1])],
@@ -58,7 +58,7 @@ pub fn tiling(scene: &Scene) -> Tiling {
         spacing: scene.resolution.spacing,
         growth: scene.resolution.growth,
     });
-    if scene.resolution.follow { tiling.by_halves() } else { tiling.on(scene.resolution.lattice) }
+    if scene.resolution.follow { layout.with_split_rows() } else { layout.with_lattice(scene.resolution.lattice) }
 }
 
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.
@@ -81,7 +81,7 @@ fn roots(scene: &Scene, body: &scene::Body, rows: &WallRows) -> [f64; 2] {
             return 0.0;
         }
         let at = body.to_tank(*end);
-        let spacing = tiling(scene).spacing_at(at);
+        let spacing = layout(scene).spacing_at(at);
         let away = (0.5 * scene.tank.width - at[0].abs()).min(at[1] + scene.tank.depth);
         if away < STANDS * spacing { (rows.layers as f64 + 1.0) * spacing } else { 0.0 }
     };

@@ -1,6 +1,6 @@
 //! The water of a scene at t = 0.
 
-use fsi_coupling::geometry::layout::{Cell, Tiling, tile};
+use fsi_coupling::geometry::layout::{Cell, Layout, tile};
 use fsi_coupling::geometry::packing::{self, Packing};
 use fsi_coupling::{Body, PlacedBodies};
 use sph_core::{Domain, Seed};
@@ -15,7 +15,7 @@ const BESIDE_PLATE: f64 = 0.5;
 pub(crate) fn initial_fluid(
     scene: &Scene,
     domain: &Domain,
-    tiling: &Tiling,
+    layout: &Layout,
     placed: &PlacedBodies,
     thin: bool,
 ) -> Vec<Seed> {
@@ -30,7 +30,7 @@ pub(crate) fn initial_fluid(
     let level = |x: f64| surface.as_ref().map_or(0.0, |surface| surface.mean(x, x));
     // cells with the height of the surface above them
     let mut cells = Vec::new();
-    tiling.for_each(|cell| cells.push(surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell))));
+    layout.for_each(|cell| cells.push(surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell))));
     if let (true, Some(body)) = (scene.resolution.packing, body) {
         let cells_only = cells.into_iter().map(|(cell, _)| cell).collect();
         cells = packed(cells_only, domain, placed, body, level);

@@ -13,13 +13,13 @@
 use serde::Serialize;
 use sph_core::Solver;
 
-use crate::build::tiling;
+use crate::build::layout;
 use crate::model_hierarchy::{Assessment, Want, assess};
 use crate::scene::{
     CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
 };
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 
 /// Cost of a particle and step on one core, search and walls included [s]; an order of magnitude.
 const COST: f64 = 0.7e-6;
@@ -134,7 +134,7 @@ fn step(scene: &Scene) -> f64 {
 
 /// Estimate cost and validity of a run, without running it.
 pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
-    let fluid_particles = tiling(scene).count();
+    let fluid_particles = layout(scene).count();
     let (last, wall_particles) = particle_estimate(scene);
     let fluid_particles_at_end = scene.resolution.follow.then_some(last);
     // an area grows with the square of the draught: a third of what is added is there in the mean
@@ -208,7 +208,7 @@ impl Preflight {
         if !self.ladder.is_empty() {
             lines.push(format!("  {:<15}about {:.0} core-seconds", "particles", self.core_seconds));
         }
-        if Rung::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
+        if EntryModel::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
             return lines.join("\n");
         }
         lines.extend([

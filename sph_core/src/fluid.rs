@@ -1,5 +1,7 @@
 //! The fluid: a particle system with the scheme that advances it.
 
+use std::any::Any;
+
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::memory::of_vector;
@@ -113,19 +115,22 @@ impl Fluid {
     }
 
     /// The scheme, if it is a `T`.
-    pub fn scheme<T: Scheme + 'static>(&self) -> Option<&T> {
-        self.scheme.as_any().downcast_ref()
+    pub fn scheme<T: Scheme>(&self) -> Option<&T> {
+        let scheme: &dyn Any = self.scheme.as_ref();
+        scheme.downcast_ref()
     }
 
     /// The same, to change its settings between steps.
-    pub fn scheme_mut<T: Scheme + 'static>(&mut self) -> Option<&mut T> {
-        self.scheme.as_any_mut().downcast_mut()
+    pub fn scheme_mut<T: Scheme>(&mut self) -> Option<&mut T> {
+        let scheme: &mut dyn Any = self.scheme.as_mut();
+        scheme.downcast_mut()
     }
 
     /// The system with its scheme, if that is a `T`: to evaluate single terms of a scheme.
-    pub fn parts_mut<T: Scheme + 'static>(&mut self) -> Option<(&mut ParticleSystem, &mut T)> {
+    pub fn parts_mut<T: Scheme>(&mut self) -> Option<(&mut ParticleSystem, &mut T)> {
         let Fluid { system, scheme, .. } = self;
-        scheme.as_any_mut().downcast_mut().map(|scheme| (system, scheme))
+        let scheme: &mut dyn Any = scheme.as_mut();
+        scheme.downcast_mut().map(|scheme| (system, scheme))
     }
 
     /// Fluid properties, gravity, kernel, bounding planes.

@@ -12,7 +12,7 @@ use crate::walls::{WallLayout, Walls};
 /// A scheme that advances a [`ParticleSystem`]. It owns all state that the system does not hold.
 ///
 /// A new scheme is a folder of its own: a settings struct that implements [`SchemeSettings`], and a type that implements this.
-pub trait Scheme: Send + Sync {
+pub trait Scheme: Any + Send + Sync {
     /// Find the accelerations and the forces on the walls at the start. Before: the walls stand where they start.
     fn initialise(
         &mut self,
@@ -68,12 +68,6 @@ pub trait Scheme: Send + Sync {
     fn bytes(&self) -> usize {
         0
     }
-
-    /// The scheme itself, for [`crate::Fluid::scheme`].
-    fn as_any(&self) -> &dyn Any;
-
-    /// The same, mutable.
-    fn as_any_mut(&mut self) -> &mut dyn Any;
 }
 
 /// Settings from which a scheme is made.

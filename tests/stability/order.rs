@@ -3,7 +3,7 @@
 use evidence::parameters::Parameters;
 use evidence::statistics::Noise;
 use evidence::systems::{advance, system};
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::{Kernel, Seed};
 
@@ -15,17 +15,17 @@ fn nearest(kernel: Kernel, smoothing_ratio: f64, pressure: f64, shifting: bool) 
     let water = Parameters::of(&system("hydrostatic_tank", &["resolution.spacing=0.25"]).fluid);
     let parameters = Parameters { kernel, smoothing_ratio, shifting, gravity: [0.0; 2], ..water };
     let (x, y) = ([0.0, 1.0], [-1.0, 0.0]);
-    let tiling = Tiling::new(Basin { x, y, fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
+    let layout = Layout::new(Basin { x, y, fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
     let mut noise = Noise::new(3);
     let mut seeds = Vec::new();
-    tiling.for_each(|cell| {
+    layout.for_each(|cell| {
         let at = cell.at.map(|c| c + 0.05 * SPACING * noise.draw());
         seeds.push(Seed { at, velocity: [0.0; 2], area: cell.area(), pressure });
     });
     let lid = Outline::of(&Shape::Box { breadth: 1.0 + 12.0 * SPACING, height: 12.0 * SPACING }).expect("a box");
     let still = PrescribedBody::steady([0.5, 6.0 * SPACING], 0.0, [0.0; 2], 0.0);
     let lid: Box<dyn Body> = Box::new(PrescribedBody::new("lid", lid, false, still));
-    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -1.0, 0.0, false));
+    let tank: Box<dyn Body> = Box::new(Tank::new(layout, x, -1.0, 0.0, false));
     let mut system =
         Coupled::new(parameters.fluid(&seeds), vec![lid, tank], Scheme::Weak, SPACING).expect("a full box");
     advance(&mut system, 0.3, |_| ()).expect("a run that ends, in order or not");

@@ -2,8 +2,8 @@
 
 use evidence::parameters::Parameters;
 use evidence::systems::{advance, scene, system};
-use fsi_coupling::geometry::layout::{Basin, Tiling};
-use fsi_coupling::{Arrangement, Contact, Tank, WallRows, WettedBody};
+use fsi_coupling::geometry::layout::{Basin, Layout};
+use fsi_coupling::{Contact, Tank, WallRows, WettedBody};
 use scenarios::build;
 use sph_core::{Fluid, Seed, WallModel, Walls};
 
@@ -14,23 +14,23 @@ const SPACING: f64 = 0.05;
 struct Wall {
     model: WallModel,
     layers: usize,
-    arrangement: Arrangement,
+    staggered: bool,
 }
 
 /// Particles outside a tank of 20 by 20 after `end` [s]; the water falls at `speed` [m/s] from the start. Nothing but
 /// the walls holds it: no contact with the surface (THEORY WA7).
 fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
     let (x, floor) = ([-0.5, 0.5], -1.0);
-    let tiling = Tiling::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
+    let layout = Layout::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
     let water = Parameters::of(&system("hydrostatic_tank", &["resolution.spacing=0.05"]).fluid);
     let parameters = Parameters { walls: wall.model, ..water };
     let mut seeds = Vec::new();
-    tiling.for_each(|cell| {
+    layout.for_each(|cell| {
         let pressure = parameters.eos.rho0 * parameters.gravity[1] * cell.at[1];
         seeds.push(Seed { at: cell.at, velocity: [0.0, -speed], area: cell.area(), pressure });
     });
-    let mut tank = Tank::new(tiling, x, floor, 0.25, false);
-    let rows = WallRows { spacing: SPACING, layers: wall.layers, arrangement: wall.arrangement };
+    let mut tank = Tank::new(layout, x, floor, 0.25, false);
+    let rows = WallRows { spacing: SPACING, layers: wall.layers, staggered: wall.staggered };
     let mut walls = Walls::default();
     walls.extend(&tank.sample(&rows).expect("a tank"), parameters.smoothing_ratio);
     tank.kinematics(0.0, walls.slice_mut(0..walls.len()));
@@ -51,11 +51,11 @@ fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
 }
 
 fn filled(layers: usize) -> Wall {
-    Wall { model: WallModel::Extrapolated, layers, arrangement: Arrangement::Filled }
+    Wall { model: WallModel::Extrapolated, layers, staggered: false }
 }
 
 fn dynamic(layers: usize) -> Wall {
-    Wall { model: WallModel::Dynamic, layers, arrangement: Arrangement::Staggered }
+    Wall { model: WallModel::Dynamic, layers, staggered: true }
 }
 
 /// A wall must fill the kernel's support 2h = 3 spacings. Failure: one row leaks (M. Pilorget 2010 saw the same and

@@ -2,7 +2,7 @@
 
 use crate::parameters::Parameters;
 use fsi_coupling::RigidMotion;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::Seed;
 
@@ -25,8 +25,8 @@ pub fn still(from: [f64; 2], to: [f64; 2], spacing: f64) -> Vec<Seed> {
 
 /// A tank with a floor at y = 0 and walls at `x` up to `rim` [m].
 pub fn tank(x: [f64; 2], rim: f64, spacing: f64) -> Tank {
-    let tiling = Tiling::new(Basin { x, y: [0.0, rim], fine_x: x, fine_depth: rim, spacing, growth: 1.0 });
-    Tank::new(tiling, x, 0.0, rim, false)
+    let layout = Layout::new(Basin { x, y: [0.0, rim], fine_x: x, fine_depth: rim, spacing, growth: 1.0 });
+    Tank::new(layout, x, 0.0, rim, false)
 }
 
 /// The outline of a plate about a middle line [m].

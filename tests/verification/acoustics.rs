@@ -3,7 +3,7 @@
 use evidence::parameters::Parameters;
 use evidence::statistics::period;
 use evidence::systems::advance;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::wcsph::eos::Tait;
 use sph_core::{Fluid, IdealGas, Seed};
@@ -23,9 +23,9 @@ pub(crate) fn lossless() -> Parameters {
 /// A box full of fluid under a fixed lid, with p = p₀ + A cos(π x/L); `prepare` may change the state that has it.
 pub(crate) fn box_of_sound(spacing: f64, parameters: Parameters, prepare: impl Fn(&mut Fluid, &[Seed])) -> Coupled {
     let (x, y) = ([0.0, LENGTH], [-HEIGHT, 0.0]);
-    let tiling = Tiling::new(Basin { x, y, fine_x: x, fine_depth: HEIGHT, spacing, growth: 1.0 });
+    let layout = Layout::new(Basin { x, y, fine_x: x, fine_depth: HEIGHT, spacing, growth: 1.0 });
     let mut seeds = Vec::new();
-    tiling.for_each(|cell| {
+    layout.for_each(|cell| {
         let pressure = PRESSURE[0] + PRESSURE[1] * (std::f64::consts::PI * cell.at[0] / LENGTH).cos();
         seeds.push(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure });
     });
@@ -33,7 +33,7 @@ pub(crate) fn box_of_sound(spacing: f64, parameters: Parameters, prepare: impl F
     let lid = Outline::of(&Shape::Box { breadth: LENGTH + 6.0 * spacing, height: 6.0 * spacing }).expect("a box");
     let still = PrescribedBody::steady([0.5 * LENGTH, 3.0 * spacing], 0.0, [0.0; 2], 0.0);
     let lid: Box<dyn Body> = Box::new(PrescribedBody::new("lid", lid, false, still));
-    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -HEIGHT, 0.0, false));
+    let tank: Box<dyn Body> = Box::new(Tank::new(layout, x, -HEIGHT, 0.0, false));
     let mut fluid = parameters.fluid(&seeds);
     prepare(&mut fluid, &seeds);
     Coupled::new(fluid, vec![lid, tank], Scheme::Weak, spacing).expect("a full box")

@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use fsi_coupling::entry_theory::ditching::{
-    Aeroplane, Attitude, Ended, Form, Fuselage, Hull, Landing, Moment, Station, Water, Wing,
+    Aeroplane, Attitude, Form, Fuselage, Hull, Landing, LandingEnd, LandingState, Station, Water, Wing,
 };
-use fsi_coupling::entry_theory::{Loads, Rung, Section};
+use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
 use scenarios::ditching::{self, Landed};
 
 const RHO: f64 = 1000.0;
@@ -15,7 +15,7 @@ fn station(x: f64, keel: f64, breadth: f64, form: Form) -> Station {
 }
 
 /// A prismatic wedge of 20 m, 4 m broad.
-fn prism(rung: Rung, deadrise: f64) -> Hull {
+fn prism(rung: EntryModel, deadrise: f64) -> Hull {
     let ends = [0.0, 20.0].map(|x| station(x, 0.0, 4.0, Form::DeadriseDeg(deadrise)));
     Hull::new(Fuselage::new(&ends).expect("a fuselage"), rung).expect("in range")
 }
@@ -47,7 +47,7 @@ fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
 }
 
 /// The pressure of entry on all strips at no acceleration: forward, up, nose up.
-fn pressing(now: &Moment) -> [f64; 3] {
+fn pressing(now: &LandingState) -> [f64; 3] {
     let entries = now.strips.iter().filter_map(|(s, _)| s.entry);
     entries.fold([0.0; 3], |sum, e| [0, 1, 2].map(|k| sum[k] + e.pressing * e.lever[k]))
 }
@@ -60,9 +60,11 @@ fn a_prismatic_wedge_planes_as_the_integral_over_its_length_says() {
     let (deadrise, pitch, speed, draught) = (25.0_f64, 0.1_f64, 40.0, 0.3);
     let tan2 = deadrise.to_radians().tan().powi(2);
     let pi = std::f64::consts::PI;
-    for (rung, per_draught) in
-        [(Rung::VonKarman, pi / tan2), (Rung::Wagner, pi.powi(3) / (4.0 * tan2)), (Rung::Mlm, slope_of_mlm(deadrise))]
-    {
+    for (rung, per_draught) in [
+        (EntryModel::VonKarman, pi / tan2),
+        (EntryModel::Wagner, pi.powi(3) / (4.0 * tan2)),
+        (EntryModel::Mlm, slope_of_mlm(deadrise)),
+    ] {
         let hull = prism(rung, deadrise);
         let landing = landing(&hull, 0.0, 5e4);
         let mut attitude = Attitude { place: [0.0, 0.0, pitch], rate: [speed, 0.0, 0.0] };
@@ -80,7 +82,8 @@ fn a_prismatic_wedge_planes_as_the_integral_over_its_length_says() {
 }
 
 fn slope_of_mlm(deadrise: f64) -> f64 {
-    Loads::new(Rung::Mlm, &Section::wedge(deadrise, 4.0).expect("a section")).expect("in range").at(0.1).slam / 0.1
+    Loads::new(EntryModel::Mlm, &Section::wedge(deadrise, 4.0).expect("a section")).expect("in range").at(0.1).slam
+        / 0.1
 }
 
 /// A hull that tapers, curves and pitches: what it loses in upward momentum the planes of water hold, those it has left too, and what
@@ -94,25 +97,25 @@ fn momentum_and_energy_go_to_the_water() {
         station(14.0, 0.02, 5.0, wedge),
         station(20.0, 0.08, 4.0, wedge),
     ];
-    let hull = Hull::new(Fuselage::new(&stations).expect("a fuselage"), Rung::VonKarman).expect("in range");
+    let hull = Hull::new(Fuselage::new(&stations).expect("a fuselage"), EntryModel::VonKarman).expect("in range");
     let mut landing = landing(&hull, 0.0, 5e4);
     (landing.strips, landing.sample_every) = (1000, 1);
-    let run = landing.follow();
-    assert_eq!(run.ended, Ended::Time);
+    let run = landing.solve();
+    assert_eq!(run.ended, LandingEnd::Time);
     let Aeroplane { mass, inertia, .. } = landing.aeroplane;
-    let energy = |m: &Moment| {
+    let energy = |m: &LandingState| {
         let [u, w, q] = m.attitude.rate;
         0.5 * mass * (u * u + w * w) + 0.5 * inertia * q * q
     };
-    let held = |m: &Moment| -> f64 {
+    let held = |m: &LandingState| -> f64 {
         let entries = m.strips.iter().filter_map(|(s, _)| s.entry);
         entries.map(|e| e.mass * e.at.speed).sum()
     };
-    let left_behind = |m: &Moment| {
+    let left_behind = |m: &LandingState| {
         let last = m.strips.iter().filter_map(|(s, _)| s.entry).next_back();
         last.map_or(0.0, |e| if e.at.x > 19.9 { e.mass / e.length * e.at.speed * e.at.velocity[0] } else { 0.0 })
     };
-    let power = |m: &Moment| m.strips.iter().filter_map(|(s, f)| Some(f * s.entry?.at.speed)).sum::<f64>();
+    let power = |m: &LandingState| m.strips.iter().filter_map(|(s, f)| Some(f * s.entry?.at.speed)).sum::<f64>();
     let (mut wake, mut work) = (0.0, 0.0);
     for pair in run.moments.windows(2) {
         wake += 0.5 * landing.step * (left_behind(&pair[0]) + left_behind(&pair[1]));
@@ -194,7 +197,7 @@ fn a_landing_takes_seconds_has_no_grid_in_it_and_ends_slow_where_it_may() {
     assert!((usual.az_g.value / finer.az_g.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.az_g, finer.az_g);
     assert!((usual.fz_n.value / finer.fz_n.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.fz_n, finer.fz_n);
     let slow = mercure(&["landing.least_speed=55.0"]);
-    assert_eq!(slow.run.ended, Ended::Slow);
+    assert_eq!(slow.run.ended, LandingEnd::Slow);
     assert!(slow.summary.time_end_s < 5.0 && slow.summary.speed_m_per_s[1] < 55.0);
     let again = mercure(&[]).summary;
     assert_eq!(again.az_g.value.to_bits(), usual.az_g.value.to_bits());
@@ -203,7 +206,7 @@ fn a_landing_takes_seconds_has_no_grid_in_it_and_ends_slow_where_it_may() {
 /// At rest on the water, level, the weight is that of the water displaced.
 #[test]
 fn it_floats_at_its_weight() {
-    let hull = prism(Rung::Wagner, 25.0);
+    let hull = prism(EntryModel::Wagner, 25.0);
     let landing = landing(&hull, 9.81, 5e4);
     let attitude = Attitude { place: [0.0, 0.5 - 0.4, 0.0], rate: [0.0; 3] };
     let [fx, fz, moment] = landing.moment(0.0, attitude).force;

@@ -1,6 +1,6 @@
 //! The modal beam on Wagner's load (THEORY EN12, EN13) against tables of an independent program.
 
-use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Loads, Rung, Section};
+use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Loads, Section, WedgeState};
 use structure_fe::Material;
 
 fn aluminium(speed: f64, thickness: f64, held: Held) -> ElasticWedge {
@@ -25,7 +25,12 @@ fn rows(path: &str) -> Vec<Vec<f64>> {
 }
 
 /// A quantity at the value `at` of another that grows.
-fn interpolated(bent: &[Bent], key: impl Fn(&Bent) -> f64, at: f64, of: impl Fn(&Bent) -> f64) -> f64 {
+fn interpolated(
+    bent: &[WedgeState],
+    key: impl Fn(&WedgeState) -> f64,
+    at: f64,
+    of: impl Fn(&WedgeState) -> f64,
+) -> f64 {
     let after = bent.partition_point(|b| key(b) <= at).clamp(1, bent.len() - 1);
     let (a, b) = (&bent[after - 1], &bent[after]);
     of(a) + (at - key(a)) / (key(b) - key(a)) * (of(b) - of(a))
@@ -39,7 +44,7 @@ fn pinned_faces_bend_as_eight_dry_modes_on_wagners_load() {
         let wedge = aluminium(speed, thickness, Held::Pinned);
         let bent = wedge.enter().expect("it enters");
         let table = rows(&format!("exact/{file}.csv"));
-        let compare = |column: usize, within: f64, of: &dyn Fn(&Bent) -> f64| {
+        let compare = |column: usize, within: f64, of: &dyn Fn(&WedgeState) -> f64| {
             let peak = table.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
             for row in &table {
                 let ours = interpolated(&bent, |b| b.wetted, row[1], of);
@@ -72,7 +77,7 @@ fn stiff_faces_are_wagners_wedge() {
     let mut wedge = aluminium(10.0, 0.2, Held::Clamped);
     (wedge.modes, wedge.steps) = (3, 2000);
     let bent = wedge.enter().expect("it enters");
-    let loads = Loads::new(Rung::Wagner, &Section::wedge(10.0, 1.2).expect("a section")).expect("in range");
+    let loads = Loads::new(EntryModel::Wagner, &Section::wedge(10.0, 1.2).expect("a section")).expect("in range");
     for b in bent.iter().skip(200).step_by(100).filter(|b| b.wetted < 0.59) {
         assert!((loads.at(10.0 * b.time).wetted / b.wetted - 1.0).abs() < 2e-3, "{b:?}");
         // −ρ ∫φ over both faces is the momentum of Wagner's flow, ½ρπc²V for ρ = 1

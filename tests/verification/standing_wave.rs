@@ -19,16 +19,16 @@ fn wave(spacing: f64, omega: f64, dissipation: &str) -> Coupled {
     let scene = scene("hydrostatic_tank", &[&format!("resolution.spacing={spacing}"), dissipation]);
     let (k, depth) = (std::f64::consts::PI, 1.0);
     let speed = STEEPNESS / k * omega / (k * depth).sinh();
-    let (tiling, still) = (build::tiling(&scene), build::build(&scene).expect("a still tank"));
+    let (layout, still) = (build::layout(&scene), build::build(&scene).expect("a still tank"));
     let mut seeds = Vec::new();
-    tiling.for_each(|cell| {
+    layout.for_each(|cell| {
         let (x, height) = (cell.at[0] + 0.5, cell.at[1] + depth);
         let velocity = [speed * (k * height).cosh() * (k * x).sin(), -speed * (k * height).sinh() * (k * x).cos()];
         seeds.push(Seed { at: cell.at, velocity, area: cell.area(), pressure: -1000.0 * 9.81 * cell.at[1] });
     });
     let usual = Parameters::of(&still.fluid);
     let parameters = Parameters { eos: Tait { c0: 60.0, ..usual.eos }, ..usual };
-    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, [-0.5, 0.5], -depth, 0.5, false));
+    let tank: Box<dyn Body> = Box::new(Tank::new(layout, [-0.5, 0.5], -depth, 0.5, false));
     Coupled::new(parameters.fluid(&seeds), vec![tank], Scheme::Weak, spacing).expect("a tank of water")
 }
 

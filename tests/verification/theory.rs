@@ -1,6 +1,6 @@
 //! The low-order models of entry (THEORY EN2–EN10) against tables that independent programs computed.
 
-use fsi_coupling::entry_theory::{Course, Entry, Loads, OutOfRange, Rung, Section, SimilarityFlow};
+use fsi_coupling::entry_theory::{Entry, EntryModel, Loads, OutOfRange, Section, SectionMotion, SimilarityFlow};
 
 /// Rows of a reference, with its columns by name.
 struct Reference {
@@ -27,7 +27,7 @@ fn near(ours: f64, theirs: f64, within: f64, what: &str) {
     assert!((ours / theirs - 1.0).abs() <= within, "{what}: {ours}, reference {theirs}");
 }
 
-fn wedge(rung: Rung, deadrise: f64) -> Loads {
+fn wedge(rung: EntryModel, deadrise: f64) -> Loads {
     Loads::new(rung, &Section::wedge(deadrise, 1000.0).expect("a section")).expect("in range")
 }
 
@@ -37,14 +37,16 @@ fn forces_of_classical_models_on_wedges() {
     for row in &table.rows {
         let of = table.of(row);
         let deadrise = of("beta_deg");
-        for (rung, name) in [(Rung::VonKarman, "F_vK"), (Rung::Wagner, "F_Wagner"), (Rung::Mlm, "F_MLM")] {
+        for (rung, name) in
+            [(EntryModel::VonKarman, "F_vK"), (EntryModel::Wagner, "F_Wagner"), (EntryModel::Mlm, "F_MLM")]
+        {
             if deadrise <= rung.deadrises()[1] {
                 let loads = wedge(rung, deadrise);
                 near(loads.at(1.0).slam, of(name), 1e-6, &format!("{name} at {deadrise}"));
                 near(loads.at(0.3).slam, 0.3 * of(name), 1e-6, &format!("{name} at {deadrise}, less deep"));
             }
         }
-        let loads = wedge(Rung::Mlm, deadrise);
+        let loads = wedge(EntryModel::Mlm, deadrise);
         let cp = |x: f64| 2.0 * loads.pressure(x, 1.0, 1.0, 0.0, 1.0).expect("a pressure");
         near(cp(0.0), of("Cp_apex_MLM"), 1e-6, "at the keel");
         let reach = loads.at(1.0).wetted;
@@ -65,9 +67,9 @@ fn closed_forms_on_wedges() {
         let mlm = 2.0 * c * (spread * sin.asin() - 0.5 * across * sin.atanh() - 0.5 * (1.0 - across) * sin);
         for h in [1e-3, 0.37, 1.0, 7.0] {
             let slam = |rung| wedge(rung, deadrise).at(h).slam / h;
-            near(slam(Rung::VonKarman), PI / (tan * tan), 1e-10, "von Karman");
-            near(slam(Rung::Wagner), PI.powi(3) / (4.0 * tan * tan), 1e-10, "Wagner");
-            near(slam(Rung::Mlm), mlm, 1e-10, "MLM");
+            near(slam(EntryModel::VonKarman), PI / (tan * tan), 1e-10, "von Karman");
+            near(slam(EntryModel::Wagner), PI.powi(3) / (4.0 * tan * tan), 1e-10, "Wagner");
+            near(slam(EntryModel::Mlm), mlm, 1e-10, "MLM");
         }
     }
 }
@@ -76,7 +78,7 @@ fn closed_forms_on_wedges() {
 fn pressures_along_a_wedge() {
     for deadrise in [10, 20, 30, 45] {
         let table = Reference::read(&format!("exact/wedge_pressure_mlm_wagner_{deadrise}deg.csv"));
-        let [mlm, wagner] = [Rung::Mlm, Rung::Wagner].map(|rung| wedge(rung, f64::from(deadrise)));
+        let [mlm, wagner] = [EntryModel::Mlm, EntryModel::Wagner].map(|rung| wedge(rung, f64::from(deadrise)));
         for row in &table.rows {
             let of = table.of(row);
             let cp = |loads: &Loads| 2.0 * loads.pressure(of("x_over_Vt"), 1.0, 1.0, 0.0, 1.0).expect("a pressure");
@@ -135,7 +137,7 @@ fn the_similarity_solution_exists_for_every_deadrise_and_tends_to_wagners() {
         assert!(flow.force_coefficient < before, "not monotone at {deadrise}");
         before = flow.force_coefficient;
     }
-    let wagner = |deadrise| wedge(Rung::Wagner, deadrise).at(1.0).slam;
+    let wagner = |deadrise| wedge(EntryModel::Wagner, deadrise).at(1.0).slam;
     let ratio = |deadrise| SimilarityFlow::solve(deadrise).expect("a solution").force_coefficient / wagner(deadrise);
     assert!(ratio(4.0) > 0.93 && ratio(4.0) > ratio(8.0) && ratio(8.0) > ratio(16.0));
     for deadrise in [3.9, 80.1, f64::NAN] {
@@ -173,18 +175,19 @@ fn a_free_drop_by_the_modified_logvinovich_model() {
         ("freefall_generic_20deg_mlm", 20.0, 0.6, 100.0, 4.0),
     ] {
         let table = Reference::read(&format!("exact/{file}.csv"));
-        let loads = Loads::new(Rung::Mlm, &Section::wedge(deadrise, breadth).expect("a section")).expect("in range");
+        let loads =
+            Loads::new(EntryModel::Mlm, &Section::wedge(deadrise, breadth).expect("a section")).expect("in range");
         let times: Vec<f64> = table.rows.iter().map(|row| row[0]).collect();
         let entry = Entry {
             loads: &loads,
-            course: Course::Free(mass),
+            motion: SectionMotion::Free(mass),
             draught: 0.0,
             speed,
             gravity: 9.81,
             density: 1000.0,
             buoyancy: false,
         };
-        let dry = entry.follow(&times).expect("in range");
+        let dry = entry.solve(&times).expect("in range");
         let peak = table.rows.iter().map(|row| row[4]).fold(0.0, f64::max);
         for (row, now) in table.rows.iter().zip(&dry) {
             let of = table.of(row);
@@ -196,10 +199,10 @@ fn a_free_drop_by_the_modified_logvinovich_model() {
 
 #[test]
 fn von_karmans_momentum_is_kept() {
-    let loads = Loads::new(Rung::VonKarman, &Section::wedge(25.0, 2.0).expect("a section")).expect("in range");
+    let loads = Loads::new(EntryModel::VonKarman, &Section::wedge(25.0, 2.0).expect("a section")).expect("in range");
     let entry = Entry {
         loads: &loads,
-        course: Course::Free(80.0),
+        motion: SectionMotion::Free(80.0),
         draught: 0.0,
         speed: 5.0,
         gravity: 0.0,
@@ -207,7 +210,7 @@ fn von_karmans_momentum_is_kept() {
         buoyancy: true,
     };
     let times: Vec<f64> = (0..=100).map(|k| 0.0005 * f64::from(k)).collect();
-    for now in entry.follow(&times).expect("in range") {
+    for now in entry.solve(&times).expect("in range") {
         let momentum = (80.0 + 1000.0 * loads.at(now.draught).added_mass) * now.speed;
         assert!((momentum / 400.0 - 1.0).abs() < 1e-5, "{now:?}: {momentum}");
     }
@@ -217,7 +220,9 @@ fn von_karmans_momentum_is_kept() {
 fn cylinders() {
     let table = Reference::read("exact/cylinder_slamming.csv");
     let section = Section::arc(1.0, 2.0).expect("a section");
-    for (rung, name) in [(Rung::VonKarman, "Cs_vK"), (Rung::Wagner, "Cs_Wagner"), (Rung::Mlm, "Cs_MLM")] {
+    for (rung, name) in
+        [(EntryModel::VonKarman, "Cs_vK"), (EntryModel::Wagner, "Cs_Wagner"), (EntryModel::Mlm, "Cs_MLM")]
+    {
         let loads = Loads::new(rung, &section).expect("in range");
         for row in &table.rows {
             let of = table.of(row);
@@ -230,7 +235,7 @@ fn cylinders() {
 
 #[test]
 fn past_the_chines_the_load_of_a_fast_entry_falls() {
-    let loads = Loads::new(Rung::Mlm, &Section::wedge(20.0, 0.6).expect("a section")).expect("in range");
+    let loads = Loads::new(EntryModel::Mlm, &Section::wedge(20.0, 0.6).expect("a section")).expect("in range");
     let separation = (1..400).map(|k| 0.001 * f64::from(k)).find(|h| loads.at(*h).wetted > 0.3).expect("it comes");
     let at = loads.at(separation).slam;
     assert!(loads.at(1.3 * separation).slam < 0.7 * at && loads.at(3.0 * separation).slam < 0.35 * at);
@@ -238,23 +243,23 @@ fn past_the_chines_the_load_of_a_fast_entry_falls() {
 
 #[test]
 fn what_a_model_cannot_do_is_refused_with_its_range_and_the_next_that_can() {
-    let of = |rung: Rung, section: &Section| Loads::new(rung, section).expect_err("out of range");
+    let of = |rung: EntryModel, section: &Section| Loads::new(rung, section).expect_err("out of range");
     let steep = Section::wedge(80.0, 1.0).expect("a section");
-    let OutOfRange { next, .. } = of(Rung::Wagner, &steep);
-    assert_eq!(next, Rung::Similarity);
-    assert!(of(Rung::Wagner, &steep).to_string().contains("4 to 45 degrees"));
+    let OutOfRange { next, .. } = of(EntryModel::Wagner, &steep);
+    assert_eq!(next, EntryModel::Similarity);
+    assert!(of(EntryModel::Wagner, &steep).to_string().contains("4 to 45 degrees"));
     let steeper = Section::wedge(85.0, 1.0).expect("a section");
-    assert_eq!(of(Rung::Similarity, &steeper).next, Rung::Wcsph);
+    assert_eq!(of(EntryModel::Similarity, &steeper).next, EntryModel::Wcsph);
     let arc = Section::arc(1.0, 1.0).expect("a section");
-    assert_eq!(of(Rung::Similarity, &arc).next, Rung::Wcsph);
+    assert_eq!(of(EntryModel::Similarity, &arc).next, EntryModel::Wcsph);
     let lopsided = vec![[0.0, 0.0], [1.0, 0.3], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.5]];
     let refused = Section::of(&fsi_coupling::Shape::Polygon { points: lopsided }).expect_err("not symmetric");
     assert!(refused.to_string().contains("symmetric"), "{refused}");
 
-    let loads = Loads::new(Rung::Mlm, &Section::wedge(30.0, 0.5).expect("a section")).expect("in range");
+    let loads = Loads::new(EntryModel::Mlm, &Section::wedge(30.0, 0.5).expect("a section")).expect("in range");
     let entry = Entry {
         loads: &loads,
-        course: Course::Free(20.0),
+        motion: SectionMotion::Free(20.0),
         draught: 0.0,
         speed: 3.0,
         gravity: 9.81,
@@ -262,6 +267,6 @@ fn what_a_model_cannot_do_is_refused_with_its_range_and_the_next_that_can() {
         buoyancy: true,
     };
     let times: Vec<f64> = (0..=1000).map(|k| 0.001 * f64::from(k)).collect();
-    let refused = entry.follow(&times).expect_err("it comes back up");
-    assert!(refused.to_string().contains("leaves the water") && refused.next == Rung::Wcsph, "{refused}");
+    let refused = entry.solve(&times).expect_err("it comes back up");
+    assert!(refused.to_string().contains("leaves the water") && refused.next == EntryModel::Wcsph, "{refused}");
 }

@@ -4,7 +4,7 @@
 use evidence::load::Handled;
 use evidence::statistics::Noise;
 use fsi_coupling::RigidMotion;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Body, Outline, PrescribedBody, RigidBody2d, RigidSpec, Shape, Tank};
 
 /// Spacing of the boundary particles [m].
@@ -58,8 +58,8 @@ fn prescribed(outline: &Outline, half: bool) -> Box<dyn Body> {
 fn tank(half: bool) -> Box<dyn Body> {
     let left = if half { 0.0 } else { -1.0 };
     let (x, y) = ([left, 1.0], [-1.0, 0.0]);
-    let tiling = Tiling::new(Basin { x, y, fine_x: [left, 0.2], fine_depth: 0.2, spacing: SPACING, growth: 1.1 });
-    Box::new(Tank::new(tiling, x, -1.0, 0.25, half))
+    let layout = Layout::new(Basin { x, y, fine_x: [left, 0.2], fine_depth: 0.2, spacing: SPACING, growth: 1.1 });
+    Box::new(Tank::new(layout, x, -1.0, 0.25, half))
 }
 
 /// Every body there is, whole and half.

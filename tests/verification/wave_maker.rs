@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use evidence::parameters::Parameters;
 use evidence::systems::advance;
-use fsi_coupling::geometry::layout::{Basin, Tiling};
+use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{Body, Coupled, Outline, PrescribedBody, Scheme, Shape, Tank};
 use sph_core::Seed;
 
@@ -27,9 +27,9 @@ fn period() -> f64 {
 
 fn tank(spacing: f64, swing: f64) -> Coupled {
     let (x, from) = ([0.0, LENGTH[0]], LENGTH[1]);
-    let tiling = Tiling::new(Basin { x, y: [-DEPTH, 0.0], fine_x: x, fine_depth: DEPTH, spacing, growth: 1.0 });
+    let layout = Layout::new(Basin { x, y: [-DEPTH, 0.0], fine_x: x, fine_depth: DEPTH, spacing, growth: 1.0 });
     let mut seeds = Vec::new();
-    tiling.for_each(|cell| {
+    layout.for_each(|cell| {
         if cell.at[0] > from {
             let pressure = -1000.0 * GRAVITY * cell.at[1];
             seeds.push(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure });
@@ -43,7 +43,7 @@ fn tank(spacing: f64, swing: f64) -> Coupled {
     let middle = [from - 0.5 * breadth, 0.5 * height - DEPTH];
     let law = PrescribedBody::oscillating(middle, 0.0, [swing, 0.0], period());
     let piston: Box<dyn Body> = Box::new(PrescribedBody::new("piston", outline, false, law));
-    let tank: Box<dyn Body> = Box::new(Tank::new(tiling, x, -DEPTH, 0.5 * DEPTH, false));
+    let tank: Box<dyn Body> = Box::new(Tank::new(layout, x, -DEPTH, 0.5 * DEPTH, false));
     Coupled::new(parameters.fluid(&seeds), vec![piston, tank], Scheme::Weak, spacing).expect("a tank of water")
 }
 

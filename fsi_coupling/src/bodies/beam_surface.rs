@@ -1,14 +1,15 @@
-//! H for beams: boundary particles ride on the elements' shape functions, and their forces go back by its transpose
+//! H for beams: the elements' shape functions place the boundary particles, the transpose maps their forces to the nodes
 //! (THEORY CO13, CO14).
 
 use std::f64::consts::TAU;
 
-use crate::coupling::force_rules::nodal_loads::hermite;
+use crate::geometry::hermite::hermite;
+use crate::geometry::vector::dot;
 
-/// Where a boundary particle sits on a beam structure.
+/// The attachment of a point to a beam structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeamAttachment {
-    /// Element it rides on.
+    /// Element.
     pub element: usize,
     /// Share of the way from the element's first node to its second, 0 to 1 [-].
     pub t: f64,
@@ -51,17 +52,13 @@ fn shapes(t: f64) -> ([f64; 2], [f64; 2]) {
     ([first, second], [1.0 + t * (3.0 * t - 4.0), t * (3.0 * t - 2.0)])
 }
 
-fn dot2(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
 impl BeamSurface {
     /// Of node coordinates [m] and the pairs of nodes that elements join.
     pub fn new(nodes: Vec<[f64; 2]>, elements: Vec<[usize; 2]>) -> BeamSurface {
         BeamSurface { nodes, elements }
     }
 
-    /// The point of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
+    /// The attachment of a point at rest [m] with a normal [-]: on the nearest element; past an end of the structure, on the end's
     /// extension.
     pub fn attach(&self, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
         self.attach_among(0..self.elements.len(), at, normal)
@@ -78,13 +75,13 @@ impl BeamSurface {
             let length = way[0].hypot(way[1]);
             let along = way.map(|w| w / length);
             let r = [at[0] - a[0], at[1] - a[1]];
-            let free = dot2(r, along) / length;
+            let free = dot(r, along) / length;
             let t = free.clamp(0.0, 1.0);
             let foot = [r[0] - t * way[0], r[1] - t * way[1]];
             let distance = foot[0].hypot(foot[1]);
             if distance < best.0 - 1e-12 * length {
                 let across = |v: [f64; 2]| v[1] * along[0] - v[0] * along[1];
-                let normal = [dot2(normal, along), across(normal)];
+                let normal = [dot(normal, along), across(normal)];
                 best =
                     (distance, BeamAttachment { element, t, beyond: (free - t) * length, offset: across(r), normal });
             }
@@ -92,7 +89,7 @@ impl BeamSurface {
         best.1
     }
 
-    /// The point on an element's middle line, a share t of the way along it, with its normal to the left.
+    /// The attachment on an element's middle line, a share t of the way along it, with its normal to the left.
     pub fn on_element(&self, element: usize, t: f64) -> BeamAttachment {
         BeamAttachment { element, t, beyond: 0.0, offset: 0.0, normal: [0.0, 1.0] }
     }
@@ -132,7 +129,7 @@ impl BeamSurface {
     pub fn place(&self, point: &BeamAttachment, q: &[[f64; 3]]) -> Place {
         let (start, Bend { length, chord: [c, s], psi }) = self.bend(point.element, q);
         let (h, slope) = shapes(point.t);
-        let (deflection, tan) = (length * dot2(h, psi), dot2(slope, psi));
+        let (deflection, tan) = (length * dot(h, psi), dot(slope, psi));
         let cos = 1.0 / tan.hypot(1.0);
         // tangent of the bent middle line
         let [tx, ty] = [cos * (c - tan * s), cos * (s + tan * c)];
@@ -149,18 +146,18 @@ impl BeamSurface {
     pub fn influence(&self, point: &BeamAttachment, q: &[[f64; 3]]) -> [[f64; 6]; 2] {
         let (_, Bend { length, chord: [c, s], psi }) = self.bend(point.element, q);
         let (h, slope) = shapes(point.t);
-        let (shape, tan) = (dot2(h, psi), dot2(slope, psi));
+        let (shape, tan) = (dot(h, psi), dot(slope, psi));
         let cos = 1.0 / tan.hypot(1.0);
         let [tx, ty] = [cos * (c - tan * s), cos * (s + tan * c)];
         let t = point.t;
-        let spin = [s / length, -c / length, 0.0, -s / length, c / length, 0.0]; // of the chord
+        let rotation = [s / length, -c / length, 0.0, -s / length, c / length, 0.0]; // of the chord
         let stretch = [-c, -s, 0.0, c, s, 0.0];
         let mut rows = [[0.0; 6]; 2];
         for k in 0..6 {
-            let own = [2, 5].map(|end| f64::from(u8::from(k == end)) - spin[k]); // ψ̇ of both ends
-            let across = shape * stretch[k] + length * dot2(h, own);
-            let turn = spin[k] + cos * cos * dot2(slope, own);
-            let back = length * shape * spin[k];
+            let own = [2, 5].map(|end| f64::from(u8::from(k == end)) - rotation[k]); // ψ̇ of both ends
+            let across = shape * stretch[k] + length * dot(h, own);
+            let turn = rotation[k] + cos * cos * dot(slope, own);
+            let back = length * shape * rotation[k];
             rows[0][k] = -across * s - back * c - turn * (point.beyond * ty + point.offset * tx);
             rows[1][k] = across * c - back * s + turn * (point.beyond * tx - point.offset * ty);
         }
@@ -203,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_at_rest_is_where_its_point_puts_it() {
+    fn an_attachment_at_rest_gives_its_point() {
         let (surface, _, _) = bent();
         let rest = vec![[0.0; 3]; 3];
         for at in [[0.3, 0.3], [1.1, 0.6], [0.8, 1.2], [0.0, 0.1], [1.3, 1.6]] {
@@ -268,7 +265,7 @@ mod tests {
             let f = [3.0 - k as f64, 0.5 + k as f64];
             let (v, at) = (surface.velocity(point, &q, &rate), surface.place(point, &q).at);
             surface.add_load(point, &q, f, &mut loads);
-            power += dot2(f, v);
+            power += dot(f, v);
             force = [force[0] + f[0], force[1] + f[1]];
             moment += at[0] * f[1] - at[1] * f[0];
         }

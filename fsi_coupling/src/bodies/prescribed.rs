@@ -8,6 +8,7 @@ use crate::bodies::error::BodyError;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::rigid_surface::RigidSurface;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
+use crate::geometry::hermite::{hermite, hermite_rate, hermite_second_rate};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
 
@@ -66,6 +67,38 @@ impl PrescribedBody {
                 ..RigidMotion::default()
             }
         })
+    }
+
+    /// The law through tabulated motions (time [s], motion), in order of time: cubic between two rows, so that positions, angles and
+    /// velocities are those of the table; before and after the table at constant velocity. `None` without rows.
+    pub fn tabulated(rows: Vec<(f64, RigidMotion)>) -> Option<Law> {
+        let (first, last) = (*rows.first()?, *rows.last()?);
+        Some(Box::new(move |t| {
+            let k = rows.partition_point(|(time, _)| *time <= t);
+            if k == 0 || k == rows.len() {
+                let (time, end) = if k == 0 { first } else { last };
+                return RigidMotion { acceleration: [0.0; 2], angular_acceleration: 0.0, ..end }.ahead(t - time);
+            }
+            let ((start, a), (end, b)) = (rows[k - 1], rows[k]);
+            let values = |m: &RigidMotion| {
+                [[m.position[0], m.position[1], m.angle], [m.velocity[0], m.velocity[1], m.angular_velocity]]
+            };
+            let ([x0, v0], [x1, v1]) = (values(&a), values(&b));
+            let cubic = |weights: [f64; 4]| {
+                [0, 1, 2].map(|i| weights[0] * x0[i] + weights[1] * v0[i] + weights[2] * x1[i] + weights[3] * v1[i])
+            };
+            let [s, length] = [(t - start) / (end - start), end - start];
+            let ([x, y, angle], [u, v, angular_velocity]) = (cubic(hermite(s, length)), cubic(hermite_rate(s, length)));
+            let [ax, ay, angular_acceleration] = cubic(hermite_second_rate(s, length));
+            RigidMotion {
+                position: [x, y],
+                angle,
+                velocity: [u, v],
+                angular_velocity,
+                acceleration: [ax, ay],
+                angular_acceleration,
+            }
+        }))
     }
 
     fn motion_now(&self) -> RigidMotion {
@@ -187,5 +220,32 @@ mod tests {
             }
         }
         assert!((law(1.25 * 2.25).position[0] - 0.4).abs() < 1e-12, "the amplitude after the first period");
+    }
+
+    /// Motions that are cubic in time come back exactly between the rows, with their derivatives.
+    #[test]
+    fn a_table_of_a_cubic_motion_is_exact() {
+        let exact = |t: f64| RigidMotion {
+            position: [0.2 - t * t, 0.5 * t + t * t * t],
+            angle: 0.3 * t * t,
+            velocity: [-2.0 * t, 0.5 + 3.0 * t * t],
+            angular_velocity: 0.6 * t,
+            acceleration: [-2.0, 6.0 * t],
+            angular_acceleration: 0.6,
+        };
+        let law = PrescribedBody::tabulated([0.0, 0.3, 1.0].map(|t| (t, exact(t))).to_vec()).expect("three rows");
+        for t in [0.0, 0.1, 0.3, 0.8] {
+            let (now, then) = (law(t), exact(t));
+            for k in 0..2 {
+                assert!((now.position[k] - then.position[k]).abs() < 1e-14, "t = {t}: {now:?}");
+                assert!((now.velocity[k] - then.velocity[k]).abs() < 1e-13, "t = {t}: {now:?}");
+                assert!((now.acceleration[k] - then.acceleration[k]).abs() < 1e-12, "t = {t}: {now:?}");
+            }
+            assert!((now.angular_acceleration - 0.6).abs() < 1e-12);
+        }
+        assert!(
+            (law(2.0).position[0] - (exact(1.0).position[0] - 2.0)).abs() < 1e-14,
+            "constant velocity after the table"
+        );
     }
 }

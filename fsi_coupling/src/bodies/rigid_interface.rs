@@ -52,20 +52,20 @@ impl RigidInterface {
     /// CO8: residual of the present acceleration under a resultant about the centre of mass.
     fn residual_under(&self, Resultant { force: [x, y], moment }: Resultant) -> InterfaceResidual {
         let (force, scales) = ([x, y, moment], self.scales());
-        let lack = self.residual_of(self.acceleration(), force);
+        let residual = self.residual_of(self.acceleration(), force);
         InterfaceResidual {
-            residual: (0..3).map(|k| scales[k] * lack[k]).collect(),
+            residual: (0..3).map(|k| scales[k] * residual[k]).collect(),
             driving: (0..3).map(|k| scales[k] * self.inverse_mass[k] * force[k]).collect(),
         }
     }
 
     /// CO5: δa of (1 + M⁻¹ A) δa = M⁻¹ F + g − a.
     fn change_under(&self, force: [f64; 3], added: [[f64; 3]; 3]) -> [f64; 3] {
-        let lack = self.residual_of(self.predicted, force);
+        let residual = self.residual_of(self.predicted, force);
         let row = |i: usize| {
             let own = |j: usize| if i == j { 1.0 } else { 0.0 };
             let [x, y, angle] = [0, 1, 2].map(|j| own(j) + self.inverse_mass[i] * added[i][j]);
-            [x, y, angle, lack[i]]
+            [x, y, angle, residual[i]]
         };
         solve([row(0), row(1), row(2)])
     }

@@ -5,14 +5,14 @@ use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, SurfacePoint};
-use crate::geometry::layout::Tiling;
+use crate::geometry::layout::Layout;
 use crate::geometry::plate::Plate;
 use crate::geometry::plate_sampling;
 use crate::geometry::rows::WallRows;
 
 /// A rectangular open tank. Its particles never move.
 pub struct Tank {
-    tiling: Tiling,
+    layout: Layout,
     x: [f64; 2],
     floor: f64,
     rim: f64,
@@ -29,10 +29,10 @@ pub struct Tank {
 impl Tank {
     /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, a plane of symmetry instead of the wall at
     /// x[0].
-    pub fn new(tiling: Tiling, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
+    pub fn new(layout: Layout, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
         let (plates, points, none) = (Vec::new(), Vec::new(), [0.0; 2]);
         let thickness = f64::INFINITY;
-        Tank { tiling, x, floor, rim, half, plates, thickness, points, mean: none, external: none, checkpoint: none }
+        Tank { layout, x, floor, rim, half, plates, thickness, points, mean: none, external: none, checkpoint: none }
     }
 
     /// The same tank with fixed plates [m] whose roots are in its walls (THEORY WA10).
@@ -45,7 +45,7 @@ impl Tank {
         let mut parts = vec![(a, 0.0)]; // running coordinate, number of spacings so far
         let mut t = a;
         while t < b {
-            let spacing = self.tiling.spacing_at(beside(t));
+            let spacing = self.layout.spacing_at(beside(t));
             let step = (0.02 * spacing).min(b - t);
             t += step.max(1e-12 * (b - a));
             parts.push((t, parts[parts.len() - 1].1 + step / spacing));
@@ -98,7 +98,7 @@ impl WettedBody for Tank {
                     });
                 }
             }
-            let s = self.tiling.spacing_at([wall, self.floor]);
+            let s = self.layout.spacing_at([wall, self.floor]);
             for i in 0..layers {
                 for j in 0..layers {
                     let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
@@ -114,7 +114,7 @@ impl WettedBody for Tank {
                 }
             }
         }
-        let spacing = sides.iter().map(|&(_, wall)| self.tiling.spacing_at([wall, self.rim])).fold(0.0, f64::max);
+        let spacing = sides.iter().map(|&(_, wall)| self.layout.spacing_at([wall, self.rim])).fold(0.0, f64::max);
         self.thickness = layers as f64 * spacing;
         points = self.plates.iter().fold(points, plate_sampling::cut);
         self.points = points.clone();

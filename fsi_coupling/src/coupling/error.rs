@@ -37,7 +37,7 @@ pub enum CouplingError {
     /// The bodies leave no room for water.
     #[error("no fluid: the tank and the body leave no room for a particle at this spacing")]
     NoFluid,
-    /// The iteration of a step did not agree.
+    /// The iteration of a step did not converge.
     #[error(
         "coupling: after {iterations} iterations at t = {time:.6e} s fluid and bodies disagree by {residual:.3e} of the \
          acceleration, tolerance {tolerance:.1e}: try coupling.scheme = \"added_mass\", or more iterations"
@@ -47,7 +47,7 @@ pub enum CouplingError {
         iterations: u32,
         /// Residual (THEORY CO8) [-].
         residual: f64,
-        /// Residual that was asked for [-].
+        /// Tolerance of the residual [-].
         tolerance: f64,
         /// Start of the step [s].
         time: f64,

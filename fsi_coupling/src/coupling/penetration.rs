@@ -5,6 +5,7 @@ use std::ops::Range;
 use sph_core::{Fluid, parallel};
 
 use crate::bodies::body::Body;
+use crate::geometry::polygon::bounding_box;
 
 /// A fluid particle behind a wall's surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,18 +59,30 @@ pub(crate) fn collision(body: &dyn Body, wall: &dyn Body, tolerance: f64) -> Opt
     corners.find(|at| wall.signed_distance(*at) < -tolerance)
 }
 
+/// Bounding box of a body's outline where it is now [m]: no point outside is behind its surface. `None` for a tank.
+fn bounding_box_of(body: &dyn Body) -> Option<[[f64; 2]; 2]> {
+    let motion = body.motion()?;
+    let corners: Vec<[f64; 2]> = body.outline()?.loops().iter().flatten().map(|corner| motion.point(*corner)).collect();
+    let [low, high] = bounding_box(&corners);
+    let rounding = 1e-9 * (high[0] - low[0] + high[1] - low[1]);
+    Some([low.map(|x| x - rounding), high.map(|x| x + rounding)])
+}
+
 /// Fluid particles behind the surface of a body, or behind the plane of symmetry.
 pub(crate) fn penetration(fluid: &Fluid, bodies: &[&dyn Body]) -> Penetration {
     let (p, mirror) = (fluid.particles(), fluid.domain().mirror);
+    let boxes: Vec<Option<[[f64; 2]; 2]>> = bodies.iter().map(|body| bounding_box_of(*body)).collect();
     let search = |targets: Range<usize>| {
         let mut found = Penetration::default();
         for k in targets {
             let at = [p.x[k], p.y[k]];
             let (mut nearest, mut owner) = (mirror.map_or(f64::INFINITY, |m| p.x[k] - m.at), "");
-            for body in bodies {
-                let distance = body.signed_distance(at);
-                if distance < nearest {
-                    (nearest, owner) = (distance, body.name());
+            for (body, bounds) in bodies.iter().zip(&boxes) {
+                if bounds.is_none_or(|[low, high]| (0..2).all(|k| at[k] >= low[k] && at[k] <= high[k])) {
+                    let distance = body.signed_distance(at);
+                    if distance < nearest {
+                        (nearest, owner) = (distance, body.name());
+                    }
                 }
             }
             found.count(p.id[k], at, nearest, owner);

@@ -155,15 +155,15 @@ impl Residual {
             forces.mirrored = *mirrored;
             let InterfaceResidual { residual, driving } =
                 if in_mean { owner.residual_in_mean(&forces) } else { owner.residual(&forces) };
-            for ((lack, caused), unknown) in residual.iter().zip(driving).zip(owner.unknowns()) {
-                for (sum, value) in squares.iter_mut().zip([*lack, caused, lack + unknown]) {
+            for ((residual, caused), unknown) in residual.iter().zip(driving).zip(owner.unknowns()) {
+                for (sum, value) in squares.iter_mut().zip([*residual, caused, residual + unknown]) {
                     *sum += value * value;
                 }
             }
             of_unknowns.extend(residual);
         }
-        let [lack, caused, found] = squares.map(f64::sqrt);
-        let relative = if lack == 0.0 { 0.0 } else { lack / (caused + found) };
+        let [residual, caused, found] = squares.map(f64::sqrt);
+        let relative = if residual == 0.0 { 0.0 } else { residual / (caused + found) };
         Residual { of_unknowns, relative }
     }
 }

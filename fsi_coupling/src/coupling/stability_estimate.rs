@@ -1,4 +1,4 @@
-//! Does one exchange a step do for a panel? An estimate before the run (THEORY CO12).
+//! Stability of explicit coupling for a panel: an estimate before the run (THEORY CO12).
 
 /// A panel beside water, as weak coupling sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,21 +19,21 @@ pub struct Beside {
     pub dt: f64,
 }
 
-/// What one exchange a step makes of an error in a panel's acceleration (THEORY CO12).
+/// Growth of an error in a panel's acceleration under explicit coupling (THEORY CO12).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelExchange {
     /// μ: mass of the water whose pressure follows the acceleration within a step, over the panel's [-].
     pub added_mass: f64,
     /// Δt ρc/(2 ρ_s t): a sound wave's resistance over the panel's inertia in half a step [-]; unstable from 1 on.
     pub acoustic: f64,
-    /// Spectral radius: one exchange a step is unstable from 1 on [-].
+    /// Spectral radius: explicit coupling is unstable from 1 on [-].
     pub spectral_radius: f64,
 }
 
 /// Added mass of a wall's rows over ρ h of a face, on a lattice: 0.405 to 0.385 for h/Δx = 1.5 to 2 with Wendland C2 [-].
 const ROWS: f64 = 0.4;
 
-/// CO12: one exchange a step for a panel.
+/// CO12: explicit coupling of a panel.
 ///
 /// Without the panel's stiffness, which helps. Against runs of a clamped strip, C = 0.075 to 0.6, h/Δx = 1.5, Wendland C2: one
 /// exchange breaks down at 0.95 to 1.1 of the spectral radius given here (CO12).

@@ -1,4 +1,4 @@
-//! How long may a step of the host be that takes the water's force as it comes? An estimate (THEORY CO32).
+//! Stable step of a host with explicit coupling: an estimate (THEORY CO32).
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// CO32; `None` where the topology tells no masses.
+    /// CO32; `None` where the topology has no masses.
     pub(super) fn of(spec: &FluidElementSpec, topology: &Topology) -> Option<AddedMass> {
         if topology.masses.iter().sum::<f64>() <= 0.0 {
             return None;
@@ -51,7 +51,7 @@ impl AddedMass {
         Some(of(topology.masses.iter().sum(), high[0] - low[0], None))
     }
 
-    /// In words, where there is something to say.
+    /// A warning where explicit coupling has a limit.
     pub(super) fn warning(&self) -> Option<String> {
         let whose = self.node.map_or("of the whole".into(), |node| format!("of node {node}"));
         match self.host_dt {

@@ -4,8 +4,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
+use super::node_map::{Ends, NodeMap};
 use super::path::Path;
-use super::skin::{Ends, Skin};
 use super::topology::Topology;
 use crate::bodies::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, WettedBody};
@@ -60,7 +60,7 @@ impl Shared {
 
 /// See the module's text.
 pub(super) struct HostBody {
-    skin: Skin,
+    map: NodeMap,
     /// At t = 0.
     rest: Outline,
     outline: Outline,
@@ -72,32 +72,32 @@ pub(super) struct HostBody {
 
 impl HostBody {
     /// Of a topology that has been checked, which encloses `rest`; `spacing` [m] divides the outline of bent sides.
-    pub fn new(topology: &Topology, rest: Outline, skin: Skin, spacing: f64, shared: Shared) -> HostBody {
+    pub fn new(topology: &Topology, rest: Outline, map: NodeMap, spacing: f64, shared: Shared) -> HostBody {
         let (mut corners, mut first) = (Vec::new(), 0);
         for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
             let (nodes, sides) = surface.counts();
             let mut attachments = Vec::new();
             for side in first..first + sides {
-                let ends = [skin.start_of(side, 0), skin.start_of(side, 1)];
+                let ends = [map.start_of(side, 0), map.start_of(side, 1)];
                 let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
                 let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
-                attachments.extend((0..pieces as usize).map(|k| Skin::on_side(side, k as f64 / pieces)));
+                attachments.extend((0..pieces as usize).map(|k| NodeMap::on_side(side, k as f64 / pieces)));
             }
             if nodes > sides {
-                attachments.push(Skin::on_side(first + sides - 1, 1.0));
+                attachments.push(NodeMap::on_side(first + sides - 1, 1.0));
             }
-            attachments.extend(corner_points[nodes..].iter().map(|at| skin.attach(*at, [0.0; 2])));
+            attachments.extend(corner_points[nodes..].iter().map(|at| map.attach(*at, [0.0; 2])));
             corners.push(attachments);
             first += sides;
         }
         let (outline, attachments) = (rest.clone(), Vec::new());
-        HostBody { skin, rest, outline, corners, attachments, shared, checkpoint: None }
+        HostBody { map, rest, outline, corners, attachments, shared, checkpoint: None }
     }
 
     /// Add the loads of forces on the boundary particles, mean (0) or now (1).
     fn loads(&self, pushed: &[[[f64; 2]; 2]], which: usize, ends: &Ends) -> Vec<[f64; 3]> {
         let mut loads = vec![[0.0; 3]; self.shared.open().impulse.len()];
-        self.skin.add_loads(self.attachments.iter().zip(pushed.iter().map(|force| force[which])), ends, &mut loads);
+        self.map.add_loads(self.attachments.iter().zip(pushed.iter().map(|force| force[which])), ends, &mut loads);
         loads
     }
 
@@ -108,14 +108,14 @@ impl HostBody {
 
     fn ends(&self, elapsed: f64) -> Ends {
         let nodes = self.shared.open().path.at(elapsed);
-        self.skin.ends(&nodes)
+        self.map.ends(&nodes)
     }
 }
 
 impl WettedBody for HostBody {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
         let points = crate::geometry::sampling::sample(&self.rest, rows, false);
-        self.attachments = points.iter().map(|p| self.skin.attach(p.at, p.normal)).collect();
+        self.attachments = points.iter().map(|p| self.map.attach(p.at, p.normal)).collect();
         Ok(points)
     }
 
@@ -128,17 +128,17 @@ impl WettedBody for HostBody {
         let moment = DIFFERENCE * if ahead > 0.0 { ahead } else { duration };
         let about = [self.ends(elapsed + ahead - moment), self.ends(elapsed + ahead + moment)];
         for (k, attachment) in self.attachments.iter().enumerate() {
-            let place = self.skin.place(attachment, &then);
+            let place = self.map.place(attachment, &then);
             [out.x[k], out.y[k]] = place.at;
             [out.nx[k], out.ny[k]] = place.normal;
             [out.u[k], out.v[k]] = if ahead > 0.0 {
-                let from = self.skin.place(attachment, &now).at;
+                let from = self.map.place(attachment, &now).at;
                 [0, 1].map(|axis| (place.at[axis] - from[axis]) / ahead)
             } else {
-                self.skin.velocity(attachment, &now)
+                self.map.velocity(attachment, &now)
             };
             [out.ax[k], out.ay[k]] = if moment > 0.0 {
-                let [before, after] = [0, 1].map(|k| self.skin.velocity(attachment, &about[k]));
+                let [before, after] = [0, 1].map(|k| self.map.velocity(attachment, &about[k]));
                 [0, 1].map(|axis| (after[axis] - before[axis]) / (2.0 * moment))
             } else {
                 [0.0; 2]
@@ -171,14 +171,14 @@ impl WettedBody for HostBody {
             .iter()
             .zip(&pushed)
             .map(|(attachment, [mean, _])| {
-                let (from, to) = (self.skin.place(attachment, &before).at, self.skin.place(attachment, &after).at);
+                let (from, to) = (self.map.place(attachment, &before).at, self.map.place(attachment, &after).at);
                 mean[0] * (to[0] - from[0]) + mean[1] * (to[1] - from[1])
             })
             .sum(); // CO31
         let parts: Vec<Vec<[f64; 2]>> = self
             .corners
             .iter()
-            .map(|part| part.iter().map(|attachment| self.skin.place(attachment, &after).at).collect())
+            .map(|part| part.iter().map(|attachment| self.map.place(attachment, &after).at).collect())
             .collect();
         self.outline = Outline::compound(&parts)?;
         let mut shared = self.shared.open();
@@ -214,17 +214,17 @@ impl Contact for HostBody {
     fn surface(&self, at: [f64; 2]) -> SurfacePoint {
         let (found, normal) = self.outline.nearest(at);
         let ends = self.ends(self.elapsed());
-        let attachment = self.skin.attach_now(found, &ends);
-        SurfacePoint { at: found, normal, velocity: self.skin.velocity(&attachment, &ends) }
+        let attachment = self.map.attach_now(found, &ends);
+        SurfacePoint { at: found, normal, velocity: self.map.velocity(&attachment, &ends) }
     }
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {
         let (at, impulse) = contact.resultant();
         let ends = self.ends(self.elapsed());
-        let attachment = self.skin.attach_now(at, &ends);
-        let velocity = self.skin.velocity(&attachment, &ends);
+        let attachment = self.map.attach_now(at, &ends);
+        let velocity = self.map.velocity(&attachment, &ends);
         let mut shared = self.shared.open();
-        self.skin.add_loads([(&attachment, impulse)], &ends, &mut shared.impulse);
+        self.map.add_loads([(&attachment, impulse)], &ends, &mut shared.impulse);
         for k in 0..2 {
             shared.external[k] -= impulse[k];
             shared.work += impulse[k] * velocity[k];
@@ -271,17 +271,17 @@ mod tests {
     use super::*;
     use crate::embed::{HostNodes, Topology};
 
-    /// A blow is an impulse on the nodes beside it, and its reaction is on the ledger; taken back, it is gone.
+    /// A contact impulse acts on the nodes next to it, its reaction is an external impulse; a restored state has neither.
     #[test]
-    fn a_blow_goes_to_the_nodes_and_on_the_ledger() {
+    fn a_contact_impulse_acts_on_the_nodes_and_counts_as_external() {
         let corners = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         let topology = Topology::of(corners.clone()).closed(0..4);
         let mut nodes = HostNodes::at_rest(corners);
         nodes.velocity.fill([0.5, -2.0]);
         let shared = Shared::new(Path::resting(&nodes));
-        let skin = Skin::new(&topology, &nodes);
+        let map = NodeMap::new(&topology, &nodes);
         let rest = topology.outline().expect("a square");
-        let mut body = HostBody::new(&topology, rest, skin, 0.1, shared.clone());
+        let mut body = HostBody::new(&topology, rest, map, 0.1, shared.clone());
         body.checkpoint();
         body.apply_impulse(&ContactImpulse { at: [0.25, 0.0], impulse: [3.0, 4.0], mirrored: false });
         let impulse = shared.open().impulse.clone();

@@ -12,7 +12,6 @@ use super::topology::Topology;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::error::CouplingError;
 use crate::coupling::penetration::Penetration;
-use crate::geometry::polygon::bounding_box;
 
 /// Rounding that a division of a step may have [-].
 const ROUNDING: f64 = 1e-9;
@@ -35,7 +34,7 @@ pub struct Contribution {
     /// Longest step that the water could take next [s].
     pub fluid_dt: f64,
     /// Longest next step of a host that takes the force as it comes [s] (THEORY CO32): an estimate, infinite where masses are
-    /// not told or the surface is dry.
+    /// unknown or the surface is dry.
     pub host_dt: f64,
     /// Energy given to the nodes [J/m] (THEORY CO31).
     pub work: f64,
@@ -116,7 +115,7 @@ impl FluidElement {
             (0..2).for_each(|k| impulse[k] += step.dt * force[k]);
         }
         let host_dt = self.added_mass.filter(|_| wet).map_or(f64::INFINITY, |a| a.host_dt);
-        Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.penetration() })
+        Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.system.penetration() })
     }
 
     /// Equal steps of the water, as few as are stable: the rest of the host's step is divided anew before each.
@@ -229,25 +228,6 @@ impl FluidElement {
     /// Water and walls inside, to be looked at: the nodes' surface is body 0, the basin body 1.
     pub fn system(&self) -> &Coupled {
         &self.system
-    }
-
-    /// Water beyond the nodes' surface or the basin's walls. As [`Coupled::penetration`], with no distance taken to a surface
-    /// that is far.
-    fn penetration(&self) -> Penetration {
-        let bodies: Vec<_> = self.system.bodies().collect();
-        let corners: Vec<[f64; 2]> =
-            bodies[0].outline().into_iter().flat_map(|o| o.loops().iter().flatten().copied()).collect();
-        let [low, high] = bounding_box(&corners);
-        let (p, mut found) = (self.system.fluid.particles(), Penetration::default());
-        for k in 0..p.len() {
-            let at = [p.x[k], p.y[k]];
-            let inside = (0..2).all(|axis| at[axis] > low[axis] && at[axis] < high[axis]);
-            let of_host = if inside { bodies[0].signed_distance(at) } else { f64::INFINITY };
-            let of_basin = bodies[1].signed_distance(at);
-            let (clearance, owner) = if of_host <= of_basin { (of_host, "host") } else { (of_basin, "tank") };
-            found.count(p.id[k], at, clearance, owner);
-        }
-        found
     }
 
     /// A picture of the present state.

@@ -1,4 +1,4 @@
-//! What a host is told when something is wrong: which key, node or particle, where, when.
+//! Errors of the embedding element: which key, node or particle, where, when.
 
 use crate::bodies::error::BodyError;
 use crate::coupling::error::CouplingError;

@@ -1,10 +1,10 @@
-//! The embedding element: a region of water inside somebody else's program, which keeps its own loop and step.
+//! The embedding element: a region of water inside a host program, which keeps its own time loop and step.
 //!
 //! Four phases, each of which consumes the one before, so that a wrong order does not compile:
 //!
 //! | phase | call | what happens |
 //! |---|---|---|
-//! | say | [`FluidElementSpec`] | every number about the water, checked against its [`schema`] |
+//! | specify | [`FluidElementSpec`] | every number about the water, checked against its [`schema`] |
 //! | size | [`FluidElementSpec::size`] | particles, bytes, step, warnings; allocates nothing that grows with the water |
 //! | build | [`SizedElement::build`] | the water at t = 0; the only phase that allocates |
 //! | contribute | [`FluidElement::contribute`] | the water follows the nodes through one step of the host, and pushes them |
@@ -66,10 +66,10 @@ mod added_mass;
 mod body;
 mod element;
 mod error;
+mod node_map;
 mod nodes;
 mod path;
 mod sized;
-mod skin;
 mod snapshot;
 mod spec;
 mod topology;

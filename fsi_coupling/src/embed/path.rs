@@ -1,7 +1,7 @@
 //! How nodes move within a step of the host (THEORY CO29).
 
 use super::nodes::HostNodes;
-use crate::coupling::force_rules::nodal_loads::hermite;
+use crate::geometry::hermite::{hermite, hermite_rate};
 
 /// A smooth path of all nodes from one instant to the next.
 #[derive(Clone, Debug)]
@@ -9,12 +9,6 @@ pub(super) struct Path {
     start: HostNodes,
     end: HostNodes,
     duration: f64,
-}
-
-/// Derivatives of the four cubics by time [1/s, -, 1/s, -].
-fn slopes(s: f64, duration: f64) -> [f64; 4] {
-    let rise = 6.0 * s * (1.0 - s) / duration;
-    [-rise, 1.0 + s * (3.0 * s - 4.0), rise, s * (3.0 * s - 2.0)]
 }
 
 impl Path {
@@ -45,7 +39,7 @@ impl Path {
             return b.clone();
         }
         let s = elapsed / duration;
-        let (shape, slope) = (hermite(s, duration), slopes(s, duration));
+        let (shape, slope) = (hermite(s, duration), hermite_rate(s, duration));
         let mix = |w: &[f64; 4], x0: f64, v0: f64, x1: f64, v1: f64| w[0] * x0 + w[1] * v0 + w[2] * x1 + w[3] * v1;
         let pairs = |w: &[f64; 4]| {
             let of =

@@ -6,16 +6,16 @@ use super::added_mass::AddedMass;
 use super::body::{HostBody, Shared};
 use super::element::FluidElement;
 use super::error::HostError;
+use super::node_map::NodeMap;
 use super::nodes::HostNodes;
 use super::path::Path;
-use super::skin::Skin;
 use super::spec::FluidElementSpec;
 use super::topology::{Topology, WetSurface};
 use crate::bodies::body::{Body, WettedBody};
 use crate::bodies::tank::Tank;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::scheme::Scheme;
-use crate::geometry::layout::{Basin, Cell, Tiling};
+use crate::geometry::layout::{Basin, Cell, Layout};
 use crate::geometry::outline::Outline;
 use crate::geometry::polygon::{bounding_box, thinnest_web};
 use crate::geometry::rows::WallRows;
@@ -37,7 +37,7 @@ pub struct SizedElement {
     spec: FluidElementSpec,
     topology: Topology,
     outline: Outline,
-    tiling: Tiling,
+    layout: Layout,
     x: [f64; 2],
     particles: [usize; 2],
     added_mass: Option<AddedMass>,
@@ -45,14 +45,14 @@ pub struct SizedElement {
 }
 
 impl FluidElementSpec {
-    /// How many particles, bytes, how long a step, and what to mind: pure, and allocates nothing that grows with the water.
+    /// Numbers of particles and bytes, the stable step, and warnings: pure, and allocates nothing that grows with the water.
     pub fn size(self, topology: &Topology) -> Result<SizedElement, HostError> {
         self.check()?;
         let rows = WallRows::of(self.settings().wall_layout(&self.domain()), self.spacing);
         topology.check(rows.reach())?;
         let outline = topology.outline()?;
         refuse_thin(topology, &outline, rows.reach())?;
-        let tiling = self.tiling(&outline)?;
+        let layout = self.layout(&outline)?;
         let x = self.walls(&outline);
         self.refuse_outside(topology, x)?;
         let mut sized = SizedElement {
@@ -60,7 +60,7 @@ impl FluidElementSpec {
             spec: self,
             topology: topology.clone(),
             outline,
-            tiling,
+            layout,
             x,
             particles: [0; 2],
             warnings: Vec::new(),
@@ -80,7 +80,7 @@ impl FluidElementSpec {
         [middle - self.reach, middle + self.reach]
     }
 
-    fn tiling(&self, outline: &Outline) -> Result<Tiling, HostError> {
+    fn layout(&self, outline: &Outline) -> Result<Layout, HostError> {
         let [low, high] = extent(outline);
         let (breadth, middle, x) = (high[0] - low[0], 0.5 * (low[0] + high[0]), self.walls(outline));
         let [wide, deep] = [FINE[0] * 0.5 * breadth, FINE[1] * breadth];
@@ -99,7 +99,7 @@ impl FluidElementSpec {
             return Err(HostError::Key(Problem::new("spacing", format!("{:?}", self.spacing), expected)));
         }
         let y = [self.still_water - self.depth, self.still_water];
-        Ok(Tiling::new(Basin { x, y, fine_x, fine_depth, spacing: self.spacing, growth: self.growth }))
+        Ok(Layout::new(Basin { x, y, fine_x, fine_depth, spacing: self.spacing, growth: self.growth }))
     }
 
     /// Wet nodes stand within the walls and above the floor.
@@ -162,7 +162,7 @@ impl SizedElement {
         acoustic.min(0.125 * h * h / self.spec.water.kinematic_viscosity)
     }
 
-    /// The water's inertia against the host's, where the topology tells masses.
+    /// The water's inertia against the host's, where the topology has masses.
     pub fn added_mass(&self) -> Option<AddedMass> {
         self.added_mass
     }
@@ -172,7 +172,7 @@ impl SizedElement {
         &self.warnings
     }
 
-    /// What was asked for.
+    /// The specification.
     pub fn spec(&self) -> &FluidElementSpec {
         &self.spec
     }
@@ -188,7 +188,7 @@ impl SizedElement {
     fn tank(&self) -> Tank {
         let floor = self.spec.still_water - self.spec.depth;
         let rim = self.spec.still_water + self.spec.rim.unwrap_or(0.25 * self.spec.depth);
-        Tank::new(self.tiling.clone(), self.x, floor, rim, false)
+        Tank::new(self.layout.clone(), self.x, floor, rim, false)
     }
 
     /// Still water at rest under its own weight, without what the surface encloses.
@@ -200,7 +200,7 @@ impl SizedElement {
             let near = (0..2).all(|k| cell.at[k] > low[k] - room && cell.at[k] < high[k] + room);
             !near || self.outline.signed_distance(cell.at) >= room
         };
-        self.tiling.for_each(|cell| {
+        self.layout.for_each(|cell| {
             if clear(&cell) {
                 let pressure = weight * (cell.at[1] - self.spec.still_water);
                 make(Seed { at: cell.at, velocity: [0.0; 2], area: cell.area(), pressure });
@@ -227,8 +227,8 @@ impl SizedElement {
         let fluid = Fluid::new(self.spec.domain(), &self.spec.settings(), &seeds);
         drop(seeds);
         let shared = Shared::new(Path::resting(nodes));
-        let skin = Skin::new(&self.topology, nodes);
-        let body = HostBody::new(&self.topology, self.outline.clone(), skin, self.spec.spacing, shared.clone());
+        let map = NodeMap::new(&self.topology, nodes);
+        let body = HostBody::new(&self.topology, self.outline.clone(), map, self.spec.spacing, shared.clone());
         let bodies: Vec<Box<dyn Body>> = vec![Box::new(body), Box::new(self.tank())];
         let system = Coupled::new(fluid, bodies, Scheme::Weak, self.spec.spacing).map_err(HostError::Build)?;
         Ok(FluidElement::new(system, shared, &self.topology, &self.spec, self.added_mass))

@@ -11,7 +11,7 @@ use faer::linalg::solvers::Solve;
 
 /// Range of y = ln|u| on the free surface: m falls like e^(y/2) to the left and e^(−3y/2) to the right.
 const SURFACE: [f64; 2] = [-48.0, 20.0];
-/// ζ′(−2): the trapezoidal rule past a logarithm's singularity lacks h ln(h/2π) m + ζ′(−2) h³ m″ (Sidi & Israeli 1988).
+/// ζ′(−2): the trapezoidal rule past a logarithm's singularity is without h ln(h/2π) m + ζ′(−2) h³ m″ (Sidi & Israeli 1988).
 const SINGULAR: f64 = -0.030_448_457_058_393_27;
 /// Least t on the face, u = 1/(1 + e^−t), and largest on the plane of symmetry, u = 1 + e^t.
 const FROM_KEEL: f64 = 60.0;

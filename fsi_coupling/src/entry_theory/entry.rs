@@ -1,11 +1,11 @@
 //! The vertical motion of a section that enters water, by a theory's loads.
 
 use super::loads::{Load, Loads};
-use super::rung::{OutOfRange, Rung};
+use super::model::{EntryModel, OutOfRange};
 
 /// How the section moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Course {
+pub enum SectionMotion {
     /// On at its speed.
     Constant,
     /// By its weight and the water's load: mass of the whole section [kg/m].
@@ -18,7 +18,7 @@ pub struct Entry<'a> {
     /// Its loads.
     pub loads: &'a Loads,
     /// How it moves.
-    pub course: Course,
+    pub motion: SectionMotion,
     /// Draught of the keel at t = 0 [m]; negative above the water.
     pub draught: f64,
     /// Downward speed at t = 0 [m/s].
@@ -55,14 +55,14 @@ impl Entry<'_> {
     /// The section at `times` [s], which increase from 0 on: the classical Runge–Kutta method.
     ///
     /// # Errors
-    /// The body stops going down (models of entry know no way out), or its wetted bottom leaves the model's range.
-    pub fn follow(&self, times: &[f64]) -> Result<Vec<Instant>, OutOfRange> {
-        let (instants, end) = self.follow_while_in_range(times);
+    /// The body stops going down (the models do not describe exit), or its wetted bottom leaves the model's range.
+    pub fn solve(&self, times: &[f64]) -> Result<Vec<Instant>, OutOfRange> {
+        let (instants, end) = self.solve_while_in_range(times);
         end.map_or(Ok(instants), Err)
     }
 
     /// The same up to where the model's range ends, and why it does.
-    pub fn follow_while_in_range(&self, times: &[f64]) -> (Vec<Instant>, Option<OutOfRange>) {
+    pub fn solve_while_in_range(&self, times: &[f64]) -> (Vec<Instant>, Option<OutOfRange>) {
         let end = times.last().copied().unwrap_or(0.0);
         let (mut state, mut now) = ([self.draught, self.speed], 0.0);
         let mut instants = Vec::with_capacity(times.len());
@@ -88,9 +88,9 @@ impl Entry<'_> {
         let rho = self.density;
         let area = if self.buoyancy { self.loads.section().still_area(draught) } else { 0.0 };
         let steady = rho * (slam * speed * speed + self.gravity * area);
-        let rate = match self.course {
-            Course::Constant => 0.0,
-            Course::Free(mass) => (mass * self.gravity - steady) / (mass + rho * added_mass),
+        let rate = match self.motion {
+            SectionMotion::Constant => 0.0,
+            SectionMotion::Free(mass) => (mass * self.gravity - steady) / (mass + rho * added_mass),
         };
         Instant { time, draught, speed, rate, force: steady + rho * added_mass * rate, wetted }
     }
@@ -108,8 +108,8 @@ impl Entry<'_> {
     fn refuse(&self, now: &Instant) -> Result<(), OutOfRange> {
         if now.speed <= 0.0 && now.draught > 0.0 {
             let what = format!("a body that leaves the water, from t = {:.4} s on", now.time);
-            return Err(OutOfRange { what, range: "bodies on their way down".into(), next: Rung::Wcsph });
+            return Err(OutOfRange { what, range: "bodies on their way down".into(), next: EntryModel::Wcsph });
         }
-        self.loads.rung().covers(self.loads.section(), now.wetted)
+        self.loads.model().covers(self.loads.section(), now.wetted)
     }
 }

@@ -45,7 +45,7 @@ pub struct ElasticWedge {
 
 /// The wedge at a moment.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bent {
+pub struct WedgeState {
     /// Time since the touch [s].
     pub time: f64,
     /// Half width of the wetted bottom c [m].
@@ -60,19 +60,19 @@ pub struct Bent {
 #[derive(Clone, Copy, Debug)]
 struct Mode {
     root: f64,
-    lack: f64,
+    defect: f64,
 }
 
 impl Mode {
     fn new(held: Held, n: usize) -> Mode {
         match held {
-            Held::Pinned => Mode { root: n as f64 * PI, lack: 0.0 },
+            Held::Pinned => Mode { root: n as f64 * PI, defect: 0.0 },
             Held::Clamped => {
                 let mut root = (n as f64 + 0.5) * PI;
                 for _ in 0..20 {
                     root -= (root.cos() - 1.0 / root.cosh()) / (-root.sin() + root.tanh() / root.cosh());
                 }
-                Mode { root, lack: (root.cos() - root.sin() - (-root).exp()) / (root.sinh() - root.sin()) }
+                Mode { root, defect: (root.cos() - root.sin() - (-root).exp()) / (root.sinh() - root.sin()) }
             }
         }
     }
@@ -82,7 +82,7 @@ impl Mode {
         let z = self.root * s;
         match held {
             Held::Pinned => z.sin(),
-            Held::Clamped => (-z).exp() + self.lack * z.sinh() - z.cos() + (1.0 - self.lack) * z.sin(),
+            Held::Clamped => (-z).exp() + self.defect * z.sinh() - z.cos() + (1.0 - self.defect) * z.sin(),
         }
     }
 
@@ -91,7 +91,7 @@ impl Mode {
         let z = self.root * s;
         let over = match held {
             Held::Pinned => -z.sin(),
-            Held::Clamped => (-z).exp() + self.lack * z.sinh() + z.cos() - (1.0 - self.lack) * z.sin(),
+            Held::Clamped => (-z).exp() + self.defect * z.sinh() + z.cos() - (1.0 - self.defect) * z.sin(),
         };
         self.root * self.root * over
     }
@@ -120,13 +120,13 @@ impl ElasticWedge {
     ///
     /// `None` where the face bends so fast that the water does not advance on it, as the wetted width is no measure of time then, and
     /// where steps are too long for the stiffest mode (ω Δt < 2.8).
-    pub fn enter(&self) -> Option<Vec<Bent>> {
+    pub fn enter(&self) -> Option<Vec<WedgeState>> {
         let modes = self.modes();
         let n = modes.len();
         let dc = self.length / self.steps as f64;
         // time, amplitudes, momenta
         let mut state = vec![0.0; 1 + 2 * n];
-        let mut bent = vec![Bent { time: 0.0, wetted: 0.0, amplitudes: vec![0.0; n], rates: vec![0.0; n] }];
+        let mut bent = vec![WedgeState { time: 0.0, wetted: 0.0, amplitudes: vec![0.0; n], rates: vec![0.0; n] }];
         for step in 0..self.steps {
             let c = dc * step as f64;
             let ahead = |k: &[f64], by: f64| -> Vec<f64> { state.iter().zip(k).map(|(s, k)| s + by * k).collect() };
@@ -139,18 +139,18 @@ impl ElasticWedge {
             }
             let wet = self.wet(&modes, c + dc);
             let rates = self.rates(&wet, &state[1 + n..]);
-            bent.push(Bent { time: state[0], wetted: c + dc, amplitudes: state[1..=n].to_vec(), rates });
+            bent.push(WedgeState { time: state[0], wetted: c + dc, amplitudes: state[1..=n].to_vec(), rates });
         }
         Some(bent)
     }
 
     /// Deflection at x/L, away from the water [m].
-    pub fn deflection(&self, bent: &Bent, share: f64) -> f64 {
+    pub fn deflection(&self, bent: &WedgeState, share: f64) -> f64 {
         self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.shape(self.held, share)).sum()
     }
 
     /// Strain −½ t d²w/dx² of the outer fibre there [-].
-    pub fn strain(&self, bent: &Bent, share: f64) -> f64 {
+    pub fn strain(&self, bent: &WedgeState, share: f64) -> f64 {
         let bend: f64 = self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.bend(self.held, share)).sum();
         -0.5 * self.thickness * bend / (self.length * self.length)
     }
@@ -222,7 +222,7 @@ impl ElasticWedge {
     }
 
     /// Momentum of the water on both sides, −ρ∫φ dx [N s/m]: its rate is the force on the wedge. ∫φ_n dx is f_n by reciprocity.
-    pub fn momentum(&self, bent: &Bent) -> f64 {
+    pub fn momentum(&self, bent: &WedgeState) -> f64 {
         let c = bent.wetted;
         let pushed = self.wet(&self.modes(), c).pushed;
         let bending: f64 = pushed.iter().zip(&bent.rates).map(|(f, rate)| f * rate).sum();
@@ -230,7 +230,7 @@ impl ElasticWedge {
     }
 
     /// EN13: potential on the face at x [m], over which p = −ρ dφ/dt [m²/s].
-    pub fn potential(&self, bent: &Bent, x: f64) -> f64 {
+    pub fn potential(&self, bent: &WedgeState, x: f64) -> f64 {
         let c = bent.wetted;
         if x >= c {
             return 0.0;

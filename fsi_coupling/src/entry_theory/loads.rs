@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::rung::{OutOfRange, Rung};
+use super::model::{EntryModel, OutOfRange};
 use super::section::Section;
 use super::similarity::SimilarityFlow;
 
@@ -29,7 +29,7 @@ pub struct Load {
 /// Loads of a section at any draught (THEORY EN3–EN5, EN8).
 #[derive(Clone, Debug)]
 pub struct Loads {
-    rung: Rung,
+    model: EntryModel,
     section: Section,
     flow: Option<SimilarityFlow>,
     /// [h, c, A, M/c²], from the least draught.
@@ -40,19 +40,19 @@ impl Loads {
     /// Loads of a section by a theory.
     ///
     /// # Errors
-    /// A rung that is no theory, or does not hold for this section from its first touch on.
-    pub fn new(rung: Rung, section: &Section) -> Result<Loads, OutOfRange> {
-        rung.covers(section, 0.0)?;
-        let flow = match (rung, section.deadrise_deg()) {
-            (Rung::Similarity, Some(deadrise)) => SimilarityFlow::solve(deadrise),
+    /// A model that is no theory, or does not hold for this section from its first touch on.
+    pub fn new(model: EntryModel, section: &Section) -> Result<Loads, OutOfRange> {
+        model.covers(section, 0.0)?;
+        let flow = match (model, section.deadrise_deg()) {
+            (EntryModel::Similarity, Some(deadrise)) => SimilarityFlow::solve(deadrise),
             _ => None,
         };
         let b = section.half_breadth();
         let ratio = (WIDEST / FINEST).powf(1.0 / (NODES - 2) as f64);
         let mut widths: Vec<f64> = (0..NODES - 1).map(|k| b * FINEST * ratio.powi(k as i32)).collect();
-        widths.retain(|c| *c < 0.999 * b || *c > 1.001 * b && rung != Rung::VonKarman);
+        widths.retain(|c| *c < 0.999 * b || *c > 1.001 * b && model != EntryModel::VonKarman);
         widths.insert(widths.partition_point(|c| *c < b), b); // loads have a corner where the chines get wet
-        let mut loads = Loads { rung, section: section.clone(), flow, table: Vec::new() };
+        let mut loads = Loads { model, section: section.clone(), flow, table: Vec::new() };
         let row = |c: f64| {
             let (h, Load { slam, added_mass, .. }) = loads.at_width(c);
             [h, c, slam, added_mass / (c * c)]
@@ -66,8 +66,8 @@ impl Loads {
     }
 
     /// The theory.
-    pub fn rung(&self) -> Rung {
-        self.rung
+    pub fn model(&self) -> EntryModel {
+        self.model
     }
 
     /// The section.
@@ -89,7 +89,7 @@ impl Loads {
         }
         if draught > h1 {
             // a plate of the breadth, or the last that was tabled
-            let slam = if self.rung == Rung::VonKarman { 0.0 } else { a1 };
+            let slam = if self.model == EntryModel::VonKarman { 0.0 } else { a1 };
             return Load { wetted: c1, spreading: 0.0, slam, added_mass: m1 * c1 * c1 };
         }
         let share = (draught - h0) / (h1 - h0);
@@ -106,7 +106,7 @@ impl Loads {
     /// Pressure [Pa] on the face at distance x from the plane of symmetry [m], at draught h [m], speed V [m/s] and its rate
     /// dV/dt [m/s²], in water of density ρ [kg/m³]. Von Karman's momentum has none: `None`.
     pub fn pressure(&self, x: f64, draught: f64, speed: f64, rate: f64, density: f64) -> Option<f64> {
-        if self.rung == Rung::VonKarman {
+        if self.model == EntryModel::VonKarman {
             return None;
         }
         let Load { wetted: c, spreading, .. } = self.at(draught);
@@ -125,27 +125,27 @@ impl Loads {
         let root = (c * c - x * x).sqrt();
         let slope = self.section.slope(x);
         let (mut over_v2, mut over_rate) = (spreading * c / root, root);
-        if self.rung == Rung::Mlm {
+        if self.model == EntryModel::Mlm {
             let across = 1.0 / (1.0 + slope * slope);
             over_v2 -= 0.5 * (across * (c / root).powi(2) + 1.0 - across);
             over_rate += self.section.height(x) - draught;
         }
         let pressure = density * (over_v2 * speed * speed + over_rate * rate);
-        Some(if self.rung == Rung::Mlm && over_v2 < 0.0 { 0.0 } else { pressure })
+        Some(if self.model == EntryModel::Mlm && over_v2 < 0.0 { 0.0 } else { pressure })
     }
 
     /// The draught at which c is wet, and the load there.
     fn at_width(&self, c: f64) -> (f64, Load) {
         let (section, b) = (&self.section, self.section.half_breadth());
-        let (draught, spreading) = match self.rung {
-            Rung::VonKarman => (section.height(c), 1.0 / section.slope(c).max(1e-12)),
+        let (draught, spreading) = match self.model {
+            EntryModel::VonKarman => (section.height(c), 1.0 / section.slope(c).max(1e-12)),
             _ => (section.wagner_draught(c), 1.0 / section.wagner_slope(c)),
         };
         let wet = c.min(b);
-        let [slam, added_mass] = match self.rung {
-            Rung::VonKarman => [PI * c * spreading, FRAC_PI_2 * c * c], // EN4
-            Rung::Wagner => wagner(c, spreading, wet),
-            Rung::Similarity => {
+        let [slam, added_mass] = match self.model {
+            EntryModel::VonKarman => [PI * c * spreading, FRAC_PI_2 * c * c], // EN4
+            EntryModel::Wagner => wagner(c, spreading, wet),
+            EntryModel::Similarity => {
                 let flow = self.flow.as_ref().map_or(0.0, |flow| flow.force_coefficient);
                 [flow * draught, mlm(section, c, draught, spreading, wet)[1]] // EN8
             }

@@ -1,21 +1,35 @@
-//! Low-order models of water entry: microseconds in the place of minutes (THEORY EN2–EN9).
+//! Low-order models of water entry: microseconds instead of minutes (THEORY EN2–EN9).
 //!
-//! [`Section`] is the bottom, [`Rung`] the ladder of models and their ranges, [`Loads`] what a section bears at a draught,
-//! [`Entry`] its motion. [`SimilarityFlow`] is the exact flow about a wedge, [`ElasticWedge`] a wedge whose faces bend, [`ditching`] an
-//! aeroplane made of sections.
+//! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
+//! [`SimilarityFlow`] is the exact flow about a wedge, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of
+//! sections.
+//!
+//! ```
+//! use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
+//!
+//! # fn main() -> Result<(), fsi_coupling::entry_theory::OutOfRange> {
+//! // a wedge of 30 degrees, 1 m wide, at a draught of 0.1 m and 2 m/s in water of 1000 kg/m3
+//! let loads = Loads::new(EntryModel::Wagner, &Section::wedge(30.0, 1.0)?)?;
+//! let force = 1000.0 * loads.at(0.1).slam * 2.0_f64.powi(2);
+//! // Wagner (1932): F = rho V^2 h pi^3 / (4 tan^2 beta) [N/m]
+//! let exact = 1000.0 * 4.0 * 0.1 * std::f64::consts::PI.powi(3) / (4.0 * 30.0_f64.to_radians().tan().powi(2));
+//! assert!((force / exact - 1.0).abs() < 1e-6);
+//! # Ok(()) }
+//! ```
 
 pub mod ditching;
 mod dobrovolskaya;
 mod entry;
 mod hydroelastic;
 mod loads;
-mod rung;
+mod model;
+mod range;
 mod section;
 mod similarity;
 
-pub use entry::{Course, Entry, Instant};
-pub use hydroelastic::{Bent, ElasticWedge, Held};
+pub use entry::{Entry, Instant, SectionMotion};
+pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};
-pub use rung::{OutOfRange, Rung};
+pub use model::{EntryModel, OutOfRange};
 pub use section::Section;
 pub use similarity::{DEADRISES, SimilarityFlow};

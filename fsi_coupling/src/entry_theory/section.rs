@@ -1,6 +1,6 @@
 //! The bottom of a symmetric body, as entry theories see it.
 
-use super::rung::{OutOfRange, Rung};
+use super::model::{EntryModel, OutOfRange};
 use crate::Shape;
 
 /// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
@@ -196,6 +196,6 @@ fn not_a_section(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
         range: "upright convex bottoms, symmetric, of a deadrise of 4° and more".into(),
-        next: Rung::Wcsph,
+        next: EntryModel::Wcsph,
     }
 }

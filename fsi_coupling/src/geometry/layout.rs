@@ -33,7 +33,7 @@ pub enum Lattice {
     Staggered,
 }
 
-/// One cell of the tiling: a particle to be.
+/// One cell of the layout: a particle to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Middle [m].
@@ -49,9 +49,9 @@ impl Cell {
     }
 }
 
-/// A tiling of the basin: the fine zone, then rings of cells around it, each ring one row thicker.
+/// A layout of the basin: the fine zone, then rings of cells around it, each ring one row thicker.
 #[derive(Clone, Debug)]
-pub struct Tiling {
+pub struct Layout {
     basin: Basin,
     lattice: Lattice,
     fine: [f64; 4], // left, right, bottom, top
@@ -60,9 +60,9 @@ pub struct Tiling {
     down: Vec<f64>,
 }
 
-impl Tiling {
+impl Layout {
     /// Plan the rows; no cell is made yet.
-    pub fn new(basin: Basin) -> Tiling {
+    pub fn new(basin: Basin) -> Layout {
         let Basin { x, y, fine_x, fine_depth, spacing, growth } = basin;
         let snap = |from: f64, to: f64, edge: f64| {
             // a whole number of spacings from `from`; the whole way if less than a row would remain
@@ -80,7 +80,7 @@ impl Tiling {
             let left = if anchor == x[0] { x[0] } else { snap(anchor, fine_x[0].max(x[0]), x[0]) };
             [left, right, snap(y[1], (y[1] - fine_depth).max(y[0]), y[0]), y[1]]
         };
-        Tiling {
+        Layout {
             basin,
             lattice: Lattice::default(),
             fine,
@@ -91,13 +91,13 @@ impl Tiling {
     }
 
     /// The same rectangle on another lattice; a staggered one is uniform, whatever the growth.
-    pub fn on(self, lattice: Lattice) -> Tiling {
-        Tiling { lattice, ..self }
+    pub fn with_lattice(self, lattice: Lattice) -> Layout {
+        Layout { lattice, ..self }
     }
 
     /// The same rectangle in rows whose areas are halves of halves (THEORY WC21): those are what particles become that are
     /// halved later. Only the last row of each side is stretched to where the basin ends.
-    pub fn by_halves(mut self) -> Tiling {
+    pub fn with_split_rows(mut self) -> Layout {
         for rows in [&mut self.left, &mut self.right, &mut self.down] {
             *rows = halved(rows, self.basin.spacing);
         }
@@ -242,9 +242,9 @@ mod tests {
             let spacing = 0.05;
             let x = if half { [0.0, width] } else { [-width, width] };
             let fine_x = if half { [0.0, fine * width] } else { [-fine * width, fine * width] };
-            let tiling = Tiling::new(Basin { x, y: [-depth, 0.0], fine_x, fine_depth: fine * depth, spacing, growth });
+            let layout = Layout::new(Basin { x, y: [-depth, 0.0], fine_x, fine_depth: fine * depth, spacing, growth });
             let mut area = 0.0;
-            tiling.for_each(|cell| {
+            layout.for_each(|cell| {
                 area += cell.area();
                 let aspect = cell.size[0] / cell.size[1];
                 assert!(aspect > 0.5 && aspect < 2.0, "aspect {aspect}");
@@ -263,7 +263,7 @@ mod tests {
                 x: [0.0, width], y: [-depth, 0.0], fine_x: [0.0, width], fine_depth: depth, spacing: 0.05, growth: 1.0,
             };
             let (mut area, mut places) = (0.0, Vec::new());
-            Tiling::new(basin).on(Lattice::Staggered).for_each(|cell| {
+            Layout::new(basin).with_lattice(Lattice::Staggered).for_each(|cell| {
                 area += cell.area();
                 places.push(cell.at);
             });
@@ -279,7 +279,7 @@ mod tests {
     fn grading_saves_particles_and_spacing_is_what_the_cells_have() {
         let basin =
             Basin { x: [0.0, 10.0], y: [-10.0, 0.0], fine_x: [0.0, 0.5], fine_depth: 0.3, spacing: 0.01, growth: 1.1 };
-        let graded = Tiling::new(basin);
+        let graded = Layout::new(basin);
         assert!(graded.count() < 15_000, "{}", graded.count());
         let mut worst = 1.0_f64;
         graded.for_each(|cell| {

@@ -1,6 +1,6 @@
 //! Boundary particles of thin walls: plates wet on both sides, of any thickness (THEORY WA9, WA10).
 //!
-//! Each face carries rows at depths ½Δx, 1½Δx, … below it, however thin the plate is: deep rows may lie in the water of
+//! Each face has rows at depths ½Δx, 1½Δx, … below it, however thin the plate is: deep rows may lie in the water of
 //! the other side, which does not see them. So do the ends: their rows lie along the plate, as wide as it is thick. Which
 //! water a particle faces is told by its normal (WA9).
 

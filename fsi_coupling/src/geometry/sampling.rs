@@ -118,12 +118,12 @@ fn station(row: &[(f64, Station)], s: f64) -> Station {
     (mix(a, b), n)
 }
 
-/// A row of one face; `convex` says which of its ends are convex corners, `aside` that it stands half a part aside.
+/// A row of one face; `convex` says which of its ends are convex corners, `shifted` that it is shifted by half a part.
 fn sample_row(
     outline: &Outline,
     face: &Face,
     convex: [bool; 2],
-    aside: bool,
+    shifted: bool,
     depth: f64,
     spacing: f64,
     points: &mut Vec<WallPoint>,
@@ -132,7 +132,7 @@ fn sample_row(
     let intervals = visible(outline, &row, depth, spacing);
     for (k, interval) in intervals.iter().enumerate() {
         let at_corner = [convex[0] && k == 0, convex[1] && k + 1 == intervals.len()];
-        divide(&row, *interval, at_corner.map(|corner| corner != aside), depth, spacing, points);
+        divide(&row, *interval, at_corner.map(|corner| corner != shifted), depth, spacing, points);
     }
 }
 

@@ -48,7 +48,7 @@ impl WaterSurface {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::layout::{Basin, Lattice, Tiling};
+    use crate::geometry::layout::{Basin, Lattice, Layout};
     use proptest::prelude::*;
 
     fn basin(growth: f64) -> Basin {
@@ -63,7 +63,7 @@ mod tests {
             let amplitude = if mode == 0 { 0.0 } else { amplitude };
             let surface = WaterSurface { x: [-1.0, 1.0], depth: 0.5, amplitude, mode, slope };
             let mut area = 0.0;
-            Tiling::new(basin(growth)).on(lattice).for_each(|cell| {
+            Layout::new(basin(growth)).with_lattice(lattice).for_each(|cell| {
                 let (lifted, rise) = surface.lift(cell);
                 area += lifted.area();
                 assert!(rise.abs() <= surface.largest() + 1e-12);

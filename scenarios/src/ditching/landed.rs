@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::ditching::Run;
+use fsi_coupling::entry_theory::ditching::LandingResult;
 
 use super::check::{hull, landing};
 use super::model::Scene;
@@ -14,7 +14,7 @@ pub struct Landed {
     /// The numbers.
     pub summary: Summary,
     /// Its motion in time.
-    pub run: Run,
+    pub run: LandingResult,
     /// Rows of the series.
     pub(super) rows: Vec<Vec<f64>>,
 }
@@ -26,7 +26,7 @@ pub struct Landed {
 pub fn follow(scene: &Scene) -> Landed {
     let hull = hull(scene).unwrap_or_else(|problem| panic!("{}", problem.sentence));
     let start = Instant::now();
-    let run = landing(scene, &hull).follow();
+    let run = landing(scene, &hull).solve();
     let rows = rows(&run.moments, scene.aeroplane.mass * scene.water.gravity);
     let summary = Summary::new(scene, &run, &rows, start.elapsed().as_secs_f64());
     Landed { summary, run, rows }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::Schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +26,7 @@ pub struct Scene {
     pub source: String,
     /// Model of the sections: von_karman, wagner or mlm.
     #[serde(default = "usual::model")]
-    pub model: Rung,
+    pub model: EntryModel,
     /// Flight and its integration.
     pub landing: LandingKeys,
     /// The rigid aeroplane.
@@ -151,10 +151,10 @@ pub struct StationKeys {
 }
 
 mod usual {
-    use fsi_coupling::entry_theory::Rung;
+    use fsi_coupling::entry_theory::EntryModel;
 
-    pub fn model() -> Rung {
-        Rung::Mlm
+    pub fn model() -> EntryModel {
+        EntryModel::Mlm
     }
     pub fn step() -> f64 {
         0.001

@@ -1,6 +1,6 @@
 //! `report.html` of a landing: numbers, curves, the fuselage on the water at a few moments.
 
-use fsi_coupling::entry_theory::ditching::{Fuselage, Moment};
+use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
 
 use super::check::hull;
 use super::landed::Landed;
@@ -93,7 +93,7 @@ fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
 }
 
 /// The keel, and what a metre of it bears, from the centre of mass.
-fn side_view(scene: &Scene, fuselage: &Fuselage, now: &Moment) -> Chart {
+fn side_view(scene: &Scene, fuselage: &Fuselage, now: &LandingState) -> Chart {
     let [from, to] = fuselage.ends();
     let places = (0..=POINTS).map(|k| from + (to - from) * k as f64 / POINTS as f64);
     let keel = places.map(|x| now.attitude.of_point(scene.aeroplane.center_of_mass, [x, fuselage.keel(x).height]));
@@ -104,7 +104,7 @@ fn side_view(scene: &Scene, fuselage: &Fuselage, now: &Moment) -> Chart {
         Curve { label: "keel".into(), mark: Mark::Line, x, y },
         Curve { label: "still water".into(), mark: Mark::Dashed, x: ends, y: vec![0.0, 0.0] },
     ];
-    let loaded = now.strips.iter().filter_map(|(s, f)| Some((s.entry?.at.arm[0], 1e-5 * f / s.entry?.length)));
+    let loaded = now.strips.iter().filter_map(|(s, f)| Some((s.entry?.at.lever_arm[0], 1e-5 * f / s.entry?.length)));
     let (x, y): (Vec<f64>, Vec<f64>) = loaded.unzip();
     curves.push(Curve { label: "load of the keel [100 kN/m]".into(), mark: Mark::Line, x, y });
     Chart {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use fsi_coupling::entry_theory::ditching::{Bearing, Entering, Form, Hull};
+use fsi_coupling::entry_theory::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 use serde::Serialize;
 
 use super::check::hull;
@@ -89,12 +89,12 @@ pub fn section_scenes(scene: &Scene, landed: &Landed, count: usize) -> Vec<Secti
         return Vec::new();
     };
     let pressing = moment.strips.iter().filter(|(_, force)| *force > 0.0);
-    let entries: Vec<Entering> = pressing.filter_map(|(strip, _)| strip.entry).collect();
+    let entries: Vec<ImpactingPart> = pressing.filter_map(|(strip, _)| strip.entry).collect();
     let place = |k: usize| entries.get((2 * k + 1) * entries.len() / (2 * count));
     (0..count).filter_map(place).map(|entry| section_scene(scene, entry, moment.time, &hull)).collect()
 }
 
-fn section_scene(scene: &Scene, entry: &Entering, time: f64, hull: &Hull) -> SectionScene {
+fn section_scene(scene: &Scene, entry: &ImpactingPart, time: f64, hull: &Hull) -> SectionScene {
     let (x, draught, speed) = (entry.at.x, entry.at.draught, entry.at.speed);
     let breadth = hull.fuselage().breadth(x);
     let shape = match hull.form(x) {
@@ -102,7 +102,7 @@ fn section_scene(scene: &Scene, entry: &Entering, time: f64, hull: &Hull) -> Sec
         Form::DeadriseDeg(deadrise) => format!("shape = \"wedge\"\ndeadrise_deg = {deadrise:?}"),
     };
     let name = format!("{}_{x:04.1}m", scene.name).replace('.', "p");
-    let Bearing { slam, area, .. } = hull.at(x, draught);
+    let SectionLoad { slam, area, .. } = hull.at(x, draught);
     let (time_s, by_theory) =
         (draught / speed, scene.water.density * (slam * speed * speed + scene.water.gravity * area));
     let text = format!(

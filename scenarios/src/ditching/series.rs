@@ -1,9 +1,9 @@
 //! `series.csv` of a landing: a row per sample.
 
-use fsi_coupling::entry_theory::ditching::Moment;
+use fsi_coupling::entry_theory::ditching::LandingState;
 
 /// Reads a column from a moment; m g is given.
-type Read = fn(&Moment, f64) -> f64;
+type Read = fn(&LandingState, f64) -> f64;
 
 /// The columns, with what they read.
 pub(super) const COLUMNS: [(&str, Read); 20] = [
@@ -30,13 +30,13 @@ pub(super) const COLUMNS: [(&str, Read); 20] = [
 ];
 
 /// Where the keel bears most, from the nose [m], and how much a metre [N/m].
-pub(super) fn heaviest(moment: &Moment) -> [f64; 2] {
+pub(super) fn heaviest(moment: &LandingState) -> [f64; 2] {
     let loaded = moment.strips.iter().filter_map(|(s, f)| Some([s.entry?.at.x, f / s.entry?.length]));
     loaded.fold([f64::NAN, 0.0], |worst, now| if now[1] > worst[1] { now } else { worst })
 }
 
 /// Rows in the order of [`COLUMNS`].
-pub(super) fn rows(moments: &[Moment], weight: f64) -> Vec<Vec<f64>> {
+pub(super) fn rows(moments: &[LandingState], weight: f64) -> Vec<Vec<f64>> {
     moments.iter().map(|m| COLUMNS.iter().map(|(_, read)| read(m, weight)).collect()).collect()
 }
 

@@ -1,6 +1,6 @@
 //! `summary.json` of a landing.
 
-use fsi_coupling::entry_theory::ditching::{Ended, Run};
+use fsi_coupling::entry_theory::ditching::{LandingEnd, LandingResult};
 use serde::Serialize;
 
 use super::model::Scene;
@@ -58,7 +58,7 @@ pub struct Peak {
 }
 
 impl Summary {
-    pub(super) fn new(scene: &Scene, run: &Run, rows: &[Vec<f64>], wall_time_s: f64) -> Summary {
+    pub(super) fn new(scene: &Scene, run: &LandingResult, rows: &[Vec<f64>], wall_time_s: f64) -> Summary {
         let column = |name: &str| COLUMNS.iter().position(|(column, _)| *column == name).unwrap_or_default();
         let most = |name: &str, measure: fn(f64) -> f64, over: f64| {
             let k = column(name);
@@ -74,8 +74,8 @@ impl Summary {
         let heaviest = rows.iter().find(|row| row[0] == line_load.time_s).unwrap_or(first);
         let deceleration = most("ax_m_per_s2", |v| -v, scene.water.gravity);
         let (status, message) = match &run.ended {
-            Ended::Time | Ended::Slow => (Status::Completed, None),
-            Ended::OutOfRange(what) => (Status::Failed, Some(what.clone())),
+            LandingEnd::Time | LandingEnd::Slow => (Status::Completed, None),
+            LandingEnd::OutOfRange(what) => (Status::Failed, Some(what.clone())),
         };
         Summary {
             scene: scene.name.clone(),

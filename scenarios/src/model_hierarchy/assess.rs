@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::{OutOfRange, Rung};
+use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use serde::Serialize;
 
 use super::{Measured, Theory, Want, measured};
@@ -12,7 +12,7 @@ use crate::scene::Scene;
 #[derive(Clone, Debug, Serialize)]
 pub struct Assessment {
     /// The model.
-    pub rung: Rung,
+    pub rung: EntryModel,
     /// True if it is valid at the start of the scene.
     #[serde(skip)]
     pub begins: bool,
@@ -29,7 +29,7 @@ pub struct Assessment {
 
 /// Every theory, from the cheapest, for a quantity of interest.
 pub fn assess(scene: &Scene, want: Want) -> Vec<Assessment> {
-    let theories = Rung::ALL.into_iter().filter(|rung| rung.is_theory());
+    let theories = EntryModel::ALL.into_iter().filter(|rung| rung.is_theory());
     theories
         .map(|rung| {
             let start = Instant::now();

@@ -1,6 +1,6 @@
 //! `model = "auto"`: the cheapest model whose measured error is within the tolerance.
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 
 use super::{Assessment, Measured, Want, assess};
 use crate::charted::charted_error;
@@ -11,7 +11,7 @@ use crate::scene::{Scene, significant};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The model.
-    pub rung: Rung,
+    pub rung: EntryModel,
     /// Index of the scene of particles.
     pub scene: usize,
     /// True if that scene's spacing is known to be fine enough.

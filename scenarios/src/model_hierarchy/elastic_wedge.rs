@@ -1,7 +1,7 @@
 //! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY EN12, EN13).
 
 use fsi_coupling::PanelEnd;
-use fsi_coupling::entry_theory::{Bent, ElasticWedge, Held, Instant, OutOfRange, Rung};
+use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
 
 use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 
@@ -20,7 +20,7 @@ const PLACES: usize = 40;
 #[derive(Clone, Debug)]
 pub(super) struct Faces {
     wedge: ElasticWedge,
-    bent: Vec<Bent>,
+    bent: Vec<WedgeState>,
     /// Momentum of the water [N s/m], potential at each gauge [m²/s], and values of the panel's columns, at every step.
     momenta: Vec<f64>,
     potentials: Vec<Vec<f64>>,
@@ -35,7 +35,7 @@ impl Faces {
             range:
                 "faces that bend from keel to chine, of a wedge at constant speed without gravity, simulated by half"
                     .into(),
-            next: Rung::Wcsph,
+            next: EntryModel::Wcsph,
         };
         let (Shape::Wedge { deadrise_deg, breadth, .. }, [panel]) = (&body.shape, &body.panels[..]) else {
             return Err(refuse("other panels"));
@@ -81,7 +81,7 @@ impl Faces {
             return Err(refuse("a face that bends by more than a tenth of its length"));
         }
         let momenta = bent.iter().map(|b| wedge.momentum(b)).collect();
-        let at = |b: &Bent| scene.gauges.iter().map(|g| wedge.potential(b, g.at[0].abs())).collect();
+        let at = |b: &WedgeState| scene.gauges.iter().map(|g| wedge.potential(b, g.at[0].abs())).collect();
         let potentials = bent.iter().map(at).collect();
         let columns = bent.iter().map(|b| columns(&wedge, panel, b)).collect();
         Ok(Faces { wedge, bent, momenta, potentials, columns })
@@ -132,7 +132,7 @@ fn steps_for(wedge: &ElasticWedge) -> usize {
 }
 
 /// Values of the panel's columns, in the order of [`Panel::columns`].
-fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &Bent) -> Vec<f64> {
+fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &WedgeState) -> Vec<f64> {
     let (sin, cos) = wedge.deadrise_deg.to_radians().sin_cos();
     let modulus = wedge.material.youngs_modulus / (1.0 - wedge.material.poissons_ratio.powi(2));
     let watched = panel.watch.iter().flat_map(|&place| {

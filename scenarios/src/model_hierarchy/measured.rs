@@ -1,6 +1,6 @@
 //! Error of a theory in the measured case that is nearest to a scene.
 
-use fsi_coupling::entry_theory::{Rung, Section, SimilarityFlow};
+use fsi_coupling::entry_theory::{EntryModel, Section, SimilarityFlow};
 
 use super::{Theory, Want};
 use crate::compare;
@@ -39,7 +39,7 @@ pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> 
         };
     }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
-    let rung = theory.loads.rung();
+    let rung = theory.loads.model();
     let past_chines = theory.instants.iter().any(|now| now.wetted >= theory.loads.section().half_breadth());
     if past_chines && want == Want::History {
         return None; // loads were measured on faces alone
@@ -67,21 +67,21 @@ pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> 
 }
 
 /// Errors of force and largest pressure on a wedge at constant speed; of a quantity that the theory does not have, `None`.
-fn coefficient_errors(rung: Rung, deadrise_deg: f64) -> Option<[Option<f64>; 2]> {
-    if rung == Rung::Similarity {
+fn coefficient_errors(rung: EntryModel, deadrise_deg: f64) -> Option<[Option<f64>; 2]> {
+    if rung == EntryModel::Similarity {
         return Some([Some(SIMILARITY_ERROR); 2]);
     }
     let exact = SimilarityFlow::solve(deadrise_deg)?;
     let theory = Theory::at_constant_speed(rung, Section::wedge(deadrise_deg, 1e3).ok()?).ok()?;
     let force = (theory.loads.at(1.0).slam / exact.force_coefficient - 1.0).abs();
     let pressure = theory.peak_pressure(0).map(|[p, _]| (2.0 * p / exact.cp_max - 1.0).abs());
-    Some([Some(force), pressure.filter(|_| rung != Rung::VonKarman)])
+    Some([Some(force), pressure.filter(|_| rung != EntryModel::VonKarman)])
 }
 
 /// Largest RMS error of the benchmark's deflection over its peak, of those that others computed [-].
 fn elastic_error() -> Option<Measured> {
     let scene = scene::load(BENCHMARK, &[]).ok()?.scene;
-    let (theory, _) = Theory::while_in_range(&scene, Rung::Wagner).ok()?;
+    let (theory, _) = Theory::while_in_range(&scene, EntryModel::Wagner).ok()?;
     let mut series = Series::new(&scene, None).ok()?;
     theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
     let judged = scene.compare.iter().filter(|c| c.tolerance.is_some());
@@ -98,16 +98,16 @@ fn drop_deadrise() -> Option<f64> {
 /// RMS error of a drop's speed over that at contact [-]: what the best theory was off in the validated drop, and what this one is
 /// off the best in the scene's own, as far as both go.
 fn drop_error(scene: &Scene, theory: &Theory) -> Option<f64> {
-    let best = [Rung::Similarity, Rung::Mlm].into_iter().find_map(|rung| Theory::of(scene, rung).ok())?;
+    let best = [EntryModel::Similarity, EntryModel::Mlm].into_iter().find_map(|rung| Theory::of(scene, rung).ok())?;
     let here = theory.instants.iter().zip(&best.instants);
     let squares: Vec<f64> = here.map(|(a, b)| (a.speed - b.speed).powi(2)).collect();
     let fastest = best.instants.iter().map(|now| now.speed).fold(0.0, f64::max);
     let apart = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / fastest;
-    Some(apart + validated_drop_error(best.loads.rung())?)
+    Some(apart + validated_drop_error(best.loads.model())?)
 }
 
 /// RMS error of the validated drop's speed over that at contact [-], up to where the theory can follow.
-fn validated_drop_error(rung: Rung) -> Option<f64> {
+fn validated_drop_error(rung: EntryModel) -> Option<f64> {
     let scene = scene::load(DROP, &[]).ok()?.scene;
     let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?;
     let (theory, _) = Theory::while_in_range(&scene, rung).ok()?;

@@ -33,9 +33,9 @@ struct Place {
 impl LevelReader {
     /// The places of a scene.
     pub fn new(scene: &Scene) -> LevelReader {
-        let tiling = build::tiling(scene);
+        let layout = build::layout(scene);
         let half = 0.5 * scene.tank.width;
-        let place = |x: &f64| Place { x: *x, scale: SCALE * tiling.spacing_at([*x, -scene.tank.depth]) };
+        let place = |x: &f64| Place { x: *x, scale: SCALE * layout.spacing_at([*x, -scene.tank.depth]) };
         let left = if scene.symmetry == Symmetry::X { 0.0 } else { -half };
         LevelReader {
             places: scene.observe.level.iter().map(place).collect(),

@@ -1,6 +1,6 @@
 //! The ladder in a report: what every theory says of the same scene, over one another.
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 
 use super::row;
 use crate::model_hierarchy::{Assessment, Theory, Want, assess};
@@ -13,14 +13,14 @@ const PROFILE: usize = 400;
 
 /// What the theories say that hold for a scene, each as far as it holds.
 pub(super) struct Theories {
-    told: Vec<(Rung, Theory, Vec<Vec<f64>>)>,
+    told: Vec<(EntryModel, Theory, Vec<Vec<f64>>)>,
     columns: Vec<String>,
 }
 
 impl Theories {
     /// All but the one that was run.
     pub fn beside(scene: &Scene) -> Theories {
-        let others = Rung::ALL.into_iter().filter(|rung| rung.is_theory() && *rung != scene.model);
+        let others = EntryModel::ALL.into_iter().filter(|rung| rung.is_theory() && *rung != scene.model);
         let told = others.filter_map(|rung| {
             let (theory, _) = Theory::while_in_range(scene, rung).ok()?;
             let rows = theory.rows(scene);
@@ -36,7 +36,7 @@ impl Theories {
     pub fn curves(&self, column: &str, scale: f64) -> Vec<Curve> {
         let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
         let told = self.told.iter().filter(|(_, _, rows)| rows.iter().all(|row| row[k].is_finite()));
-        let curve = |(rung, _, rows): &(Rung, Theory, Vec<Vec<f64>>)| Curve {
+        let curve = |(rung, _, rows): &(EntryModel, Theory, Vec<Vec<f64>>)| Curve {
             label: rung.name().into(),
             mark: Mark::Dashed,
             x: rows.iter().map(|row| row[0]).collect(),
@@ -47,7 +47,7 @@ impl Theories {
 
     /// Their pressure coefficients along the face, at their last moments.
     pub fn profiles(&self) -> Vec<Curve> {
-        let curve = |(rung, theory, _): &(Rung, Theory, Vec<Vec<f64>>)| {
+        let curve = |(rung, theory, _): &(EntryModel, Theory, Vec<Vec<f64>>)| {
             theory.peak_pressure(theory.instants.len() - 1)?; // infinite, or none: not to be drawn
             let (x, y) = theory.profile(theory.instants.len() - 1, PROFILE).into_iter().map(|p| (p[0], p[1])).unzip();
             Some(Curve { label: rung.name().into(), mark: Mark::Dashed, x, y })

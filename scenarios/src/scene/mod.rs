@@ -49,7 +49,7 @@ pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
 pub use fsi_coupling::PanelEnd;
 pub use fsi_coupling::Shape;
-pub use fsi_coupling::entry_theory::Rung;
+pub use fsi_coupling::entry_theory::EntryModel;
 pub(crate) use fsi_coupling::settings::significant;
 pub use impact::{
     Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,

@@ -79,9 +79,9 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
 }
 
 /// The model of particles that a solver is.
-fn model_of(solver: &SolverSettings) -> fsi_coupling::entry_theory::Rung {
-    use fsi_coupling::entry_theory::Rung;
-    if solver.is_incompressible() { Rung::Incompressible } else { Rung::Wcsph }
+fn model_of(solver: &SolverSettings) -> fsi_coupling::entry_theory::EntryModel {
+    use fsi_coupling::entry_theory::EntryModel;
+    if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph }
 }
 
 fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {

@@ -1,6 +1,6 @@
 //! `model`, `want`, `within`: which model runs the scene.
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::Problem;
 use serde_json::Value;
 use sph_core::FluidSettings;
@@ -31,11 +31,11 @@ const PROVISIONAL: f64 = 32.0;
 pub(super) fn settle_solver(given: &mut Value) -> Result<(), Problem> {
     let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
     let (model, solver) = (word("model"), word("solver"));
-    let Some(model) = model.and_then(|model| Rung::ALL.into_iter().find(|rung| rung.name() == model)) else {
+    let Some(model) = model.and_then(|model| EntryModel::ALL.into_iter().find(|rung| rung.name() == model)) else {
         return Ok(());
     };
     let incompressible = solver.as_ref().map(|solver| solver != "weakly_compressible");
-    match (model == Rung::Incompressible, incompressible) {
+    match (model == EntryModel::Incompressible, incompressible) {
         (true, None) => given["solver"] = "incompressible".into(),
         (wanted, Some(is)) if wanted != is => {
             let expected = format!("no solver, or that of model = \"{}\"", model.name());

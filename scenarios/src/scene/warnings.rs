@@ -7,7 +7,7 @@ use super::impact::{Entry, known_compressibility_error};
 use super::incompressible::{projection_warnings, thesis_warnings};
 use super::panels::doubtful_panels;
 use super::settings::{Gauge, Scene, WeaklyCompressibleFluid};
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::significant;
 use sph_core::{DensityEvolution, Dissipation, Integrator, Kernel};
 
@@ -82,7 +82,7 @@ fn theory_warnings(scene: &Scene) -> Vec<String> {
         let above = significant(-entry.final_draught);
         format!("the body does not reach the water: at the end of the run it is {above} m above it")
     });
-    let singular = (scene.model == Rung::Wagner && !scene.gauges.is_empty()).then(|| {
+    let singular = (scene.model == EntryModel::Wagner && !scene.gauges.is_empty()).then(|| {
         "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
     });
     short.into_iter().chain(singular).collect()

@@ -1,7 +1,5 @@
 //! [`Compressible`] as a scheme.
 
-use std::any::Any;
-
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::legacy::compressible::Compressible;
@@ -77,14 +75,6 @@ impl Scheme for Compressible {
 
     fn bytes(&self) -> usize {
         of_vector(&self.base.density_rate) + of_vector(&self.heating)
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-
-    fn as_any_mut(&mut self) -> &mut dyn Any {
-        self
     }
 }
 

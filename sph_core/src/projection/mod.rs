@@ -15,8 +15,6 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
-use std::any::Any;
-
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
@@ -227,14 +225,6 @@ impl Scheme for Projection {
 
     fn surface_indicator(&self) -> &[f64] {
         self.surface.indicator()
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-
-    fn as_any_mut(&mut self) -> &mut dyn Any {
-        self
     }
 }
 

@@ -9,8 +9,6 @@ pub(crate) mod shifting;
 pub(crate) mod step_limit;
 pub(crate) mod updates;
 
-use std::any::Any;
-
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
@@ -220,14 +218,6 @@ impl Scheme for Wcsph {
 
     fn bytes(&self) -> usize {
         of_vector(&self.density_rate)
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-
-    fn as_any_mut(&mut self) -> &mut dyn Any {
-        self
     }
 }
 

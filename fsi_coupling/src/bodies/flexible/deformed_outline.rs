@@ -1,4 +1,4 @@
-//! The outline of a flexible body as it is deformed, for contact, pictures and the count of strayed particles.
+//! The deformed outline of a flexible body, for contact, pictures and the count of penetrating particles.
 
 use crate::bodies::flexible::model::Model;
 use crate::bodies::flexible::surface_map::{Attachment, Nodal, SurfaceMap};
@@ -6,7 +6,7 @@ use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
 use crate::geometry::polyline::Polyline;
 
-/// A corner of the outline, with what carries it: that of its image, where it is the left half's.
+/// A corner of the outline and its attachment; on the left half of a symmetric body that of its mirror image.
 struct Corner {
     attachment: Attachment,
     image: bool,
@@ -18,7 +18,7 @@ pub(crate) struct DeformedOutline {
 }
 
 impl DeformedOutline {
-    /// Of an outline [m, body's frame]; with `half` its left half is carried by the right one's image.
+    /// Of an outline [m, body's frame]; with `half` its left half is the mirror image of the right one.
     pub fn new(outline: &Outline, model: &Model, half: bool) -> DeformedOutline {
         let element = (0..model.panels.iter().map(|p| p.elements.len()).sum::<usize>())
             .map(|e| model.map.surface.length(e))
@@ -79,7 +79,7 @@ impl DeformedOutline {
         sum
     }
 
-    /// Carry a force or an impulse at a place of the outline to the nodes.
+    /// Add a force or an impulse at a point of the outline to the nodes' loads.
     pub fn add_load(
         &self,
         map: &SurfaceMap,

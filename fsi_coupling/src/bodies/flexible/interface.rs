@@ -24,7 +24,7 @@ pub struct FlexibleInterface {
     /// Inertia as a step of the structure sees it, M + θ²Δt²K + θΔt C.
     inertia: EffectiveInertia,
     /// Forces on the structure from anything but the fluid, less what the predicted accelerations need [N/m, N].
-    lack: Field,
+    residual: Field,
     /// As `alone`, of the mean accelerations of the step under its mean forces (CO24).
     alone_in_mean: Field,
     /// Velocities of the particles at the step's start [m/s].
@@ -47,8 +47,8 @@ impl FlexibleInterface {
         let wrong = |error: structure_fe::Error| BodyError::structure(name, &error);
         let amid = dynamics.residual(&amid(now, dynamics.end_weight(), dt), weight);
         let inertia = dynamics.effective_inertia(then, dt);
-        let lack = dynamics.residual(then, weight);
-        let alone = inertia.clone().solve(&lack).map_err(wrong)?;
+        let residual = dynamics.residual(then, weight);
+        let alone = inertia.clone().solve(&residual).map_err(wrong)?;
         let alone_in_mean = inertia.clone().solve(&amid).map_err(wrong)?;
         let begin = |attachment| map.velocity(attachment, &now.displacement, &now.velocity);
         Ok(FlexibleInterface {
@@ -59,7 +59,7 @@ impl FlexibleInterface {
             alone_in_mean,
             begun: attachments.iter().map(begin).collect(),
             inertia,
-            lack,
+            residual,
             scale: lengths(dynamics),
         })
     }
@@ -86,13 +86,13 @@ impl FlexibleInterface {
         inertia
     }
 
-    /// CO18, CO24: what accelerations lack under forces on the particles, beside what the structure's own forces make.
+    /// CO18, CO24: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
     fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
         let each = caused.iter().zip(alone).zip(&self.change);
-        let lack: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
-        InterfaceResidual { residual: self.scaled(&lack), driving: self.scaled(&caused) }
+        let residual: Field = each.map(|((c, a), x)| [0, 1, 2].map(|k| c[k] + a[k] - x[k])).collect();
+        InterfaceResidual { residual: self.scaled(&residual), driving: self.scaled(&caused) }
     }
 
     fn scaled(&self, field: &[[f64; 3]]) -> Vec<f64> {
@@ -126,7 +126,11 @@ fn lengths(dynamics: &Dynamics) -> Vec<f64> {
 impl InterfaceDynamics for FlexibleInterface {
     fn solve_acceleration(&mut self, encounter: &InterfaceLoad<'_>, change: &mut [[f64; 2]]) {
         let mut loads = self.loads(encounter.particles.iter().map(|touch| touch.force));
-        loads.as_flattened_mut().iter_mut().zip(self.lack.as_flattened()).for_each(|(load, lack)| *load += lack);
+        loads
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(self.residual.as_flattened())
+            .for_each(|(load, residual)| *load += residual);
         // where these have no solution the structure's own step says so
         if let Ok(found) = self.with_water(encounter.particles).solve(&loads) {
             self.change = found;
@@ -207,7 +211,7 @@ mod tests {
     fn accelerations_and_forces_fit() {
         let (mut owner, touches) = panel_on_a_body();
         let none = vec![0.0; touches.len()];
-        let lack = |owner: &FlexibleInterface, change: &[[f64; 2]]| {
+        let residual = |owner: &FlexibleInterface, change: &[[f64; 2]]| {
             let felt = |k: usize, axis: usize| {
                 let ParticleLoad { force, push, arm, .. } = touches[k];
                 force[axis] + push[axis] * (arm[0] * change[k][0] + arm[1] * change[k][1])
@@ -223,12 +227,12 @@ mod tests {
                 mean_swing: &none,
                 mirrored: false,
             };
-            owner.residual(&forces).residual.iter().fold(0.0_f64, |most, lack| most.max(lack.abs()))
+            owner.residual(&forces).residual.iter().fold(0.0_f64, |most, residual| most.max(residual.abs()))
         };
         let mut change = vec![[0.0; 2]; touches.len()];
-        let before = lack(&owner, &change);
+        let before = residual(&owner, &change);
         owner.solve_acceleration(&InterfaceLoad { particles: &touches, offset: 0.0, mirrored: false }, &mut change);
-        let after = lack(&owner, &change);
+        let after = residual(&owner, &change);
         assert!(before > 1.0 && after < 1e-11 * before, "{before} m/s^2 before, {after} after");
     }
 

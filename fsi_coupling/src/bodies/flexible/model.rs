@@ -51,8 +51,8 @@ pub enum Frame {
     },
 }
 
-/// What a step's vibrations that it cannot resolve are left [-] (THEORY BE20): these steps are the fluid's, far shorter than
-/// the panels' periods.
+/// Spectral radius of the time integration at high frequency [-] (THEORY BE20). Steps are the fluid's, much shorter than the panels'
+/// periods.
 const SPECTRAL_RADIUS: f64 = 0.8;
 
 /// The finite elements of a flexible body, and what lies where on them.
@@ -117,8 +117,8 @@ impl Model {
         self.map.reference = self.dynamics.beam().nodes()[self.map.frame];
     }
 
-    /// What carries a place of the surface [m] with its normal [-], in the body's frame; a place below the surface goes with
-    /// its foot on the surface.
+    /// Attachment of a point [m] with its normal [-], in the body's frame; a point below the surface moves with its foot on the
+    /// surface.
     pub fn attachment(&self, foot: [f64; 2], at: [f64; 2], normal: [f64; 2]) -> Attachment {
         let (s, _) = self.line.nearest(foot);
         let (at, normal) = (self.start.point(at), rotate(normal, self.start.angle));
@@ -128,7 +128,7 @@ impl Model {
         }
     }
 
-    /// What carries an open line [m, body's frame], with places between its points that show the panels' bending.
+    /// Attachments of an open line [m, body's frame], with additional points that show the panels' bending.
     pub fn divided(&self, line: &[[f64; 2]]) -> Vec<Attachment> {
         let polyline = Polyline::open(line.to_vec());
         let lengths = self.panels.iter().flat_map(|p| p.elements.clone()).map(|e| self.map.surface.length(e));

@@ -38,7 +38,7 @@ pub struct PanelSpec {
     pub material: Material,
     /// Beam theory.
     pub theory: Theory,
-    /// How it yields in bending, if it does; Euler and Bernoulli's theory only.
+    /// Plasticity in bending; Euler–Bernoulli theory only.
     pub plasticity: Option<Plasticity>,
     /// Strain of an outer fibre at which an end breaks off [-], if it may.
     pub rupture_strain: Option<f64>,

@@ -70,16 +70,16 @@ pub(crate) fn state_of(
         let (element, t) = panel.element_at(share);
         let point = map.surface.on_element(element, t);
         let (at, rest) = (map.surface.place(&point, &nodes.displacement), map.surface.place(&point, &still));
-        // the place as the frame alone would have carried it
-        let carried = map.place(&map.on_frame(rest.at, rest.normal), &nodes.displacement);
-        let moved = [0, 1].map(|k| at.at[k] - carried.at[k]);
+        // the point under the motion of the frame alone
+        let rigid = map.place(&map.on_frame(rest.at, rest.normal), &nodes.displacement);
+        let moved = [0, 1].map(|k| at.at[k] - rigid.at[k]);
         let [first, second] = [2 * element, 2 * element + 1];
         let [right, left] =
             [0, 1].map(|side| strains[first][side] + t * (strains[second][side] - strains[first][side]));
         Watched {
             share,
             displacement: rotate(moved, -frame.angle),
-            deflection: moved[0] * carried.normal[0] + moved[1] * carried.normal[1],
+            deflection: moved[0] * rigid.normal[0] + moved[1] * rigid.normal[1],
             section: between(&sections[first], &sections[second], t),
             strain: [left, right],
         }

@@ -1,6 +1,8 @@
-//! Consistent loads: forces on a polygon's sides carried to its corners (THEORY GE9).
+//! Consistent loads: forces on a polygon's sides applied to its corners (THEORY GE9).
 
 use sph_core::walls::Resultant;
+
+use crate::geometry::hermite::hermite;
 
 /// A side of a placed outline, from corner to corner; the fluid is on its right.
 #[derive(Clone, Copy, Debug)]
@@ -62,15 +64,9 @@ pub struct Nodal {
     pub moment: f64,
 }
 
-/// GE9: cubic (Hermite) shape functions of a side of length L at t: deflection and slope at its start, at its end.
-pub fn hermite(t: f64, length: f64) -> [f64; 4] {
-    let (t2, t3) = (t * t, t * t * t);
-    [1.0 - 3.0 * t2 + 2.0 * t3, length * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, length * (t3 - t2)]
-}
-
-/// GE9: carry a force [N/m] that acts at `at` [m] to the corners of the side beside it: along the side by linear, across
-/// it by Hermite's shape functions, the couple of a place off the side by linear ones.
-pub fn carry(side: &Side, t: f64, at: [f64; 2], force: [f64; 2], corners: &mut [Nodal]) {
+/// GE9: apply a force [N/m] at `at` [m] to the corners of a side: along the side by linear shape functions, across it by Hermite's; the
+/// couple of a point off the side by linear ones.
+pub fn apply_force(side: &Side, t: f64, at: [f64; 2], force: [f64; 2], corners: &mut [Nodal]) {
     let (a, foot) = (side.along, side.at(t));
     let axial = force[0] * a[0] + force[1] * a[1];
     let across = force[1] * a[0] - force[0] * a[1]; // along (−a_y, a_x), to the left of the side
@@ -84,12 +80,12 @@ pub fn carry(side: &Side, t: f64, at: [f64; 2], force: [f64; 2], corners: &mut [
     }
 }
 
-/// Resultant of loads on corners about `pole` [m].
-pub fn resultant(corners: &[[f64; 2]], loads: &[Nodal], pole: [f64; 2]) -> Resultant {
+/// Resultant of loads on corners about `reference` [m].
+pub fn resultant(corners: &[[f64; 2]], loads: &[Nodal], reference: [f64; 2]) -> Resultant {
     let mut total = Resultant::default();
     for (at, load) in corners.iter().zip(loads) {
         total.force = [total.force[0] + load.force[0], total.force[1] + load.force[1]];
-        total.moment += load.moment + (at[0] - pole[0]) * load.force[1] - (at[1] - pole[1]) * load.force[0];
+        total.moment += load.moment + (at[0] - reference[0]) * load.force[1] - (at[1] - reference[1]) * load.force[0];
     }
     total
 }
@@ -141,7 +137,7 @@ mod tests {
                 let moved = if motion[0].1 == motion[1].1 { rigid(t) } else { field(t) };
                 work += force[0] * moved[0] + force[1] * moved[1];
                 scale += force[0].hypot(force[1]) * moved[0].hypot(moved[1]);
-                carry(&side, t, side.at(t), force, &mut loads);
+                apply_force(&side, t, side.at(t), force, &mut loads);
             }
             let done: f64 = (0..2)
                 .map(|k| {
@@ -162,7 +158,7 @@ mod tests {
         let mut loads = vec![Nodal::default(); 3];
         for (t, weight) in gauss_points(&side, length / 64.0) {
             let q = (q1 + (q2 - q1) * t) * weight;
-            carry(&side, t, side.at(t), [-q * side.along[1], q * side.along[0]], &mut loads);
+            apply_force(&side, t, side.at(t), [-q * side.along[1], q * side.along[0]], &mut loads);
         }
         let exact = length * length * (3.0 * q1 + 2.0 * q2) / 60.0;
         assert!((loads[0].moment / exact - 1.0).abs() < 1e-6, "{} against {exact}", loads[0].moment);
@@ -171,7 +167,7 @@ mod tests {
 
         let (at, force, corners) = ([0.9, 0.6], [3.0, -5.0], [[0.3, 0.1], [1.5, 0.6], [0.2, 1.4]]);
         let mut loads = vec![Nodal::default(); 3];
-        carry(&side, side.nearest(at).0, at, force, &mut loads);
+        apply_force(&side, side.nearest(at).0, at, force, &mut loads);
         let total = resultant(&corners, &loads, [0.0, 0.0]);
         assert!((total.moment - (at[0] * force[1] - at[1] * force[0])).abs() < 1e-12);
         assert!((total.force[0] - 3.0).abs() + (total.force[1] + 5.0).abs() < 1e-12);

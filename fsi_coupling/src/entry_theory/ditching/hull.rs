@@ -1,14 +1,14 @@
 //! What the sections of a fuselage bear.
 
 use super::fuselage::{Form, Fuselage, FuselageError};
-use crate::entry_theory::{Loads, Rung};
+use crate::entry_theory::{EntryModel, Loads};
 
 /// Forms that differ by less than this share are one.
 const ALIKE: f64 = 1e-6;
 
 /// A section's load at a draught, per metre of length and for water of density ρ = 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Bearing {
+pub struct SectionLoad {
     /// Half width of the wetted bottom, up to the edges [m].
     pub wetted: f64,
     /// A: force over V² [m].
@@ -23,7 +23,7 @@ pub struct Bearing {
 #[derive(Clone, Debug)]
 pub struct Hull {
     fuselage: Fuselage,
-    rung: Rung,
+    model: EntryModel,
     /// Loads of every form that occurs, of breadth 1.
     forms: Vec<Loads>,
     /// Which of them each station has.
@@ -35,7 +35,7 @@ impl Hull {
     ///
     /// # Errors
     /// A section that the theory does not hold for, up to its edges.
-    pub fn new(fuselage: Fuselage, rung: Rung) -> Result<Hull, FuselageError> {
+    pub fn new(fuselage: Fuselage, model: EntryModel) -> Result<Hull, FuselageError> {
         let mut kinds: Vec<Form> = Vec::new();
         let (mut forms, mut of_station) = (Vec::new(), Vec::new());
         for (station, s) in fuselage.stations().iter().enumerate() {
@@ -44,13 +44,13 @@ impl Hull {
             let known = kinds.iter().position(|kind| alike(*kind, form));
             if known.is_none() {
                 let section = form.section(1.0).map_err(refused)?;
-                rung.covers(&section, f64::INFINITY).map_err(refused)?;
-                forms.push(Loads::new(rung, &section).map_err(refused)?);
+                model.covers(&section, f64::INFINITY).map_err(refused)?;
+                forms.push(Loads::new(model, &section).map_err(refused)?);
                 kinds.push(form);
             }
             of_station.push(known.unwrap_or(kinds.len() - 1));
         }
-        Ok(Hull { fuselage, rung, forms, of_station })
+        Ok(Hull { fuselage, model, forms, of_station })
     }
 
     /// The fuselage.
@@ -59,8 +59,8 @@ impl Hull {
     }
 
     /// The theory.
-    pub fn rung(&self) -> Rung {
-        self.rung
+    pub fn model(&self) -> EntryModel {
+        self.model
     }
 
     /// The form of the station nearest to a place [m from the nose], of the breadth there.
@@ -72,7 +72,7 @@ impl Hull {
 
     /// EN16: load at a place x [m from the nose] and a draught h [m]. With the breadth b and a form's table for b = 1,
     /// A = b Â(h/b) and M = b² M̂(h/b); between stations of different forms the mean by distance.
-    pub fn at(&self, x: f64, draught: f64) -> Bearing {
+    pub fn at(&self, x: f64, draught: f64) -> SectionLoad {
         let (k, share) = self.fuselage.between(x);
         let b = self.fuselage.breadth(x);
         let [from, to] = [self.of_station[k], self.of_station[k + 1]];
@@ -82,7 +82,7 @@ impl Hull {
         }
         let second = self.of_form(to, b, draught);
         let mean = |a: f64, b: f64| a + share * (b - a);
-        Bearing {
+        SectionLoad {
             wetted: mean(first.wetted, second.wetted),
             slam: mean(first.slam, second.slam),
             added_mass: mean(first.added_mass, second.added_mass),
@@ -90,10 +90,10 @@ impl Hull {
         }
     }
 
-    fn of_form(&self, form: usize, b: f64, draught: f64) -> Bearing {
+    fn of_form(&self, form: usize, b: f64, draught: f64) -> SectionLoad {
         let loads = &self.forms[form];
         let load = loads.at(draught / b);
-        Bearing {
+        SectionLoad {
             wetted: b * load.wetted.min(0.5),
             slam: b * load.slam,
             added_mass: b * b * load.added_mass,

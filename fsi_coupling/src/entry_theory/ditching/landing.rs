@@ -1,7 +1,7 @@
 //! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18, EN19).
 
 use super::hull::Hull;
-use super::strip::{Attitude, Entering, Strip};
+use super::strip::{Attitude, ImpactingPart, Strip};
 
 /// Rounds in which strips that would pull are let go.
 const MOST_ROUNDS: usize = 40;
@@ -82,7 +82,7 @@ pub struct Landing<'a> {
 
 /// The landing at a moment.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moment {
+pub struct LandingState {
     /// Time since the first touch [s].
     pub time: f64,
     /// Where it is and how it moves.
@@ -101,7 +101,7 @@ pub struct Moment {
 
 /// Why a landing ended.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Ended {
+pub enum LandingEnd {
     /// The time was up.
     Time,
     /// It was as slow as asked for.
@@ -112,11 +112,11 @@ pub enum Ended {
 
 /// A landing that was followed.
 #[derive(Clone, Debug)]
-pub struct Run {
+pub struct LandingResult {
     /// Samples, the first at the first touch, the last at the end.
-    pub moments: Vec<Moment>,
+    pub moments: Vec<LandingState>,
     /// Why it ended.
-    pub ended: Ended,
+    pub ended: LandingEnd,
 }
 
 impl Wing {
@@ -165,7 +165,7 @@ impl Landing<'_> {
     }
 
     /// Follow it to its end: the classical Runge–Kutta method, with EN18 solved for the accelerations at each stage.
-    pub fn follow(&self) -> Run {
+    pub fn solve(&self) -> LandingResult {
         let mut attitude = self.start();
         let mut moments = vec![self.moment(0.0, attitude)];
         for step in 1.. {
@@ -176,29 +176,31 @@ impl Landing<'_> {
                 moments.push(self.moment(time, attitude));
             }
             if let Some(ended) = ended {
-                return Run { moments, ended };
+                return LandingResult { moments, ended };
             }
         }
         unreachable!("time ends")
     }
 
-    fn ended(&self, time: f64, now: &Attitude) -> Option<Ended> {
+    fn ended(&self, time: f64, now: &Attitude) -> Option<LandingEnd> {
         let [nose, _] = self.hull.fuselage().ends();
         let tip = now.of_point(self.aeroplane.centre, [nose, self.hull.fuselage().keel(nose).height]);
         if !now.place.iter().chain(&now.rate).all(|v| v.is_finite()) {
-            return Some(Ended::OutOfRange(format!("motion without bounds at t = {time:.4} s: take a shorter step")));
+            return Some(LandingEnd::OutOfRange(format!(
+                "motion without bounds at t = {time:.4} s: take a shorter step"
+            )));
         }
         if tip[1] < 0.0 {
-            return Some(Ended::OutOfRange(format!("the nose goes under at t = {time:.3} s")));
+            return Some(LandingEnd::OutOfRange(format!("the nose goes under at t = {time:.3} s")));
         }
         if now.place[2].abs() > STEEPEST_PITCH {
             let pitch = now.place[2].to_degrees();
-            return Some(Ended::OutOfRange(format!("a pitch of {pitch:.1} degrees at t = {time:.3} s")));
+            return Some(LandingEnd::OutOfRange(format!("a pitch of {pitch:.1} degrees at t = {time:.3} s")));
         }
         if now.rate[0] < self.least_speed {
-            return Some(Ended::Slow);
+            return Some(LandingEnd::Slow);
         }
-        (time >= self.end - 0.5 * self.step).then_some(Ended::Time)
+        (time >= self.end - 0.5 * self.step).then_some(LandingEnd::Time)
     }
 
     fn advanced(&self, now: Attitude) -> Attitude {
@@ -229,12 +231,12 @@ impl Landing<'_> {
     }
 
     /// What happens at an attitude.
-    pub fn moment(&self, time: f64, attitude: Attitude) -> Moment {
+    pub fn moment(&self, time: f64, attitude: Attitude) -> LandingState {
         let Balance { acceleration, force, lift, strips } = self.balance(&attitude);
         let ends = strips.iter().map(|(s, _)| s.wet.x).fold(None, |ends: Option<[f64; 2]>, x| {
             Some(ends.map_or([x, x], |[first, last]| [first.min(x), last.max(x)]))
         });
-        Moment { time, attitude, acceleration, force, lift, wetted: ends, strips }
+        LandingState { time, attitude, acceleration, force, lift, wetted: ends, strips }
     }
 
     /// EN18: (diag(m, m, I) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction.
@@ -253,8 +255,8 @@ impl Landing<'_> {
             (0..3).for_each(|k| steady[k] += floating[k] + rub[k]);
         }
         // a strip that would pull does so by the share `suction`
-        let share = |e: &Entering, a: [f64; 3]| if e.force(a) >= 0.0 { 1.0 } else { water.suction };
-        let entering: Vec<Entering> = strips.iter().filter_map(|s| s.entry).collect();
+        let share = |e: &ImpactingPart, a: [f64; 3]| if e.force(a) >= 0.0 { 1.0 } else { water.suction };
+        let entering: Vec<ImpactingPart> = strips.iter().filter_map(|s| s.entry).collect();
         let mut shares: Vec<f64> = entering.iter().map(|e| share(e, [0.0; 3])).collect();
         let mut acceleration = [0.0; 3];
         for _ in 0..MOST_ROUNDS {
@@ -273,7 +275,7 @@ impl Landing<'_> {
             }
             shares = next;
         }
-        let load = |e: &Entering| share(e, acceleration) * e.force(acceleration);
+        let load = |e: &ImpactingPart| share(e, acceleration) * e.force(acceleration);
         let strips: Vec<(Strip, f64)> = strips.into_iter().map(|s| (s, s.entry.as_ref().map_or(0.0, load))).collect();
         let mut force = steady;
         force[1] -= lift - craft.mass * water.gravity;

@@ -10,6 +10,6 @@ mod monotone;
 mod strip;
 
 pub use fuselage::{Form, Fuselage, FuselageError, Keel, Station};
-pub use hull::{Bearing, Hull};
-pub use landing::{Aeroplane, Ended, Landing, Moment, Run, Water, Wing};
-pub use strip::{Attitude, Entering, Passage, Strip};
+pub use hull::{Hull, SectionLoad};
+pub use landing::{Aeroplane, Landing, LandingEnd, LandingResult, LandingState, Water, Wing};
+pub use strip::{Attitude, ImpactingPart, KeelPoint, Strip};

@@ -21,7 +21,7 @@ impl Attitude {
 
 /// EN15: the keel at a place, and the plane of water that it passes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passage {
+pub struct KeelPoint {
     /// Place from the nose along the body axis [m].
     pub x: f64,
     /// Draught of the keel h [m].
@@ -33,32 +33,32 @@ pub struct Passage {
     /// Slope of the keel in space, upwards ahead [-].
     pub slope: f64,
     /// From the centre of mass, forward and up [m].
-    pub arm: [f64; 2],
+    pub lever_arm: [f64; 2],
     /// Its speed forward and up [m/s].
     pub velocity: [f64; 2],
     /// Length on the way of flight over length along the axis [-].
     pub shortening: f64,
 }
 
-impl Passage {
+impl KeelPoint {
     /// The keel at x [m from the nose] of an aeroplane whose centre of mass is `centre`.
-    pub fn new(hull: &Hull, centre: [f64; 2], now: &Attitude, x: f64) -> Passage {
+    pub fn new(hull: &Hull, centre: [f64; 2], now: &Attitude, x: f64) -> KeelPoint {
         let keel = hull.fuselage().keel(x);
         let [px, pz] = now.of_point(centre, [x, keel.height]);
         let (sin, cos) = now.place[2].sin_cos();
         let shortening = cos + keel.slope * sin;
         let slope = (sin - keel.slope * cos) / shortening;
         let curvature = keel.bend / shortening.powi(3);
-        let (arm, [u, w, q]) = ([px - now.place[0], pz - now.place[1]], now.rate);
-        let velocity = [u - q * arm[1], w + q * arm[0]];
-        Passage {
+        let (lever_arm, [u, w, q]) = ([px - now.place[0], pz - now.place[1]], now.rate);
+        let velocity = [u - q * lever_arm[1], w + q * lever_arm[0]];
+        KeelPoint {
             x,
             draught: -pz,
             speed: slope * velocity[0] - velocity[1],
             bending: 2.0 * velocity[0] * q * (1.0 + slope * slope) - curvature * velocity[0].powi(2)
-                + q * q * (arm[1] - slope * arm[0]),
+                + q * q * (lever_arm[1] - slope * lever_arm[0]),
             slope,
-            arm,
+            lever_arm,
             velocity,
             shortening,
         }
@@ -66,7 +66,7 @@ impl Passage {
 
     /// Forward and upward force and moment nose up, per unit of force on the keel across the way of flight [-, -, m].
     pub fn lever(&self) -> [f64; 3] {
-        [-self.slope, 1.0, self.arm[0] + self.slope * self.arm[1]]
+        [-self.slope, 1.0, self.lever_arm[0] + self.slope * self.lever_arm[1]]
     }
 }
 
@@ -74,23 +74,23 @@ impl Passage {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strip {
     /// Middle of the wet part.
-    pub wet: Passage,
+    pub wet: KeelPoint,
     /// Length of the wet part on the way of flight [m].
     pub wet_length: f64,
     /// Buoyancy [N].
     pub buoyancy: f64,
     /// The part that presses, where there is one.
-    pub entry: Option<Entering>,
+    pub entry: Option<ImpactingPart>,
 }
 
 /// The part of a strip that goes down into its plane of water.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entering {
+pub struct ImpactingPart {
     /// Its middle.
-    pub at: Passage,
+    pub at: KeelPoint,
     /// Its length on the way of flight [m].
     pub length: f64,
-    /// Directions of its load ([`Passage::lever`]).
+    /// Directions of its load ([`KeelPoint::lever`]).
     pub lever: [f64; 3],
     /// Load at no acceleration of the aeroplane [N].
     pub pressing: f64,
@@ -103,9 +103,9 @@ pub struct Entering {
 impl Strip {
     /// The strip between two places from the nose [m], in water of density ρ and gravity g; `None` where it is dry.
     pub fn new(hull: &Hull, centre: [f64; 2], now: &Attitude, ends: [f64; 2], rho: f64, g: f64) -> Option<Strip> {
-        let ends = ends.map(|x| Passage::new(hull, centre, now, x));
+        let ends = ends.map(|x| KeelPoint::new(hull, centre, now, x));
         let [from, to] = part_above_nothing(ends.map(|p| p.x), ends.map(|p| p.draught))?;
-        let wet = Passage::new(hull, centre, now, 0.5 * (from + to));
+        let wet = KeelPoint::new(hull, centre, now, 0.5 * (from + to));
         let wet_length = (to - from) * wet.shortening;
         let buoyancy = rho * g * wet_length * hull.at(wet.x, wet.draught).area;
         let speed_at = |x: f64| {
@@ -113,7 +113,7 @@ impl Strip {
             ends[0].speed + share * (ends[1].speed - ends[0].speed)
         };
         let entry = part_above_nothing([from, to], [from, to].map(speed_at)).map(|[from, to]| {
-            let at = Passage::new(hull, centre, now, 0.5 * (from + to));
+            let at = KeelPoint::new(hull, centre, now, 0.5 * (from + to));
             let length = (to - from) * at.shortening;
             let load = hull.at(at.x, at.draught);
             let [before, after] = ends.map(|p| hull.at(p.x, at.draught).added_mass);
@@ -122,7 +122,7 @@ impl Strip {
             let speed = at.speed.max(0.0);
             // EN17
             let per_length = load.slam * speed * speed + growth * passing * speed + load.added_mass * at.bending;
-            Entering {
+            ImpactingPart {
                 at,
                 length,
                 lever: at.lever(),
@@ -136,11 +136,11 @@ impl Strip {
 
     /// EN19: force and moment of the buoyancy.
     pub fn floating(&self) -> [f64; 3] {
-        [0.0, self.buoyancy, self.buoyancy * self.wet.arm[0]]
+        [0.0, self.buoyancy, self.buoyancy * self.wet.lever_arm[0]]
     }
 }
 
-impl Entering {
+impl ImpactingPart {
     /// EN17: its load [N] at accelerations of the aeroplane [m/s², m/s², rad/s²].
     pub fn force(&self, acceleration: [f64; 3]) -> f64 {
         self.pressing - self.mass * (0..3).map(|k| self.lever[k] * acceleration[k]).sum::<f64>()
@@ -148,7 +148,7 @@ impl Entering {
 
     /// EN19: force and moment of the friction ½ρ C_f v|v| against the way along the keel; `of_square` is ½ρ C_f [kg/m³].
     pub fn friction(&self, of_square: f64) -> [f64; 3] {
-        let Passage { slope, arm: [ax, az], velocity: [vx, vz], .. } = self.at;
+        let KeelPoint { slope, lever_arm: [ax, az], velocity: [vx, vz], .. } = self.at;
         let along = 1.0 / (1.0 + slope * slope).sqrt();
         let sliding = (vx + slope * vz) * along;
         let forward = -of_square * self.area * sliding * sliding.abs() * along;

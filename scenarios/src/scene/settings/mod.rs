@@ -11,7 +11,7 @@ mod tank;
 
 use std::sync::LazyLock;
 
-use fsi_coupling::entry_theory::Rung;
+use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::{OrAuto, Schema};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,8 +50,8 @@ pub struct Scene {
     /// Model of the flow. auto: the cheapest whose measured error for `want` is at most `within` (THEORY EN9); von_karman,
     /// wagner, mlm, similarity: analytical models of a symmetric section's entry, in milliseconds; wcsph, incompressible:
     /// particles.
-    #[schemars(with = "OrAuto<Rung>", extend("x-default" = "wcsph; the solver's where there is one"))]
-    pub model: Rung,
+    #[schemars(with = "OrAuto<EntryModel>", extend("x-default" = "wcsph; the solver's where there is one"))]
+    pub model: EntryModel,
     /// Reason for the model, where it was `auto`.
     #[serde(skip)]
     pub choice: Option<String>,

@@ -18,8 +18,6 @@ mod state;
 mod step_limit;
 mod surface;
 
-use std::any::Any;
-
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
@@ -123,14 +121,6 @@ impl Scheme for Thesis {
 
     fn force_is_constant_in_step(&self) -> bool {
         true
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-
-    fn as_any_mut(&mut self) -> &mut dyn Any {
-        self
     }
 }
 

@@ -1,14 +1,15 @@
-//! H for a host's nodes: surfaces ride on their sides, straight from node to node or bent by the nodes' rotations
+//! H for a host's nodes: surface points are attached to the sides, straight from node to node or bent by the nodes' rotations
 //! (THEORY CO13, CO30).
 
 use super::nodes::HostNodes;
 use super::topology::Topology;
 use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
+use crate::geometry::vector::cross;
 
 /// The sides of the wet surfaces. Each has two ends of its own, which move as its nodes do and turn as the nodes, or,
 /// where these have no rotations, as the side itself (CO30).
 #[derive(Clone, Debug)]
-pub(super) struct Skin {
+pub(super) struct NodeMap {
     ends: BeamSurface,
     sides: Vec<[usize; 2]>,
     /// Positions and rotations of the ends at t = 0.
@@ -22,19 +23,19 @@ pub(super) struct Ends {
     pub rate: Vec<[f64; 3]>,
 }
 
-impl Skin {
+impl NodeMap {
     /// Of a topology that has been checked; `nodes` are those at t = 0.
-    pub fn new(topology: &Topology, nodes: &HostNodes) -> Skin {
+    pub fn new(topology: &Topology, nodes: &HostNodes) -> NodeMap {
         let sides = topology.sides();
         let angle = |node: usize| nodes.rotation.get(node).copied().unwrap_or(0.0);
         let start: Vec<[f64; 3]> =
             sides.iter().flatten().map(|&n| [topology.nodes[n][0], topology.nodes[n][1], angle(n)]).collect();
         let elements = (0..sides.len()).map(|side| [2 * side, 2 * side + 1]).collect();
         let ends = BeamSurface::new(start.iter().map(|[x, y, _]| [*x, *y]).collect(), elements);
-        Skin { ends, sides, start, rotations: topology.rotations }
+        NodeMap { ends, sides, start, rotations: topology.rotations }
     }
 
-    /// Where a point at t = 0 rides.
+    /// The attachment of a point at t = 0.
     pub fn attach(&self, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
         self.ends.attach(at, normal)
     }
@@ -124,24 +125,19 @@ impl Skin {
     }
 }
 
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::embed::Side;
 
     /// Three nodes that move and turn; a chain through them; places on and beside it.
-    fn moving(rotations: bool) -> (Skin, HostNodes, Vec<BeamAttachment>) {
+    fn moving(rotations: bool) -> (NodeMap, HostNodes, Vec<BeamAttachment>) {
         let rest = vec![[0.1, 0.2], [0.9, 0.5], [1.2, 1.4]];
         let topology = Topology { rotations, ..Topology::of(rest.clone()).open([0, 1, 2], Side::Right, 0.2) };
         let still = HostNodes::at_rest(rest);
         let still = if rotations { still.with_rotations() } else { still };
-        let skin = Skin::new(&topology, &still);
-        let points =
-            [[0.4, 0.3], [0.85, 0.6], [1.0, 1.0], [1.3, 1.5], [0.0, 0.1]].map(|at| skin.attach(at, [0.6, 0.8]));
+        let map = NodeMap::new(&topology, &still);
+        let points = [[0.4, 0.3], [0.85, 0.6], [1.0, 1.0], [1.3, 1.5], [0.0, 0.1]].map(|at| map.attach(at, [0.6, 0.8]));
         let some = |values: [f64; 3]| if rotations { values.to_vec() } else { Vec::new() };
         let nodes = HostNodes {
             position: vec![[0.4, 0.0], [1.0, 0.65], [0.9, 1.8]],
@@ -149,22 +145,22 @@ mod tests {
             rotation: some([0.5, 0.9, 1.1]),
             spin: some([2.0, -1.5, 0.7]),
         };
-        (skin, nodes, points.to_vec())
+        (map, nodes, points.to_vec())
     }
 
     #[test]
     fn velocities_are_the_places_derivatives() {
         for rotations in [false, true] {
-            let (skin, nodes, points) = moving(rotations);
+            let (map, nodes, points) = moving(rotations);
             let ahead = |dt: f64| {
                 let mut n = nodes.clone();
                 n.position.iter_mut().zip(&nodes.velocity).for_each(|(x, v)| *x = [x[0] + dt * v[0], x[1] + dt * v[1]]);
                 n.rotation.iter_mut().zip(&nodes.spin).for_each(|(x, v)| *x += dt * v);
-                skin.ends(&n)
+                map.ends(&n)
             };
             for point in &points {
-                let (after, before) = (skin.place(point, &ahead(1e-6)).at, skin.place(point, &ahead(-1e-6)).at);
-                let v = skin.velocity(point, &ahead(0.0));
+                let (after, before) = (map.place(point, &ahead(1e-6)).at, map.place(point, &ahead(-1e-6)).at);
+                let v = map.velocity(point, &ahead(0.0));
                 for k in 0..2 {
                     assert!(((after[k] - before[k]) / 2e-6 - v[k]).abs() < 1e-8, "{rotations}: {v:?}");
                 }
@@ -176,25 +172,25 @@ mod tests {
     #[test]
     fn what_the_nodes_get_is_what_the_surface_got() {
         for rotations in [false, true] {
-            let (skin, nodes, points) = moving(rotations);
-            let ends = skin.ends(&nodes);
+            let (map, nodes, points) = moving(rotations);
+            let ends = map.ends(&nodes);
             let force = |k: usize| [3.0 - k as f64, 0.5 + k as f64];
             let mut loads = vec![[0.0; 3]; 3];
-            skin.add_loads(points.iter().enumerate().map(|(k, point)| (point, force(k))), &ends, &mut loads);
-            let mut lack = [0.0; 4];
+            map.add_loads(points.iter().enumerate().map(|(k, point)| (point, force(k))), &ends, &mut loads);
+            let mut residual = [0.0; 4];
             for (k, point) in points.iter().enumerate() {
-                let (f, v, at) = (force(k), skin.velocity(point, &ends), skin.place(point, &ends).at);
+                let (f, v, at) = (force(k), map.velocity(point, &ends), map.place(point, &ends).at);
                 let of = [f[0], f[1], at[0] * f[1] - at[1] * f[0], f[0] * v[0] + f[1] * v[1]];
-                (0..4).for_each(|i| lack[i] += of[i]);
+                (0..4).for_each(|i| residual[i] += of[i]);
             }
             for (node, [fx, fy, m]) in loads.iter().enumerate() {
                 let (at, v) = (nodes.position[node], nodes.velocity[node]);
                 let spin = nodes.spin.get(node).copied().unwrap_or(0.0);
                 let of = [*fx, *fy, m + at[0] * fy - at[1] * fx, fx * v[0] + fy * v[1] + m * spin];
-                (0..4).for_each(|i| lack[i] -= of[i]);
+                (0..4).for_each(|i| residual[i] -= of[i]);
                 assert!(rotations || *m == 0.0);
             }
-            assert!(lack.iter().all(|l| l.abs() < 1e-12), "{rotations}: {lack:?}");
+            assert!(residual.iter().all(|l| l.abs() < 1e-12), "{rotations}: {residual:?}");
         }
     }
 }
