@@ -64,12 +64,12 @@ pub fn layout(scene: &Scene) -> Layout {
 /// An end of a plate stands on a wall that is nearer than this share of a spacing.
 const STANDS: f64 = 0.5;
 
-/// True for a plate whose faces' rows do not fit between them (THEORY T2).
+/// True for a plate whose faces' rows do not fit between them (THEORY WA9).
 fn is_thin(body: &scene::Body, rows: &WallRows) -> bool {
     matches!(&body.shape, Shape::Polyline { points, thickness } if Plate::new(points, *thickness).is_thin(rows))
 }
 
-/// T3: how far a fixed plate goes on into the tank's walls that its middle line's ends stand on [m].
+/// WA10: how far a fixed plate goes on into the tank's walls that its middle line's ends stand on [m].
 fn roots(scene: &Scene, body: &scene::Body, rows: &WallRows) -> [f64; 2] {
     let (Shape::Polyline { points, .. }, Motion::Fixed) = (&body.shape, &body.motion) else { return [0.0; 2] };
     let loose = |end: &[f64; 2]| {

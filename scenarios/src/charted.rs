@@ -1,4 +1,4 @@
-//! Error bars of a run from stored work–precision charts (THEORY G7).
+//! Error bars of a run from stored work–precision charts (THEORY GE17).
 //!
 //! A chart's [`ErrorLaw`] gives the error of a number over the resolution. It applies to runs of the same kind, near the
 //! charted deadrise, resolution and Mach number.

@@ -139,7 +139,7 @@ pub fn similarity_of(scene: &Scene) -> Option<WedgeSimilarity> {
 /// Share of its peak that a curve must reach on both sides of a zero: less is noise.
 const SWING: f64 = 0.25;
 
-/// Q4: period of a curve about its mean in the window [s]: that of its zeros on the way up, and of those on the way down, in the
+/// GE12: period of a curve about its mean in the window [s]: that of its zeros on the way up, and of those on the way down, in the
 /// mean. `None` with fewer than two of either.
 fn period(t: &[f64], y: &[f64], window: [f64; 2]) -> Option<f64> {
     let inside = |t: f64| (window[0]..=window[1]).contains(&t);
@@ -172,7 +172,7 @@ fn zeros_up(curve: &[[f64; 2]]) -> Vec<f64> {
     zeros
 }
 
-/// V6: when |y| first exceeds a share of its largest value inside the window, interpolated linearly [s].
+/// GE12: when |y| first exceeds a share of its largest value inside the window, interpolated linearly [s].
 fn first_above(t: &[f64], y: &[f64], share: f64, window: [f64; 2]) -> Option<f64> {
     let inside: Vec<[f64; 2]> =
         t.iter().zip(y).filter(|(t, _)| (window[0]..=window[1]).contains(*t)).map(|(t, y)| [*t, y.abs()]).collect();
@@ -183,7 +183,7 @@ fn first_above(t: &[f64], y: &[f64], share: f64, window: [f64; 2]) -> Option<f64
     Some(t0 + (t1 - t0) * (level - y0) / (y1 - y0))
 }
 
-/// V6: ∫ y dt over a window by trapezoids between the curve's own points; cut linearly at the window's ends.
+/// GE12: ∫ y dt over a window by trapezoids between the curve's own points; cut linearly at the window's ends.
 fn impulse(t: &[f64], y: &[f64], window: [f64; 2]) -> f64 {
     let ends = window.map(|at| [at, interpolate(t, y, at)]);
     let inside = t.iter().zip(y).filter(|(t, _)| **t > window[0] && **t < window[1]).map(|(t, y)| [*t, *y]);

@@ -1,4 +1,4 @@
-//! Resolution that follows: the fine zone of an impact, as wide and deep as the present draught wants it (THEORY E26).
+//! Resolution that follows: the fine zone of an impact, as wide and deep as the present draught wants it (THEORY WC21).
 
 use fsi_coupling::{Motion, Outline};
 use sph_core::RefinementZone;

@@ -10,8 +10,8 @@ use crate::scene::Scene;
 /// Least distance of a cell's middle from a thin plate [half cells]: a plate in the middle between two rows of cells displaces none.
 const BESIDE_PLATE: f64 = 0.5;
 
-/// Water at rest under its own weight, level or not (THEORY Q1), and a block of it in the air (Q2), without the water that the body
-/// displaces; packed around the body where the scene asks for it (Q6). `thin`: the body is a thin plate.
+/// Water at rest under its own weight, level or not (THEORY WC19), and a block of it in the air (WC18), without the water that the body
+/// displaces; packed around the body where the scene asks for it (WC20). `thin`: the body is a thin plate.
 pub(crate) fn initial_fluid(
     scene: &Scene,
     domain: &Domain,

@@ -64,10 +64,10 @@ pub struct Preflight {
     pub spacings_across_pressure_peak: Option<f64>,
     /// The scheme of the coupling.
     pub coupling_scheme: CouplingScheme,
-    /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY C8) [-]. The
+    /// Added mass of half a row of water over the body's own, along x, y and about its centre of mass (THEORY CO10) [-]. The
     /// largest is the spectral radius of the weak exchange: stable below 1. Absent where water is incompressible.
     pub added_mass_ratios: Option<[f64; 3]>,
-    /// Stability of an explicit coupling with each panel (THEORY C12).
+    /// Stability of an explicit coupling with each panel (THEORY CO12).
     pub panels: Vec<PanelExchange>,
     /// The model that runs the scene.
     pub model: &'static str,
@@ -80,7 +80,7 @@ pub struct Preflight {
     pub warnings: Vec<String>,
 }
 
-/// Stability of an explicit coupling of a panel with the water beside it (THEORY C12).
+/// Stability of an explicit coupling of a panel with the water beside it (THEORY CO12).
 #[derive(Clone, Debug, Serialize)]
 pub struct PanelExchange {
     /// Its name.
@@ -96,7 +96,7 @@ pub struct PanelExchange {
     pub exchange: Option<ExchangeEstimate>,
 }
 
-/// Explicit coupling of a panel with weakly compressible water (THEORY C12).
+/// Explicit coupling of a panel with weakly compressible water (THEORY CO12).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ExchangeEstimate {
     /// Mass of the water that it accelerates within a step, over its own [-].

@@ -121,12 +121,12 @@ pub struct WedgeSimilarity {
 
 impl WedgeSimilarity {
     /// The solution for a deadrise angle [deg]: that of an independent program where it is tabulated, else our own (THEORY
-    /// LM10), for 4 to 80 degrees.
+    /// EN8), for 4 to 80 degrees.
     pub fn at(deadrise_deg: f64) -> Option<WedgeSimilarity> {
         WedgeSimilarity::tabulated(deadrise_deg).or_else(|| {
             let flow = SimilarityFlow::solve(deadrise_deg)?;
             Some(WedgeSimilarity {
-                source: "similarity solution (THEORY LM10)",
+                source: "similarity solution (THEORY EN8)",
                 force_coefficient: flow.force_coefficient,
                 cp_max: flow.cp_max,
                 z_max_over_vt: flow.z_max,

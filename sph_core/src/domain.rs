@@ -13,7 +13,7 @@ pub enum Slip {
     /// The water slides along walls: no viscous traction.
     #[default]
     Free,
-    /// The water sticks to walls: they show it the velocity 2V_w − ũ (E11, Adami et al. 2012).
+    /// The water sticks to walls: they show it the velocity 2V_w − ũ (WA5, Adami et al. 2012).
     None,
 }
 
@@ -74,7 +74,7 @@ pub struct Domain {
     pub gravity: [f64; 2],
     /// Plane of symmetry, if there is one.
     pub mirror: Option<Mirror>,
-    /// Pairs of periodic planes, if there are any (V1).
+    /// Pairs of periodic planes, if there are any (OP9).
     pub periodic: Option<Periodic>,
     /// Largest speed of the flow that is known before the run [m/s]: of the body, of the spray root, or of falling water.
     pub fastest_speed: f64,

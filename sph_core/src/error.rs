@@ -51,7 +51,7 @@ pub enum Breakdown {
         /// Time [s].
         time: f64,
     },
-    /// The thesis's pressure equation (THEORY J12) has no solution that the iteration finds.
+    /// The thesis's pressure equation (THEORY LE27) has no solution that the iteration finds.
     #[error(
         "the pressure equation did not converge at t = {time:.6e} s: after {iterations} iterations a residual of {residual:.3e} of the density is left where {tolerance:.3e} was asked, at {kind} {id} at ({x:.6}, {y:.6}) m"
     )]
@@ -73,7 +73,7 @@ pub enum Breakdown {
         /// Time [s].
         time: f64,
     },
-    /// The projection's pressure equation (THEORY I8–I11) has no solution that the iteration finds. Nothing has moved: a
+    /// The projection's pressure equation (THEORY PR8–PR11) has no solution that the iteration finds. Nothing has moved: a
     /// shorter step may be tried.
     #[error(
         "the pressure did not converge at t = {time:.6e} s: after {iterations} iterations {residual:.3e} of the largest right-hand side is left where {tolerance:.1e} was asked, at particle {id} at ({x:.6}, {y:.6}) m"
@@ -94,7 +94,7 @@ pub enum Breakdown {
         /// Time [s].
         time: f64,
     },
-    /// The masses that give every particle the reference density cannot be found (THEORY J3).
+    /// The masses that give every particle the reference density cannot be found (THEORY LE28).
     #[error(
         "no masses of {unknowns} particles give all of them the reference density: the kernel's matrix is singular"
     )]

@@ -44,7 +44,7 @@ pub struct Fluid {
 
 impl Fluid {
     /// A fluid from seeds; densities follow from the pressures of the seeds. Panics on a period that is too short for the
-    /// kernel, or combined with a mirror (V1): both are errors of the caller, not of its data.
+    /// kernel, or combined with a mirror (OP9): both are errors of the caller, not of its data.
     pub fn new(domain: Domain, settings: &dyn SchemeSettings, seeds: &[Seed]) -> Fluid {
         let ratio = domain.fluid.smoothing_ratio;
         if let Some(periodic) = domain.periodic {
@@ -73,13 +73,13 @@ impl Fluid {
         Fluid { system, scheme, saved: Vec::new(), wall_layout, updates: 0 }
     }
 
-    /// Find the forces at the start: once, when the walls stand where they start. Panics on a period with thin plates (T1), an
+    /// Find the forces at the start: once, when the walls stand where they start. Panics on a period with thin plates (WA8), an
     /// error of the caller.
     pub fn initialise(&mut self, walls: &mut Walls) -> Result<(), Breakdown> {
         self.initialise_with(walls, &mut [])
     }
 
-    /// The same, where some owners of walls are accelerated by the force that they feel (THEORY C2).
+    /// The same, where some owners of walls are accelerated by the force that they feel (THEORY CO5).
     pub fn initialise_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface]) -> Result<(), Breakdown> {
         let unbounded = self.system.domain.periodic.is_none();
         assert!(unbounded || walls.midlines.is_empty(), "a period and thin plates exclude each other");
@@ -93,7 +93,7 @@ impl Fluid {
         self.step_with(walls, &mut [], dt)
     }
 
-    /// The same, where some owners of walls are accelerated by the force that they feel (THEORY C2).
+    /// The same, where some owners of walls are accelerated by the force that they feel (THEORY CO5).
     pub fn step_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) -> Result<(), Breakdown> {
         walls.dt = dt;
         let Fluid { system, scheme, .. } = self;
@@ -198,7 +198,7 @@ impl Fluid {
         &mut self.system.timers
     }
 
-    /// Where coarse particles are split when the lists are made anew (THEORY E26); `None` splits none. For the weakly
+    /// Where coarse particles are split when the lists are made anew (THEORY WC21); `None` splits none. For the weakly
     /// compressible scheme.
     pub fn set_refinement_zone(&mut self, zone: Option<RefinementZone>) {
         self.system.refinement_zone = zone;
@@ -271,12 +271,12 @@ impl Fluid {
         top_speed(self.particles())
     }
 
-    /// T5: the fluid particles that crossed the midline of a thin plate in the step just taken, in the order of the particles.
+    /// WA11: the fluid particles that crossed the midline of a thin plate in the step just taken, in the order of the particles.
     pub fn passages(&self, walls: &Walls) -> Vec<Passage> {
         passages(self.particles(), &self.system.start_positions, &walls.midlines)
     }
 
-    /// Fluid particles that may be beyond a wall's surface, in the order of the particles (THEORY E25).
+    /// Fluid particles that may be beyond a wall's surface, in the order of the particles (THEORY WA7).
     pub fn contact_candidates(&self, walls: &Walls) -> Vec<usize> {
         contact::candidates(&self.system, walls)
     }
@@ -287,7 +287,7 @@ impl Fluid {
         self.system.displaced = true;
     }
 
-    /// E25: put a particle that is beyond a surface back on it, and stop its approach; the impulse that the wall takes, or `None`
+    /// WA7: put a particle that is beyond a surface back on it, and stop its approach; the impulse that the wall takes, or `None`
     /// where the particle does not approach. `inverse_mass` is the velocity along the normal that a unit impulse gives the wall
     /// [m/kg].
     pub fn resolve_contact(

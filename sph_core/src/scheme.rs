@@ -23,7 +23,7 @@ pub trait Scheme: Any + Send + Sync {
 
     /// Advance by `dt` [s]. Before: the walls' kinematics are those of the step's end. After: the walls carry the force at the
     /// step's end and the mean force of the step. `interfaces` are the owners of walls whose accelerations are found with
-    /// the pressures (THEORY C2); the accelerations of all others are given.
+    /// the pressures (THEORY CO5); the accelerations of all others are given.
     fn step(
         &mut self,
         system: &mut ParticleSystem,
@@ -54,7 +54,7 @@ pub trait Scheme: Any + Send + Sync {
         false
     }
 
-    /// Range of 2 Σ V W [-] on a flat face beside water, for schemes that keep the kernel sums of a lattice (E18).
+    /// Range of 2 Σ V W [-] on a flat face beside water, for schemes that keep the kernel sums of a lattice (GE2).
     fn face_kernel_sum(&self) -> Option<[f64; 2]> {
         None
     }

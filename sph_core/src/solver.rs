@@ -7,14 +7,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
-    /// An equation of state: pressures run through the water as sound (THEORY E3–E17).
+    /// An equation of state: pressures run through the water as sound (THEORY WC2–WC12, WA3–WA5).
     #[default]
     WeaklyCompressible,
-    /// A Poisson equation: pressures are those that leave the water's volume as it is (THEORY I1–I16).
+    /// A Poisson equation: pressures are those that leave the water's volume as it is (THEORY PR2–PR14).
     Incompressible,
-    /// The same with the diagonal instead of the matrix: one iteration per step (THEORY EX3).
+    /// The same with the diagonal instead of the matrix: one iteration per step (THEORY PR15).
     IncompressibleExplicit,
-    /// Pilorget's (2010) projection, with the choices of its thesis (THEORY J1–J16).
+    /// Pilorget's (2010) projection, with the choices of its thesis (THEORY LE18–LE28).
     IncompressibleThesis,
 }
 

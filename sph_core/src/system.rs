@@ -27,17 +27,17 @@ pub struct ParticleSystem {
     pub(crate) neighbours: Arc<Neighbours>,
     /// Particles as the sums over pairs read them.
     pub(crate) packed: Packed,
-    /// State of each wall particle, found from the fluid (E9).
+    /// State of each wall particle, found from the fluid (WA3).
     pub(crate) wall_state: Vec<Extrapolated>,
     /// Time [s].
     pub(crate) time: f64,
     /// Steps taken.
     pub(crate) steps: u64,
-    /// Where coarse particles are split when the lists are made anew (THEORY E26).
+    /// Where coarse particles are split when the lists are made anew (THEORY WC21).
     pub(crate) refinement_zone: Option<RefinementZone>,
     /// A particle was moved outside a step: lists are to be made anew.
     pub(crate) displaced: bool,
-    /// Positions at the start of the step [m], by identity; empty without thin plates (T5).
+    /// Positions at the start of the step [m], by identity; empty without thin plates (WA11).
     pub(crate) start_positions: Vec<[f64; 2]>,
     /// Wall time by phase.
     pub(crate) timers: Timers,

@@ -12,13 +12,13 @@ pub enum Phase {
     Search,
     /// Packing what the sums over pairs read.
     Pack,
-    /// Sums of the continuity equation (E4, E5); of a projection the assembly of its operators.
+    /// Sums of the continuity equation (WC3, WC4); of a projection the assembly of its operators.
     Density,
     /// The pressure equation of a projection, or the thesis's step.
     Pressure,
-    /// Sums of the momentum equation (E6–E8).
+    /// Sums of the momentum equation (WC5–WC7).
     Momentum,
-    /// Pressures of the walls, and forces on them (E9).
+    /// Pressures of the walls, and forces on them (WA3).
     Walls,
     /// Step limit, kick, drift, shift, equation of state, and the check of the state.
     Integration,

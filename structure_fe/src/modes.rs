@@ -1,4 +1,4 @@
-//! Natural modes, dry and wet: K phi = omega^2 M phi.
+//! Natural modes, dry and wet: K phi = omega^2 M phi (THEORY BE10).
 //!
 //! A cantilever of steel, 1 m long, in air and with an added mass of 20 kg at its tip:
 //!
@@ -86,7 +86,7 @@ pub fn natural_modes(beam: &Beam, supports: &Supports, count: usize) -> Result<V
 }
 
 /// The `count` lowest natural modes with `added` masses: for a plate in water if surface waves and compressibility are
-/// negligible (THEORY S25). Modal masses include them.
+/// negligible (THEORY BE24). Modal masses include them.
 pub fn wet_modes(beam: &Beam, supports: &Supports, count: usize, added: &[AddedMass]) -> Result<Vec<Mode>, Error> {
     supports.check(beam)?;
     let equations = Equations::new(beam, supports);

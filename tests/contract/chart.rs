@@ -67,7 +67,7 @@ fn a_chart_is_measured_once_and_drawn_again() {
         assert!((number(force, "error") - bias.hypot(number(force, "scatter"))).abs() < 1e-12, "{p}");
         assert!(number(run, "core_seconds") > 0.0 && number(&run["readings"]["compared"], "error") > 0.0, "{p}");
     }
-    assert_eq!(failed.len(), 1, "the leapfrog without its Euler step breaks down (THEORY L1)");
+    assert_eq!(failed.len(), 1, "the leapfrog without its Euler step breaks down (THEORY LE3)");
     let why = failed[0]["outcome"]["failed"].as_str().expect("a reason");
     let page = place.text("out/four.html");
     assert!(!why.is_empty() && page.contains("breaks at 0") && page.contains("(front)"), "{why}");

@@ -50,7 +50,7 @@ fn an_interrupted_run_finishes_its_files() {
     }
 }
 
-/// A run that breaks down numerically (Verlet's leapfrog without its Euler step, L1) says which particle, where and when; its
+/// A run that breaks down numerically (Verlet's leapfrog without its Euler step, LE3) says which particle, where and when; its
 /// log is complete, shows the state that broke, and says the same.
 #[test]
 fn a_run_that_breaks_down_says_what_where_and_when() {
@@ -70,7 +70,7 @@ fn a_run_that_breaks_down_says_what_where_and_when() {
     assert!(place.text("out/report.html").contains("particle"));
 }
 
-/// A pressure equation that no shorter step makes converge (THEORY EX1, EX2: three iterations where 1e-12 is asked) says how far
+/// A pressure equation that no shorter step makes converge (THEORY LS11, CO26: three iterations where 1e-12 is asked) says how far
 /// it got, in which particle, where and when; the log is complete, holds the state before, and says the same.
 #[test]
 fn a_pressure_that_does_not_converge_fails_with_the_log_intact() {

@@ -10,6 +10,7 @@ mod bits;
 mod chart;
 mod converge;
 mod ditch;
+mod documents;
 mod endings;
 mod files;
 mod model;

@@ -1,4 +1,4 @@
-//! Coupling with beams: where explicit coupling fails, and the schemes that hold there (THEORY C10–C13).
+//! Coupling with beams: where explicit coupling fails, and the schemes that hold there (THEORY CO11, CO12, CO18).
 
 use evidence::strip::{Floor, LENGTH, PERIOD, SOUND, WATER, deflection};
 use evidence::systems::{advance, system};
@@ -36,7 +36,7 @@ fn run(floor: &Floor, scheme: Scheme, periods: f64) -> Run {
     run
 }
 
-/// C12's spectral radius of a strip under water.
+/// CO12's spectral radius of a strip under water.
 fn radius(floor: &Floor) -> f64 {
     let spacing = LENGTH / f64::from(floor.rows);
     let (mass, dt) = (floor.ratio * WATER * LENGTH, floor.courant * 1.5 * spacing / SOUND);
@@ -45,10 +45,10 @@ fn radius(floor: &Floor) -> f64 {
 }
 
 /// The stability map of beams: mass ratio ρ_s t/(ρ L) × scheme, a clamped strip that begins to carry water as deep as it is long.
-/// Failure: explicit coupling, where C12 says. Remedy: the others, which agree with each other at any ratio.
+/// Failure: explicit coupling, where CO12 says. Remedy: the others, which agree with each other at any ratio.
 #[test]
 fn light_strips_hold_with_every_scheme_but_weak() {
-    println!("ratio, radius (C12): largest deflection [mm], iterations a step: weak, added_mass, iqn_ils");
+    println!("ratio, radius (CO12): largest deflection [mm], iterations a step: weak, added_mass, iqn_ils");
     for ratio in [10.0, 1.0, 0.1, 0.03, 0.01, 0.003, 0.001] {
         let floor = Floor::still(ratio, 20);
         let [weak, strong @ ..] = SCHEMES.map(|scheme| run(&floor, scheme, 0.6));
@@ -72,7 +72,7 @@ fn light_strips_hold_with_every_scheme_but_weak() {
     }
 }
 
-/// C12 against runs: explicit coupling is quiet at 0.85 of the estimate's limit and fails at 1.2, at any step and spacing.
+/// CO12 against runs: explicit coupling is quiet at 0.85 of the estimate's limit and fails at 1.2, at any step and spacing.
 #[test]
 fn one_exchange_a_step_fails_where_the_estimate_says() {
     for (courant, rows) in [(0.6, 20), (0.6, 40), (0.3, 20), (0.15, 20)] {
@@ -140,7 +140,7 @@ fn light_panels_on_a_light_frame_and_a_light_baffle_hold() {
     }
 }
 
-/// C12 with two wet faces: a baffle in still water, which has nothing to do but stand. Explicit coupling is quiet at 0.85 of the
+/// CO12 with two wet faces: a baffle in still water, which has nothing to do but stand. Explicit coupling is quiet at 0.85 of the
 /// estimate's limit and shakes at 1.3.
 #[test]
 fn a_plate_wet_on_both_sides_has_twice_the_water() {

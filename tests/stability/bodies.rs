@@ -23,7 +23,7 @@ fn wildest(mass: f64, spacing: f64) -> f64 {
     wildest
 }
 
-/// Weak coupling moves the body once a step, and wall pressures contain ρ a_wall (THEORY E9) of the step before: the
+/// Weak coupling moves the body once a step, and wall pressures contain ρ a_wall (THEORY WA3) of the step before: the
 /// added mass of about half a row of particles, ρ b Δx/2, is explicit. Failure: a box of a twentieth of the water's
 /// density, m = 0.4 ρ b Δx, shakes itself at thousands of g, and nothing but the curves says so. Remedy: m ≥ 0.6 ρ b Δx
 /// is smooth, so halve the spacing.
@@ -48,7 +48,7 @@ fn water_above(solver: &str, ventilation: bool) -> f64 {
 }
 
 /// Failure: a jet that runs up a cylinder is sucked round it, though air has a way in between, and closes above it.
-/// Remedy: ventilation (THEORY E3, I8): water that touches both a wall and the air holds no tension, and the jet leaves.
+/// Remedy: ventilation (THEORY WC2, PR8): water that touches both a wall and the air holds no tension, and the jet leaves.
 #[test]
 fn a_jet_is_sucked_round_a_cylinder_where_no_air_comes_in() {
     let spacing: f64 = 0.0044;

@@ -1,4 +1,4 @@
-//! Coupling: where explicit coupling fails, and the schemes that hold there (THEORY C1–C8).
+//! Coupling: where explicit coupling fails, and the schemes that hold there (THEORY CO4–CO10).
 
 use evidence::light::{DRAUGHT, light_box, settle};
 use evidence::systems::{advance, scene, system};
@@ -7,7 +7,7 @@ use scenarios::scene::ExchangeRatio;
 const SCHEMES: [&str; 3] = ["weak", "added_mass", "iqn_ils"];
 
 /// Largest acceleration [m/s²] of a box of 0.1 m, ten spacings, in the first 0.05 s after its release under water, tilted
-/// by ten degrees and free in all directions; infinite where the run broke down. And C8's spectral radius.
+/// by ten degrees and free in all directions; infinite where the run broke down. And CO10's spectral radius.
 fn released(density: f64, scheme: &str) -> (f64, f64) {
     let mass = 0.01 * density;
     let sets = [
@@ -36,7 +36,7 @@ fn released(density: f64, scheme: &str) -> (f64, f64) {
 }
 
 /// The stability map: density of the body over the water's × scheme. Failure: weak coupling, where half a row of water has
-/// more inertia than the body (C8 above 1). Remedy: any other scheme, down to a thousandth of the water's density.
+/// more inertia than the body (CO10 above 1). Remedy: any other scheme, down to a thousandth of the water's density.
 #[test]
 fn weak_coupling_fails_where_the_estimate_says_and_the_others_nowhere() {
     for density in [1000.0, 300.0, 150.0, 120.0, 80.0, 50.0, 20.0, 5.0, 1.0] {

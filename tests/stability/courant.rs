@@ -1,4 +1,4 @@
-//! Courant numbers at which each integrator breaks down; a scene that asks for one is refused (THEORY H4).
+//! Courant numbers at which each integrator breaks down; a scene that asks for one is refused (THEORY WC16).
 
 use evidence::systems::advance;
 use scenarios::build;

@@ -1,4 +1,4 @@
-//! Particles that turn from surface to inside and back from step to step (THEORY I5): the state that a projection depends on.
+//! Particles that turn from surface to inside and back from step to step (THEORY PR5): the state that a projection depends on.
 
 use std::collections::HashMap;
 

@@ -1,4 +1,4 @@
-//! A host that takes the water's force as it comes shakes with long steps (THEORY D5); one that repeats the step does not.
+//! A host that takes the water's force as it comes shakes with long steps (THEORY CO32); one that repeats the step does not.
 
 use evidence::door::{moved, total};
 use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostNodes, HostStep, Topology};
@@ -45,16 +45,16 @@ fn top_speed(mass: f64, dt: f64, tries: usize, steps: usize) -> f64 {
     top
 }
 
-/// A box lighter than the water it can move: quiet with D5's step, shaken to pieces with three times that and with eight; a host
+/// A box lighter than the water it can move: quiet with CO32's step, shaken to pieces with three times that and with eight; a host
 /// that saves, restores and repeats its steps until the force agrees is quiet with all of them.
 #[test]
 fn a_host_that_takes_the_force_as_it_comes_shakes_with_long_steps() {
     let (element, _, said) = floating(40.0);
-    println!("D5: {said:.2e} s, {:.1} steps of the water", said / element.fluid_dt().expect("a stable step"));
+    println!("CO32: {said:.2e} s, {:.1} steps of the water", said / element.fluid_dt().expect("a stable step"));
     for (times, shakes) in [(0.5, false), (1.0, false), (3.0, true), (8.0, true)] {
         let steps = (0.4 / (times * said)) as usize;
         let (taken, repeated) = (top_speed(40.0, times * said, 1, steps), top_speed(40.0, times * said, 8, steps));
-        println!("40 kg/m, {times} x D5, {steps} steps: {taken:.2e} m/s as it comes, {repeated:.2e} m/s repeated");
+        println!("40 kg/m, {times} x CO32, {steps} steps: {taken:.2e} m/s as it comes, {repeated:.2e} m/s repeated");
         assert!(if shakes { taken > 1.0 } else { taken < 0.02 }, "{times}: {taken} m/s");
         assert!(repeated < 0.02, "{times}: {repeated} m/s");
     }

@@ -1,9 +1,9 @@
-//! Where runs fail lies where theory puts it, within one cell of each map (THEORY M1–M6).
+//! Where runs fail lies where theory puts it, within one cell of each map (THEORY OP7, WC14, WC15, CO25, LE24).
 
 use rayon::prelude::*;
 use scenarios::experiments::stability::{self, MAPS, Map, Verdict};
 
-/// Theory knows the lattice, not the jump of the cut Gaussian, whose edge lies on neighbours at h/Δx = 1 (THEORY M6).
+/// Theory knows the lattice, not the jump of the cut Gaussian, whose edge lies on neighbours at h/Δx = 1 (THEORY LE24).
 const ASTRAY: (&str, &str) = ("free_surface_threshold", "gaussian_1.0");
 
 /// A point and whether it has to fail.

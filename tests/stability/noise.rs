@@ -35,9 +35,9 @@ fn roughness(system: &Coupled) -> f64 {
     deviation(&gaps) / 500.0
 }
 
-/// Failure: without density diffusion (THEORY E5) and artificial viscosity (E7) the pressure is a checkerboard many
+/// Failure: without density diffusion (THEORY WC4) and artificial viscosity (WC6) the pressure is a checkerboard many
 /// times the stagnation pressure, and the force means nothing. Remedy: the defaults, which cost under 0.5 % of force, or
-/// the Riemann form (R1, R2).
+/// the Riemann form (WC8, WC9).
 #[test]
 fn without_density_diffusion_and_viscosity_the_pressure_is_noise() {
     let bare = entry(&["fluid.density_diffusion=0", "fluid.artificial_viscosity=0"]);
@@ -51,7 +51,7 @@ fn without_density_diffusion_and_viscosity_the_pressure_is_noise() {
     assert!(riemann.force < 0.1, "riemann: force scatters by {:.2}", riemann.force);
 }
 
-/// What the Riemann form takes from the density in a step may not exceed it (THEORY R3): C < 0.86 with Wendland C2, where
+/// What the Riemann form takes from the density in a step may not exceed it (THEORY WC13): C < 0.86 with Wendland C2, where
 /// density diffusion at δ = 0.3 runs at C = 1. Failure: C = 1. Remedy: C = 0.6.
 #[test]
 fn the_riemann_form_needs_a_shorter_step_than_density_diffusion() {
@@ -65,7 +65,7 @@ fn the_riemann_form_needs_a_shorter_step_than_density_diffusion() {
     assert!(diffusion.force < 0.08, "density diffusion at C = 1: force scatters by {:.3}", diffusion.force);
 }
 
-/// Failure: without shifting (THEORY E13) particles line up along streamlines, leave pockets at the keel, and the
+/// Failure: without shifting (THEORY WC10) particles line up along streamlines, leave pockets at the keel, and the
 /// force is more than half as noisy again. Remedy: shifting.
 #[test]
 fn without_shifting_the_force_is_noisier() {

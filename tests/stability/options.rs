@@ -56,7 +56,7 @@ fn every_filter_viscosity_and_law_runs_a_dam_break() {
     completes(&HEAVY_GAS);
 }
 
-/// The Riemann form (THEORY R1, R2) in place of density diffusion and artificial viscosity.
+/// The Riemann form (THEORY WC8, WC9) in place of density diffusion and artificial viscosity.
 #[test]
 fn the_riemann_form_runs_a_dam_break_with_every_integrator_and_in_gas() {
     let riemann = "fluid.dissipation=riemann";
@@ -82,7 +82,7 @@ fn options_run_together_and_as_the_thesis_had_them() {
 }
 
 /// A heavy gas under p₀ falls as the water does, and dissipates as much. For that its spray must be compressed, and its
-/// density diffused, along isentropes (THEORY L9, L10): with e left alone p₀ dV goes astray, many times what falls.
+/// density diffused, along isentropes (THEORY LE11, LE12): with e left alone p₀ dV goes astray, many times what falls.
 #[test]
 fn a_gas_does_not_lose_more_energy_than_falls() {
     let energy = dam_break(&HEAVY_GAS).audit.energy;
@@ -97,8 +97,8 @@ fn the_quadratic_kernel_breaks_down_without_much_viscosity() {
     completes(&[&["fluid.kernel=quadratic", "resolution.spacing=0.05"], &LEGACY[..]].concat());
 }
 
-/// Failure: counted from masses (THEORY L11), water at a free surface misses half of its neighbours and is taken for
-/// thin: at the column's corner so thin that the run cannot begin. Remedy: the continuity equation (E4).
+/// Failure: counted from masses (THEORY LE13), water at a free surface misses half of its neighbours and is taken for
+/// thin: at the column's corner so thin that the run cannot begin. Remedy: the continuity equation (WC3).
 #[test]
 fn summed_densities_break_down_at_a_free_surface() {
     let scene = scene("dam_break", &["resolution.spacing=0.06", "fluid.density_evolution=summation"]);
@@ -107,8 +107,8 @@ fn summed_densities_break_down_at_a_free_surface() {
     completes(&["fluid.density_evolution=continuity"]);
 }
 
-/// Failure: a fixed step of 1.5 h/c₀, which a scene is refused for (THEORY H4). Remedy: one of a third of that, or none, so
-/// that the limit (E17) rules.
+/// Failure: a fixed step of 1.5 h/c₀, which a scene is refused for (THEORY WC16). Remedy: one of a third of that, or none, so
+/// that the limit (WC12) rules.
 #[test]
 fn a_fixed_step_above_the_acoustic_limit_breaks_down() {
     let limit = 1.5 * 0.06 / 34.3; // h/c₀ of the scene [s]

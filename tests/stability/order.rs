@@ -39,7 +39,7 @@ fn nearest(kernel: Kernel, smoothing_ratio: f64, pressure: f64, shifting: bool) 
 
 /// Tensile instability (Swegle, Hicks & Attaway 1995): where p < 0 and W'' > 0, a pair that comes closer is pulled
 /// together. Failure: water stretched to −20 kPa (1 % of ρ₀c₀²) clumps with the cubic spline. Remedy: no tension, by a
-/// pressure at least as large all over; where there must be some, Wendland's kernel with shifting (E13) keeps distance.
+/// pressure at least as large all over; where there must be some, Wendland's kernel with shifting (WC10) keeps distance.
 #[test]
 fn stretched_water_clumps_with_the_cubic_spline() {
     let [stretched, _] = nearest(Kernel::CubicSpline, 1.2, -2e4, false);

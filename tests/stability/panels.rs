@@ -1,4 +1,4 @@
-//! Light panels: elements between the particles, and impulses of single particles (THEORY C12, E25).
+//! Light panels: elements between the particles, and impulses of single particles (THEORY CO12, WA7).
 
 use evidence::systems::{advance, of_text};
 use fsi_coupling::Coupled;

@@ -15,7 +15,7 @@ fn middle(system: &Coupled) -> f64 {
     p.y.iter().sum::<f64>() / p.len() as f64
 }
 
-/// Verlet's two time levels (THEORY L1) know of each other through the rates only; what dissipates makes their difference
+/// Verlet's two time levels (THEORY LE3) know of each other through the rates only; what dissipates makes their difference
 /// grow. Failure: without the Euler step the tank breaks down in a hundredth of a second; without any dissipation it
 /// takes longer. Remedy: one Euler step in 40, at the usual Courant number, or one in 10 at twice that.
 #[test]
@@ -39,8 +39,8 @@ fn verlet_without_its_correction_step_breaks_down() {
     }
 }
 
-/// Failure: with summed densities (THEORY L11) the surface of still water is pulled together by tension that is not there,
-/// until the run breaks down. Remedy: the continuity equation (E4).
+/// Failure: with summed densities (THEORY LE13) the surface of still water is pulled together by tension that is not there,
+/// until the run breaks down. Remedy: the continuity equation (WC3).
 #[test]
 fn still_water_with_summed_densities_breaks_down() {
     let error = advance(&mut tank(&["fluid.density_evolution=summation"]), 1.0, |_| ()).expect_err("still water ran");
@@ -48,9 +48,9 @@ fn still_water_with_summed_densities_breaks_down() {
     advance(&mut tank(&["fluid.density_evolution=continuity"]), 1.0, |_| ()).expect("still water stays");
 }
 
-/// Failure: density diffusion of the whole pressure (L12) takes the hydrostatic gradient for noise; at the surface and
+/// Failure: density diffusion of the whole pressure (LE14) takes the hydrostatic gradient for noise; at the surface and
 /// at the floor its sum is one-sided, and still water spreads: the lowest rows sink together, the top rises. Remedy:
-/// diffuse what is over the hydrostatic pressure (E5).
+/// diffuse what is over the hydrostatic pressure (WC4).
 #[test]
 fn diffusion_of_the_hydrostatic_pressure_makes_still_water_drift() {
     let drift = |form: &str, dissipation: &str| {
@@ -79,9 +79,9 @@ fn unrest(sets: &[&str]) -> f64 {
     evidence::statistics::mean(&kinetic)
 }
 
-/// The Riemann form's resistance is quadratic in the closing speed (THEORY R2): water that has lost its lattice, at
+/// The Riemann form's resistance is quadratic in the closing speed (THEORY WC9): water that has lost its lattice, at
 /// millimetres a second, feels next to none. Failure: seven seconds on it still churns, as water does under density
-/// diffusion alone. Remedy: a viscosity that is linear, artificial (E7, the default) or real (E8).
+/// diffusion alone. Remedy: a viscosity that is linear, artificial (WC6, the default) or real (WC7).
 #[test]
 fn still_water_does_not_come_to_rest_without_a_linear_viscosity() {
     let riemann = unrest(&["fluid.dissipation=riemann"]);
@@ -103,7 +103,7 @@ fn kernel_sum(shifting: bool) -> f64 {
     around.iter().map(|a| a.kernel_sum).sum::<f64>() / around.len() as f64
 }
 
-/// Shifting (E13) at the free surface would follow ∇C out of the water, and the column would swell: shifting where λ ≥ 0.7 only
+/// Shifting (WC10) at the free surface would follow ∇C out of the water, and the column would swell: shifting where λ ≥ 0.7 only
 /// leaves the kernel sums as they are without it.
 #[test]
 fn shifting_does_not_swell_the_water() {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 const GAIN: f64 = 0.02;
 /// The same of the few that gain more.
 const MOST: f64 = 0.06;
-/// They rise slowly from near the floor, and the missing volume of the water around them is energy (THEORY I9): 7 % of a particle's
+/// They rise slowly from near the floor, and the missing volume of the water around them is energy (THEORY PR9): 7 % of a particle's
 /// volume are 5 % of their kinetic energy.
 const GAINING: [u64; 3] = [9, 21, 96];
 

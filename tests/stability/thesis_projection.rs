@@ -1,4 +1,4 @@
-//! Where the thesis's projection fails (THEORY J16): its author's dead ends, and where the thesis ended. The remedy of each is
+//! Where the thesis's projection fails (THEORY LE1): its author's dead ends, and where the thesis ended. The remedy of each is
 //! the default; that of the last three is `solver = "incompressible"`.
 
 use evidence::systems::{of_text, scene, system};
@@ -51,8 +51,8 @@ fn breaks_down(what: &str, system: &mut Coupled, from: f64, end: f64) -> Couplin
     error
 }
 
-/// Failure: masses from W m = ρ₀ (J3) are negative where kernels are wide, and whatever they are, water at rest flies
-/// apart within a quarter of a second. Remedy: one mass, and what is lacking stored (J1, J2).
+/// Failure: masses from W m = ρ₀ (LE28) are negative where kernels are wide, and whatever they are, water at rest flies
+/// apart within a quarter of a second. Remedy: one mass, and what is lacking stored (LE18, LE19).
 #[test]
 fn masses_that_give_every_particle_its_density_are_negative() {
     let inverse = |sets: &[&str]| column(&[&["thesis.masses=inverse"], sets].concat());
@@ -82,7 +82,7 @@ fn masses_that_give_every_particle_its_density_are_negative() {
     assert!(least(&remedy) > 0.0 && pressure_error(&remedy) < 1e-3, "{:.2e}", pressure_error(&remedy));
 }
 
-/// Failure: limit rows of zero gradient (J13) give half the pressure at the first step, and break down within half a second.
+/// Failure: limit rows of zero gradient (LE28) give half the pressure at the first step, and break down within half a second.
 /// Remedy: the Poisson equation on them.
 #[test]
 fn zero_gradient_at_limit_particles_halves_the_pressure_and_diverges() {
@@ -94,7 +94,7 @@ fn zero_gradient_at_limit_particles_halves_the_pressure_and_diverges() {
     breaks_down("zero gradient", &mut column(&["thesis.limit_rows=zero_gradient"]), 0.1, 0.7);
 }
 
-/// Failure: a predictor with the old pressure (J14) diverges whatever the step. Remedy: a predictor of gravity alone.
+/// Failure: a predictor with the old pressure (LE28) diverges whatever the step. Remedy: a predictor of gravity alone.
 #[test]
 fn a_predictor_with_the_old_pressure_diverges() {
     breaks_down("old pressure", &mut column(&["thesis.predictor=old_pressure"]), 0.01, 0.5);
@@ -107,7 +107,7 @@ fn a_predictor_with_the_old_pressure_diverges() {
 
 /// Failure: side walls that do not follow the predictor change the density beside them: a third of the pressure at the
 /// first step, and as much for ever where the inner loop is left to come and go at 1e-3 of the density. At rest a single pass
-/// and a tight loop forget most of it: the columns beside the wall settle where their density is right. Remedy: J10.
+/// and a tight loop forget most of it: the columns beside the wall settle where their density is right. Remedy: LE21.
 #[test]
 fn side_walls_without_freedom_give_wrong_densities() {
     let error = |sets: &[&str]| {
@@ -129,7 +129,7 @@ fn side_walls_without_freedom_give_wrong_densities() {
     assert!(held_tight[1] > 2.0 * free_tight[1], "tight: held {held_tight:?}, free {free_tight:?}");
 }
 
-/// Failure: without J9 the pressure at rest depends on h. Remedy: the gradient correction.
+/// Failure: without LE26 the pressure at rest depends on h. Remedy: the gradient correction.
 #[test]
 fn without_gradient_correction_the_pressure_depends_on_h() {
     let floor = |sets: &[&str]| {
@@ -162,7 +162,7 @@ fn falling(shape: &str) -> Coupled {
 }
 
 /// Failure, and the thesis's end: "as soon as the structure is entering the surface particles' kernel support, the algorithm
-/// breaks down". What is stored for the surface's densities (J2) knows no body: its particles are density in excess, of
+/// breaks down". What is stored for the surface's densities (LE19) knows no body: its particles are density in excess, of
 /// Δρ/(ρ Δt²), as soon as they are felt.
 #[test]
 fn a_body_that_enters_the_surfaces_support_is_the_end() {
@@ -191,7 +191,7 @@ fn a_body_that_enters_the_surfaces_support_is_the_end() {
     }
 }
 
-/// Failure: walls are as high as the water was (J10). Water that rises above them is beside nothing. Remedy: the other
+/// Failure: walls are as high as the water was (LE21). Water that rises above them is beside nothing. Remedy: the other
 /// solvers, whose walls are as high as the tank.
 #[test]
 fn water_that_rises_above_the_walls_is_lost() {

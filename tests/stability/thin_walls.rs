@@ -1,4 +1,4 @@
-//! Failures at plates thinner than their rows of wall particles, and their remedy: plate midlines (THEORY T1, T2).
+//! Failures at plates thinner than their rows of wall particles, and their remedy: plate midlines (THEORY WA8, WA9).
 
 use evidence::parameters::Parameters;
 use evidence::plates::{
@@ -60,8 +60,8 @@ fn thrown(body: impl Fn(Outline) -> Box<dyn Body>) -> Coupled {
     coupled(parameters, &(0..16).map(lone).collect::<Vec<_>>(), vec![body(outline), Box::new(tank)], SPACING)
 }
 
-/// Contact with the outline (THEORY E25) puts a particle back on the nearest face. Failure: what flies through a plate in one
-/// step is beyond it and is not even looked for. Remedy: the step's path tells who went through, and where it came from (T5).
+/// Contact with the outline (THEORY WA7) puts a particle back on the nearest face. Failure: what flies through a plate in one
+/// step is beyond it and is not even looked for. Remedy: the step's path tells who went through, and where it came from (WA11).
 #[test]
 fn lone_particles_fly_through_a_plate_unless_their_path_is_looked_at() {
     let bare = |outline: Outline| fixed(Outline::polygon(&outline.loops()[0]).expect("the same corners"));

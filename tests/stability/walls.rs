@@ -18,7 +18,7 @@ struct Wall {
 }
 
 /// Particles outside a tank of 20 by 20 after `end` [s]; the water falls at `speed` [m/s] from the start. Nothing but
-/// the walls holds it: no contact with the surface (THEORY E25).
+/// the walls holds it: no contact with the surface (THEORY WA7).
 fn leaked(wall: Wall, speed: f64, end: f64) -> usize {
     let (x, floor) = ([-0.5, 0.5], -1.0);
     let layout = Layout::new(Basin { x, y: [floor, 0.0], fine_x: x, fine_depth: 1.0, spacing: SPACING, growth: 1.0 });
@@ -89,7 +89,7 @@ fn thrown(walls: &str) -> f64 {
     peak
 }
 
-/// A repulsive wall pushes by a law of distance that the weight of the water has no part in (THEORY W1). Failure: still
+/// A repulsive wall pushes by a law of distance that the weight of the water has no part in (THEORY LE15). Failure: still
 /// water is thrown about (some 300 J/m of the 4905 J/m it holds). Remedy: walls with a pressure.
 #[test]
 fn a_repulsive_wall_throws_still_water_about() {
@@ -116,7 +116,7 @@ fn a_dynamic_wall_without_pressure_lets_still_water_fall() {
     assert!(without > 10.0 * with, "{without:.3e} J/m from no pressure, {with:.3e} J/m from the water's");
 }
 
-/// Every wall, with contact (THEORY E25) behind it, runs a coarse dam break to its end with nothing beyond a wall and momentum closed to 1e-10.
+/// Every wall, with contact (THEORY WA7) behind it, runs a coarse dam break to its end with nothing beyond a wall and momentum closed to 1e-10.
 #[test]
 fn every_wall_holds_a_dam_break() {
     for model in ["extrapolated", "repulsive", "dynamic", "mirror_point"] {

@@ -5,7 +5,7 @@ use evidence::systems::{advance, system, take};
 use sph_core::wcsph::Wcsph;
 use sph_core::{Breakdown, Seed, Walls};
 
-/// The acoustic step limit Δt ≤ C h/(c₀ + |v|) (THEORY E17). Failure: with C = 1.5 the impact breaks down within a
+/// The acoustic step limit Δt ≤ C h/(c₀ + |v|) (THEORY WC12). Failure: with C = 1.5 the impact breaks down within a
 /// hundred steps, and says which particle, where and when. Remedy: C = 0.6.
 #[test]
 fn a_step_above_the_acoustic_limit_breaks_down() {

@@ -1,4 +1,4 @@
-//! One exchange a window, of any length, between a piston and a column of real water (THEORY C11): from the limit of a
+//! One exchange a window, of any length, between a piston and a column of real water (THEORY CO11): from the limit of a
 //! compressible fluid to that of an incompressible one.
 
 use evidence::column::{Column, HEIGHT, SOUND};

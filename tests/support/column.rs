@@ -1,4 +1,4 @@
-//! A piston under a column of real water, which it meets once a window: explicit coupling of any step (THEORY C11).
+//! A piston under a column of real water, which it meets once a window: explicit coupling of any step (THEORY CO11).
 
 use crate::parameters::Parameters;
 use sph_core::neighbours::images::Periodic;

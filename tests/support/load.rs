@@ -30,7 +30,7 @@ impl Handled {
     }
 
     /// Write the force now on each particle [N/m]; the step's mean is that of this force and the one before,
-    /// as a kick–drift–kick step has it (THEORY E15).
+    /// as a kick–drift–kick step has it (THEORY WC11).
     pub fn push(&mut self, force: impl Fn(usize, &Walls) -> [f64; 2]) {
         for k in 0..self.walls.len() {
             let ([fx, fy], before) = (force(k, &self.walls), [self.walls.fx[k], self.walls.fy[k]]);

@@ -1,4 +1,4 @@
-//! Sound in a closed box (THEORY E3, E4, E6): the first mode between two walls has the period 2L/c₀.
+//! Sound in a closed box (THEORY WC2, WC3, WC5): the first mode between two walls has the period 2L/c₀.
 
 use evidence::parameters::Parameters;
 use evidence::statistics::period;
@@ -53,7 +53,7 @@ fn period_error(mut system: Coupled, sound: f64) -> f64 {
 }
 
 /// Sound travels at c₀, to 1.5 % over 40 cells. The error is of first order in the spacing, not of second as inside the
-/// fluid, and larger in a lower box, so it comes from the rows beside the walls: there E10 counts how fast the water
+/// fluid, and larger in a lower box, so it comes from the rows beside the walls: there WA4 counts how fast the water
 /// comes at the wall, and not how fast it is stretched along it.
 #[test]
 fn sound_crosses_a_closed_box_at_its_speed() {
@@ -75,7 +75,7 @@ fn sound_along_walls_that_feel_the_stretching_is_nearer_its_speed() {
     assert!(with.abs() < 0.6 * without.abs(), "20 cells: period off by {without:.4} without, {with:.4} with");
 }
 
-/// Sound in a gas (THEORY L9, L10) is adiabatic: its speed is √(γ R T/M), not Newton's √(R T/M), which is 18 % less. The
+/// Sound in a gas (THEORY LE11, LE12) is adiabatic: its speed is √(γ R T/M), not Newton's √(R T/M), which is 18 % less. The
 /// box's error of 2.2 % at 20 cells is that of water.
 #[test]
 fn sound_in_a_gas_is_adiabatic() {

@@ -1,5 +1,5 @@
 //! Start-up of Couette's and Poiseuille's flows between plates that do not slip (series in Morris, Fox & Zhu 1997):
-//! laminar viscosity (E8), no-slip walls (E11), periodic planes (V1).
+//! laminar viscosity (WC7), no-slip walls (WA5), periodic planes (OP9).
 
 use evidence::bare::{advance, lattice, parameters};
 use evidence::parameters::Parameters;

@@ -73,7 +73,7 @@ fn state(fluid: &Fluid) -> Vec<[u64; 6]> {
     rows
 }
 
-/// EX2: a step whose pressure is not found leaves everything as it was, so that a shorter one can be taken.
+/// CO26: a step whose pressure is not found leaves everything as it was, so that a shorter one can be taken.
 #[test]
 fn a_step_that_is_refused_leaves_the_water_as_it_was() {
     let (mut fluid, mut walls) = full_tank();

@@ -1,4 +1,4 @@
-//! Momentum, and action against reaction, in runs with bodies (THEORY E21).
+//! Momentum, and action against reaction, in runs with bodies (THEORY CO27).
 
 use evidence::systems::{lift, system, take};
 use fsi_coupling::Coupled;

@@ -1,4 +1,4 @@
-//! The coupling schemes agree with each other, and a light box with Archimedes (THEORY C1–C7).
+//! The coupling schemes agree with each other, and a light box with Archimedes (THEORY CO4–CO9).
 
 use evidence::light::{BREADTH, DRAUGHT, HEIGHT, light_box, settle};
 use evidence::systems::{scene, system, take};

@@ -1,4 +1,4 @@
-//! What the two forms of dissipation take from sound (THEORY E5, R1): a standing wave in a periodic box without walls.
+//! What the two forms of dissipation take from sound (THEORY WC4, WC8): a standing wave in a periodic box without walls.
 
 use std::f64::consts::PI;
 

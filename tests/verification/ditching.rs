@@ -1,4 +1,4 @@
-//! 2D+t (THEORY DT1–DT8): exact limits of planing, what is conserved, trends of model tests, refusals.
+//! 2D+t (THEORY EN14–EN19): exact limits of planing, what is conserved, trends of model tests, refusals.
 
 use std::time::Instant;
 

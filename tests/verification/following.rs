@@ -1,4 +1,4 @@
-//! Resolution that follows (THEORY E26): what is halved stays what it was, lies as a lattice, and is not felt.
+//! Resolution that follows (THEORY WC21): what is halved stays what it was, lies as a lattice, and is not felt.
 
 use evidence::parameters::Parameters;
 use evidence::systems::{advance, scene, system, take};

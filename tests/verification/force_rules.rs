@@ -1,4 +1,4 @@
-//! Four rules for the force on a body (THEORY W7): on water at rest they all find what it displaces.
+//! Four rules for the force on a body (THEORY GE8): on water at rest they all find what it displaces.
 
 use evidence::systems::{advance, system};
 use fsi_coupling::coupling::force_rules::nodal_loads::resultant;

@@ -1,4 +1,4 @@
-//! The ideal gas with its energy equation (THEORY L9, L10).
+//! The ideal gas with its energy equation (THEORY LE11, LE12).
 
 use evidence::parameters::Parameters;
 use sph_core::wcsph::eos::Tait;

@@ -1,4 +1,4 @@
-//! Gauges of a length and a bandwidth (THEORY G1, G2), in water at rest.
+//! Gauges of a length and a bandwidth (THEORY GE3, GE4), in water at rest.
 
 use evidence::systems::scene;
 use scenarios::observers::LowPass;
@@ -17,7 +17,7 @@ fn mean(outcome: &Outcome, gauge: &str) -> f64 {
 }
 
 /// Water at rest: a gauge of any length on a wall shows the pressure at its middle, that of the floor ρ g H, to 0.4 %.
-/// Measured: 0.12 % (0.1 m long), 0.29 % (0.6 m), 0.31 % (floor). On a lattice the half kernel of E18 sums up to 1.003 on
+/// Measured: 0.12 % (0.1 m long), 0.29 % (0.6 m), 0.31 % (floor). On a lattice the half kernel of GE2 sums up to 1.003 on
 /// average along a wall, whatever the spacing: that is the reading's bias and not the averaging's.
 /// As its length goes to 0 it shows what the point shows. It says the length that a corner leaves it.
 #[test]

@@ -1,5 +1,5 @@
 //! The host's door: what the nodes get is what the water lost, steps come again, and a host's wedge is the scene's (THEORY
-//! D1–D6).
+//! CO29–CO32).
 
 use evidence::door::{MASS, bits, element, moved, placed, spec, total, wedge_of_the_scene};
 use fsi_coupling::Motion;
@@ -75,7 +75,7 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
     }
 }
 
-/// Blows of single particles (THEORY E25) are in the nodes' impulses too: a box that spins through the surface, in the
+/// Blows of single particles (THEORY WA7) are in the nodes' impulses too: a box that spins through the surface, in the
 /// water's own steps, gets more than its boundary particles' forces, and momentum closes.
 #[test]
 fn blows_of_single_particles_reach_the_nodes() {

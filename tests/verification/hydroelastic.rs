@@ -1,4 +1,4 @@
-//! The modal beam on Wagner's load (THEORY HM1–HM5) against tables of an independent program.
+//! The modal beam on Wagner's load (THEORY EN12, EN13) against tables of an independent program.
 
 use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Loads, Section, WedgeState};
 use structure_fe::Material;

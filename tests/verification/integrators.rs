@@ -1,4 +1,4 @@
-//! Order of the integrators in time (THEORY E15, E16, L1, L2): a standing pressure wave in a box of 20 by 20 cells, against
+//! Order of the integrators in time (THEORY WC11, LE2, LE3, LE4): a standing pressure wave in a box of 20 by 20 cells, against
 //! the same particles with steps so small that only the spacing's error is left, which all integrators share.
 
 use evidence::parameters::Parameters;

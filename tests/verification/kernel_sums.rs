@@ -1,4 +1,4 @@
-//! Sums over a square lattice that have known limits (THEORY E1, E12, E14).
+//! Sums over a square lattice that have known limits (THEORY OP2, OP4, OP5).
 
 use evidence::parameters::Parameters;
 use evidence::statistics::Noise;
@@ -62,7 +62,7 @@ fn inside_a_lattice_space_is_filled_and_gradients_are_exact() {
     }
 }
 
-/// What a lattice's quadrature leaves of a pressure gradient at h/Δx = 1.5 (THEORY E6): still water's pressure is higher
+/// What a lattice's quadrature leaves of a pressure gradient at h/Δx = 1.5 (THEORY WC5): still water's pressure is higher
 /// by as much. The sum by hand, over a lattice without end: −½ Σ Δx² r·∇W = 0.997399.
 #[test]
 fn a_lattice_gives_0_26_percent_too_little_gradient() {

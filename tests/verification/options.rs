@@ -1,4 +1,4 @@
-//! Sums of the fluid's options that have exact answers (THEORY L4 to L8), on an uneven block with a free edge all round.
+//! Sums of the fluid's options that have exact answers (THEORY LE6–LE10), on an uneven block with a free edge all round.
 
 use evidence::parameters::Parameters;
 use evidence::statistics::Noise;
@@ -36,7 +36,7 @@ fn change(rho: impl Fn(f64, f64) -> f64, linear: bool) -> f64 {
     fluid.particles().rho.iter().zip(&given).map(|(found, given)| (found / given - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// Shepard's filter (L4) keeps a constant to rounding, moving least squares (L5) a linear field, edges and corners
+/// Shepard's filter (LE6) keeps a constant to rounding, moving least squares (LE7) a linear field, edges and corners
 /// included; what each is not made for it changes.
 #[test]
 fn density_filters_keep_the_fields_they_are_made_for() {
@@ -49,7 +49,7 @@ fn density_filters_keep_the_fields_they_are_made_for() {
     assert!(change(curved, true) > 1e-5, "{:e}", change(curved, true));
 }
 
-/// XSPH (L6) moves the particles of a disordered flow, and not their centre of mass.
+/// XSPH (LE8) moves the particles of a disordered flow, and not their centre of mass.
 #[test]
 fn smoothed_velocities_carry_the_same_momentum() {
     let fluid = block(|at| [at[1], 0.3], 1.0);
@@ -63,7 +63,7 @@ fn smoothed_velocities_carry_the_same_momentum() {
     assert!(sum[0].hypot(sum[1]) < 1e-13 * size, "{sum:?} of {size} N s/m");
 }
 
-/// In a linear shear u = γ̇ y the eddies' stress (L7) is ρ (C_s Δ)² γ̇² across and −⅔ ρ C_I Δ² γ̇² along, at the block's
+/// In a linear shear u = γ̇ y the eddies' stress (LE9) is ρ (C_s Δ)² γ̇² across and −⅔ ρ C_I Δ² γ̇² along, at the block's
 /// edges too.
 #[test]
 fn eddies_stress_of_a_linear_shear_is_its_formula() {

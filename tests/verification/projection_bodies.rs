@@ -1,4 +1,4 @@
-//! Bodies inside the projection (THEORY PB1–PB7): what was found holds exactly, whichever scheme finds it.
+//! Bodies inside the projection (THEORY CO19–CO25): what was found holds exactly, whichever scheme finds it.
 
 use evidence::systems::{advance, system, take};
 use fsi_coupling::Coupled;

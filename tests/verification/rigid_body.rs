@@ -1,4 +1,4 @@
-//! The rapier body against mechanics that has closed forms (THEORY E20).
+//! The rapier body against mechanics that has closed forms (THEORY CO2).
 
 use evidence::load::Handled;
 use evidence::statistics::Noise;

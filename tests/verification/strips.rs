@@ -1,4 +1,4 @@
-//! What a strip does is what the water was told that it does (THEORY C10).
+//! What a strip does is what the water was told that it does (THEORY CO18).
 
 use evidence::strip::{Floor, PERIOD};
 use fsi_coupling::{Iteration, Scheme};

@@ -5,7 +5,7 @@ use scenarios::experiments::convergence::{Plan, study};
 /// Impulse of the exact solution, 2∫F dt/(ρV³t²) = F/(ρV³t) (Dobrovolskaya 1969; `wedge_similarity/summary.csv`).
 const EXACT: f64 = 14.02010;
 
-/// Six coarse runs (Vt/Δx = 8, 17, 33): an order about 1, the sound speed's share as E19 has it, and an extrapolated
+/// Six coarse runs (Vt/Δx = 8, 17, 33): an order about 1, the sound speed's share as WC17 has it, and an extrapolated
 /// value that is nearer than the finest run, with the exact one inside its band. Measured: order 1.45, finest run 3.3 %
 /// off, extrapolated 2.0 % off, band 4.7 %. With finer runs the order comes down to 1.0 and the value to 0.3 %.
 #[test]
@@ -30,5 +30,5 @@ fn a_study_of_the_wedge_comes_nearer_than_its_finest_run() {
     let order = fit.order.expect("monotone");
     assert!((0.8..2.0).contains(&order), "observed order {order:.2}");
     let sound = fit.sound_speed_error.expect("two sound speeds");
-    assert!((-0.016..-0.007).contains(&sound), "E19 says -1.0 %, measured {:+.2} %", 100.0 * sound);
+    assert!((-0.016..-0.007).contains(&sound), "WC17 says -1.0 %, measured {:+.2} %", 100.0 * sound);
 }

@@ -1,4 +1,4 @@
-//! The mirror plane against the whole tank (THEORY E2: images).
+//! The mirror plane against the whole tank (THEORY OP3: images).
 
 use std::collections::HashMap;
 

@@ -32,7 +32,7 @@ fn vortices(cells: usize, dissipation: Dissipation) -> Fluid {
     parameters.fluid(&lattice([0.0; 2], [1.0; 2], 1.0 / cells as f64, |at| Some(field(at))))
 }
 
-/// The same, whose pressure comes from a projection: no free surface, no wall, no level of pressure (PS4, EX6).
+/// The same, whose pressure comes from a projection: no free surface, no wall, no level of pressure (LS5, PR17).
 fn projected(cells: usize, solver: Solver, cfl: f64) -> Fluid {
     let cell = Some([0.0, 1.0]);
     let periodic = Some(Periodic { x: cell, y: cell });
@@ -90,7 +90,7 @@ fn vortices_decay_as_viscosity_says_at_first_order_or_better() {
     assert!((runs[2][1] / kinetic - 1.0).abs() < 0.06, "energy {:.4}, exact {kinetic:.4}", runs[2][1]);
 }
 
-/// With the Riemann form (R1, R2) the error is half again to twice that of density diffusion without artificial viscosity,
+/// With the Riemann form (WC8, WC9) the error is half again to twice that of density diffusion without artificial viscosity,
 /// and falls at least as fast: to 6 %, with 10 % of the energy.
 #[test]
 fn vortices_decay_with_the_riemann_form_too() {
@@ -114,8 +114,8 @@ fn a_lattice_that_collapses_at_stagnation_points_eats_the_vortices() {
     assert!(error > 0.2 && left < 0.6 * kinetic, "error {error:.3}, energy {left:.3}: the lattice held");
 }
 
-/// A projection knows no air where periods close the water (I5), so that nothing gives its pressure a level: the mean is 0
-/// (PS4). 16, 32, 64 particles to the side: the velocity's error falls every time.
+/// A projection knows no air where periods close the water (PR5), so that nothing gives its pressure a level: the mean is 0
+/// (LS5). 16, 32, 64 particles to the side: the velocity's error falls every time.
 #[test]
 fn vortices_decay_under_a_projection_whose_pressure_nothing_gives_a_level() {
     let [umax, kinetic] = tabulated();
@@ -141,7 +141,7 @@ fn vortices_decay_under_a_projection_whose_pressure_nothing_gives_a_level() {
     assert!((runs[2][1] / kinetic - 1.0).abs() < 0.03, "energy {:.4}, exact {kinetic:.4}", runs[2][1]);
 }
 
-/// One pressure pass per step (EX3) instead of a solve, at C = 0.1, 32 to the side: an error of at most 6 %, where the solve
+/// One pressure pass per step (PR15) instead of a solve, at C = 0.1, 32 to the side: an error of at most 6 %, where the solve
 /// leaves 4 %.
 #[test]
 fn vortices_decay_under_one_pressure_pass_per_step() {

@@ -1,4 +1,4 @@
-//! The low-order models of entry (THEORY LM1–LM12) against tables that independent programs computed.
+//! The low-order models of entry (THEORY EN2–EN10) against tables that independent programs computed.
 
 use fsi_coupling::entry_theory::{Entry, EntryModel, Loads, OutOfRange, Section, SectionMotion, SimilarityFlow};
 

@@ -1,4 +1,4 @@
-//! The thesis's projection (THEORY J1–J16): what it reaches where its author got.
+//! The thesis's projection (THEORY LE18–LE28): what it reaches where its author got.
 
 use sph_core::legacy::pilorget2010::Thesis;
 use std::time::Instant;
@@ -106,7 +106,7 @@ fn half_a_tank_is_a_tank() {
 }
 
 /// A tank out of equilibrium: its first sloshing mode, ω² = g k tanh(k H), k = π/L, is 3 % too fast with the thesis's h = Δx
-/// at any spacing: J9 makes the gradient exact on the lattice, not on one that is strained.
+/// at any spacing: LE26 makes the gradient exact on the lattice, not on one that is strained.
 #[test]
 fn a_tank_out_of_equilibrium_sloshes() {
     for (set, from, to) in [

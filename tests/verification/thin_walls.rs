@@ -1,4 +1,4 @@
-//! Thin walls (THEORY T1–T5): plates of any thickness, wet on both sides.
+//! Thin walls (THEORY WA8–WA11): plates of any thickness, wet on both sides.
 
 use evidence::plates::{DENSITY, GRAVITY, Submerged, face_forces, paddled, separated, sides};
 use evidence::statistics::mean;

@@ -1,5 +1,5 @@
 //! One operator H carries motion from a body to its boundary particles, its transpose carries forces back
-//! (THEORY E20). The same three tests for every body.
+//! (THEORY CO2). The same three tests for every body.
 
 use evidence::load::Handled;
 use evidence::statistics::Noise;

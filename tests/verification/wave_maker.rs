@@ -1,4 +1,4 @@
-//! A piston that swings at the end of a long tank (V4) sends off waves of the height that linear theory says (Havelock
+//! A piston that swings at the end of a long tank (CO3) sends off waves of the height that linear theory says (Havelock
 //! 1929; Dean & Dalrymple 1991): H/S = 2 (cosh 2kh − 1)/(sinh 2kh + 2kh), S = 2A the stroke, ω² = g k tanh(kh).
 
 use std::f64::consts::TAU;

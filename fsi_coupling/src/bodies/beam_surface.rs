@@ -1,5 +1,5 @@
 //! H for beams: the elements' shape functions place the boundary particles, the transpose maps their forces to the nodes
-//! (THEORY K1–K3).
+//! (THEORY CO13, CO14).
 
 use std::f64::consts::TAU;
 
@@ -125,7 +125,7 @@ impl BeamSurface {
         ([x1, y1], Bend { length, chord: [dx / length, dy / length], psi })
     }
 
-    /// K1: where a point is when the nodes are displaced by q = `[nodes][u, w, θ]` [m, m, rad].
+    /// CO13: where a point is when the nodes are displaced by q = `[nodes][u, w, θ]` [m, m, rad].
     pub fn place(&self, point: &BeamAttachment, q: &[[f64; 3]]) -> Place {
         let (start, Bend { length, chord: [c, s], psi }) = self.bend(point.element, q);
         let (h, slope) = shapes(point.t);
@@ -142,7 +142,7 @@ impl BeamSurface {
         Place { at, normal: [n_along * tx - n_across * ty, n_along * ty + n_across * tx] }
     }
 
-    /// K2: rows x, y of ∂r/∂q by the six values of the element's ends: velocity = H q̇, to rounding.
+    /// CO14: rows x, y of ∂r/∂q by the six values of the element's ends: velocity = H q̇, to rounding.
     pub fn influence(&self, point: &BeamAttachment, q: &[[f64; 3]]) -> [[f64; 6]; 2] {
         let (_, Bend { length, chord: [c, s], psi }) = self.bend(point.element, q);
         let (h, slope) = shapes(point.t);
@@ -174,7 +174,7 @@ impl BeamSurface {
         self.influence(point, q).map(|row| (0..3).map(|k| row[k] * rate[first][k] + row[3 + k] * rate[second][k]).sum())
     }
 
-    /// K3: Hᵀ f: add a force [N/m] at a point to the nodes' loads `[nodes][F_x, F_y, M]` [N/m, N/m, N].
+    /// CO14: Hᵀ f: add a force [N/m] at a point to the nodes' loads `[nodes][F_x, F_y, M]` [N/m, N/m, N].
     pub fn add_load(&self, point: &BeamAttachment, q: &[[f64; 3]], force: [f64; 2], loads: &mut [[f64; 3]]) {
         let [first, second] = self.elements[point.element];
         let [x, y] = self.influence(point, q);

@@ -21,11 +21,11 @@ pub trait WettedBody {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError>;
 
     /// H: write position and normal of the boundary particles at `ahead` [s] from now, their mean velocity until then, and their
-    /// acceleration then. Return the midlines of the body's thin plates now and then (THEORY T1), always the same number in the same
+    /// acceleration then. Return the midlines of the body's thin plates now and then (THEORY WA8), always the same number in the same
     /// order. Before: `sample`. After `advance(ahead)` the body is there to second order in `ahead`.
     fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline>;
 
-    /// The accelerations of the body at the end of a step of `ahead` [s] as a function of the fluid's forces (THEORY C2); `None` for
+    /// The accelerations of the body at the end of a step of `ahead` [s] as a function of the fluid's forces (THEORY CO5); `None` for
     /// a body with prescribed motion. The solution is not handed back: after `load` and `advance` with the same
     /// forces the body has the accelerations that the interface found, to the accuracy of the step.
     fn interface(&mut self, _ahead: f64) -> Result<Option<Box<dyn InterfaceDynamics>>, BodyError> {
@@ -51,7 +51,7 @@ pub trait WettedBody {
     fn restore(&mut self);
 }
 
-/// Contact of single fluid particles with the body's surface (THEORY E25).
+/// Contact of single fluid particles with the body's surface (THEORY WA7).
 pub trait Contact {
     /// Distance of a point from the surface [m], positive outside the body.
     fn signed_distance(&self, at: [f64; 2]) -> f64;

@@ -47,7 +47,7 @@ impl PrescribedBody {
         Box::new(move |t| first.ahead(t))
     }
 
-    /// V4: the law x₀ + A r(t) sin(2π t/T), with r = s²(3 − 2s), s = min(t/T, 1): at rest at t = 0, harmonic after a
+    /// CO3: the law x₀ + A r(t) sin(2π t/T), with r = s²(3 − 2s), s = min(t/T, 1): at rest at t = 0, harmonic after a
     /// period; x₀, A [m], T [s], at a constant angle [rad].
     pub fn oscillating(middle: [f64; 2], angle: f64, amplitude: [f64; 2], period: f64) -> Law {
         let omega = std::f64::consts::TAU / period;

@@ -3,7 +3,7 @@
 //! rapier is set for physics, not games: no gravity of its own, one solver iteration (its user force is
 //! frozen over iterations, which feeds energy into stiff external forces), no sleeping, no velocity cap,
 //! no continuous collision surprises, mass properties given. A step is kick–drift–kick with impulses
-//! (THEORY E20): second order, and the same impulses that the fluid's kicks carry.
+//! (THEORY CO2): second order, and the same impulses that the fluid's kicks carry.
 
 use std::f64::consts::{PI, TAU};
 
@@ -156,7 +156,7 @@ impl RigidBody2d {
         turned
     }
 
-    /// E20: give the body an impulse [N s/m] and an angular impulse; guides take their share. Updates the external impulses.
+    /// CO2: give the body an impulse [N s/m] and an angular impulse; guides take their share. Updates the external impulses.
     fn kick(&mut self, load: Resultant, dt: f64) {
         let g = self.spec.gravity;
         for k in 0..2 {

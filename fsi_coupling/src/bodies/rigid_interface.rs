@@ -1,4 +1,4 @@
-//! Interface dynamics of a rigid body: three accelerations (THEORY C2, C5).
+//! Interface dynamics of a rigid body: three accelerations (THEORY CO5, CO8).
 
 use sph_core::WallsMut;
 use sph_core::walls::interface::{InterfaceDynamics, InterfaceLoad, InterfaceResidual, ParticleLoad};
@@ -15,7 +15,7 @@ pub struct RigidInterface {
     pub dt: f64,
     /// Acceleration that its particles' kinematics are written with [m/s², m/s², rad/s²].
     pub predicted: [f64; 3],
-    /// Trial acceleration less the predicted one (C2, C5).
+    /// Trial acceleration less the predicted one (CO5, CO8).
     pub change: [f64; 3],
     /// Inverse of mass and moment of inertia [m/kg, m/kg, 1/(kg m)]; 0 where it is held.
     pub inverse_mass: [f64; 3],
@@ -30,7 +30,7 @@ impl RigidInterface {
         [0, 1].map(|k| self.position[k] + offset * self.velocity[k] + curvature * self.predicted[k])
     }
 
-    /// C5: angular accelerations count by the radius of gyration [m], so that all unknowns are in m/s².
+    /// CO8: angular accelerations count by the radius of gyration [m], so that all unknowns are in m/s².
     fn scales(&self) -> [f64; 3] {
         let [x, y, angle] = self.inverse_mass;
         let gyration = if angle > 0.0 && x.max(y) > 0.0 { (x.max(y) / angle).sqrt() } else { 1.0 };
@@ -41,7 +41,7 @@ impl RigidInterface {
         [0, 1, 2].map(|k| self.predicted[k] + self.change[k])
     }
 
-    /// Residual of an acceleration under a force and a moment about the centre of mass [N/m, N/m, N] (C2).
+    /// Residual of an acceleration under a force and a moment about the centre of mass [N/m, N/m, N] (CO5).
     fn residual_of(&self, acceleration: [f64; 3], force: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| match self.inverse_mass[k] {
             0.0 => 0.0,
@@ -49,7 +49,7 @@ impl RigidInterface {
         })
     }
 
-    /// C5: residual of the present acceleration under a resultant about the centre of mass.
+    /// CO8: residual of the present acceleration under a resultant about the centre of mass.
     fn residual_under(&self, Resultant { force: [x, y], moment }: Resultant) -> InterfaceResidual {
         let (force, scales) = ([x, y, moment], self.scales());
         let residual = self.residual_of(self.acceleration(), force);
@@ -59,7 +59,7 @@ impl RigidInterface {
         }
     }
 
-    /// C2: δa of (1 + M⁻¹ A) δa = M⁻¹ F + g − a.
+    /// CO5: δa of (1 + M⁻¹ A) δa = M⁻¹ F + g − a.
     fn change_under(&self, force: [f64; 3], added: [[f64; 3]; 3]) -> [f64; 3] {
         let residual = self.residual_of(self.predicted, force);
         let row = |i: usize| {

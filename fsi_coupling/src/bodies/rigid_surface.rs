@@ -19,7 +19,7 @@ pub struct RigidSurface {
     pub reference: [f64; 2],
     half: bool,
     points: Vec<WallPoint>,
-    /// Set where the outline is sampled as a thin plate (THEORY T2).
+    /// Set where the outline is sampled as a thin plate (THEORY WA9).
     plate: Option<Plate>,
 }
 
@@ -50,7 +50,7 @@ impl RigidSurface {
         }
     }
 
-    /// The midline of a thin plate (THEORY T1) that moves from `now` to `then`; none for other shapes.
+    /// The midline of a thin plate (THEORY WA8) that moves from `now` to `then`; none for other shapes.
     pub fn midlines(&self, now: &RigidMotion, then: &RigidMotion) -> Vec<PlateMidline> {
         let midline = |plate: &Plate| {
             let line = plate.line();

@@ -55,7 +55,7 @@ impl Motion {
     }
 }
 
-/// A body's momentum, and the impulses on it that are not the fluid's (THEORY E21).
+/// A body's momentum, and the impulses on it that are not the fluid's (THEORY CO27).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Momentum {
     /// Linear momentum [N s/m]; zero for a body whose motion is prescribed.

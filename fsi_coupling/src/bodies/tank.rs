@@ -35,7 +35,7 @@ impl Tank {
         Tank { layout, x, floor, rim, half, plates, thickness, points, mean: none, external: none, checkpoint: none }
     }
 
-    /// The same tank with fixed plates [m] whose roots are in its walls (THEORY T3).
+    /// The same tank with fixed plates [m] whose roots are in its walls (THEORY WA10).
     pub fn with_plates(self, plates: Vec<Plate>) -> Tank {
         Tank { plates, ..self }
     }

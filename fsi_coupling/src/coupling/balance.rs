@@ -1,4 +1,4 @@
-//! Balances of momentum and energy over fluid and bodies (THEORY E21, E22).
+//! Balances of momentum and energy over fluid and bodies (THEORY CO27, CO28).
 
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
@@ -6,7 +6,7 @@ use sph_core::{Fluid, Walls};
 
 use crate::coupling::placed_bodies::Member;
 
-/// Momentum closure (THEORY E21).
+/// Momentum closure (THEORY CO27).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MomentumAudit {
     /// Momentum of fluid and bodies less the external impulses [N s/m].
@@ -35,7 +35,7 @@ impl Balance {
         }
     }
 
-    /// E21: compare the balance with the one before a step of `dt` [s].
+    /// CO27: compare the balance with the one before a step of `dt` [s].
     pub fn close_step(&mut self, fluid: &Fluid, walls: &Walls, members: &[Member], dt: f64) {
         let (of_fluid, held) = fluid.momentum_and_its_scale();
         let (now, w) = (momentum_balance(of_fluid, members), walls);
@@ -52,7 +52,7 @@ impl Balance {
         self.momentum.balance = now;
     }
 
-    /// E22: energy now, less that at the start [J/m].
+    /// CO28: energy now, less that at the start [J/m].
     pub fn energy_drift(&self, fluid: &FluidEnergy, members: &[Member]) -> f64 {
         energy(fluid, members) - self.energy_at_start
     }

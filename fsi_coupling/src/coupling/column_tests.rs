@@ -1,4 +1,4 @@
-//! Pistons under an incompressible column: a fluid that answers at once with all of its added mass (THEORY C11), coupled by
+//! Pistons under an incompressible column: a fluid that answers at once with all of its added mass (THEORY CO11), coupled by
 //! the schemes' own code. Only the fluid is a double.
 
 use std::f64::consts::{PI, TAU};
@@ -52,7 +52,7 @@ impl Pistons {
             .collect()
     }
 
-    /// Kick–drift–kick (E20), as a rigid body in the real water.
+    /// Kick–drift–kick (CO2), as a rigid body in the real water.
     fn step(&mut self, scheme: Scheme, dt: f64) {
         for k in 0..self.place.len() {
             self.velocity[k] += 0.5 * dt * self.acceleration[k];
@@ -123,7 +123,7 @@ fn one(ratio: f64, steps: usize, scheme: Scheme) -> (f64, CouplingStatistics) {
     (widest, piston.interface.statistics)
 }
 
-/// C11: explicit coupling diverges where the column is heavier than the piston, and the sooner the shorter the step; the
+/// CO11: explicit coupling diverges where the column is heavier than the piston, and the sooner the shorter the step; the
 /// other schemes hold at any ratio. One unknown: both iterations know it after one difference.
 #[test]
 fn a_heavy_column_breaks_one_interface_a_step_whatever_the_step() {
@@ -147,7 +147,7 @@ fn a_heavy_column_breaks_one_interface_a_step_whatever_the_step() {
     }
 }
 
-/// C11: repetition with a constant relaxation ω converges below 2/(1 + μ) and nowhere beyond: the double is what it says.
+/// CO11: repetition with a constant relaxation ω converges below 2/(1 + μ) and nowhere beyond: the double is what it says.
 #[test]
 fn constant_relaxation_converges_below_its_bound() {
     for ratio in [0.5, 2.0, 50.0] {
@@ -172,7 +172,7 @@ fn constant_relaxation_converges_below_its_bound() {
 
 /// Forty panels side by side under a layer of water whose surface is free: waves of length 2L/k along them, k = 1, 2, …, see
 /// the added mass ρ tanh(κH)/κ of an incompressible layer of depth H = L. (Added mass found by each panel from its own acceleration
-/// only, C2, does not apply: these share their water.)
+/// only, CO5, does not apply: these share their water.)
 #[test]
 fn a_flexible_floor_agrees_with_an_incompressible_layer() {
     let n = 40;

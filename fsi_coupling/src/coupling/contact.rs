@@ -1,4 +1,4 @@
-//! Contact of single particles with a body's surface (THEORY E25).
+//! Contact of single particles with a body's surface (THEORY WA7).
 //!
 //! Pressure keeps water out of walls as long as it flows in layers. A single particle of a jet, or one at a sharp corner, meets
 //! the outline itself: it is put back on the surface, and its approach is stopped by an inelastic impulse that acts on the body too.
@@ -12,7 +12,7 @@ use crate::bodies::state::ContactImpulse;
 /// Depth below its face at which a particle that crossed a plate is put before its contact is resolved [half thicknesses].
 const BELOW_FACE: f64 = 0.5;
 
-/// T5: resolve the tunnelling of a particle through a plate of `body` of the given half thickness [m]: it returns to the face it met. Returns the
+/// WA11: resolve the tunnelling of a particle through a plate of `body` of the given half thickness [m]: it returns to the face it met. Returns the
 /// work of the impulse on the body [J/m].
 pub(super) fn resolve_tunnelling(
     fluid: &mut Fluid,
@@ -27,7 +27,7 @@ pub(super) fn resolve_tunnelling(
     resolve_contact(fluid, particle, body, dt)
 }
 
-/// E25: resolve the contact of particle `k` if it is behind the surface of `body`. Returns the work of the impulse on the body [J/m].
+/// WA7: resolve the contact of particle `k` if it is behind the surface of `body`. Returns the work of the impulse on the body [J/m].
 pub(super) fn resolve_contact(fluid: &mut Fluid, k: usize, body: &mut dyn Body, dt: f64) -> f64 {
     let mirrored = fluid.domain().mirror.is_some();
     let p = fluid.particles();

@@ -85,7 +85,7 @@ impl Coupled {
         })
     }
 
-    /// The same system with a refinement zone that moves with its first body that has an outline (THEORY E26).
+    /// The same system with a refinement zone that moves with its first body that has an outline (THEORY WC21).
     pub fn with_refinement(self, rule: RefinementRule) -> Coupled {
         Coupled { refinement: Some(rule), ..self }
     }
@@ -103,7 +103,7 @@ impl Coupled {
 
     fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {
         let outer = self.fluid.timers_mut().begin(Phase::Coupling);
-        self.update_refinement(); //                                             E26
+        self.update_refinement(); //                                             WC21
         apply_kinematics(&mut self.members, &mut self.walls, dt); //             H: bodies → boundary particles
         let mirrored = self.is_mirrored();
         let bodies = interfaces(&mut self.members, dt, mirrored)?;
@@ -117,8 +117,8 @@ impl Coupled {
             m.body.advance(dt)?;
         }
         self.fluid.timers_mut().begin(Phase::Coupling);
-        let tunnelling = self.resolve_tunnelling(dt); //                         T5: thin plates
-        let contact = self.resolve_contact(dt); //                               E25: single particles
+        let tunnelling = self.resolve_tunnelling(dt); //                         WA11: thin plates
+        let contact = self.resolve_contact(dt); //                               WA7: single particles
         self.fluid.timers_mut().begin(Phase::Audit);
         self.record_work(dt, tunnelling.iter().zip(&contact).map(|(a, b)| a + b));
         self.balance.close_step(&self.fluid, &self.walls, &self.members, dt);
@@ -137,7 +137,7 @@ impl Coupled {
         self.fluid.set_refinement_zone(zone);
     }
 
-    /// PB6: velocities of the walls at the start of the step, which a projection needs whatever accelerations the scheme finds.
+    /// CO23: velocities of the walls at the start of the step, which a projection needs whatever accelerations the scheme finds.
     fn set_start_velocities(&mut self, bodies: &[WallInterface], dt: f64) {
         self.walls.start_velocity.clear();
         if bodies.is_empty() || !self.fluid.force_is_constant_in_step() {
@@ -177,7 +177,7 @@ impl Coupled {
         }
     }
 
-    /// T5: particles that crossed a thin plate return to the face they met; the work of the impulses on each body [J/m].
+    /// WA11: particles that crossed a thin plate return to the face they met; the work of the impulses on each body [J/m].
     fn resolve_tunnelling(&mut self, dt: f64) -> Vec<f64> {
         let mut done = vec![0.0; self.members.len()];
         for passage in self.fluid.passages(&self.walls) {
@@ -191,7 +191,7 @@ impl Coupled {
         done
     }
 
-    /// E25: particles behind a body's surface return to it; the work of the impulses on each body [J/m].
+    /// WA7: particles behind a body's surface return to it; the work of the impulses on each body [J/m].
     fn resolve_contact(&mut self, dt: f64) -> Vec<f64> {
         let mut done = vec![0.0; self.members.len()];
         for particle in self.fluid.contact_candidates(&self.walls) {
@@ -202,7 +202,7 @@ impl Coupled {
         done
     }
 
-    /// K6: the work of the step on each body; `contact` is that of contact impulses [J/m].
+    /// CO17: the work of the step on each body; `contact` is that of contact impulses [J/m].
     fn record_work(&mut self, dt: f64, contact: impl Iterator<Item = f64>) {
         let halves = if self.is_mirrored() { 2.0 } else { 1.0 };
         for (m, contact) in self.members.iter_mut().zip(contact) {
@@ -232,7 +232,7 @@ impl Coupled {
         self.members[k].range.clone()
     }
 
-    /// How often a particle was stopped at a thin plate that it would have crossed (THEORY T5).
+    /// How often a particle was stopped at a thin plate that it would have crossed (THEORY WA11).
     pub fn stopped(&self) -> u64 {
         self.stopped
     }
@@ -248,13 +248,13 @@ impl Coupled {
         penetration(&self.fluid, &bodies)
     }
 
-    /// K6: the work of the fluid on body `k`, as the fluid does it and as the body takes it.
+    /// CO17: the work of the fluid on body `k`, as the fluid does it and as the body takes it.
     pub fn work_audit(&self, k: usize) -> WorkAudit {
         let member = &self.members[k];
         WorkAudit { received: member.body.energy().work, ..member.work }
     }
 
-    /// Momentum closure so far (THEORY E21).
+    /// Momentum closure so far (THEORY CO27).
     pub fn momentum_audit(&self) -> MomentumAudit {
         self.balance.momentum
     }
@@ -269,7 +269,7 @@ impl Coupled {
         self.balance.fluid_at_start
     }
 
-    /// Energy that left the balance since the start [J/m] (THEORY E22): fluid and free bodies, less the
+    /// Energy that left the balance since the start [J/m] (THEORY CO28): fluid and free bodies, less the
     /// work of bodies with prescribed motion on the system. Negative: dissipated.
     pub fn energy_drift(&self) -> f64 {
         self.energy_drift_with(&self.fluid.energy())

@@ -45,7 +45,7 @@ pub enum CouplingError {
     NotConverged {
         /// Iterations made.
         iterations: u32,
-        /// Residual (THEORY C5) [-].
+        /// Residual (THEORY CO8) [-].
         residual: f64,
         /// Tolerance of the residual [-].
         tolerance: f64,

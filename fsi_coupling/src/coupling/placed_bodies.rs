@@ -66,7 +66,7 @@ pub(super) fn apply_kinematics(members: &mut [Member], walls: &mut Walls, ahead:
     }
 }
 
-/// C2: interface dynamics of the bodies that a force accelerates, at the end of a step of `ahead` [s].
+/// CO5: interface dynamics of the bodies that a force accelerates, at the end of a step of `ahead` [s].
 pub(super) fn interfaces(members: &mut [Member], ahead: f64, mirrored: bool) -> Result<Vec<WallInterface>, BodyError> {
     let mut found = Vec::new();
     for Member { body, range, .. } in members {

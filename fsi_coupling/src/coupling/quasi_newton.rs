@@ -1,12 +1,12 @@
-//! From an interface residual to better unknowns by a quasi-Newton step (THEORY C7; Degroote et al. 2009).
+//! From an interface residual to better unknowns by a quasi-Newton step (THEORY CO9; Degroote et al. 2009).
 
 use std::collections::VecDeque;
 
-/// Relaxation of the part of a residual that the history does not span [-] (C7).
+/// Relaxation of the part of a residual that the history does not span [-] (CO9).
 const RELAXATION: f64 = 0.5;
-/// A column is skipped where its part orthogonal to the newer ones is a smaller share of it (C7).
+/// A column is skipped where its part orthogonal to the newer ones is a smaller share of it (CO9).
 const INDEPENDENT: f64 = 1e-3;
-/// Columns of C7 that are kept: per unknown, and at most.
+/// Columns of CO9 that are kept: per unknown, and at most.
 const MEMORY: [usize; 2] = [2, 40];
 
 /// The history of an iteration; it is kept from step to step.
@@ -42,7 +42,7 @@ impl QuasiNewton {
     }
 }
 
-/// C7: x + r + Σ c_i Δx̃_i, where Σ c_i Δr_i is the least-squares approximation of −r by the columns, newer columns first. The rest of
+/// CO9: x + r + Σ c_i Δx̃_i, where Σ c_i Δr_i is the least-squares approximation of −r by the columns, newer columns first. The rest of
 /// r is relaxed.
 fn quasi_newton(columns: &VecDeque<Column>, x: &[f64], r: &[f64]) -> Vec<f64> {
     let mut rest: Vec<f64> = r.iter().map(|r| -r).collect();

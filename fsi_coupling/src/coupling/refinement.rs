@@ -1,4 +1,4 @@
-//! Refinement tracking: a refinement zone that moves with a body (THEORY E26).
+//! Refinement tracking: a refinement zone that moves with a body (THEORY WC21).
 
 use sph_core::RefinementZone;
 

@@ -9,7 +9,7 @@ use crate::coupling::error::CouplingError;
 const MOST_RETRIES: u32 = 3;
 
 impl Coupled {
-    /// EX2: one step of `dt` [s], or of a half, a quarter, an eighth of it where the pressure equation of the projection
+    /// CO26: one step of `dt` [s], or of a half, a quarter, an eighth of it where the pressure equation of the projection
     /// ([`Breakdown::Projection`]) does not converge; returns the step taken [s]. The equation is solved before anything
     /// moves, and bodies are placed anew for each attempt, so that a shorter step starts from the same state.
     pub fn step_or_shorter(&mut self, dt: f64) -> Result<f64, CouplingError> {

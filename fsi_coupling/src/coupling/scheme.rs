@@ -1,4 +1,4 @@
-//! Coupling schemes: how fluid and bodies find accelerations and wall pressures that belong together (THEORY C1–C7).
+//! Coupling schemes: how fluid and bodies find accelerations and wall pressures that belong together (THEORY CO4–CO9).
 
 use sph_core::walls::interface::InterfaceResidual;
 use sph_core::{Breakdown, Fluid, WallInterface, Walls};
@@ -9,19 +9,19 @@ use crate::coupling::quasi_newton::QuasiNewton;
 /// A coupling scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Scheme {
-    /// Explicit: the fluid uses the accelerations of the bodies at the end of the step before (E9).
+    /// Explicit: the fluid uses the accelerations of the bodies at the end of the step before (WA3).
     #[default]
     Weak,
-    /// Accelerations and wall pressures are solved together (C2), without iterations. For extrapolated walls.
+    /// Accelerations and wall pressures are solved together (CO5), without iterations. For extrapolated walls.
     AddedMass,
-    /// The step is repeated with a quasi-Newton update from the least squares of its history (C7; Degroote et al. 2009).
+    /// The step is repeated with a quasi-Newton update from the least squares of its history (CO9; Degroote et al. 2009).
     IqnIls(Iteration),
 }
 
 /// When an iteration ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Iteration {
-    /// Tolerance of the residual C5 [-].
+    /// Tolerance of the residual CO8 [-].
     pub tolerance: f64,
     /// Maximum number of iterations, at least one. A step that has not converged then is an error.
     pub max_iterations: u32,
@@ -36,7 +36,7 @@ pub struct CouplingStatistics {
     pub iterations: u64,
     /// Most iterations in a step.
     pub most_iterations: u32,
-    /// Largest residual C5 of a step [-]: difference between the accelerations that the fluid used and those that it caused.
+    /// Largest residual CO8 of a step [-]: difference between the accelerations that the fluid used and those that it caused.
     pub worst_residual: f64,
 }
 
@@ -88,7 +88,7 @@ impl Interface {
         Ok(())
     }
 
-    /// C5, C7: improve the unknowns, from `x` on, until a `trial` of them has a small residual.
+    /// CO8, CO9: improve the unknowns, from `x` on, until a `trial` of them has a small residual.
     pub fn iterate(
         &mut self,
         Iteration { tolerance, max_iterations }: Iteration,
@@ -120,7 +120,7 @@ impl Interface {
     }
 }
 
-/// PB3: the force of a projection acts over the whole step.
+/// CO21: the force of a projection acts over the whole step.
 fn uses_mean_force(fluid: &Fluid) -> bool {
     fluid.steps() > 0 && fluid.force_is_constant_in_step()
 }
@@ -139,7 +139,7 @@ pub(super) fn set_trial(bodies: &mut [WallInterface], walls: &mut Walls, mut unk
     }
 }
 
-/// C5: accelerations that the forces cause, less the trial accelerations.
+/// CO8: accelerations that the forces cause, less the trial accelerations.
 pub(super) struct Residual {
     pub of_unknowns: Vec<f64>,
     /// Over the accelerations that forces cause and that result, summed [-].

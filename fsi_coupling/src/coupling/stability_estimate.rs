@@ -1,4 +1,4 @@
-//! Stability of explicit coupling for a panel: an estimate before the run (THEORY C12).
+//! Stability of explicit coupling for a panel: an estimate before the run (THEORY CO12).
 
 /// A panel beside water, as weak coupling sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct Beside {
     pub dt: f64,
 }
 
-/// Growth of an error in a panel's acceleration under explicit coupling (THEORY C12).
+/// Growth of an error in a panel's acceleration under explicit coupling (THEORY CO12).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelExchange {
     /// μ: mass of the water whose pressure follows the acceleration within a step, over the panel's [-].
@@ -33,10 +33,10 @@ pub struct PanelExchange {
 /// Added mass of a wall's rows over ρ h of a face, on a lattice: 0.405 to 0.385 for h/Δx = 1.5 to 2 with Wendland C2 [-].
 const ROWS: f64 = 0.4;
 
-/// C12: explicit coupling of a panel.
+/// CO12: explicit coupling of a panel.
 ///
 /// Without the panel's stiffness, which helps. Against runs of a clamped strip, C = 0.075 to 0.6, h/Δx = 1.5, Wendland C2: one
-/// exchange breaks down at 0.95 to 1.1 of the spectral radius given here (C13).
+/// exchange breaks down at 0.95 to 1.1 of the spectral radius given here (CO12).
 pub fn exchange_ratio(beside: &Beside) -> PanelExchange {
     let Beside { mass, faces, density, spacing, smoothing_ratio, sound_speed, dt } = *beside;
     let added_mass = faces * ROWS * density * smoothing_ratio * spacing / mass;

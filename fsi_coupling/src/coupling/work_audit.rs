@@ -1,4 +1,4 @@
-//! Work of the fluid on a body, compared on both sides of the interface (THEORY K6).
+//! Work of the fluid on a body, compared on both sides of the interface (THEORY CO17).
 
 use std::ops::Range;
 

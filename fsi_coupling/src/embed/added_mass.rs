@@ -1,4 +1,4 @@
-//! Stable step of a host with explicit coupling: an estimate (THEORY D5).
+//! Stable step of a host with explicit coupling: an estimate (THEORY CO32).
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// D5; `None` where the topology has no masses.
+    /// CO32; `None` where the topology has no masses.
     pub(super) fn of(spec: &FluidElementSpec, topology: &Topology) -> Option<AddedMass> {
         if topology.masses.iter().sum::<f64>() <= 0.0 {
             return None;

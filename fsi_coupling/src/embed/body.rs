@@ -1,4 +1,4 @@
-//! The host's nodes as a wetted body: their motion is given, their loads are collected (THEORY D1–D4).
+//! The host's nodes as a wetted body: their motion is given, their loads are collected (THEORY CO29–CO31).
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -158,7 +158,7 @@ impl WettedBody for HostBody {
         self.shared.open().pushed = pushed;
     }
 
-    /// The nodes move on along their path; the step's impulse goes to them (D3), taken in the middle of the step.
+    /// The nodes move on along their path; the step's impulse goes to them (CO31), taken in the middle of the step.
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
         let (elapsed, pushed) = {
             let mut shared = self.shared.open();
@@ -174,7 +174,7 @@ impl WettedBody for HostBody {
                 let (from, to) = (self.map.place(attachment, &before).at, self.map.place(attachment, &after).at);
                 mean[0] * (to[0] - from[0]) + mean[1] * (to[1] - from[1])
             })
-            .sum(); // D4
+            .sum(); // CO31
         let parts: Vec<Vec<[f64; 2]>> = self
             .corners
             .iter()

@@ -22,7 +22,7 @@ pub struct HostStep<'a> {
     /// Its length [s].
     pub dt: f64,
     /// The nodes at its end. Positions and velocities belong together as those of a smooth motion do, x' = x + ½Δt (v + v')
-    /// to third order: the path between follows both (THEORY D1), and its acceleration is in the water's pressure.
+    /// to third order: the path between follows both (THEORY CO29), and its acceleration is in the water's pressure.
     pub nodes: &'a HostNodes,
 }
 
@@ -33,10 +33,10 @@ pub struct Contribution {
     pub fluid_steps: u32,
     /// Longest step that the water could take next [s].
     pub fluid_dt: f64,
-    /// Longest next step of a host that takes the force as it comes [s] (THEORY D5): an estimate, infinite where masses are
+    /// Longest next step of a host that takes the force as it comes [s] (THEORY CO32): an estimate, infinite where masses are
     /// unknown or the surface is dry.
     pub host_dt: f64,
-    /// Energy given to the nodes [J/m] (THEORY D4).
+    /// Energy given to the nodes [J/m] (THEORY CO31).
     pub work: f64,
     /// Impulse given to the nodes, all together [N s/m]: Δt times the sum of the forces.
     pub impulse: [f64; 2],
@@ -83,7 +83,7 @@ impl FluidElement {
 
     /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many equal
     /// steps of its own as it needs; `nodal_forces` becomes the mean force on each node, `[F_x, F_y, M]` [N/m, N/m, N]:
-    /// times Δt they are the impulse that the water lost, to rounding (THEORY D3).
+    /// times Δt they are the impulse that the water lost, to rounding (THEORY CO31).
     ///
     /// A refused input changes nothing. A step that fails leaves the element to be looked at or restored.
     pub fn contribute(&mut self, step: HostStep<'_>, nodal_forces: &mut [[f64; 3]]) -> Result<Contribution, HostError> {

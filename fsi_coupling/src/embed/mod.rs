@@ -60,7 +60,7 @@
 //! ```
 //!
 //! Inside, the host's nodes are one more [`WettedBody`](crate::WettedBody) (`body`), stepped by [`Coupled`](crate::Coupled).
-//! Equations D1 to D6 in `THEORY.md`; a host program in `examples/landing_host.rs`.
+//! Equations (THEORY CO29–CO32); a host program in `examples/landing_host.rs`.
 
 mod added_mass;
 mod body;

@@ -1,5 +1,5 @@
 //! H for a host's nodes: surface points are attached to the sides, straight from node to node or bent by the nodes' rotations
-//! (THEORY K1, D2).
+//! (THEORY CO13, CO30).
 
 use super::nodes::HostNodes;
 use super::topology::Topology;
@@ -7,7 +7,7 @@ use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
 use crate::geometry::vector::cross;
 
 /// The sides of the wet surfaces. Each has two ends of its own, which move as its nodes do and turn as the nodes, or,
-/// where these have no rotations, as the side itself (D2).
+/// where these have no rotations, as the side itself (CO30).
 #[derive(Clone, Debug)]
 pub(super) struct NodeMap {
     ends: BeamSurface,
@@ -114,7 +114,7 @@ impl NodeMap {
         }
     }
 
-    /// D2: the forces across a straight side that have the moment of its ends' moments; on its first node, and the opposite
+    /// CO30: the forces across a straight side that have the moment of its ends' moments; on its first node, and the opposite
     /// on its second.
     fn couple(&self, side: usize, q: &[[f64; 3]], loads: &[[f64; 3]]) -> [f64; 2] {
         let at = |end: usize| [0, 1].map(|k| self.start[end][k] + q[end][k]);

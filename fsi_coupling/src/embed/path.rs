@@ -1,4 +1,4 @@
-//! How nodes move within a step of the host (THEORY D1).
+//! How nodes move within a step of the host (THEORY CO29).
 
 use super::nodes::HostNodes;
 use crate::geometry::hermite::{hermite, hermite_rate};
@@ -32,7 +32,7 @@ impl Path {
         self.duration
     }
 
-    /// D1: the nodes `elapsed` [s] from the start of the step; the cubics go on beyond its ends.
+    /// CO29: the nodes `elapsed` [s] from the start of the step; the cubics go on beyond its ends.
     pub fn at(&self, elapsed: f64) -> HostNodes {
         let (a, b, duration) = (&self.start, &self.end, self.duration);
         if duration <= 0.0 {

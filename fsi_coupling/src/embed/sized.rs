@@ -155,7 +155,7 @@ impl SizedElement {
         self.particles.iter().zip(BYTES).map(|(count, bytes)| *count as u64 * bytes).sum()
     }
 
-    /// The water's step at rest [s] (THEORY E17).
+    /// The water's step at rest [s] (THEORY WC12).
     pub fn fluid_dt(&self) -> f64 {
         let h = self.spec.water.smoothing_ratio * self.spec.spacing;
         let acoustic = self.spec.settings().courant_number() * h / self.spec.speed_of_sound();
@@ -180,7 +180,7 @@ impl SizedElement {
     fn find_warnings(&self) -> Vec<String> {
         let (c0, fastest) = (self.spec.speed_of_sound(), self.spec.fastest_speed.unwrap_or(0.0));
         let slow = (c0 < 10.0 * fastest).then(|| {
-            format!("sound_speed = {c0}: below ten times fastest_speed = {fastest}; compressibility will cost force (THEORY E19)")
+            format!("sound_speed = {c0}: below ten times fastest_speed = {fastest}; compressibility will cost force (THEORY WC17)")
         });
         slow.into_iter().chain(self.added_mass.and_then(|a| a.warning())).collect()
     }

@@ -11,7 +11,7 @@ use sph_core::{Domain, FluidSettings, Integrator, legacy, wcsph};
 use super::error::HostError;
 use crate::settings::{Problem, Schema};
 
-/// Courant number at which the water's step breaks down (THEORY H4) [-].
+/// Courant number at which the water's step breaks down (THEORY WC16) [-].
 const BREAKDOWN_CFL: f64 = 1.2;
 
 /// The schema of a [`FluidElementSpec`]: its keys with units, ranges, defaults and meanings.
@@ -73,7 +73,7 @@ pub struct FluidElementSpec {
     /// The scheme.
     #[serde(flatten)]
     pub scheme: wcsph::Settings,
-    /// Time integration of the water: symplectic or predictor_corrector (THEORY E15, E16).
+    /// Time integration of the water: symplectic or predictor_corrector (THEORY WC11, LE2).
     #[serde(default)]
     pub integrator: Integrator,
     /// Steps of the water above which a step of the host is refused [-].

@@ -54,13 +54,13 @@ impl WetSurface {
 pub struct Topology {
     /// Positions of all nodes at t = 0 [m], wet or not.
     pub nodes: Vec<[f64; 2]>,
-    /// Nodes have rotations: between them the surface bends by cubic shapes (THEORY K1), and loads have moments.
+    /// Nodes have rotations: between them the surface bends by cubic shapes (THEORY CO13), and loads have moments.
     /// Without, it is straight from node to node.
     #[serde(default)]
     pub rotations: bool,
     /// Where the water touches.
     pub surfaces: Vec<WetSurface>,
-    /// Masses that move with the nodes [kg/m], for warnings and hints about added mass (THEORY D5); empty: unknown.
+    /// Masses that move with the nodes [kg/m], for warnings and hints about added mass (THEORY CO32); empty: unknown.
     #[serde(default)]
     pub masses: Vec<f64>,
 }

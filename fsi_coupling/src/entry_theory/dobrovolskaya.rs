@@ -1,4 +1,4 @@
-//! Dobrovolskaya's problem: the flow about a wedge that enters water at constant speed, without gravity (THEORY LM6–LM9).
+//! Dobrovolskaya's problem: the flow about a wedge that enters water at constant speed, without gravity (THEORY EN6, EN7).
 //!
 //! Everything depends on ζ = (x + iy)/(V t). The right half of the water is mapped to the upper half-plane of u: the free
 //! surface to u < 0, the wetted face to 0 < u < 1, tip to keel, the plane of symmetry to u > 1. In there, two analytic functions
@@ -123,7 +123,7 @@ fn times(a: &Mat<f64>, x: &[f64]) -> Vec<f64> {
     sums
 }
 
-/// Unknowns ln m and ln(θ/π), the residual of LM8, and what it was made of.
+/// Unknowns ln m and ln(θ/π), the residual of EN7, and what it was made of.
 struct Trial {
     log_fall: Vec<f64>,
     log_contact: f64,
@@ -143,7 +143,7 @@ impl Trial {
         let (bevel, corner) = (beta / PI, 0.5 - beta / PI);
         let fall: Vec<f64> = log_fall.iter().map(|w| w.exp()).collect();
         let contact = log_contact.exp();
-        // LM6 on the surface and on the face
+        // EN6 on the surface and on the face
         let stretched = times(&k.surface, &fall).into_iter().zip(&k.y);
         let log_stretch: Vec<f64> = stretched.map(|(sum, y)| sum - bevel * y - corner * softplus(*y)).collect();
         let on_face = times(&k.face, &fall).into_iter().zip(&k.face_logs);
@@ -152,7 +152,7 @@ impl Trial {
         let length = integral(&density, k.step, density[0] / contact);
         let lengths: Vec<f64> = logs.iter().zip(&k.face_logs).map(|(l, [lu, l1u])| (l + lu + l1u).exp()).collect();
         let speeds: Vec<f64> = logs.iter().zip(&k.face_logs).map(|(l, [lu, _])| (-l - 0.5 * lu).exp()).collect();
-        // LM7: the face's length closes the circuit
+        // EN7: the face's length closes the circuit
         let along = k.step * lengths.iter().sum::<f64>() + lengths[0] * (1.0 / contact - 0.5 * k.step);
         let rate = k.step * speeds.iter().sum::<f64>();
         let strength = (along / (PI * rate)).ln();
@@ -252,7 +252,7 @@ impl Dobrovolskaya {
     fn from(trial: Trial, k: &Kernels, beta: f64) -> Dobrovolskaya {
         let Trial { fall, contact, log_stretch, face: [lengths, speeds], integrals: [along, rate], .. } = trial;
         let strength = along / rate;
-        // LM9: on the plane of symmetry the water's speed falls from V at the keel to nothing
+        // EN7: on the plane of symmetry the water's speed falls from V at the keel to nothing
         let fallen: f64 = points([-FALLEN / (0.5 - beta / PI), FROM_KEEL], k.step)
             .into_iter()
             .map(|t| {

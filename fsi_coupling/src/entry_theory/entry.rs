@@ -82,7 +82,7 @@ impl Entry<'_> {
         (instants, None)
     }
 
-    /// LM12: (m + ρM) dV/dt = m g − ρA V² − ρ g S, or V constant.
+    /// EN10: (m + ρM) dV/dt = m g − ρA V² − ρ g S, or V constant.
     fn instant(&self, time: f64, [draught, speed]: [f64; 2]) -> Instant {
         let Load { wetted, slam, added_mass, .. } = self.loads.at(draught);
         let rho = self.density;

@@ -1,4 +1,4 @@
-//! A wedge whose faces bend, entering at constant speed: dry modes of a plate strip on Wagner's load (THEORY HM1–HM5).
+//! A wedge whose faces bend, entering at constant speed: dry modes of a plate strip on Wagner's load (THEORY EN12, EN13).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -56,7 +56,7 @@ pub struct WedgeState {
     pub rates: Vec<f64>,
 }
 
-/// A mode of the face: kL, and 1 − σ of a clamped one (HM1).
+/// A mode of the face: kL, and 1 − σ of a clamped one (EN12).
 #[derive(Clone, Copy, Debug)]
 struct Mode {
     root: f64,
@@ -105,7 +105,7 @@ impl Mode {
     }
 }
 
-/// HM3: what the modes do to the water at a wetted half width.
+/// EN13: what the modes do to the water at a wetted half width.
 struct Wet {
     /// S_mn = ∫₀^c φ_n ψ_m dx [m²].
     added: Mat<f64>,
@@ -116,7 +116,7 @@ struct Wet {
 }
 
 impl ElasticWedge {
-    /// From the touch until the chine is wet, at steps of equal c: the classical Runge–Kutta method in c (HM4).
+    /// From the touch until the chine is wet, at steps of equal c: the classical Runge–Kutta method in c (EN13).
     ///
     /// `None` where the face bends so fast that the water does not advance on it, as the wetted width is no measure of time then, and
     /// where steps are too long for the stiffest mode (ω Δt < 2.8).
@@ -159,13 +159,13 @@ impl ElasticWedge {
         (1..=self.modes).map(|n| Mode::new(self.held, n)).collect()
     }
 
-    /// HM4: d(t, a, P)/dc.
+    /// EN13: d(t, a, P)/dc.
     fn slope(&self, modes: &[Mode], c: f64, state: &[f64]) -> Option<Vec<f64>> {
         let n = modes.len();
         let (amplitudes, momenta) = state[1..].split_at(n);
         let wet = self.wet(modes, c);
         let rates = self.rates(&wet, momenta);
-        // HM2, its derivative: V dt = (2/π) tan β dc + d(Σ a_n lifted_n)
+        // EN13, its derivative: V dt = (2/π) tan β dc + d(Σ a_n lifted_n)
         let small = 1e-5 * self.length;
         let [less, more] = [c - small, c + small].map(|c| self.lifted(modes, c.abs()));
         let steeper: f64 = (0..n).map(|k| amplitudes[k] * (more[k] - less[k]) / (2.0 * small)).sum();
@@ -181,7 +181,7 @@ impl ElasticWedge {
         Some(std::iter::once(dt).chain(motion).chain(modes.iter().zip(amplitudes).map(sprung)).collect())
     }
 
-    /// HM4: (m G + ρ S) ȧ = P + ρ V f.
+    /// EN13: (m G + ρ S) ȧ = P + ρ V f.
     fn rates(&self, wet: &Wet, momenta: &[f64]) -> Vec<f64> {
         let n = momenta.len();
         let mass = Section::strip(self.thickness).mass_per_length(&self.material) * Mode::norm(self.held) * self.length;
@@ -190,7 +190,7 @@ impl ElasticWedge {
         matrix.partial_piv_lu().solve(&right).col(0).iter().copied().collect()
     }
 
-    /// HM3 with x = c cos θ: φ_n = Σ b_k sin kθ over odd k, b_k = (4c/πk) ∫ ψ_n sin θ sin kθ dθ over a quarter.
+    /// EN13 with x = c cos θ: φ_n = Σ b_k sin kθ over odd k, b_k = (4c/πk) ∫ ψ_n sin θ sin kθ dθ over a quarter.
     fn wet(&self, modes: &[Mode], c: f64) -> Wet {
         let n = modes.len();
         let angles = (0..=POINTS).map(|p| FRAC_PI_2 * p as f64 / POINTS as f64);
@@ -229,7 +229,7 @@ impl ElasticWedge {
         2.0 * self.density * (0.25 * PI * c * c * self.speed - bending)
     }
 
-    /// HM5: potential on the face at x [m], over which p = −ρ dφ/dt [m²/s].
+    /// EN13: potential on the face at x [m], over which p = −ρ dφ/dt [m²/s].
     pub fn potential(&self, bent: &WedgeState, x: f64) -> f64 {
         let c = bent.wetted;
         if x >= c {

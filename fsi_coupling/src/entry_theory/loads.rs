@@ -26,7 +26,7 @@ pub struct Load {
     pub added_mass: f64,
 }
 
-/// Loads of a section at any draught (THEORY LM2–LM5, LM10).
+/// Loads of a section at any draught (THEORY EN3–EN5, EN8).
 #[derive(Clone, Debug)]
 pub struct Loads {
     model: EntryModel,
@@ -143,11 +143,11 @@ impl Loads {
         };
         let wet = c.min(b);
         let [slam, added_mass] = match self.model {
-            EntryModel::VonKarman => [PI * c * spreading, FRAC_PI_2 * c * c], // LM3
+            EntryModel::VonKarman => [PI * c * spreading, FRAC_PI_2 * c * c], // EN4
             EntryModel::Wagner => wagner(c, spreading, wet),
             EntryModel::Similarity => {
                 let flow = self.flow.as_ref().map_or(0.0, |flow| flow.force_coefficient);
-                [flow * draught, mlm(section, c, draught, spreading, wet)[1]] // LM10
+                [flow * draught, mlm(section, c, draught, spreading, wet)[1]] // EN8
             }
             _ => mlm(section, c, draught, spreading, wet),
         };
@@ -161,7 +161,7 @@ fn wagner(c: f64, spreading: f64, wet: f64) -> [f64; 2] {
     [2.0 * spreading * c * angle, wet * (c * c - wet * wet).max(0.0).sqrt() + c * c * angle]
 }
 
-/// LM5 (Korobkin 2004): the same with the square terms and the body's shape, over |x| < wet where the part over V² is above
+/// EN5 (Korobkin 2004): the same with the square terms and the body's shape, over |x| < wet where the part over V² is above
 /// nothing. With x = c sin θ the pieces of a straight bottom integrate to θ, artanh(sin θ) and sin θ.
 fn mlm(section: &Section, c: f64, draught: f64, spreading: f64, wet: f64) -> [f64; 2] {
     let (mut slam, mut mass) = (0.0, wagner(c, spreading, wet)[1]);

@@ -1,4 +1,4 @@
-//! Low-order models of water entry: microseconds instead of minutes (THEORY LM1–LM11).
+//! Low-order models of water entry: microseconds instead of minutes (THEORY EN2–EN9).
 //!
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
 //! [`SimilarityFlow`] is the exact flow about a wedge, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of

@@ -62,7 +62,7 @@ impl EntryModel {
         self < EntryModel::Wcsph
     }
 
-    /// Range of the deadrise of a face [deg]; THEORY LM11 has the errors there.
+    /// Range of the deadrise of a face [deg]; THEORY EN9 has the errors there.
     pub fn deadrises(self) -> [f64; 2] {
         match self {
             EntryModel::VonKarman | EntryModel::Wagner => [4.0, 45.0],

@@ -11,7 +11,7 @@ const CONTINUATION_DEG: f64 = 60.0;
 const ARC_CORNERS: usize = 96;
 
 /// Half of a symmetric bottom: height f(x) over the keel, rising from the keel at x = 0 to the chine, and past it the plates by
-/// which theories let it go on where the flow has left it (THEORY LM1).
+/// which theories let it go on where the flow has left it (THEORY EN2).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     corners: Vec<[f64; 2]>,
@@ -173,7 +173,7 @@ impl Section {
         area + 2.0 * self.half_breadth() * (draught - self.chine_height()).max(0.0)
     }
 
-    /// LM2 (Wagner 1932): draught [m] at which the pile-up wets the half width c, h(c) = (2/π) ∫₀^{π/2} f(c sin θ) dθ.
+    /// EN3 (Wagner 1932): draught [m] at which the pile-up wets the half width c, h(c) = (2/π) ∫₀^{π/2} f(c sin θ) dθ.
     pub fn wagner_draught(&self, c: f64) -> f64 {
         self.kinks(c).map(|(x, bend)| bend * ((c * c - x * x).sqrt() - x * (x / c).acos())).sum::<f64>()
             * std::f64::consts::FRAC_2_PI

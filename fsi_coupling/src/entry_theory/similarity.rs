@@ -1,4 +1,4 @@
-//! Entry of a wedge at constant speed: the exact solution without gravity and viscosity (THEORY LM10).
+//! Entry of a wedge at constant speed: the exact solution without gravity and viscosity (THEORY EN8).
 
 use super::dobrovolskaya::{Dobrovolskaya, integral};
 
@@ -127,7 +127,7 @@ fn face_energy([sin, cos]: [f64; 2], tip: [f64; 2], s: f64, relative: f64, p: f6
 
 /// The free surface from the jet's tip outwards, a point a step of the grid behind it; and ∫ φ ∂φ/∂n ds along it, with
 /// ∂φ/∂n = ζ·n and φ = ζ·v − ½v². What falls off far away is gathered from there: direction, height over still water, and
-/// velocity, dv = π m s n dy by LM8.
+/// velocity, dv = π m s n dy by EN7.
 fn surface(d: &Dobrovolskaya, tip: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
     let n = d.y.len();
     let from_afar = |f: &dyn Fn(usize) -> f64, decay: f64| {

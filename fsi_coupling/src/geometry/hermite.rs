@@ -1,6 +1,6 @@
 //! Cubic shape functions.
 
-/// W8: Hermite shape functions of an interval of length L at t ∈ [0, 1]: value and slope at its start, at its end.
+/// GE9: Hermite shape functions of an interval of length L at t ∈ [0, 1]: value and slope at its start, at its end.
 pub fn hermite(t: f64, length: f64) -> [f64; 4] {
     let (t2, t3) = (t * t, t * t * t);
     [1.0 - 3.0 * t2 + 2.0 * t3, length * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, length * (t3 - t2)]

@@ -1,5 +1,5 @@
 //! Filling a rectangle of water: even cells in a fine zone at the surface, rows growing outward
-//! (THEORY E23). The cells tile the rectangle exactly, so volume and mass are exact from the start.
+//! (THEORY WC18). The cells tile the rectangle exactly, so volume and mass are exact from the start.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,7 +29,7 @@ pub enum Lattice {
     #[default]
     Square,
     /// Body-centred squares of side √2 Δx with two particles each, at a quarter and at three quarters of the
-    /// diagonal: the same number of particles, and the square lattice turned by 45° (THEORY W4).
+    /// diagonal: the same number of particles, and the square lattice turned by 45° (THEORY WC18).
     Staggered,
 }
 
@@ -95,7 +95,7 @@ impl Layout {
         Layout { lattice, ..self }
     }
 
-    /// The same rectangle in rows whose areas are halves of halves (THEORY E26): those are what particles become that are
+    /// The same rectangle in rows whose areas are halves of halves (THEORY WC21): those are what particles become that are
     /// halved later. Only the last row of each side is stretched to where the basin ends.
     pub fn with_split_rows(mut self) -> Layout {
         for rows in [&mut self.left, &mut self.right, &mut self.down] {
@@ -160,7 +160,7 @@ impl Layout {
     }
 }
 
-/// Square cells of about `spacing` that tile a rectangle `from` one corner `to` the other exactly (THEORY Q2).
+/// Square cells of about `spacing` that tile a rectangle `from` one corner `to` the other exactly (THEORY WC18).
 pub fn tile(from: [f64; 2], to: [f64; 2], spacing: f64, mut make: impl FnMut(Cell)) {
     block([from[0], to[0]], [from[1], to[1]], [spacing; 2], &mut make);
 }
@@ -183,7 +183,7 @@ fn block(x: [f64; 2], y: [f64; 2], wish: [f64; 2], make: &mut impl FnMut(Cell)) 
     }
 }
 
-/// W4: the two particles of a body-centred cell. Each has half its area and is taken for a square of that area.
+/// WC18: the two particles of a body-centred cell. Each has half its area and is taken for a square of that area.
 fn halves(cell: Cell, make: &mut impl FnMut(Cell)) {
     let [width, height] = cell.size;
     for side in [-0.25, 0.25] {
@@ -192,7 +192,7 @@ fn halves(cell: Cell, make: &mut impl FnMut(Cell)) {
     }
 }
 
-/// E23: thicknesses s g, s g², … that fill `distance` exactly, with a ratio g no larger than asked.
+/// WC18: thicknesses s g, s g², … that fill `distance` exactly, with a ratio g no larger than asked.
 fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     if distance <= 1e-9 * spacing {
         return Vec::new();
@@ -209,7 +209,7 @@ fn rows(distance: f64, spacing: f64, growth: f64) -> Vec<f64> {
     (1..=n).map(|k| fit * spacing * g.powi(k as i32)).collect()
 }
 
-/// E26: rows of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
+/// WC21: rows of the same total with thicknesses √2ⁿ s, about as thick as the given ones at the same distance; the last takes
 /// up what remains.
 fn halved(rows: &[f64], spacing: f64) -> Vec<f64> {
     let distance: f64 = rows.iter().sum();

@@ -39,7 +39,7 @@ impl Outline {
     }
 
     /// The same plate, standing on other walls: its middle line goes on for these lengths [m] beyond its first and its last
-    /// corner (THEORY T3). Nothing happens to what is not a plate.
+    /// corner (THEORY WA10). Nothing happens to what is not a plate.
     pub fn rooted(mut self, roots: [f64; 2]) -> Outline {
         if let Some(plate) = &mut self.plate {
             plate.roots = roots;

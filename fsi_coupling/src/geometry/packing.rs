@@ -1,4 +1,4 @@
-//! Packed water around a body at t = 0 (THEORY Q6): the number of cells is that of the free area, their positions are relaxed.
+//! Packed water around a body at t = 0 (THEORY WC20): the number of cells is that of the free area, their positions are relaxed.
 
 use sph_core::Walls;
 use sph_core::interactions::kernel::Kernel;
@@ -48,7 +48,7 @@ fn share(cell: &Cell, signed_distance: impl Fn([f64; 2]) -> f64) -> f64 {
     count as f64 / (SAMPLES * SAMPLES) as f64
 }
 
-/// Q6: of the cells that the body's surface cuts, those with most water in them, so many that the area is the water's.
+/// WC20: of the cells that the body's surface cuts, those with most water in them, so many that the area is the water's.
 pub fn choose(cells: Vec<Cell>, signed_distance: impl Fn([f64; 2]) -> f64) -> Vec<Cell> {
     let shares: Vec<f64> = cells.iter().map(|cell| share(cell, &signed_distance)).collect();
     let mut cut: Vec<usize> = (0..cells.len()).filter(|&k| shares[k] > 0.0 && shares[k] < 1.0).collect();
@@ -64,7 +64,7 @@ pub fn choose(cells: Vec<Cell>, signed_distance: impl Fn([f64; 2]) -> f64) -> Ve
 }
 
 impl Packing<'_> {
-    /// Q6: move the middles of the cells near the body down the gradient of Σ V W until the concentration is uniform. `level` is the
+    /// WC20: move the middles of the cells near the body down the gradient of Σ V W until the concentration is uniform. `level` is the
     /// surface's height at x [m]: above it stand the images of the cells below, so that the surface stays.
     pub fn relax(&self, cells: &mut [Cell], level: impl Fn(f64) -> f64) {
         let spacing = |cell: &Cell| cell.area().sqrt();

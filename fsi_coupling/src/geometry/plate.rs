@@ -1,4 +1,4 @@
-//! Thin plates: a middle line and a thickness (THEORY T1, T3).
+//! Thin plates: a middle line and a thickness (THEORY WA8, WA10).
 
 use crate::geometry::polygon::normal;
 use crate::geometry::rows::WallRows;
@@ -30,7 +30,7 @@ impl Plate {
         line
     }
 
-    /// True where the rows of both faces do not fit between them: then each side of the plate has its own water (THEORY T2).
+    /// True where the rows of both faces do not fit between them: then each side of the plate has its own water (THEORY WA9).
     pub fn is_thin(&self, rows: &WallRows) -> bool {
         self.thickness < 2.0 * rows.reach()
     }

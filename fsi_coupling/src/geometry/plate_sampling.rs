@@ -1,8 +1,8 @@
-//! Boundary particles of thin walls: plates wet on both sides, of any thickness (THEORY T2, T3).
+//! Boundary particles of thin walls: plates wet on both sides, of any thickness (THEORY WA9, WA10).
 //!
 //! Each face has rows at depths ½Δx, 1½Δx, … below it, however thin the plate is: deep rows may lie in the water of
 //! the other side, which does not see them. So do the ends: their rows lie along the plate, as wide as it is thick. Which
-//! water a particle faces is told by its normal (T2).
+//! water a particle faces is told by its normal (WA9).
 
 use sph_core::WallPoint;
 
@@ -73,7 +73,7 @@ pub fn right_half(points: Vec<WallPoint>, spacing: f64) -> Vec<WallPoint> {
     points.into_iter().filter_map(right).collect()
 }
 
-/// T3: the particles of a wall on which a plate stands: each cell is cut by the plate's faces, and what is left of it on
+/// WA10: the particles of a wall on which a plate stands: each cell is cut by the plate's faces, and what is left of it on
 /// either side is a particle of its own, so that each side's water finds its own wall up to the plate's face.
 pub fn cut(points: Vec<WallPoint>, plate: &Plate) -> Vec<WallPoint> {
     let (line, half) = (plate.line(), 0.5 * plate.thickness);

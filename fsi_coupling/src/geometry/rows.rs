@@ -1,4 +1,4 @@
-//! The rows of boundary particles behind a surface.
+//! The rows of boundary particles behind a surface (THEORY WA2).
 
 use sph_core::WallLayout;
 
@@ -9,7 +9,7 @@ pub struct WallRows {
     pub spacing: f64,
     /// Number of rows.
     pub layers: usize,
-    /// Every other row is shifted by half a spacing (THEORY W2); else rows are aligned.
+    /// Every other row is shifted by half a spacing (THEORY LE16); else rows are aligned.
     pub staggered: bool,
 }
 

@@ -56,7 +56,7 @@ pub enum Shape {
     Polyline {
         /// Vertices of the plate's middle line, shape (n, 2) [m].
         points: Vec<[f64; 2]>,
-        /// Thickness of the plate, half of it on each side of the line [m]. Of any size, also below the spacing (THEORY T2); a fixed
+        /// Thickness of the plate, half of it on each side of the line [m]. Of any size, also below the spacing (THEORY WA9); a fixed
         /// plate may stand on the tank's floor or walls.
         #[schemars(extend("exclusiveMinimum" = 0))]
         thickness: f64,

@@ -1,8 +1,8 @@
-//! A water surface that is not level (THEORY Q1): cells stretched upwards or downwards to it, column by column.
+//! A water surface that is not level (THEORY WC19): cells stretched upwards or downwards to it, column by column.
 
 use crate::geometry::layout::Cell;
 
-/// η(x) = A cos(mπ(x − x₀)/(x₁ − x₀)) + (x − ½(x₀ + x₁)) tan φ over water of depth H (Q1).
+/// η(x) = A cos(mπ(x − x₀)/(x₁ − x₀)) + (x − ½(x₀ + x₁)) tan φ over water of depth H (WC19).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaterSurface {
     /// Walls x₀ and x₁ that the waves stand between [m].

@@ -1,4 +1,4 @@
-//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY DT1–DT8).
+//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19).
 //!
 //! # Example
 //! ```

@@ -17,7 +17,7 @@ const POINTS: usize = 120;
 pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     let s = &landed.summary;
     let words = Block::Text(format!(
-        "{}\n\nSections by the model {} in planes of water across the way of flight (THEORY DT1–DT8). Suction where the keel \
+        "{}\n\nSections by the model {} in planes of water across the way of flight (THEORY EN14–EN19). Suction where the keel \
          curves up and away acts by the share {} of what the theory gives; it has no limit by cavitation or by air that comes in. \
          Wing, engines and tail that touch the water bear nothing.",
         s.to_text(),

@@ -1,4 +1,4 @@
-//! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY HM1–HM5).
+//! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY EN12, EN13).
 
 use fsi_coupling::PanelEnd;
 use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};

@@ -1,4 +1,4 @@
-//! The model hierarchy: one scene, models from microseconds to minutes (THEORY LM11).
+//! The model hierarchy: one scene, models from microseconds to minutes (THEORY EN9).
 //!
 //! [`Theory`] solves a scene by an entry theory, `run` writes its files. [`assess`] gives cost, range of validity and measured
 //! error of every theory; [`choose`] takes the cheapest model whose measured error is within a tolerance.

@@ -90,7 +90,7 @@ fn reach(error: f64) -> f64 {
     }
 }
 
-/// Error bars of a run by a theory: its error in the nearest measured case (THEORY LM11).
+/// Error bars of a run by a theory: its error in the nearest measured case (THEORY EN9).
 fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
     let bar = |want: Want, path: String, value: f64| {
         let Measured { error, case } = measured(scene, theory, want)?;

@@ -1,4 +1,4 @@
-//! The pressure along a wedge's face at one moment, in similarity coordinates: its peak and its noise (THEORY G5).
+//! The pressure along a wedge's face at one moment, in similarity coordinates: its peak and its noise (THEORY GE14).
 
 /// Spacings of the running mean that separates noise.
 const SMOOTHED: f64 = 4.0;

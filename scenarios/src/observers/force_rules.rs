@@ -1,4 +1,4 @@
-//! Four rules for the force on the body, compared over a run (THEORY W7): the check ∫ p dA = the body's force.
+//! Four rules for the force on the body, compared over a run (THEORY GE8): the check ∫ p dA = the body's force.
 
 use fsi_coupling::coupling::force_rules::{RULES, force_rules};
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! The length of the water along the floor (THEORY V5).
+//! The length of the water along the floor (THEORY GE12).
 
 use sph_core::Fluid;
 
@@ -22,7 +22,7 @@ const HEIGHT: f64 = 3.0;
 /// A gap wider than this ends the water, in spacings: what lies beyond is spray.
 const GAP: f64 = 2.0;
 
-/// V5: length of the water along the floor [m]: from its left end, through particles within three spacings of the
+/// GE12: length of the water along the floor [m]: from its left end, through particles within three spacings of the
 /// lowest, until two spacings lie empty; half a spacing beyond the middles of the first and the last particle.
 pub fn front(fluid: &Fluid) -> f64 {
     let (p, ratio) = (fluid.particles(), fluid.domain().fluid.smoothing_ratio);

@@ -1,4 +1,4 @@
-//! The results of a gauge: peak, rise time, impulse (THEORY G3).
+//! The results of a gauge: peak, rise time, impulse (THEORY GE5).
 
 use serde::Serialize;
 

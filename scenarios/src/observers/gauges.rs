@@ -1,4 +1,4 @@
-//! Pressure gauges: their positions, and the reading of the fluid there (THEORY E18, G1, G2).
+//! Pressure gauges: their positions, and the reading of the fluid there (THEORY GE2, GE3, GE4).
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! The height of the water at a place (THEORY Q3).
+//! The height of the water at a place (THEORY GE10).
 
 use sph_core::Fluid;
 
@@ -47,7 +47,7 @@ impl LevelReader {
         }
     }
 
-    /// Q3: η(x) = Σ V_j M₄((x − x_j)/s)/s − H [m], with the images of the water behind the side walls.
+    /// GE10: η(x) = Σ V_j M₄((x − x_j)/s)/s − H [m], with the images of the water behind the side walls.
     pub fn read(&self, fluid: &Fluid) -> Vec<f64> {
         let p = fluid.particles();
         let level = |place: &Place| {

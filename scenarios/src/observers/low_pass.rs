@@ -1,4 +1,4 @@
-//! The bandwidth of a gauge: a Butterworth low-pass of second order (THEORY G2).
+//! The bandwidth of a gauge: a Butterworth low-pass of second order (THEORY GE4).
 
 use std::f64::consts::{SQRT_2, TAU};
 

@@ -1,4 +1,4 @@
-//! The face of a gauge: points and weights along an outline (THEORY G1).
+//! The face of a gauge: points and weights along an outline (THEORY GE3).
 
 /// Sides that turn by less than this belong to one face [rad]: the chords of an arc do, corners do not.
 const SMOOTH: f64 = 15.0 * std::f64::consts::PI / 180.0;

@@ -83,7 +83,7 @@ impl Series {
         })
     }
 
-    /// Drift of the water's volume (Q7), over the samples from `since` [s] on; `None` unless the scene asks for it.
+    /// Drift of the water's volume (GE11), over the samples from `since` [s] on; `None` unless the scene asks for it.
     pub fn water(&self, since: f64) -> Option<Water> {
         let volumes = self.column(VOLUME)?;
         let first = *volumes.first()?;

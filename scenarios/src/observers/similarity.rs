@@ -1,4 +1,4 @@
-//! Wedge entry at constant speed: force and pressure against the similarity solution (THEORY E24).
+//! Wedge entry at constant speed: force and pressure against the similarity solution (THEORY GE13).
 //!
 //! The flow depends on x/(Vt) alone, so every moment of the run is the same flow at another resolution
 //! k = Vt/Δx. Numbers are taken over the last fifth of the run.
@@ -46,12 +46,12 @@ pub struct SimilarityResult {
     pub profile_error_snapshot: Option<f64>,
     /// Pressure noise along the face of the last snapshot: RMS of the profile less its running mean over four spacings,
     /// from two spacings beside the keel to 0.9 of the way to the exact pressure peak (to four fifths of the wetted width
-    /// where the peak is at the keel), over `cp_max_of_mean` [-] (THEORY G5); `null` on a face too short to tell.
+    /// where the peak is at the keel), over `cp_max_of_mean` [-] (THEORY GE14); `null` on a face too short to tell.
     pub cp_noise: Option<f64>,
     /// Relative error of `z_max_over_vt` [-]; `null` where no
     /// exact solution is tabulated.
     pub z_max_error: Option<f64>,
-    /// Impulse of the force since first contact, 2∫F dt/(ρV³t²), at the window's end [-] (THEORY G5): the same number as
+    /// Impulse of the force since first contact, 2∫F dt/(ρV³t²), at the window's end [-] (THEORY GE14): the same number as
     /// the force coefficient in the exact solution, with less scatter and more of the coarse start.
     pub impulse_coefficient: f64,
     /// Mean profile: x/(Vt), Cp.

@@ -1,4 +1,4 @@
-//! The volume of the water by the place of its surface (THEORY Q7).
+//! The volume of the water by the place of its surface (THEORY GE11).
 
 use serde::Serialize;
 use sph_core::Fluid;
@@ -10,7 +10,7 @@ use crate::scene::{Scene, Symmetry};
 /// The column.
 pub(super) const VOLUME: &str = "volume_m2";
 
-/// Volume of the water below its surface (THEORY Q7).
+/// Volume of the water below its surface (THEORY GE11).
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Water {
     /// Volume per metre of span at the start [m²].
@@ -52,7 +52,7 @@ impl VolumeReader {
         VolumeReader { walls: [left, half], floor: -scene.tank.depth }
     }
 
-    /// Q7: area between floor, side walls and surface [m²].
+    /// GE11: area between floor, side walls and surface [m²].
     pub fn read(&self, fluid: &Fluid) -> f64 {
         let p = fluid.particles();
         let finest = p.h.iter().copied().fold(f64::INFINITY, f64::min) / fluid.domain().fluid.smoothing_ratio;

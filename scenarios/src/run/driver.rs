@@ -118,7 +118,7 @@ fn advance(
             return Ok(Err(Breakdown::Endless(system.fluid.steps(), system.fluid.time())));
         }
         system.fluid.timers_mut().begin(Phase::Integration);
-        let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok);
+        let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok); // LE5
         let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
         match stepped {
             Err(breakdown) => return Ok(Err(breakdown.into())),

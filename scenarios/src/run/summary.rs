@@ -42,14 +42,14 @@ pub struct Peak {
     pub time_s: f64,
 }
 
-/// Conservation over the run (THEORY E21, E22).
+/// Conservation over the run (THEORY CO27, CO28).
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Audit {
     /// Worst momentum gap of a step over the momentum held and exchanged [-].
     pub momentum: f64,
     /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
     pub energy: f64,
-    /// Work of the water that did not reach the body, over the work exchanged (THEORY K6) [-].
+    /// Conservation over the run (THEORY CO27, CO28).
     pub work: f64,
     /// Work on an elastic body that its energies do not contain, over the work exchanged [-].
     pub structure: f64,
@@ -60,7 +60,7 @@ pub struct Audit {
     /// The worst of them; absent when there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worst_penetration: Option<WorstPenetration>,
-    /// Times that a particle was stopped at a thin plate (THEORY T5); absent when never.
+    /// Conservation over the run (THEORY CO27, CO28).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped_at_plate: Option<u64>,
 }
@@ -75,7 +75,7 @@ pub struct Coupling {
     /// Fluid solutions per step, largest.
     pub iterations_max: u32,
     /// Largest mismatch of a step between the acceleration that the water saw and the one it caused, relative
-    /// (THEORY C5) [-].
+    /// (THEORY CO8) [-].
     pub residual_worst: f64,
 }
 
@@ -86,9 +86,9 @@ pub struct Compressibility {
     pub sound_speed_m_per_s: f64,
     /// Fastest particle over sound speed, largest at any sample [-].
     pub mach_reached: f64,
-    /// Estimated share of the force lost to compressibility (THEORY E19) [-]; `null` without an impact.
+    /// Estimated share of the force lost to compressibility (THEORY WC17) [-]; `null` without an impact.
     pub force_error_estimate: Option<f64>,
-    /// Factor on the force that corrects for this share, 1/(1 − share) (THEORY G4) [-]; `null` without an impact. No other
+    /// Conservation over the run (THEORY CO27, CO28).
     /// number of the summary is corrected.
     pub force_corrected: Option<f64>,
 }
@@ -193,12 +193,12 @@ pub struct Summary {
     /// The similarity solution's numbers, for scenes that have one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SimilarityResult>,
-    /// The force on the body by four rules, where the scene asks (THEORY W7).
+    /// The force on the body by four rules, where the scene asks (THEORY GE8).
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
-    /// Error bars of main numbers, from charts or a convergence study (THEORY G6, G7).
+    /// Conservation over the run (THEORY CO27, CO28).
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub error_bars: ErrorBars,
     /// Results of the body's panels, by name.

@@ -123,7 +123,7 @@ fn check_standing_plate(scene: &Scene, [min, max]: [[f64; 2]; 2]) -> Result<(), 
     Err(Problem::new("body.position", given, expected))
 }
 
-/// A thin plate (THEORY T2) wants walls that fill it, and bends wider than its rows are deep.
+/// A thin plate (THEORY WA9) wants walls that fill it, and bends wider than its rows are deep.
 fn check_plate(scene: &Scene, body: &Body) -> Result<(), Problem> {
     let Shape::Polyline { points, thickness } = &body.shape else { return Ok(()) };
     let spacing = scene.resolution.spacing;
@@ -155,7 +155,7 @@ fn check_plate(scene: &Scene, body: &Body) -> Result<(), Problem> {
 
 fn check_thickness(scene: &Scene, body: &Body) -> Result<(), Problem> {
     if matches!(body.shape, Shape::Polyline { .. }) {
-        return Ok(()); // thin where it must be (THEORY T2)
+        return Ok(()); // thin where it must be (THEORY WA9)
     }
     let (spacing, thickness) = (scene.resolution.spacing, body.shape.thickness());
     let largest = thickness / THINNEST_BODY;

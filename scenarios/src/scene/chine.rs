@@ -10,7 +10,7 @@ use fsi_coupling::settings::significant;
 /// Largest deadrise of the solutions that [`jet_reach`] is fitted to [deg].
 const LARGEST_DEADRISE_DEG: f64 = 50.0;
 
-/// Reach of the jet's tip along a wedge of deadrise β [deg] at constant speed, x_tip/(V t) [-] (THEORY H3):
+/// Reach of the jet's tip along a wedge of deadrise β [deg] at constant speed, x_tip/(V t) [-] (THEORY EN11):
 /// (π − 0.98 β^1.78)/tan β with β in radians.
 ///
 /// A fit to the similarity solutions (Dobrovolskaya 1969) at 10, 20, 30, 45 and 50°, within 0.2 %; π/tan β, twice the

@@ -1,4 +1,4 @@
-//! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY C8).
+//! Is the exchange of accelerations between water and body stable? An estimate before the run (THEORY CO10).
 
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::{Beside, PanelExchange, Shape, exchange_ratio};
@@ -10,10 +10,10 @@ use fsi_coupling::settings::significant;
 /// Spectral radius of the weak exchange up to which it was smooth: 0.83 was, 1.0 shook (`tests/stability/coupling.rs`).
 const SMOOTH: f64 = 0.84;
 
-/// Spectral radius of the exchange with a panel up to which it is not doubted: runs broke down from 0.95 of C12's on.
+/// Spectral radius of the exchange with a panel up to which it is not doubted: runs broke down from 0.95 of CO12's on.
 const LIGHT_PANEL: f64 = 0.9;
 
-/// C8: the added mass that half a row of water beside a free body carries, over the body's own inertia; the largest over
+/// CO10: the added mass that half a row of water beside a free body carries, over the body's own inertia; the largest over
 /// its free directions is the spectral radius of the weak exchange. `None` without a free body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExchangeRatio {
@@ -92,7 +92,7 @@ pub(super) fn light_body(scene: &Scene) -> Option<String> {
     })
 }
 
-/// C12: what one exchange a step makes of the accelerations of a scene's panels, by panel.
+/// CO12: what one exchange a step makes of the accelerations of a scene's panels, by panel.
 pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
     let Some(body) = &scene.body else { return Vec::new() };
     // a panel on a plate's middle line is wet on both sides

@@ -1,4 +1,4 @@
-//! Limits and warnings of scenes with an incompressible solver (THEORY I1–I16, J1–J16).
+//! Limits and warnings of scenes with an incompressible solver (THEORY PR2–PR14, LE18–LE28).
 
 use fsi_coupling::settings::{Problem, significant};
 use sph_core::Solver;
@@ -19,7 +19,7 @@ const STEADY_CFL: f64 = 0.6;
 /// once, which took 18 % of a wedge's force at 5 draughts and 6 % at 10.
 const REACH: f64 = 15.0;
 
-/// h/Δx up to which the free surface of the thesis's projection holds (THEORY J16).
+/// h/Δx up to which the free surface of the thesis's projection holds (THEORY LE1).
 const LARGEST_RATIO_OF_THESIS: f64 = 1.25;
 
 /// Refuses steps in which water moves farther than its neighbours reach.
@@ -106,7 +106,7 @@ pub(super) fn thesis_warnings(scene: &Scene) -> Vec<String> {
     }
     if scene.body.is_some() {
         warnings.push(
-            "solver = \"incompressible_thesis\" breaks down where a body enters the surface (THEORY J16): take \"incompressible\""
+            "solver = \"incompressible_thesis\" breaks down where a body enters the surface (THEORY LE1): take \"incompressible\""
                 .into(),
         );
     }

@@ -6,14 +6,14 @@ use sph_core::Integrator;
 use super::incompressible::check_projection_step;
 use super::settings::Scene;
 
-/// Courant number C = Δt (c₀ + |v|)/h (THEORY E17) at which a dam break and a wedge at constant speed break down or
-/// gain energy, with the default kernel and diffusion (THEORY H4; `tests/stability/courant.rs`) [-]. Other kernels and
+/// Courant number C = Δt (c₀ + |v|)/h (THEORY WC12) at which a dam break and a wedge at constant speed break down or
+/// gain energy, with the default kernel and diffusion (THEORY WC16; `tests/stability/courant.rs`) [-]. Other kernels and
 /// less diffusion may bear a little more; nothing is gained by it.
 pub(super) fn breakdown_cfl(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::Symplectic | Integrator::PredictorCorrector => 1.2,
         Integrator::Beeman => 1.4,
-        // with an Euler step every other step; with fewer it breaks down sooner (L1), of which `check` warns
+        // with an Euler step every other step; with fewer it breaks down sooner (LE3), of which `check` warns
         Integrator::Verlet => 0.7,
     }
 }

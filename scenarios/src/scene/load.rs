@@ -20,7 +20,7 @@ use super::settings::{Scene, schema};
 use super::source::Source;
 use super::warnings::warnings;
 
-/// Whether steps at which the scheme is known to break down are refused (THEORY H4).
+/// Whether steps at which the scheme is known to break down are refused (THEORY WC16).
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Limits {
     Kept,
@@ -61,7 +61,7 @@ fn text_of(name_or_path: &str) -> Result<(String, String), SceneError> {
     Ok((name_or_path.to_string(), text))
 }
 
-/// As [`load`], but steps at which the scheme is known to break down are let through (THEORY H4): for maps of where that is.
+/// As [`load`], but steps at which the scheme is known to break down are let through (THEORY WC16): for maps of where that is.
 pub fn load_beyond_limits(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
     let (name, text) = text_of(name_or_path)?;
     load_under(&name, &text, sets, Limits::Ignored)

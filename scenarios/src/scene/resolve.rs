@@ -140,7 +140,7 @@ fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, body: Option<&Bo
     }
     let half_step = options.is_some_and(|options| options.integrator == sph_core::Integrator::PredictorCorrector);
     if scheme == CouplingScheme::IqnIls && half_step {
-        // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY C5)
+        // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY CO8)
         return refused("\"added_mass\" with fluid.integrator = \"predictor_corrector\", or another integrator");
     }
     Ok(())

@@ -9,7 +9,7 @@ use super::draft::Draft;
 use super::impact::Entry;
 use super::settings::{SolverSettings, Water, WeaklyCompressibleFluid};
 
-/// Smoothing length over spacing of the thesis, h/Δx [-], up to 1.25 of which its surface holds (THEORY J16).
+/// Smoothing length over spacing of the thesis, h/Δx [-], up to 1.25 of which its surface holds (THEORY LE1).
 const SMOOTHING_RATIO_OF_THESIS: f64 = 1.0;
 
 /// Ratio of specific heats of air [-].

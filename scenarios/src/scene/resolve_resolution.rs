@@ -51,7 +51,7 @@ pub(super) fn resolve_resolution(draft: &mut Draft, growth: &Growth) -> Result<(
 }
 
 impl Growth<'_> {
-    /// Why the zone cannot grow (THEORY E26): what is expected instead of `true`.
+    /// Why the zone cannot grow (THEORY WC21): what is expected instead of `true`.
     fn obstacle(&self, growth: f64) -> Option<&'static str> {
         let thin = self.body.is_some_and(|body| matches!(body.shape, Shape::Polyline { .. }));
         let options = self.solver.weakly_compressible().map(|fluid| fluid.options);

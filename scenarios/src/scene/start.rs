@@ -1,4 +1,4 @@
-//! Water that does not start as a level rectangle (THEORY Q1, Q2): its keys, and what they must fit.
+//! Water that does not start as a level rectangle (THEORY WC19, WC18): its keys, and what they must fit.
 
 use fsi_coupling::geometry::water_surface::WaterSurface;
 

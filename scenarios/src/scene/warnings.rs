@@ -21,13 +21,13 @@ const LARGEST_CFL: f64 = 0.8;
 
 /// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
 const LARGEST_VERLET_GROWTH: f64 = 10.0;
-/// Courant number up to which the Riemann form runs with every kernel tried (R3).
+/// Courant number up to which the Riemann form runs with every kernel tried (WC13).
 const RIEMANN_CFL: f64 = 0.7;
 
 /// Courant number at which stretched walls run without artificial viscosity.
 const STRETCHED_CFL: f64 = 0.4;
 
-/// δ that damps a single particle's density as the Riemann form does [-], with Wendland C2 (R1).
+/// δ that damps a single particle's density as the Riemann form does [-], with Wendland C2 (WC8).
 const RIEMANN_DELTA: f64 = 1.0 / 3.0;
 
 /// Samples in a period of a gauge's bandwidth.
@@ -118,7 +118,7 @@ fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String>
     warnings
 }
 
-/// Limits of the step of the Riemann form (R3) and of stretched walls (E10).
+/// Limits of the step of the Riemann form (WC13) and of stretched walls (WA4).
 fn strained_step(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Vec<String> {
     let (scheme, mut warnings) = (&fluid.scheme, Vec::new());
     if scheme.dissipation == Dissipation::Riemann && cfl > RIEMANN_CFL {
@@ -137,7 +137,7 @@ fn strained_step(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Vec<String> {
 }
 
 /// Between two Euler steps, dissipation damps the flow by about e^(−d) a step, d = 7 δ C, and grows the difference of
-/// Verlet's two time levels by as much (L1); an Euler step leaves about ½d² of it.
+/// Verlet's two time levels by as much (LE3); an Euler step leaves about ½d² of it.
 fn loose_verlet(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Option<String> {
     let scheme = &fluid.scheme;
     let every = f64::from(fluid.options.verlet_correction_every);

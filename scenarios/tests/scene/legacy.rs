@@ -36,7 +36,7 @@ const SWITCHES: [(u32, &str, &str); 28] = [
     (38, "INDAT fex 1 | 2 | 3: FEX_2D, FEX_2D2, FEX_2D3", "report.force_rules"),
 ];
 
-/// What has no key: 9 B follows from the sound speed, 15 visc_wall is a term that the repulsive wall (W1) does not have,
+/// What has no key: 9 B follows from the sound speed, 15 visc_wall is a term that the repulsive wall (LE15) does not have,
 /// 17 vly and 21 dz belong to a third dimension or to the one spacing, 23 to 25 NP, NB, NBF are counted, 29 to 34 XMIN to
 /// ZMAX are the tank's walls.
 const WITHOUT_A_KEY: [u32; 13] = [9, 15, 17, 21, 23, 24, 25, 29, 30, 31, 32, 33, 34];

@@ -1,5 +1,5 @@
-//! How a pair dissipates: density diffusion with artificial viscosity (THEORY E5, E7), or the limited Riemann form
-//! (R1, R2). A type inside the sums over pairs, as kernels are: one dispatch per sum, none per pair.
+//! How a pair dissipates: density diffusion with artificial viscosity (THEORY WC4, WC6), or the limited Riemann form
+//! (WC8, WC9). A type inside the sums over pairs, as kernels are: one dispatch per sum, none per pair.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -12,34 +12,34 @@ use crate::interactions::simd::SimdReal;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Dissipation {
-    /// E5 and E7: density diffusion δ and artificial viscosity α.
+    /// WC4 and WC6: density diffusion δ and artificial viscosity α.
     #[default]
     Diffusion,
-    /// R1 and R2: the linearised Riemann problem of each pair, with the limiter of low dissipation (Zhang, Hu & Adams
+    /// WC8 and WC9: the linearised Riemann problem of each pair, with the limiter of low dissipation (Zhang, Hu & Adams
     /// 2017). Has no coefficients.
     Riemann,
 }
 
-/// Factor of the limiter [-] (R2; Zhang, Hu & Adams 2017).
+/// Factor of the limiter [-] (WC9; Zhang, Hu & Adams 2017).
 const LIMITER: f64 = 3.0;
 
 /// Least distance over h [-] along which a closing speed is taken: particles in one place have none.
 const NEAREST: f64 = 1e-9;
 
-/// The dissipative part of a pair: what E4 gains by a difference of pressure, and E6 by a closing speed.
+/// The dissipative part of a pair: what WC3 gains by a difference of pressure, and WC5 by a closing speed.
 pub trait PairDissipation: Copy + Send + Sync + 'static {
-    /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (E5, R1).
+    /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (WC4, WC8).
     fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R;
     /// Factor of that sum [s/m].
     fn rate<R: SimdReal>(c: &PairConstants<R>) -> R;
-    /// Pressure [Pa], taken off p_a + p_b in E6, that v_ab·r_ab [m²/s] of the pair causes (E7, R2): never positive.
+    /// Pressure [Pa], taken off p_a + p_b in WC5, that v_ab·r_ab [m²/s] of the pair causes (WC6, WC9): never positive.
     fn pressure<R: SimdReal>(ab: &PairGeometry<R>, along: R, c: &PairConstants<R>) -> R;
 }
 
-/// E5 and E7.
+/// WC4 and WC6.
 #[derive(Clone, Copy)]
 pub struct DiffusivePair;
-/// R1 and R2.
+/// WC8 and WC9.
 #[derive(Clone, Copy)]
 pub struct RiemannPair;
 /// Nothing: walls.
@@ -63,7 +63,7 @@ impl PairDissipation for DiffusivePair {
 }
 
 impl PairDissipation for RiemannPair {
-    /// R1: 2(v_a − v*)·∇W with v* = v̄ + (p_L − p_R)/(2ρ₀c₀) leaves (p_a − p_b) r/(ρ₀c₀) beside E4.
+    /// WC8: 2(v_a − v*)·∇W with v* = v̄ + (p_L − p_R)/(2ρ₀c₀) leaves (p_a − p_b) r/(ρ₀c₀) beside WC3.
     #[inline(always)]
     fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R {
         ab.r
@@ -72,7 +72,7 @@ impl PairDissipation for RiemannPair {
     fn rate<R: SimdReal>(c: &PairConstants<R>) -> R {
         c.c0.of(1.0) / c.c0
     }
-    /// R2: p_a + p_b − 2p* = −ρ₀ β w, w the closing speed.
+    /// WC9: p_a + p_b − 2p* = −ρ₀ β w, w the closing speed.
     #[inline(always)]
     fn pressure<R: SimdReal>(ab: &PairGeometry<R>, along: R, c: &PairConstants<R>) -> R {
         let parting = along.min(along.of(0.0)) / ab.r.max(along.of(NEAREST) * ab.size.h); // −w
@@ -175,7 +175,7 @@ mod tests {
         }
     }
 
-    /// R1 of a pair is E5 with δ = q/2.
+    /// WC8 of a pair is WC4 with δ = q/2.
     #[test]
     fn a_riemann_pair_diffuses_as_half_its_distance_says() {
         let (a, b) = (row(0.0, 0.0, 0.3, 0.0, 350.0), row(0.12, 0.1, 0.0, 0.1, -80.0));

@@ -1,4 +1,4 @@
-//! Forces on fluid and walls from the sums over pairs (THEORY E6–E8), and the accelerations that follow.
+//! Forces on fluid and walls from the sums over pairs (THEORY WC5–WC7), and the accelerations that follow.
 
 use crate::interactions::dissipation::Dissipation;
 use crate::interactions::gather::{Momentum, MomentumSums, PairSums, WallForce, WallForceSums};
@@ -51,7 +51,7 @@ pub(crate) struct PairTerms {
     pub dissipation: Dissipation,
 }
 
-/// E6–E8 on the fluid, and the kernel moments E12–E14. `walls_push`: walls act by their pressure (E6).
+/// WC5–WC7 on the fluid, and the kernel moments OP4, OP5, WC10. `walls_push`: walls act by their pressure (WC5).
 pub(crate) fn gather_fluid_forces(
     system: &mut ParticleSystem,
     terms: &PairTerms,

@@ -122,14 +122,14 @@ pub(crate) fn listed(lists: &Lists, wanted: bool) -> &Lists {
     if wanted { lists } else { &NONE }
 }
 
-/// E4 + E5 (R1): dρ/dt of every fluid particle.
+/// WC3 + WC4 (WC8): dρ/dt of every fluid particle.
 pub(crate) struct DensityRate<'a> {
     pub fluid: &'a [PackedParticle],
     pub packed_walls: &'a [PackedWall],
     pub rho: &'a [f64],
     pub neighbours: &'a Neighbours,
     pub constants: PairConstants,
-    /// Walls reflect the velocity (E10).
+    /// Walls reflect the velocity (WA4).
     pub walls_reflect: bool,
 }
 
@@ -150,7 +150,7 @@ impl Gather for DensityRate<'_> {
     }
 }
 
-/// E9: what every wall particle extrapolates from the fluid.
+/// WA3: what every wall particle extrapolates from the fluid.
 pub(crate) struct WallState<'a> {
     pub fluid: &'a [PackedParticle],
     pub walls: &'a [PackedParticle],
@@ -195,14 +195,14 @@ impl Sums<Gathered> for MomentumSums<'_> {
     }
 }
 
-/// E6–E8 (R2), E12–E14: force on every fluid particle, and how its neighbours lie.
+/// WC5–WC7 (WC9), OP4, OP5, WC10: force on every fluid particle, and how its neighbours lie.
 pub(crate) struct Momentum<'a> {
     pub fluid: &'a [PackedParticle],
     pub walls: &'a [PackedParticle],
     pub neighbours: &'a Neighbours,
     pub constants: PairConstants,
     pub wall_nu: f64,
-    /// Walls push by their pressure (E6).
+    /// Walls push by their pressure (WC5).
     pub walls_push: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Geometry of a pair: distance, mean smoothing length, kernel and its gradient (THEORY E1, E2).
+//! Geometry of a pair: distance, mean smoothing length, kernel and its gradient (THEORY OP2, OP3).
 
 use crate::interactions::kernel::Shape;
 use crate::interactions::simd::SimdReal;
@@ -12,13 +12,13 @@ pub struct PairConstants<R = f64> {
     pub rho0: R,
     /// Sound speed c₀ [m/s].
     pub c0: R,
-    /// Density diffusion δ [-] (E5).
+    /// Density diffusion δ [-] (WC4).
     pub delta: R,
-    /// Artificial viscosity α [-] (E7).
+    /// Artificial viscosity α [-] (WC6).
     pub alpha: R,
-    /// Kinematic viscosity ν [m²/s] (E8).
+    /// Kinematic viscosity ν [m²/s] (WC7).
     pub nu: R,
-    /// Whether walls feel the fluid stretch along them [-]: 0 or 1 (E10).
+    /// Whether walls feel the fluid stretch along them [-]: 0 or 1 (WA4).
     pub stretch: R,
 }
 
@@ -53,7 +53,7 @@ pub trait ScaleRule<R>: Copy {
     fn of<K: Shape>(self, a: R, b: R) -> KernelScale<R>;
 }
 
-/// E2: the pair's kernel is taken at the mean smoothing length, so ∇_a W_ab = −∇_b W_ab exactly.
+/// OP3: the pair's kernel is taken at the mean smoothing length, so ∇_a W_ab = −∇_b W_ab exactly.
 #[derive(Clone, Copy)]
 pub struct MeanScale;
 

@@ -1,4 +1,4 @@
-//! Smoothing kernels (THEORY E1): W(r, h) = α/h² w(q), q = r/h, support q < 2.
+//! Smoothing kernels (THEORY OP2): W(r, h) = α/h² w(q), q = r/h, support q < 2.
 //!
 //! Adding a kernel touches this file only: a unit struct with its [`Shape`], a variant of [`Kernel`],
 //! and its arm in [`Kernel::run`].

@@ -20,9 +20,9 @@ pub(crate) struct Packed {
     pub walls: Vec<PackedParticle>,
     /// Walls, for the continuity equation.
     pub packed_walls: Vec<PackedWall>,
-    /// Mirror points of the walls (W3); empty where no wall asks.
+    /// Mirror points of the walls (LE17); empty where no wall asks.
     pub mirror_points: (Vec<f64>, Vec<f64>),
-    /// Plate midlines where the walls are now (T1).
+    /// Plate midlines where the walls are now (WA8).
     pub midlines: Vec<PlateMidline>,
     wall_x: Vec<f64>,
     wall_y: Vec<f64>,
@@ -57,7 +57,7 @@ impl Packed {
         self.midlines.extend(walls.midlines.iter().map(|midline| midline.at(offset, walls.dt)));
     }
 
-    /// W3: mirror points of the walls that [`Packed::place_walls`] placed.
+    /// LE17: mirror points of the walls that [`Packed::place_walls`] placed.
     pub fn place_mirror_points(&mut self, walls: &Walls) {
         let (x, y) = &mut self.mirror_points;
         x.clear();
@@ -138,7 +138,7 @@ impl Packed {
         }
     }
 
-    /// V1: images that repeat their source somewhere else.
+    /// OP9: images that repeat their source somewhere else.
     fn repeat(&mut self, n: usize, search: &Neighbours) {
         for (k, (&source, shift)) in search.fluid_images.iter().zip(&search.fluid_shifts).enumerate() {
             let row = self.fluid[source as usize];
@@ -162,7 +162,7 @@ impl Packed {
         }
     }
 
-    /// E9, E11: the walls show the fluid the pressure they extrapolate and, where it must `no_slip`, the
+    /// WA3, WA5: the walls show the fluid the pressure they extrapolate and, where it must `no_slip`, the
     /// velocity 2V − ũ. `image_side` is −1 where images reflect, 1 where they repeat.
     pub fn set_wall_state(&mut self, found: &[Extrapolated], images: &[u32], image_side: f64, no_slip: bool) {
         let n = found.len();

@@ -4,7 +4,7 @@ use crate::interactions::simd::SimdReal;
 use crate::neighbours::lists::Splat;
 
 /// A particle as its neighbours see it: one cache line. For a wall particle, velocity and pressure are
-/// those that the fluid is to feel (THEORY E9–E11) and both volumes are the area it stands for.
+/// those that the fluid is to feel (THEORY WA3–WA5) and both volumes are the area it stands for.
 #[repr(C, align(64))]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PackedParticle<R = f64> {

@@ -11,7 +11,7 @@ use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::interactions::simd::{LANES, SimdReal};
 use crate::particles::KernelMoments;
 
-/// E4 + E5 (R1): dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
+/// WC3 + WC4 (WC8): dρ_a/dt [kg/(m³ s)] from the divergence of velocity and the density diffusion.
 #[inline(always)]
 pub fn density_rate<R: SimdReal, K: Shape, D: PairDissipation>(
     a: &PackedParticle<R>,
@@ -34,7 +34,7 @@ pub fn density_rate<R: SimdReal, K: Shape, D: PairDissipation>(
     }
     for w in walls {
         let aw = PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h));
-        // E10: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n across
+        // WA4: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n across
         // the wall; along it, if so chosen, with the velocity of the fluid in front, whose stretching is then felt
         let (un, ut) = (a.u * w.nx + a.v * w.ny, a.v * w.nx - a.u * w.ny);
         let (rn, rt) = (aw.dx * w.nx + aw.dy * w.ny, aw.dy * w.nx - aw.dx * w.ny);
@@ -44,7 +44,7 @@ pub fn density_rate<R: SimdReal, K: Shape, D: PairDissipation>(
     rho_a * compression - D::rate(c) * diffusion
 }
 
-/// E6 + E7 (R2) + E8: force of b on a over V_a, in parts along r_ab [Pa/m²] and along v_ab [Pa s/m³]: pressure, artificial
+/// WC5 + WC6 (WC9) + WC7: force of b on a over V_a, in parts along r_ab [Pa/m²] and along v_ab [Pa s/m³]: pressure, artificial
 /// and laminar viscosity.
 #[inline(always)]
 pub(crate) fn force<R: SimdReal, D: PairDissipation>(
@@ -157,7 +157,7 @@ impl<R: SimdReal> MomentumSum<R> {
     }
 }
 
-/// Force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
+/// WA6: force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
 pub fn wall_force<R: SimdReal, K: Shape>(
     wall: &PackedParticle<R>,
@@ -180,9 +180,9 @@ pub fn wall_force<R: SimdReal, K: Shape>(
 /// What a wall particle extrapolates from the fluid.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Extrapolated<R = f64> {
-    /// Pressure [Pa] (E9).
+    /// Pressure [Pa] (WA3).
     pub pressure: R,
-    /// Velocity of the fluid nearby [m/s] (E11).
+    /// Velocity of the fluid nearby [m/s] (WA5).
     pub velocity: [R; 2],
 }
 
@@ -198,7 +198,7 @@ impl<R: SimdReal> Extrapolated<R> {
 /// Least Σ V W [-] that is a neighbourhood to extrapolate from.
 const TOUCHED: f64 = 1e-9;
 
-/// E9 (Adami, Hu & Adams 2012): pressure at a wall particle that moves with acceleration `acceleration`;
+/// WA3 (Adami, Hu & Adams 2012): pressure at a wall particle that moves with acceleration `acceleration`;
 /// the pressure gradient beside it is ρ(g − a_w).
 #[inline(always)]
 pub fn extrapolate<R: SimdReal, K: Shape>(
@@ -230,7 +230,7 @@ pub fn extrapolate<R: SimdReal, K: Shape>(
     }
 }
 
-/// E14: smallest eigenvalue of the symmetric matrix −[[m0, m1], [m1, m2]].
+/// OP5: smallest eigenvalue of the symmetric matrix −[[m0, m1], [m1, m2]].
 #[inline(always)]
 fn smallest_eigenvalue<R: SimdReal>(m: [R; 3]) -> R {
     let (mean, half) = (m[0].of(-0.5) * (m[0] + m[2]), m[0].of(0.5) * (m[0] - m[2]));

@@ -1,4 +1,4 @@
-//! The weakly compressible scheme with the options of 2010 (THEORY L1–L12, W1–W3).
+//! The weakly compressible scheme with the options of 2010 (THEORY LE3–LE14, LE15–LE17).
 
 use crate::domain::Domain;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
@@ -36,11 +36,11 @@ pub struct Compressible {
     pub base: Wcsph,
     /// The options.
     pub options: Options,
-    /// The gas, if the fluid is one (L9).
+    /// The gas, if the fluid is one (LE11).
     pub(crate) gas: Option<IdealGas>,
     pub(crate) history: History,
     pub(crate) old: Old,
-    /// de/dt [W/kg] (L10); empty for water.
+    /// de/dt [W/kg] (LE12); empty for water.
     pub(crate) heating: Vec<f64>,
     pub(crate) dynamic_walls: DynamicWalls,
 }
@@ -71,7 +71,7 @@ impl Compressible {
         Rates { density: &self.base.density_rate, energy: &self.heating }
     }
 
-    /// Make the lists if they no longer hold, splitting particles first where that is asked for (E26); then pack.
+    /// Make the lists if they no longer hold, splitting particles first where that is asked for (WC21); then pack.
     pub(crate) fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, self.options.walls == WallModel::MirrorPoint) {
             self.base.refine(system);
@@ -82,7 +82,7 @@ impl Compressible {
         system.pack(walls);
     }
 
-    /// E4 + E5, or L12; W2.
+    /// WC3 + WC4, or LE14; LE16.
     pub(crate) fn evaluate_density_rate(&mut self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         self.pack(system, walls, offset);
         let constants = self.base.constants(system);
@@ -96,7 +96,7 @@ impl Compressible {
         }
     }
 
-    /// W2: the walls' own velocities compress the fluid, and the fluid compresses the walls.
+    /// LE16: the walls' own velocities compress the fluid, and the fluid compresses the walls.
     fn evaluate_dynamic_walls(&mut self, system: &ParticleSystem) {
         let (fluid, walls, search) = (&system.packed.fluid, &system.packed.walls, &system.neighbours);
         let (kernel, rho) = (system.domain.fluid.kernel, &system.particles.rho);
@@ -111,7 +111,7 @@ impl Compressible {
         kernel.run(OwnVelocityRate { targets: walls, rho, others: fluid, lists, out: rate });
     }
 
-    /// W2: dynamic walls start at the pressure of the water beside them, or at none.
+    /// LE16: dynamic walls start at the pressure of the water beside them, or at none.
     pub(crate) fn start_dynamic_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
         if self.options.walls != WallModel::Dynamic {
             return;
@@ -124,7 +124,7 @@ impl Compressible {
         self.dynamic_walls.start(&walls.pressure, self.base.eos);
     }
 
-    /// W2: pressures of the walls from their densities; they show the fluid their own velocity.
+    /// LE16: pressures of the walls from their densities; they show the fluid their own velocity.
     fn state_of_dynamic_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
         system.timers.begin(Phase::Walls);
         let found = self.dynamic_walls.pressures(self.base.eos).enumerate();
@@ -135,7 +135,7 @@ impl Compressible {
         set_wall_state(system, walls);
     }
 
-    /// L10: de/dt with the packed particles that the density rate was found with.
+    /// LE12: de/dt with the packed particles that the density rate was found with.
     pub(crate) fn evaluate_heating(&mut self, system: &ParticleSystem) {
         if let Some(gas) = self.gas {
             let terms = self.base.terms(system);
@@ -143,7 +143,7 @@ impl Compressible {
         }
     }
 
-    /// E3, or L9.
+    /// WC2, or LE11.
     fn equation_of_state(&self, system: &mut ParticleSystem) {
         match self.gas {
             None => self.base.equation_of_state(system),
@@ -151,7 +151,7 @@ impl Compressible {
         }
     }
 
-    /// E3, E9, E6–E8, L8: pressures, wall pressures, accelerations, forces on walls.
+    /// WC2, WA3, WC5–WC7, LE10: pressures, wall pressures, accelerations, forces on walls.
     pub(crate) fn evaluate_forces(
         &mut self,
         system: &mut ParticleSystem,
@@ -187,14 +187,14 @@ impl Compressible {
         }
     }
 
-    /// The law of repulsive walls (W1).
+    /// The law of repulsive walls (LE15).
     fn repulsion(&self, system: &ParticleSystem) -> Repulsion {
         let (eos, water_depth) = (self.base.eos, self.options.water_depth);
         let heavy = system.domain.gravity != [0.0; 2];
         Repulsion { rho0: eos.rho0, c0: eos.c0, ratio: system.domain.fluid.smoothing_ratio, water_depth, heavy }
     }
 
-    /// L11: densities from masses, where that is chosen.
+    /// LE13: densities from masses, where that is chosen.
     pub(crate) fn sum_density(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if self.options.density_evolution == DensityEvolution::Summation {
             self.pack(system, walls, offset);
@@ -202,7 +202,7 @@ impl Compressible {
         }
     }
 
-    /// L4, L5: smooth the densities, if a filter is chosen and this step is one of its own.
+    /// LE6, LE7: smooth the densities, if a filter is chosen and this step is one of its own.
     pub(crate) fn filter_density(&self, system: &mut ParticleSystem, walls: &Walls) {
         let due = (system.steps + 1).is_multiple_of(u64::from(self.options.density_filter_every.max(1)));
         if self.options.density_filter != DensityFilter::None && due {
@@ -211,7 +211,7 @@ impl Compressible {
         }
     }
 
-    /// E13, L6.
+    /// WC10, LE8.
     pub(crate) fn shift(&self, system: &mut ParticleSystem, dt: f64) {
         if self.base.settings.shifting {
             even_out(system, self.base.settings.settling, dt);

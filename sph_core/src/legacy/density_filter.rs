@@ -1,4 +1,4 @@
-//! Density filters (THEORY L4, L5): every so many steps the density field is smoothed, as the thesis's
+//! Density filters (THEORY LE6, LE7): every so many steps the density field is smoothed, as the thesis's
 //! `i_densityFilter` has it. Fluid neighbours only.
 
 use schemars::JsonSchema;
@@ -19,16 +19,16 @@ pub enum DensityFilter {
     /// Not at all.
     #[default]
     None,
-    /// L4, zeroth order (Shepard 1968): keeps a constant.
+    /// LE6, zeroth order (Shepard 1968): keeps a constant.
     Shepard,
-    /// L5, first order, moving least squares (Colagrossi & Landrini 2003): keeps a linear field.
+    /// LE7, first order, moving least squares (Colagrossi & Landrini 2003): keeps a linear field.
     Mls,
 }
 
-/// L5 falls back to L4 where the normalised determinant of its moments is smaller: on lines and in lone pairs of particles.
+/// LE7 falls back to LE6 where the normalised determinant of its moments is smaller: on lines and in lone pairs of particles.
 const LEAST_DETERMINANT: f64 = 1e-3;
 
-/// L4 or L5 for every fluid particle.
+/// LE6 or LE7 for every fluid particle.
 struct Filter<'a> {
     fluid: &'a [PackedParticle],
     rho: &'a [f64],
@@ -83,12 +83,12 @@ impl Moments {
         }
     }
 
-    /// L4: the weighted mean.
+    /// LE6: the weighted mean.
     fn constant(&self) -> f64 {
         self.of_density[0] / self.of_space[0]
     }
 
-    /// L5: the value here of the plane that fits best, by elimination of its slopes about the weighted middle.
+    /// LE7: the value here of the plane that fits best, by elimination of its slopes about the weighted middle.
     fn linear(&self) -> f64 {
         let [m, mx, my, xx, xy, yy] = self.of_space;
         let [r, rx, ry] = self.of_density;
@@ -104,7 +104,7 @@ impl Moments {
     }
 }
 
-/// L5 if `linear`, else L4, at the state last packed. The energies of a gas follow its isentropes: γ [-], if it is one.
+/// LE7 if `linear`, else LE6, at the state last packed. The energies of a gas follow its isentropes: γ [-], if it is one.
 pub fn smooth_density(system: &mut ParticleSystem, linear: bool, gamma: Option<f64>) {
     system.timers.begin(Phase::Density);
     let mut smooth = vec![0.0; system.particles.len()];

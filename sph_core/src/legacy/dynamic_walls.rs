@@ -1,4 +1,4 @@
-//! Dynamic walls (THEORY W2): wall particles are fluid particles with a prescribed motion. Their density follows
+//! Dynamic walls (THEORY LE16): wall particles are fluid particles with a prescribed motion. Their density follows
 //! from continuity, their pressure from the equation of state.
 
 use crate::interactions::geometry::kernel_and_gradient;
@@ -30,7 +30,7 @@ impl DynamicWalls {
         }
     }
 
-    /// ρ ← ρ (2 + ε)/(2 − ε), as for the fluid (E15).
+    /// ρ ← ρ (2 + ε)/(2 − ε), as for the fluid (WC11).
     pub fn advance_density_midpoint(&mut self, dt: f64) {
         for (rho, rate) in self.rho.iter_mut().zip(&self.rate) {
             let strain = dt * rate / *rho;
@@ -38,12 +38,12 @@ impl DynamicWalls {
         }
     }
 
-    /// Remember the densities at n (E16).
+    /// Remember the densities at n (LE2).
     pub fn keep(&mut self) {
         self.old.clone_from(&self.rho);
     }
 
-    /// ρ' = ρ at n + Δt dρ/dt (E16).
+    /// ρ' = ρ at n + Δt dρ/dt (LE2).
     pub fn correct(&mut self, dt: f64) {
         self.rho.clone_from(&self.old);
         self.advance_density(dt);
@@ -58,7 +58,7 @@ impl DynamicWalls {
     }
 }
 
-/// W2: the density rate that `others` cause on `targets`, both moving with their own velocities [kg/(m³ s)]. Once
+/// LE16: the density rate that `others` cause on `targets`, both moving with their own velocities [kg/(m³ s)]. Once
 /// for the fluid beside walls, once for the walls beside fluid.
 pub(crate) struct OwnVelocityRate<'a> {
     pub targets: &'a [PackedParticle],
@@ -79,7 +79,7 @@ impl WithKernel for OwnVelocityRate<'_> {
     }
 }
 
-/// W2: Σ_b V_b (v_a − v_b)·∇W_ab [1/s] over neighbours that move with their own velocities.
+/// LE16: Σ_b V_b (v_a − v_b)·∇W_ab [1/s] over neighbours that move with their own velocities.
 #[inline(always)]
 fn compression<'r, K: Shape>(a: &PackedParticle, others: impl Iterator<Item = &'r PackedParticle>) -> f64 {
     let mut sum = 0.0;

@@ -1,4 +1,4 @@
-//! The ideal gas: equation of state (THEORY L9) and the energy equation that goes with it (L10).
+//! The ideal gas: equation of state (THEORY LE11) and the energy equation that goes with it (LE12).
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ use crate::system::ParticleSystem;
 /// Molar gas constant R [J/(mol K)] (exact in the SI of 2019).
 pub const GAS_CONSTANT: f64 = 8.314_462_618_153_24;
 
-/// L9: p = ρ R T/M − p₀, with T = (γ − 1) M e/R and p₀ = ρ₀ R T₀/M: the pressure over that of the gas at rest, so that a
+/// LE11: p = ρ R T/M − p₀, with T = (γ − 1) M e/R and p₀ = ρ₀ R T₀/M: the pressure over that of the gas at rest, so that a
 /// free surface is one of the pressure p₀. (M. Pilorget 2010, eq. 15, has the absolute pressure.)
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct IdealGas {
@@ -73,7 +73,7 @@ impl IdealGas {
     }
 }
 
-/// L10 for every fluid particle.
+/// LE12 for every fluid particle.
 struct Heating<'a> {
     fluid: &'a [PackedParticle],
     walls: &'a [PackedParticle],
@@ -95,16 +95,16 @@ impl WithPairs for Heating<'_> {
     }
 }
 
-/// What L10 gathers.
+/// What LE12 gathers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Heat {
     /// Work of pressures and viscosity that stays in the particle [W/m].
     power: f64,
-    /// −∇·v [1/s], as the continuity equation has it (E4, E10).
+    /// −∇·v [1/s], as the continuity equation has it (WC3, WA4).
     compression: f64,
 }
 
-/// L10: half of the power that the pair's absolute pressures and viscosity take from its motion; all of what a wall gives.
+/// LE12: half of the power that the pair's absolute pressures and viscosity take from its motion; all of what a wall gives.
 #[inline(always)]
 fn heating<'r, K: Shape, D: PairDissipation>(
     a: &PackedParticle,
@@ -137,7 +137,7 @@ fn heating<'r, K: Shape, D: PairDissipation>(
     heat
 }
 
-/// L10: de/dt with the packed particles and the density rate of this moment.
+/// LE12: de/dt with the packed particles and the density rate of this moment.
 pub(crate) fn heating_rates(
     system: &ParticleSystem,
     terms: &PairTerms,
@@ -159,13 +159,13 @@ pub(crate) fn heating_rates(
     let p = &system.particles;
     out.resize(p.len(), 0.0);
     for (k, heat) in heat.iter().enumerate() {
-        let diffused = density_rate[k] - p.rho[k] * heat.compression; // E5, along the isentrope
+        let diffused = density_rate[k] - p.rho[k] * heat.compression; // WC4, along the isentrope
         let along = (gas.gamma - 1.0) * p.energy[k] / p.rho[k];
         out[k] = heat.power / p.mass[k] + along * diffused;
     }
 }
 
-/// L9: pressures from densities and energies. Tensionless fluid is compressed along its isentrope to p₀, or it would lose p₀ times the
+/// LE11: pressures from densities and energies. Tensionless fluid is compressed along its isentrope to p₀, or it would lose p₀ times the
 /// volume each time and grow ever colder.
 pub(crate) fn gas_state(system: &mut ParticleSystem, gas: IdealGas, ventilation: bool) {
     let (p, fields) = (&mut system.particles, &mut system.fields);

@@ -7,14 +7,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Integrator {
-    /// Kick–drift–kick with the density advanced about the midpoint: second order, one sum of each kind per step (E15).
+    /// Kick–drift–kick with the density advanced about the midpoint: second order, one sum of each kind per step (WC11).
     #[default]
     Symplectic,
-    /// Monaghan's (1989) predictor–corrector: second order, two sums of each kind per step (E16).
+    /// Monaghan's (1989) predictor–corrector: second order, two sums of each kind per step (LE2).
     PredictorCorrector,
-    /// Verlet's (1967) two-step leapfrog with an Euler step now and then: one sum of each kind per step (L1).
+    /// Verlet's (1967) two-step leapfrog with an Euler step now and then: one sum of each kind per step (LE3).
     Verlet,
-    /// Beeman's (1976) with the corrector of Adams and Moulton: third order, two sums of each kind per step (L2).
+    /// Beeman's (1976) with the corrector of Adams and Moulton: third order, two sums of each kind per step (LE4).
     Beeman,
 }
 

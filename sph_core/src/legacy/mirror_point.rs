@@ -1,4 +1,4 @@
-//! Pressure at a wall particle from its mirror point in the fluid (THEORY W3; English et al. 2022).
+//! Pressure at a wall particle from its mirror point in the fluid (THEORY LE17; English et al. 2022).
 
 use crate::interactions::geometry::kernel_and_gradient;
 use crate::interactions::kernel::{Shape, WithKernel};
@@ -14,7 +14,7 @@ use crate::walls::state::set_wall_state;
 /// Below this determinant the first-order system is not trusted (English et al. 2022): Shepard's mean instead.
 const LEAST_DETERMINANT: f64 = 1e-3;
 
-/// W3: what every wall particle finds at its mirror point.
+/// LE17: what every wall particle finds at its mirror point.
 pub(crate) struct MirrorState<'a> {
     pub fluid: &'a [PackedParticle],
     pub walls: &'a [PackedParticle],
@@ -34,7 +34,7 @@ impl WithKernel for MirrorState<'_> {
     }
 }
 
-/// W3: pressures of the walls from their mirror points.
+/// LE17: pressures of the walls from their mirror points.
 pub(crate) fn read_mirror_points(system: &mut ParticleSystem, walls: &mut Walls) {
     system.timers.begin(Phase::Walls);
     system.wall_state.resize(walls.len(), Extrapolated::default());

@@ -1,5 +1,5 @@
-//! State that integrators keep of the step before: Verlet's leapfrog (THEORY L1) and Beeman's scheme (L2), whose steps may vary in
-//! length, and the predictor–corrector (E16).
+//! State that integrators keep of the step before: Verlet's leapfrog (THEORY LE3) and Beeman's scheme (LE4), whose steps may vary in
+//! length, and the predictor–corrector (LE2).
 
 use crate::particles::Particles;
 use crate::walls::Walls;
@@ -58,11 +58,11 @@ impl Old {
 pub(crate) struct History {
     /// Length of that step [s]; 0 before the first.
     pub dt: f64,
-    /// L1: what it added to u, v, ρ, e. L2: its rates of u, v, ρ, e.
+    /// LE3: what it added to u, v, ρ, e. LE4: its rates of u, v, ρ, e.
     change: Vec<[f64; 4]>,
-    /// L2: the state before a step: x, y, u, v, ρ, e, and its rates of u, v, ρ, e.
+    /// LE4: the state before a step: x, y, u, v, ρ, e, and its rates of u, v, ρ, e.
     now: Vec<[f64; 10]>,
-    /// L2: forces on walls at the start of that step and of this one [N/m].
+    /// LE4: forces on walls at the start of that step and of this one [N/m].
     wall_force: [Vec<[f64; 2]>; 2],
 }
 
@@ -74,7 +74,7 @@ impl History {
         self.dt = 0.0;
     }
 
-    /// L1: q ← q⁻ + (Δt + Δt⁻) dq/dt for u, v, ρ, e, where q⁻ = q − `change`; `change` becomes that of this step.
+    /// LE3: q ← q⁻ + (Δt + Δt⁻) dq/dt for u, v, ρ, e, where q⁻ = q − `change`; `change` becomes that of this step.
     pub fn leap(&mut self, p: &mut Particles, rates: Rates, dt: f64) {
         let span = dt + self.dt;
         for k in 0..p.x.len() {
@@ -98,7 +98,7 @@ impl History {
     }
 }
 
-/// L2's weights of the rates at n + 1, n, n − 1, for steps of different lengths.
+/// LE4's weights of the rates at n + 1, n, n − 1, for steps of different lengths.
 pub(crate) struct Weights {
     /// Of the predictor, of q: n, n − 1.
     predict: [f64; 2],

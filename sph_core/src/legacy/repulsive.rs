@@ -1,4 +1,4 @@
-//! Repulsive walls (THEORY W1): a row of points, half a spacing below the surface, that push along their normals.
+//! Repulsive walls (THEORY LE15): a row of points, half a spacing below the surface, that push along their normals.
 
 use crate::interactions::forces::Forces;
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
@@ -31,7 +31,7 @@ pub(crate) struct Repulsion {
 }
 
 impl Repulsion {
-    /// W1: force [N/m] of wall point w on fluid particle a, along the wall's normal.
+    /// LE15: force [N/m] of wall point w on fluid particle a, along the wall's normal.
     #[inline(always)]
     fn push(&self, a: &PackedParticle, w: &PackedWall) -> f64 {
         let (dx, dy) = (a.x - w.x, a.y - w.y);
@@ -109,7 +109,7 @@ fn push_walls(
     });
 }
 
-/// W1: the push of repulsive walls on the fluid, and its reaction.
+/// LE15: the push of repulsive walls on the fluid, and its reaction.
 pub(crate) fn repel(system: &mut ParticleSystem, law: Repulsion, walls: &mut Walls, forces: &mut Forces) {
     system.timers.begin(Phase::Walls);
     let (fluid, packed_walls, search) = (&system.packed.fluid, &system.packed.packed_walls, &system.neighbours);

@@ -19,7 +19,7 @@ pub enum EquationOfState {
     /// Tait's law for water: of the density alone.
     #[default]
     Tait,
-    /// An ideal gas, with the energy equation (L9, L10); the pressure is that over the gas at rest.
+    /// An ideal gas, with the energy equation (LE11, LE12); the pressure is that over the gas at rest.
     IdealGas,
 }
 
@@ -30,7 +30,7 @@ pub enum DiffusionForm {
     /// Pressure less its hydrostatic part (Fourtakas et al. 2019).
     #[default]
     Fourtakas,
-    /// The whole pressure (L12; Molteni & Colagrossi 2009).
+    /// The whole pressure (LE14; Molteni & Colagrossi 2009).
     Molteni,
 }
 
@@ -73,7 +73,7 @@ pub struct Options {
     /// them [-].
     #[schemars(range(max = 1), extend("x-when" = ".walls = dynamic"))]
     pub limit_pressure: u8,
-    /// Repulsive walls: depth of the still water below y = 0, over which their force grows (W1) [m].
+    /// Repulsive walls: depth of the still water below y = 0, over which their force grows (LE15) [m].
     #[serde(skip)]
     pub water_depth: f64,
 }

@@ -30,7 +30,7 @@ impl Step<'_> {
         }
     }
 
-    /// E15.
+    /// WC11.
     fn symplectic(&mut self) {
         let (dt, half) = (self.dt, 0.5 * self.dt);
         kick(self.system, half); //                                   v½ = v + ½Δt a
@@ -41,15 +41,15 @@ impl Step<'_> {
         dynamic_walls.advance_density_midpoint(dt);
         self.scheme.advance_energy_midpoint(self.system, dt); //      e' likewise
         drift(self.system, half); //                                  x' = x½ + ½Δt v½
-        self.shift(); //                                              L6 and E13
+        self.shift(); //                                              LE8 and WC10
         self.walls.start_mean_force(dt); //                           ½F, where the walls were at the start
-        self.finish_densities(); //                                   L11, L4, L5
+        self.finish_densities(); //                                   LE13, LE6, LE7
         self.evaluate_forces(0.0); //                                 a', F' at (x', ρ')
         kick(self.system, half); //                                   v' = v½ + ½Δt a'
         self.walls.finish_mean_force(); //                            F̄ = ½(F + F')
     }
 
-    /// E16. Half a step with the rates at n, the rates there, a whole step with those.
+    /// LE2. Half a step with the rates at n, the rates there, a whole step with those.
     fn predictor_corrector(&mut self) {
         let (dt, half) = (self.dt, 0.5 * self.dt);
         self.evaluate_rates(-dt); //                  dρ/dt, de/dt at n
@@ -59,25 +59,25 @@ impl Step<'_> {
         kick(self.system, half); //                   v½ = v + ½Δt a
         self.scheme.advance_density(self.system, half); // ρ½ = ρ + ½Δt dρ/dt
         self.scheme.advance_energy(self.system, half); //  e½ likewise
-        self.scheme.sum_density(self.system, self.walls, -half); // L11
+        self.scheme.sum_density(self.system, self.walls, -half); // LE13
         self.evaluate_forces(-half); //               a½, F½
         self.evaluate_rates(-half); //                dρ/dt, de/dt at ½
         old.correct(&mut self.system.particles, self.scheme.rates(), dt); // v' = v + Δt a½, x' = x + ½Δt (v + v'), ρ' = ρ + Δt (dρ/dt)½
         self.scheme.dynamic_walls.correct(dt);
         self.scheme.old = old;
-        self.shift(); //                              E13, L6
+        self.shift(); //                              WC10, LE8
         let walls = &mut *self.walls;
         for k in 0..walls.len() {
             [walls.mean_fx[k], walls.mean_fy[k]] = [walls.fx[k], walls.fy[k]]; // F̄ = F½
             walls.mean_swing[k] = walls.swing(k, -half, [walls.fx[k], walls.fy[k]]);
         }
-        self.finish_densities(); //                   L11, L4, L5
+        self.finish_densities(); //                   LE13, LE6, LE7
         self.evaluate_forces(0.0); //                 a', F' for the next predictor
     }
 
-    /// L1. Over two steps with the rates of the middle; now and then one step with those of its start (Euler).
+    /// LE3. Over two steps with the rates of the middle; now and then one step with those of its start (Euler).
     ///
-    /// Increments are kept, not states: a contact impulse (E25) or a filter between two steps then moves both levels alike.
+    /// Increments are kept, not states: a contact impulse (WA7) or a filter between two steps then moves both levels alike.
     fn verlet(&mut self) {
         let dt = self.dt;
         self.evaluate_rates(-dt); //                  dρ/dt, de/dt at n
@@ -92,12 +92,12 @@ impl Step<'_> {
         mean_of_leap(self.walls, dt, history.dt); //  F̄ = [(Δt + Δt⁻) F − Δt⁻ F̄⁻]/Δt
         history.dt = dt;
         self.scheme.history = history;
-        self.shift(); //                              E13, L6
-        self.finish_densities(); //                   L11, L4, L5
+        self.shift(); //                              WC10, LE8
+        self.finish_densities(); //                   LE13, LE6, LE7
         self.evaluate_forces(0.0); //                 a', F' for the next leap
     }
 
-    /// L2. Predict with the rates at n and n − 1 (Adams & Bashforth), correct with those there (Adams & Moulton).
+    /// LE4. Predict with the rates at n and n − 1 (Adams & Bashforth), correct with those there (Adams & Moulton).
     fn beeman(&mut self) {
         let dt = self.dt;
         self.evaluate_rates(-dt); //                  dρ/dt, de/dt at n
@@ -105,21 +105,21 @@ impl Step<'_> {
         history.note(&self.system.particles, self.scheme.rates(), self.walls);
         let weights = Weights::of(dt, history.dt);
         history.predict(&mut self.system.particles, dt, &weights); // x* = x + Δt v + Δt² (4a − a⁻)/6,  q* = q + Δt (3q̇ − q̇⁻)/2
-        self.scheme.sum_density(self.system, self.walls, 0.0); // L11
+        self.scheme.sum_density(self.system, self.walls, 0.0); // LE13
         self.evaluate_forces(0.0); //                 a*, F* at n + 1
         self.evaluate_rates(0.0); //                  dρ/dt, de/dt there
         history.correct(&mut self.system.particles, self.scheme.rates(), dt, &weights); // x' = x + Δt v + Δt² (a* + 2a)/6,  q' = q + Δt (5q̇* + 8q̇ − q̇⁻)/12
         history.mean_force(self.walls, dt, &weights); // F̄ = (5F* + 8F − F⁻)/12
         history.advance(dt);
         self.scheme.history = history;
-        self.shift(); //                              E13, L6
-        self.finish_densities(); //                   L11, L4, L5
+        self.shift(); //                              WC10, LE8
+        self.finish_densities(); //                   LE13, LE6, LE7
         self.evaluate_forces(0.0); //                 a', F' for the next predictor
     }
 
     fn evaluate_rates(&mut self, offset: f64) {
         self.scheme.evaluate_density_rate(self.system, self.walls, offset);
-        self.scheme.evaluate_heating(self.system); // L10
+        self.scheme.evaluate_heating(self.system); // LE12
     }
 
     fn shift(&mut self) {

@@ -1,4 +1,4 @@
-//! Density by summation (THEORY L11), for comparison: it fails at a free surface.
+//! Density by summation (THEORY LE13), for comparison: it fails at a free surface.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,14 +15,14 @@ use crate::timers::Phase;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DensityEvolution {
-    /// E4: advanced with the divergence of velocity.
+    /// WC3: advanced with the divergence of velocity.
     #[default]
     Continuity,
-    /// L11: counted anew from masses (M. Pilorget 2010, eq. 13). Low where neighbours are missing.
+    /// LE13: counted anew from masses (M. Pilorget 2010, eq. 13). Low where neighbours are missing.
     Summation,
 }
 
-/// L11 for every fluid particle.
+/// LE13 for every fluid particle.
 struct Summation<'a> {
     fluid: &'a [PackedParticle],
     walls: &'a [PackedParticle],
@@ -45,7 +45,7 @@ impl WithKernel for Summation<'_> {
     }
 }
 
-/// L11: ρ_a = Σ_b m_b W_ab [kg/m³], a itself included; a wall particle counts with ρ₀ V_w.
+/// LE13: ρ_a = Σ_b m_b W_ab [kg/m³], a itself included; a wall particle counts with ρ₀ V_w.
 #[inline(always)]
 fn summed_density<'r, K: Shape>(
     a: &PackedParticle,
@@ -61,7 +61,7 @@ fn summed_density<'r, K: Shape>(
     rho
 }
 
-/// L11: densities from masses, at the state last packed.
+/// LE13: densities from masses, at the state last packed.
 pub(crate) fn sum_density(system: &mut ParticleSystem) {
     system.timers.begin(Phase::Density);
     let rho0 = system.domain.fluid.density;

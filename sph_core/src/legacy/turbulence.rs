@@ -1,4 +1,4 @@
-//! Sub-particle-scale turbulence (THEORY L7, L8): stresses, then their divergence. Fluid pairs only.
+//! Sub-particle-scale turbulence (THEORY LE9, LE10): stresses, then their divergence. Fluid pairs only.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -19,13 +19,13 @@ pub enum Turbulence {
     /// Nothing.
     #[default]
     None,
-    /// L7, Smagorinsky's model on particles (Gotoh, Shao & Memita 2004; Dalrymple & Rogers 2006).
+    /// LE9, Smagorinsky's model on particles (Gotoh, Shao & Memita 2004; Dalrymple & Rogers 2006).
     Sps,
 }
 
-/// Smagorinsky's constant C_s [-] (L7; Dalrymple & Rogers 2006).
+/// Smagorinsky's constant C_s [-] (LE9; Dalrymple & Rogers 2006).
 pub const SMAGORINSKY: f64 = 0.12;
-/// C_I [-], of the isotropic part (L7; Dalrymple & Rogers 2006).
+/// C_I [-], of the isotropic part (LE9; Dalrymple & Rogers 2006).
 pub const ISOTROPIC: f64 = 0.0066;
 /// Below this determinant of the renormalisation matrix a gradient is taken as it is summed.
 const LEAST_DETERMINANT: f64 = 0.05;
@@ -33,7 +33,7 @@ const LEAST_DETERMINANT: f64 = 0.05;
 /// Symmetric stress τ_xx, τ_xy, τ_yy [Pa].
 pub type Stress = [f64; 3];
 
-/// L7 for every fluid particle.
+/// LE9 for every fluid particle.
 struct StressSum<'a> {
     fluid: &'a [PackedParticle],
     rho: &'a [f64],
@@ -53,7 +53,7 @@ impl WithKernel for StressSum<'_> {
     }
 }
 
-/// ∂u_i/∂x_j [1/s] as [[u_x, u_y], [v_x, v_y]]: Σ V (u_b − u_a)⊗∇W, renormalised (E14) to be exact for a linear field.
+/// ∂u_i/∂x_j [1/s] as [[u_x, u_y], [v_x, v_y]]: Σ V (u_b − u_a)⊗∇W, renormalised (OP5) to be exact for a linear field.
 #[inline(always)]
 fn velocity_gradient<'r, K: Shape>(
     a: &PackedParticle,
@@ -81,7 +81,7 @@ fn velocity_gradient<'r, K: Shape>(
     sum.map(|[x, y]| [(spread[2] * x - spread[1] * y) / determinant, (spread[0] * y - spread[1] * x) / determinant])
 }
 
-/// L7: τ = ρ [2 ν_t (S − ⅓ tr(S) I) − ⅔ C_I Δ² |S|² I], ν_t = (C_s Δ)² |S|, |S| = √(2 S:S) [Pa].
+/// LE9: τ = ρ [2 ν_t (S − ⅓ tr(S) I) − ⅔ C_I Δ² |S|² I], ν_t = (C_s Δ)² |S|, |S| = √(2 S:S) [Pa].
 pub fn stress(gradient: [[f64; 2]; 2], rho: f64, spacing: f64) -> Stress {
     let [[xx, uy], [vx, yy]] = gradient;
     let xy = 0.5 * (uy + vx);
@@ -91,7 +91,7 @@ pub fn stress(gradient: [[f64; 2]; 2], rho: f64, spacing: f64) -> Stress {
     [rho * (2.0 * eddy * xx - isotropic), rho * 2.0 * eddy * xy, rho * (2.0 * eddy * yy - isotropic)]
 }
 
-/// L8 for every fluid particle, added to the forces gathered.
+/// LE10 for every fluid particle, added to the forces gathered.
 struct Divergence<'a> {
     fluid: &'a [PackedParticle],
     stress: &'a [Stress],
@@ -115,7 +115,7 @@ impl WithKernel for Divergence<'_> {
     }
 }
 
-/// L8: Σ_b V_a V_b (τ_a + τ_b)·∇W_ab [N/m]: antisymmetric in a and b.
+/// LE10: Σ_b V_a V_b (τ_a + τ_b)·∇W_ab [N/m]: antisymmetric in a and b.
 #[inline(always)]
 fn stress_force<'r, K: Shape>(
     a: &PackedParticle,
@@ -135,7 +135,7 @@ fn stress_force<'r, K: Shape>(
     force
 }
 
-/// L7: stress of every particle and image [Pa], from the state last packed. A reflection's shear has the other sign.
+/// LE9: stress of every particle and image [Pa], from the state last packed. A reflection's shear has the other sign.
 pub fn stresses(system: &ParticleSystem) -> Vec<Stress> {
     let n = system.particles.len();
     let mut stress = vec![[0.0; 3]; n + system.neighbours.fluid_images.len()];
@@ -153,7 +153,7 @@ pub fn stresses(system: &ParticleSystem) -> Vec<Stress> {
     stress
 }
 
-/// L7, L8: add the forces of the eddies.
+/// LE9, LE10: add the forces of the eddies.
 pub(crate) fn add_eddy_forces(system: &mut ParticleSystem, forces: &mut Forces) {
     system.timers.begin(Phase::Momentum);
     let stress = stresses(system);

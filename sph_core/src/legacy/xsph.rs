@@ -1,4 +1,4 @@
-//! XSPH (THEORY L6): particles move with a velocity smoothed over their neighbours; momentum does not notice.
+//! XSPH (THEORY LE8): particles move with a velocity smoothed over their neighbours; momentum does not notice.
 
 use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, WithKernel};
@@ -7,7 +7,7 @@ use crate::neighbours::Neighbours;
 use crate::parallel;
 use crate::system::ParticleSystem;
 
-/// L6 without its ε, for every fluid particle.
+/// LE8 without its ε, for every fluid particle.
 struct Smoothing<'a> {
     fluid: &'a [PackedParticle],
     mass: &'a [f64],
@@ -29,7 +29,7 @@ impl WithKernel for Smoothing<'_> {
     }
 }
 
-/// L6: Σ_b (m_b/ρ̄_ab) (v_b − v_a) W_ab [m/s]. Times m_a it is antisymmetric in a and b.
+/// LE8: Σ_b (m_b/ρ̄_ab) (v_b − v_a) W_ab [m/s]. Times m_a it is antisymmetric in a and b.
 #[inline(always)]
 fn excess_velocity<'r, K: Shape>(
     a: &PackedParticle,
@@ -46,7 +46,7 @@ fn excess_velocity<'r, K: Shape>(
     excess
 }
 
-/// L6: what the neighbours' velocities have over each particle's own [m/s], from the state last packed.
+/// LE8: what the neighbours' velocities have over each particle's own [m/s], from the state last packed.
 pub fn excess_velocities(system: &ParticleSystem) -> Vec<[f64; 2]> {
     let mut excess = vec![[0.0; 2]; system.particles.len()];
     system.domain.fluid.kernel.run(Smoothing {
@@ -59,7 +59,7 @@ pub fn excess_velocities(system: &ParticleSystem) -> Vec<[f64; 2]> {
     excess
 }
 
-/// L6: x ← x + Δt ε Σ …, with the velocities that the density rate was found with.
+/// LE8: x ← x + Δt ε Σ …, with the velocities that the density rate was found with.
 pub(crate) fn drift_with_neighbours(system: &mut ParticleSystem, epsilon: f64, dt: f64) {
     let excess = excess_velocities(system);
     let p = &mut system.particles;

@@ -1,4 +1,4 @@
-//! Mirror planes and periodic plane pairs (THEORY, "Walls", V1): a neighbour behind a plane of symmetry is the image of
+//! Mirror planes and periodic plane pairs (THEORY OP8, OP9): a neighbour behind a plane of symmetry is the image of
 //! one in front of it; a neighbour beyond a periodic plane is the image of one beside the opposite plane.
 //!
 //! An image is never stored as state: it is a source particle and a reflection or a translation, applied whenever the
@@ -21,7 +21,7 @@ impl Mirror {
     }
 }
 
-/// V1: periodic plane pairs. What leaves through one plane of a pair enters through the other, at the same velocity.
+/// OP9: periodic plane pairs. What leaves through one plane of a pair enters through the other, at the same velocity.
 /// Each period must be longer than two supports, 4h, so that no particle meets another twice. Not to be combined with a
 /// [`Mirror`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

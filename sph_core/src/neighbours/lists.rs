@@ -34,7 +34,7 @@ pub struct Lists {
     targets: usize,
     /// Targets are points too, and stand in their own lists.
     among: bool,
-    /// Some pairs within reach do not see each other (T1).
+    /// Some pairs within reach do not see each other (WA8).
     masked: bool,
 }
 

@@ -31,11 +31,11 @@ pub struct WallKinematics<'a> {
     pub v: &'a [f64],
     /// Smoothing length [m].
     pub h: &'a [f64],
-    /// Mirror point in the fluid [m] (W3); empty where no wall asks.
+    /// Mirror point in the fluid [m] (LE17); empty where no wall asks.
     pub mirror_x: &'a [f64],
     /// Mirror point in the fluid [m].
     pub mirror_y: &'a [f64],
-    /// Thin walls (T1), where there are any.
+    /// Thin walls (WA8), where there are any.
     pub thin: Option<ThinWalls<'a>>,
 }
 
@@ -49,13 +49,13 @@ pub struct Neighbours {
     pub walls_of_fluid: Lists,
     /// Fluid (and images) around each wall particle.
     pub fluid_of_wall: Lists,
-    /// Fluid (and images) around each wall particle's mirror point (W3); empty where no wall asks.
+    /// Fluid (and images) around each wall particle's mirror point (LE17); empty where no wall asks.
     pub fluid_of_mirror: Lists,
     /// Sources of the fluid's images.
     pub fluid_images: Vec<u32>,
     /// Sources of the walls' images.
     pub wall_images: Vec<u32>,
-    /// Translations of the fluid's images [m], where images repeat (V1); empty where they reflect.
+    /// Translations of the fluid's images [m], where images repeat (OP9); empty where they reflect.
     pub fluid_shifts: Vec<[f64; 2]>,
     /// Translations of the walls' images [m], likewise.
     pub wall_shifts: Vec<[f64; 2]>,
@@ -95,7 +95,7 @@ impl Neighbours {
         let mut allowance = vec![0.0; n];
         parallel::gather_into(&mut allowance, |k| allow(particles.h[k], particles.u[k], particles.v[k]));
         if let Some(thin) = walls.thin {
-            thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // T4
+            thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // WA8
         }
         let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
         let own = |x: &[f64], y: &[f64], reach: &[f64]| -> Vec<Point> {
@@ -156,7 +156,7 @@ impl Neighbours {
             let images = &self.wall_images;
             let listed = Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: images, mirror };
             let Neighbours { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
-            thin.mask(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // T1, T2
+            thin.mask(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // WA8, WA9
         }
         self.skin.reset(&particles.x, &particles.y, &allowance);
         self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, &wall_allowance);
@@ -185,7 +185,7 @@ impl Neighbours {
         if (j as usize) < n { j as usize } else { self.fluid_images[j as usize - n] as usize }
     }
 
-    /// V1: append every translation of fluid and wall that has a neighbour in the cell itself.
+    /// OP9: append every translation of fluid and wall that has a neighbour in the cell itself.
     fn repeat(&mut self, periodic: Periodic, fluid: &mut Vec<Point>, wall: &mut Vec<Point>, own: [&Cells; 2]) {
         self.fluid_shifts.clear();
         self.wall_shifts.clear();
@@ -226,7 +226,7 @@ fn those(points: &[Point], wanted: impl Fn(&Point) -> bool + Sync) -> Vec<u32> {
     parallel::by_chunk(points.len(), of_chunk).concat()
 }
 
-/// V1: a particle that has left the cell enters it through the opposite plane.
+/// OP9: a particle that has left the cell enters it through the opposite plane.
 fn wrap(particles: &mut Particles, periodic: Option<Periodic>) {
     let Some(periodic) = periodic else { return };
     for k in 0..particles.len() {

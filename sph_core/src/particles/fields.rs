@@ -51,16 +51,16 @@ impl Fields {
     }
 }
 
-/// Moments of the kernel over the neighbours of a particle (THEORY E12–E14), with V = m/ρ.
+/// Moments of the kernel over the neighbours of a particle (THEORY OP4, OP5, WC10), with V = m/ρ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KernelMoments {
-    /// S = Σ V W [-] (E12): 1 where space is filled as the densities say.
+    /// S = Σ V W [-] (OP4): 1 where space is filled as the densities say.
     pub kernel_sum: f64,
     /// The walls' share of S [-]; exactly 0 away from them.
     pub wall_kernel_sum: f32,
-    /// ∇C = Σ V ∇W [1/m] (E13), see [`KernelMoments::concentration_gradient`].
+    /// ∇C = Σ V ∇W [1/m] (OP4), see [`KernelMoments::concentration_gradient`].
     pub concentration_gradient: [f32; 2],
-    /// λ (E14), smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
+    /// λ (OP5), smallest eigenvalue of the renormalisation matrix Σ V (r_b − r_a)⊗∇W [-]: 1 inside, about 0.5 on a flat free surface.
     pub lambda: f32,
 }
 
@@ -87,19 +87,19 @@ impl KernelMoments {
         self.kernel_sum - f64::from(self.wall_kernel_sum)
     }
 
-    /// ∇C = Σ V ∇W [1/m] (E13): points to where particles crowd.
+    /// ∇C = Σ V ∇W [1/m] (OP4): points to where particles crowd.
     #[inline]
     pub fn concentration_gradient(&self) -> [f64; 2] {
         self.concentration_gradient.map(f64::from)
     }
 
-    /// Is it in the row of the free surface (E14)?
+    /// Is it in the row of the free surface (OP5)?
     #[inline]
     pub(crate) fn at_surface(&self) -> bool {
         self.lambda < SURFACE_LAMBDA
     }
 
-    /// E3: true where the fluid holds no tension: in spray and, with `ventilation`, where both a wall and the air are within the
+    /// WC2: true where the fluid holds no tension: in spray and, with `ventilation`, where both a wall and the air are within the
     /// kernel, so that air comes in between.
     #[inline]
     pub(crate) fn tensionless(&self, near_surface: bool, ventilation: bool) -> bool {
@@ -115,9 +115,9 @@ impl Default for KernelMoments {
     }
 }
 
-/// Particles of the free surface have λ below this (E14; Marrone et al. 2010 use 0.75 for the jump to the interior).
+/// Particles of the free surface have λ below this (OP5; Marrone et al. 2010 use 0.75 for the jump to the interior).
 pub const SURFACE_LAMBDA: f32 = 0.7;
 
-/// Spray (E3): particles whose fluid kernel_sum is below this are in films a particle thick, or alone. They hold no
+/// Spray (WC2): particles whose fluid kernel_sum is below this are in films a particle thick, or alone. They hold no
 /// tension, so that they leave a wall instead of creeping along it.
 pub const TENSIONLESS_KERNEL_SUM: f64 = 0.5;

@@ -51,11 +51,11 @@ pub struct Particles {
     pub ay: Vec<f64>,
     /// Identity, stable through sorting.
     pub id: Vec<u32>,
-    /// Specific internal energy e [J/kg] of a gas (THEORY L10); empty for water.
+    /// Specific internal energy e [J/kg] of a gas (THEORY LE12); empty for water.
     pub energy: Vec<f64>,
-    /// How often it was halved (THEORY E26); empty without a fine zone that moves.
+    /// How often it was halved (THEORY WC21); empty without a fine zone that moves.
     pub refinement_level: Vec<u8>,
-    /// Has it, or a neighbour of it, been halved? Then it settles (THEORY E13). Empty likewise.
+    /// Has it, or a neighbour of it, been halved? Then it settles (THEORY WC10). Empty likewise.
     pub newly_split: Vec<bool>,
 }
 

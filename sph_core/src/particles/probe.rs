@@ -1,4 +1,4 @@
-//! Pressure read from the fluid at points (THEORY E18).
+//! Pressure read from the fluid at points (THEORY GE2).
 
 use crate::fluid::Fluid;
 use crate::neighbours::cells::{Cells, Point};
@@ -9,7 +9,7 @@ const LEAST_FILLING: f64 = 0.125;
 /// Least determinant of the particles' second moments, over that of a ring of radius h.
 const LEAST_SPREAD: f64 = 1e-3;
 
-/// What moving least squares find at a point (W6).
+/// What moving least squares find at a point (GE7).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstOrder {
     /// Pressure [Pa].
@@ -61,7 +61,7 @@ impl<'a> Probe<'a> {
         Probe { fluid, cells: Cells::build(&points), visibility, reach: 2.0 * widest, face }
     }
 
-    /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (T1), each with its
+    /// Call `take` with weight V W and index of every particle around `at` [m] that is seen from there (WA8), each with its
     /// own kernel.
     fn around(&self, at: [f64; 2], mut take: impl FnMut(f64, &Point)) {
         let (p, d, kernel) = (self.fluid.particles(), self.fluid.fields(), self.fluid.domain().fluid.kernel);
@@ -76,7 +76,7 @@ impl<'a> Probe<'a> {
         });
     }
 
-    /// E18: pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
+    /// GE2: pressure on a flat face with unit normal `normal` into the fluid [Pa]: 2 Σ V (p − s n·(r_b − r)) W,
     /// where `slope` s = ρ(g − a)·n [Pa/m] is the pressure's slope along the normal that the wall imposes.
     /// It falls to zero by itself where the face is dry. Valid farther than one support 2h from an edge. Water that a
     /// projection moves keeps the fillings of a lattice: there it is divided by 2 Σ V W as far as that is a lattice's.
@@ -98,14 +98,14 @@ impl<'a> Probe<'a> {
         filling
     }
 
-    /// W7: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.
+    /// GE8: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.
     pub fn wetness(&self, at: [f64; 2]) -> f64 {
         let mut filling = 0.0;
         self.around(at, |weight, _| filling += weight);
         (2.0 * filling).min(1.0)
     }
 
-    /// W5: Shepard mean of the pressure carried to `at` by the field ρ(g − a) [Pa/m], as walls read it (E9); zero where
+    /// GE6: Shepard mean of the pressure carried to `at` by the field ρ(g − a) [Pa/m], as walls read it (WA3); zero where
     /// less than an eighth of the kernel is filled. Exact for a hydrostatic field, at corners too.
     pub fn carried(&self, at: [f64; 2], field: [f64; 2]) -> f64 {
         let (mut pressure, mut filling) = (0.0, 0.0);
@@ -117,7 +117,7 @@ impl<'a> Probe<'a> {
         if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
     }
 
-    /// W6: pressure and velocity gradient by first-order moving least squares; `None` where less than an eighth of the
+    /// GE7: pressure and velocity gradient by first-order moving least squares; `None` where less than an eighth of the
     /// kernel is filled, or where the particles lie in a line.
     pub fn least_squares(&self, at: [f64; 2]) -> Option<FirstOrder> {
         let (mut m, mut moments) = ([0.0; 6], [[0.0; 3]; 3]);
@@ -154,7 +154,7 @@ impl<'a> Probe<'a> {
         Some(FirstOrder { pressure: pressure.0, gradient: [u.1, v.1] })
     }
 
-    /// E18: Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
+    /// GE2: Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
     /// eighth of the kernel is filled.
     pub fn shepard(&self, at: [f64; 2]) -> f64 {
         let (mut pressure, mut filling) = (0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Refinement: particles that are coarser than a moving zone allows are split (THEORY E26).
+//! Refinement: particles that are coarser than a moving zone allows are split (THEORY WC21).
 
 use serde::{Deserialize, Serialize};
 
@@ -26,7 +26,7 @@ pub struct RefinementZone {
 }
 
 impl RefinementZone {
-    /// E26: the distance from zone and layer at which a spacing [m] is what is wished for [m]; below 0 for a finer one.
+    /// WC21: the distance from zone and layer at which a spacing [m] is what is wished for [m]; below 0 for a finer one.
     fn distance_of(&self, spacing: f64) -> f64 {
         (spacing - self.spacing) / self.slope
     }
@@ -74,7 +74,7 @@ const ARM: f64 = 0.25 * std::f64::consts::SQRT_2;
 /// The share of walls in a particle's filling from which on it is left whole: a half might end up behind them.
 const BESIDE_WALL: f32 = 0.02;
 
-/// E26: split every particle that is coarser than the zone allows. Mass, momentum and the centre of mass stay what they are; so
+/// WC21: split every particle that is coarser than the zone allows. Mass, momentum and the centre of mass stay what they are; so
 /// do volume and energy, but for the square of the pressure difference within a particle. `rho0` and `c0` are the reference
 /// density [kg/m³] and the speed of sound [m/s], `pressure` [Pa] follows from a density.
 pub fn refine(
@@ -108,7 +108,7 @@ pub fn refine(
 }
 
 impl Particles {
-    /// E26: particle `k` of the given spacing [m] becomes two, of which one is the last. A square lattice, halved all over
+    /// WC21: particle `k` of the given spacing [m] becomes two, of which one is the last. A square lattice, halved all over
     /// along its diagonals, is a square lattice again, turned by 45° and finer by √2; halved along x, it is upright again. The
     /// pressure has the gradient that accelerates the whole, under gravity `g` [m/s²], at the speed of sound `c0` [m/s].
     fn split(&mut self, k: usize, spacing: f64, g: [f64; 2], c0: f64) {

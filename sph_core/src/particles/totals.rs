@@ -1,4 +1,4 @@
-//! Mass, momentum, energy and volume of the fluid (THEORY E21, E22). Sums are taken by chunks, in order, so that their bits do
+//! Mass, momentum, energy and volume of the fluid (THEORY CO27, CO28). Sums are taken by chunks, in order, so that their bits do
 //! not depend on the number of threads.
 
 use crate::domain::Domain;
@@ -12,7 +12,7 @@ pub struct FluidEnergy {
     pub kinetic: f64,
     /// −Σ m g·r.
     pub potential: f64,
-    /// Σ m ∫ p/ρ² dρ (E22); of a gas Σ m (e − e₀ + p₀/ρ − p₀/ρ₀), heat included (L10).
+    /// Σ m ∫ p/ρ² dρ (CO28); of a gas Σ m (e − e₀ + p₀/ρ − p₀/ρ₀), heat included (LE12).
     pub elastic: f64,
 }
 

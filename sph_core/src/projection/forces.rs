@@ -1,4 +1,4 @@
-//! Accelerations and forces from the pressures that a projection found (THEORY I10–I12, I16).
+//! Accelerations and forces from the pressures that a projection found (THEORY PR10, PR11, PR13, PR12).
 
 use crate::interactions::dissipation::{Dissipation, ElasticPair};
 use crate::interactions::forces::{PairTerms, gather_wall_forces};
@@ -38,15 +38,15 @@ pub struct Push {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PressureForces {
     pushes: Vec<Push>,
-    /// Normals of the surface (I16).
+    /// Normals of the surface (PR12).
     normals: Vec<[f64; 2]>,
-    /// I11: −ρ g·r of the highest particle at the start and half its spacing [Pa]: no still water is under more pressure than this
+    /// PR11: −ρ g·r of the highest particle at the start and half its spacing [Pa]: no still water is under more pressure than this
     /// head gives.
     head: f64,
 }
 
 impl PressureForces {
-    /// I10–I12: the forces of pairs on fluid and walls, and corrections of the sums over disordered pairs and at the surface.
+    /// PR10, PR11, PR13: the forces of pairs on fluid and walls, and corrections of the sums over disordered pairs and at the surface.
     pub fn apply(
         &mut self,
         system: &mut ParticleSystem,
@@ -59,7 +59,7 @@ impl PressureForces {
     ) {
         let inverse = 1.0 / lattice.gradient;
         system.packed.set_pressures(&system.fields, &system.neighbours, system.domain.mirror);
-        extrapolate_to_walls(system, walls); // E9
+        extrapolate_to_walls(system, walls); // WA3
         gather_wall_forces(system, &PairTerms { constants, dissipation: Dissipation::default() }, walls);
         walls.scale_forces(inverse, dt);
         system.timers.begin(Phase::Momentum);
@@ -107,12 +107,12 @@ struct Corrections<'a> {
     lattice: &'a Lattice,
     normals: &'a [[f64; 2]],
     head: f64,
-    /// 1/κ (I4).
+    /// 1/κ (PR4).
     inverse: f64,
 }
 
 impl Corrections<'_> {
-    /// I10, I11 and I16 for particle `k`, whose neighbours' least pressure is `least` [Pa].
+    /// PR10, PR11 and PR12 for particle `k`, whose neighbours' least pressure is `least` [Pa].
     fn of(&self, k: usize, least: f64) -> Correction {
         let Corrections { system, operators, lattice, inverse, .. } = self;
         let (p, g, rho) = (&system.particles, system.domain.gravity, system.domain.fluid.density);
@@ -121,11 +121,11 @@ impl Corrections<'_> {
         let pressure = system.fields.pressure[k];
         let weight = (g[0] * g[0] + g[1] * g[1]).sqrt() * rho;
         let dx = (p.mass[k] / p.rho[k]).sqrt();
-        // I10: a row of a flat surface is acted on by the whole of a linear pressure
+        // PR10: a row of a flat surface is acted on by the whole of a linear pressure
         let closure = if air > 0.0 { lattice.closure(around.kernel_sum) } else { Closure::default() };
         let tie = air * closure.pull;
         let top = pressure.clamp(0.0, weight * closure.depth * dx);
-        // I11: a uniform pressure causes no acceleration; nor does the weight of still water
+        // PR11: a uniform pressure causes no acceleration; nor does the weight of still water
         let head = self.head + rho * (g[0] * p.x[k] + g[1] * p.y[k]);
         let still = pressure.clamp(0.0, head.max(2.0 * weight * p.h[k]));
         let base = if pressure > 0.0 { still.max(least) } else { least };
@@ -146,7 +146,7 @@ impl Corrections<'_> {
     }
 }
 
-/// I10: the forces of pairs; then I11 and I16.
+/// PR10: the forces of pairs; then PR11 and PR12.
 struct Pushing<'a> {
     correction: Corrections<'a>,
     constants: PairConstants,

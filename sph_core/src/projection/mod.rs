@@ -1,4 +1,4 @@
-//! The incompressible scheme: a projection per step (THEORY I1–I16). Pressures are those that leave the water's volume as it is.
+//! The incompressible scheme: a projection per step (THEORY PR2–PR14). Pressures are those that leave the water's volume as it is.
 //!
 //! Read in this order: [`Projection::advance`], `operators` (sums over pairs), `free_surface`, `pressure` (the equation),
 //! [`linear_solver`], `forces`, `motion`; `monolithic` couples bodies.
@@ -51,7 +51,7 @@ pub struct Projection {
     operators: Operators,
     equation: PressureEquation,
     forces: PressureForces,
-    /// Kernel sum Σ V W that each particle keeps [-], by identity (I9).
+    /// Kernel sum Σ V W that each particle keeps [-], by identity (PR9).
     reference_kernel_sum: Vec<f64>,
     /// The last step [s].
     last_dt: f64,
@@ -72,7 +72,7 @@ impl Projection {
         }
     }
 
-    /// I1: one step.
+    /// PR2: one step.
     fn advance(
         &mut self,
         system: &mut ParticleSystem,
@@ -83,19 +83,19 @@ impl Projection {
         let constants = self.constants(system);
         self.pack(system, walls, -dt); //                                            neighbours at r
         system.timers.begin(Phase::Density);
-        self.surface.detect(system, walls); //                                       holes between particles (I5)
-        self.surface.mark_dry_walls(system, walls); //                               walls without water (I5)
+        self.surface.detect(system, walls); //                                       holes between particles (PR5)
+        self.surface.mark_dry_walls(system, walls); //                               walls without water (PR5)
         self.operators.assemble(system, walls, &self.lattice, constants, dt); //     C, ∇C, ∇·u*, A
-        self.surface.set_indicator(system, &self.operators, &self.lattice); //       particles near air (I5)
+        self.surface.set_indicator(system, &self.operators, &self.lattice); //       particles near air (PR5)
         self.note_kernel_sums(system);
-        self.solve_pressure(system, walls, interfaces, dt)?; //                      (A + s) p = …; a_w with it (PB3)
+        self.solve_pressure(system, walls, interfaces, dt)?; //                      (A + s) p = …; a_w with it (CO21)
         self.forces.apply(system, walls, &self.operators, self.surface.indicator(), &self.lattice, constants, dt);
         move_particles(system, self.shift_strength(), self.surface.indicator(), dt); // u' = u + Δt a, r' = r + Δt u' + δr
         self.last_dt = dt;
         Ok(())
     }
 
-    /// I7–I11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi iteration of it (EX3).
+    /// PR7–PR11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi iteration of it (PR15).
     fn solve_pressure(
         &mut self,
         system: &mut ParticleSystem,
@@ -126,7 +126,7 @@ impl Projection {
         system.pack(walls);
     }
 
-    /// I9: at the first step, the kernel sum that each particle keeps: where spacings grow, a lattice at rest does not have that of
+    /// PR9: at the first step, the kernel sum that each particle keeps: where spacings grow, a lattice at rest does not have that of
     /// a uniform one to the last per cent.
     fn note_kernel_sums(&mut self, system: &ParticleSystem) {
         if system.steps > 0 {
@@ -148,7 +148,7 @@ impl Projection {
         StepLimit { cfl: self.settings.courant_number(), last_dt: self.last_dt }
     }
 
-    /// I12: E7 with √(|g| h) instead of c₀.
+    /// PR13: WC6 with √(|g| h) instead of c₀.
     fn constants(&self, system: &ParticleSystem) -> PairConstants {
         let g = system.domain.gravity;
         let c0 = (g[0].hypot(g[1]) * system.least_smoothing_length()).sqrt();
@@ -165,12 +165,12 @@ impl Projection {
         self.equation.solves
     }
 
-    /// Rows held at p = 0 by the unilateral condition, in the last step (I8).
+    /// Rows held at p = 0 by the unilateral condition, in the last step (PR8).
     pub fn constrained_rows(&self) -> usize {
         self.equation.constrained_rows()
     }
 
-    /// Kernel sum Σ V W that each particle keeps [-], by identity (I9).
+    /// Kernel sum Σ V W that each particle keeps [-], by identity (PR9).
     pub fn reference_kernel_sums(&self) -> &[f64] {
         &self.reference_kernel_sum
     }

@@ -1,4 +1,4 @@
-//! The step of a projection, and its motion of the particles (THEORY I13, I14).
+//! The step of a projection, and its motion of the particles (THEORY PR14).
 
 use crate::parallel;
 use crate::system::ParticleSystem;
@@ -8,12 +8,12 @@ use crate::walls::Walls;
 const LONGEST_SHIFT: f64 = 0.05;
 /// Share of √(h/|g|) a step may take (Monaghan 1992).
 const FREE_FALL: f64 = 0.25;
-/// Share of h²/ν a step may take (E17; Morris et al. 1997).
+/// Share of h²/ν a step may take (WC12; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
 /// A step is at most so many times the one before: pressures go with 1/Δt.
 const GROWTH: f64 = 1.1;
 
-/// I1: u' = u + Δt a, r' = r + Δt u' + δr (I13: shifting of the given strength, along the surface near air).
+/// PR2: u' = u + Δt a, r' = r + Δt u' + δr (PR14: shifting of the given strength, along the surface near air).
 pub(crate) fn move_particles(system: &mut ParticleSystem, strength: f64, indicator: &[f64], dt: f64) {
     let moments = &system.fields.moments;
     let p = &mut system.particles;
@@ -34,7 +34,7 @@ pub(crate) fn move_particles(system: &mut ParticleSystem, strength: f64, indicat
     });
 }
 
-/// I14: what limits the step besides the state.
+/// PR14: what limits the step besides the state.
 pub(crate) struct StepLimit {
     /// Courant number [-].
     pub cfl: f64,
@@ -43,7 +43,7 @@ pub(crate) struct StepLimit {
 }
 
 impl StepLimit {
-    /// I14 without viscosity [s].
+    /// PR14 without viscosity [s].
     pub fn dt(&self, system: &ParticleSystem, walls: &Walls) -> f64 {
         let (p, domain, cfl) = (&system.particles, &system.domain, self.cfl);
         let limit = |h: f64, u: f64, v: f64| cfl * h / (u * u + v * v).sqrt();

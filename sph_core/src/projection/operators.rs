@@ -1,4 +1,4 @@
-//! Sums over the pairs of a step: geometry, divergence, viscosity and the matrix's rows (THEORY I2–I6, I12).
+//! Sums over the pairs of a step: geometry, divergence, viscosity and the matrix's rows (THEORY PR3–PR6, PR13).
 
 use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::{Shape, WithKernel};
@@ -21,7 +21,7 @@ pub struct Operators {
     pub divergence: Vec<f64>,
     /// −Σ V r⊗∇W.
     pub second_moment: Vec<[f64; 3]>,
-    /// κ times the viscous force [N/m] (I12).
+    /// κ times the viscous force [N/m] (PR13).
     pub drag: Vec<[f64; 2]>,
 }
 
@@ -80,7 +80,7 @@ struct Assembly<'a> {
     kicks: &'a [[f64; 2]],
     walls: &'a [PackedParticle],
     constants: PairConstants,
-    /// 1/κ (I4).
+    /// 1/κ (PR4).
     inverse: f64,
     found: Vec<Found<'a>>,
 }
@@ -145,7 +145,7 @@ impl WithKernel for Assembly<'_> {
 }
 
 impl Operators {
-    /// I2–I6, I12: the sums over pairs of a step of `dt` [s].
+    /// PR3–PR6, PR13: the sums over pairs of a step of `dt` [s].
     pub fn assemble(
         &mut self,
         system: &mut ParticleSystem,

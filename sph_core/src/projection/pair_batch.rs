@@ -25,7 +25,7 @@ pub(crate) struct PairBatch {
     cover: [f64; Self::MOST],
     /// V_b × grad_factor [1/m²].
     pull: [f64; Self::MOST],
-    /// Viscous pressure [Pa], times the target's volume (E7).
+    /// Viscous pressure [Pa], times the target's volume (WC6).
     brake: [f64; Self::MOST],
     link: [f64; Self::MOST],
 }
@@ -89,7 +89,7 @@ impl PairBatch {
         looked_at == Self::MOST
     }
 
-    /// E1, E2, E7, I6: kernel, grad_factor, viscous pressure and link of each.
+    /// OP2, OP3, WC6, PR6: kernel, grad_factor, viscous pressure and link of each.
     #[inline(always)]
     pub fn evaluate<K: Shape>(&mut self, a: &PackedParticle, c: &PairConstants) {
         let count = self.count.next_multiple_of(LANES).min(Self::MOST);
@@ -123,7 +123,7 @@ impl PairBatch {
         &self.index[..self.count]
     }
 
-    /// I6: 2 V_a V_b |grad_factor|/ρ of each, the same from both sides to the last bit.
+    /// PR6: 2 V_a V_b |grad_factor|/ρ of each, the same from both sides to the last bit.
     pub fn links(&self) -> &[f64] {
         &self.link[..self.count]
     }
@@ -185,7 +185,7 @@ impl Sums {
         total(self.divergence)
     }
 
-    /// Viscous force [N/m] (E7, E8).
+    /// Viscous force [N/m] (WC6, WC7).
     pub fn drag(&self) -> [f64; 2] {
         self.drag.map(total)
     }

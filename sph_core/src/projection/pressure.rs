@@ -1,4 +1,4 @@
-//! The pressure equation (THEORY I7–I11, EX3–EX5).
+//! The pressure equation (THEORY PR7–PR11, PR15, PR16).
 
 use crate::error::Breakdown;
 use crate::parallel;
@@ -18,20 +18,20 @@ use crate::walls::interface::WallInterface;
 const LARGEST_HOLE: f64 = 0.1;
 /// Rounds in which rows under tension near air are constrained.
 const ACTIVE_SET_ROUNDS: usize = 6;
-/// How much longer an error of density takes to relax where pressures are not solved for (EX5) [-].
+/// How much longer an error of density takes to relax where pressures are not solved for (PR16) [-].
 const ONE_ITERATION: f64 = 100.0 / 3.0;
 
 /// The pressure equation with its solver's memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PressureEquation {
-    /// Excess of each row's diagonal: the free surface (I7).
+    /// Excess of each row's diagonal: the free surface (PR7).
     excess: Vec<f64>,
     source: Vec<f64>,
     scale: Vec<f64>,
     matrix: Matrix,
     solver: PressureSolver,
     active: ActiveSet,
-    /// Responses of the pressures to bodies, kept from step to step (PB2).
+    /// Responses of the pressures to bodies, kept from step to step (CO20).
     bodies: Bodies,
     /// The last step's pressures [Pa].
     before: Vec<f64>,
@@ -47,7 +47,7 @@ impl PressureEquation {
         self.active.count
     }
 
-    /// I7: rows near air are tied to it.
+    /// PR7: rows near air are tied to it.
     pub fn close_surface(&mut self, system: &ParticleSystem, operators: &Operators, air: &[f64], lattice: &Lattice) {
         let rho0 = system.domain.fluid.density;
         self.excess.resize(system.particles.len(), 0.0);
@@ -60,7 +60,7 @@ impl PressureEquation {
         });
     }
 
-    /// I9: the right side.
+    /// PR9: the right side.
     pub fn gather_source(
         &mut self,
         system: &ParticleSystem,
@@ -83,7 +83,7 @@ impl PressureEquation {
         });
     }
 
-    /// EX3: one Jacobi iteration of the pressure equation, from the last step's pressures; no tension where I8 forbids it.
+    /// PR15: one Jacobi iteration of the pressure equation, from the last step's pressures; no tension where PR8 forbids it.
     pub fn relax_once(&mut self, system: &mut ParticleSystem, operators: &Operators, air: &[f64], ventilated: bool) {
         let (neighbours, n) = (&system.neighbours, system.particles.len());
         self.active.clear(n);
@@ -105,7 +105,7 @@ impl PressureEquation {
         active.constrain(&mut system.fields.pressure, surface);
     }
 
-    /// I8–I11. A failure leaves the last step's pressures, and nothing has moved.
+    /// PR8–PR11. A failure leaves the last step's pressures, and nothing has moved.
     pub fn solve(
         &mut self,
         system: &mut ParticleSystem,

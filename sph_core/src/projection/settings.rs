@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 /// How a step's pressures follow from the pressure equation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// Solved for, by conjugate gradients (THEORY I8–I11): `solver = "incompressible"`.
+    /// Solved for, by conjugate gradients (THEORY PR8–PR11): `solver = "incompressible"`.
     #[default]
     Solve,
-    /// One Jacobi iteration per step (THEORY EX3): `solver = "incompressible_explicit"`.
+    /// One Jacobi iteration per step (THEORY PR15): `solver = "incompressible_explicit"`.
     OneIteration,
 }
 
@@ -19,7 +19,7 @@ pub enum Method {
 pub struct FlowSettings {
     /// Particle shifting.
     pub shifting: bool,
-    /// Air comes in along walls between a wall and water under tension (THEORY I8).
+    /// Air comes in along walls between a wall and water under tension (THEORY PR8).
     pub ventilation: bool,
     /// Share of its smoothing length that a particle may move in a step, above 0 and up to 1 [-].
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -55,14 +55,14 @@ pub struct Settings {
     /// Iterations after which a pressure equation has failed, 1 or more [-].
     #[schemars(range(min = 1))]
     pub most_iterations: usize,
-    /// Time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY I9) [-].
+    /// Time in which an error of density relaxes, over h/U with the fastest known speed U (THEORY PR9) [-].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub relaxation: f64,
-    /// Viscosity over h sqrt(|g| h), which brings water to rest (THEORY I12); 0 is none [-].
+    /// Viscosity over h sqrt(|g| h), which brings water to rest (THEORY PR13); 0 is none [-].
     #[serde(rename = "calming")]
     #[schemars(range(min = 0.0))]
     pub viscosity_coefficient: f64,
-    /// Shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY I13) [-]. Without effect where
+    /// Shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY PR14) [-]. Without effect where
     /// fluid.shifting is false.
     #[schemars(range(min = 0.0, max = 10.0))]
     pub shift: f64,
@@ -88,11 +88,11 @@ impl Default for Settings {
     }
 }
 
-/// Largest Courant number of one iteration per step (EX4) [-].
+/// Largest Courant number of one iteration per step (PR16) [-].
 const LARGEST_COURANT_OF_ONE_ITERATION: f64 = 0.2;
 
 impl Settings {
-    /// I14, EX4: Courant number of a step [-].
+    /// PR14, PR16: Courant number of a step [-].
     pub fn courant_number(&self) -> f64 {
         match self.method {
             Method::Solve => self.flow.cfl,

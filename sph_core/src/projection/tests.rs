@@ -299,7 +299,7 @@ fn no_water_and_spray_alone_are_solved() {
     }
 }
 
-/// EX1: half the iterations that are needed fail, from nothing fail again, and four times as many from there do.
+/// LS11: half the iterations that are needed fail, from nothing fail again, and four times as many from there do.
 #[test]
 fn a_solve_that_fails_is_tried_from_nothing_and_then_longer() {
     let s = thrown(300, 1, 1, &mut Dice(31));

@@ -1,4 +1,4 @@
-//! Contact of single fluid particles with a wall's surface (THEORY E25): particles near a wall are found here, the wall's owner
+//! Contact of single fluid particles with a wall's surface (THEORY WA7): particles near a wall are found here, the wall's owner
 //! tells its surface there, and the particle is put back on it.
 
 use crate::parallel;
@@ -33,7 +33,7 @@ pub struct Impulse {
     pub inverse_mass: f64,
 }
 
-/// E25: put particle `k`, which is beyond `surface`, back on it and stop its approach inelastically; the impulse that the wall
+/// WA7: put particle `k`, which is beyond `surface`, back on it and stop its approach inelastically; the impulse that the wall
 /// takes, or `None` where the particle does not approach. Both end with one normal velocity, so that no energy is created:
 /// `inverse_mass` is the velocity along the normal that a unit impulse gives the wall [m/kg].
 pub(crate) fn resolve(

@@ -1,11 +1,11 @@
-//! WallInterface dynamics: owners of walls whose acceleration follows from the force of the fluid (THEORY C1–C7).
+//! WallInterface dynamics: owners of walls whose acceleration follows from the force of the fluid (THEORY CO4–CO9).
 
 use std::fmt;
 use std::ops::Range;
 
 use crate::walls::{WallForces, WallsMut};
 
-/// The force on a wall particle, and its change with the particle's acceleration: δF = push (arm·δa) (THEORY C1).
+/// The force on a wall particle, and its change with the particle's acceleration: δF = push (arm·δa) (THEORY CO4).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ParticleLoad {
     /// Where it is [m].
@@ -29,7 +29,7 @@ pub struct InterfaceLoad<'a> {
     pub mirrored: bool,
 }
 
-/// WallInterface residual: implied minus trial acceleration (THEORY C5) [m/s²].
+/// WallInterface residual: implied minus trial acceleration (THEORY CO8) [m/s²].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InterfaceResidual {
     /// r(x), one entry per unknown.
@@ -41,22 +41,22 @@ pub struct InterfaceResidual {
 /// An owner of walls that a force accelerates, as it will be at the end of a step. Its unknowns are accelerations x, all
 /// scaled to [m/s²]; in the beginning those that its particles' kinematics were written with.
 pub trait InterfaceDynamics: Send + Sync {
-    /// C2: take as unknowns those that fit the forces which they cause; write what that adds to the accelerations that its
+    /// CO5: take as unknowns those that fit the forces which they cause; write what that adds to the accelerations that its
     /// particles' kinematics were written with [m/s²].
     fn solve_acceleration(&mut self, load: &InterfaceLoad<'_>, change: &mut [[f64; 2]]);
 
     /// The unknowns [m/s²].
     fn unknowns(&self) -> Vec<f64>;
 
-    /// C5: residual of the unknowns under forces at the step's end.
+    /// CO8: residual of the unknowns under forces at the step's end.
     fn residual(&self, forces: &WallForces<'_>) -> InterfaceResidual;
 
-    /// The same under the mean forces of the step, which act where its particles began: what a projection's body obeys (PB3).
+    /// The same under the mean forces of the step, which act where its particles began: what a projection's body obeys (CO21).
     fn residual_in_mean(&self, forces: &WallForces<'_>) -> InterfaceResidual {
         self.residual(forces)
     }
 
-    /// PB6: velocities of its particles at the step's start [m/s], where their kinematics do not tell them; left as they are if
+    /// CO23: velocities of its particles at the step's start [m/s], where their kinematics do not tell them; left as they are if
     /// they do.
     fn velocities_at_start(&self, _velocities: &mut [[f64; 2]]) {}
 

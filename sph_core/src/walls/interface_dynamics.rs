@@ -1,5 +1,5 @@
-//! The accelerations of walls' owners found together with the wall pressures that they cause, so that the added mass in E9 is
-//! implicit (THEORY C1–C4).
+//! The accelerations of walls' owners found together with the wall pressures that they cause, so that the added mass in WA3 is
+//! implicit (THEORY CO4–CO7).
 
 use crate::interactions::forces::Forces;
 use crate::interactions::geometry::kernel_and_gradient;
@@ -12,7 +12,7 @@ use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
 
-/// C1: how pressure and force of a wall particle change with its acceleration.
+/// CO4: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default)]
 struct PressureSensitivity {
     /// Σ V_b W_wb r_wb/Σ V_b W_wb [m]: δp_w = −ρ₀ arm·δa_w.
@@ -21,7 +21,7 @@ struct PressureSensitivity {
     push: [f64; 2],
 }
 
-/// C1 for the particles of one owner, the first of which is wall particle `first`.
+/// CO4 for the particles of one owner, the first of which is wall particle `first`.
 struct PressureSensitivities<'a> {
     fluid: &'a [PackedParticle],
     walls: &'a [PackedParticle],
@@ -58,12 +58,12 @@ fn pressure_sensitivity<'r, K: Shape>(
         sum.push = [sum.push[0] + b.volume * slope * dx, sum.push[1] + b.volume * slope * dy];
     }
     if weight < 1e-9 {
-        return PressureSensitivity::default(); // as in E9: no pressure without a fluid in reach
+        return PressureSensitivity::default(); // as in WA3: no pressure without a fluid in reach
     }
     PressureSensitivity { arm: sum.arm.map(|a| a / weight), ..sum }
 }
 
-/// C3: the change of the wall pressures, as a force on every fluid particle [N/m]. `images` are the sources of listed walls
+/// CO6: the change of the wall pressures, as a force on every fluid particle [N/m]. `images` are the sources of listed walls
 /// beyond the last.
 struct PressureCorrection<'a> {
     fluid: &'a [PackedParticle],
@@ -95,7 +95,7 @@ impl WithKernel for PressureCorrection<'_> {
     }
 }
 
-/// C1–C3: the accelerations of the walls' owners that satisfy their equations of motion under the forces which these
+/// CO4–CO6: the accelerations of the walls' owners that satisfy their equations of motion under the forces which these
 /// accelerations cause; pressures and forces of these walls and of the fluid beside them are corrected by the same terms. Walls taken
 /// `offset` seconds from the step's end. For extrapolated walls.
 pub(crate) fn solve_interfaces(

@@ -1,4 +1,4 @@
-//! Plate midlines: they hide what is behind them (THEORY T1), and particles that cross them are found (T5).
+//! Plate midlines: they hide what is behind them (THEORY WA8), and particles that cross them are found (WA11).
 
 use crate::particles::Particles;
 
@@ -42,7 +42,7 @@ impl PlateMidline {
         PlateMidline { points: self.points.iter().zip(&self.start).map(between).collect(), start: Vec::new(), ..*self }
     }
 
-    /// T5: where a particle that moved from `from` to `to` [m] in the step crossed the midline, and the normal to
+    /// WA11: where a particle that moved from `from` to `to` [m] in the step crossed the midline, and the normal to
     /// the side it came from; `None` if it is on the same side, or went round an end.
     pub fn passed(&self, from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], [f64; 2])> {
         let start = if self.start.len() == self.points.len() { &self.start } else { &self.points };
@@ -100,7 +100,7 @@ fn height([a, b]: [[f64; 2]; 2], p: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 }
 
-/// T5: note where every particle starts the step, where there are thin plates.
+/// WA11: note where every particle starts the step, where there are thin plates.
 pub(crate) fn note_start_positions(start: &mut Vec<[f64; 2]>, p: &Particles, lines: &[PlateMidline]) {
     if lines.is_empty() {
         return;
@@ -111,7 +111,7 @@ pub(crate) fn note_start_positions(start: &mut Vec<[f64; 2]>, p: &Particles, lin
     }
 }
 
-/// T5: the fluid particles that crossed a midline in the step just taken, in the order of the particles.
+/// WA11: the fluid particles that crossed a midline in the step just taken, in the order of the particles.
 pub(crate) fn passages(p: &Particles, start: &[[f64; 2]], lines: &[PlateMidline]) -> Vec<Passage> {
     let mut found = Vec::new();
     if start.len() != p.len() {

@@ -17,7 +17,7 @@ use crate::walls::midline::PlateMidline;
 pub struct WallLayout {
     /// Number of rows.
     pub layers: usize,
-    /// Every other row is shifted by half a spacing (THEORY W2).
+    /// Every other row is shifted by half a spacing (THEORY LE16).
     pub staggered: bool,
 }
 
@@ -41,7 +41,7 @@ pub struct WallPoint {
     pub spacing: f64,
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
-    /// Index of the midline, among its owner's, of the thin plate that it belongs to (THEORY T2); `None` for ordinary walls.
+    /// Index of the midline, among its owner's, of the thin plate that it belongs to (THEORY WA9); `None` for ordinary walls.
     pub midline: Option<u32>,
 }
 
@@ -67,7 +67,7 @@ pub struct Walls {
     pub u: Vec<f64>,
     /// Velocity over the step [m/s].
     pub v: Vec<f64>,
-    /// Acceleration [m/s²] (THEORY E9).
+    /// Acceleration [m/s²] (THEORY WA3).
     pub ax: Vec<f64>,
     /// Acceleration [m/s²].
     pub ay: Vec<f64>,
@@ -81,7 +81,7 @@ pub struct Walls {
     pub h: Vec<f64>,
     /// Depth below the surface, along the normal [m].
     pub depth: Vec<f64>,
-    /// Pressure extrapolated from the fluid [Pa] (THEORY E9); written by the fluid.
+    /// Pressure extrapolated from the fluid [Pa] (THEORY WA3); written by the fluid.
     pub pressure: Vec<f64>,
     /// Force of the fluid on the particle at the end of the step, per metre of span [N/m]; written by the fluid.
     pub fx: Vec<f64>,
@@ -94,11 +94,11 @@ pub struct Walls {
     /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
     /// ends, has to be corrected by.
     pub mean_swing: Vec<f64>,
-    /// Middle lines of thin walls (THEORY T1), in the order of their owners.
+    /// Middle lines of thin walls (THEORY WA8), in the order of their owners.
     pub midlines: Vec<PlateMidline>,
-    /// Index of the midline of the thin plate that each belongs to (THEORY T2); `None` for ordinary walls.
+    /// Index of the midline of the thin plate that each belongs to (THEORY WA9); `None` for ordinary walls.
     pub midline: Vec<Option<u32>>,
-    /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (PB6); else empty.
+    /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (CO23); else empty.
     pub start_velocity: Vec<[f64; 2]>,
 }
 
@@ -165,7 +165,7 @@ impl Walls {
         dx * force[1] - dy * force[0]
     }
 
-    /// E15: half of the present force, where the walls were at the start of a step of `dt` [s], enters the step's mean force.
+    /// WC11: half of the present force, where the walls were at the start of a step of `dt` [s], enters the step's mean force.
     pub(crate) fn start_mean_force(&mut self, dt: f64) {
         for k in 0..self.len() {
             let first = [0.5 * self.fx[k], 0.5 * self.fy[k]];
@@ -174,7 +174,7 @@ impl Walls {
         }
     }
 
-    /// E15: half of the force at the step's end completes the mean force.
+    /// WC11: half of the force at the step's end completes the mean force.
     pub(crate) fn finish_mean_force(&mut self) {
         for k in 0..self.len() {
             self.mean_fx[k] += 0.5 * self.fx[k];

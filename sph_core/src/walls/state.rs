@@ -1,4 +1,4 @@
-//! State of the wall particles, found from the fluid (THEORY E9, E11).
+//! State of the wall particles, found from the fluid (THEORY WA3, WA5).
 
 use crate::domain::Slip;
 use crate::interactions::gather::{PairSums, WallState};
@@ -7,7 +7,7 @@ use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
 
-/// E9: pressures of the walls extrapolated from the fluid.
+/// WA3: pressures of the walls extrapolated from the fluid.
 pub(crate) fn extrapolate_to_walls(system: &mut ParticleSystem, walls: &mut Walls) {
     system.timers.begin(Phase::Walls);
     system.wall_state.resize(walls.len(), Extrapolated::default());

@@ -1,4 +1,4 @@
-//! Visibility across plate midlines (THEORY T1, T2): pairs that a midline separates are masked out of the neighbour lists.
+//! Visibility across plate midlines (THEORY WA8, WA9): pairs that a midline separates are masked out of the neighbour lists.
 
 use crate::neighbours::cells::Point;
 use crate::neighbours::images::Mirror;
@@ -9,7 +9,7 @@ use crate::walls::midline::PlateMidline;
 
 /// A thin wall's particle faces the water this far above its surface, in its smoothing lengths.
 const ABOVE: f64 = 0.3;
-/// Around an end lists last until a particle has moved this many smoothing lengths (T4).
+/// Around an end lists last until a particle has moved this many smoothing lengths (WA8).
 const END_SKIN: f64 = 0.25;
 /// What counts as around an end, in smoothing lengths.
 const END_REACH: f64 = 2.5;
@@ -52,7 +52,7 @@ impl Line {
         (0..2).all(|c| p[c] > lo[c] - radius && p[c] < hi[c] + radius)
     }
 
-    /// T1: the zone of p [m], by the nearest place of the line; `None` beyond `radius` [m].
+    /// WA8: the zone of p [m], by the nearest place of the line; `None` beyond `radius` [m].
     fn standing(&self, p: [f64; 2], radius: f64) -> Option<Standing> {
         if !self.is_near(p, radius) {
             return None;
@@ -135,13 +135,13 @@ pub(crate) struct View<'a> {
 }
 
 impl View<'_> {
-    /// T1: true where no midline stands between the place and q [m].
+    /// WA8: true where no midline stands between the place and q [m].
     pub fn shows(&self, q: [f64; 2]) -> bool {
         self.standings.is_empty() || !separated(&self.standings, &self.visibility.standings(q, self.reach), self.reach)
     }
 }
 
-/// T1: true where a midline has one on its left and the other on its right.
+/// WA8: true where a midline has one on its left and the other on its right.
 fn separated(a: &[Standing], b: &[Standing], reach: f64) -> bool {
     a.iter().any(|a| {
         b.iter().any(|b| {
@@ -160,7 +160,7 @@ struct Seen {
 }
 
 impl Seen {
-    /// T2: does fluid that stands so see it?
+    /// WA9: does fluid that stands so see it?
     fn from(&self, fluid: &[Standing], reach: f64) -> bool {
         let Some((own, zone)) = self.own else {
             return !separated(fluid, &self.standings, reach);
@@ -190,7 +190,7 @@ pub(crate) struct Listed<'a> {
 }
 
 impl ThinWalls<'_> {
-    /// T4: how far particles around ends may go, of what each is `allowed` [m].
+    /// WA8: how far particles around ends may go, of what each is `allowed` [m].
     pub fn hold_ends(&self, x: &[f64], y: &[f64], h: &[f64], allowed: &mut [f64]) {
         let ends: Vec<[f64; 2]> =
             self.midlines.iter().flat_map(|s| s.points.first().into_iter().chain(s.points.last())).copied().collect();
@@ -201,7 +201,7 @@ impl ThinWalls<'_> {
         });
     }
 
-    /// T1, T2: mask in the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around
+    /// WA8, WA9: mask in the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around
     /// mirror points all pairs that a midline separates.
     pub(crate) fn mask(&self, listed: &Listed<'_>, [fluid, walls_of_fluid, of_wall, of_mirror]: [&mut Lists; 4]) {
         let visibility = Visibility::new(self.midlines, listed.mirror);

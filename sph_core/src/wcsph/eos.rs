@@ -1,4 +1,4 @@
-//! Equation of state (THEORY E3).
+//! Equation of state (THEORY WC2).
 
 use serde::{Deserialize, Serialize};
 
@@ -29,7 +29,7 @@ impl Tait {
         }
     }
 
-    /// Elastic energy over that at ρ₀ [J/kg] (THEORY E22): ∫ p/ρ² dρ.
+    /// Elastic energy over that at ρ₀ [J/kg] (THEORY CO28): ∫ p/ρ² dρ.
     #[inline]
     pub fn energy(&self, rho: f64) -> f64 {
         let s = rho / self.rho0;
@@ -65,7 +65,7 @@ mod tests {
         }
     }
 
-    /// E22: the slope of the energy over ρ is p/ρ².
+    /// CO28: the slope of the energy over ρ is p/ρ².
     #[test]
     fn elastic_energy_is_the_work_of_the_pressure() {
         for gamma in [1.0, 1.4, 7.0] {

@@ -1,4 +1,4 @@
-//! The weakly compressible scheme (THEORY E3–E17): pressures follow from densities by Tait's law, and run through the water as
+//! The weakly compressible scheme (THEORY WC2–WC12, WA3–WA5): pressures follow from densities by Tait's law, and run through the water as
 //! sound.
 //!
 //! Read in this order: [`Wcsph::advance`], [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`.
@@ -55,7 +55,7 @@ impl Wcsph {
         Wcsph { settings, eos: settings.equation_of_state(domain), density_rate: Vec::new() }
     }
 
-    /// E15: one step, kick–drift–kick with the density advanced about the midpoint; of second order.
+    /// WC11: one step, kick–drift–kick with the density advanced about the midpoint; of second order.
     fn advance(&mut self, system: &mut ParticleSystem, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) {
         let half = 0.5 * dt;
         kick(system, half); //                                       v½ = v + ½Δt a
@@ -72,13 +72,13 @@ impl Wcsph {
         walls.finish_mean_force(); //                                F̄ = ½(F + F')
     }
 
-    /// E4 + E5: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
+    /// WC3 + WC4: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
     fn evaluate_density_rate(&mut self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         self.pack(system, walls, offset);
         self.gather_density_rate(system, self.constants(system), true);
     }
 
-    /// E3, E9, E6–E8: pressures, wall pressures, accelerations, forces on walls; walls taken `offset` seconds from the step's end.
+    /// WC2, WA3, WC5–WC7: pressures, wall pressures, accelerations, forces on walls; walls taken `offset` seconds from the step's end.
     fn evaluate_forces(
         &mut self,
         system: &mut ParticleSystem,
@@ -94,12 +94,12 @@ impl Wcsph {
         gather_fluid_forces(system, &terms, true, &mut forces);
         gather_wall_forces(system, &terms, walls);
         if !interfaces.is_empty() {
-            solve_interfaces(system, walls, interfaces, &mut forces, offset); // C1–C3
+            solve_interfaces(system, walls, interfaces, &mut forces, offset); // CO4–CO6
         }
         forces.accelerate(system);
     }
 
-    /// Make the lists if they no longer hold, splitting particles first where that is asked for (E26); then pack.
+    /// Make the lists if they no longer hold, splitting particles first where that is asked for (WC21); then pack.
     fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, false) {
             self.refine(system);
@@ -110,7 +110,7 @@ impl Wcsph {
         system.pack(walls);
     }
 
-    /// E26: split particles inside the refinement zone, if there is one.
+    /// WC21: split particles inside the refinement zone, if there is one.
     pub fn refine(&self, system: &mut ParticleSystem) {
         let ParticleSystem { refinement_zone, particles, fields, neighbours, domain, .. } = system;
         if let Some(zone) = refinement_zone {
@@ -119,7 +119,7 @@ impl Wcsph {
         }
     }
 
-    /// The density rates with given constants; `walls_reflect`: behind walls the fluid moves with the reflected velocity (E10).
+    /// The density rates with given constants; `walls_reflect`: behind walls the fluid moves with the reflected velocity (WA4).
     pub(crate) fn gather_density_rate(
         &mut self,
         system: &mut ParticleSystem,
@@ -139,7 +139,7 @@ impl Wcsph {
         PairSums::with(&system.domain, self.settings.dissipation).run(&gather, &mut self.density_rate[..]);
     }
 
-    /// E3: pressures from densities. Tensionless water is never thinner than water at rest.
+    /// WC2: pressures from densities. Tensionless water is never thinner than water at rest.
     pub(crate) fn equation_of_state(&self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);
         let (eos, ventilation) = (self.eos, self.settings.ventilation);

@@ -8,9 +8,9 @@ use crate::domain::Domain;
 use crate::interactions::dissipation::Dissipation;
 use crate::wcsph::eos::Tait;
 
-/// Courant number by default (E17) [-].
+/// Courant number by default (WC12) [-].
 const CFL: f64 = 0.6;
-/// The same with `wall_stretch`: two thirds of it keep forces steady (E10).
+/// The same with `wall_stretch`: two thirds of it keep forces steady (WA4).
 const CFL_WITH_WALL_STRETCH: f64 = 0.4;
 /// Speed of sound over the largest known speed of the flow, where the speed of sound is `"auto"` [-].
 const SOUND_RATIO: f64 = 10.0;
@@ -46,14 +46,14 @@ pub struct Settings {
     #[schemars(extend("x-ignored-elsewhere" = true))]
     pub shifting: bool,
     /// Share of h^2 grad C by which particles are shifted in each step, whatever their speed, away from the surface (THEORY
-    /// E13), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
+    /// WC10), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
     #[schemars(range(min = 0.0, max = 0.3), extend("x-ignored-elsewhere" = true))]
     pub settling: f64,
-    /// Behind walls the water is stretched along them like that in front (THEORY E10). Sound along walls is nearer its speed and
+    /// Behind walls the water is stretched along them like that in front (THEORY WA4). Sound along walls is nearer its speed and
     /// particles keep their volume better; noisier at coarse spacing.
     #[schemars(extend("x-ignored-elsewhere" = true))]
     pub wall_stretch: bool,
-    /// Water within the kernel of both a wall and the air holds no tension (THEORY E3), so that air comes in between and flow
+    /// Water within the kernel of both a wall and the air holds no tension (THEORY WC2), so that air comes in between and flow
     /// leaves a round bottom. It cuts noise to one side, which costs accuracy at coarse spacing. false: flow is sucked along.
     #[schemars(extend("x-ignored-elsewhere" = true))]
     pub ventilation: bool,

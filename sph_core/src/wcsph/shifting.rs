@@ -1,4 +1,4 @@
-//! Particle shifting (THEORY E13).
+//! Particle shifting (THEORY WC10).
 
 use crate::parallel;
 use crate::system::ParticleSystem;
@@ -10,8 +10,8 @@ const SETTLED: f64 = 1e-4;
 /// Most shifts before time starts.
 const MOST_SETTLING_SHIFTS: u32 = 60;
 
-/// E13: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, outside the free surface; κ, `settling` [-], acts on particles that were newly
-/// split (E26).
+/// WC10: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, outside the free surface; κ, `settling` [-], acts on particles that were newly
+/// split (WC21).
 pub(crate) fn even_out(system: &mut ParticleSystem, settling: f64, dt: f64) {
     shift(system, settling, dt, false);
 }
@@ -40,7 +40,7 @@ fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, all: bool) {
     });
 }
 
-/// E13 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W vanishes where rows grow. Particles of one
+/// WC10 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W vanishes where rows grow. Particles of one
 /// size stay where they are. `evaluate_forces` finds the kernel moments anew.
 pub(crate) fn settle(system: &mut ParticleSystem, settling: f64, mut evaluate_forces: impl FnMut(&mut ParticleSystem)) {
     let h = &system.particles.h;

@@ -1,13 +1,13 @@
-//! The largest stable step (THEORY E17).
+//! The largest stable step (THEORY WC12).
 
 use crate::error::Breakdown;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
-/// Share of √(h/|a|) a step may take (E17; Monaghan 1992).
+/// Share of √(h/|a|) a step may take (WC12; Monaghan 1992).
 const FORCE: f64 = 0.25;
-/// Share of h²/ν a step may take (E17; Morris et al. 1997).
+/// Share of h²/ν a step may take (WC12; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
 /// A step this many times smaller than the acoustic limit of water at rest means breakdown.
 const COLLAPSE: f64 = 1e-4;
@@ -44,7 +44,7 @@ impl Bounds {
         chunks.into_iter().fold(Bounds::NONE, Bounds::min)
     }
 
-    /// The step [s] (E17).
+    /// The step [s] (WC12).
     fn dt(self, nu: f64) -> f64 {
         self.acoustic.min(FORCE * self.force.sqrt()).min(VISCOUS * self.h * self.h / nu)
     }

@@ -23,7 +23,7 @@ fn plastic_parts(element: &ElementConstants, chord: &Chord, before: [f64; 2]) ->
 
 impl System {
     /// Inertia with consistent mass, damping and elastic forces, the left-hand side of the equations of motion
-    /// (THEORY S10, S12, S13); `tangent`: replaces the matrix by the tangent with these weights.
+    /// (THEORY BE11, BE12, BE13); `tangent`: replaces the matrix by the tangent with these weights.
     pub fn forces(
         &self,
         at: Kinematics,
@@ -64,8 +64,8 @@ impl System {
         }
     }
 
-    /// Elastic forces of beams and springs (THEORY S10), with the return map from the curvatures `plastic`; `tangent`:
-    /// adds that many times the tangent (S11) to the matrix.
+    /// Elastic forces of beams and springs (THEORY BE11), with the return map from the curvatures `plastic`; `tangent`:
+    /// adds that many times the tangent (BE11) to the matrix.
     pub fn elastic_forces(
         &self,
         q: &[[f64; 3]],
@@ -116,7 +116,7 @@ impl System {
     }
 
     /// Elastic forces of beams and springs over a step from the chords `from` and the displacement `before` to `q`, with
-    /// the `weight` of its end (THEORY S22); returns their work beyond the change of the elastic energy \[J\].
+    /// the `weight` of its end (THEORY BE21); returns their work beyond the change of the elastic energy \[J\].
     /// `tangent`: adds the derivative by `q` to the matrix.
     pub fn mean_elastic_forces(
         &self,
@@ -152,7 +152,7 @@ impl System {
         dissipated
     }
 
-    /// Damping forces with a lumped `mass` (THEORY S13), of velocities `v` at the displacement `q`.
+    /// Damping forces with a lumped `mass` (THEORY BE13), of velocities `v` at the displacement `q`.
     pub fn viscous_forces(&self, q: &[[f64; 3]], v: &[[f64; 3]], damping: &Damping, mass: &[[f64; 3]]) -> Field {
         let mut forces = combine(mass, v, |mass, v| damping.mass * mass * v);
         if damping.stiffness > 0.0 {
@@ -184,7 +184,7 @@ impl System {
         }
     }
 
-    /// Subtracts `factor` times the derivative of the pressure loads by the displacement (THEORY S14); not symmetric.
+    /// Subtracts `factor` times the derivative of the pressure loads by the displacement (THEORY BE14); not symmetric.
     ///
     /// Forces are linear in the chord vector, moments quadratic.
     pub fn subtract_pressure_tangent(&self, loads: &Loads, q: &[[f64; 3]], factor: f64, matrix: &mut Bordered) {

@@ -57,7 +57,7 @@ impl System {
     }
 
     /// Adds `factor` a . F on the body's rotation: minus the derivative of the moments of `forces` on linked nodes by the
-    /// rotation of the lever arms (THEORY S21).
+    /// rotation of the lever arms (THEORY BE20).
     pub fn add_arm_rotation(&self, forces: &[[f64; 3]], arms: &[[f64; 2]], factor: f64, matrix: &mut Bordered) {
         for (link, arm) in self.equations.links.all.iter().zip(arms) {
             if let Some(row) = self.equations.number(link.body, 2) {

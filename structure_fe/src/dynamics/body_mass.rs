@@ -9,7 +9,7 @@ use crate::model::{Beam, Supports};
 /// Masses of the nodes `[nodes][m, m, J]` \[kg, kg, kg m^2\], and the model with the nodes of its bodies moved.
 ///
 /// The node of a body moves to the common centre of mass of the body and of the masses lumped at its linked nodes, which
-/// then have none: its mass is diagonal and does not change with rotation (THEORY S21). If u and w of the body are both
+/// then have none: its mass is diagonal and does not change with rotation (THEORY BE20). If u and w of the body are both
 /// supported the node stays: the body rotates about it.
 pub(super) fn concentrate_at_bodies(mut beam: Beam, supports: &Supports) -> Result<(Beam, Field), Error> {
     supports.check(&beam)?;

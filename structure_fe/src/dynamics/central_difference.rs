@@ -5,7 +5,7 @@ use super::moving_model::MovingModel;
 use super::{State, StepReport};
 use crate::error::Error;
 
-/// v_half = v + a dt/2, u' = u + v_half dt, M a' = load - f(u', v_half), v' = v_half + a' dt/2 (THEORY S18).
+/// v_half = v + a dt/2, u' = u + v_half dt, M a' = load - f(u', v_half), v' = v_half + a' dt/2 (THEORY BE18).
 ///
 /// A motion that is not finite is an error: the step was too long.
 pub(super) fn step(

@@ -7,7 +7,7 @@ use crate::element::Weights;
 use crate::error::Error;
 use crate::linear_algebra::Bordered;
 
-/// Effective inertia M + theta^2 dt^2 K + theta dt C of a model in a state (THEORY S24): it relates forces to the
+/// Effective inertia M + theta^2 dt^2 K + theta dt C of a model in a state (THEORY BE23): it relates forces to the
 /// accelerations of a step dt of the trapezoidal rule. Blocks can be added to it, such as the added mass of a fluid.
 #[derive(Debug, Clone)]
 pub struct EffectiveInertia {

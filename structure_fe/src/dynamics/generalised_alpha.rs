@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-15;
 const DIVERGING: f64 = 0.3;
 
 /// The coefficients of Chung & Hulbert (1993) for a spectral radius rho, with the least damping of slow vibrations
-/// (THEORY S17).
+/// (THEORY BE17).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GeneralisedAlpha {
     alpha_m: f64,

@@ -61,7 +61,7 @@ pub(crate) fn nodal_masses(beam: &Beam) -> Field {
 }
 
 /// Moves mass between the last three nodes at the ends of chains of elements, so that lumping integrates squares
-/// along a chain exactly too (Gregory's rule): 3/8, 7/6, 23/24 of an element's mass where all are alike (THEORY S22).
+/// along a chain exactly too (Gregory's rule): 3/8, 7/6, 23/24 of an element's mass where all are alike (THEORY BE21).
 ///
 /// Without it the moment of inertia of a chain is too large by m L^2/6 per end, and frequencies of free ends are too low.
 pub(crate) fn correct_ends(beam: &Beam, nodal: &mut [[f64; 3]]) {
@@ -119,7 +119,7 @@ pub(crate) fn mass_with_bodies(system: &System, nodal: Field) -> LumpedMass {
 
 /// The lumped mass of a model and its step limit: no frequency of the whole is above the highest of its
 /// elements (Irons 1970), springs added; dt = (2/omega) (sqrt(1 + xi^2) - xi) with the damping ratio xi at
-/// that frequency, whose force lags by half a step (Belytschko, Liu & Moran 2000, ch. 6; THEORY S18).
+/// that frequency, whose force lags by half a step (Belytschko, Liu & Moran 2000, ch. 6; THEORY BE18).
 pub(crate) fn explicit_mass(system: &System, damping: &Damping) -> LumpedMass {
     let nodal = nodal_masses(&system.beam);
     let highest = system.beam.constants().fold(0.0, |most: f64, (_, element)| most.max(highest_squared(element)));

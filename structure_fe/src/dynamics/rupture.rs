@@ -1,4 +1,4 @@
-//! Ruptures at the end of a step: exceeded limits, and the state of bodies whose node has moved.
+//! Ruptures at the end of a step: exceeded limits, and the state of bodies whose node has moved (THEORY BE26).
 
 use super::State;
 use crate::assembly::System;

@@ -32,17 +32,17 @@ pub struct State {
 /// The integration rule.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Integration {
-    /// Implicit, second order, stable for linear models at any step (Chung & Hulbert 1993; THEORY S17).
+    /// Implicit, second order, stable for linear models at any step (Chung & Hulbert 1993; THEORY BE17).
     GeneralisedAlpha {
         /// Remaining fraction of the fastest vibrations after a step: rho in [0, 1]. 1 is the trapezoidal rule, without
         /// damping, which may be unstable in stiff rotation; 0.8 damps vibrations that the step does not resolve.
         spectral_radius: f64,
     },
     /// Explicit, second order, with a lumped mass; steps up to
-    /// [`Dynamics::stable_dt`](crate::Dynamics::stable_dt) (THEORY S18).
+    /// [`Dynamics::stable_dt`](crate::Dynamics::stable_dt) (THEORY BE18).
     CentralDifference,
     /// Implicit, in momentum form: the impulse of the mean load is the change of momentum to rounding, with lumped
-    /// masses (THEORY S22). The only rule that supports rigid bodies, plasticity and rupture. Second order for a
+    /// masses (THEORY BE21). The only rule that supports rigid bodies, plasticity and rupture. Second order for a
     /// spectral radius of 1, first order below it.
     Trapezoidal {
         /// Remaining fraction of the fastest vibrations after a step: rho in (0, 1]. 1 conserves the energy of linear models.
@@ -70,7 +70,7 @@ pub struct StepReport {
     pub tangents: usize,
     /// The last correction as a fraction of the step's motion \[-\].
     pub last_correction: f64,
-    /// Energy dissipated by damping, plasticity and the rule \[J\] (THEORY S23); NaN except under the trapezoidal rule.
+    /// Energy dissipated by damping, plasticity and the rule \[J\] (THEORY BE22); NaN except under the trapezoidal rule.
     pub dissipated: f64,
     /// Work of moving supports on the model \[J\]; NaN except under the trapezoidal rule.
     pub support_work: f64,

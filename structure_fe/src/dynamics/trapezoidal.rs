@@ -47,7 +47,7 @@ struct MeanForces {
 impl Trapezoidal {
     /// M (v1 - v0)/dt = mean load - mean elastic force - C (q1 - q0)/dt with q1 = q0 + dt (theta v1 + (1 - theta) v0), for
     /// q1 by Newton's method; then v1 from the momenta. The mean elastic force does the work of the elastic energy; for
-    /// small rotations it is theta f(q1) + (1 - theta) f(q0) (THEORY S22).
+    /// small rotations it is theta f(q1) + (1 - theta) f(q0) (THEORY BE21).
     pub fn step(
         &self,
         model: &mut MovingModel,
@@ -206,7 +206,7 @@ impl Trapezoidal {
         equations.links.set_velocity(&equations.links.arms_at(&new.displacement), &mut new.velocity);
     }
 
-    /// Reactions and energy balance of the step (THEORY S23).
+    /// Reactions and energy balance of the step (THEORY BE22).
     fn balance(
         &self,
         model: &MovingModel,

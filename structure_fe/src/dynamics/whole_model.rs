@@ -21,7 +21,7 @@ impl Dynamics {
         }
     }
 
-    /// Like [`Dynamics::equilibrate`], but with the effective inertia of a step `dt` \[s\] (THEORY S24), which filters
+    /// Like [`Dynamics::equilibrate`], but with the effective inertia of a step `dt` \[s\] (THEORY BE23), which filters
     /// vibrations that such a step does not resolve.
     ///
     /// Preferable with lumped masses: without the filter the accelerations are the forces of the stiffest vibrations over

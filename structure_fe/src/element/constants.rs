@@ -3,7 +3,7 @@
 //! The elastic relations use three *deformations*, which no rigid motion changes (Argyris 1964): the elongation e and
 //! the rotations psi_1, psi_2 of the ends against the chord, as the symmetric part psi_s = (psi_1 - psi_2)/2 (an arc)
 //! and the antisymmetric part psi_a = (psi_1 + psi_2)/2 (an S). Only psi_a shears the element, so the shear parameter
-//! Phi = 12 EI/(kappa G A L^2) divides its stiffness by 1 + Phi; Phi = 0 gives Euler-Bernoulli's element (THEORY S3).
+//! Phi = 12 EI/(kappa G A L^2) divides its stiffness by 1 + Phi; Phi = 0 gives Euler-Bernoulli's element (THEORY BE4).
 //! With the end values q = (u1, w1, theta1, u2, w2, theta2) the deformations are d = B q, the conjugate forces D d, and
 //! K = B^T D B: exact for linear loads and uniform stiffness (Przemieniecki 1968, ch. 5), hence without locking. This
 //! file is for small displacements; `corotational.rs` adds arbitrary rotations.
@@ -20,9 +20,9 @@ pub(crate) struct ElementConstants {
     pub length: f64,
     /// Unit vector (cos, sin) from the first node to the second \[-\].
     pub tangent: [f64; 2],
-    /// The diagonal of D: stiffness against elongation \[N/m\], arc and S \[N m\] (THEORY S3).
+    /// The diagonal of D: stiffness against elongation \[N/m\], arc and S \[N m\] (THEORY BE4).
     pub stiffness: [f64; 3],
-    /// Factors of psi_s^2/2 and psi_a^2/2 in the mean strain \[-\] (THEORY S10).
+    /// Factors of psi_s^2/2 and psi_a^2/2 in the mean strain \[-\] (THEORY BE11).
     pub curvature_strain: [f64; 2],
     /// Shear parameter Phi = 12 EI/(kappa G A L^2) \[-\]; 0 without shear deformation.
     pub shear_parameter: f64,
@@ -30,7 +30,7 @@ pub(crate) struct ElementConstants {
     pub mass_per_length: f64,
     /// Square of the section's radius of gyration I/A \[m^2\]; 0 without rotatory inertia.
     pub radius_squared: f64,
-    /// Consistent mass in the element's axes (THEORY S4).
+    /// Consistent mass in the element's axes (THEORY BE5).
     pub mass: EndsMatrix,
     /// Plastic bending, if the element can yield.
     pub plastic: Option<PlasticBending>,
@@ -69,7 +69,7 @@ impl ElementConstants {
         }
     }
 
-    /// Deformations d = (e \[m\], psi_s \[rad\], psi_a \[rad\]) of the end values.
+    /// Deformations d = (e \[m\], psi_s \[rad\], psi_a \[rad\]) of the end values (THEORY BE3).
     ///
     /// Differences are taken first, so that a rigid translation gives exactly zero.
     fn deformations(&self, q: &Ends) -> [f64; 3] {
@@ -97,7 +97,7 @@ impl ElementConstants {
         columns(|unit| self.elastic_forces(unit))
     }
 
-    /// Consistent mass matrix in the global axes (THEORY S4).
+    /// Consistent mass matrix in the global axes (THEORY BE5).
     pub fn global_mass(&self) -> EndsMatrix {
         columns(|unit| self.to_global(&(self.mass * self.to_local(unit))))
     }
@@ -109,7 +109,7 @@ impl ElementConstants {
     }
 
     /// Consistent end forces of a load that varies linearly from `start` to `end`, both in the
-    /// global axes and per length of the element \[N/m\] (THEORY S5; Przemieniecki 1968, ch. 5).
+    /// global axes and per length of the element \[N/m\] (THEORY BE6; Przemieniecki 1968, ch. 5).
     ///
     /// Minus these are the forces of the fixed ends.
     pub fn load_forces(&self, start: [f64; 2], end: [f64; 2]) -> Ends {

@@ -2,7 +2,7 @@
 //!
 //! The chord follows any rigid motion; the deformations against it are small (Crisfield 1991, ch. 7; Battini 2002).
 //! Elongation e, arc psi_s and S psi_a are exact functions of the end values, so the energy does not change in a rigid
-//! motion of any size, and forces and tangent are its first and second derivatives (THEORY S10, S11). Nodes may rotate
+//! motion of any size, and forces and tangent are its first and second derivatives (THEORY BE11). Nodes may rotate
 //! by many turns; the end of an element may rotate against its chord by less than half a turn.
 
 use super::ends::rotate;
@@ -111,7 +111,7 @@ impl Chord {
         global
     }
 
-    /// Elastic end forces in the chord's axes, B^T (N, M_s, M_a), with the `plastic` part of the latter (THEORY S10).
+    /// Elastic end forces in the chord's axes, B^T (N, M_s, M_a), with the `plastic` part of the latter (THEORY BE11).
     #[inline]
     pub fn elastic_forces(&self, element: &ElementConstants, plastic: &[f64; 3]) -> Ends {
         let forces = deformation_forces(element, &self.deformation);
@@ -131,7 +131,7 @@ impl Chord {
     }
 }
 
-/// Forces (N \[N\], M_s, M_a \[N m\]) conjugate to the deformations (THEORY S10).
+/// Forces (N \[N\], M_s, M_a \[N m\]) conjugate to the deformations (THEORY BE11).
 #[inline]
 pub(crate) fn deformation_forces(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> [f64; 3] {
     let [axial, for_arc, for_ess] = element.stiffness;
@@ -158,7 +158,7 @@ fn deformation_tangent(element: &ElementConstants, [_, arc, ess]: &[f64; 3], nor
     ]
 }
 
-/// Elastic energy \[J\]: (EA L/2) strain^2 + bending, a sum of squares (THEORY S10).
+/// Elastic energy \[J\]: (EA L/2) strain^2 + bending, a sum of squares (THEORY BE11).
 pub(crate) fn strain_energy(element: &ElementConstants, q: &Ends) -> f64 {
     let [e, arc, ess] = Chord::new(element, q).deformation;
     let [axial, for_arc, for_ess] = element.stiffness;
@@ -167,7 +167,7 @@ pub(crate) fn strain_energy(element: &ElementConstants, q: &Ends) -> f64 {
     0.5 * (axial * elongation.powi(2) + for_arc * arc.powi(2) + for_ess * ess.powi(2))
 }
 
-/// Adds `weight` times the elastic tangent, in the chord's axes, to `sum` (THEORY S11).
+/// Adds `weight` times the elastic tangent, in the chord's axes, to `sum` (THEORY BE11).
 ///
 /// `others` are further forces conjugate to the deformations, viscous or plastic; they add to the geometric part.
 #[inline]

@@ -2,14 +2,14 @@
 //!
 //! The mass matrix rotates with the chord, M(q) = R M_0 R^T. Lagrange's equations for the kinetic energy v^T M(q) v/2
 //! give, beside M a, terms in the angular velocity of the chord, which conserve momentum and energy in large rotations
-//! (THEORY S12; compare Le, Battini & Hjiaj 2011, who also rotate the shape functions with the local deflection).
+//! (THEORY BE12; compare Le, Battini & Hjiaj 2011, who also rotate the shape functions with the local deflection).
 
 use super::mass::mass_times;
 use super::{Chord, ElementConstants, Ends, EndsMatrix};
 use super::{add_deformation_matrix, add_elastic_tangent, deformation_forces, end_forces};
 
 /// Rayleigh damping, a_M M + a_K K, with K of the deformations, so that a rigid rotation is not damped by a_K
-/// (THEORY S13).
+/// (THEORY BE13).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Damping {
     /// Coefficient a_M of the mass \[1/s\], not negative: damps slow motion, rigid motion too.
@@ -54,7 +54,7 @@ fn angle_gradient(chord: &Chord) -> Ends {
 }
 
 /// Internal forces of a moving element: inertia, damping and elasticity, in the global axes
-/// (THEORY S10, S12, S13); and, if `weights` are given, their tangent.
+/// (THEORY BE11, BE12, BE13); and, if `weights` are given, their tangent.
 #[inline]
 pub(crate) fn response(
     element: &ElementConstants,
@@ -89,14 +89,14 @@ pub(crate) fn response(
     (force, tangent)
 }
 
-/// Forces (N, M_s, M_a) of the stiffness-proportional damping, of end velocities `v` in the chord's axes (THEORY S13).
+/// Forces (N, M_s, M_a) of the stiffness-proportional damping, of end velocities `v` in the chord's axes (THEORY BE13).
 #[inline]
 pub(crate) fn viscous_forces(element: &ElementConstants, chord: &Chord, v: &Ends, damping: &Damping) -> [f64; 3] {
     let rates = chord.deformation_rates(v);
     [0, 1, 2].map(|i| damping.stiffness * element.stiffness[i] * rates[i])
 }
 
-/// Derivatives of the inertia forces, in the chord's axes (THEORY S12).
+/// Derivatives of the inertia forces, in the chord's axes (THEORY BE12).
 #[inline]
 fn inertia_tangent(
     mass: &EndsMatrix,

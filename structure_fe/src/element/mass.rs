@@ -2,7 +2,7 @@
 
 use super::ends::{Ends, EndsMatrix};
 
-/// The consistent mass matrix in the element's axes \[kg, kg m, kg m^2\] (THEORY S4) of an element of `mass` m
+/// The consistent mass matrix in the element's axes \[kg, kg m, kg m^2\] (THEORY BE5) of an element of `mass` m
 /// \[kg\], `length` L \[m\] and `shear_parameter` Phi \[-\]: linear u; for w the element's own shape functions, those
 /// of Euler-Bernoulli where Phi = 0 (Przemieniecki 1968, ch. 11) and Timoshenko's otherwise (Friedman & Kosmatka 1993).
 ///

@@ -1,8 +1,8 @@
 //! Elastic forces over a step: their work is the change of the elastic energy, exactly, at any rotation.
 //!
-//! A discrete gradient (Gonzalez 1996) of the energy of S10: the discrete derivatives of elongation and rotation of the
+//! A discrete gradient (Gonzalez 1996) of the energy of BE11: the discrete derivatives of elongation and rotation of the
 //! chord, times the motion of the step, are their exact changes; normal force and moments are weighted means of both
-//! ends of the step (THEORY S22).
+//! ends of the step (THEORY BE21).
 
 use super::{Chord, ElementConstants, Ends, EndsMatrix, sinc};
 use crate::material::{Flow, PlasticBending};
@@ -43,7 +43,7 @@ pub(crate) struct DiscreteGradient<'a> {
     flow: Option<(&'a PlasticBending, Flow, [f64; 2])>,
 }
 
-/// Mean strain of the axis \[-\] (THEORY S10).
+/// Mean strain of the axis \[-\] (THEORY BE11).
 fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
     let [g_arc, g_ess] = element.curvature_strain;
     e / element.length + 0.5 * (g_arc * arc * arc + g_ess * ess * ess)

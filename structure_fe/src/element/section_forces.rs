@@ -1,4 +1,4 @@
-//! Section forces: normal force, shear force and bending moment in a section of an element.
+//! Section forces: normal force, shear force and bending moment in a section of an element (THEORY BE8).
 
 use super::Ends;
 use crate::material::Section;

@@ -1,4 +1,4 @@
-//! A banded matrix and its factors: O(n b^2) for n unknowns of half-bandwidth b.
+//! A banded matrix and its factors: O(n b^2) for n unknowns of half-bandwidth b (THEORY BE19).
 
 /// A square matrix with entries within `half` of its diagonal only, stored by rows.
 ///

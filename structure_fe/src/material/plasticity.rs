@@ -1,7 +1,7 @@
 //! Bending beyond the elastic limit: bilinear moment and curvature with kinematic hardening (Prager 1956).
 //!
 //! Each of the two Gauss points of an element has its own plastic curvature: M = EI (kappa - kappa_p), and kappa_p
-//! flows where |M - H I kappa_p| reaches the yield moment (THEORY S26).
+//! flows where |M - H I kappa_p| reaches the yield moment (THEORY BE25).
 
 use crate::error::{Error, not_negative, positive};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! The cross-section: a rectangle, free to contract sideways or held in plane strain.
+//! The cross-section: a rectangle, free to contract sideways or held in plane strain (THEORY BE2).
 
 use super::Material;
 use crate::error::{Error, positive};

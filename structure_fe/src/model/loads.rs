@@ -43,7 +43,7 @@ impl Loads {
     }
 
     /// Puts a pressure on the left-hand side of an element, from `start` at its first node to `end` at its second
-    /// \[N/m; Pa on a strip\]. It follows the element: normal to it, per deformed length (THEORY S14). Linear statics
+    /// \[N/m; Pa on a strip\]. It follows the element: normal to it, per deformed length (THEORY BE14). Linear statics
     /// use the undeformed element; positive pushes to the right.
     pub fn pressure_on_element(&mut self, element: usize, start: f64, end: f64) -> &mut Self {
         self.pressures.push(LineLoad { element, start, end });

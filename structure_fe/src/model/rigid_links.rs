@@ -1,7 +1,7 @@
 //! Rigid links: nodes that follow a rigid body.
 //!
 //! A linked node has the displacement u_s = u_b + (R(theta_b) - 1) r, with its lever arm r from the body's node \[m\], at
-//! any rotation (THEORY S21). Forces on it act on the body: the force, and its moment with the rotated arm.
+//! any rotation (THEORY BE20). Forces on it act on the body: the force, and its moment with the rotated arm.
 
 use super::{Beam, Supports};
 use crate::element::{rotated, sinc};
@@ -61,7 +61,7 @@ impl RigidLinks {
     }
 
     /// The arms a with which (R(theta_1) - R(theta_0)) r = (theta_1 - theta_0) J a exactly, J the quarter
-    /// turn: a force on the node does the same work as its moment a x F does on the body (THEORY S22).
+    /// turn: a force on the node does the same work as its moment a x F does on the body (THEORY BE21).
     pub fn arms_between(&self, from: &[[f64; 3]], to: &[[f64; 3]]) -> Vec<[f64; 2]> {
         let arm = |link: &RigidLink| {
             let (start, end) = (from[link.body][2], to[link.body][2]);

@@ -38,7 +38,7 @@ struct Arrival {
 impl NonlinearStatics {
     /// Follows the path of equilibrium from no load on, through peaks and valleys of the load.
     ///
-    /// Crisfield's cylindrical arc length (1981; THEORY S16): each point lies on a sphere about the one
+    /// Crisfield's cylindrical arc length (1981; THEORY BE16): each point lies on a sphere about the one
     /// before, in displacements over the model's extent and rotations. The first point has a load factor of
     /// about `first`; the arc then adapts to the number of iterations, up to `longest` times the first. The
     /// path ends after `points` points, or where `until` returns true.

@@ -1,4 +1,4 @@
-//! Statics: K u = f.
+//! Statics: K u = f (THEORY BE7).
 
 use super::mechanism::require_no_free_motion;
 use crate::assembly::{Equations, SymmetricMatrix, linear_section_forces, reactions};

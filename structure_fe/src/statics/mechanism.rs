@@ -1,4 +1,4 @@
-//! Detection of mechanisms: rigid motions that the supports leave free.
+//! Detection of mechanisms: rigid motions that the supports leave free (THEORY BE9).
 //!
 //! Joints are rigid, so a displacement has no elastic energy exactly if every connected part moves as a rigid body: K is
 //! positive definite if and only if the supports of every part restrain its three rigid motions; parts joined by hinges

@@ -1,4 +1,4 @@
-//! Statics at large displacements: load steps, Newton's method with a line search.
+//! Statics at large displacements: load steps, Newton's method with a line search (THEORY BE15).
 
 use super::StaticSolution;
 use super::mechanism::require_no_free_motion;
@@ -29,7 +29,7 @@ const LINE_SEARCH_TRIALS: usize = 8;
 
 /// A supported model at large displacements and rotations.
 ///
-/// Equilibrium f(u) = lambda F(u), with co-rotational elements (THEORY S10), forces that keep their
+/// Equilibrium f(u) = lambda F(u), with co-rotational elements (THEORY BE11), forces that keep their
 /// direction and pressures that follow. Small strains; elements may [yield](Beam::with_plasticity) in bending.
 #[derive(Debug, Clone)]
 pub struct NonlinearStatics {

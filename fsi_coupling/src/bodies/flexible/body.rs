@@ -1,4 +1,4 @@
-//! A body whose surface bends: panels of beam elements on a rigid frame, one set of equations (THEORY K1–K6).
+//! A body whose surface bends: panels of beam elements on a rigid frame, one set of equations (THEORY CO13–CO17).
 
 use structure_fe::{Dynamics, Envelope, State};
 
@@ -23,7 +23,7 @@ use crate::geometry::rows::WallRows;
 use crate::geometry::vector::rotate;
 
 /// A rigid frame with panels that bend. The load of a step is the mean force of the fluid, mapped to the nodes by the transpose of the
-/// map that places the boundary particles; the structure's step changes momentum by exactly that (THEORY S21).
+/// map that places the boundary particles; the structure's step changes momentum by exactly that (THEORY BE20).
 pub struct FlexibleBody {
     name: String,
     model: Model,
@@ -33,7 +33,7 @@ pub struct FlexibleBody {
     free: [bool; 3],
     /// Attachments of the boundary particles.
     attachments: Vec<Attachment>,
-    /// Set where the body is sampled as a thin plate, with the attachments of its midline (THEORY T1, T2).
+    /// Set where the body is sampled as a thin plate, with the attachments of its midline (THEORY WA8, WA9).
     plate: Option<Plate>,
     midline: Vec<Attachment>,
     deformed: DeformedOutline,
@@ -123,7 +123,7 @@ impl FlexibleBody {
         loads
     }
 
-    /// Velocities of the nodes under impulses within a step of `dt` [s] (S24); zero where the equations have no solution.
+    /// Velocities of the nodes under impulses within a step of `dt` [s] (BE23); zero where the equations have no solution.
     fn velocities_under(&mut self, impulses: &[[f64; 3]], dt: f64) -> Vec<[f64; 3]> {
         let still = || vec![[0.0; 3]; impulses.len()];
         if dt <= 0.0 {

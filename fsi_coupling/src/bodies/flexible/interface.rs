@@ -1,4 +1,4 @@
-//! An owner of walls that bends, as coupling schemes see it: an acceleration for each degree of freedom (THEORY C10).
+//! An owner of walls that bends, as coupling schemes see it: an acceleration for each degree of freedom (THEORY CO18).
 
 use structure_fe::{Dynamics, EffectiveInertia, State};
 
@@ -13,7 +13,7 @@ type Field = Vec<[f64; 3]>;
 
 /// A structure under the forces at the end of a step.
 pub struct FlexibleInterface {
-    /// K4 of each boundary particle, at the end of the step.
+    /// CO15 of each boundary particle, at the end of the step.
     influences: Vec<Influence>,
     /// Accelerations that the particles' kinematics are written with [m/s², rad/s²].
     predicted: Field,
@@ -25,7 +25,7 @@ pub struct FlexibleInterface {
     inertia: EffectiveInertia,
     /// Forces on the structure from anything but the fluid, less what the predicted accelerations need [N/m, N].
     residual: Field,
-    /// As `alone`, of the mean accelerations of the step under its mean forces (PB7).
+    /// As `alone`, of the mean accelerations of the step under its mean forces (CO24).
     alone_in_mean: Field,
     /// Velocities of the particles at the step's start [m/s].
     begun: Vec<[f64; 2]>,
@@ -64,7 +64,7 @@ impl FlexibleInterface {
         })
     }
 
-    /// K3: forces on the particles, as loads of the nodes.
+    /// CO14: forces on the particles, as loads of the nodes.
     fn loads(&self, forces: impl Iterator<Item = [f64; 2]>) -> Field {
         let mut loads = vec![[0.0; 3]; self.predicted.len()];
         for (influence, force) in self.influences.iter().zip(forces) {
@@ -73,7 +73,7 @@ impl FlexibleInterface {
         loads
     }
 
-    /// C10: the inertia with the water that accelerates with the particles: blocks −Hᵀ push armᵀ H.
+    /// CO18: the inertia with the water that accelerates with the particles: blocks −Hᵀ push armᵀ H.
     fn with_water(&self, touches: &[ParticleLoad]) -> EffectiveInertia {
         let mut inertia = self.inertia.clone();
         for (influence, touch) in self.influences.iter().zip(touches).filter(|(_, t)| t.arm != [0.0; 2]) {
@@ -86,7 +86,7 @@ impl FlexibleInterface {
         inertia
     }
 
-    /// C10, PB7: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
+    /// CO18, CO24: residual of the accelerations under forces on the particles, besides those of the structure's own forces.
     fn residual_under(&self, fx: &[f64], fy: &[f64], alone: &[[f64; 3]]) -> InterfaceResidual {
         let loads = self.loads(fx.iter().zip(fy).map(|(x, y)| [*x, *y]));
         let caused = self.inertia.clone().solve(&loads).unwrap_or_else(|_| self.change.clone());
@@ -100,7 +100,7 @@ impl FlexibleInterface {
     }
 }
 
-/// PB7: the motion at which the trapezoidal rule takes the mean forces of a step, at the acceleration predicted.
+/// CO24: the motion at which the trapezoidal rule takes the mean forces of a step, at the acceleration predicted.
 fn amid(now: &State, theta: f64, dt: f64) -> State {
     let (part, State { displacement, velocity, acceleration, .. }) = (theta * dt, now);
     let each = velocity.iter().zip(acceleration);

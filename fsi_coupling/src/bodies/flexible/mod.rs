@@ -1,4 +1,4 @@
-//! A body whose surface bends: panels of beam elements on a rigid frame (THEORY K1–K6).
+//! A body whose surface bends: panels of beam elements on a rigid frame (THEORY CO13–CO17).
 
 pub mod body;
 mod deformed_outline;

@@ -51,7 +51,7 @@ pub enum Frame {
     },
 }
 
-/// Spectral radius of the time integration at high frequency [-] (THEORY S21). Steps are the fluid's, much shorter than the panels'
+/// Spectral radius of the time integration at high frequency [-] (THEORY BE20). Steps are the fluid's, much shorter than the panels'
 /// periods.
 const SPECTRAL_RADIUS: f64 = 0.8;
 

@@ -1,4 +1,4 @@
-//! The map H from the nodes of a flexible body to points of its surface, and Hᵀ (THEORY K1–K4).
+//! The map H from the nodes of a flexible body to points of its surface, and Hᵀ (THEORY CO13–CO15).
 
 use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
 use crate::geometry::vector::rotate;
@@ -42,7 +42,7 @@ impl SurfaceMap {
         rotate([0, 1].map(|k| rest[k] - self.reference[k]), turn)
     }
 
-    /// Where a place is when the nodes are displaced by q [m, m, rad]: K1, or r = x_f + R(θ_f) arm.
+    /// Where a place is when the nodes are displaced by q [m, m, rad]: CO13, or r = x_f + R(θ_f) arm.
     pub fn place(&self, attachment: &Attachment, q: Nodal) -> Place {
         match attachment {
             Attachment::Beam(beam) => self.surface.place(beam, q),
@@ -57,7 +57,7 @@ impl SurfaceMap {
         }
     }
 
-    /// K4: the nodes that move a place, and ∂r/∂q by their values.
+    /// CO15: the nodes that move a place, and ∂r/∂q by their values.
     pub fn influence(&self, attachment: &Attachment, q: Nodal) -> Influence {
         match attachment {
             Attachment::Beam(beam) => {

@@ -1,4 +1,4 @@
-//! Two force rules of the thesis of 2010: the pressure of the first row, and least squares with viscous traction (THEORY W7).
+//! Two force rules of the thesis of 2010: the pressure of the first row, and least squares with viscous traction (THEORY GE8).
 
 use sph_core::particles::probe::Probe;
 
@@ -66,7 +66,7 @@ impl PlacedOutline<'_> {
         shares
     }
 
-    /// FEX_2D4: −p n + ρ₀ν(∇v + ∇vᵀ)·n by moving least squares (W6); the carried mean (W5) where those fail. ν = 0
+    /// FEX_2D4: −p n + ρ₀ν(∇v + ∇vᵀ)·n by moving least squares (GE7); the carried mean (GE6) where those fail. ν = 0
     /// where walls slip.
     pub(super) fn fitted(&self, probe: &Probe<'_>, at: [f64; 2], n: [f64; 2]) -> [f64; 2] {
         let Some(found) = probe.least_squares(at) else {

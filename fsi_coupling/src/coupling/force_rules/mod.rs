@@ -1,4 +1,4 @@
-//! Four rules for the force of the fluid on a body, from the same state (THEORY W7).
+//! Four rules for the force of the fluid on a body, from the same state (THEORY GE8).
 //!
 //! | rule | what is summed |
 //! |---|---|
@@ -8,7 +8,7 @@
 //! | [`Rule::GaussViscous`] | the same with a moving-least-squares pressure, and viscous traction (FEX_2D4) |
 //!
 //! The names in brackets are the switches of M. Pilorget's thesis (KTH, 2010). Every rule gives loads on the outline's
-//! corners, consistent with linear and Hermite shape functions (W8), whose resultant is the rule's. FEX_2D2 and FEX_2D4 are in
+//! corners, consistent with linear and Hermite shape functions (GE9), whose resultant is the rule's. FEX_2D2 and FEX_2D4 are in
 //! `legacy`: they serve the comparison with the thesis.
 
 mod legacy;
@@ -84,7 +84,7 @@ impl PlacedOutline<'_> {
         self.doubled(self.system.range(k).map(force_at).collect())
     }
 
-    /// FEX_2D3: −p n, p as a gauge reads it (E18); within 2h of a corner the carried mean (W5).
+    /// FEX_2D3: −p n, p as a gauge reads it (GE2); within 2h of a corner the carried mean (GE6).
     fn gauged(&self, probe: &Probe<'_>, at: [f64; 2], n: [f64; 2]) -> [f64; 2] {
         let near = |c: &[f64; 2]| (c[0] - at[0]).hypot(c[1] - at[1]) < self.support;
         let p = match self.sharp.iter().any(near) {

@@ -1,4 +1,4 @@
-//! Consistent loads: forces on a polygon's sides applied to its corners (THEORY W8).
+//! Consistent loads: forces on a polygon's sides applied to its corners (THEORY GE9).
 
 use sph_core::walls::Resultant;
 
@@ -64,7 +64,7 @@ pub struct Nodal {
     pub moment: f64,
 }
 
-/// W8: apply a force [N/m] at `at` [m] to the corners of a side: along the side by linear shape functions, across it by Hermite's; the
+/// GE9: apply a force [N/m] at `at` [m] to the corners of a side: along the side by linear shape functions, across it by Hermite's; the
 /// couple of a point off the side by linear ones.
 pub fn apply_force(side: &Side, t: f64, at: [f64; 2], force: [f64; 2], corners: &mut [Nodal]) {
     let (a, foot) = (side.along, side.at(t));
@@ -149,7 +149,7 @@ mod tests {
         }
     }
 
-    /// A linear pressure gives the beam's consistent loads L(7q₁ + 3q₂)/20, L²(3q₁ + 2q₂)/60 (THEORY S5) to the
+    /// A linear pressure gives the beam's consistent loads L(7q₁ + 3q₂)/20, L²(3q₁ + 2q₂)/60 (THEORY BE6) to the
     /// quadrature's error, and forces off the side keep their moment.
     #[test]
     fn a_linear_pressure_gives_a_beams_loads() {

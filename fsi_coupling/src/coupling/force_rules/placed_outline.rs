@@ -76,7 +76,7 @@ impl<'a> PlacedOutline<'a> {
         (side, self.sides[side].nearest(at).0)
     }
 
-    /// W8: loads of the corners from forces.
+    /// GE9: loads of the corners from forces.
     pub fn nodal_loads(&self, forces: &[PointForce]) -> Vec<Nodal> {
         let mut corners = vec![Nodal::default(); self.corners.len()];
         for force_at in forces {
@@ -86,7 +86,7 @@ impl<'a> PlacedOutline<'a> {
         corners
     }
 
-    /// W7: tractions [Pa] at Gauss points, integrated to loads of the corners. Behind a plane of symmetry the mirror
+    /// GE8: tractions [Pa] at Gauss points, integrated to loads of the corners. Behind a plane of symmetry the mirror
     /// image is read.
     pub fn integrated(&self, panel: f64, traction: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> Vec<Nodal> {
         let mut corners = vec![Nodal::default(); self.corners.len()];

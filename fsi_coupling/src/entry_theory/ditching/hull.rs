@@ -70,7 +70,7 @@ impl Hull {
         nearest.form.scaled(self.fuselage.breadth(x) / nearest.breadth)
     }
 
-    /// DT3: load at a place x [m from the nose] and a draught h [m]. With the breadth b and a form's table for b = 1,
+    /// EN16: load at a place x [m from the nose] and a draught h [m]. With the breadth b and a form's table for b = 1,
     /// A = b Â(h/b) and M = b² M̂(h/b); between stations of different forms the mean by distance.
     pub fn at(&self, x: f64, draught: f64) -> SectionLoad {
         let (k, share) = self.fuselage.between(x);

@@ -1,4 +1,4 @@
-//! Motion of an aeroplane on the water, in its plane of symmetry (THEORY DT5–DT8).
+//! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18, EN19).
 
 use super::hull::Hull;
 use super::strip::{Attitude, ImpactingPart, Strip};
@@ -120,7 +120,7 @@ pub struct LandingResult {
 }
 
 impl Wing {
-    /// DT6: lift [N] at a speed [m/s] and angle of attack [rad]; never downwards.
+    /// EN19: lift [N] at a speed [m/s] and angle of attack [rad]; never downwards.
     pub fn lift(&self, speed: f64, attack: f64) -> f64 {
         let coefficient = (self.lift_slope * (attack - self.zero_lift)).max(0.0);
         0.5 * self.air_density * self.area * coefficient * speed * speed
@@ -164,7 +164,7 @@ impl Landing<'_> {
         edges
     }
 
-    /// Follow it to its end: the classical Runge–Kutta method, with DT5 solved for the accelerations at each stage.
+    /// Follow it to its end: the classical Runge–Kutta method, with EN18 solved for the accelerations at each stage.
     pub fn solve(&self) -> LandingResult {
         let mut attitude = self.start();
         let mut moments = vec![self.moment(0.0, attitude)];
@@ -220,7 +220,7 @@ impl Landing<'_> {
         ahead((mean(k1.0, k2.0, k3.0, k4.0), mean(k1.1, k2.1, k3.1, k4.1)), dt)
     }
 
-    /// DT6: lift [N], and the moment that turns the aeroplane back to its attitude at the first touch [N m].
+    /// EN19: lift [N], and the moment that turns the aeroplane back to its attitude at the first touch [N m].
     fn air(&self, now: &Attitude) -> [f64; 2] {
         let (wing, [u, w, q]) = (&self.aeroplane.wing, now.rate);
         let (speed, attack) = (u.hypot(w), now.place[2] - w.atan2(u));
@@ -239,7 +239,7 @@ impl Landing<'_> {
         LandingState { time, attitude, acceleration, force, lift, wetted: ends, strips }
     }
 
-    /// DT5: (diag(m, m, I) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction.
+    /// EN18: (diag(m, m, I) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction.
     ///
     /// Which strips press and which would pull is found with the accelerations: f = f₀ − M g·a.
     fn balance(&self, now: &Attitude) -> Balance {

@@ -1,4 +1,4 @@
-//! An aeroplane from sections: 2D+t (THEORY DT1–DT8).
+//! An aeroplane from sections: 2D+t (THEORY EN14–EN19).
 //!
 //! The fuselage enters planes of water that stand still and across its way; what a [`Section`](super::Section) bears in each is a
 //! theory's [`Load`](super::Load). [`Fuselage`] is the hull, [`Hull`] what it bears, [`Landing`] its motion in the plane of symmetry.

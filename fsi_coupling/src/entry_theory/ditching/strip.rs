@@ -19,7 +19,7 @@ impl Attitude {
     }
 }
 
-/// DT2: the keel at a place, and the plane of water that it passes through.
+/// EN15: the keel at a place, and the plane of water that it passes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeelPoint {
     /// Place from the nose along the body axis [m].
@@ -120,7 +120,7 @@ impl Strip {
             let growth = (after - before) / (ends[1].x - ends[0].x); // ∂M/∂x
             let passing = at.velocity[0] / at.shortening; // dx/dt of the station that a plane meets
             let speed = at.speed.max(0.0);
-            // DT4
+            // EN17
             let per_length = load.slam * speed * speed + growth * passing * speed + load.added_mass * at.bending;
             ImpactingPart {
                 at,
@@ -134,19 +134,19 @@ impl Strip {
         Some(Strip { wet, wet_length, buoyancy, entry })
     }
 
-    /// DT7: force and moment of the buoyancy.
+    /// EN19: force and moment of the buoyancy.
     pub fn floating(&self) -> [f64; 3] {
         [0.0, self.buoyancy, self.buoyancy * self.wet.lever_arm[0]]
     }
 }
 
 impl ImpactingPart {
-    /// DT4: its load [N] at accelerations of the aeroplane [m/s², m/s², rad/s²].
+    /// EN17: its load [N] at accelerations of the aeroplane [m/s², m/s², rad/s²].
     pub fn force(&self, acceleration: [f64; 3]) -> f64 {
         self.pressing - self.mass * (0..3).map(|k| self.lever[k] * acceleration[k]).sum::<f64>()
     }
 
-    /// DT7: force and moment of the friction ½ρ C_f v|v| against the way along the keel; `of_square` is ½ρ C_f [kg/m³].
+    /// EN19: force and moment of the friction ½ρ C_f v|v| against the way along the keel; `of_square` is ½ρ C_f [kg/m³].
     pub fn friction(&self, of_square: f64) -> [f64; 3] {
         let KeelPoint { slope, lever_arm: [ax, az], velocity: [vx, vz], .. } = self.at;
         let along = 1.0 / (1.0 + slope * slope).sqrt();

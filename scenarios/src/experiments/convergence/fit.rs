@@ -1,4 +1,4 @@
-//! Extrapolation to zero spacing and infinite sound speed, with its order and its uncertainty (THEORY G6).
+//! Extrapolation to zero spacing and infinite sound speed, with its order and its uncertainty (THEORY GE16).
 
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! `splashdown study`: how a number of `summary.json` depends on spacing and sound speed, and its limit.
 //!
 //! A scene is run at every pair of a few spacings and sound speeds. [`fit()`] extrapolates to zero spacing and infinite
-//! sound speed, with the observed order and an uncertainty (THEORY G6). The result states whether the runs have converged.
+//! sound speed, with the observed order and an uncertainty (THEORY GE16). The result states whether the runs have converged.
 
 mod fit;
 mod page;
@@ -113,7 +113,7 @@ pub fn study(plan: &Plan, tell: impl Fn(usize, usize, f64, f64)) -> Result<Study
         point.error = Some(point.value / fit.extrapolated - 1.0).filter(|e| e.is_finite());
     }
     let sound_speed_law = match base.entry() {
-        Some(_) => "M^2 ln(1/M), M of the spray root (THEORY E19)",
+        Some(_) => "M^2 ln(1/M), M of the spray root (THEORY WC17)",
         None => "M^2, M of the fastest speed known beforehand",
     };
     let core_seconds = points.iter().map(|p| p.core_seconds).sum();

@@ -98,8 +98,8 @@ impl Refinement {
     }
 }
 
-/// Relative error of a number due to the sound speed [-]: E19 with an entry, M² of the fastest known speed without, as in the
-/// laws of G6; `None` where neither holds.
+/// Relative error of a number due to the sound speed [-]: WC17 with an entry, M² of the fastest known speed without, as in the
+/// laws of GE16; `None` where neither holds.
 fn sound_share(scene: &Scene) -> Option<f64> {
     let sound = scene.sound_speed();
     match scene.entry() {

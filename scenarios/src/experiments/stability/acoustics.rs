@@ -1,4 +1,4 @@
-//! The largest stable step of an integrator for sound on a lattice (THEORY M1–M3).
+//! The largest stable step of an integrator for sound on a lattice (THEORY WC14, WC15).
 
 use std::f64::consts::PI;
 
@@ -24,16 +24,16 @@ pub(super) struct Medium {
     pub kernel: Kernel,
     /// h/Δx [-].
     pub smoothing_ratio: f64,
-    /// δ of E5 [-].
+    /// δ of WC4 [-].
     pub diffusion: f64,
 }
 
 /// What a wave does: both times the Courant number C = Δt c₀/h are per step.
 #[derive(Clone, Copy)]
 struct Wave {
-    /// h |Σ V sin(k·r) ∇W| [-]: its frequency over c₀/h (M1).
+    /// h |Σ V sin(k·r) ∇W| [-]: its frequency over c₀/h (WC14).
     frequency: f64,
-    /// 2δ h² Σ V (1 − cos k·r) |F| [-]: the rate at which E5 damps its density over c₀/h (M2).
+    /// 2δ h² Σ V (1 − cos k·r) |F| [-]: the rate at which WC4 damps its density over c₀/h (WC14).
     damping: f64,
 }
 
@@ -70,7 +70,7 @@ fn waves(medium: Medium) -> Vec<Wave> {
     numbers.filter(|n| *n != [0, 0]).map(wave).collect()
 }
 
-/// Spectral radius of a step for u' = θ r, r' = −θ u − d r (M3); of Verlet's, the mean over the steps between two Euler steps.
+/// Spectral radius of a step for u' = θ r, r' = −θ u − d r (WC15); of Verlet's, the mean over the steps between two Euler steps.
 fn growth(integrator: Integrator, euler_every: u32, theta: f64, d: f64) -> f64 {
     let one = Matrix2::identity();
     let rates = Matrix2::new(0.0, theta, -theta, -d);
@@ -93,7 +93,7 @@ fn growth(integrator: Integrator, euler_every: u32, theta: f64, d: f64) -> f64 {
     }
 }
 
-/// L2 for even steps: (q, Δt q̇⁻) ← (q + (5M q* + 8M q − Δt q̇⁻)/12, M q) with q* = q + (3M q − Δt q̇⁻)/2, q̇ = M q/Δt.
+/// LE4 for even steps: (q, Δt q̇⁻) ← (q + (5M q* + 8M q − Δt q̇⁻)/12, M q) with q* = q + (3M q − Δt q̇⁻)/2, q̇ = M q/Δt.
 fn beeman(rates: Matrix2<f64>) -> Matrix4<f64> {
     let one = Matrix2::identity();
     let of_now = one + (13.0 / 12.0) * rates + (7.5 / 12.0) * rates * rates;
@@ -152,7 +152,7 @@ mod tests {
         }
     }
 
-    /// E17: 0.8 ran and 1.2 blew up; without diffusion the wave alone limits the step.
+    /// WC12: 0.8 ran and 1.2 blew up; without diffusion the wave alone limits the step.
     #[test]
     fn diffusion_takes_part_in_the_limit() {
         let water = |diffusion: f64| Medium { kernel: Kernel::WendlandC2, smoothing_ratio: 1.5, diffusion };

@@ -7,7 +7,7 @@ use super::lattice::{gain_of_pairs, kernel_sum, neighbours};
 use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, SolverSettings, panel_exchanges};
 use fsi_coupling::geometry::polygon;
 
-/// By so many spacings a cylinder seems smaller to a shove of one step (PB5) [-].
+/// By so many spacings a cylinder seems smaller to a shove of one step (CO25) [-].
 const SHORT_RADIUS: f64 = 0.8;
 
 /// A formula for the boundary of stability.
@@ -15,21 +15,21 @@ const SHORT_RADIUS: f64 = 0.8;
 #[serde(rename_all = "snake_case")]
 pub enum Boundary {
     /// Δt c₀/h over the largest at which no wave on the lattice grows, of the scene's integrator, kernel and density
-    /// diffusion (THEORY M1–M3). Linear, for still water of a square lattice without viscosity.
+    /// diffusion (THEORY WC14, WC15). Linear, for still water of a square lattice without viscosity.
     Courant,
-    /// Half a row of water over the body's inertia with one exchange per step; 0 with any other scheme (THEORY C4, C5, C8). For
+    /// Half a row of water over the body's inertia with one exchange per step; 0 with any other scheme (THEORY CO7, CO8, CO10). For
     /// rigid bodies in weakly compressible water.
     RowOfWater,
     /// Water on the face of the body's first panel over the panel's inertia with one exchange per step; 0 with any other scheme
-    /// (THEORY C12). For panels in weakly compressible water.
+    /// (THEORY CO12). For panels in weakly compressible water.
     Panel,
     /// Added mass over mass of a circular cylinder, over its limit with one exchange per step; 0 with any other scheme (THEORY
-    /// M4, after Causin, Gerbeau & Nobile 2005). For a projection, far from walls.
+    /// CO25, after Causin, Gerbeau & Nobile 2005). For a projection, far from walls.
     AddedMass,
     /// h/Δx over the least at which a hexagonal lattice of pairs holds less energy under pressure than one of single
-    /// particles; 0 where there is none (THEORY M5). No disorder.
+    /// particles; 0 where there is none (THEORY OP7). No disorder.
     Pairing,
-    /// The surface criterion over the window in which it finds the top row of a square lattice and no other (THEORY M6).
+    /// The surface criterion over the window in which it finds the top row of a square lattice and no other (THEORY LE24).
     SurfaceRows,
 }
 
@@ -37,12 +37,12 @@ impl Boundary {
     /// Name, with its equations.
     pub fn name(self) -> &'static str {
         match self {
-            Boundary::Courant => "sound on the lattice (THEORY M1–M3)",
-            Boundary::RowOfWater => "half a row of water = the body's inertia (THEORY C8)",
-            Boundary::Panel => "water beside the panel = the panel's inertia (THEORY C12)",
-            Boundary::AddedMass => "added mass (1 + 2β) = mass (THEORY M4)",
-            Boundary::Pairing => "pairs hold less energy (THEORY M5)",
-            Boundary::SurfaceRows => "the top row and no other (THEORY M6)",
+            Boundary::Courant => "sound on the lattice (THEORY WC14, WC15)",
+            Boundary::RowOfWater => "half a row of water = the body's inertia (THEORY CO10)",
+            Boundary::Panel => "water beside the panel = the panel's inertia (THEORY CO12)",
+            Boundary::AddedMass => "added mass (1 + 2β) = mass (THEORY CO25)",
+            Boundary::Pairing => "pairs hold less energy (THEORY OP7)",
+            Boundary::SurfaceRows => "the top row and no other (THEORY LE24)",
         }
     }
 
@@ -73,7 +73,7 @@ fn one_exchange(scene: &Scene, ratio: f64) -> Option<f64> {
     Some(if scene.coupling.scheme == CouplingScheme::Weak { ratio } else { 0.0 })
 }
 
-/// μ (1 + 2β) with μ what a circle displaces over its mass and β the share of a shove that one step answers (PB5).
+/// μ (1 + 2β) with μ what a circle displaces over its mass and β the share of a shove that one step answers (CO25).
 fn added_mass(scene: &Scene) -> Option<f64> {
     let body = scene.body.as_ref()?;
     let Motion::Free(freedom) = &body.motion else { return None };

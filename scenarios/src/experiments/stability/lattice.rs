@@ -28,7 +28,7 @@ pub(super) fn kernel_sum(neighbours: &[Neighbour], above: f64) -> f64 {
 }
 
 /// What a hexagonal lattice of pairs holds more than one of single particles, Σ_pairs w − Σ w over all within the support
-/// with w = W − W(2h): the energy whose gradient is the force under a uniform pressure (M5) [1/spacing²].
+/// with w = W − W(2h): the energy whose gradient is the force under a uniform pressure (OP7) [1/spacing²].
 pub(super) fn gain_of_pairs(kernel: Kernel, ratio: f64) -> f64 {
     2.0 * hexagonal(kernel, ratio, 2.0) - hexagonal(kernel, ratio, 1.0)
 }
@@ -47,7 +47,7 @@ fn hexagonal(kernel: Kernel, ratio: f64, area: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// THEORY E6: 0.9974 with Wendland C2 at h/Δx = 1.5, 0.9992 at 2, C4: 0.9982 at 1.75.
+    /// THEORY WC5: 0.9974 with Wendland C2 at h/Δx = 1.5, 0.9992 at 2, C4: 0.9982 at 1.75.
     #[test]
     fn a_whole_lattice_is_the_quadrature_of_the_theory() {
         for (kernel, ratio, exact) in

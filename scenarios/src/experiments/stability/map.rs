@@ -36,9 +36,9 @@ pub struct Map {
     pub set: Vec<String>,
     /// Largest number of steps; a run that needs more has failed.
     pub most_steps: u64,
-    /// Energy that a run may gain, over the largest energy exchanged (THEORY E22), before it counts as failed [-].
+    /// Energy that a run may gain, over the largest energy exchanged (THEORY CO28), before it counts as failed [-].
     pub most_energy_gain: f64,
-    /// Momentum gap per step from which a run has failed (THEORY E21) [-].
+    /// Momentum gap per step from which a run has failed (THEORY CO27) [-].
     #[serde(default = "usual_momentum_gap")]
     pub most_momentum_gap: f64,
     /// Bounds on numbers of `summary.json`; a run outside them has failed.

@@ -1,4 +1,4 @@
-//! Laws of a chart that apply to other runs (THEORY G7).
+//! Laws of a chart that apply to other runs (THEORY GE17).
 
 use super::case::{Family, Quantity};
 use super::measured::Measured;

@@ -59,11 +59,11 @@ pub enum Motion {
     ConstantVelocity,
     /// At rest.
     Fixed,
-    /// A prescribed oscillation (V4).
+    /// A prescribed oscillation (CO3).
     Oscillating(Oscillation),
 }
 
-/// A prescribed oscillation: x(t) = x₀ + A r(t) sin(2π t/T), eased in by r over the first period (V4).
+/// A prescribed oscillation: x(t) = x₀ + A r(t) sin(2π t/T), eased in by r over the first period (CO3).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Oscillation {
     /// Amplitude x, y of the prescribed motion A sin(2 pi t/T), eased in over its first period [m].

@@ -14,7 +14,7 @@ use sph_core::{FluidSettings, Solver, projection, wcsph};
     "x-solver-default" = "weakly_compressible",
     "x-solver-doc" = "What gives the pressure: weakly_compressible: an equation of state; incompressible: a projection; \
                incompressible_explicit: the projection with one pressure sweep per step, as weakly compressible as its step is \
-               long (THEORY EX4); incompressible_thesis: Pilorget 2010"
+               long (THEORY PR16); incompressible_thesis: Pilorget 2010"
 ))]
 pub enum SolverSettings {
     /// Pressures from an equation of state.

@@ -47,7 +47,7 @@ pub struct Scene {
     /// Source of its numbers.
     #[serde(default)]
     pub source: String,
-    /// Model of the flow. auto: the cheapest whose measured error for `want` is at most `within` (THEORY LM11); von_karman,
+    /// Model of the flow. auto: the cheapest whose measured error for `want` is at most `within` (THEORY EN9); von_karman,
     /// wagner, mlm, similarity: analytical models of a symmetric section's entry, in milliseconds; wcsph, incompressible:
     /// particles.
     #[schemars(with = "OrAuto<EntryModel>", extend("x-default" = "wcsph; the solver's where there is one"))]
@@ -186,7 +186,7 @@ pub struct Resolution {
     #[schemars(extend("x-default" = "false; true if incompressible with a body"))]
     pub packing: bool,
     /// Refinement tracking: the fine zone grows with the draught of a body that enters the water, and coarse particles are split
-    /// (THEORY E26). For the weakly compressible solver with the symplectic integrator.
+    /// (THEORY WC21). For the weakly compressible solver with the symplectic integrator.
     #[schemars(extend(
         "x-default" = "true where it is possible, for a rigid body and an automatic fine zone; else false"
     ))]
@@ -203,7 +203,7 @@ pub struct Coupling {
         "x-default" = "weak; added_mass with body.panels, and for free bodies with solver = incompressible"
     ))]
     pub scheme: CouplingScheme,
-    /// Relative mismatch of the body's acceleration at which an iterated step ends (THEORY C5) [-].
+    /// Relative mismatch of the body's acceleration at which an iterated step ends (THEORY CO8) [-].
     #[serde(default = "usual::coupling_tolerance")]
     #[schemars(range(min = 1e-12, max = 0.1), extend("x-when" = ".scheme = iqn_ils"))]
     pub tolerance: f64,
@@ -220,9 +220,9 @@ pub enum CouplingScheme {
     /// One exchange per step.
     #[default]
     Weak,
-    /// Accelerations and wall pressures together, without iterations (THEORY C2).
+    /// Accelerations and wall pressures together, without iterations (THEORY CO5).
     AddedMass,
-    /// Iterated, by quasi-Newton steps (THEORY C7).
+    /// Iterated, by quasi-Newton steps (THEORY CO9).
     IqnIls,
 }
 

@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Observe {
-    /// Column front_m: length of the connected water along the floor, from its left end (V5).
+    /// Column front_m: length of the connected water along the floor, from its left end (GE12).
     pub front: bool,
     /// Places x of the columns level1_m, level2_m ...: height of the water there over still water, counted by volume, also what
-    /// flies above; not below a body (Q3) [m].
+    /// flies above; not below a body (GE10) [m].
     pub level: Vec<f64>,
     /// Column volume_m2, and water in the summary: volume below the water's surface, found from above; for tanks without a body
-    /// (Q7).
+    /// (GE11).
     pub volume: bool,
 }
 
@@ -113,11 +113,11 @@ pub enum Norm {
     Max,
     /// |max |y| − max |r_i|| over max |r_i| [-]: heights of the peaks, whenever they come.
     Peak,
-    /// t/t_r − 1 [-]: the times at which each curve first exceeds a share of its own peak in the window (V6).
+    /// t/t_r − 1 [-]: the times at which each curve first exceeds a share of its own peak in the window (GE12).
     Arrival,
-    /// ∫y dt/∫r dt − 1 [-], over the part of the window that both curves cover (V6).
+    /// ∫y dt/∫r dt − 1 [-], over the part of the window that both curves cover (GE12).
     Impulse,
-    /// T/T_r − 1 [-]: mean distances of each curve's zeros, up and down, in the window (Q4).
+    /// T/T_r − 1 [-]: mean distances of each curve's zeros, up and down, in the window (GE12).
     Period,
 }
 

@@ -45,7 +45,7 @@ pub struct Tank {
     pub block_velocity: [f64; 2],
 }
 
-/// A rectangle of water in the air (THEORY Q2).
+/// A rectangle of water in the air (THEORY WC18).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
     /// Its lower left corner [m], shape (2).

@@ -1,4 +1,4 @@
-//! One step of the thesis's projection (THEORY J2–J14).
+//! One step of the thesis's projection (THEORY LE19–LE28).
 
 use crate::error::Breakdown;
 use crate::interactions::forces::Forces;
@@ -19,27 +19,27 @@ impl Thesis {
     ) -> Result<(), Breakdown> {
         let (settings, dt) = (self.settings, trial.dt);
         self.assign(system, walls, -dt, None);
-        self.find_surface(system); //                  J7, J8
+        self.find_surface(system); //                  LE23, LE25
         let mut pressure = self.known_pressures(system, walls);
         let carried = settings.predictor == Predictor::OldPressure;
         if carried {
             self.assign(system, walls, -dt, Some(&trial.standing()));
             self.sum_densities(system);
             let push = self.accelerations(system, &pressure);
-            trial.kick(&push, -dt); //                J14: v* ← v* − Δt ∇P_n/ρ
+            trial.kick(&push, -dt); //                LE28: v* ← v* − Δt ∇P_n/ρ
         }
         let mut scale = 0.0;
         for pass in 0..=settings.inner_passes {
-            self.assign(system, walls, 0.0, Some(&trial)); // r* = r_n + v* Δt, J10
-            self.sum_densities(system); //             J2
+            self.assign(system, walls, 0.0, Some(&trial)); // r* = r_n + v* Δt, LE21
+            self.sum_densities(system); //             LE19
             if pass > 0 && (self.density_error < settings.density_tolerance || pass == settings.inner_passes) {
                 break;
             }
-            // the first pass finds the pressure, from the last one; the others its correction (J11)
+            // the first pass finds the pressure, from the last one; the others its correction (LE27)
             let first = pass == 0 && !carried;
             let mut change = if first { pressure.clone() } else { vec![0.0; pressure.len()] };
-            self.solve(system, walls, dt, &mut change, &mut scale)?; // J6
-            let push = self.accelerations(system, &change); // J9
+            self.solve(system, walls, dt, &mut change, &mut scale)?; // LE22
+            let push = self.accelerations(system, &change); // LE26
             trial.kick(&push, -dt); //                v ← v* − Δt ∇P/ρ*
             pressure = if first { change } else { pressure.iter().zip(&change).map(|(p, d)| p + d).collect() };
         }
@@ -47,7 +47,7 @@ impl Thesis {
         Ok(())
     }
 
-    /// J7, J8, at r_n.
+    /// LE23, LE25, at r_n.
     fn find_surface(&mut self, system: &ParticleSystem) {
         let least = self.settings.surface_ratio * self.inside;
         self.at_surface = surface::find(&self.cast, &self.here, system.domain.fluid.density, least);
@@ -61,7 +61,7 @@ impl Thesis {
         all.zip(&self.at_surface).map(|(p, &at_surface)| if at_surface { 0.0 } else { p }).collect()
     }
 
-    /// J4: v* = v_n + (g + ν∇²v) Δt, under the viscous forces of pairs.
+    /// LE20: v* = v_n + (g + ν∇²v) Δt, under the viscous forces of pairs.
     pub(crate) fn predict(&self, system: &ParticleSystem, forces: &Forces, dt: f64) -> Trial {
         let (p, g) = (&system.particles, system.domain.gravity);
         let before: Vec<[f64; 2]> = (0..p.len()).map(|k| [p.u[k], p.v[k]]).collect();
@@ -73,7 +73,7 @@ impl Thesis {
         Trial { from: (0..p.len()).map(|k| [p.x[k], p.y[k]]).collect(), before, velocity, dt }
     }
 
-    /// J2: ρ* = Σ m W + what is stored.
+    /// LE19: ρ* = Σ m W + what is stored.
     fn sum_densities(&mut self, system: &ParticleSystem) {
         let (n, rho0) = (system.particles.len(), system.domain.fluid.density);
         let (cast, pairs) = (&self.cast, &self.there);
@@ -87,7 +87,7 @@ impl Thesis {
         self.density_error = errors.map(|(rho, _)| (rho / rho0 - 1.0).abs()).fold(0.0, f64::max);
     }
 
-    /// J6, J12; `scale` is the first pass's largest right-hand side.
+    /// LE22, LE27; `scale` is the first pass's largest right-hand side.
     fn solve(
         &mut self,
         system: &ParticleSystem,
@@ -125,7 +125,7 @@ impl Thesis {
         })
     }
 
-    /// J9: ∇P/ρ* of the fluid at r* [m/s²].
+    /// LE26: ∇P/ρ* of the fluid at r* [m/s²].
     fn accelerations(&self, system: &ParticleSystem, pressure: &[f64]) -> Vec<[f64; 2]> {
         let (up, corrected) = (system.domain.up(), self.settings.gradient_correction);
         let mut out = vec![[0.0; 2]; system.particles.len()];
@@ -139,7 +139,7 @@ impl Thesis {
             };
             let normal = if at_surface { surface::normal(cast, pairs, i) } else { None };
             let push = match (at_surface, normal) {
-                (true, Some(n)) => gradient::at_surface(cast, pairs, pressure, self.density[i], i, n), // J8
+                (true, Some(n)) => gradient::at_surface(cast, pairs, pressure, self.density[i], i, n), // LE25
                 (true, None) => [0.0; 2],
                 (false, _) => gradient::inside(cast, pairs, pressure, self.density[i], i),
             };

@@ -1,4 +1,4 @@
-//! Bi-CGSTAB (van der Vorst 1992) with a criterion on every row (THEORY J12).
+//! Bi-CGSTAB (van der Vorst 1992) with a criterion on every row (THEORY LE27).
 
 use crate::parallel;
 

@@ -12,11 +12,11 @@ pub(crate) struct Player {
     /// Its pressure is `sign` times that of this row.
     pub row: u32,
     pub sign: f64,
-    /// False for those that complete kernels of pressures only, not of densities: the mirrored ones (J8).
+    /// False for those that complete kernels of pressures only, not of densities: the mirrored ones (LE25).
     pub counts: bool,
 }
 
-/// A player and the surface that mirrors it (J8): the plane through player `surface`, normal `n`.
+/// A player and the surface that mirrors it (LE25): the plane through player `surface`, normal `n`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reflection {
     pub player: u32,
@@ -35,7 +35,7 @@ pub(crate) struct Cast {
 }
 
 impl Cast {
-    /// J8: add the mirrored ones.
+    /// LE25: add the mirrored ones.
     pub fn reflect(&mut self, reflections: &[Reflection]) {
         for r in reflections {
             let (p, s) = (self.players[r.player as usize], self.players[r.surface as usize]);

@@ -1,4 +1,4 @@
-//! The corrector's gradient (THEORY J9).
+//! The corrector's gradient (THEORY LE26).
 
 use crate::legacy::pilorget2010::cast::Cast;
 use crate::legacy::pilorget2010::pairs::Pairs;
@@ -14,7 +14,7 @@ pub(crate) fn inside(cast: &Cast, pairs: &Pairs, pressure: &[f64], density: f64,
     sum.map(|s| s / (density * density))
 }
 
-/// J8: the same of a particle at the surface, whose own neighbours are mirrored at the plane through it with normal `n`:
+/// LE25: the same of a particle at the surface, whose own neighbours are mirrored at the plane through it with normal `n`:
 /// 2 n n·∇P/ρ.
 pub(crate) fn at_surface(
     cast: &Cast,
@@ -35,7 +35,7 @@ pub(crate) fn at_surface(
     n.map(|c| c * sum / (density * density))
 }
 
-/// J9: Σ W_ij/|Σ (y_i − y_j) ∂W_ij/∂y| [-], y along `up`.
+/// LE26: Σ W_ij/|Σ (y_i − y_j) ∂W_ij/∂y| [-], y along `up`.
 pub(crate) fn correction(pairs: &Pairs, i: usize, up: [f64; 2]) -> f64 {
     let (mut filling, mut grad_factor) = (pairs.own[i], 0.0);
     for pair in pairs.of(i) {

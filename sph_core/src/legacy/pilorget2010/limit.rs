@@ -1,4 +1,4 @@
-//! Limit particles and dummies: the parts that the walls' particles play (THEORY J5, J10).
+//! Limit particles and dummies: the parts that the walls' particles play (THEORY LE21).
 
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
@@ -17,12 +17,12 @@ pub(crate) struct Limits {
     pub walls: Vec<u32>,
     /// For each wall particle its own or, for a dummy, the nearest limit particle; none for one that plays no part.
     pub of_wall: Vec<Option<u32>>,
-    /// True for a particle of an upright wall at rest, which takes the predictor's motion (J10).
+    /// True for a particle of an upright wall at rest, which takes the predictor's motion (LE21).
     pub side: Vec<bool>,
 }
 
 impl Limits {
-    /// J5, J10: sort the wall particles as they stand at the start.
+    /// LE21: sort the wall particles as they stand at the start.
     pub fn sort(system: &ParticleSystem, walls: &Walls) -> Limits {
         let up = system.domain.up();
         let spacing = |k: usize| walls.h[k] / system.domain.fluid.smoothing_ratio;

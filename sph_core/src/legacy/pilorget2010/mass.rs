@@ -1,4 +1,4 @@
-//! Masses, and the deficit of a density sum (THEORY J1–J3).
+//! Masses, and the deficit of a density sum (THEORY LE18, LE19, LE28).
 
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
@@ -10,7 +10,7 @@ use crate::neighbours::cells::{Cells, Point};
 use crate::legacy::pilorget2010::cast::{Cast, Player};
 use crate::legacy::pilorget2010::pairs::Pairs;
 
-/// J1: m = ρ₀/Σ W_ij at row `interior`; elsewhere in proportion to h², the area that a particle stands for.
+/// LE18: m = ρ₀/Σ W_ij at row `interior`; elsewhere in proportion to h², the area that a particle stands for.
 pub(crate) fn of_interior(cast: &mut Cast, pairs: &Pairs, interior: usize, rho0: f64) {
     let sum = pairs.own[interior] + pairs.of(interior).iter().map(|pair| pair.w).sum::<f64>();
     let h = cast.players[interior].h;
@@ -19,7 +19,7 @@ pub(crate) fn of_interior(cast: &mut Cast, pairs: &Pairs, interior: usize, rho0:
     }
 }
 
-/// J3: all masses from W m = ρ₀, over fluid, limit particles and dummies.
+/// LE28: all masses from W m = ρ₀, over fluid, limit particles and dummies.
 pub(crate) fn of_inverse(cast: &mut Cast, kernel: Kernel, rho0: f64) -> Result<(), Breakdown> {
     let own = &mut cast.players[..cast.own];
     let point = |(k, p): (usize, &Player)| Point { x: p.x, y: p.y, reach: p.h, index: k as u32 };
@@ -44,7 +44,7 @@ pub(crate) fn of_inverse(cast: &mut Cast, kernel: Kernel, rho0: f64) -> Result<(
     Ok(())
 }
 
-/// Σ m_j W_ij [kg/m³] of row `i`, without what is stored for it (J2).
+/// Σ m_j W_ij [kg/m³] of row `i`, without what is stored for it (LE19).
 pub(crate) fn density_sum(cast: &Cast, pairs: &Pairs, i: usize) -> f64 {
     let own = cast.players[i].mass * pairs.own[i];
     let counted = pairs.of(i).iter().filter(|pair| cast.players[pair.j as usize].counts);

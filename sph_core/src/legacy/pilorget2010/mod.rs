@@ -1,4 +1,4 @@
-//! The projection of Pilorget's (2010) thesis, with its choices (THEORY J1–J16).
+//! The projection of Pilorget's (2010) thesis, with its choices (THEORY LE18–LE28).
 //!
 //! Read in this order: `advance`, [`settings`], `prepare` (once), `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`,
 //! `gradient`; `stage`, `cast` and `pairs` hold the particles of a step and their pairs.
@@ -58,7 +58,7 @@ impl Thesis {
         system.pack(walls);
     }
 
-    /// The viscous part of the pair forces (E7, E8), on fluid and walls.
+    /// The viscous part of the pair forces (WC6, WC7), on fluid and walls.
     fn gather_viscosity(&self, system: &mut ParticleSystem, walls: &mut Walls, forces: &mut Forces) {
         let packed = &mut system.packed;
         packed.fluid.iter_mut().chain(&mut packed.walls).for_each(|particle| particle.p = 0.0);

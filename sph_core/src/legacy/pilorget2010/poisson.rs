@@ -1,4 +1,4 @@
-//! The pressure equation's rows (THEORY J6, J7, J13).
+//! The pressure equation's rows (THEORY LE22, LE23, LE28).
 
 use crate::legacy::pilorget2010::bicgstab::Matrix;
 use crate::legacy::pilorget2010::cast::Cast;
@@ -29,11 +29,11 @@ impl Assembly<'_> {
         for i in 0..n {
             let zero_gradient = i >= fluid && self.limit_rows == LimitRows::ZeroGradient;
             let rho = self.density[i];
-            let (mut diagonal, mut source) = (0.0, (rho - self.rho0) / (rho * self.dt * self.dt)); // J6
+            let (mut diagonal, mut source) = (0.0, (rho - self.rho0) / (rho * self.dt * self.dt)); // LE22
             if self.at_surface[i] {
-                (diagonal, source) = (1.0, 0.0); // J7
+                (diagonal, source) = (1.0, 0.0); // LE23
             } else if zero_gradient {
-                source = 0.0; // J13
+                source = 0.0; // LE28
                 let normal = self.normals[i - fluid];
                 for pair in self.pairs.of(i) {
                     let along = pair.r[0] * normal[0] + pair.r[1] * normal[1];

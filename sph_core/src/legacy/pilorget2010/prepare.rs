@@ -1,4 +1,4 @@
-//! What is found once, at the start: masses, stored density deficits, the measures of the inside (THEORY J1–J3, J7, J9).
+//! What is found once, at the start: masses, stored density deficits, the measures of the inside (THEORY LE18, LE19, LE28, LE23, LE26).
 
 use crate::error::Breakdown;
 use crate::legacy::pilorget2010::limit::Limits;
@@ -10,7 +10,7 @@ use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
 impl Thesis {
-    /// Masses, stored deficits and the measures of the inside, once (J1–J3, J7).
+    /// Masses, stored deficits and the measures of the inside, once (LE18, LE19, LE28, LE23).
     pub(crate) fn prepare(&mut self, system: &mut ParticleSystem, walls: &Walls) -> Result<(), Breakdown> {
         let limits = Limits::sort(system, walls);
         let mut thesis = Thesis { settings: self.settings, eos: self.eos, limits, ..Thesis::default() };
@@ -18,8 +18,8 @@ impl Thesis {
         let (n, rho0, up) = (system.particles.len(), system.domain.fluid.density, system.domain.up());
         let interior = middle_particle(&system.particles);
         match self.settings.masses {
-            MassRule::Interior => mass::of_interior(&mut thesis.cast, &thesis.here, interior, rho0), // J1
-            MassRule::Inverse => mass::of_inverse(&mut thesis.cast, system.domain.fluid.kernel, rho0)?, // J3
+            MassRule::Interior => mass::of_interior(&mut thesis.cast, &thesis.here, interior, rho0), // LE18
+            MassRule::Inverse => mass::of_inverse(&mut thesis.cast, system.domain.fluid.kernel, rho0)?, // LE28
         }
         let players = &thesis.cast.players;
         for k in 0..n {
@@ -35,7 +35,7 @@ impl Thesis {
             thesis.wall_mass[wall] = player.mass;
         }
         thesis.assign(system, walls, 0.0, None);
-        let deficit = |i: usize| rho0 - mass::density_sum(&thesis.cast, &thesis.here, i); // J2
+        let deficit = |i: usize| rho0 - mass::density_sum(&thesis.cast, &thesis.here, i); // LE19
         thesis.deficit = vec![0.0; n];
         for k in 0..n {
             thesis.deficit[system.particles.id[k] as usize] = deficit(k);

@@ -6,14 +6,14 @@ use serde::{Deserialize, Serialize};
 use crate::auto::Auto;
 use crate::interactions::dissipation::Dissipation;
 
-/// How masses are found (J1, J3).
+/// How masses are found (LE18, LE28).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MassRule {
-    /// One mass, that of a particle with a whole support; the deficits of the others are stored (J1, J2).
+    /// One mass, that of a particle with a whole support; the deficits of the others are stored (LE18, LE19).
     #[default]
     Interior,
-    /// All masses from W m = ρ₀ (J3): the thesis's first attempt, which gives negative ones.
+    /// All masses from W m = ρ₀ (LE28): the thesis's first attempt, which gives negative ones.
     Inverse,
 }
 
@@ -21,10 +21,10 @@ pub enum MassRule {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LimitRows {
-    /// The Poisson equation, as for fluid (J6).
+    /// The Poisson equation, as for fluid (LE22).
     #[default]
     Poisson,
-    /// No gradient along the wall's normal (J13): the thesis's first attempt, which diverges.
+    /// No gradient along the wall's normal (LE28): the thesis's first attempt, which diverges.
     ZeroGradient,
 }
 
@@ -32,10 +32,10 @@ pub enum LimitRows {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Predictor {
-    /// Gravity and viscosity (J4).
+    /// Gravity and viscosity (LE20).
     #[default]
     Gravity,
-    /// The last step's pressure too, and the Poisson equation gives its change (J14): always diverged.
+    /// The last step's pressure too, and the Poisson equation gives its change (LE28): always diverged.
     OldPressure,
 }
 
@@ -49,20 +49,20 @@ pub struct ThesisSettings {
     pub limit_rows: LimitRows,
     /// What acts before the pressure equation (no INDAT switch).
     pub predictor: Predictor,
-    /// Upright walls at rest take the predictor's motion (J10). false gives density errors beside them.
+    /// Upright walls at rest take the predictor's motion (LE21). false gives density errors beside them.
     pub side_freedom: bool,
-    /// The pressure's gradient is scaled so that water at rest does not depend on h (J9).
+    /// The pressure's gradient is scaled so that water at rest does not depend on h (LE26).
     pub gradient_correction: bool,
-    /// Particles at the free surface have a divergence of r below this share of that inside (J7), 0 to 1 [-].
+    /// Particles at the free surface have a divergence of r below this share of that inside (LE23), 0 to 1 [-].
     #[schemars(range(min = 0.0, max = 1.0))]
     pub surface_ratio: f64,
-    /// The inner corrector loop ends where no density differs from the reference by more than this share (J11) [-].
+    /// The inner corrector loop ends where no density differs from the reference by more than this share (LE27) [-].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub density_tolerance: f64,
     /// Most passes of the inner corrector loop, 1 or more [-].
     #[schemars(range(min = 1))]
     pub inner_passes: usize,
-    /// Share of the largest right-hand side that the residual of no row of the pressure equation exceeds (J12), 1e-12 to 0.1 [-].
+    /// Share of the largest right-hand side that the residual of no row of the pressure equation exceeds (LE27), 1e-12 to 0.1 [-].
     #[schemars(range(min = 1e-12, max = 0.1))]
     pub residual: f64,
     /// Iterations of Bi-CGSTAB after which a pressure equation ends the run with an error, 1 or more [-].

@@ -1,4 +1,4 @@
-//! Who stands where: the cast at a step's beginning, and where a trial takes it (THEORY J4, J5, J8, J10).
+//! Who stands where: the cast at a step's beginning, and where a trial takes it (THEORY LE20, LE21, LE25, LE21).
 
 use crate::legacy::pilorget2010::state::{Thesis, Trial};
 use crate::system::ParticleSystem;
@@ -41,7 +41,7 @@ impl Thesis {
         let kernel = system.domain.fluid.kernel;
         if trial.is_some() {
             let from = cast.players.len();
-            cast.reflect(&self.reflections); //   J8
+            cast.reflect(&self.reflections); //   LE25
             cast.repeat(from, system.domain.mirror);
             self.there.find(cast, kernel);
         } else {
@@ -49,7 +49,7 @@ impl Thesis {
         }
     }
 
-    /// J10: where each limit particle's column is taken by the water beside it, along gravity [m].
+    /// LE21: where each limit particle's column is taken by the water beside it, along gravity [m].
     fn drift_of_sides(&self, system: &ParticleSystem, trial: &Trial) -> Vec<[f64; 2]> {
         let (n, up) = (system.particles.len(), system.domain.up());
         let mut drift = vec![[0.0; 2]; self.limits.walls.len()];

@@ -15,13 +15,13 @@ pub struct Thesis {
     pub(crate) limits: Limits,
     /// Masses of the wall particles [kg/m]; 0 for those that play no part.
     pub wall_mass: Vec<f64>,
-    /// ρ₀ − Σ m W at the start [kg/m³] (J2), by identity.
+    /// ρ₀ − Σ m W at the start [kg/m³] (LE19), by identity.
     pub(crate) deficit: Vec<f64>,
     /// The same of the limit particles.
     pub(crate) limit_deficit: Vec<f64>,
-    /// ∇·r inside [-] (J7).
+    /// ∇·r inside [-] (LE23).
     pub(crate) inside: f64,
-    /// Gradient correction inside [-] (J9).
+    /// Gradient correction inside [-] (LE26).
     pub(crate) correction: f64,
     /// Particles now (r_n) and predicted (r*).
     pub(crate) cast: Cast,
@@ -34,7 +34,7 @@ pub struct Thesis {
     pub iterations: u64,
     /// Solutions, one a pass of the inner loop.
     pub solutions: u64,
-    /// Largest |ρ* − ρ₀|/ρ₀ that the last step's inner loop left [-] (J11).
+    /// Largest |ρ* − ρ₀|/ρ₀ that the last step's inner loop left [-] (LE27).
     pub density_error: f64,
 }
 

@@ -7,18 +7,18 @@ use crate::walls::Walls;
 
 use super::settings::FlowSettings;
 
-/// Share of √(h/(|g| + |a|)) a step may take: with 0.1 water at rest begins to churn after 20 s, with 0.07 not (J15).
+/// Share of √(h/(|g| + |a|)) a step may take: with 0.1 water at rest begins to churn after 20 s, with 0.07 not (LE27).
 const FORCE: f64 = 0.05;
-/// Share of h²/ν a step may take (E17).
+/// Share of h²/ν a step may take (WC12).
 const VISCOUS: f64 = 0.125;
-/// ν of artificial viscosity over α h c₀ (E7; Monaghan 2005).
+/// ν of artificial viscosity over α h c₀ (WC6; Monaghan 2005).
 const ARTIFICIAL: f64 = 0.125;
 /// A step this many times smaller than that of water at rest means breakdown.
 const COLLAPSE: f64 = 1e-3;
 /// Where nothing moves and nothing weighs: this many acoustic steps.
 const AT_LEISURE: f64 = 5.0;
 
-/// J15: Δt ≤ ½ C Δx/|v|, 1/20 √(h/(|g| + |a|)), ⅛ h²/(ν + ⅛ α h c₀) [s], for a speed of sound `c0` [m/s].
+/// LE27: Δt ≤ ½ C Δx/|v|, 1/20 √(h/(|g| + |a|)), ⅛ h²/(ν + ⅛ α h c₀) [s], for a speed of sound `c0` [m/s].
 pub(crate) fn stable_dt(
     system: &ParticleSystem,
     walls: &Walls,

@@ -1,4 +1,4 @@
-//! The free surface: who is in it, and the dummies that it mirrors (THEORY J7, J8).
+//! The free surface: who is in it, and the dummies that it mirrors (THEORY LE23, LE25).
 
 use crate::legacy::pilorget2010::cast::{Cast, Reflection};
 use crate::legacy::pilorget2010::pairs::Pairs;
@@ -6,7 +6,7 @@ use crate::legacy::pilorget2010::pairs::Pairs;
 /// A player lower below the surface than this share of h has a mirror image.
 const LOWER: f64 = 0.1;
 
-/// −∇·r_i = −(1/ρ₀) Σ m_j r_ij·∇W_ij [-] (J7): 2 inside.
+/// −∇·r_i = −(1/ρ₀) Σ m_j r_ij·∇W_ij [-] (LE23): 2 inside.
 pub(crate) fn divergence_of_place(cast: &Cast, pairs: &Pairs, i: usize, rho0: f64) -> f64 {
     let sum = pairs.of(i).iter().filter(|pair| cast.players[pair.j as usize].counts).map(|pair| {
         let r2 = pair.r[0] * pair.r[0] + pair.r[1] * pair.r[1];
@@ -15,7 +15,7 @@ pub(crate) fn divergence_of_place(cast: &Cast, pairs: &Pairs, i: usize, rho0: f6
     sum.sum::<f64>() / rho0
 }
 
-/// J7: rows whose ∇·r is below `ratio` times that inside.
+/// LE23: rows whose ∇·r is below `ratio` times that inside.
 pub(crate) fn find(cast: &Cast, pairs: &Pairs, rho0: f64, least: f64) -> Vec<bool> {
     (0..cast.rows).map(|i| divergence_of_place(cast, pairs, i, rho0) < least).collect()
 }
@@ -32,7 +32,7 @@ pub(crate) fn normal(cast: &Cast, pairs: &Pairs, i: usize) -> Option<[f64; 2]> {
     (length > 0.0).then(|| sum.map(|c| c / length))
 }
 
-/// J8: all particles below the surface, as mirrored by the nearest surface particle that touches water; `fluid` rows are water.
+/// LE25: all particles below the surface, as mirrored by the nearest surface particle that touches water; `fluid` rows are water.
 pub(crate) fn reflections(cast: &Cast, pairs: &Pairs, at_surface: &[bool], fluid: usize) -> Vec<Reflection> {
     let mut nearest: Vec<Option<(f64, Reflection)>> = vec![None; cast.own];
     for s in (0..cast.rows).filter(|&s| at_surface[s]) {

@@ -1,4 +1,4 @@
-//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in along walls (THEORY I8).
+//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in along walls (THEORY PR8).
 
 use crate::neighbours::Neighbours;
 use crate::particles::KernelMoments;
@@ -10,7 +10,7 @@ const WORTH: f64 = 1e-3;
 /// Rows that were constrained in so many steps start constrained in the next.
 const LASTING: u8 = 2;
 
-/// I8: the rows that are held at p = 0, since they bear no tension.
+/// PR8: the rows that are held at p = 0, since they bear no tension.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActiveSet {
     /// Rows held at p = 0.
@@ -31,7 +31,7 @@ pub(crate) struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Residual of row `k` over its scale (PS3) [-]: by how much it would be over-filled without pressure.
+    /// Residual of row `k` over its scale (LS4) [-]: by how much it would be over-filled without pressure.
     fn residual(&self, k: usize, pressure: &[f64]) -> f64 {
         (self.source[k] - self.matrix.times(k, pressure)) / self.scale[k]
     }
@@ -57,7 +57,7 @@ impl ActiveSet {
         self.count = 0;
     }
 
-    /// I8, warm start: a row near air that was constrained in the last two steps starts constrained, unless the water would press
+    /// PR8, warm start: a row near air that was constrained in the last two steps starts constrained, unless the water would press
     /// there under pressures `pressure` [Pa].
     pub fn warm_start(&mut self, pressure: &mut [f64], id: &[u32], rows: &Rows, indicator: &[f64]) {
         self.clear(pressure.len());
@@ -95,7 +95,7 @@ impl ActiveSet {
         }
     }
 
-    /// I8: constrain the rows under tension that bear none; returns the new ones, and their tension [Pa].
+    /// PR8: constrain the rows under tension that bear none; returns the new ones, and their tension [Pa].
     pub fn constrain(&mut self, pressure: &mut [f64], surface: Surface) -> Vec<(usize, f64)> {
         self.find_tensionless(pressure, surface);
         let mut new = Vec::new();
@@ -110,7 +110,7 @@ impl ActiveSet {
         new
     }
 
-    /// I8: constrain rows under tension, and in the first round release those with a positive residual; returns whether what that
+    /// PR8: constrain rows under tension, and in the first round release those with a positive residual; returns whether what that
     /// leaves of the equation needs a further solve.
     pub fn update(&mut self, pressure: &mut [f64], rows: &Rows, surface: Surface, first: bool) -> bool {
         let released = if first { self.release(pressure, rows, WORTH) } else { 0 };
@@ -119,7 +119,7 @@ impl ActiveSet {
         released > 0 || new.iter().map(left).any(|left| left > WORTH)
     }
 
-    /// I8: rows near air and, where air comes in along walls, rows beside a wall that rows like them, all under tension, connect to
+    /// PR8: rows near air and, where air comes in along walls, rows beside a wall that rows like them, all under tension, connect to
     /// one of those.
     fn find_tensionless(&mut self, pressure: &[f64], surface: Surface) {
         let Surface { indicator, moments, neighbours, ventilated } = surface;

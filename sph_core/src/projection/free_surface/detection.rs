@@ -1,4 +1,4 @@
-//! Where the air is: holes between the particles, and which of them are large enough to be air (THEORY I5).
+//! Where the air is: holes between the particles, and which of them are large enough to be air (THEORY PR5).
 
 use crate::parallel;
 use crate::projection::free_surface::lattice::Lattice;
@@ -65,7 +65,7 @@ impl SurfaceDetection {
 }
 
 impl SurfaceDetection {
-    /// I5: a wall particle whose mirror point is air is dry: it fills nothing and bears no pressure.
+    /// PR5: a wall particle whose mirror point is air is dry: it fills nothing and bears no pressure.
     pub(crate) fn mark_dry_walls(&mut self, system: &mut ParticleSystem, walls: &Walls) {
         let ratio = system.domain.fluid.smoothing_ratio;
         let n = walls.len();
@@ -97,7 +97,7 @@ impl SurfaceDetection {
         self.wet = wet;
     }
 
-    /// I5: which particles feel air, and how much.
+    /// PR5: which particles feel air, and how much.
     pub(crate) fn detect(&mut self, system: &ParticleSystem, walls: &Walls) {
         let ratio = system.domain.fluid.smoothing_ratio;
         let p = &system.particles;
@@ -138,7 +138,7 @@ impl SurfaceDetection {
                     }
                 }
                 for shift in periodic.shifts() {
-                    grid.add(x + shift[0], y + shift[1], radius); // V1
+                    grid.add(x + shift[0], y + shift[1], radius); // OP9, PR17
                 }
             };
             for k in (0..n).filter(|&k| of_fluid[k] >= l) {
@@ -153,7 +153,7 @@ impl SurfaceDetection {
         }
     }
 
-    /// I5: exposure of every particle, once surveyed.
+    /// PR5: exposure of every particle, once surveyed.
     pub(crate) fn set_indicator(&mut self, system: &ParticleSystem, operators: &Operators, lattice: &Lattice) {
         let ratio = system.domain.fluid.smoothing_ratio;
         let p = &system.particles;

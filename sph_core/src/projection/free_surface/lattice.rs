@@ -2,14 +2,14 @@
 
 use crate::interactions::kernel::Kernel;
 
-/// Sums on a square lattice of spacing 1 (THEORY I4, I7).
+/// Sums on a square lattice of spacing 1 (THEORY PR4, PR7).
 #[derive(Clone, Copy, Debug)]
 pub struct Lattice {
-    /// κ = −½ Σ V r·∇W [-] inside.
+    /// κ = −½ Σ V r·∇W (OP6) [-] inside.
     pub gradient: f64,
     /// Σ V W [-] inside.
     pub kernel_sum: f64,
-    /// Range of 2 Σ V W [-] along a wall half a spacing beside the first row (E18).
+    /// Range of 2 Σ V W [-] along a wall half a spacing beside the first row (GE2).
     pub face: [f64; 2],
     rows: [Closure; ROWS],
 }

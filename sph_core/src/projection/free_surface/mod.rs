@@ -1,4 +1,4 @@
-//! The free surface: where it is, and its conditions on pressures and particles (THEORY I4, I5, I7, I8, I16).
+//! The free surface: where it is, and its conditions on pressures and particles (THEORY PR4, PR5, PR7, PR8, PR12).
 
 pub(crate) mod active_set;
 pub(crate) mod detection;

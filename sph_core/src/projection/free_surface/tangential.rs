@@ -1,10 +1,10 @@
-//! Tangential correction at the free surface: rows must not slide along it under a uniform pressure (THEORY I16).
+//! Tangential correction at the free surface: rows must not slide along it under a uniform pressure (THEORY PR12).
 
 use crate::parallel;
 use crate::projection::operators::Operators;
 use crate::system::ParticleSystem;
 
-/// I16: unit normals of the surface where the indicator is above 0, into the water; elsewhere zero.
+/// PR12: unit normals of the surface where the indicator is above 0, into the water; elsewhere zero.
 pub(crate) fn find_normals(
     normals: &mut Vec<[f64; 2]>,
     system: &ParticleSystem,
@@ -36,7 +36,7 @@ pub(crate) fn find_normals(
     });
 }
 
-/// I16: κ times the acceleration along the surface of unit normal `n` [m/s²] that takes the effect of a pressure out of the sums
+/// PR12: κ times the acceleration along the surface of unit normal `n` [m/s²] that takes the effect of a pressure out of the sums
 /// over pairs: `pressure` [Pa] that is uniform, and `bearing` times the weight of still water under gravity `g`.
 pub(crate) fn tangential_correction(
     (operators, k): (&Operators, usize),

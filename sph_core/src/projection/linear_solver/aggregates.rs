@@ -1,4 +1,4 @@
-//! Rows that stand together for one unknown of the next coarser level (THEORY PS5).
+//! Rows that stand together for one unknown of the next coarser level (THEORY LS6).
 
 use crate::projection::linear_solver::matrix::Matrix;
 
@@ -28,7 +28,7 @@ impl Aggregates {
         &self.members[self.starts[c] as usize..self.starts[c + 1] as usize]
     }
 
-    /// PS5: a row and all rows strongly coupled to it, where none of them is taken; a row that is left joins the one
+    /// LS6: a row and all rows strongly coupled to it, where none of them is taken; a row that is left joins the one
     /// to whom it is coupled most. Strong is at least `share` of the row's largest coupling. Rows without couplings
     /// stay out.
     pub fn find(&mut self, a: &Matrix, share: f64) {

@@ -1,4 +1,4 @@
-//! Conjugate gradients for the pressure equation (THEORY PS2–PS4, PS9).
+//! Conjugate gradients for the pressure equation (THEORY LS3–LS5, LS10).
 
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::hierarchy::{Hierarchy, Preconditioner};
@@ -6,7 +6,7 @@ use crate::projection::linear_solver::matrix::{Matrix, RankOne};
 use crate::projection::linear_solver::null_space::NullSpace;
 use crate::projection::linear_solver::woodbury::Bodies;
 
-/// When to stop (PS3).
+/// When to stop (LS4).
 #[derive(Clone, Copy, Debug)]
 pub struct Stop {
     /// Largest |r_i|/scale_i allowed [-].
@@ -52,7 +52,7 @@ struct Given<'a> {
     stop: &'a Stop,
 }
 
-/// PS2: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve
+/// LS3: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve
 /// to solve: to repeat a step to the same bits, keep a clone as well.
 #[derive(Clone, Debug, Default)]
 pub struct PressureSolver {
@@ -66,7 +66,7 @@ pub struct PressureSolver {
     direction: Vec<f64>,
     image: Vec<f64>,
     guess: Vec<f64>,
-    /// 1/scale, of the residual (PS3).
+    /// 1/scale, of the residual (LS4).
     weight: Vec<f64>,
     sums: Vec<f64>,
 }
@@ -78,7 +78,7 @@ impl PressureSolver {
     }
 
     /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's
-    /// hierarchy still serves (PS8).
+    /// hierarchy still serves (LS9).
     pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
         let n = a.rows();
         let PressureSolver { inverse, residual, preconditioned, direction, image, guess, weight, .. } = self;
@@ -90,7 +90,7 @@ impl PressureSolver {
         parallel::within_pool(|| self.hierarchy.prepare(a, x, y, h));
     }
 
-    /// PS8: the rows stand in another order than in the solves before, row k for the particle `id[k]` of 0, 1, 2, …; to be
+    /// LS9: the rows stand in another order than in the solves before, row k for the particle `id[k]` of 0, 1, 2, …; to be
     /// said before [`prepare`](Self::prepare), every time or never.
     pub fn name(&mut self, id: &[u32]) {
         self.hierarchy.name(id);
@@ -101,7 +101,7 @@ impl PressureSolver {
         self.hierarchy.set_ups
     }
 
-    /// PS2–PS4: (A + Σ c g gᵀ) x = b, x = 0 where `constrained`, with the matrix that was prepared. `x` is the first guess
+    /// LS3–LS5: (A + Σ c g gᵀ) x = b, x = 0 where `constrained`, with the matrix that was prepared. `x` is the first guess
     /// and becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
     pub fn solve(
         &mut self,
@@ -138,7 +138,7 @@ impl PressureSolver {
         })
     }
 
-    /// EX1: [`solve`](Self::solve), and where that fails from no pressure with a hierarchy of its own, then from there
+    /// LS11: [`solve`](Self::solve), and where that fails from no pressure with a hierarchy of its own, then from there
     /// with more iterations. What is left of the last attempt is what is reported, with the iterations of all.
     pub fn persist(
         &mut self,
@@ -259,7 +259,7 @@ fn apply(a: &Matrix, ranks: &[RankOne], inverse: &[f64], x: &[f64], y: &mut [f64
     energy
 }
 
-/// PS2: x ← x + α p, r ← r − α A p; returns the largest |r_i|/scale_i.
+/// LS3: x ← x + α p, r ← r − α A p; returns the largest |r_i|/scale_i.
 fn go(
     x: &mut [f64],
     residual: &mut [f64],
@@ -281,7 +281,7 @@ fn go(
     parts.iter().fold(0.0, |w, &p| worse(w, p))
 }
 
-/// PS3: the largest |r_i|/scale_i; not a number if any is not.
+/// LS4: the largest |r_i|/scale_i; not a number if any is not.
 fn largest(residual: &mut [f64], weight: &[f64], parts: &mut [f64]) -> f64 {
     parallel::update_chunks(parts, residual, |rows, chunk| {
         chunk.iter().zip(&weight[rows]).fold(0.0, |w, (r, s)| worse(w, r.abs() * s))

@@ -1,4 +1,4 @@
-//! Matrices of coarser levels (THEORY PS5, PS6).
+//! Matrices of coarser levels (THEORY LS6, LS7).
 
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
@@ -127,7 +127,7 @@ pub(crate) struct Collected {
     sum: RowSum,
 }
 
-/// PS5: the matrix of piecewise constant pressures, couplings divided by `softening`.
+/// LS6: the matrix of piecewise constant pressures, couplings divided by `softening`.
 pub(crate) fn collapse(
     a: &Matrix,
     aggregates: &Aggregates,
@@ -183,7 +183,7 @@ pub(crate) fn collapse(
     }
 }
 
-/// PS6: P = (1 − ω D⁻¹ A) P₀, P₀ one for the members of each aggregate.
+/// LS7: P = (1 − ω D⁻¹ A) P₀, P₀ one for the members of each aggregate.
 pub(crate) fn smoothed(a: &Matrix, aggregates: &Aggregates, omega: f64, sum: &mut RowSum, p: &mut Sparse) {
     p.clear();
     for i in 0..a.rows() {
@@ -205,7 +205,7 @@ pub(crate) fn smoothed(a: &Matrix, aggregates: &Aggregates, omega: f64, sum: &mu
     }
 }
 
-/// PS6: `coarse` ← Pᵀ A P, with Pᵀ given as well.
+/// LS7: `coarse` ← Pᵀ A P, with Pᵀ given as well.
 pub(crate) fn triple(a: &Matrix, p: &Sparse, pt: &Sparse, sum: &mut RowSum, ap: &mut Sparse, coarse: &mut Matrix) {
     let n = pt.starts.len() - 1;
     ap.clear();

@@ -1,4 +1,4 @@
-//! The preconditioner, and how long one serves (THEORY PS8).
+//! The preconditioner, and how long one serves (THEORY LS9).
 
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::matrix::Matrix;
@@ -10,7 +10,7 @@ use crate::projection::linear_solver::null_space::Components;
 pub enum Preconditioner {
     /// The diagonal alone.
     Diagonal,
-    /// The diagonal, and coarser systems over aggregates of rows (PS5–PS7).
+    /// The diagonal, and coarser systems over aggregates of rows (LS6–LS8).
     #[default]
     Aggregates,
 }

@@ -1,4 +1,4 @@
-//! The matrix of the pressure equation (THEORY PS1).
+//! The matrix of the pressure equation (THEORY LS2).
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::projection::operators::{ChunkPairs, Operators};
 /// Row sums below this share of the diagonal are zero but for rounding [-].
 const NO_EXCESS: f64 = 1e-10;
 
-/// PS1: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row
+/// LS2: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row
 /// sums zero or positive. Compressed rows without the diagonal. The unit is the caller's: solution times matrix is
 /// right side.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +25,7 @@ pub struct Matrix {
     pub diagonal: Vec<f64>,
 }
 
-/// PS1: an addition c g gᵀ, c > 0, with a g that is zero but for a few rows: the added mass of a free body.
+/// LS2: an addition c g gᵀ, c > 0, with a g that is zero but for a few rows: the added mass of a free body.
 #[derive(Clone, Debug, Default)]
 pub struct RankOne {
     /// c.
@@ -35,7 +35,7 @@ pub struct RankOne {
 }
 
 impl Matrix {
-    /// I6: the rows of the assembled operators, each with its excess on the diagonal.
+    /// PR6: the rows of the assembled operators, each with its excess on the diagonal.
     pub(crate) fn assemble(&mut self, operators: &Operators, excess: &[f64], search: &Neighbours) {
         let n = excess.len();
         self.starts.resize(n + 1, 0);

@@ -1,4 +1,4 @@
-//! Conjugate gradients with a multigrid preconditioner (THEORY PS1–PS9).
+//! Conjugate gradients with a multigrid preconditioner (THEORY LS2–LS10).
 
 mod aggregates;
 pub mod cg;

@@ -1,4 +1,4 @@
-//! A hierarchy of coarser systems as an approximate inverse (THEORY PS5–PS7).
+//! A hierarchy of coarser systems as an approximate inverse (THEORY LS6–LS8).
 
 use crate::parallel;
 use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
@@ -104,7 +104,7 @@ impl Multigrid {
         (&self.levels[0].a, &self.aggregates.of)
     }
 
-    /// PS7: z = ω D⁻¹ r + P B₁ Pᵀ r, where `inverse` ≠ 0 (r is 0 elsewhere); returns r·z, with `sums` for its parts.
+    /// LS8: z = ω D⁻¹ r + P B₁ Pᵀ r, where `inverse` ≠ 0 (r is 0 elsewhere); returns r·z, with `sums` for its parts.
     pub fn apply(&mut self, inverse: &[f64], r: &[f64], z: &mut [f64], sums: &mut [f64]) -> f64 {
         let Multigrid { aggregates, levels, depth, coarsest, .. } = self;
         let sum_of = |c: usize| aggregates.of_aggregate(c).iter().map(|&i| r[i as usize]).sum::<f64>();
@@ -136,7 +136,7 @@ impl Level {
     }
 }
 
-/// PS7: x = B right on the first of `levels`, by a V-cycle.
+/// LS8: x = B right on the first of `levels`, by a V-cycle.
 fn cycle(levels: &mut [Level], coarsest: Option<&Llt<f64>>) {
     let Some((level, below)) = levels.split_first_mut() else { return };
     let Level { a, step, right, x, rest, p, pt, .. } = level;

@@ -1,4 +1,4 @@
-//! Pressures that no equation fixes: water that no free surface, no pin and no body gives a level (THEORY PS4).
+//! Pressures that no equation fixes: water that no free surface, no pin and no body gives a level (THEORY LS5).
 
 use crate::projection::linear_solver::aggregates::NO_ROW;
 use crate::projection::linear_solver::matrix::{Matrix, RankOne};
@@ -80,7 +80,7 @@ impl Components {
     }
 }
 
-/// PS4: the pressures t that the equation does not feel, A t = 0 and g·t = 0 for every body; constant in each floating
+/// LS5: the pressures t that the equation does not feel, A t = 0 and g·t = 0 for every body; constant in each floating
 /// part.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NullSpace {

@@ -1,11 +1,11 @@
-//! Bodies in the preconditioner (THEORY PS9).
+//! Bodies in the preconditioner (THEORY LS10).
 
 use crate::projection::linear_solver::matrix::RankOne;
 
 /// With more of them than this the preconditioner leaves them out.
 const MOST: usize = 8;
 
-/// PS9: B g_k for each body's g_k, and the Cholesky factor of the small matrix between them.
+/// LS10: B g_k for each body's g_k, and the Cholesky factor of the small matrix between them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bodies {
     images: Vec<Vec<f64>>,
@@ -55,7 +55,7 @@ impl Bodies {
         self.count = ranks.len();
     }
 
-    /// PS9 for z = B r: notes what bodies take off it, and returns what they take off r·z.
+    /// LS10 for z = B r: notes what bodies take off it, and returns what they take off r·z.
     pub fn correct(&mut self, ranks: &[RankOne], z: &[f64]) -> f64 {
         let (count, factor) = (self.count, &self.factor);
         let (mut t, mut u) = ([0.0; MOST], [0.0; MOST]);

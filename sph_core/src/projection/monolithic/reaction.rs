@@ -1,4 +1,4 @@
-//! What walls and pressures are to each other in a projection (THEORY PB1, PB2): the force of pressures on wall particles,
+//! What walls and pressures are to each other in a projection (THEORY CO19, CO20): the force of pressures on wall particles,
 //! and the flow that accelerations of walls make.
 
 use crate::interactions::geometry::pair_geometry;
@@ -7,7 +7,7 @@ use crate::interactions::packed_particle::PackedParticle;
 use crate::neighbours::Neighbours;
 use crate::parallel;
 
-/// PB1: force on the wall particles from `first` on under any pressures, one a fluid particle; the same sums as E9 and E6.
+/// CO19: force on the wall particles from `first` on under any pressures, one a fluid particle; the same sums as WA3 and WC5.
 pub(crate) struct Reaction<'a> {
     pub fluid: &'a [PackedParticle],
     pub walls: &'a [PackedParticle],
@@ -18,7 +18,7 @@ pub(crate) struct Reaction<'a> {
     pub pressure: &'a [f64],
     /// ρ₀(g − a_w) of each of these wall particles [N/m³].
     pub field: &'a [[f64; 2]],
-    /// 1/κ (I4) [-].
+    /// 1/κ (PR4) [-].
     pub inverse: f64,
     /// Forces [N/m].
     pub out: &'a mut [[f64; 2]],
@@ -44,14 +44,14 @@ impl WithKernel for Reaction<'_> {
                 slopes = [slopes[0] + pull * wb.dx, slopes[1] + pull * wb.dy];
                 push = [push[0] + p * pull * wb.dx, push[1] + p * pull * wb.dy];
             }
-            // as in E9: no pressure without a fluid in reach
+            // as in WA3: no pressure without a fluid in reach
             let own = if weight < 1e-9 { 0.0 } else { (mean + field[k][0] * arm[0] + field[k][1] * arm[1]) / weight };
             [0, 1].map(|i| -inverse * wall.volume * (push[i] + own * slopes[i]))
         });
     }
 }
 
-/// PB2: what accelerations of walls add to the right side of the pressure equation, V_i Σ_w 2V_w a_w·∇W_iw with its sign changed.
+/// CO20: what accelerations of walls add to the right side of the pressure equation, V_i Σ_w 2V_w a_w·∇W_iw with its sign changed.
 pub(crate) struct Inflow<'a> {
     pub fluid: &'a [PackedParticle],
     pub walls: &'a [PackedParticle],

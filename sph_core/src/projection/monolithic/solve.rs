@@ -1,4 +1,4 @@
-//! Bodies inside the projection (THEORY PB1–PB5): the accelerations of the walls' owners and the pressures that they cause
+//! Bodies inside the projection (THEORY CO19–CO22, CO25): the accelerations of the walls' owners and the pressures that they cause
 //! and feel, found together.
 
 use crate::domain::Domain;
@@ -12,7 +12,7 @@ use crate::projection::linear_solver::matrix::Matrix;
 use crate::projection::monolithic::reaction::{Inflow, Reaction};
 use crate::projection::monolithic::subspace::Subspace;
 
-/// Up to so many unknowns each gets its own response; more are searched along residuals (PB4).
+/// Up to so many unknowns each gets its own response; more are searched along residuals (CO22).
 const FEW: usize = 6;
 /// Residuals along which is searched in a solve, at most.
 const MOST: usize = 40;
@@ -53,7 +53,7 @@ pub(crate) struct MonolithicSolve<'a> {
     /// Walls with the accelerations that the present unknowns add.
     trial: Walls,
     unknowns: Vec<f64>,
-    /// 1/κ (I4).
+    /// 1/κ (PR4).
     inverse: f64,
 }
 
@@ -80,7 +80,7 @@ impl<'a> MonolithicSolve<'a> {
         meeting
     }
 
-    /// PB3–PB5: the pressure equation has been solved with the present unknowns; change unknowns, right side and pressures
+    /// CO21, CO22, CO25: the pressure equation has been solved with the present unknowns; change unknowns, right side and pressures
     /// together until the residual vanishes.
     pub fn solve(&mut self, bodies: &mut Bodies, equation: &mut Equation<'_>) -> Result<(), NotConverged> {
         if self.unknowns.is_empty() {
@@ -121,7 +121,7 @@ impl<'a> MonolithicSolve<'a> {
         Ok(())
     }
 
-    /// PB2: the pressures that a change of the unknowns causes; `None` of one that is held.
+    /// CO20: the pressures that a change of the unknowns causes; `None` of one that is held.
     fn respond(
         &mut self,
         start: &[f64],
@@ -198,7 +198,7 @@ impl<'a> MonolithicSolve<'a> {
         self.trial.ax.iter().zip(&self.trial.ay).map(|(x, y)| [*x, *y]).collect()
     }
 
-    /// PB3: residual of the trial unknowns under pressures.
+    /// CO21: residual of the trial unknowns under pressures.
     fn residual(&self, pressure: &[f64]) -> InterfaceResidual {
         let (g, rho0) = (self.domain.gravity, self.domain.fluid.density);
         let mut all = InterfaceResidual::default();

@@ -1,4 +1,4 @@
-//! The shares of known changes that leave the least of a residual (THEORY PB4): least squares by Gram and Schmidt.
+//! The shares of known changes that leave the least of a residual (THEORY CO22): least squares by Gram and Schmidt.
 
 /// A change that has less than this of news is left out [-].
 const NEWS: f64 = 1e-12;
