@@ -30,14 +30,14 @@ fn top_speed(mass: f64, dt: f64, tries: usize, steps: usize) -> f64 {
                 return f64::INFINITY;
             }
             let found = total(&forces)[1];
-            let lack = found - mean;
-            if attempt == tries || (tries > 1 && lack.abs() < 1e-3 * mass * 9.81) {
+            let gap = found - mean;
+            if attempt == tries || (tries > 1 && gap.abs() < 1e-3 * mass * 9.81) {
                 (y, v, mean) = (y + dt * (v + 0.5 * dt * a), v + dt * (found / mass - 9.81), found);
                 break;
             }
             // Aitken's relaxation of the mean force (Küttler & Wall 2008)
-            omega *= last.map_or(1.0, |before| -before / (lack - before));
-            (mean, last) = (mean + omega * lack, Some(lack));
+            omega *= last.map_or(1.0, |before| -before / (gap - before));
+            (mean, last) = (mean + omega * gap, Some(gap));
             element.restore().expect("saved");
         }
         top = top.max(v.abs());

@@ -15,9 +15,9 @@ fn station(x: f64, keel: f64, breadth: f64, form: Form) -> Station {
 }
 
 /// A prismatic wedge of 20 m, 4 m broad.
-fn prism(rung: EntryModel, deadrise: f64) -> Hull {
+fn prism(model: EntryModel, deadrise: f64) -> Hull {
     let ends = [0.0, 20.0].map(|x| station(x, 0.0, 4.0, Form::DeadriseDeg(deadrise)));
-    Hull::new(Fuselage::new(&ends).expect("a fuselage"), rung).expect("in range")
+    Hull::new(Fuselage::new(&ends).expect("a fuselage"), model).expect("in range")
 }
 
 /// A landing without air and friction.
@@ -60,24 +60,24 @@ fn a_prismatic_wedge_planes_as_the_integral_over_its_length_says() {
     let (deadrise, pitch, speed, draught) = (25.0_f64, 0.1_f64, 40.0, 0.3);
     let tan2 = deadrise.to_radians().tan().powi(2);
     let pi = std::f64::consts::PI;
-    for (rung, per_draught) in [
+    for (model, per_draught) in [
         (EntryModel::VonKarman, pi / tan2),
         (EntryModel::Wagner, pi.powi(3) / (4.0 * tan2)),
         (EntryModel::Mlm, slope_of_mlm(deadrise)),
     ] {
-        let hull = prism(rung, deadrise);
+        let hull = prism(model, deadrise);
         let landing = landing(&hull, 0.0, 5e4);
         let mut attitude = Attitude { place: [0.0, 0.0, pitch], rate: [speed, 0.0, 0.0] };
         attitude.place[1] = -draught - attitude.of_point([10.0, 0.5], [20.0, 0.0])[1];
         let [fx, fz, moment] = pressing(&landing.moment(0.0, attitude));
         let exact = 0.5 * RHO * per_draught * draught * draught * speed * speed * pitch.tan();
-        assert!((fz / exact - 1.0).abs() < 1e-3, "{rung:?}: {fz}, exact {exact}");
-        assert!((fx / (-exact * pitch.tan()) - 1.0).abs() < 1e-3, "{rung:?}: {fx}");
+        assert!((fz / exact - 1.0).abs() < 1e-3, "{model:?}: {fz}, exact {exact}");
+        assert!((fx / (-exact * pitch.tan()) - 1.0).abs() < 1e-3, "{model:?}: {fx}");
         // the force stands across the keel, a distance s ahead of the transom along it
         let (ahead, above) = (-10.0 + draught / (3.0 * pitch.sin()), -0.5);
         let lever =
             ahead * pitch.cos() - above * pitch.sin() + (ahead * pitch.sin() + above * pitch.cos()) * pitch.tan();
-        assert!((moment / (exact * lever) - 1.0).abs() < 1e-3, "{rung:?}: {moment}, exact {}", exact * lever);
+        assert!((moment / (exact * lever) - 1.0).abs() < 1e-3, "{model:?}: {moment}, exact {}", exact * lever);
     }
 }
 

@@ -1,4 +1,4 @@
-//! The host's door: what the nodes get is what the water lost, steps come again, and a host's wedge is the scene's (THEORY
+//! The embedding element: what the nodes get is what the water lost, steps come again, and a host's wedge is the scene's (THEORY
 //! CO29–CO32).
 
 use evidence::door::{MASS, bits, element, moved, placed, spec, total, wedge_of_the_scene};
@@ -46,7 +46,7 @@ fn momentum(element: &FluidElement) -> [f64; 2] {
 }
 
 /// Σ forces × Δt is the momentum that the water lost, to rounding, in steps of 1, 7.5 and 50 times the water's; so is the
-/// basin's share, and what single particles' blows gave.
+/// basin's share, and what single particles' impulses gave.
 #[test]
 fn the_nodes_get_the_impulse_that_the_water_lost() {
     for rotations in [false, true] {
@@ -61,10 +61,10 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
             assert!(f64::from(given.fluid_steps) >= times, "{given:?}");
             for k in 0..2 {
                 let lost = before[k] - after[k];
-                let lack = (dt * sum[k] - lost).abs();
+                let gap = (dt * sum[k] - lost).abs();
                 let size: f64 = forces.iter().map(|f| dt * f[k].abs()).sum();
-                println!("{rotations} {times}: J_{k} = {lost:.6e} N s/m, lack {:.1e} of it", lack / size);
-                assert!(lack < 1e-12 * size.max(1.0), "{} against {lost}", dt * sum[k]);
+                println!("{rotations} {times}: J_{k} = {lost:.6e} N s/m, gap {:.1e} of it", gap / size);
+                assert!(gap < 1e-12 * size.max(1.0), "{} against {lost}", dt * sum[k]);
                 assert!((given.impulse[k] - dt * sum[k]).abs() <= 1e-12 * size);
             }
             assert_eq!(given.penetration.count, 0, "{given:?}");
@@ -75,16 +75,16 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
     }
 }
 
-/// Blows of single particles (THEORY WA7) are in the nodes' impulses too: a box that spins through the surface, in the
+/// Contact impulses of single particles (THEORY WA7) are in the nodes' impulses too: a box that spins through the surface, in the
 /// water's own steps, gets more than its boundary particles' forces, and momentum closes.
 #[test]
-fn blows_of_single_particles_reach_the_nodes() {
+fn impulses_of_single_particles_reach_the_nodes() {
     let arms = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]];
     let law = |t: f64| placed(&arms, &Motion { angle: 0.4 + 15.0 * t, angular_velocity: 15.0, ..Motion::default() });
     let spec = FluidElementSpec::new(0.03, 0.9, 0.6).with_sound_speed(50.0);
     let topology = Topology::of(law(0.0).position).closed(0..4);
     let mut element = spec.size(&topology).expect("a sound element").build(&law(0.0)).expect("water");
-    let (mut forces, mut time, mut blows, mut steps) = (vec![[0.0; 3]; 4], 0.0, 0.0, 0);
+    let (mut forces, mut time, mut impulses, mut steps) = (vec![[0.0; 3]; 4], 0.0, 0.0, 0);
     let before = momentum(&element);
     let mut given = [0.0; 2];
     while time < 0.3 {
@@ -93,15 +93,18 @@ fn blows_of_single_particles_reach_the_nodes() {
         let impulse = element.contribute(HostStep { dt, nodes: &law(time) }, &mut forces).expect("a step").impulse;
         let (walls, range) = (&element.system().walls, element.system().range(0));
         let pushed = [&walls.mean_fx, &walls.mean_fy].map(|f| dt * f[range.clone()].iter().sum::<f64>());
-        let blow = (impulse[0] - pushed[0]).hypot(impulse[1] - pushed[1]);
-        steps += usize::from(blow > 1e-9);
-        blows += blow;
+        let contact = (impulse[0] - pushed[0]).hypot(impulse[1] - pushed[1]);
+        steps += usize::from(contact > 1e-9);
+        impulses += contact;
         given = [0, 1].map(|k| given[k] + impulse[k]);
     }
     let after = momentum(&element);
-    let lack = [0, 1].map(|k| (before[k] - after[k] - given[k]).abs());
-    println!("{steps} steps with blows of {blows:.3} N s/m; of {given:.1?} N s/m given {:.1e} lack", lack[0] + lack[1]);
-    assert!(steps > 0 && lack[0] + lack[1] < 1e-10 * given[1].abs());
+    let gap = [0, 1].map(|k| (before[k] - after[k] - given[k]).abs());
+    println!(
+        "{steps} steps with impulses of {impulses:.3} N s/m; of {given:.1?} N s/m given {:.1e} gap",
+        gap[0] + gap[1]
+    );
+    assert!(steps > 0 && gap[0] + gap[1] < 1e-10 * given[1].abs());
     assert!(element.system().momentum_audit().worst < 1e-12);
 }
 
@@ -275,7 +278,7 @@ fn the_works_of_both_sides_agree() {
     for rotations in [false, true] {
         let gap = |steps: u32| {
             let (mut element, law) = swinging(rotations);
-            let (mut forces, mut lack, mut size) = (vec![[0.0; 3]; 11], 0.0, 0.0);
+            let (mut forces, mut gap, mut size) = (vec![[0.0; 3]; 11], 0.0, 0.0);
             let dt = 0.048 / f64::from(steps);
             for k in 0..steps {
                 let (a, b) = (law(dt * f64::from(k)), law(dt * f64::from(k + 1)));
@@ -285,10 +288,10 @@ fn the_works_of_both_sides_agree() {
                     done += fx * (b.position[n][0] - a.position[n][0]) + fy * (b.position[n][1] - a.position[n][1]);
                     done += if rotations { m * (b.rotation[n] - a.rotation[n]) } else { 0.0 };
                 }
-                lack += given.work - done;
+                gap += given.work - done;
                 size += given.work.abs();
             }
-            lack.abs() / size
+            gap.abs() / size
         };
         let gaps = [3, 6, 12, 24].map(gap);
         println!("swinging, turning {rotations}: {:?}", gaps.map(|gap| format!("{gap:.1e}")));

@@ -1,4 +1,4 @@
-//! The host's door: what is refused, with which words; what is sized and shown.
+//! The embedding element: what is refused, with which words; what is sized and shown.
 
 use evidence::door::{MASS, bits, element, moved, placed, spec, wedge_of_nodes};
 use fsi_coupling::Motion;

@@ -27,8 +27,8 @@ fn near(ours: f64, theirs: f64, within: f64, what: &str) {
     assert!((ours / theirs - 1.0).abs() <= within, "{what}: {ours}, reference {theirs}");
 }
 
-fn wedge(rung: EntryModel, deadrise: f64) -> Loads {
-    Loads::new(rung, &Section::wedge(deadrise, 1000.0).expect("a section")).expect("in range")
+fn wedge(model: EntryModel, deadrise: f64) -> Loads {
+    Loads::new(model, &Section::wedge(deadrise, 1000.0).expect("a section")).expect("in range")
 }
 
 #[test]
@@ -37,11 +37,11 @@ fn forces_of_classical_models_on_wedges() {
     for row in &table.rows {
         let of = table.of(row);
         let deadrise = of("beta_deg");
-        for (rung, name) in
+        for (model, name) in
             [(EntryModel::VonKarman, "F_vK"), (EntryModel::Wagner, "F_Wagner"), (EntryModel::Mlm, "F_MLM")]
         {
-            if deadrise <= rung.deadrises()[1] {
-                let loads = wedge(rung, deadrise);
+            if deadrise <= model.deadrises()[1] {
+                let loads = wedge(model, deadrise);
                 near(loads.at(1.0).slam, of(name), 1e-6, &format!("{name} at {deadrise}"));
                 near(loads.at(0.3).slam, 0.3 * of(name), 1e-6, &format!("{name} at {deadrise}, less deep"));
             }
@@ -66,7 +66,7 @@ fn closed_forms_on_wedges() {
         let sin = (1.0 - 1.0 / (q * q)).sqrt();
         let mlm = 2.0 * c * (spread * sin.asin() - 0.5 * across * sin.atanh() - 0.5 * (1.0 - across) * sin);
         for h in [1e-3, 0.37, 1.0, 7.0] {
-            let slam = |rung| wedge(rung, deadrise).at(h).slam / h;
+            let slam = |model| wedge(model, deadrise).at(h).slam / h;
             near(slam(EntryModel::VonKarman), PI / (tan * tan), 1e-10, "von Karman");
             near(slam(EntryModel::Wagner), PI.powi(3) / (4.0 * tan * tan), 1e-10, "Wagner");
             near(slam(EntryModel::Mlm), mlm, 1e-10, "MLM");
@@ -78,7 +78,7 @@ fn closed_forms_on_wedges() {
 fn pressures_along_a_wedge() {
     for deadrise in [10, 20, 30, 45] {
         let table = Reference::read(&format!("exact/wedge_pressure_mlm_wagner_{deadrise}deg.csv"));
-        let [mlm, wagner] = [EntryModel::Mlm, EntryModel::Wagner].map(|rung| wedge(rung, f64::from(deadrise)));
+        let [mlm, wagner] = [EntryModel::Mlm, EntryModel::Wagner].map(|model| wedge(model, f64::from(deadrise)));
         for row in &table.rows {
             let of = table.of(row);
             let cp = |loads: &Loads| 2.0 * loads.pressure(of("x_over_Vt"), 1.0, 1.0, 0.0, 1.0).expect("a pressure");
@@ -220,10 +220,10 @@ fn von_karmans_momentum_is_kept() {
 fn cylinders() {
     let table = Reference::read("exact/cylinder_slamming.csv");
     let section = Section::arc(1.0, 2.0).expect("a section");
-    for (rung, name) in
+    for (model, name) in
         [(EntryModel::VonKarman, "Cs_vK"), (EntryModel::Wagner, "Cs_Wagner"), (EntryModel::Mlm, "Cs_MLM")]
     {
-        let loads = Loads::new(rung, &section).expect("in range");
+        let loads = Loads::new(model, &section).expect("in range");
         for row in &table.rows {
             let of = table.of(row);
             if (0.001..0.2).contains(&of("h_over_R")) {
@@ -243,7 +243,7 @@ fn past_the_chines_the_load_of_a_fast_entry_falls() {
 
 #[test]
 fn what_a_model_cannot_do_is_refused_with_its_range_and_the_next_that_can() {
-    let of = |rung: EntryModel, section: &Section| Loads::new(rung, section).expect_err("out of range");
+    let of = |model: EntryModel, section: &Section| Loads::new(model, section).expect_err("out of range");
     let steep = Section::wedge(80.0, 1.0).expect("a section");
     let OutOfRange { next, .. } = of(EntryModel::Wagner, &steep);
     assert_eq!(next, EntryModel::Similarity);

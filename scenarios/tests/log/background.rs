@@ -97,7 +97,7 @@ fn an_error_of_the_other_thread_comes_back() {
 /// Frames that may be on their way at a time: one in work, one that waits, one that is handed over.
 const ON_THEIR_WAY: usize = 3;
 
-/// A disk that takes nothing (a pipe that nobody reads) lets a run hand over a few frames and then makes it wait; once it takes
+/// A disk that takes nothing (a pipe without a reader) lets a run hand over a few frames and then makes it wait; once it takes
 /// more, every frame arrives.
 #[cfg(unix)]
 #[test]
@@ -127,7 +127,7 @@ fn a_run_that_is_ahead_of_the_disk_waits_for_it() {
         thread::sleep(Duration::from_millis(500));
         let ahead = taken.load(Ordering::Relaxed);
         go_on.wait();
-        assert!(ahead <= ON_THEIR_WAY, "{ahead} frames were taken that nobody wrote");
+        assert!(ahead <= ON_THEIR_WAY, "{ahead} frames were taken and not written");
         reader.join().unwrap()
     });
     let frames = stream(&read).0.iter().filter(|m| m.channel.topic == "/fluid").count();

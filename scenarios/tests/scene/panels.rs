@@ -43,7 +43,7 @@ fn a_bad_panel_is_refused_with_key_given_and_expected() {
     assert!(damped.contains("`body.damping`") && damped.contains("only with body.panels"), "{damped}");
 }
 
-/// A panel that would be unstable, a membrane, or stepped over is doubted aloud, with a number and a cure.
+/// A panel that would be unstable, a membrane, or stepped over gets a warning with a number and a remedy.
 #[test]
 fn a_doubtful_panel_is_warned_about() {
     let warned = |scene: &str, sets: &[&str]| {

@@ -1,4 +1,4 @@
-//! What an incompressible solver makes of a scene: its defaults, its table, its doubts.
+//! What an incompressible solver makes of a scene: its defaults, its table, its warnings.
 
 use scenarios::preflight::preflight;
 use scenarios::run::{RunOptions, run};
@@ -89,7 +89,7 @@ fn check_counts_steps_of_the_fastest_known_speed() {
 }
 
 #[test]
-fn doubts_about_an_incompressible_scene_say_what_would_cure_them() {
+fn warnings_about_an_incompressible_scene_name_a_remedy() {
     let doubt = |changes: &[&str]| warnings_with(DROP, &[&["solver=incompressible"], changes].concat());
     let near = doubt(&["tank.width=1.2", "tank.depth=0.6"]);
     assert!(near.contains("draughts away") && near.contains("answers at once"), "{near}");

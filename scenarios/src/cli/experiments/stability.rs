@@ -24,7 +24,7 @@ pub(in crate::cli) struct StabilityArgs {
     out: PathBuf,
 }
 
-const HEADING: &str = "# Stability atlas\n\nWritten by `splashdown stability --all --table docs/src/validation/stability_maps.md`. \
+const HEADING: &str = "# Stability maps\n\nWritten by `splashdown stability --all --table docs/src/validation/stability_maps.md`. \
                        · stable, ~ inaccurate, **×** failed; in brackets where theory says otherwise. The last column counts the \
                        cells between the boundary found and the theory's.";
 
