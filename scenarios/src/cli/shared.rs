@@ -31,7 +31,7 @@ impl Output {
     /// Print a result: `value` as JSON with `--json`, else `text`.
     pub fn result(&self, value: &impl Serialize, text: &str) {
         match self.json {
-            true => say(&to_json(value)),
+            true => say(to_json(value)),
             false => say(text.trim_end()),
         }
     }

@@ -3,7 +3,7 @@
 use fsi_coupling::{Motion, PanelState};
 
 use super::Frame;
-use super::columns::Source;
+use super::source::Source;
 use crate::scene::Scene;
 
 /// Reads a column from a body's motion.

@@ -2,7 +2,7 @@
 
 use sph_core::Fluid;
 
-use super::columns::Source;
+use super::source::{Reader, Source};
 use crate::scene::Scene;
 
 pub(super) const SOURCE: Source = Source { names, reader };
@@ -12,7 +12,7 @@ fn names(scene: &Scene) -> Vec<String> {
     scene.observe.front.then(|| "front_m".to_string()).into_iter().collect()
 }
 
-fn reader(scene: &Scene) -> super::columns::Reader {
+fn reader(scene: &Scene) -> Reader {
     let asked = scene.observe.front;
     Box::new(move |frame| asked.then(|| front(&frame.system.fluid)).into_iter().collect())
 }

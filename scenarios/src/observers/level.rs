@@ -2,7 +2,7 @@
 
 use sph_core::Fluid;
 
-use super::columns::Source;
+use super::source::{Reader, Source};
 use crate::build;
 use crate::scene::{Scene, Symmetry};
 
@@ -16,7 +16,7 @@ fn names(scene: &Scene) -> Vec<String> {
     (1..=scene.observe.level.len()).map(|k| format!("level{k}_m")).collect()
 }
 
-fn reader(scene: &Scene) -> super::columns::Reader {
+fn reader(scene: &Scene) -> Reader {
     let levels = LevelReader::new(scene);
     Box::new(move |frame| levels.read(&frame.system.fluid))
 }

@@ -18,6 +18,7 @@ mod run_log;
 mod sensing;
 mod series;
 mod similarity;
+mod source;
 mod volume;
 
 use std::io;

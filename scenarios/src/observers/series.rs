@@ -4,7 +4,8 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::columns::{Reader, SOURCES, columns};
+use super::columns::{SOURCES, columns};
+use super::source::Reader;
 use super::volume::{VOLUME, Water};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;

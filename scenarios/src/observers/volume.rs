@@ -4,7 +4,7 @@ use serde::Serialize;
 use sph_core::Fluid;
 use sph_core::particles::probe::Probe;
 
-use super::columns::Source;
+use super::source::{Reader, Source};
 use crate::scene::{Scene, Symmetry};
 
 /// The column.
@@ -33,7 +33,7 @@ fn names(scene: &Scene) -> Vec<String> {
     scene.observe.volume.then(|| VOLUME.to_string()).into_iter().collect()
 }
 
-fn reader(scene: &Scene) -> super::columns::Reader {
+fn reader(scene: &Scene) -> Reader {
     let volume = scene.observe.volume.then(|| VolumeReader::new(scene));
     Box::new(move |frame| volume.iter().map(|v| v.read(&frame.system.fluid)).collect())
 }

@@ -10,7 +10,7 @@ use crate::experiments::convergence::{self, Plan, Refinement, page, study, text}
 use crate::run::refuse_occupied;
 
 #[derive(Args)]
-pub(in crate::cli) struct StudyArgs {
+pub struct StudyArgs {
     #[command(flatten)]
     scene: SceneArgs,
     /// Path of a number in summary.json, e.g. similarity/force_coefficient or peaks/wedge.fy_N_per_m/value.
@@ -33,7 +33,7 @@ pub(in crate::cli) struct StudyArgs {
 /// Files of a study.
 const FILES: [&str; 2] = ["study.json", "study.html"];
 
-pub(in crate::cli) fn run_study(output: &Output, args: &StudyArgs) -> Result<u8, Stop> {
+pub fn run_study(output: &Output, args: &StudyArgs) -> Result<u8, Stop> {
     let name = load(&args.scene)?.scene.name;
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("{name}_study")));
     if let (Some(held), false) = (FILES.iter().find(|file| out.join(file).exists()), args.force) {
@@ -59,7 +59,7 @@ pub(in crate::cli) fn run_study(output: &Output, args: &StudyArgs) -> Result<u8,
 }
 
 /// The runs of `run --converge` before the scene's own.
-pub(in crate::cli) fn coarser_runs(
+pub fn coarser_runs(
     output: &Output,
     given: &SceneArgs,
     quantities: &[String],

@@ -7,14 +7,14 @@ use crate::cli::shared::{DONE, Output, Stop};
 use crate::experiments::coverage::{CASES, cover, table};
 
 #[derive(Args)]
-pub(in crate::cli) struct BandsArgs {
+pub struct BandsArgs {
     #[command(flatten)]
     selection: Selection,
 }
 
 const HEADING: &str = "# Error bars\n\nWritten by `splashdown bands --all --table docs/src/validation/error_bars.md`.";
 
-pub(in crate::cli) fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
+pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     if args.selection.is_empty() {
         return list(&CASES);
     }

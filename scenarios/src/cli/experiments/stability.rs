@@ -10,7 +10,7 @@ use crate::experiments::ExperimentError;
 use crate::experiments::stability::{self, MAPS, Map, Measured};
 
 #[derive(Args)]
-pub(in crate::cli) struct StabilityArgs {
+pub struct StabilityArgs {
     #[command(flatten)]
     selection: Selection,
     /// Draw a map that was made before, from its JSON file, without running it (repeatable).
@@ -28,7 +28,7 @@ const HEADING: &str = "# Stability maps\n\nWritten by `splashdown stability --al
                        · stable, ~ inaccurate, **×** failed; in brackets where theory says otherwise. The last column counts the \
                        cells between the boundary found and the theory's.";
 
-pub(in crate::cli) fn run_maps(output: &Output, args: &StabilityArgs) -> Result<u8, Stop> {
+pub fn run_maps(output: &Output, args: &StabilityArgs) -> Result<u8, Stop> {
     let selection = &args.selection;
     if let Some(at) = &args.point {
         return run_point(output, &selection.cases, at);

@@ -9,7 +9,7 @@ use crate::cli::shared::{DONE, Output, Stop};
 use crate::experiments::validation::{CASES, table, validate};
 
 #[derive(Args)]
-pub(in crate::cli) struct ValidateArgs {
+pub struct ValidateArgs {
     #[command(flatten)]
     selection: Selection,
     /// Keep each case's files below this folder.
@@ -19,7 +19,7 @@ pub(in crate::cli) struct ValidateArgs {
 
 const HEADING: &str = "# Validation\n\nWritten by `splashdown validate --all --table docs/src/validation/cases.md`.";
 
-pub(in crate::cli) fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> {
+pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> {
     if args.selection.is_empty() {
         return list(&CASES);
     }

@@ -10,7 +10,7 @@ use crate::experiments::work_precision::{self, CHARTS, Case, Measured};
 use crate::experiments::{ExperimentError, catalogue};
 
 #[derive(Args)]
-pub(in crate::cli) struct ChartArgs {
+pub struct ChartArgs {
     #[command(flatten)]
     selection: Selection,
     /// Draw a chart that was measured before, from the NAME.json that `splashdown chart NAME` wrote into its --out, without
@@ -33,7 +33,7 @@ pub(in crate::cli) struct ChartArgs {
 
 const HEADING: &str = "# Error against cost\n\nWritten by `splashdown chart --table`.";
 
-pub(in crate::cli) fn run_charts(output: &Output, args: &ChartArgs) -> Result<u8, Stop> {
+pub fn run_charts(output: &Output, args: &ChartArgs) -> Result<u8, Stop> {
     if args.selection.is_empty() && args.from.is_empty() {
         return list(&CHARTS);
     }
