@@ -1,4 +1,4 @@
-//! Schemes and options of the thesis of 2010 that the default schemes do not need: [`Compressible`](compressible::Compressible)
+//! Schemes and options of the thesis of 2010 that the default schemes do not need: [`Compressible`]
 //! is the weakly compressible scheme with other integrators, density filters, walls, turbulence and an ideal gas;
 //! [`pilorget2010`] is the thesis's projection.
 

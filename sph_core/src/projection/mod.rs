@@ -1,6 +1,6 @@
 //! The incompressible scheme: a projection per step (THEORY PR2–PR14). Pressures are those that leave the water's volume as it is.
 //!
-//! Read in this order: [`Projection::advance`], `operators` (sums over pairs), `free_surface`, `pressure` (the equation),
+//! Read in this order: `Projection::advance`, `operators` (sums over pairs), `free_surface`, `pressure` (the equation),
 //! [`linear_solver`], `forces`, `motion`; `monolithic` couples bodies.
 
 mod forces;

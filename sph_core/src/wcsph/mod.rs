@@ -1,7 +1,7 @@
 //! The weakly compressible scheme (THEORY WC2–WC12, WA3–WA5): pressures follow from densities by Tait's law, and run through the water as
 //! sound.
 //!
-//! Read in this order: [`Wcsph::advance`], [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`.
+//! Read in this order: `Wcsph::advance`, [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`.
 
 pub mod eos;
 mod settings;
