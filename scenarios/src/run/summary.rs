@@ -49,7 +49,7 @@ pub struct Audit {
     pub momentum: f64,
     /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
     pub energy: f64,
-    /// Conservation over the run (THEORY CO27, CO28).
+    /// Work of the water that did not reach the body, over the work exchanged (THEORY CO17) [-].
     pub work: f64,
     /// Work on an elastic body that its energies do not contain, over the work exchanged [-].
     pub structure: f64,
@@ -60,7 +60,7 @@ pub struct Audit {
     /// The worst of them; absent when there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worst_penetration: Option<WorstPenetration>,
-    /// Conservation over the run (THEORY CO27, CO28).
+    /// Times that a particle was stopped at a thin plate (THEORY WA11); absent when never.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped_at_plate: Option<u64>,
 }
@@ -88,7 +88,7 @@ pub struct Compressibility {
     pub mach_reached: f64,
     /// Estimated share of the force lost to compressibility (THEORY WC17) [-]; `null` without an impact.
     pub force_error_estimate: Option<f64>,
-    /// Conservation over the run (THEORY CO27, CO28).
+    /// Factor on the force that corrects for this share, 1/(1 − share) (THEORY GE15) [-]; `null` without an impact. No other
     /// number of the summary is corrected.
     pub force_corrected: Option<f64>,
 }
@@ -198,7 +198,7 @@ pub struct Summary {
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
-    /// Conservation over the run (THEORY CO27, CO28).
+    /// Error bars of main numbers, from charts or a convergence study (THEORY GE16, GE17).
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub error_bars: ErrorBars,
     /// Results of the body's panels, by name.
