@@ -55,7 +55,11 @@ fn a_map_is_made_once_and_every_point_comes_back_by_its_command() {
     }
     // at 10 m/s water is compressed by 5 %; 400 steps are more than the map allows; 16 ms are beyond the limit at 30 m/s
     assert_eq!(seen, ["failed", "inaccurate", "failed", "failed", "stable", "failed"]);
-    assert!(points[0]["why"].as_str().expect("a reason").contains("end time not reached after 200 steps"), "{}", points[0]);
+    assert!(
+        points[0]["why"].as_str().expect("a reason").contains("end time not reached after 200 steps"),
+        "{}",
+        points[0]
+    );
 
     let drawn = place.run(&["stability", "--from", "out/two.json", "--out", "again", "--table", "two.md", "--quiet"]);
     assert_eq!(drawn.code, Some(0), "{}", drawn.message);
