@@ -145,7 +145,7 @@ impl Parameters {
             Solver::WeaklyCompressible => Box::new(self.compressible()),
             Solver::Incompressible => Box::new(self.projection(projection::Method::Solve)),
             Solver::IncompressibleExplicit => Box::new(self.projection(projection::Method::OneIteration)),
-            Solver::IncompressibleThesis => unimplemented!("scenes describe it"),
+            Solver::IncompressibleThesis => Box::new(sph_core::ThesisSettings::default()),
         }
     }
 
