@@ -9,7 +9,7 @@ use super::pose::{identity_pose, rotation_about_z};
 use super::stamp::Stamp;
 use super::topics::WORLD_FRAME;
 
-/// The width of an outline on the screen [pixels].
+/// The width of an outline as viewers draw it [pixels].
 const OUTLINE_THICKNESS: f64 = 2.0;
 
 /// Orange, which stands out from water and walls on a light and on a dark ground.

@@ -5,14 +5,15 @@ use std::time::Instant;
 use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use serde::Serialize;
 
-use super::{Measured, Theory, Want, measured};
+use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::scene::Scene;
 
 /// A theory, for a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Assessment {
     /// The model.
-    pub rung: EntryModel,
+    #[serde(rename = "rung")]
+    pub model: EntryModel,
     /// True if it is valid at the start of the scene.
     #[serde(skip)]
     pub begins: bool,
@@ -28,23 +29,23 @@ pub struct Assessment {
 }
 
 /// Every theory, from the cheapest, for a quantity of interest.
-pub fn assess(scene: &Scene, want: Want) -> Vec<Assessment> {
-    let theories = EntryModel::ALL.into_iter().filter(|rung| rung.is_theory());
+pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
+    let theories = EntryModel::ALL.into_iter().filter(|model| model.is_theory());
     theories
-        .map(|rung| {
+        .map(|model| {
             let start = Instant::now();
-            let followed = Theory::while_in_range(scene, rung);
+            let followed = Theory::while_in_range(scene, model);
             let begins = followed.is_ok();
             match followed {
                 Ok((theory, None)) => Assessment {
-                    rung,
+                    model,
                     begins,
                     obstacle: None,
                     core_seconds: Some(start.elapsed().as_secs_f64()),
                     measured: measured(scene, &theory, want),
                 },
                 Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => Assessment {
-                    rung,
+                    model,
                     begins,
                     obstacle: Some(format!("holds for {range}, not {what}")),
                     core_seconds: None,

@@ -5,7 +5,7 @@ use std::time::Instant as Clock;
 
 use fsi_coupling::entry_theory::Instant;
 
-use super::{Measured, Theory, Want, measured};
+use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
@@ -92,7 +92,7 @@ fn reach(error: f64) -> f64 {
 
 /// Error bars of a run by a theory: its error in the nearest measured case (THEORY EN9).
 fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
-    let bar = |want: Want, path: String, value: f64| {
+    let bar = |want: QuantityOfInterest, path: String, value: f64| {
         let Measured { error, case } = measured(scene, theory, want)?;
         let (method, verdict) = (format!("measured in {case}"), "as far off as it was there".into());
         Some((
@@ -102,11 +102,12 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     };
     let column = format!("{}.fy_N_per_m", body.name);
     let peak = series.peaks().find(|(name, ..)| *name == column);
-    let force = peak.and_then(|(name, value, _)| bar(Want::PeakForce, format!("peaks/{name}/value"), value));
+    let force =
+        peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
     let pressure = |gauge: &Gauge| {
         let column = format!("{}.p_Pa", gauge.name);
         let (name, value, _) = series.peaks().find(|(name, ..)| *name == column)?;
-        bar(Want::PeakPressure, format!("peaks/{name}/value"), value)
+        bar(QuantityOfInterest::PeakPressure, format!("peaks/{name}/value"), value)
     };
     force.into_iter().chain(scene.gauges.iter().filter_map(pressure)).collect()
 }

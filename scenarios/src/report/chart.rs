@@ -280,7 +280,7 @@ fn label(text: &str) -> String {
     printable(text).replace('$', "\\$")
 }
 
-/// The scene as SVG that scales, names itself to screen readers, and has the same bytes each time.
+/// The scene as SVG that scales, has a label for those who hear it read, and the same bytes each time.
 fn to_svg(mut scene: Scene, title: &str) -> String {
     // The crate numbers clip paths with a global counter. Named by their geometry, equal names mean
     // equal paths, also among several charts on one page.
