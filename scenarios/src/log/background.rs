@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
+use foxglove::messages::log::Level;
+
 use super::budget::{Budget, Standing};
 use super::error::LogError;
 use super::frame::Frame;
-use super::level::Level;
 use super::writer::{LogMetadata, LogWriter};
 
 /// Frames that wait for the disk while another is written; beyond these the run waits.
@@ -66,7 +67,7 @@ impl BackgroundLog {
         let writer = Writer { log: LogWriter::create(path, metadata)?, budget, path: path.to_owned(), start: None };
         let (batches, received) = sync_channel(WAITING);
         let thread = thread::Builder::new().name("log".into()).spawn(move || writer.write_all(&received));
-        let thread = thread.map_err(|source| LogError::Create { path: path.to_owned(), source })?;
+        let thread = thread.map_err(|source| LogError::Create(path.to_owned(), source))?;
         Ok(Self { samples: Vec::new(), batches: Some(batches), thread: Some(thread), path: path.to_owned() })
     }
 
@@ -102,7 +103,7 @@ impl BackgroundLog {
     /// The first failure since the last call.
     pub fn finish(mut self) -> Result<Logged, LogError> {
         self.submit(Then::Nothing)?;
-        self.end().unwrap_or(Err(LogError::Ended { path: self.path.clone() }))
+        self.end().unwrap_or(Err(LogError::Ended(self.path.clone())))
     }
 
     fn submit(&mut self, then: Then) -> Result<(), LogError> {
@@ -117,7 +118,7 @@ impl BackgroundLog {
     fn failure(&mut self) -> LogError {
         match self.end() {
             Some(Err(error)) => error,
-            _ => LogError::Ended { path: self.path.clone() },
+            _ => LogError::Ended(self.path.clone()),
         }
     }
 
@@ -162,7 +163,7 @@ impl Writer {
                 Then::Note { time, level, text } => self.log.note(time, level, &text)?,
                 Then::Frame { frame, last } => {
                     if self.admits(&frame, last, logged.frames, raw as u64) {
-                        self.log.write(&frame)?;
+                        self.log.frame(&frame)?;
                         logged.frames += 1;
                     } else {
                         self.log.flush()?;

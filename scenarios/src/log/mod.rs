@@ -32,24 +32,16 @@
 //! complete file.
 
 mod background;
-mod bodies;
 mod budget;
 mod container;
 mod error;
 mod frame;
-mod level;
-mod particles;
-mod pose;
-mod sample;
-mod stamp;
-mod topics;
 mod writer;
 
 pub use background::{BackgroundLog, Logged};
-pub use bodies::BodyView;
 pub use budget::Budget;
 pub use error::LogError;
-pub use frame::Frame;
-pub use level::Level;
-pub use particles::ParticleView;
+/// Severity of a note.
+pub use foxglove::messages::log::Level;
+pub use frame::{BodyView, Frame, Point};
 pub use writer::{LogMetadata, LogWriter};

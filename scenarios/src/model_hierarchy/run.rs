@@ -8,8 +8,8 @@ use fsi_coupling::entry_theory::Instant;
 use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
-use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
-use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values};
+use crate::log::{BodyView, Frame, Logged};
+use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values, create_log};
 use crate::reference::WedgeSimilarity;
 use crate::run::summary::{Audit, Log, Particles, Peak, Status, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
@@ -114,12 +114,8 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
 
 /// Poses of the body, and its curves.
 fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path) -> Result<Logged, ObserveError> {
-    let toml = scene.to_toml();
-    let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-    let budget = scene.report.log_budget.map(|mb| Budget { bytes: (1e6 * mb) as u64, end: scene.time.end });
-    let mut log = BackgroundLog::create(path, &metadata, budget)?;
+    let mut log = create_log(path, scene)?;
     let outline = body.shape.outline();
-    let none = ParticleView::default();
     let mut next = 0.0;
     for (k, (now, motion)) in theory.instants.iter().zip(theory.motions(body)).enumerate() {
         let named: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&motion)).collect();
@@ -128,7 +124,7 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
         if now.time >= next || last {
             next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);
             let view = BodyView { name: &body.name, position: motion.position, angle: motion.angle, outline: &outline };
-            log.frame(Frame::new(now.time, &none, &none, &[view])?, last)?;
+            log.frame(Frame::new(now.time, &[], &[], &[view])?, last)?;
         }
     }
     Ok(log.finish()?)

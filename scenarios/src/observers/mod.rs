@@ -38,6 +38,7 @@ pub use history::{History, Rest};
 pub use low_pass::LowPass;
 pub use penetration::WorstPenetration;
 pub use run_log::LogObserver;
+pub(crate) use run_log::create_log;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
 pub use volume::Water;
