@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
-use super::{ExperimentError, markdown};
+use super::{ExperimentError, yes};
+use crate::report::Table;
 use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene};
@@ -210,21 +211,18 @@ fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &RunRecord, coarse: &
 
 /// The table as Markdown.
 pub fn table(lines: &[Line]) -> String {
-    let head = ["case", "quantity", "ours", "reference", "error", "allowed", "holds", "core-s", "source"];
-    let row = |l: &Line| {
-        vec![
-            l.case.clone(),
-            l.quantity.clone(),
-            number(l.ours),
-            l.theirs.clone(),
-            l.error.map_or(String::new(), |e| format!("{:+.2} %", 100.0 * e)),
-            l.allowed.clone(),
-            if l.holds { "yes" } else { "**no**" }.into(),
-            format!("{:.0}", l.core_seconds),
-            l.source.clone(),
-        ]
-    };
-    markdown(&head, &lines.iter().map(row).collect::<Vec<_>>())
+    let columns: &[(&str, fn(&&Line) -> String)] = &[
+        ("case", |l| l.case.clone()),
+        ("quantity", |l| l.quantity.clone()),
+        ("ours", |l| number(l.ours)),
+        ("reference", |l| l.theirs.clone()),
+        ("error", |l| l.error.map_or(String::new(), |e| format!("{:+.2} %", 100.0 * e))),
+        ("allowed", |l| l.allowed.clone()),
+        ("holds", |l| yes(l.holds)),
+        ("core-s", |l| format!("{:.0}", l.core_seconds)),
+        ("source", |l| l.source.clone()),
+    ];
+    Table::of("", lines, columns).markdown()
 }
 
 /// Six digits; in powers of ten outside 10⁻³ to 10⁶.

@@ -25,3 +25,4 @@ pub use flow_figure::flow_svg;
 pub use html::{Block, Report, Status, render};
 pub(crate) use markup::escape;
 pub use table::Table;
+pub(crate) use table::{known, row};
