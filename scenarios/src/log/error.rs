@@ -9,13 +9,13 @@ use mcap::McapError;
 #[derive(Debug, thiserror::Error)]
 pub enum LogError {
     /// The file cannot be opened for writing.
-    #[error("cannot create the log {}: {1}", .0.display())]
+    #[error("cannot create the log {path}: {1}", path = .0.display())]
     Create(PathBuf, #[source] io::Error),
     /// The file cannot be written to; the log ends.
-    #[error("cannot write the log {}: {1}", .0.display())]
+    #[error("cannot write the log {path}: {1}", path = .0.display())]
     Write(PathBuf, #[source] McapError),
     /// The log has ended, for a reason that was reported before.
-    #[error("the log {} has ended", .0.display())]
+    #[error("the log {path} has ended", path = .0.display())]
     Ended(PathBuf),
     /// A time [s] that a log cannot carry: its clock counts from 0 s and ends before 2³² s.
     #[error("cannot log the time {0} s: it must lie in [0, 2^32) s")]

@@ -30,28 +30,21 @@ pub struct Assessment {
 
 /// Every theory, from the cheapest, for a quantity of interest.
 pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
-    let theories = EntryModel::ALL.into_iter().filter(|model| model.is_theory());
-    theories
-        .map(|model| {
-            let start = Instant::now();
-            let followed = Theory::while_in_range(scene, model);
-            let begins = followed.is_ok();
-            match followed {
-                Ok((theory, None)) => Assessment {
-                    model,
-                    begins,
-                    obstacle: None,
-                    core_seconds: Some(start.elapsed().as_secs_f64()),
-                    measured: measured(scene, &theory, want),
-                },
-                Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => Assessment {
-                    model,
-                    begins,
-                    obstacle: Some(format!("holds for {range}, not {what}")),
-                    core_seconds: None,
-                    measured: None,
-                },
+    let assessed = |model: EntryModel| {
+        let start = Instant::now();
+        let followed = Theory::while_in_range(scene, model);
+        let unknown =
+            Assessment { model, begins: followed.is_ok(), obstacle: None, core_seconds: None, measured: None };
+        match followed {
+            Ok((theory, None)) => Assessment {
+                core_seconds: Some(start.elapsed().as_secs_f64()),
+                measured: measured(scene, &theory, want),
+                ..unknown
+            },
+            Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => {
+                Assessment { obstacle: Some(format!("holds for {range}, not {what}")), ..unknown }
             }
-        })
-        .collect()
+        }
+    };
+    EntryModel::ALL.into_iter().filter(|model| model.is_theory()).map(assessed).collect()
 }

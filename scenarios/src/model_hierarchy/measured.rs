@@ -80,12 +80,18 @@ fn coefficient_errors(model: EntryModel, deadrise_deg: f64) -> Option<[Option<f6
     Some([Some(force), pressure.filter(|_| model != EntryModel::VonKarman)])
 }
 
-/// Largest RMS error of the benchmark's deflection over its peak, of those that others computed [-].
-fn elastic_error() -> Option<Measured> {
-    let scene = scene::load(BENCHMARK, &[]).ok()?.scene;
-    let (theory, _) = Theory::while_in_range(&scene, EntryModel::Wagner).ok()?;
+/// A built-in scene, and its series by a theory as far as it holds.
+fn followed(name: &str, model: EntryModel) -> Option<(Scene, Series)> {
+    let scene = scene::load(name, &[]).ok()?.scene;
+    let (theory, _) = Theory::while_in_range(&scene, model).ok()?;
     let mut series = Series::new(&scene, None).ok()?;
     theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
+    Some((scene, series))
+}
+
+/// Largest RMS error of the benchmark's deflection over its peak, of those that others computed [-].
+fn elastic_error() -> Option<Measured> {
+    let (scene, series) = followed(BENCHMARK, EntryModel::Wagner)?;
     let judged = scene.compare.iter().filter(|c| c.tolerance.is_some());
     let errors = judged.filter_map(|c| compare::against_curve(c, &compare::curve(c).ok()?, &series));
     let error = errors.map(|c| c.error.abs()).reduce(f64::max)?;
@@ -110,11 +116,7 @@ fn drop_error(scene: &Scene, theory: &Theory) -> Option<f64> {
 
 /// RMS error of the validated drop's speed over that at contact [-], up to where the theory can follow.
 fn validated_drop_error(model: EntryModel) -> Option<f64> {
-    let scene = scene::load(DROP, &[]).ok()?.scene;
+    let (scene, series) = followed(DROP, model)?;
     let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?;
-    let (theory, _) = Theory::while_in_range(&scene, model).ok()?;
-    let mut series = Series::new(&scene, None).ok()?;
-    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
-    let reference = compare::curve(compare).ok()?;
-    Some(compare::against_curve(compare, &reference, &series)?.error.abs())
+    Some(compare::against_curve(compare, &compare::curve(compare).ok()?, &series)?.error.abs())
 }

@@ -1,6 +1,5 @@
 //! The files of a run by a theory.
 
-use std::collections::BTreeMap;
 use std::time::Instant as Clock;
 
 use fsi_coupling::entry_theory::Instant;
@@ -9,9 +8,11 @@ use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
-use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values, create_log};
+use crate::observers::{
+    FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values, create_log, mean_and_deviation,
+};
 use crate::reference::WedgeSimilarity;
-use crate::run::summary::{Audit, Log, Particles, Peak, Status, Summary};
+use crate::run::summary::{Log, Peak, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
 use crate::scene::{Body, Gauge, Scene};
 
@@ -44,18 +45,13 @@ pub(crate) fn run(
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
     let summary = Summary {
         scene: scene.name.clone(),
-        status: Status::Completed,
-        message: None,
         model: scene.model.name(),
         choice: scene.choice.clone(),
         version: env!("CARGO_PKG_VERSION"),
-        particles: Particles { fluid: 0, wall: 0 },
         steps: theory.instants.len() as u64,
         time_end_s: end,
         wall_time_s: start.elapsed().as_secs_f64(),
-        particle_updates_per_s: 0.0,
         threads: 1,
-        phases: BTreeMap::new(),
         log: log.map(|Logged { bytes, frames, left_out }| Log {
             bytes,
             frames,
@@ -64,19 +60,10 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        audit: Audit::default(),
-        coupling: None,
-        rest: None,
         error_bars: error_bars(scene, body, &theory, &series),
-        order: None,
-        water: None,
-        compressibility: None,
         similarity,
-        force_rules: Vec::new(),
         comparison,
-        panels: BTreeMap::new(),
-        gauges: BTreeMap::new(),
-        projection: None,
+        ..Summary::default()
     };
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
 }
@@ -136,9 +123,8 @@ fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -
     let over = |i: &Instant| i.force / (rho * i.speed.powi(2) * i.draught);
     let late: Vec<usize> = theory.late().collect();
     let (first, last) = (*late.first()?, *late.last()?);
-    let n = late.len() as f64;
-    let mean = late.iter().map(|&k| over(&theory.instants[k])).sum::<f64>() / n;
-    let sd = (late.iter().map(|&k| (over(&theory.instants[k]) - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let coefficients: Vec<f64> = late.iter().map(|&k| over(&theory.instants[k])).collect();
+    let [mean, sd] = mean_and_deviation(&coefficients);
     let Instant { draught, speed, .. } = theory.instants[last];
     let dynamic = 0.5 * rho * speed * speed;
     let [peak, place] = theory.peak_pressure(last).unwrap_or([f64::NAN; 2]);

@@ -11,7 +11,7 @@ mod measured;
 mod page;
 mod peers;
 
-pub use case::{CHARTS, Case, Family, Quantity, Reading, Setting};
+pub use case::{CHARTS, Case, Family, Quantity, Reading};
 pub use laws::error_laws;
 pub use measure::{measure, stored};
 pub use measured::{Measured, Outcome, Point, Run, Seen, Trend};

@@ -1,6 +1,6 @@
 //! A chart as SVG, as a page and as tables.
 
-use super::case::{Quantity, Reading};
+use super::case::{Quantity, Reading, as_set};
 use super::measured::{Measured, Outcome, Seen, Trend};
 use super::peers::{Peer, PeerPoint, peers};
 use crate::experiments::ExperimentError;
@@ -141,7 +141,7 @@ fn chart(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Chart {
 fn cells(seen: &Seen<'_>) -> Vec<String> {
     let Seen { point, run, reading, on_front } = seen;
     let mark = if *on_front { " (front)" } else { "" };
-    let at = point.at.as_ref().map_or_else(String::new, ToString::to_string);
+    let at = point.at.as_ref().map_or_else(String::new, as_set);
     row([format!("{}{mark}", point.family), at], reading, run.particles, run.steps, run.core_seconds)
 }
 

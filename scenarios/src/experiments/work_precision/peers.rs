@@ -79,7 +79,7 @@ impl Given {
 /// # Errors
 /// A file is wrong.
 pub fn peers(case: &str) -> Result<Vec<Peer>, ExperimentError> {
-    let wrong = |(name, why)| ExperimentError::Case { kind: "chart of another program", name, why };
+    let wrong = |(name, why)| ExperimentError::Case(format!("chart of another program `{name}`: {why}"));
     let all: Vec<(String, Peer)> = embedded::contents(&FILES).map_err(wrong)?;
     Ok(all.into_iter().map(|(_, peer)| peer).filter(|peer| peer.case == case).collect())
 }
