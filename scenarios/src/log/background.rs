@@ -21,7 +21,7 @@ const AROUND: usize = 256;
 ///
 /// What is handed over reaches the file a frame or two later: a process that is killed loses those. The memory that it takes is
 /// bounded: with a frame in work and another waiting, the next call waits for the disk. A write that fails ends the thread; the
-/// next call says why.
+/// next call returns the error.
 pub struct BackgroundLog {
     samples: Vec<Sample>,
     batches: Option<SyncSender<Batch>>,
@@ -72,9 +72,6 @@ impl BackgroundLog {
     }
 
     /// As [`LogWriter::sample`].
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn sample(&mut self, time: f64, channel: &str, values: &[(&str, f64)]) -> Result<(), LogError> {
         let values = values.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
         self.samples.push(Sample { time, channel: channel.to_owned(), values });
@@ -82,25 +79,16 @@ impl BackgroundLog {
     }
 
     /// Hands over a frame; the `last` of a run is written if a budget has room for it alone.
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn frame(&mut self, frame: Frame, last: bool) -> Result<(), LogError> {
         self.submit(Then::Frame { frame: Box::new(frame), last })
     }
 
     /// As [`LogWriter::note`].
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), LogError> {
         self.submit(Then::Note { time, level, text: text.to_owned() })
     }
 
     /// Waits for the disk and completes the file.
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn finish(mut self) -> Result<Logged, LogError> {
         self.submit(Then::Nothing)?;
         self.end().unwrap_or(Err(LogError::Ended(self.path.clone())))

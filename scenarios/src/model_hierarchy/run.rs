@@ -9,7 +9,7 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{
-    FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values, create_log, mean_and_deviation,
+    FlowPictures, ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation,
 };
 use crate::reference::WedgeSimilarity;
 use crate::run::summary::{Log, Peak, Summary};
@@ -105,8 +105,7 @@ fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path
     let outline = body.shape.outline();
     let mut next = 0.0;
     for (k, (now, motion)) in theory.instants.iter().zip(theory.motions(body)).enumerate() {
-        let named: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&motion)).collect();
-        log.sample(now.time, &format!("body/{}", body.name), &named)?;
+        log.sample(now.time, &format!("body/{}", body.name), &body_values(&motion))?;
         let last = k + 1 == theory.instants.len();
         if now.time >= next || last {
             next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);

@@ -115,7 +115,7 @@ impl Theory {
                 Some(faces) => faces.values(now.time),
                 None => scene.gauges.iter().map(gauge).collect(),
             };
-            std::iter::once(now.time).chain(body_values(motion)).chain(rest).collect()
+            std::iter::once(now.time).chain(body_values(motion).map(|(_, value)| value)).chain(rest).collect()
         };
         self.instants.iter().zip(&self.motions(body)).enumerate().map(row).collect()
     }

@@ -27,12 +27,12 @@ use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
-pub use body::{body_columns, body_values};
+pub use body::body_values;
 pub use columns::columns;
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
 pub use gauge_record::GaugeResult;
-pub use gauges::{GaugeReader, Reading};
+pub use gauges::GaugeReader;
 pub use history::{History, Rest, WorstPenetration};
 pub use low_pass::LowPass;
 pub use run_log::LogObserver;
@@ -67,13 +67,8 @@ impl Frame<'_> {
 #[derive(Debug, thiserror::Error)]
 pub enum ObserveError {
     /// A file could not be written.
-    #[error("cannot write {path}: {source}")]
-    Io {
-        /// The file.
-        path: String,
-        /// Why.
-        source: io::Error,
-    },
+    #[error("cannot write {0}: {1}")]
+    Io(String, #[source] io::Error),
     /// The log could not be written.
     #[error(transparent)]
     Log(#[from] LogError),

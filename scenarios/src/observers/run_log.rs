@@ -5,7 +5,7 @@ use std::path::Path;
 use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
-use super::body::{body_columns, body_values, panel_values};
+use super::body::{body_values, panel_values};
 use super::{Frame, ObserveError, Observer};
 use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogError, LogMetadata, Logged, Point};
 use crate::scene::Scene;
@@ -41,8 +41,7 @@ impl LogObserver {
         let (t, system) = (frame.time(), frame.system);
         for body in system.bodies() {
             let Some(m) = body.motion() else { continue };
-            let values: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&m)).collect();
-            self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
+            self.writer.sample(t, &format!("body/{}", body.name()), &body_values(&m))?;
             for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
                 // names without the panel's own
                 let units = columns.iter().map(|column| &column[name.len() + 1..]);

@@ -16,4 +16,3 @@ pub use laws::error_laws;
 pub use measure::{measure, stored};
 pub use measured::{Measured, Outcome, Point, Run, Seen, Trend};
 pub use page::{page, svg, table};
-pub use peers::{Given, Peer, PeerPoint, peers};
