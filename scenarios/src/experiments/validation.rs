@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
 use super::{ExperimentError, yes};
-use crate::report::Table;
+use crate::report::{Column, Table};
 use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene};
@@ -200,7 +200,7 @@ fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &RunRecord, coarse: &
 
 /// The table as Markdown.
 pub fn table(lines: &[Line]) -> String {
-    let columns: &[(&str, fn(&&Line) -> String)] = &[
+    let columns: &[Column<&Line>] = &[
         ("case", |l| l.case.clone()),
         ("quantity", |l| l.quantity.clone()),
         ("ours", |l| number(l.ours)),

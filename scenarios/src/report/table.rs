@@ -13,18 +13,17 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
+/// The heading of a column and the text of an item's cell.
+pub type Column<T> = (&'static str, fn(&T) -> String);
+
 impl Table {
     /// A table of the given cells.
     pub fn new(title: impl Into<String>, head: &[&str], rows: Vec<Vec<String>>) -> Table {
         Table { title: title.into(), head: row(head), rows }
     }
 
-    /// A table with a row for each item; a column is its heading and the text of an item's cell.
-    pub fn of<T>(
-        title: impl Into<String>,
-        items: impl IntoIterator<Item = T>,
-        columns: &[(&str, fn(&T) -> String)],
-    ) -> Table {
+    /// A table with a row for each item.
+    pub fn of<T>(title: impl Into<String>, items: impl IntoIterator<Item = T>, columns: &[Column<T>]) -> Table {
         let cells = |item: T| columns.iter().map(|(_, cell)| cell(&item)).collect();
         let head: Vec<&str> = columns.iter().map(|(heading, _)| *heading).collect();
         Table::new(title, &head, items.into_iter().map(cells).collect())

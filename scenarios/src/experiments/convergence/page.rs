@@ -1,14 +1,14 @@
 //! A study as a page, `study.html`, and as text.
 
 use super::{Point, Study};
-use crate::report::{Block, Chart, Curve, Mark, Report, Status, Table, render};
+use crate::report::{Block, Chart, Column, Curve, Mark, Report, Status, Table, render};
 
 /// Points of a fitted curve.
 const POINTS: usize = 60;
 
 /// The runs, from the coarsest.
 fn runs(study: &Study) -> Table {
-    let columns: &[(&str, fn(&&Point) -> String)] = &[
+    let columns: &[Column<&Point>] = &[
         ("spacing [m]", |p| format!("{:.6}", p.spacing_m)),
         ("sound speed [m/s]", |p| format!("{:.2}", p.sound_speed_m_per_s)),
         ("Mach", |p| format!("{:.4}", p.mach)),

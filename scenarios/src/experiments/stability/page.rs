@@ -1,12 +1,12 @@
 //! A map as a page and as a table.
 
 use super::{Bound, Map, Measured, Point, Verdict, svg};
-use crate::report::{Block, Report, Status, Table, known, render};
+use crate::report::{Block, Column, Report, Status, Table, known, render};
 
 /// The map, what its verdicts mean, and every point with its reason and its command.
 pub fn page(measured: &Measured) -> String {
     let map = &measured.map;
-    let columns: &[(&str, fn(&(&Map, &Point)) -> String)] = &[
+    let columns: &[Column<(&Map, &Point)>] = &[
         ("x", |(_, p)| p.x.clone()),
         ("y", |(_, p)| p.y.clone()),
         ("verdict", |(_, p)| p.verdict.name().into()),
