@@ -39,5 +39,6 @@ pub mod preflight;
 pub mod reference;
 pub mod reference_page;
 pub mod report;
+pub mod results;
 pub mod run;
 pub mod scene;

@@ -14,7 +14,7 @@ fn dam_break(sets: &[&str]) -> Summary {
 /// Runs to the end with momentum closed to 1e-10 in each step.
 fn completes(sets: &[&str]) {
     let summary = dam_break(sets);
-    assert_eq!(summary.status, Status::Completed, "{sets:?}: {:?}", summary.message);
+    assert!(summary.status.is_completed(), "{sets:?}: {:?}", summary.message);
     assert!(summary.audit.momentum < 1e-10, "{sets:?}: momentum open by {:e}", summary.audit.momentum);
 }
 

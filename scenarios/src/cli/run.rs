@@ -12,7 +12,9 @@ use super::experiments::convergence;
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
 use crate::error_bar::ErrorBars;
 use crate::run::summary::{Status, Summary};
+use crate::results::Quantity;
 use crate::run::{RunOptions, run};
+use crate::scene::significant;
 
 /// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
 /// process and to its group.
@@ -96,7 +98,7 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         say(format_args!("files in {}: open report.html", out.display()));
     }
     match summary.status {
-        Status::Completed => Ok(DONE),
+        Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable => Ok(DONE),
         Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),
         Status::Interrupted => Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s))),
     }
@@ -112,6 +114,16 @@ fn progress_bar(output: &Output) -> ProgressBar {
     bar
 }
 
+/// A result on a line.
+fn result_in_words((name, quantity): &(String, Quantity)) -> String {
+    let band = quantity.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
+    let time = quantity.time_s.map_or(String::new(), |time| format!(" at {time:.5} s"));
+    let raw = quantity.cutoff_hz.map_or(String::new(), |f| {
+        format!(", mean below {f:.0} Hz (single step: {})", significant(quantity.raw))
+    });
+    format!("  {name}: {}{band}{time}, {}{raw}", significant(quantity.value), quantity.verdict.name())
+}
+
 fn in_words(s: &Summary) -> String {
     let theory = s.particles.fluid == 0;
     let mut lines = vec![match theory {
@@ -121,6 +133,8 @@ fn in_words(s: &Summary) -> String {
             s.scene, s.particles.fluid, s.steps, s.wall_time_s
         ),
     }];
+    lines.extend(s.results.named().iter().map(result_in_words));
+    lines.extend(s.doubts.iter().map(|doubt| format!("  DOUBT: {doubt}")));
     lines.extend(s.choice.iter().map(|why| format!("  model chosen: {why}")));
     for c in &s.comparison {
         let verdict = match c.tolerance {

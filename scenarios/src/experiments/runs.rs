@@ -43,9 +43,9 @@ pub fn scene_with(scene: &str, sets: &[String], further: &[String]) -> Result<Sc
 /// The run could not be made, or ended early.
 pub fn run_to_end(scene: &Scene) -> Result<RunRecord, ExperimentError> {
     let summary = run::run(scene, &RunOptions::default())?.summary;
-    match summary.status {
-        Status::Completed => Ok(RunRecord::new(summary)),
-        _ => {
+    match summary.status.is_completed() {
+        true => Ok(RunRecord::new(summary)),
+        false => {
             let (spacing, sound_speed) = (scene.resolution.spacing, scene.sound_speed());
             Err(ExperimentError::Ended(spacing, sound_speed, summary.message.unwrap_or_default()))
         }

@@ -145,7 +145,7 @@ pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Experim
     }
     for line in &mut lines {
         (line.case, line.core_seconds) = (case.name.clone(), run.core_seconds());
-        line.holds &= run.summary.status == Status::Completed;
+        line.holds &= run.summary.status.is_completed();
     }
     Ok(lines)
 }

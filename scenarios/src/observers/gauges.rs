@@ -35,6 +35,8 @@ struct Instrument {
     length: f64,
     bandwidth: Option<f64>,
     filter: Option<LowPass>,
+    /// Time [s] and pressure [Pa] of the last step.
+    now: [f64; 2],
     record: GaugeRecord,
 }
 
@@ -71,6 +73,7 @@ impl GaugeReader {
                 length: face.length,
                 bandwidth: g.bandwidth,
                 filter: g.bandwidth.map(LowPass::new),
+                now: [f64::NEG_INFINITY, 0.0],
                 record: GaugeRecord::default(),
             }
         };
@@ -81,14 +84,24 @@ impl GaugeReader {
         }
     }
 
-    /// Update the gauges with a bandwidth. Their filters need every step, so that samples do not alias.
-    pub fn follow(&mut self, system: &Coupled) {
-        self.update(system, |instrument| instrument.filter.is_some());
+    /// Read the pressures after a step [Pa], and feed the filters: samples of a filter do not alias.
+    pub fn follow(&mut self, system: &Coupled) -> Vec<f64> {
+        let time = system.fluid.time();
+        self.update(system);
+        for Instrument { filter, now, record, .. } in &mut self.instruments {
+            if let Some(filter) = filter {
+                filter.take(time, now[1]);
+                record.take(time, filter.value());
+            }
+        }
+        self.instruments.iter().map(|i| i.now[1]).collect()
     }
 
-    /// Pressures now [Pa].
-    pub fn read(&mut self, system: &Coupled) -> Vec<f64> {
-        self.update(system, |instrument| instrument.filter.is_none());
+    /// Pressures for a sample [Pa]: of filters where a gauge has a bandwidth. Before: `follow`.
+    pub fn read(&mut self) -> Vec<f64> {
+        for Instrument { now: [time, pressure], record, .. } in self.instruments.iter_mut().filter(|i| i.filter.is_none()) {
+            record.take(*time, *pressure);
+        }
         self.instruments.iter().map(|i| i.record.latest()).collect()
     }
 
@@ -98,16 +111,16 @@ impl GaugeReader {
         self.instruments.iter().filter_map(one).collect()
     }
 
-    fn update(&mut self, system: &Coupled, which: impl Fn(&Instrument) -> bool) {
-        if !self.instruments.iter().any(&which) {
+    fn update(&mut self, system: &Coupled) {
+        let time = system.fluid.time();
+        if self.instruments.iter().all(|instrument| instrument.now[0] == time) {
             return;
         }
-        let time = system.fluid.time();
         let probe = Probe::new(&system.fluid);
         let body = system.bodies().find(|b| b.motion().is_some());
         let motion = body.and_then(|b| b.motion()).unwrap_or_default();
         let (rho, gravity) = (self.rho, self.gravity);
-        for instrument in self.instruments.iter_mut().filter(|i| which(i)) {
+        for instrument in &mut self.instruments {
             let still = Motion::default();
             let frame = if instrument.on == GaugeFrame::Body { &motion } else { &still };
             let riding = body.filter(|_| instrument.on == GaugeFrame::Body);
@@ -128,15 +141,7 @@ impl GaugeReader {
                 };
                 place.weight * pressure
             };
-            let raw = instrument.places.iter().map(read).sum();
-            let shown = match &mut instrument.filter {
-                None => raw,
-                Some(filter) => {
-                    filter.take(time, raw);
-                    filter.value()
-                }
-            };
-            instrument.record.take(time, shown);
+            instrument.now = [time, instrument.places.iter().map(read).sum()];
         }
     }
 }

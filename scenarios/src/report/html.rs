@@ -37,6 +37,8 @@ pub enum Block {
 pub enum Status {
     /// It reached its end time.
     Completed,
+    /// It reached its end time; the heading says what is wrong, each text why.
+    Doubtful(String, Vec<String>),
     /// It stopped by itself; the text has cause, place and time.
     Failed(String),
     /// It was stopped from outside.
@@ -92,6 +94,10 @@ fn header(report: &Report) -> String {
     }
     html += &match &report.status {
         Status::Completed => "<p class=\"status completed\">Completed</p>\n".to_owned(),
+        Status::Doubtful(heading, doubts) => {
+            let items: String = doubts.iter().map(|doubt| format!("<li>{}</li>", escape(doubt))).collect();
+            format!("<div class=\"status failed\"><strong>{}</strong><ul>{items}</ul></div>\n", escape(heading))
+        }
         Status::Interrupted => "<p class=\"status interrupted\">Interrupted</p>\n".to_owned(),
         Status::Failed(why) => {
             let why = escape(why);

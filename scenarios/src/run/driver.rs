@@ -76,7 +76,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
             100.0 * summary.audit.work
         );
     }
-    if summary.status == Status::Completed {
+    if summary.status.is_completed() {
         summary.error_bars = options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
     }
     keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)

@@ -22,6 +22,7 @@ use crate::observers::{
     FlowPictures, ForceRules, Frame, GaugeReader, History, LogObserver, ObserveError, Observer, Series,
     SimilarityWindow, WorstPenetration,
 };
+use crate::results::ResultsObserver;
 use crate::scene::{Scene, known_compressibility_error};
 
 /// Means are taken over the run from this share of it on.
@@ -30,6 +31,7 @@ const LATE: f64 = 0.8;
 /// All observers of a run and their schedule.
 pub(crate) struct Recorder {
     gauges: GaugeReader,
+    results: ResultsObserver,
     pub series: Series,
     pub log: Option<LogObserver>,
     pub pictures: FlowPictures,
@@ -56,6 +58,7 @@ impl Recorder {
         let body = system.bodies().find(|b| b.motion().is_some());
         Ok(Recorder {
             gauges: GaugeReader::new(scene),
+            results: ResultsObserver::new(scene),
             series: Series::new(scene, series)?,
             log: log.map(|path| LogObserver::create(path, scene)).transpose()?,
             pictures: FlowPictures::new(scene),
@@ -75,7 +78,8 @@ impl Recorder {
 
     /// Observe if something is due; schedules never shorten a step.
     pub fn observe(&mut self, system: &Coupled) -> Result<(), ObserveError> {
-        self.gauges.follow(system);
+        let pressures = self.gauges.follow(system);
+        self.results.follow(system, &pressures);
         let t = system.fluid.time();
         let last = t >= self.end;
         if t < self.next_sample && t < self.next_frame && !last {
@@ -91,7 +95,7 @@ impl Recorder {
     }
 
     fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
-        let gauges = self.gauges.read(system);
+        let gauges = self.gauges.read();
         let (held, penetration) = (system.fluid.totals(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles };
         if let (Some(breach), None) = (&penetration.worst, self.history.worst_penetration()) {
@@ -152,7 +156,8 @@ impl Recorder {
 
     /// Record the last state of a run that stops early, and the reason.
     pub fn record_stop(&mut self, system: &Coupled, status: Status, message: Option<&str>) -> Result<(), ObserveError> {
-        let gauges = self.gauges.read(system);
+        self.gauges.follow(system);
+        let gauges = self.gauges.read();
         let (held, penetration) = (system.fluid.totals(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true };
         self.pictures.keep(&frame);
@@ -184,6 +189,7 @@ impl Recorder {
         let body = system.bodies().position(|b| b.motion().is_some());
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
+        let (results, doubts) = self.results.results(scene, system);
         let curves = scene.compare.iter().zip(references);
         let mut comparison: Vec<Comparison> =
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
@@ -191,8 +197,10 @@ impl Recorder {
         let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
         Summary {
             scene: scene.name.clone(),
-            status,
+            status: status.with(&results, &doubts),
             message,
+            results,
+            doubts,
             model: model(scene.solver.kind()),
             choice: scene.choice.clone(),
             version: env!("CARGO_PKG_VERSION"),

@@ -10,19 +10,41 @@ use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, WorstPenetration};
+use crate::results::{Results, Verdict};
 use crate::scene::CouplingScheme;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
-    /// Reached its end time.
+    /// Reached its end time; nothing speaks against its results.
     #[default]
     Completed,
+    /// Reached its end time; `doubts` says which results are not to be relied on.
+    CompletedWithDoubts,
+    /// Reached its end time; a stress is above the allowable one.
+    BeyondAllowable,
     /// Broke down; `message` has cause, place and time.
     Failed,
     /// Ended by the user.
     Interrupted,
+}
+
+impl Status {
+    /// True for a run that reached its end time.
+    pub fn is_completed(self) -> bool {
+        matches!(self, Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable)
+    }
+
+    /// The status of a run that ended so, with its results and the doubts about them.
+    pub(crate) fn with(self, results: &Results, doubts: &[String]) -> Status {
+        let beyond = results.named().iter().any(|(_, quantity)| quantity.verdict == Verdict::BeyondAllowable);
+        match self {
+            Status::Completed if beyond => Status::BeyondAllowable,
+            Status::Completed if !doubts.is_empty() => Status::CompletedWithDoubts,
+            other => other,
+        }
+    }
 }
 
 /// Numbers of particles.
@@ -146,6 +168,10 @@ pub struct Summary {
     /// Why the run did not complete.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
+    /// The results: what a designer takes away.
+    pub results: Results,
+    /// Doubts about them, in sentences.
+    pub doubts: Vec<String>,
     /// The model that was run: a theory, `wcsph`, or the name of an incompressible solver.
     pub model: &'static str,
     /// Why this model was chosen, for `model = "auto"`.
@@ -220,6 +246,6 @@ impl Summary {
 
     /// True if the run completed and every judged comparison passes.
     pub fn passes(&self) -> bool {
-        self.status == Status::Completed && self.comparison.iter().all(Comparison::passes)
+        self.status.is_completed() && self.comparison.iter().all(Comparison::passes)
     }
 }

@@ -90,7 +90,7 @@ fn failure(map: &Map, summary: &Summary) -> Option<String> {
     let audit = &summary.audit;
     let beyond = |value: f64, most: f64| value.is_nan() || value > most;
     match () {
-        () if summary.status != Status::Completed => Some(summary.message.clone().unwrap_or_default()),
+        () if !summary.status.is_completed() => Some(summary.message.clone().unwrap_or_default()),
         () if beyond(audit.energy, map.most_energy_gain) => {
             Some(format!("energy grew by {:.3} of what was exchanged", audit.energy))
         }

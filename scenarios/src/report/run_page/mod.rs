@@ -16,6 +16,7 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     let of_particles = |blocks: &dyn Fn() -> Vec<Block>| if scene.model.is_theory() { Vec::new() } else { blocks() };
     let toml = Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() };
     let sections = [
+        ("Results", tables::results_section(summary)),
         ("Run", tables::run_section(scene, summary, warnings)),
         ("Against references", tables::comparison_section(&summary.comparison)),
         ("Error bars", tables::error_bars_section(summary)),
@@ -34,6 +35,12 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
         subtitle: scene.description.clone(),
         status: match summary.status {
             Status::Completed => PageStatus::Completed,
+            Status::CompletedWithDoubts => {
+                PageStatus::Doubtful("Completed with doubts.".into(), summary.doubts.clone())
+            }
+            Status::BeyondAllowable => {
+                PageStatus::Doubtful("Completed; beyond an allowable stress.".into(), summary.doubts.clone())
+            }
             Status::Failed => PageStatus::Failed(summary.message.clone().unwrap_or_default()),
             Status::Interrupted => PageStatus::Interrupted,
         },

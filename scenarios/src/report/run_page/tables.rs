@@ -6,7 +6,7 @@ use crate::compare::Comparison;
 use crate::report::{Bar, Block, Part, Table, known, row};
 use crate::run::summary::{Compressibility, Summary};
 use crate::run::{Extremes, PanelResult, Rupture};
-use crate::scene::Scene;
+use crate::scene::{Scene, significant};
 
 pub(super) fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
     let mut rows = vec![row(&["model", s.model, ""])];
@@ -71,6 +71,27 @@ fn compressibility_in_words(c: &Compressibility) -> String {
         ),
         _ => format!("{reached}; without an impact there is no estimate of what this costs."),
     }
+}
+
+/// Results, first of all: what a designer takes away.
+pub(super) fn results_section(s: &Summary) -> Vec<Block> {
+    let named = s.results.named();
+    let of_single_steps =
+        "Peaks are means over the time in which the body falls three spacings; raw is the largest value of a single step.";
+    let table = Table::of(
+        "Results",
+        &named,
+        &[
+            ("result", |(name, _)| name.clone()),
+            ("value", |(_, q)| significant(q.value)),
+            ("± band", |(_, q)| q.band.map_or(String::new(), significant)),
+            ("at [s]", |(_, q)| known(q.time_s, 6)),
+            ("cut-off [Hz]", |(_, q)| known(q.cutoff_hz, 0)),
+            ("raw", |(_, q)| significant(q.raw)),
+            ("verdict", |(_, q)| q.verdict.name().into()),
+        ],
+    );
+    table_section(of_single_steps, table)
 }
 
 fn gauge_section(s: &Summary) -> Vec<Block> {

@@ -1,0 +1,233 @@
+//! Judges the results: over which time they are averaged, how wide their bands are, and what may be said of them (THEORY GE18–GE20).
+
+use std::collections::BTreeMap;
+
+use fsi_coupling::PanelState;
+
+use super::running_integral::{Extreme, RunningIntegral};
+use super::{PanelResults, Quantity, Results, Verdict};
+use crate::scene::{Bottom, Entry, Scene, significant};
+
+/// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
+const WINDOW: f64 = 3.0;
+/// The mean over a time τ halves the power at this over τ (GE18) [-].
+const CUTOFF: f64 = 0.443;
+/// Bands of a force by the draught at its peak, in spacings (GE19): least draught, share of the force [-].
+const FORCE_BANDS: [(f64, f64); 2] = [(11.0, 0.03), (6.0, 0.05)];
+/// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
+const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
+/// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
+const ACOUSTIC_TIMES: f64 = 10.0;
+/// Band of a round bottom's peak through its window (GE20), share of the force [-].
+const ROUND_BAND: f64 = 0.05;
+/// Largest ratio of a single step's value to the mean, where no entry tells what the noise is [-].
+const LARGEST_RAW: f64 = 2.0;
+/// Standard gravity [m/s²].
+const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// The curves of the results, with the values of every step.
+#[derive(Default)]
+pub(super) struct Curves {
+    /// Force of the water on the body [N/m].
+    pub force: RunningIntegral<2>,
+    /// Acceleration of the body's frame [m/s²]; without values for a body that is not free.
+    pub acceleration: RunningIntegral<2>,
+    /// Time [s] and depth of the body's lowest point [m].
+    pub draught: Vec<[f64; 2]>,
+    /// Pressure of each gauge [Pa].
+    pub pressures: Vec<RunningIntegral<1>>,
+}
+
+impl Curves {
+    /// Depth of the body's lowest point [m] at a time [s].
+    fn draught_at(&self, time: f64) -> f64 {
+        let k = self.draught.partition_point(|row| row[0] < time).min(self.draught.len().saturating_sub(1));
+        self.draught.get(k).map_or(0.0, |row| row[1])
+    }
+}
+
+/// A verdict, the band where one is known, and why it is not `resolved`.
+type Finding = (Verdict, Option<f64>, Option<String>);
+
+/// What a scene's results are judged by.
+pub(super) struct Judge {
+    spacing: f64,
+    /// Speed with which rows of particles are met [m/s].
+    speed: f64,
+    entry: Option<Entry>,
+    /// Speed of sound; `None` where water is incompressible [m/s].
+    sound_speed: Option<f64>,
+}
+
+impl Judge {
+    pub fn new(scene: &Scene) -> Judge {
+        let entry = scene.entry().filter(|entry| entry.final_draught > 0.0);
+        Judge {
+            spacing: scene.resolution.spacing,
+            speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.speed),
+            entry,
+            sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
+        }
+    }
+
+    /// The results, and doubts about them in sentences.
+    pub fn results(&self, curves: &Curves, panels: &[PanelState]) -> (Results, Vec<String>) {
+        let mut doubts = Vec::new();
+        let mut keep = |name: &str, (quantity, doubt): (Quantity, Option<String>)| {
+            doubts.extend(doubt.map(|why| format!("{name}: {why}")));
+            quantity
+        };
+        let window = WINDOW * self.spacing / self.speed;
+        let by_force = |peak: Extreme, raw: f64| self.force_finding(curves, window, peak, raw);
+        let force = self.peak(&curves.force, window, 1.0, &by_force);
+        let acceleration = self.peak(&curves.acceleration, window, 1.0 / STANDARD_GRAVITY, &by_force);
+        let pressure = self.peak_pressure(&curves.pressures);
+        let impulse = curves.force.largest().map(|_| self.impulse(&curves.force));
+        let of_force = force.as_ref().map(|(quantity, _)| quantity.verdict);
+        let results = Results {
+            peak_force_N_per_m: force.map(|found| keep("peak_force_N_per_m", found)),
+            peak_acceleration_g: acceleration.map(|found| keep("peak_acceleration_g", found)),
+            peak_pressure_Pa: pressure.map(|found| keep("peak_pressure_Pa", found)),
+            impulse_N_s_per_m: impulse,
+            panels: BTreeMap::new(),
+        };
+        let panels = panels.iter().map(|panel| {
+            let (results, doubt) = panel_results(panel, of_force);
+            doubts.extend(doubt);
+            (panel.name.clone(), results)
+        });
+        let panels = panels.collect();
+        (Results { panels, ..results }, doubts)
+    }
+
+    /// The largest mean of a curve times `factor`; `None` without a curve.
+    fn peak<const N: usize>(
+        &self,
+        curve: &RunningIntegral<N>,
+        window: f64,
+        factor: f64,
+        finding: &dyn Fn(Extreme, f64) -> Finding,
+    ) -> Option<(Quantity, Option<String>)> {
+        let raw = curve.largest()?;
+        let Some(mean) = curve.largest_mean(window) else {
+            let (value, why) = (factor * raw.value, "the run is shorter than the time of its mean".to_string());
+            let quantity = Quantity {
+                value,
+                time_s: Some(raw.time),
+                band: None,
+                cutoff_hz: None,
+                raw: value,
+                verdict: Verdict::NotResolved,
+            };
+            return Some((quantity, Some(why)));
+        };
+        let (verdict, band, why) = finding(mean, raw.value);
+        let quantity = Quantity {
+            value: factor * mean.value,
+            time_s: Some(mean.time),
+            band: band.map(|share| share * factor * mean.value),
+            cutoff_hz: Some(CUTOFF / window),
+            raw: factor * raw.value,
+            verdict,
+        };
+        Some((quantity, why))
+    }
+
+    /// What may be said of a force, or of an acceleration.
+    fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: f64) -> Finding {
+        let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+        if let Bottom::Arc { radius } = entry.bottom {
+            let least = self.sound_speed.map_or(0.0, |c| ACOUSTIC_TIMES * radius * entry.speed / (c * c));
+            if window < least {
+                let why = format!(
+                    "it is averaged over {} s; the numerical speed of sound acts on a round bottom for {} s",
+                    significant(window),
+                    significant(least)
+                );
+                return (Verdict::Acoustic, None, Some(why));
+            }
+            return (Verdict::Resolved, Some(ROUND_BAND), None);
+        }
+        let spacings = curves.draught_at(peak.time) / self.spacing;
+        match FORCE_BANDS.iter().find(|(least, _)| spacings >= *least) {
+            Some((_, share)) => (Verdict::Resolved, Some(*share), None),
+            None => {
+                let why = format!(
+                    "the peak comes at a draught of {} spacings; {} are needed: resolution.spacing = {} would give them",
+                    significant(spacings),
+                    FORCE_BANDS[1].0,
+                    significant(self.spacing * (spacings / FORCE_BANDS[1].0).max(0.0))
+                );
+                (Verdict::NotResolved, None, Some(why))
+            }
+        }
+    }
+
+    /// What may be said of a peak that no theory of entry foresees.
+    fn unforeseen(&self, peak: Extreme, raw: f64) -> Finding {
+        match self.sound_speed {
+            Some(c) if raw > LARGEST_RAW * peak.value => {
+                let why = format!(
+                    "single steps reach {} times the mean: sound of {} m/s acts on them",
+                    significant(raw / peak.value),
+                    significant(c)
+                );
+                (Verdict::Acoustic, None, Some(why))
+            }
+            _ => (Verdict::Resolved, None, None),
+        }
+    }
+
+    /// The gauge with the largest peak.
+    fn peak_pressure(&self, pressures: &[RunningIntegral<1>]) -> Option<(Quantity, Option<String>)> {
+        let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
+        let window = WINDOW * self.spacing / root;
+        let finding = |peak: Extreme, raw: f64| {
+            let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+            let spacings = entry.peak_length() / self.spacing;
+            match PRESSURE_BANDS.iter().find(|(least, _)| spacings >= *least) {
+                Some((_, share)) => (Verdict::Resolved, Some(*share), None),
+                None => {
+                    let why = format!(
+                        "the length with 90 % of the peak is {} spacings; {} are needed",
+                        significant(spacings),
+                        PRESSURE_BANDS[1].0
+                    );
+                    (Verdict::NotResolved, None, Some(why))
+                }
+            }
+        };
+        let each = pressures.iter().filter_map(|curve| self.peak(curve, window, 1.0, &finding));
+        each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
+    }
+
+    /// The impulse over the run: an integral averages by itself.
+    fn impulse(&self, force: &RunningIntegral<2>) -> Quantity {
+        let [x, y] = force.total();
+        let value = x.hypot(y);
+        Quantity { value, time_s: None, band: None, cutoff_hz: None, raw: value, verdict: Verdict::Resolved }
+    }
+}
+
+/// Results of a panel under a load with this verdict; a structure averages by itself.
+fn panel_results(panel: &PanelState, of_force: Option<Verdict>) -> (PanelResults, Option<String>) {
+    let worst = &panel.worst;
+    let stress = worst.stress;
+    let [value, time] = match -stress.least > stress.most {
+        true => [-stress.least, stress.time_of_least],
+        false => [stress.most, stress.time_of_most],
+    };
+    let reserve = worst.reserve_factor;
+    let load = of_force.filter(|verdict| *verdict != Verdict::Resolved);
+    let (verdict, doubt) = match (reserve, load) {
+        (Some(reserve), _) if reserve < 1.0 => {
+            let why = format!("{}: the stress is {} times the allowable one", panel.name, significant(1.0 / reserve));
+            (Verdict::BeyondAllowable, Some(why))
+        }
+        (_, Some(verdict)) => (verdict, None),
+        _ => (Verdict::Resolved, None),
+    };
+    let quantity =
+        |value: f64| Quantity { value, time_s: Some(time), band: None, cutoff_hz: None, raw: value, verdict };
+    (PanelResults { peak_stress_Pa: quantity(value), reserve_factor: reserve.map(quantity) }, doubt)
+}

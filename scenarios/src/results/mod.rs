@@ -1,0 +1,108 @@
+//! The results of a run: the numbers that a designer takes away, each with a band and a verdict (THEORY GE18 to GE20).
+//!
+//! A curve of particles contains the noise of rows that the body meets, and at first contact a water hammer of the numerical speed of
+//! sound. Both last as long as the body takes to fall through a spacing or two. A peak is therefore a mean over the time of three
+//! spacings; the largest value of a single step is given beside it, as `raw`.
+
+mod judge;
+mod observer;
+mod running_integral;
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+pub use observer::ResultsObserver;
+
+/// What may be said of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Right within its band.
+    Resolved,
+    /// It depends on the speed of sound, or on the averaging time: no value without both.
+    Acoustic,
+    /// The spacing is too coarse for it.
+    NotResolved,
+    /// A stress is above the allowable one.
+    BeyondAllowable,
+}
+
+impl Verdict {
+    /// As in `summary.json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Resolved => "resolved",
+            Verdict::Acoustic => "acoustic",
+            Verdict::NotResolved => "not_resolved",
+            Verdict::BeyondAllowable => "beyond_allowable",
+        }
+    }
+}
+
+/// A result.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Quantity {
+    /// The value, in the unit that its name ends with.
+    pub value: f64,
+    /// When [s]; `null` where it belongs to the whole run.
+    pub time_s: Option<f64>,
+    /// Half width of the band about the value, in the same unit; `null` where none is known.
+    pub band: Option<f64>,
+    /// Frequency at which the averaging halves the power [Hz]; `null` without averaging.
+    pub cutoff_hz: Option<f64>,
+    /// The largest value of a single step, in the same unit.
+    pub raw: f64,
+    /// What may be said of it.
+    pub verdict: Verdict,
+}
+
+/// Results of a panel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub struct PanelResults {
+    /// Largest magnitude of the stress of an outer fibre [Pa].
+    pub peak_stress_Pa: Quantity,
+    /// Allowable stress over it [-]; absent without an allowable stress.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reserve_factor: Option<Quantity>,
+}
+
+/// The results of a run; what a scene does not have is absent.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub struct Results {
+    /// Largest force of the water on the body [N/m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_force_N_per_m: Option<Quantity>,
+    /// Largest acceleration of the body's frame, in units of 9.80665 m/s² [-].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_acceleration_g: Option<Quantity>,
+    /// Largest pressure of a gauge [Pa].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_pressure_Pa: Option<Quantity>,
+    /// Magnitude of the impulse of the water on the body over the run [N s/m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub impulse_N_s_per_m: Option<Quantity>,
+    /// Results of each panel, by name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub panels: BTreeMap<String, PanelResults>,
+}
+
+impl Results {
+    /// Results with their names, those of panels as `NAME.peak_stress_Pa`.
+    pub fn named(&self) -> Vec<(String, Quantity)> {
+        let own = [
+            ("peak_force_N_per_m", self.peak_force_N_per_m),
+            ("peak_acceleration_g", self.peak_acceleration_g),
+            ("peak_pressure_Pa", self.peak_pressure_Pa),
+            ("impulse_N_s_per_m", self.impulse_N_s_per_m),
+        ];
+        let own = own.into_iter().filter_map(|(name, quantity)| Some((name.to_string(), quantity?)));
+        let panels = self.panels.iter().flat_map(|(name, panel)| {
+            let stress = (format!("{name}.peak_stress_Pa"), panel.peak_stress_Pa);
+            std::iter::once(stress).chain(panel.reserve_factor.map(|r| (format!("{name}.reserve_factor"), r)))
+        });
+        own.chain(panels).collect()
+    }
+}

@@ -1,0 +1,49 @@
+//! Gathers the curves of the results in every step.
+
+use fsi_coupling::{Body, Coupled, Motion};
+
+use super::judge::{Curves, Judge};
+use super::running_integral::RunningIntegral;
+use super::Results;
+use crate::scene::{self, Scene};
+
+/// Gathers the curves of the results in every step.
+pub struct ResultsObserver {
+    curves: Curves,
+    free: bool,
+}
+
+impl ResultsObserver {
+    /// Of a scene, before its first step.
+    pub fn new(scene: &Scene) -> ResultsObserver {
+        let free = scene.body.as_ref().is_some_and(|body| matches!(body.motion, scene::Motion::Free(_)));
+        let pressures = vec![RunningIntegral::default(); scene.gauges.len()];
+        ResultsObserver { curves: Curves { pressures, ..Curves::default() }, free }
+    }
+
+    /// Take the state after a step, with the pressures of the scene's gauges [Pa].
+    pub fn follow(&mut self, system: &Coupled, pressures: &[f64]) {
+        let time = system.fluid.time();
+        for (curve, &pressure) in self.curves.pressures.iter_mut().zip(pressures) {
+            curve.take(time, [pressure]);
+        }
+        let Some((body, motion)) = system.bodies().find_map(|body| Some((body, body.motion()?))) else { return };
+        self.curves.force.take(time, motion.force);
+        if self.free {
+            self.curves.acceleration.take(time, motion.acceleration);
+        }
+        self.curves.draught.extend(draught(body, &motion).map(|draught| [time, draught]));
+    }
+
+    /// The results so far, and doubts about them.
+    pub fn results(&self, scene: &Scene, system: &Coupled) -> (Results, Vec<String>) {
+        let panels: Vec<_> = system.bodies().flat_map(|body| body.panels()).collect();
+        Judge::new(scene).results(&self.curves, &panels)
+    }
+}
+
+/// Depth of a body's lowest point below still water [m].
+fn draught(body: &dyn Body, motion: &Motion) -> Option<f64> {
+    let outline = body.outline()?;
+    outline.loops().iter().flatten().map(|&at| -motion.point(at)[1]).reduce(f64::max)
+}

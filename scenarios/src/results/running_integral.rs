@@ -1,0 +1,102 @@
+//! A curve's running integral, taken in every step, and its largest mean over a time (THEORY GE18).
+
+/// Times [s], values and their integrals of `N` curves that are read together.
+#[derive(Clone, Debug, Default)]
+pub struct RunningIntegral<const N: usize> {
+    times: Vec<f64>,
+    values: Vec<[f64; N]>,
+    integrals: Vec<[f64; N]>,
+}
+
+/// An extreme of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Magnitude.
+    pub value: f64,
+    /// When [s]; of a mean the middle of its time.
+    pub time: f64,
+}
+
+/// Length of a vector.
+fn magnitude<const N: usize>(vector: [f64; N]) -> f64 {
+    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+impl<const N: usize> RunningIntegral<N> {
+    /// Add values at a later time; at the same time they are ignored.
+    pub fn take(&mut self, time: f64, values: [f64; N]) {
+        let integral = match (self.times.last(), self.values.last(), self.integrals.last()) {
+            (Some(last), ..) if time <= *last => return,
+            (Some(last), Some(before), Some(integral)) => {
+                std::array::from_fn(|k| integral[k] + 0.5 * (time - last) * (before[k] + values[k]))
+            }
+            _ => [0.0; N],
+        };
+        self.times.push(time);
+        self.values.push(values);
+        self.integrals.push(integral);
+    }
+
+    /// The largest magnitude of any step; `None` before any.
+    pub fn largest(&self) -> Option<Extreme> {
+        let each = self.times.iter().zip(&self.values).map(|(&time, &v)| Extreme { value: magnitude(v), time });
+        each.max_by(|a, b| a.value.total_cmp(&b.value))
+    }
+
+    /// The largest magnitude of a mean over `window` [s]; `None` where the curve is shorter.
+    pub fn largest_mean(&self, window: f64) -> Option<Extreme> {
+        let first = *self.times.first()?;
+        let (mut from, mut largest) = (0, None::<Extreme>);
+        for (k, &time) in self.times.iter().enumerate().filter(|(_, time)| **time - window >= first) {
+            let start = time - window;
+            while self.times[from + 1] < start {
+                from += 1;
+            }
+            let share = (start - self.times[from]) / (self.times[from + 1] - self.times[from]);
+            let [before, after] = [self.integrals[from], self.integrals[from + 1]];
+            let mean = std::array::from_fn::<f64, N, _>(|i| {
+                (self.integrals[k][i] - before[i] - share * (after[i] - before[i])) / window
+            });
+            if largest.is_none_or(|l| magnitude(mean) > l.value) {
+                largest = Some(Extreme { value: magnitude(mean), time: time - 0.5 * window });
+            }
+        }
+        largest
+    }
+
+    /// The integral over the whole curve.
+    pub fn total(&self) -> [f64; N] {
+        self.integrals.last().copied().unwrap_or([0.0; N])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A spike of one step on a slow rise: the largest value is the spike, the largest mean is the rise's, and the integral is exact.
+    #[test]
+    fn a_mean_is_not_misled_by_a_spike() {
+        let mut curve = RunningIntegral::<1>::default();
+        for k in 0..=1000 {
+            let time = 1e-3 * f64::from(k);
+            curve.take(time, [if k == 100 { 50.0 } else { time }]);
+        }
+        assert_eq!(curve.largest(), Some(Extreme { value: 50.0, time: 0.1 }));
+        let mean = curve.largest_mean(0.2).expect("a curve of 1 s");
+        assert!((mean.value - 0.9).abs() < 1e-9 && (mean.time - 0.9).abs() < 1e-9, "{mean:?}");
+        assert!((curve.total()[0] - (0.5 + 49.9e-3)).abs() < 1e-9);
+        assert_eq!(curve.largest_mean(2.0), None);
+    }
+
+    #[test]
+    fn the_mean_of_a_vector_is_a_vector() {
+        let mut curve = RunningIntegral::<2>::default();
+        for k in 0..=100 {
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            curve.take(f64::from(k), [3.0, 4.0 * sign]);
+        }
+        assert_eq!(curve.largest().expect("values").value, 5.0);
+        assert!((curve.largest_mean(10.0).expect("long enough").value - 3.0).abs() < 0.1);
+    }
+}
