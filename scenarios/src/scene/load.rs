@@ -32,7 +32,7 @@ enum Limits {
 pub struct Loaded {
     /// The resolved scene.
     pub scene: Scene,
-    /// Doubts, in plain words.
+    /// Warnings, in plain words.
     pub warnings: Vec<String>,
     source: Source,
 }

@@ -60,8 +60,8 @@ pub use overrides::apply_set;
 pub use panels::panel_length;
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Norm, Observe,
-    Oscillation, Panel, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank, TheoryName, Time, Want,
-    schema,
+    Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,
+    TheoryName, Time, schema,
 };
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;

@@ -14,7 +14,7 @@ const LIGHT: f64 = 1.0;
 /// Periods of the first dry mode in a step from which the step leaves the panel's vibration out [-].
 const UNRESOLVED: f64 = 0.1;
 
-/// Doubts about a scene's panels, each with its number and a cure.
+/// Warnings about a scene's panels, each with its number and a cure.
 pub(super) fn doubtful_panels(scene: &Scene) -> Vec<String> {
     let Some(body) = &scene.body else { return Vec::new() };
     let each = body.panels.iter();

@@ -8,14 +8,14 @@ use sph_core::FluidSettings;
 use super::draft::Draft;
 use super::impact::Entry;
 use super::resolve_body::resolve_body;
-use super::settings::{Body, GRAVITY, Scene, Symmetry, Want};
+use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry};
 use crate::charted::spacing_within;
 use crate::model_hierarchy::{Choice, Theory, charted_number, choose};
 
 /// Question that `model = "auto"` answers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ask {
-    want: Want,
+    want: QuantityOfInterest,
     within: f64,
 }
 
@@ -31,7 +31,7 @@ const PROVISIONAL: f64 = 32.0;
 pub(super) fn settle_solver(given: &mut Value) -> Result<(), Problem> {
     let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
     let (model, solver) = (word("model"), word("solver"));
-    let Some(model) = model.and_then(|model| EntryModel::ALL.into_iter().find(|rung| rung.name() == model)) else {
+    let Some(model) = model.and_then(|name| EntryModel::ALL.into_iter().find(|model| model.name() == name)) else {
         return Ok(());
     };
     let incompressible = solver.as_ref().map(|solver| solver != "weakly_compressible");
@@ -54,7 +54,7 @@ impl Ask {
         }
         let ask =
             Ask { want: draft.get("want").unwrap_or_default(), within: draft.get("within").unwrap_or(USUAL_TOLERANCE) };
-        if ask.want == Want::Strain && draft.count("body.panels") == 0 {
+        if ask.want == QuantityOfInterest::Strain && draft.count("body.panels") == 0 {
             return Err(Problem::new("want", "\"strain\"", "something else without body.panels: nothing bends"));
         }
         Ok(Some(ask))
@@ -101,13 +101,13 @@ pub(super) fn settle_auto(
             Err(_) => {} // the other solver can
         }
     }
-    let Choice { rung, scene, spacing, why } = choose(&of_particles, ask.want, ask.within);
-    if !rung.is_theory() && spacing_of(&given).is_none() && !spacing {
+    let Choice { model, scene, spacing, why } = choose(&of_particles, ask.want, ask.within);
+    if !model.is_theory() && spacing_of(&given).is_none() && !spacing {
         let why = format!("the finest spacing [m]: no chart is near this scene that would tell it; {why}");
         return Err(Problem::missing("resolution.spacing", why));
     }
     let mut scene = of_particles.swap_remove(scene);
-    (scene.model, scene.choice) = (rung, Some(why));
+    (scene.model, scene.choice) = (model, Some(why));
     Ok(scene)
 }
 

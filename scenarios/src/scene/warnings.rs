@@ -35,7 +35,7 @@ const SAMPLES_PER_PERIOD: f64 = 5.0;
 
 const LARGEST_GROWTH: f64 = 1.2;
 
-/// Doubts about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
+/// Warnings about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
 pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.model.is_theory() {
         return theory_warnings(scene);
@@ -76,7 +76,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     warnings
 }
 
-/// Doubts about a run by a theory.
+/// Warnings about a run by a theory.
 fn theory_warnings(scene: &Scene) -> Vec<String> {
     let short = scene.entry().filter(|entry| entry.final_draught <= 0.0).map(|entry| {
         let above = significant(-entry.final_draught);
@@ -88,7 +88,7 @@ fn theory_warnings(scene: &Scene) -> Vec<String> {
     short.into_iter().chain(singular).collect()
 }
 
-/// Doubts about water that carries sound: how fast, in which steps, how far, and beside what.
+/// Warnings about water that carries sound: how fast, in which steps, how far, and beside what.
 fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String> {
     let mut warnings = Vec::new();
     let cfl = scene.courant_number();
