@@ -10,7 +10,7 @@ use crate::parallel;
 use crate::particles::refinement::RefinementZone;
 use crate::particles::totals::{FluidEnergy, Totals, halves, momentum_and_its_scale, top_speed, totals};
 use crate::particles::{Fields, Particles, Seed};
-use crate::scheme::{Scheme, SchemeSettings};
+use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::system::{ParticleSystem, SavedSystem};
 use crate::timers::{Phase, Timers};
 use crate::walls::contact;
@@ -83,7 +83,7 @@ impl Fluid {
     pub fn initialise_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface]) -> Result<(), Breakdown> {
         let unbounded = self.system.domain.periodic.is_none();
         assert!(unbounded || walls.midlines.is_empty(), "a period and thin plates exclude each other");
-        self.scheme.initialise(&mut self.system, walls, interfaces)?;
+        self.scheme.initialise(&mut Flow { system: &mut self.system, walls, interfaces })?;
         self.scheme.check(&self.system)
     }
 
@@ -99,7 +99,7 @@ impl Fluid {
         let Fluid { system, scheme, .. } = self;
         let outer = system.timers.begin(Phase::Integration);
         note_start_positions(&mut system.start_positions, &system.particles, &walls.midlines);
-        parallel::within_pool(|| scheme.step(system, walls, interfaces, dt))?;
+        parallel::within_pool(|| scheme.step(&mut Flow { system, walls, interfaces }, dt))?;
         system.fold(|id| scheme.reflected(id));
         system.time += dt;
         system.steps += 1;

@@ -1,33 +1,33 @@
 //! The weakly compressible scheme with the options of 2010 (THEORY LE3–LE14, LE15–LE17).
 
 use crate::domain::Domain;
+use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::interactions::pair::Extrapolated;
-use crate::legacy::density_filter::{DensityFilter, smooth_density};
+use crate::legacy::density_filter::smooth_density;
 use crate::legacy::dynamic_walls::{DynamicWalls, OwnVelocityRate};
 use crate::legacy::ideal_gas::{IdealGas, gas_state, heating_rates};
 use crate::legacy::mirror_point::read_mirror_points;
-use crate::legacy::multistep::{History, Old, Rates};
+use crate::legacy::multistep::{History, Rates};
 use crate::legacy::repulsive::{Repulsion, repel};
-use crate::legacy::settings::{DiffusionForm, Options, Settings};
-use crate::legacy::summation::{DensityEvolution, sum_density};
-use crate::legacy::turbulence::{Turbulence, add_eddy_forces};
-use crate::legacy::wall_model::WallModel;
+use crate::legacy::settings::*;
+use crate::legacy::steps::Step;
+use crate::legacy::summation::sum_density;
+use crate::legacy::turbulence::add_eddy_forces;
 use crate::legacy::xsph::drift_with_neighbours;
+use crate::memory::of_vector;
 use crate::parallel;
+use crate::particles::Seed;
+use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
-use crate::walls::Walls;
-use crate::walls::interface::WallInterface;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::{extrapolate_to_walls, set_wall_state};
-use crate::wcsph::Wcsph;
-use crate::wcsph::shifting::even_out;
-use crate::wcsph::step_limit::acoustic_limit;
-
-/// Steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 12.0;
+use crate::walls::{WallLayout, Walls};
+use crate::wcsph::shifting::{even_out, settle};
+use crate::wcsph::step_limit::{StepLimit, rebuild_lists};
+use crate::wcsph::{Wcsph, is_weakly_compressed};
 
 /// The weakly compressible scheme with the options of 2010, and their state.
 #[derive(Clone)]
@@ -39,7 +39,6 @@ pub struct Compressible {
     /// The gas, if the fluid is one (LE11).
     pub(crate) gas: Option<IdealGas>,
     pub(crate) history: History,
-    pub(crate) old: Old,
     /// de/dt [W/kg] (LE12); empty for water.
     pub(crate) heating: Vec<f64>,
     pub(crate) dynamic_walls: DynamicWalls,
@@ -55,7 +54,6 @@ impl Compressible {
             options: settings.options,
             gas: settings.gas(domain),
             history: History::default(),
-            old: Old::default(),
             heating: Vec::new(),
             dynamic_walls: DynamicWalls::default(),
         }
@@ -75,9 +73,7 @@ impl Compressible {
     pub(crate) fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, self.options.walls == WallModel::MirrorPoint) {
             self.base.refine(system);
-            let cfl = self.base.settings.courant_number();
-            let life = LIST_LIFE * acoustic_limit(system, cfl, |k| self.sound_speed(system, k));
-            system.rebuild_lists(walls, life);
+            rebuild_lists(system, walls, self.base.settings.courant_number(), |system, k| self.sound_speed(system, k));
         }
         system.pack(walls);
     }
@@ -101,18 +97,18 @@ impl Compressible {
         let (fluid, walls, search) = (&system.packed.fluid, &system.packed.walls, &system.neighbours);
         let (kernel, rho) = (system.domain.fluid.kernel, &system.particles.rho);
         let mut beside_walls = vec![0.0; rho.len()];
-        let (lists, out) = (&search.walls_of_fluid, &mut beside_walls[..]);
-        kernel.run(OwnVelocityRate { targets: fluid, rho, others: walls, lists, out });
+        let lists = &search.walls_of_fluid;
+        kernel.gather(&OwnVelocityRate { targets: fluid, rho, others: walls, lists }, &mut beside_walls);
         for (rate, beside_walls) in self.base.density_rate.iter_mut().zip(&beside_walls) {
             *rate += beside_walls;
         }
         let DynamicWalls { rho, rate, .. } = &mut self.dynamic_walls;
         let lists = &search.fluid_of_wall;
-        kernel.run(OwnVelocityRate { targets: walls, rho, others: fluid, lists, out: rate });
+        kernel.gather(&OwnVelocityRate { targets: walls, rho, others: fluid, lists }, rate);
     }
 
     /// LE16: dynamic walls start at the pressure of the water beside them, or at none.
-    pub(crate) fn start_dynamic_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
+    fn start_dynamic_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
         if self.options.walls != WallModel::Dynamic {
             return;
         }
@@ -152,13 +148,8 @@ impl Compressible {
     }
 
     /// WC2, WA3, WC5–WC7, LE10: pressures, wall pressures, accelerations, forces on walls.
-    pub(crate) fn evaluate_forces(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        offset: f64,
-    ) {
+    pub(crate) fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) {
+        let Flow { system, walls, interfaces } = flow;
         self.equation_of_state(system);
         self.pack(system, walls, offset);
         match self.options.walls {
@@ -167,7 +158,12 @@ impl Compressible {
             WallModel::Dynamic => self.state_of_dynamic_walls(system, walls),
         }
         let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
-        self.gather_forces(system, walls, &mut forces);
+        let (terms, has_pressure): (PairTerms, _) = (self.base.terms(system), self.options.walls.has_pressure());
+        gather_fluid_forces(system, &terms, has_pressure, &mut forces);
+        match has_pressure {
+            true => gather_wall_forces(system, &terms, walls),
+            false => repel(system, self.repulsion(system), walls, &mut forces),
+        }
         if self.options.turbulence == Turbulence::Sps {
             add_eddy_forces(system, &mut forces);
         }
@@ -175,16 +171,6 @@ impl Compressible {
             solve_interfaces(system, walls, interfaces, &mut forces, offset);
         }
         forces.accelerate(system);
-    }
-
-    fn gather_forces(&self, system: &mut ParticleSystem, walls: &mut Walls, forces: &mut Forces) {
-        let (terms, has_pressure): (PairTerms, _) = (self.base.terms(system), self.options.walls.has_pressure());
-        gather_fluid_forces(system, &terms, has_pressure, forces);
-        if has_pressure {
-            gather_wall_forces(system, &terms, walls);
-        } else {
-            repel(system, self.repulsion(system), walls, forces);
-        }
     }
 
     /// The law of repulsive walls (LE15).
@@ -246,6 +232,79 @@ impl Compressible {
         for (e, rate) in system.particles.energy.iter_mut().zip(&self.heating) {
             let growth = dt * rate / *e;
             *e *= (2.0 + growth) / (2.0 - growth);
+        }
+    }
+}
+
+impl Scheme for Compressible {
+    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
+        self.sum_density(flow.system, flow.walls, 0.0);
+        self.start_dynamic_walls(flow.system, flow.walls);
+        let settling = self.base.settings.shifting.then_some(self.base.settings.settling);
+        settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
+        Ok(())
+    }
+
+    fn step(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
+        Step { scheme: self, flow, dt }.take();
+        Ok(())
+    }
+
+    fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
+        let limit = StepLimit { cfl: self.base.settings.courant_number(), c0: self.base.eos.c0 };
+        limit.stable_dt(system, walls, |k| self.sound_speed(system, k))
+    }
+
+    fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {
+        let (p, rho0) = (&system.particles, self.base.eos.rho0);
+        let gas = self.gas.is_some();
+        system.check(|k| is_weakly_compressed(p.rho[k], rho0) || gas && p.rho[k] > 0.0 && p.energy[k] > 0.0)
+    }
+
+    fn checkpoint(&self) -> Box<dyn Scheme> {
+        Box::new(self.clone())
+    }
+
+    fn reflected(&mut self, id: u32) {
+        self.history.reflect(id);
+    }
+
+    fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {
+        let p = &system.particles;
+        match self.gas {
+            None => self.base.eos.energy(p.rho[k]),
+            Some(gas) => gas.energy_over_rest(p.rho[k], p.energy[k]),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        of_vector(&self.base.density_rate) + of_vector(&self.heating)
+    }
+}
+
+impl SchemeSettings for Settings {
+    /// The default scheme where every option is neutral.
+    fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
+        match self.options.is_neutral() {
+            true => Box::new(Wcsph::new(domain, self.scheme)),
+            false => Box::new(Compressible::new(domain, self)),
+        }
+    }
+
+    fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>) {
+        match self.gas(domain) {
+            None => self.scheme.state(domain, seed),
+            Some(gas) => (gas.density(seed.pressure, gas.energy_at_rest()), Some(gas.energy_at_rest())),
+        }
+    }
+
+    fn wall_layout(&self, domain: &Domain) -> WallLayout {
+        match self.options.walls {
+            WallModel::Extrapolated | WallModel::MirrorPoint => {
+                WallLayout::filling_support(domain.fluid.smoothing_ratio)
+            }
+            WallModel::Dynamic => WallLayout { layers: 2, staggered: true },
+            WallModel::Repulsive => WallLayout { layers: 1, staggered: false },
         }
     }
 }

@@ -1,16 +1,18 @@
 //! The accelerations of walls' owners found together with the wall pressures that they cause, so that the added mass in WA3 is
 //! implicit (THEORY CO4–CO7).
 
-use crate::interactions::forces::Forces;
+use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::kernel_and_gradient;
 use crate::interactions::kernel::{Shape, WithKernel};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::neighbours::lists::Lists;
 use crate::parallel;
+use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
+use crate::walls::state::extrapolate_to_walls;
 
 /// CO4: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default)]
@@ -93,6 +95,20 @@ impl WithKernel for PressureCorrection<'_> {
             force
         });
     }
+}
+
+/// WA3, WC5–WC7: wall pressures, accelerations of the fluid and forces on the walls, under the packed pressures; walls taken
+/// `offset` seconds from the step's end.
+pub(crate) fn accelerate_by_pairs(flow: &mut Flow<'_>, terms: &PairTerms, offset: f64) {
+    let Flow { system, walls, interfaces } = flow;
+    extrapolate_to_walls(system, walls);
+    let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
+    gather_fluid_forces(system, terms, true, &mut forces);
+    gather_wall_forces(system, terms, walls);
+    if !interfaces.is_empty() {
+        solve_interfaces(system, walls, interfaces, &mut forces, offset); // CO4–CO6
+    }
+    forces.accelerate(system);
 }
 
 /// CO4–CO6: the accelerations of the walls' owners that satisfy their equations of motion under the forces which these

@@ -165,12 +165,16 @@ impl Walls {
         dx * force[1] - dy * force[0]
     }
 
+    /// The mean force of particle `k` over the step, which acts `offset` [s] from its end.
+    pub(crate) fn set_mean_force_of(&mut self, k: usize, offset: f64, force: [f64; 2]) {
+        [self.mean_fx[k], self.mean_fy[k]] = force;
+        self.mean_swing[k] = self.swing(k, offset, force);
+    }
+
     /// WC11: half of the present force, where the walls were at the start of a step of `dt` [s], enters the step's mean force.
     pub(crate) fn start_mean_force(&mut self, dt: f64) {
         for k in 0..self.len() {
-            let first = [0.5 * self.fx[k], 0.5 * self.fy[k]];
-            [self.mean_fx[k], self.mean_fy[k]] = first;
-            self.mean_swing[k] = self.swing(k, -dt, first);
+            self.set_mean_force_of(k, -dt, [0.5 * self.fx[k], 0.5 * self.fy[k]]);
         }
     }
 
@@ -187,8 +191,7 @@ impl Walls {
         for k in 0..self.len() {
             let force = [self.fx[k], self.fy[k]].map(|f| factor * f);
             [self.fx[k], self.fy[k]] = force;
-            [self.mean_fx[k], self.mean_fy[k]] = force;
-            self.mean_swing[k] = self.swing(k, -dt, force);
+            self.set_mean_force_of(k, -dt, force);
         }
     }
 
