@@ -1,7 +1,6 @@
 //! The weakly compressible scheme with the options of 2010 (THEORY LE3–LE14, LE15–LE17).
 
 use crate::domain::Domain;
-use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::interactions::pair::Extrapolated;
@@ -12,22 +11,19 @@ use crate::legacy::mirror_point::read_mirror_points;
 use crate::legacy::multistep::{History, Rates};
 use crate::legacy::repulsive::{Repulsion, repel};
 use crate::legacy::settings::*;
-use crate::legacy::steps::Step;
 use crate::legacy::summation::sum_density;
 use crate::legacy::turbulence::add_eddy_forces;
 use crate::legacy::xsph::drift_with_neighbours;
-use crate::memory::of_vector;
 use crate::parallel;
-use crate::particles::Seed;
-use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::{extrapolate_to_walls, set_wall_state};
-use crate::walls::{WallLayout, Walls};
-use crate::wcsph::shifting::{even_out, settle};
-use crate::wcsph::step_limit::{StepLimit, rebuild_lists};
-use crate::wcsph::{Wcsph, is_weakly_compressed};
+use crate::walls::Walls;
+use crate::wcsph::shifting::even_out;
+use crate::wcsph::step_limit::rebuild_lists;
+use crate::wcsph::Wcsph;
 
 /// The weakly compressible scheme with the options of 2010, and their state.
 #[derive(Clone)]
@@ -232,79 +228,6 @@ impl Compressible {
         for (e, rate) in system.particles.energy.iter_mut().zip(&self.heating) {
             let growth = dt * rate / *e;
             *e *= (2.0 + growth) / (2.0 - growth);
-        }
-    }
-}
-
-impl Scheme for Compressible {
-    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
-        self.sum_density(flow.system, flow.walls, 0.0);
-        self.start_dynamic_walls(flow.system, flow.walls);
-        let settling = self.base.settings.shifting.then_some(self.base.settings.settling);
-        settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
-        Ok(())
-    }
-
-    fn step(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
-        Step { scheme: self, flow, dt }.take();
-        Ok(())
-    }
-
-    fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
-        let limit = StepLimit { cfl: self.base.settings.courant_number(), c0: self.base.eos.c0 };
-        limit.stable_dt(system, walls, |k| self.sound_speed(system, k))
-    }
-
-    fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {
-        let (p, rho0) = (&system.particles, self.base.eos.rho0);
-        let gas = self.gas.is_some();
-        system.check(|k| is_weakly_compressed(p.rho[k], rho0) || gas && p.rho[k] > 0.0 && p.energy[k] > 0.0)
-    }
-
-    fn checkpoint(&self) -> Box<dyn Scheme> {
-        Box::new(self.clone())
-    }
-
-    fn reflected(&mut self, id: u32) {
-        self.history.reflect(id);
-    }
-
-    fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {
-        let p = &system.particles;
-        match self.gas {
-            None => self.base.eos.energy(p.rho[k]),
-            Some(gas) => gas.energy_over_rest(p.rho[k], p.energy[k]),
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        of_vector(&self.base.density_rate) + of_vector(&self.heating)
-    }
-}
-
-impl SchemeSettings for Settings {
-    /// The default scheme where every option is neutral.
-    fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
-        match self.options.is_neutral() {
-            true => Box::new(Wcsph::new(domain, self.scheme)),
-            false => Box::new(Compressible::new(domain, self)),
-        }
-    }
-
-    fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>) {
-        match self.gas(domain) {
-            None => self.scheme.state(domain, seed),
-            Some(gas) => (gas.density(seed.pressure, gas.energy_at_rest()), Some(gas.energy_at_rest())),
-        }
-    }
-
-    fn wall_layout(&self, domain: &Domain) -> WallLayout {
-        match self.options.walls {
-            WallModel::Extrapolated | WallModel::MirrorPoint => {
-                WallLayout::filling_support(domain.fluid.smoothing_ratio)
-            }
-            WallModel::Dynamic => WallLayout { layers: 2, staggered: true },
-            WallModel::Repulsive => WallLayout { layers: 1, staggered: false },
         }
     }
 }

@@ -1,12 +1,92 @@
-//! A step of each integrator, one line per equation.
+//! [`Compressible`] as a scheme: a step of each integrator, one line per equation.
 
+use crate::domain::Domain;
+use crate::error::Breakdown;
 use crate::legacy::compressible::Compressible;
 use crate::legacy::multistep::{Old, Weights};
-use crate::legacy::settings::Integrator;
-use crate::particles::Particles;
-use crate::scheme::Flow;
-use crate::walls::Walls;
+use crate::legacy::settings::{Integrator, Settings, WallModel};
+use crate::memory::of_vector;
+use crate::particles::{Particles, Seed};
+use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::system::ParticleSystem;
+use crate::walls::{WallLayout, Walls};
+use crate::wcsph::shifting::settle;
+use crate::wcsph::step_limit::StepLimit;
 use crate::wcsph::updates::{advance_density_midpoint, drift, kick};
+use crate::wcsph::{Wcsph, is_weakly_compressed};
+
+impl Scheme for Compressible {
+    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
+        self.sum_density(flow.system, flow.walls, 0.0);
+        self.start_dynamic_walls(flow.system, flow.walls);
+        let settling = self.base.settings.shifting.then_some(self.base.settings.settling);
+        settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
+        Ok(())
+    }
+
+    fn step(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
+        Step { scheme: self, flow, dt }.take();
+        Ok(())
+    }
+
+    fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
+        let limit = StepLimit { cfl: self.base.settings.courant_number(), c0: self.base.eos.c0 };
+        limit.stable_dt(system, walls, |k| self.sound_speed(system, k))
+    }
+
+    fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {
+        let (p, rho0) = (&system.particles, self.base.eos.rho0);
+        let gas = self.gas.is_some();
+        system.check(|k| is_weakly_compressed(p.rho[k], rho0) || gas && p.rho[k] > 0.0 && p.energy[k] > 0.0)
+    }
+
+    fn checkpoint(&self) -> Box<dyn Scheme> {
+        Box::new(self.clone())
+    }
+
+    fn reflected(&mut self, id: u32) {
+        self.history.reflect(id);
+    }
+
+    fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {
+        let p = &system.particles;
+        match self.gas {
+            None => self.base.eos.energy(p.rho[k]),
+            Some(gas) => gas.energy_over_rest(p.rho[k], p.energy[k]),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        of_vector(&self.base.density_rate) + of_vector(&self.heating)
+    }
+}
+
+impl SchemeSettings for Settings {
+    /// The default scheme where every option is neutral.
+    fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
+        match self.options.is_neutral() {
+            true => Box::new(Wcsph::new(domain, self.scheme)),
+            false => Box::new(Compressible::new(domain, self)),
+        }
+    }
+
+    fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>) {
+        match self.gas(domain) {
+            None => self.scheme.state(domain, seed),
+            Some(gas) => (gas.density(seed.pressure, gas.energy_at_rest()), Some(gas.energy_at_rest())),
+        }
+    }
+
+    fn wall_layout(&self, domain: &Domain) -> WallLayout {
+        match self.options.walls {
+            WallModel::Extrapolated | WallModel::MirrorPoint => {
+                WallLayout::filling_support(domain.fluid.smoothing_ratio)
+            }
+            WallModel::Dynamic => WallLayout { layers: 2, staggered: true },
+            WallModel::Repulsive => WallLayout { layers: 1, staggered: false },
+        }
+    }
+}
 
 /// The scheme with what it works on.
 pub(crate) struct Step<'a, 'f> {
