@@ -18,12 +18,12 @@ use crate::parallel;
 use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
+use crate::walls::Walls;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::{extrapolate_to_walls, set_wall_state};
-use crate::walls::Walls;
+use crate::wcsph::Wcsph;
 use crate::wcsph::shifting::even_out;
 use crate::wcsph::step_limit::rebuild_lists;
-use crate::wcsph::Wcsph;
 
 /// The weakly compressible scheme with the options of 2010, and their state.
 #[derive(Clone)]
@@ -104,7 +104,7 @@ impl Compressible {
     }
 
     /// LE16: dynamic walls start at the pressure of the water beside them, or at none.
-    fn start_dynamic_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
+    pub(crate) fn start_dynamic_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
         if self.options.walls != WallModel::Dynamic {
             return;
         }
