@@ -23,7 +23,6 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
-mod body_mass;
 mod central_difference;
 mod effective_inertia;
 mod envelope;
@@ -35,7 +34,6 @@ mod rupture;
 mod solver;
 mod state;
 mod trapezoidal;
-mod whole_model;
 
 pub use effective_inertia::EffectiveInertia;
 pub use envelope::{EndEnvelope, Envelope, Range};

@@ -1,16 +1,14 @@
 //! The solver for motion in time: an integration rule applied to a model.
 
-use super::body_mass::concentrate_at_bodies;
 use super::generalised_alpha::GeneralisedAlpha;
-use super::lumped_mass::{LumpedMass, explicit_mass, mass_with_bodies, nodal_masses};
+use super::lumped_mass::{LumpedMass, concentrate_at_bodies, explicit_mass, mass_with_bodies, nodal_masses};
 use super::moving_model::MovingModel;
 use super::trapezoidal::Trapezoidal;
 use super::{Integration, State, StepReport, SupportMotion, central_difference, rupture};
 use crate::assembly::{System, reactions};
-use crate::dof::Dof;
 use crate::element::{Damping, Ends, SectionForces, momentum};
 use crate::error::{Error, above_zero, not_negative, require};
-use crate::field::{combine, sum};
+use crate::field::{Dof, combine, sum};
 use crate::model::{Beam, Supports, add_ends};
 
 /// A supported model that moves under loads at its nodes.
