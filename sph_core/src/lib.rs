@@ -66,14 +66,13 @@ pub mod parallel;
 pub mod particles;
 pub mod projection;
 pub mod scheme;
-pub mod solver;
 pub mod system;
 pub mod timers;
 pub mod walls;
 pub mod wcsph;
 
 pub use auto::Auto;
-pub use domain::{Domain, FluidSettings, Slip};
+pub use domain::{Domain, FluidSettings, Slip, Solver};
 pub use error::Breakdown;
 pub use fluid::Fluid;
 pub use interactions::dissipation::Dissipation;
@@ -83,7 +82,6 @@ pub use legacy::{DensityEvolution, DensityFilter, IdealGas, Integrator, ThesisSe
 pub use particles::refinement::RefinementZone;
 pub use particles::{Particles, Seed};
 pub use scheme::{Scheme, SchemeSettings};
-pub use solver::Solver;
 pub use system::ParticleSystem;
 pub use timers::{Phase, Timers};
 pub use walls::interface::{InterfaceDynamics, WallInterface};

@@ -57,7 +57,7 @@ impl PressureForces {
         dt: f64,
     ) {
         let inverse = 1.0 / lattice.gradient;
-        system.packed.set_pressures(&system.fields, &system.neighbours, system.domain.mirror);
+        system.packed.set_pressures(&system.fields, &system.neighbours);
         extrapolate_to_walls(system, walls); // WA3
         gather_wall_forces(system, &PairTerms { constants, dissipation: Dissipation::default() }, walls);
         walls.scale_forces(inverse, dt);

@@ -23,14 +23,12 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
-mod central_difference;
 mod effective_inertia;
 mod envelope;
 mod generalised_alpha;
 mod lumped_mass;
 mod moving_model;
 mod newton;
-mod rupture;
 mod solver;
 mod state;
 mod trapezoidal;
