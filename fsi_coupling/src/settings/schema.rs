@@ -21,20 +21,8 @@ pub struct Schema {
     noun: &'static str,
 }
 
-/// In a schema: a `T`, or the word `auto`, which means the same as an absent key.
-pub struct OrAuto<T>(PhantomData<T>);
-
 /// In a schema: a `T`, or the word `touching`, which means the same as an absent key.
 pub struct OrTouching<T>(PhantomData<T>);
-
-impl<T: JsonSchema> JsonSchema for OrAuto<T> {
-    fn schema_name() -> Cow<'static, str> {
-        format!("{}OrAuto", T::schema_name()).into()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
-        json_schema!({ "anyOf": [generator.subschema_for::<T>(), { "const": "auto" }] })
-    }
-}
 
 impl<T: JsonSchema> JsonSchema for OrTouching<T> {
     fn schema_name() -> Cow<'static, str> {
