@@ -35,7 +35,6 @@
 //! ```
 
 mod check;
-mod condition;
 mod keyword;
 mod node;
 mod problem;

@@ -7,8 +7,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator, json_schema};
 use serde_json::Value;
 
-use super::check::Checker;
-use super::condition::Place;
+use super::check::{Checker, Place, joined};
 use super::keyword::{self, Keyword};
 use super::node::Node;
 use super::problem::Problem;
@@ -85,7 +84,7 @@ impl Schema {
         let Some(key) = text.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) else {
             return Problem { key: table.to_string(), sentence: format!("`{table}`: {text}") };
         };
-        let path = if table.is_empty() { key.to_string() } else { format!("{table}.{key}") };
+        let path = joined(table, key);
         let keyword = self.keyword(&path);
         let expected = keyword.map_or("a value".to_string(), |word| match word.unit.as_str() {
             "" => format!("{}; {}", word.takes, word.doc),
