@@ -114,6 +114,7 @@ struct Common<'a> {
     water: &'a Water,
     sound_speed: f64,
     courant_number: f64,
+    surface_ratio: Option<f64>,
 }
 
 impl SolverSettings {
@@ -123,6 +124,7 @@ impl SolverSettings {
             water,
             sound_speed: sound_speed.or(f64::NAN),
             courant_number,
+            surface_ratio: None,
         };
         match self {
             SolverSettings::WeaklyCompressible { fluid: WeaklyCompressibleFluid { water, scheme, .. } } => {
@@ -135,9 +137,10 @@ impl SolverSettings {
                 of(Solver::IncompressibleExplicit, &fluid.water, fluid.sound_speed.into(), fluid.scheme.cfl)
             }
             #[cfg(feature = "legacy")]
-            SolverSettings::IncompressibleThesis { fluid, .. } => {
-                of(Solver::IncompressibleThesis, &fluid.water, fluid.scheme.sound_speed, fluid.scheme.cfl)
-            }
+            SolverSettings::IncompressibleThesis { fluid, thesis } => Common {
+                surface_ratio: Some(thesis.surface_ratio),
+                ..of(Solver::IncompressibleThesis, &fluid.water, fluid.scheme.sound_speed, fluid.scheme.cfl)
+            },
         }
     }
 
@@ -172,6 +175,11 @@ impl SolverSettings {
     /// Courant number of the step limit [-].
     pub fn courant_number(&self) -> f64 {
         self.common().courant_number
+    }
+
+    /// Divergence of r below which the thesis's projection finds a free surface, over that inside (LE23) [-].
+    pub(crate) fn surface_ratio(&self) -> Option<f64> {
+        self.common().surface_ratio
     }
 
     /// Name of the solver.
