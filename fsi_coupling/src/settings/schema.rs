@@ -169,16 +169,9 @@ fn release_tag(variant: &mut Value, usual: &Value) {
     }
 }
 
+/// `gauges[2].at` as `gauges[].at`.
 fn without_indices(path: &str) -> String {
-    let mut inside = false;
-    path.chars()
-        .filter(|c| {
-            inside = match c {
-                '[' => true,
-                ']' => false,
-                _ => inside,
-            };
-            !inside || *c == '['
-        })
-        .collect()
+    let mut parts = path.split('[');
+    let first = parts.next().unwrap_or_default().to_string();
+    parts.fold(first, |known, part| known + "[]" + part.split_once(']').map_or("", |(_, rest)| rest))
 }
