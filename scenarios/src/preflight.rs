@@ -14,7 +14,7 @@ use serde::Serialize;
 use sph_core::Solver;
 
 use crate::build::layout;
-use crate::model_hierarchy::{Assessment, Want, assess};
+use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
     CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
@@ -75,7 +75,8 @@ pub struct Preflight {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<String>,
     /// The theories: range of validity, cost, and error of the largest force.
-    pub ladder: Vec<Assessment>,
+    #[serde(rename = "ladder")]
+    pub theories: Vec<Assessment>,
     /// Warnings.
     pub warnings: Vec<String>,
 }
@@ -166,14 +167,14 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
             .collect(),
         model: scene.model.name(),
         choice: scene.choice.clone(),
-        ladder: scene.entry().map_or(Vec::new(), |_| assess(scene, Want::PeakForce)),
+        theories: scene.entry().map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
         warnings: warnings.to_vec(),
     }
 }
 
 /// A theory in a line.
-fn step_of_ladder(a: &Assessment) -> String {
-    let name = format!("  {:<15}", a.rung.name());
+fn theory_line(a: &Assessment) -> String {
+    let name = format!("  {:<15}", a.model.name());
     match (&a.obstacle, a.core_seconds, &a.measured) {
         (Some(obstacle), ..) => format!("{name}{obstacle}"),
         (None, Some(cost), Some(m)) => {
@@ -189,11 +190,11 @@ impl Preflight {
         let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
         let mut lines = vec![format!("scene        {}", self.scene), format!("model        {}", self.model)];
         lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
-        lines.extend(self.ladder.iter().map(step_of_ladder));
-        if !self.ladder.is_empty() {
+        lines.extend(self.theories.iter().map(theory_line));
+        if !self.theories.is_empty() {
             lines.push(format!("  {:<15}about {:.0} core-seconds", "particles", self.core_seconds));
         }
-        if EntryModel::ALL.iter().any(|rung| rung.is_theory() && rung.name() == self.model) {
+        if EntryModel::ALL.iter().any(|model| model.is_theory() && model.name() == self.model) {
             return lines.join("\n");
         }
         lines.extend([

@@ -106,9 +106,9 @@ pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, Bench
     for PairPath { name: path, simd } in PATHS {
         let block = parallel::on_threads(1, || {
             let mut fluid = vortices(particles, simd)?;
-            let in_sweeps =
+            let in_pairs =
                 |fluid: &Fluid| fluid.timers().seconds(Phase::Density) + fluid.timers().seconds(Phase::Momentum);
-            let before = in_sweeps(&fluid);
+            let before = in_pairs(&fluid);
             let seconds = advance(&mut fluid, steps)?;
             let evaluations = (fluid.particles().len() * steps) as f64;
             Ok::<_, BenchError>(Block {
@@ -117,7 +117,7 @@ pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, Bench
                 path,
                 steps,
                 evaluations_per_core_second: evaluations / seconds,
-                sweeps_only_per_core_second: evaluations / (in_sweeps(&fluid) - before),
+                sweeps_only_per_core_second: evaluations / (in_pairs(&fluid) - before),
                 over_reference: 1.0,
             })
         })?;

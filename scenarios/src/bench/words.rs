@@ -23,7 +23,7 @@ pub fn in_words(b: &Bench) -> String {
     lines.push(one_and_all("triad a = b + s c", b.calibration.triad_gb_per_s, "GB/s"));
     let arithmetic = format!("multiply and add, {fused}");
     lines.push(one_and_all(&arithmetic, b.calibration.multiply_add_gflop_per_s, "GFLOP/s"));
-    lines.push("forces per core-second, a block of fluid on 1 thread: whole step, sweeps over pairs alone".into());
+    lines.push("forces per core-second, a block of fluid on 1 thread: whole step, sums over pairs alone".into());
     lines.extend(b.blocks.iter().map(block));
     if let Some(s) = b.speedup {
         lines.push(format!("{} threads against 1, {} particles: {:.2}", s.threads, s.particles, s.speedup));

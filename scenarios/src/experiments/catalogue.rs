@@ -1,5 +1,6 @@
 //! Cases: the built-in ones by name, others by the path of a TOML file; results that were stored as JSON.
 
+use std::fmt::Display;
 use std::marker::PhantomData;
 use std::path::Path;
 
@@ -53,7 +54,7 @@ impl<C: Case> Catalogue<C> {
     /// A built-in file is wrong.
     pub fn all(&self) -> Result<Vec<C>, ExperimentError> {
         let contents: Vec<(String, C)> =
-            embedded::contents(self.folder).map_err(|(name, why)| self.wrong(name, why))?;
+            embedded::contents(self.folder).map_err(|(name, why)| self.wrong(&name, &why))?;
         contents.into_iter().map(|(name, case)| self.named(case, name)).collect()
     }
 
@@ -68,7 +69,7 @@ impl<C: Case> Catalogue<C> {
         }
         let unknown = |name: &String| {
             let known = all.iter().map(|c| c.title()[0]).collect::<Vec<_>>().join(", ");
-            ExperimentError::Unknown { kind: self.kind, name: name.clone(), known }
+            ExperimentError::Case(format!("no {} `{name}`; there are: {known}", self.kind))
         };
         let chosen = |name: &String| match name.ends_with(".toml") {
             true => self.read_file(name),
@@ -79,9 +80,8 @@ impl<C: Case> Catalogue<C> {
 
     /// The case of a TOML file.
     fn read_file(&self, path: &str) -> Result<C, ExperimentError> {
-        let wrong = |why: String| self.wrong(path.to_string(), why);
-        let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
-        self.named(toml::from_str(&text).map_err(|e| wrong(e.to_string()))?, C::name_of_file(path))
+        let text = std::fs::read_to_string(path).map_err(|e| self.wrong(path, &e))?;
+        self.named(toml::from_str(&text).map_err(|e| self.wrong(path, &e))?, C::name_of_file(path))
     }
 
     fn named(&self, mut case: C, name: String) -> Result<C, ExperimentError> {
@@ -93,24 +93,27 @@ impl<C: Case> Catalogue<C> {
     pub(super) fn checked(&self, case: C) -> Result<C, ExperimentError> {
         match case.check() {
             Ok(()) => Ok(case),
-            Err(why) => Err(self.wrong(case.title()[0].to_string(), why)),
+            Err(why) => Err(self.wrong(case.title()[0], &why)),
         }
     }
 
-    fn wrong(&self, name: String, why: String) -> ExperimentError {
-        ExperimentError::Case { kind: self.kind, name, why }
+    fn wrong(&self, name: &str, why: &dyn Display) -> ExperimentError {
+        ExperimentError::Case(format!("{} `{name}`: {why}", self.kind))
     }
 
     /// A stored result.
     pub(super) fn stored<T: DeserializeOwned>(&self, path: &Path) -> Result<T, ExperimentError> {
-        let wrong = |why: String| self.not_stored(path, why);
-        let text = std::fs::read_to_string(path).map_err(|e| wrong(e.to_string()))?;
-        serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))
+        let text = std::fs::read_to_string(path).map_err(|e| self.not_stored(path, &e))?;
+        serde_json::from_str(&text).map_err(|e| self.not_stored(path, &e))
     }
 
-    pub(super) fn not_stored(&self, path: &Path, why: String) -> ExperimentError {
-        let file = path.display().to_string();
-        ExperimentError::Stored { kind: self.kind, command: self.command, file, why }
+    pub(super) fn not_stored(&self, path: &Path, why: &dyn Display) -> ExperimentError {
+        let Catalogue { kind, command, .. } = self;
+        ExperimentError::Case(format!(
+            "{}: {why}; expected the JSON file of a {kind} that was measured: `splashdown {command} NAME` writes \
+             NAME.json into --out",
+            path.display()
+        ))
     }
 }
 

@@ -9,8 +9,9 @@ use super::catalogue::Catalogue;
 use super::convergence::coarser_runs;
 use super::runs::{run_to_end, scene_with};
 use super::validation::{Case, Expect};
-use super::{ExperimentError, markdown};
+use super::{ExperimentError, yes};
 use crate::error_bar::ErrorBar;
+use crate::report::{Table, known};
 
 static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/bands");
 
@@ -59,37 +60,27 @@ pub fn cover(case: &Case) -> Result<Vec<Line>, ExperimentError> {
 
 /// The table as Markdown, with the share of bars that contain the exact value.
 pub fn table(lines: &[Line]) -> String {
-    let head = [
-        "case",
-        "number",
-        "exact",
-        "finest run",
-        "extrapolated",
-        "band ±",
-        "order",
-        "holds",
-        "verdict",
-        "core-s",
-        "source",
-    ];
-    let row = |l: &Line| {
-        let percent = |value: f64| format!("{:+.2} %", 100.0 * (value / l.exact - 1.0));
-        vec![
-            l.case.clone(),
-            l.path.clone(),
-            l.exact.to_string(),
-            percent(l.bar.value),
-            percent(l.bar.middle()),
-            format!("{:.2} %", 100.0 * (l.bar.band / l.exact).abs()),
-            l.bar.order.map_or("–".into(), |p| format!("{p:.2}")),
-            if l.holds { "yes" } else { "**no**" }.into(),
-            l.bar.verdict.clone(),
-            format!("{:.0}", l.core_seconds),
-            l.source.clone(),
-        ]
-    };
+    fn percent(value: f64, l: &Line) -> String {
+        format!("{:+.2} %", 100.0 * (value / l.exact - 1.0))
+    }
+    let table = Table::of(
+        "",
+        lines,
+        &[
+            ("case", |l| l.case.clone()),
+            ("number", |l| l.path.clone()),
+            ("exact", |l| l.exact.to_string()),
+            ("finest run", |l| percent(l.bar.value, l)),
+            ("extrapolated", |l| percent(l.bar.middle(), l)),
+            ("band ±", |l| format!("{:.2} %", 100.0 * (l.bar.band / l.exact).abs())),
+            ("order", |l| known(l.bar.order, 2)),
+            ("holds", |l| yes(l.holds)),
+            ("verdict", |l| l.bar.verdict.clone()),
+            ("core-s", |l| format!("{:.0}", l.core_seconds)),
+            ("source", |l| l.source.clone()),
+        ],
+    );
     let held = lines.iter().filter(|l| l.holds).count();
-    let rows: Vec<Vec<String>> = lines.iter().map(row).collect();
     let first = format!("{held} of {} bars hold the exact value. Errors and bands in percent of it.\n\n", lines.len());
-    first + &markdown(&head, &rows)
+    first + &table.markdown()
 }

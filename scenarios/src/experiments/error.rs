@@ -6,41 +6,9 @@ use crate::scene::SceneError;
 /// An experiment that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum ExperimentError {
-    /// No case has this name.
-    #[error("no {kind} `{name}`; there are: {known}")]
-    Unknown {
-        /// The kind of case.
-        kind: &'static str,
-        /// The name given.
-        name: String,
-        /// Names of all cases.
-        known: String,
-    },
-    /// The file of a case is wrong.
-    #[error("{kind} `{name}`: {why}")]
-    Case {
-        /// The kind of case.
-        kind: &'static str,
-        /// Its name or file.
-        name: String,
-        /// What is wrong.
-        why: String,
-    },
-    /// A stored result cannot be read.
-    #[error(
-        "{file}: {why}; expected the JSON file of a {kind} that was measured: `splashdown {command} NAME` writes NAME.json into \
-         --out"
-    )]
-    Stored {
-        /// The kind of case.
-        kind: &'static str,
-        /// The command that writes the file.
-        command: &'static str,
-        /// The file.
-        file: String,
-        /// What is wrong.
-        why: String,
-    },
+    /// A case or a stored result is unknown or wrong; the text has its kind, its name and what is expected.
+    #[error("{0}")]
+    Case(String),
     /// An option has a wrong value.
     #[error("{key} {given}: expected {expected}")]
     Input {

@@ -33,10 +33,7 @@ pub mod work_precision;
 
 pub use error::ExperimentError;
 
-/// Rows of text as a Markdown table.
-pub(crate) fn markdown<Cell: AsRef<str>>(head: &[Cell], rows: &[Vec<String>]) -> String {
-    let head: Vec<&str> = head.iter().map(AsRef::as_ref).collect();
-    let mut text = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
-    rows.iter().for_each(|row| text += &format!("| {} |\n", row.join(" | ")));
-    text
+/// Whether a number holds, in a Markdown table.
+fn yes(holds: bool) -> String {
+    if holds { "yes" } else { "**no**" }.into()
 }

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
-use super::{ExperimentError, markdown};
+use super::{ExperimentError, yes};
+use crate::report::{Column, Table};
 use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene};
@@ -77,7 +78,7 @@ pub struct Coarser {
 }
 
 /// A line of the table.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Line {
     /// The case.
     pub case: String,
@@ -115,12 +116,10 @@ impl catalogue::Case for Case {
 /// The scene is wrong, or its run could not be made.
 pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, ExperimentError> {
     let (scene, run) = run_with(case, &[], out.map(|dir| dir.join(&case.name)))?;
-    let cost = run.core_seconds();
-    let mut lines: Vec<Line> = case.expect.iter().map(|e| judge(case, e, &run)).collect();
+    let mut lines: Vec<Line> = case.expect.iter().map(|e| judge(e, &run)).collect();
     if case.comparisons {
         let judged = run.summary.comparison.iter().filter(|c| c.tolerance.is_some());
         lines.extend(judged.clone().map(|c| Line {
-            case: case.name.clone(),
             quantity: c.quantity.clone(),
             ours: c.ours,
             theirs: number(c.theirs),
@@ -128,33 +127,27 @@ pub fn validate(case: &Case, out: Option<&PathBuf>) -> Result<Vec<Line>, Experim
             allowed: c.tolerance.map_or(String::new(), number),
             holds: c.passes(),
             source: c.reference.clone(),
-            core_seconds: cost,
+            ..Line::default()
         }));
-        lines.extend(missing(case, &scene, judged.count(), cost));
+        let (judged, asked) = (judged.count(), scene.compare.iter().filter(|c| c.tolerance.is_some()).count());
+        lines.extend((judged < asked).then(|| Line {
+            quantity: "comparisons that the run could be judged by".into(),
+            ours: judged as f64,
+            theirs: number(asked as f64),
+            allowed: "all".into(),
+            source: case.scene.clone(),
+            ..Line::default()
+        }));
     }
     if let Some(coarser) = &case.coarser {
         let coarse = run_with(case, &coarser.set, None)?.1;
         lines.extend(coarser.error_falls.iter().map(|path| falls(case, coarser, path, &run, &coarse)));
     }
-    let finished = run.summary.status == Status::Completed;
-    lines.iter_mut().for_each(|l| l.holds &= finished);
+    for line in &mut lines {
+        (line.case, line.core_seconds) = (case.name.clone(), run.core_seconds());
+        line.holds &= run.summary.status == Status::Completed;
+    }
     Ok(lines)
-}
-
-/// A line that fails where the run could not be judged by some of its scene's comparisons.
-fn missing(case: &Case, scene: &Scene, judged: usize, core_seconds: f64) -> Option<Line> {
-    let asked = scene.compare.iter().filter(|c| c.tolerance.is_some()).count();
-    (judged < asked).then(|| Line {
-        case: case.name.clone(),
-        quantity: "comparisons that the run could be judged by".into(),
-        ours: judged as f64,
-        theirs: number(asked as f64),
-        error: None,
-        allowed: "all".into(),
-        holds: false,
-        source: case.scene.clone(),
-        core_seconds,
-    })
 }
 
 fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Scene, RunRecord), ExperimentError> {
@@ -164,7 +157,7 @@ fn run_with(case: &Case, further: &[String], out: Option<PathBuf>) -> Result<(Sc
     Ok((loaded.scene, RunRecord::new(summary)))
 }
 
-fn judge(case: &Case, expect: &Expect, run: &RunRecord) -> Line {
+fn judge(expect: &Expect, run: &RunRecord) -> Line {
     let ours = run.numbers.get(&expect.value).unwrap_or(f64::NAN);
     let error = expect.reference.map(|r| ours / r - 1.0);
     let near = match (error, expect.tolerance) {
@@ -176,7 +169,6 @@ fn judge(case: &Case, expect: &Expect, run: &RunRecord) -> Line {
     allowed.extend(expect.tolerance.map(|t| format!("{} %", number(100.0 * t))));
     allowed.extend(expect.at_most.map(|b| format!("at most {}", number(b))));
     Line {
-        case: case.name.clone(),
         quantity: expect.value.clone(),
         ours,
         theirs: expect.reference.map_or(String::new(), number),
@@ -184,7 +176,7 @@ fn judge(case: &Case, expect: &Expect, run: &RunRecord) -> Line {
         allowed: allowed.join(", "),
         holds: near && bounded && ours.is_finite(),
         source: expect.source.clone(),
-        core_seconds: run.core_seconds(),
+        ..Line::default()
     }
 }
 
@@ -196,35 +188,30 @@ fn falls(case: &Case, coarser: &Coarser, path: &str, fine: &RunRecord, coarse: &
     };
     let (ours, theirs, noise) = (error(fine), error(coarse), coarser.noise);
     Line {
-        case: case.name.clone(),
         quantity: format!("{path}, error against the coarser run's"),
         ours,
         theirs: number(theirs),
-        error: None,
         allowed: if noise > 0.0 { format!("smaller, or both below {}", number(noise)) } else { "smaller".into() },
         holds: ours.abs() < theirs.abs() || ours.abs().max(theirs.abs()) < noise,
         source: coarser.set.join(" "),
-        core_seconds: fine.core_seconds(),
+        ..Line::default()
     }
 }
 
 /// The table as Markdown.
 pub fn table(lines: &[Line]) -> String {
-    let head = ["case", "quantity", "ours", "reference", "error", "allowed", "holds", "core-s", "source"];
-    let row = |l: &Line| {
-        vec![
-            l.case.clone(),
-            l.quantity.clone(),
-            number(l.ours),
-            l.theirs.clone(),
-            l.error.map_or(String::new(), |e| format!("{:+.2} %", 100.0 * e)),
-            l.allowed.clone(),
-            if l.holds { "yes" } else { "**no**" }.into(),
-            format!("{:.0}", l.core_seconds),
-            l.source.clone(),
-        ]
-    };
-    markdown(&head, &lines.iter().map(row).collect::<Vec<_>>())
+    let columns: &[Column<&Line>] = &[
+        ("case", |l| l.case.clone()),
+        ("quantity", |l| l.quantity.clone()),
+        ("ours", |l| number(l.ours)),
+        ("reference", |l| l.theirs.clone()),
+        ("error", |l| l.error.map_or(String::new(), |e| format!("{:+.2} %", 100.0 * e))),
+        ("allowed", |l| l.allowed.clone()),
+        ("holds", |l| yes(l.holds)),
+        ("core-s", |l| format!("{:.0}", l.core_seconds)),
+        ("source", |l| l.source.clone()),
+    ];
+    Table::of("", lines, columns).markdown()
 }
 
 /// Six digits; in powers of ten outside 10⁻³ to 10⁶.

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
+use foxglove::messages::log::Level;
+
 use super::budget::{Budget, Standing};
 use super::error::LogError;
 use super::frame::Frame;
-use super::level::Level;
 use super::writer::{LogMetadata, LogWriter};
 
 /// Frames that wait for the disk while another is written; beyond these the run waits.
@@ -20,7 +21,7 @@ const AROUND: usize = 256;
 ///
 /// What is handed over reaches the file a frame or two later: a process that is killed loses those. The memory that it takes is
 /// bounded: with a frame in work and another waiting, the next call waits for the disk. A write that fails ends the thread; the
-/// next call says why.
+/// next call returns the error.
 pub struct BackgroundLog {
     samples: Vec<Sample>,
     batches: Option<SyncSender<Batch>>,
@@ -66,14 +67,11 @@ impl BackgroundLog {
         let writer = Writer { log: LogWriter::create(path, metadata)?, budget, path: path.to_owned(), start: None };
         let (batches, received) = sync_channel(WAITING);
         let thread = thread::Builder::new().name("log".into()).spawn(move || writer.write_all(&received));
-        let thread = thread.map_err(|source| LogError::Create { path: path.to_owned(), source })?;
+        let thread = thread.map_err(|source| LogError::Create(path.to_owned(), source))?;
         Ok(Self { samples: Vec::new(), batches: Some(batches), thread: Some(thread), path: path.to_owned() })
     }
 
     /// As [`LogWriter::sample`].
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn sample(&mut self, time: f64, channel: &str, values: &[(&str, f64)]) -> Result<(), LogError> {
         let values = values.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
         self.samples.push(Sample { time, channel: channel.to_owned(), values });
@@ -81,28 +79,19 @@ impl BackgroundLog {
     }
 
     /// Hands over a frame; the `last` of a run is written if a budget has room for it alone.
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn frame(&mut self, frame: Frame, last: bool) -> Result<(), LogError> {
         self.submit(Then::Frame { frame: Box::new(frame), last })
     }
 
     /// As [`LogWriter::note`].
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), LogError> {
         self.submit(Then::Note { time, level, text: text.to_owned() })
     }
 
     /// Waits for the disk and completes the file.
-    ///
-    /// # Errors
-    /// The first failure since the last call.
     pub fn finish(mut self) -> Result<Logged, LogError> {
         self.submit(Then::Nothing)?;
-        self.end().unwrap_or(Err(LogError::Ended { path: self.path.clone() }))
+        self.end().unwrap_or(Err(LogError::Ended(self.path.clone())))
     }
 
     fn submit(&mut self, then: Then) -> Result<(), LogError> {
@@ -117,7 +106,7 @@ impl BackgroundLog {
     fn failure(&mut self) -> LogError {
         match self.end() {
             Some(Err(error)) => error,
-            _ => LogError::Ended { path: self.path.clone() },
+            _ => LogError::Ended(self.path.clone()),
         }
     }
 
@@ -162,7 +151,7 @@ impl Writer {
                 Then::Note { time, level, text } => self.log.note(time, level, &text)?,
                 Then::Frame { frame, last } => {
                     if self.admits(&frame, last, logged.frames, raw as u64) {
-                        self.log.write(&frame)?;
+                        self.log.frame(&frame)?;
                         logged.frames += 1;
                     } else {
                         self.log.flush()?;

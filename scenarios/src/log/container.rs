@@ -7,13 +7,13 @@ use std::io::BufWriter;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
+use foxglove::messages::Timestamp;
 use foxglove::{Encode, Schema};
 use mcap::records::{MessageHeader, Metadata};
 use mcap::write::NoSeek;
 use mcap::{Attachment, Compression, McapResult, WriteOptions};
 
 use super::error::LogError;
-use super::stamp::Stamp;
 
 /// Level of compression: at 3, the usual one, packed particles take more than twice the time and come out half a per cent smaller.
 const LEVEL: u32 = 1;
@@ -39,7 +39,7 @@ pub(super) struct Container {
 impl Container {
     /// Creates the file, replacing one that is there, for the program `library`.
     pub(super) fn create(path: &Path, library: &str) -> Result<Self, LogError> {
-        let file = File::create(path).map_err(|source| LogError::Create { path: path.to_owned(), source })?;
+        let file = File::create(path).map_err(|source| LogError::Create(path.to_owned(), source))?;
         // No chunk size: chunks end with `flush` alone, so that none holds half a frame.
         let writer = WriteOptions::new()
             .library(format!("{library} {}", mcap::LIBRARY_IDENTIFIER))
@@ -89,12 +89,12 @@ impl Container {
     }
 
     /// Adds an encoded message to the open chunk.
-    pub(super) fn write(&mut self, topic: &mut Topic, stamp: Stamp, message: &[u8]) -> Result<(), LogError> {
+    pub(super) fn write(&mut self, topic: &mut Topic, stamp: Timestamp, message: &[u8]) -> Result<(), LogError> {
         let header = MessageHeader {
             channel_id: topic.id,
             sequence: topic.messages,
-            log_time: stamp.nanoseconds(),
-            publish_time: stamp.nanoseconds(),
+            log_time: stamp.total_nanos(),
+            publish_time: stamp.total_nanos(),
         };
         at_path(&self.path, self.writer.write_to_known_channel(&header, message))?;
         topic.messages = topic.messages.wrapping_add(1);
@@ -105,7 +105,7 @@ impl Container {
     pub(super) fn write_typed<M: Encode>(
         &mut self,
         topic: &mut TypedTopic<M>,
-        stamp: Stamp,
+        stamp: Timestamp,
         message: &M,
     ) -> Result<(), LogError> {
         let mut bytes = Vec::with_capacity(message.encoded_len().unwrap_or(0));
@@ -129,5 +129,5 @@ impl Container {
 
 /// Says which file refused a write.
 fn at_path<T>(path: &Path, result: McapResult<T>) -> Result<T, LogError> {
-    result.map_err(|source| LogError::Write { path: path.to_owned(), source })
+    result.map_err(|source| LogError::Write(path.to_owned(), source))
 }

@@ -24,7 +24,7 @@
 //! without [`LogWriter::finish`] (an early return, a panic) still completes the file, as far as
 //! the disk allows, but reports no error.
 //!
-//! Such a prefix lacks the summary at the end of the file. Streaming readers need none: they
+//! Such a prefix is without the summary at the end of the file. Streaming readers need none: they
 //! read up to the last whole chunk (`mcap::io::MessageReader` in Rust, `StreamReader` of the
 //! PyPI package `mcap`). Seeking readers start from the summary and fail: among them is what
 //! `mcap.reader.make_reader` of PyPI returns for a file on disk. `tests/mcap/read_log.py` reads
@@ -32,24 +32,16 @@
 //! complete file.
 
 mod background;
-mod bodies;
 mod budget;
 mod container;
 mod error;
 mod frame;
-mod level;
-mod particles;
-mod pose;
-mod sample;
-mod stamp;
-mod topics;
 mod writer;
 
 pub use background::{BackgroundLog, Logged};
-pub use bodies::BodyView;
 pub use budget::Budget;
 pub use error::LogError;
-pub use frame::Frame;
-pub use level::Level;
-pub use particles::ParticleView;
+/// Severity of a note.
+pub use foxglove::messages::log::Level;
+pub use frame::{BodyView, Frame, Point};
 pub use writer::{LogMetadata, LogWriter};

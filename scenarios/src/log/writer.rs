@@ -1,19 +1,26 @@
 //! The writer of a log.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate};
+use foxglove::Schema;
+use foxglove::messages::log::Level;
+use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate, Timestamp};
+use serde::{Serialize, Serializer};
+use serde_json::json;
 
-use super::bodies::BodyView;
-use super::container::{Container, TypedTopic};
+use super::container::{Container, Topic, TypedTopic};
 use super::error::LogError;
-use super::frame::Frame;
-use super::level::Level;
-use super::particles::ParticleView;
-use super::sample::SampleTopic;
-use super::stamp::Stamp;
-use super::topics::{FLUID, LOG, PROGRAM, RESOLVED_SCENE, SCENE, TF, WALLS};
+use super::frame::{Frame, stamp};
+
+/// The name of the program, in the metadata and as the source of its notes.
+const PROGRAM: &str = "splashdown";
+
+/// The name under which the log keeps the resolved scene.
+const RESOLVED_SCENE: &str = "scene.resolved.toml";
+
+/// The topics of fixed meaning, which samples may not use.
+const FIXED_TOPICS: [&str; 5] = ["/fluid", "/walls", "/scene", "/tf", "/log"];
 
 /// The run that writes the log.
 #[derive(Clone, Copy, Debug)]
@@ -49,38 +56,24 @@ impl LogWriter {
         container.metadata(RESOLVED_SCENE, &[("toml", metadata.scene_toml)])?;
         container.attach(RESOLVED_SCENE, "application/toml", metadata.scene_toml)?;
         container.flush()?;
+        let [fluid, walls, scene, tf, log] = FIXED_TOPICS;
         Ok(Self {
-            fluid: container.add_typed(FLUID)?,
-            walls: container.add_typed(WALLS)?,
-            scene: container.add_typed(SCENE)?,
-            tf: container.add_typed(TF)?,
-            log: container.add_typed(LOG)?,
+            fluid: container.add_typed(fluid)?,
+            walls: container.add_typed(walls)?,
+            scene: container.add_typed(scene)?,
+            tf: container.add_typed(tf)?,
+            log: container.add_typed(log)?,
             samples: BTreeMap::new(),
             container,
         })
     }
 
-    /// Writes one picture of the run at `time` [s]: one message on each of `/fluid`, `/walls`,
-    /// `/scene` and `/tf`. The frame is in the file, whole, when this returns.
-    ///
-    /// # Errors
-    /// [`LogError::Time`] and [`LogError::Length`] before anything is written,
-    /// [`LogError::Write`] if the disk refuses it.
-    pub fn frame(
-        &mut self,
-        time: f64,
-        fluid: &ParticleView<'_>,
-        walls: &ParticleView<'_>,
-        bodies: &[BodyView<'_>],
-    ) -> Result<(), LogError> {
-        self.write(&Frame::new(time, fluid, walls, bodies)?)
-    }
-
-    /// Writes one picture of the run, as [`LogWriter::frame`] does.
+    /// Writes one picture of the run: one message on each of `/fluid`, `/walls`, `/scene` and `/tf`. The frame is in the
+    /// file, whole, when this returns.
     ///
     /// # Errors
     /// [`LogError::Write`] if the disk refuses it.
-    pub fn write(&mut self, frame: &Frame) -> Result<(), LogError> {
+    pub fn frame(&mut self, frame: &Frame) -> Result<(), LogError> {
         let Frame { stamp, fluid, walls, scene, tf, .. } = frame;
         self.container.write_typed(&mut self.fluid, *stamp, fluid)?;
         self.container.write_typed(&mut self.walls, *stamp, walls)?;
@@ -106,7 +99,7 @@ impl LogWriter {
     /// the names are not those of its first sample, or one is given twice, [`LogError::Time`];
     /// [`LogError::Write`] if the disk refuses it.
     pub fn sample(&mut self, time: f64, channel: &str, values: &[(&str, f64)]) -> Result<(), LogError> {
-        let stamp = Stamp::from_seconds(time)?;
+        let stamp = stamp(time)?;
         if !self.samples.contains_key(channel) {
             let topic = SampleTopic::create(&mut self.container, channel, values)?;
             self.samples.insert(channel.to_owned(), topic);
@@ -121,10 +114,10 @@ impl LogWriter {
     /// # Errors
     /// [`LogError::Time`], [`LogError::Write`].
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), LogError> {
-        let stamp = Stamp::from_seconds(time)?;
+        let stamp = stamp(time)?;
         let note = Log {
-            timestamp: Some(stamp.timestamp()),
-            level: level.code(),
+            timestamp: Some(stamp),
+            level: level.into(),
             message: text.to_owned(),
             name: PROGRAM.to_owned(),
             ..Log::default()
@@ -140,4 +133,87 @@ impl LogWriter {
     pub fn finish(self) -> Result<u64, LogError> {
         self.container.finish()
     }
+}
+
+/// A topic of samples, all of which have the same names in the same order.
+struct SampleTopic {
+    topic: Topic,
+    names: Vec<String>,
+}
+
+impl SampleTopic {
+    /// Adds the topic of `channel`, with the schema of its first sample.
+    fn create(container: &mut Container, channel: &str, first: &[(&str, f64)]) -> Result<Self, LogError> {
+        let topic = topic_name(channel)?;
+        let names = names(first);
+        let distinct: BTreeSet<&String> = names.iter().collect();
+        if distinct.len() != names.len() {
+            return Err(LogError::Names {
+                channel: channel.to_owned(),
+                expected: distinct.into_iter().cloned().collect(),
+                found: names,
+            });
+        }
+        Ok(Self { topic: container.add(&topic, "json", &schema(&topic, &names))?, names })
+    }
+
+    /// Writes one sample.
+    fn write(
+        &mut self,
+        container: &mut Container,
+        channel: &str,
+        stamp: Timestamp,
+        values: &[(&str, f64)],
+    ) -> Result<(), LogError> {
+        if !values.iter().map(|&(name, _)| name).eq(&self.names) {
+            return Err(LogError::Names {
+                channel: channel.to_owned(),
+                expected: self.names.clone(),
+                found: names(values),
+            });
+        }
+        let message = serde_json::to_vec(&Sample(values)).expect("names and numbers are JSON");
+        container.write(&mut self.topic, stamp, &message)
+    }
+}
+
+/// A sample as a JSON object; `serde_json` writes a number that is not finite as `null`.
+struct Sample<'a>(&'a [(&'a str, f64)]);
+
+impl Serialize for Sample<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().copied())
+    }
+}
+
+fn names(values: &[(&str, f64)]) -> Vec<String> {
+    values.iter().map(|&(name, _)| name.to_owned()).collect()
+}
+
+/// The topic of `channel`, unless it is malformed or has a fixed meaning.
+fn topic_name(channel: &str) -> Result<String, LogError> {
+    let topic = format!("/{channel}");
+    let reason = if channel.is_empty() {
+        "it is empty"
+    } else if channel.starts_with('/') {
+        "the log adds the leading slash"
+    } else if FIXED_TOPICS.contains(&topic.as_str()) {
+        "its topic has a fixed meaning"
+    } else {
+        return Ok(topic);
+    };
+    Err(LogError::Channel(channel.to_owned(), reason))
+}
+
+/// The JSON schema of samples with `names`, called after its topic: viewers keep one schema
+/// per name.
+///
+/// A property is a plain `number`, although a message may hold `null` in its place: the schema
+/// reader of Foxglove Studio, from which Lichtblick descends, refuses a union of types, and
+/// messages are not checked against the schema.
+fn schema(topic: &str, names: &[String]) -> Schema {
+    let properties: serde_json::Map<_, _> =
+        names.iter().map(|name| (name.clone(), json!({ "type": "number" }))).collect();
+    let text = json!({ "type": "object", "properties": properties }).to_string();
+    Schema::new(format!("splashdown{topic}"), "jsonschema", text.into_bytes())
 }

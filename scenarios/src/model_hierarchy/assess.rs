@@ -5,14 +5,15 @@ use std::time::Instant;
 use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use serde::Serialize;
 
-use super::{Measured, Theory, Want, measured};
+use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::scene::Scene;
 
 /// A theory, for a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Assessment {
     /// The model.
-    pub rung: EntryModel,
+    #[serde(rename = "rung")]
+    pub model: EntryModel,
     /// True if it is valid at the start of the scene.
     #[serde(skip)]
     pub begins: bool,
@@ -28,29 +29,22 @@ pub struct Assessment {
 }
 
 /// Every theory, from the cheapest, for a quantity of interest.
-pub fn assess(scene: &Scene, want: Want) -> Vec<Assessment> {
-    let theories = EntryModel::ALL.into_iter().filter(|rung| rung.is_theory());
-    theories
-        .map(|rung| {
-            let start = Instant::now();
-            let followed = Theory::while_in_range(scene, rung);
-            let begins = followed.is_ok();
-            match followed {
-                Ok((theory, None)) => Assessment {
-                    rung,
-                    begins,
-                    obstacle: None,
-                    core_seconds: Some(start.elapsed().as_secs_f64()),
-                    measured: measured(scene, &theory, want),
-                },
-                Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => Assessment {
-                    rung,
-                    begins,
-                    obstacle: Some(format!("holds for {range}, not {what}")),
-                    core_seconds: None,
-                    measured: None,
-                },
+pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
+    let assessed = |model: EntryModel| {
+        let start = Instant::now();
+        let followed = Theory::while_in_range(scene, model);
+        let unknown =
+            Assessment { model, begins: followed.is_ok(), obstacle: None, core_seconds: None, measured: None };
+        match followed {
+            Ok((theory, None)) => Assessment {
+                core_seconds: Some(start.elapsed().as_secs_f64()),
+                measured: measured(scene, &theory, want),
+                ..unknown
+            },
+            Ok((_, Some(OutOfRange { what, range, .. }))) | Err(OutOfRange { what, range, .. }) => {
+                Assessment { obstacle: Some(format!("holds for {range}, not {what}")), ..unknown }
             }
-        })
-        .collect()
+        }
+    };
+    EntryModel::ALL.into_iter().filter(|model| model.is_theory()).map(assessed).collect()
 }

@@ -2,7 +2,7 @@
 
 use fsi_coupling::entry_theory::EntryModel;
 
-use super::{Assessment, Measured, Want, assess};
+use super::{Assessment, Measured, QuantityOfInterest, assess};
 use crate::charted::charted_error;
 use crate::preflight::core_seconds;
 use crate::scene::{Scene, significant};
@@ -11,7 +11,7 @@ use crate::scene::{Scene, significant};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The model.
-    pub rung: EntryModel,
+    pub model: EntryModel,
     /// Index of the scene of particles.
     pub scene: usize,
     /// True if that scene's spacing is known to be fine enough.
@@ -21,27 +21,27 @@ pub struct Choice {
 }
 
 /// Path in `summary.json` of the charted number for a quantity of interest, with `BODY` for the body's name.
-pub fn charted_number(want: Want) -> Option<&'static str> {
+pub fn charted_number(want: QuantityOfInterest) -> Option<&'static str> {
     match want {
-        Want::PeakForce | Want::History => Some("similarity/force_coefficient"),
-        Want::PeakPressure => Some("similarity/cp_max"),
-        Want::Motion => Some("means/BODY.vy_m_per_s"),
-        Want::Strain => None,
+        QuantityOfInterest::PeakForce | QuantityOfInterest::History => Some("similarity/force_coefficient"),
+        QuantityOfInterest::PeakPressure => Some("similarity/cp_max"),
+        QuantityOfInterest::Motion => Some("means/BODY.vy_m_per_s"),
+        QuantityOfInterest::Strain => None,
     }
 }
 
 /// The cheapest model whose measured error meets the tolerance: of the theories, in their order; then of the same scene by
 /// particles, with one solver or several, by estimated cost. The first scene's solver where nothing does.
-pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
+pub fn choose(of_particles: &[Scene], want: QuantityOfInterest, within: f64) -> Choice {
     let per_cent = |share: f64| format!("{} %", significant(100.0 * share));
-    let reason_for = |rung: &str, m: &Measured| {
+    let reason_for = |model: &str, m: &Measured| {
         let (within, off) = (per_cent(within), per_cent(m.error));
-        format!("{rung}: the cheapest model within {within} for {}: {off} off in {}", want.words(), m.case)
+        format!("{model}: the cheapest model within {within} for {}: {off} off in {}", want.words(), m.case)
     };
     let theories = assess(&of_particles[0], want);
     let near = |m: &&Measured| m.error <= within;
-    if let Some((rung, m)) = theories.iter().find_map(|a| Some((a.rung, a.measured.as_ref().filter(near)?))) {
-        return Choice { rung, scene: 0, spacing: false, why: reason_for(rung.name(), m) };
+    if let Some((model, m)) = theories.iter().find_map(|a| Some((a.model, a.measured.as_ref().filter(near)?))) {
+        return Choice { model, scene: 0, spacing: false, why: reason_for(model.name(), m) };
     }
     let charted = of_particles.iter().enumerate().filter_map(|(k, scene)| {
         let (error, from) = charted_error(scene, charted_number(want)?)?;
@@ -52,19 +52,19 @@ pub fn choose(of_particles: &[Scene], want: Want, within: f64) -> Choice {
     if let Some((k, m)) = cheapest {
         let Scene { model, resolution, .. } = &of_particles[k];
         let at = format!("{} at {} m", model.name(), significant(resolution.spacing));
-        return Choice { rung: *model, scene: k, spacing: true, why: reason_for(&at, &m) };
+        return Choice { model: *model, scene: k, spacing: true, why: reason_for(&at, &m) };
     }
-    let rung = of_particles[0].model;
+    let model = of_particles[0].model;
     let known = reason(&theories);
-    let why = format!("{}: nothing cheaper is within {} for {}: {known}", rung.name(), per_cent(within), want.words());
-    Choice { rung, scene: 0, spacing: false, why }
+    let why = format!("{}: nothing cheaper is within {} for {}: {known}", model.name(), per_cent(within), want.words());
+    Choice { model, scene: 0, spacing: false, why }
 }
 
 /// Why no theory is chosen.
 fn reason(theories: &[Assessment]) -> String {
-    let measured = theories.iter().filter_map(|a| Some((a.rung, a.measured.as_ref()?)));
-    if let Some((rung, m)) = measured.min_by(|a, b| a.1.error.total_cmp(&b.1.error)) {
-        return format!("the best theory, {}, is {} % off in {}", rung.name(), significant(100.0 * m.error), m.case);
+    let measured = theories.iter().filter_map(|a| Some((a.model, a.measured.as_ref()?)));
+    if let Some((model, m)) = measured.min_by(|a, b| a.1.error.total_cmp(&b.1.error)) {
+        return format!("the best theory, {}, is {} % off in {}", model.name(), significant(100.0 * m.error), m.case);
     }
     let with_obstacle = || theories.iter().filter(|a| a.obstacle.is_some());
     let nearest = with_obstacle().find(|a| a.begins).or(with_obstacle().next());

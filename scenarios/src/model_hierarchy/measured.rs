@@ -2,7 +2,7 @@
 
 use fsi_coupling::entry_theory::{EntryModel, Section, SimilarityFlow};
 
-use super::{Theory, Want};
+use super::{QuantityOfInterest, Theory};
 use crate::compare;
 use crate::observers::Series;
 use crate::scene::{self, Motion, Scene, significant};
@@ -30,18 +30,18 @@ const SIMILARITY_ERROR: f64 = 1e-4;
 
 /// The error of a theory where it was measured nearest to this scene: against the exact solution at the same deadrise, and for
 /// free drops against the validated one. `None` where nothing was measured near.
-pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> {
+pub fn measured(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
     let deadrise = theory.loads.section().deadrise_deg()?;
     if theory.bends() {
         return match want {
-            Want::Strain if (deadrise - BENCHMARK_DEADRISE).abs() < BESIDE_BENCHMARK => elastic_error(),
+            QuantityOfInterest::Strain if (deadrise - BENCHMARK_DEADRISE).abs() < BESIDE_BENCHMARK => elastic_error(),
             _ => None,
         };
     }
     let falls = scene.body.as_ref().is_some_and(|body| matches!(body.motion, Motion::Free(_)));
-    let rung = theory.loads.model();
+    let model = theory.loads.model();
     let past_chines = theory.instants.iter().any(|now| now.wetted >= theory.loads.section().half_breadth());
-    if past_chines && want == Want::History {
+    if past_chines && want == QuantityOfInterest::History {
         return None; // loads were measured on faces alone
     }
     let dropped = match falls {
@@ -58,32 +58,40 @@ pub fn measured(scene: &Scene, theory: &Theory, want: Want) -> Option<Measured> 
         case: if falls { format!("{against}, and {and_drop}") } else { against.clone() },
     };
     match want {
-        Want::Strain => None,
-        Want::Motion if falls => Some(Measured { error: dropped, case: and_drop }),
-        Want::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
-        Want::PeakForce | Want::History => Some(with_drop(coefficient_errors(rung, deadrise)?[0]?)),
-        Want::PeakPressure => Some(with_drop(coefficient_errors(rung, deadrise)?[1]?)),
+        QuantityOfInterest::Strain => None,
+        QuantityOfInterest::Motion if falls => Some(Measured { error: dropped, case: and_drop }),
+        QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
+        QuantityOfInterest::PeakForce | QuantityOfInterest::History => {
+            Some(with_drop(coefficient_errors(model, deadrise)?[0]?))
+        }
+        QuantityOfInterest::PeakPressure => Some(with_drop(coefficient_errors(model, deadrise)?[1]?)),
     }
 }
 
 /// Errors of force and largest pressure on a wedge at constant speed; of a quantity that the theory does not have, `None`.
-fn coefficient_errors(rung: EntryModel, deadrise_deg: f64) -> Option<[Option<f64>; 2]> {
-    if rung == EntryModel::Similarity {
+fn coefficient_errors(model: EntryModel, deadrise_deg: f64) -> Option<[Option<f64>; 2]> {
+    if model == EntryModel::Similarity {
         return Some([Some(SIMILARITY_ERROR); 2]);
     }
     let exact = SimilarityFlow::solve(deadrise_deg)?;
-    let theory = Theory::at_constant_speed(rung, Section::wedge(deadrise_deg, 1e3).ok()?).ok()?;
+    let theory = Theory::at_constant_speed(model, Section::wedge(deadrise_deg, 1e3).ok()?).ok()?;
     let force = (theory.loads.at(1.0).slam / exact.force_coefficient - 1.0).abs();
     let pressure = theory.peak_pressure(0).map(|[p, _]| (2.0 * p / exact.cp_max - 1.0).abs());
-    Some([Some(force), pressure.filter(|_| rung != EntryModel::VonKarman)])
+    Some([Some(force), pressure.filter(|_| model != EntryModel::VonKarman)])
+}
+
+/// A built-in scene, and its series by a theory as far as it holds.
+fn followed(name: &str, model: EntryModel) -> Option<(Scene, Series)> {
+    let scene = scene::load(name, &[]).ok()?.scene;
+    let (theory, _) = Theory::while_in_range(&scene, model).ok()?;
+    let mut series = Series::new(&scene, None).ok()?;
+    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
+    Some((scene, series))
 }
 
 /// Largest RMS error of the benchmark's deflection over its peak, of those that others computed [-].
 fn elastic_error() -> Option<Measured> {
-    let scene = scene::load(BENCHMARK, &[]).ok()?.scene;
-    let (theory, _) = Theory::while_in_range(&scene, EntryModel::Wagner).ok()?;
-    let mut series = Series::new(&scene, None).ok()?;
-    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
+    let (scene, series) = followed(BENCHMARK, EntryModel::Wagner)?;
     let judged = scene.compare.iter().filter(|c| c.tolerance.is_some());
     let errors = judged.filter_map(|c| compare::against_curve(c, &compare::curve(c).ok()?, &series));
     let error = errors.map(|c| c.error.abs()).reduce(f64::max)?;
@@ -98,7 +106,7 @@ fn drop_deadrise() -> Option<f64> {
 /// RMS error of a drop's speed over that at contact [-]: what the best theory was off in the validated drop, and what this one is
 /// off the best in the scene's own, as far as both go.
 fn drop_error(scene: &Scene, theory: &Theory) -> Option<f64> {
-    let best = [EntryModel::Similarity, EntryModel::Mlm].into_iter().find_map(|rung| Theory::of(scene, rung).ok())?;
+    let best = [EntryModel::Similarity, EntryModel::Mlm].into_iter().find_map(|model| Theory::of(scene, model).ok())?;
     let here = theory.instants.iter().zip(&best.instants);
     let squares: Vec<f64> = here.map(|(a, b)| (a.speed - b.speed).powi(2)).collect();
     let fastest = best.instants.iter().map(|now| now.speed).fold(0.0, f64::max);
@@ -107,12 +115,8 @@ fn drop_error(scene: &Scene, theory: &Theory) -> Option<f64> {
 }
 
 /// RMS error of the validated drop's speed over that at contact [-], up to where the theory can follow.
-fn validated_drop_error(rung: EntryModel) -> Option<f64> {
-    let scene = scene::load(DROP, &[]).ok()?.scene;
+fn validated_drop_error(model: EntryModel) -> Option<f64> {
+    let (scene, series) = followed(DROP, model)?;
     let compare = scene.compare.iter().find(|c| c.reference.contains("bem"))?;
-    let (theory, _) = Theory::while_in_range(&scene, rung).ok()?;
-    let mut series = Series::new(&scene, None).ok()?;
-    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
-    let reference = compare::curve(compare).ok()?;
-    Some(compare::against_curve(compare, &reference, &series)?.error.abs())
+    Some(compare::against_curve(compare, &compare::curve(compare).ok()?, &series)?.error.abs())
 }

@@ -5,11 +5,11 @@
 //!
 //! # Example
 //! ```
-//! use scenarios::model_hierarchy::{Want, assess};
+//! use scenarios::model_hierarchy::{QuantityOfInterest, assess};
 //! use scenarios::scene;
 //!
 //! let scene = scene::load("wedge_constant", &[])?.scene;
-//! let theories = assess(&scene, Want::PeakForce);
+//! let theories = assess(&scene, QuantityOfInterest::PeakForce);
 //! assert!(theories.iter().any(|a| a.obstacle.is_none() && a.measured.is_some()));
 //! # Ok::<(), scenarios::scene::SceneError>(())
 //! ```
@@ -27,17 +27,17 @@ pub use measured::{Measured, measured};
 pub(crate) use run::run;
 pub use theory::Theory;
 
-pub use crate::scene::Want;
+pub use crate::scene::QuantityOfInterest;
 
-impl Want {
+impl QuantityOfInterest {
     /// As text.
     pub fn words(self) -> &'static str {
         match self {
-            Want::PeakForce => "the largest force",
-            Want::PeakPressure => "the largest pressure",
-            Want::History => "the force over time",
-            Want::Strain => "strains",
-            Want::Motion => "the motion",
+            QuantityOfInterest::PeakForce => "the largest force",
+            QuantityOfInterest::PeakPressure => "the largest pressure",
+            QuantityOfInterest::History => "the force over time",
+            QuantityOfInterest::Strain => "strains",
+            QuantityOfInterest::Motion => "the motion",
         }
     }
 }

@@ -1,17 +1,18 @@
 //! The files of a run by a theory.
 
-use std::collections::BTreeMap;
 use std::time::Instant as Clock;
 
 use fsi_coupling::entry_theory::Instant;
 
-use super::{Measured, Theory, Want, measured};
+use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
-use crate::log::{BackgroundLog, BodyView, Budget, Frame, LogMetadata, Logged, ParticleView};
-use crate::observers::{FlowPictures, ObserveError, Series, SimilarityResult, body_columns, body_values};
+use crate::log::{BodyView, Frame, Logged};
+use crate::observers::{
+    FlowPictures, ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation,
+};
 use crate::reference::WedgeSimilarity;
-use crate::run::summary::{Audit, Log, Particles, Peak, Status, Summary};
+use crate::run::summary::{Log, Peak, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
 use crate::scene::{Body, Gauge, Scene};
 
@@ -44,18 +45,13 @@ pub(crate) fn run(
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
     let summary = Summary {
         scene: scene.name.clone(),
-        status: Status::Completed,
-        message: None,
         model: scene.model.name(),
         choice: scene.choice.clone(),
         version: env!("CARGO_PKG_VERSION"),
-        particles: Particles { fluid: 0, wall: 0 },
         steps: theory.instants.len() as u64,
         time_end_s: end,
         wall_time_s: start.elapsed().as_secs_f64(),
-        particle_updates_per_s: 0.0,
         threads: 1,
-        phases: BTreeMap::new(),
         log: log.map(|Logged { bytes, frames, left_out }| Log {
             bytes,
             frames,
@@ -64,19 +60,10 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        audit: Audit::default(),
-        coupling: None,
-        rest: None,
         error_bars: error_bars(scene, body, &theory, &series),
-        order: None,
-        water: None,
-        compressibility: None,
         similarity,
-        force_rules: Vec::new(),
         comparison,
-        panels: BTreeMap::new(),
-        gauges: BTreeMap::new(),
-        projection: None,
+        ..Summary::default()
     };
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
 }
@@ -92,7 +79,7 @@ fn reach(error: f64) -> f64 {
 
 /// Error bars of a run by a theory: its error in the nearest measured case (THEORY EN9).
 fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> ErrorBars {
-    let bar = |want: Want, path: String, value: f64| {
+    let bar = |want: QuantityOfInterest, path: String, value: f64| {
         let Measured { error, case } = measured(scene, theory, want)?;
         let (method, verdict) = (format!("measured in {case}"), "as far off as it was there".into());
         Some((
@@ -102,32 +89,28 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
     };
     let column = format!("{}.fy_N_per_m", body.name);
     let peak = series.peaks().find(|(name, ..)| *name == column);
-    let force = peak.and_then(|(name, value, _)| bar(Want::PeakForce, format!("peaks/{name}/value"), value));
+    let force =
+        peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
     let pressure = |gauge: &Gauge| {
         let column = format!("{}.p_Pa", gauge.name);
         let (name, value, _) = series.peaks().find(|(name, ..)| *name == column)?;
-        bar(Want::PeakPressure, format!("peaks/{name}/value"), value)
+        bar(QuantityOfInterest::PeakPressure, format!("peaks/{name}/value"), value)
     };
     force.into_iter().chain(scene.gauges.iter().filter_map(pressure)).collect()
 }
 
 /// Poses of the body, and its curves.
 fn write_log(scene: &Scene, body: &Body, theory: &Theory, path: &std::path::Path) -> Result<Logged, ObserveError> {
-    let toml = scene.to_toml();
-    let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-    let budget = scene.report.log_budget.map(|mb| Budget { bytes: (1e6 * mb) as u64, end: scene.time.end });
-    let mut log = BackgroundLog::create(path, &metadata, budget)?;
+    let mut log = create_log(path, scene)?;
     let outline = body.shape.outline();
-    let none = ParticleView::default();
     let mut next = 0.0;
     for (k, (now, motion)) in theory.instants.iter().zip(theory.motions(body)).enumerate() {
-        let named: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&motion)).collect();
-        log.sample(now.time, &format!("body/{}", body.name), &named)?;
+        log.sample(now.time, &format!("body/{}", body.name), &body_values(&motion))?;
         let last = k + 1 == theory.instants.len();
         if now.time >= next || last {
             next = scene.time.frame_every * ((now.time / scene.time.frame_every + 1e-9).floor() + 1.0);
             let view = BodyView { name: &body.name, position: motion.position, angle: motion.angle, outline: &outline };
-            log.frame(Frame::new(now.time, &none, &none, &[view])?, last)?;
+            log.frame(Frame::new(now.time, &[], &[], &[view])?, last)?;
         }
     }
     Ok(log.finish()?)
@@ -139,9 +122,8 @@ fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -
     let over = |i: &Instant| i.force / (rho * i.speed.powi(2) * i.draught);
     let late: Vec<usize> = theory.late().collect();
     let (first, last) = (*late.first()?, *late.last()?);
-    let n = late.len() as f64;
-    let mean = late.iter().map(|&k| over(&theory.instants[k])).sum::<f64>() / n;
-    let sd = (late.iter().map(|&k| (over(&theory.instants[k]) - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let coefficients: Vec<f64> = late.iter().map(|&k| over(&theory.instants[k])).collect();
+    let [mean, sd] = mean_and_deviation(&coefficients);
     let Instant { draught, speed, .. } = theory.instants[last];
     let dynamic = 0.5 * rho * speed * speed;
     let [peak, place] = theory.peak_pressure(last).unwrap_or([f64::NAN; 2]);

@@ -30,8 +30,8 @@ impl Theory {
     ///
     /// # Errors
     /// The feature of the scene outside the theory's range, the range, and the next model that covers it.
-    pub fn of(scene: &Scene, rung: EntryModel) -> Result<Theory, OutOfRange> {
-        let (theory, end) = Theory::while_in_range(scene, rung)?;
+    pub fn of(scene: &Scene, model: EntryModel) -> Result<Theory, OutOfRange> {
+        let (theory, end) = Theory::while_in_range(scene, model)?;
         end.map_or(Ok(theory), Err)
     }
 
@@ -39,12 +39,12 @@ impl Theory {
     ///
     /// # Errors
     /// The feature of the scene outside the theory's range from the start.
-    pub fn while_in_range(scene: &Scene, rung: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+    pub fn while_in_range(scene: &Scene, model: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, motion) = symmetric_entry(scene)?;
-        let loads = Loads::new(rung, &section)?;
+        let loads = Loads::new(model, &section)?;
         let density = scene.water().density;
         if !body.panels.is_empty() {
-            return bending(scene, rung, body, loads);
+            return bending(scene, model, body, loads);
         }
         let (instants, end) = {
             let entry = Entry {
@@ -71,8 +71,8 @@ impl Theory {
     ///
     /// # Errors
     /// As [`Loads::new`].
-    pub fn at_constant_speed(rung: EntryModel, section: Section) -> Result<Theory, OutOfRange> {
-        let loads = Loads::new(rung, &section)?;
+    pub fn at_constant_speed(model: EntryModel, section: Section) -> Result<Theory, OutOfRange> {
+        let loads = Loads::new(model, &section)?;
         let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
         let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
         Ok(Theory { loads, instants: vec![now], density: 1.0, faces: None })
@@ -115,7 +115,7 @@ impl Theory {
                 Some(faces) => faces.values(now.time),
                 None => scene.gauges.iter().map(gauge).collect(),
             };
-            std::iter::once(now.time).chain(body_values(motion)).chain(rest).collect()
+            std::iter::once(now.time).chain(body_values(motion).map(|(_, value)| value)).chain(rest).collect()
         };
         self.instants.iter().zip(&self.motions(body)).enumerate().map(row).collect()
     }
@@ -165,15 +165,15 @@ impl Theory {
 /// The same scene with elastic faces: by Wagner's load on a modal beam.
 fn bending(
     scene: &Scene,
-    rung: EntryModel,
+    model: EntryModel,
     body: &Body,
     loads: Loads,
 ) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
-    if rung != EntryModel::Wagner {
+    if model != EntryModel::Wagner {
         return Err(OutOfRange {
             what: "panels that bend".into(),
             range: "rigid bodies".into(),
-            next: if rung < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::Wcsph },
+            next: if model < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::Wcsph },
         });
     }
     let faces = Faces::of(scene, body)?;

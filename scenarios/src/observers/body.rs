@@ -25,11 +25,6 @@ const BODY: [(&str, Read); 10] = [
 
 pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(read) };
 
-/// Names of a body's columns without the body's name.
-pub fn body_columns() -> [&'static str; BODY.len()] {
-    BODY.map(|(name, _)| name)
-}
-
 fn names(scene: &Scene) -> Vec<String> {
     let body = |b: &crate::scene::Body| {
         let own = BODY.iter().map(|(column, _)| format!("{}.{column}", b.name));
@@ -42,14 +37,17 @@ fn read(frame: &Frame<'_>) -> Vec<f64> {
     let moving = frame.system.bodies().filter_map(|b| Some((b, b.motion()?)));
     moving
         .flat_map(|(b, motion)| {
-            body_values(&motion).into_iter().chain(b.panels().iter().flat_map(panel_values).collect::<Vec<_>>())
+            body_values(&motion)
+                .map(|(_, value)| value)
+                .into_iter()
+                .chain(b.panels().iter().flat_map(panel_values).collect::<Vec<_>>())
         })
         .collect()
 }
 
-/// Values of [`body_columns`].
-pub fn body_values(motion: &Motion) -> [f64; BODY.len()] {
-    BODY.map(|(_, read)| read(motion))
+/// A body's columns without its name, and their values.
+pub fn body_values(motion: &Motion) -> [(&'static str, f64); BODY.len()] {
+    BODY.map(|(name, read)| (name, read(motion)))
 }
 
 /// Values of a panel's columns, in the order of [`crate::scene::Panel::columns`].

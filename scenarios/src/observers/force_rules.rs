@@ -3,7 +3,7 @@
 use fsi_coupling::coupling::force_rules::{RULES, force_rules};
 use serde::Serialize;
 
-use super::{Frame, ObserveError, Observer};
+use super::{Frame, ObserveError, Observer, mean_and_deviation};
 use crate::scene::Scene;
 
 /// A rule's numbers over a run.
@@ -46,8 +46,8 @@ impl ForceRules {
         if late.is_empty() {
             return Vec::new();
         }
-        let mean =
-            |rule: usize, c: usize| late.iter().map(|&k| self.loads[k][rule][c]).sum::<f64>() / late.len() as f64;
+        let of = |rule: usize, c: usize| late.iter().map(|&k| self.loads[k][rule][c]).collect::<Vec<f64>>();
+        let mean = |rule: usize, c: usize| mean_and_deviation(&of(rule, c))[0];
         let impulse = |rule: usize, c: usize| {
             let step = |k: usize| {
                 0.5 * (self.times[k + 1] - self.times[k]) * (self.loads[k][rule][c] + self.loads[k + 1][rule][c])
@@ -61,11 +61,7 @@ impl ForceRules {
         let result = |rule: usize| RuleResult {
             rule: RULES[rule].name(),
             force_n_per_m: [mean(rule, 0), mean(rule, 1)],
-            force_y_sd_n_per_m: {
-                let middle = mean(rule, 1);
-                let squares = late.iter().map(|&k| (self.loads[k][rule][1] - middle).powi(2));
-                (squares.sum::<f64>() / late.len() as f64).sqrt()
-            },
+            force_y_sd_n_per_m: mean_and_deviation(&of(rule, 1))[1],
             moment_n: mean(rule, 2),
             impulse_n_s_per_m: [impulse(rule, 0), impulse(rule, 1)],
             force_difference: difference(&mean, rule),

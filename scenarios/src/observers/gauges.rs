@@ -19,19 +19,11 @@ fn names(scene: &Scene) -> Vec<String> {
     scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect()
 }
 
-/// How a place on a surface is read.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reading {
-    /// On a flat face with this outward normal (body frame), farther than a kernel's support from its ends.
-    Face([f64; 2]),
-    /// At a corner, or away from any face.
-    Point,
-}
-
 /// A point of a gauge's face.
 struct Place {
     at: [f64; 2],
-    reading: Reading,
+    /// Outward normal of the face, as [`face_normal`] gives it.
+    normal: Option<[f64; 2]>,
     weight: f64,
 }
 
@@ -70,7 +62,7 @@ impl GaugeReader {
             let face = sensing(&corners, g.at, g.length, support);
             let place = |(at, weight): ([f64; 2], f64)| {
                 let at = simulated(at);
-                Place { at, reading: reading(&corners, at, support, g.on == GaugeFrame::Fixed), weight }
+                Place { at, normal: face_normal(&corners, at, support, g.on == GaugeFrame::Fixed), weight }
             };
             Instrument {
                 name: g.name.clone(),
@@ -120,11 +112,21 @@ impl GaugeReader {
             let frame = if instrument.on == GaugeFrame::Body { &motion } else { &still };
             let riding = body.filter(|_| instrument.on == GaugeFrame::Body);
             let read = |place: &Place| {
-                let spot = riding.and_then(|b| b.material_point(place.at)).map_or_else(
-                    || Spot::rigid(frame, place),
-                    |(surface, acceleration)| Spot { at: surface.at, normal: surface.normal, acceleration },
-                );
-                place.weight * read_one(&probe, &spot, place.reading, rho, gravity)
+                let (at, normal, acceleration) = match riding.and_then(|b| b.material_point(place.at)) {
+                    Some((surface, acceleration)) => (surface.at, surface.normal, acceleration),
+                    None => {
+                        let normal = rotate(place.normal.unwrap_or_default(), frame.angle);
+                        (on(frame, place.at), normal, frame.acceleration)
+                    }
+                };
+                let pressure = match place.normal {
+                    None => probe.shepard(at),
+                    Some(_) => {
+                        let field = [0, 1].map(|k| gravity[k] - acceleration[k]);
+                        probe.on_flat_face(at, normal, rho * (field[0] * normal[0] + field[1] * normal[1]))
+                    }
+                };
+                place.weight * pressure
             };
             let raw = instrument.places.iter().map(read).sum();
             let shown = match &mut instrument.filter {
@@ -139,43 +141,15 @@ impl GaugeReader {
     }
 }
 
-/// A place of a surface now.
-struct Spot {
-    at: [f64; 2],
-    normal: [f64; 2],
-    acceleration: [f64; 2],
-}
-
-impl Spot {
-    /// Of a frame that moves as `frame` does.
-    fn rigid(frame: &Motion, place: &Place) -> Spot {
-        let normal = match place.reading {
-            Reading::Point => [0.0; 2],
-            Reading::Face(normal) => rotate(normal, frame.angle),
-        };
-        Spot { at: on(frame, place.at), normal, acceleration: frame.acceleration }
-    }
-}
-
-/// Pressure at a place [Pa].
-fn read_one(probe: &Probe<'_>, spot: &Spot, reading: Reading, rho: f64, gravity: [f64; 2]) -> f64 {
-    match reading {
-        Reading::Point => probe.shepard(spot.at),
-        Reading::Face(_) => {
-            let (n, field) = (spot.normal, [0, 1].map(|k| gravity[k] - spot.acceleration[k]));
-            probe.on_flat_face(spot.at, n, rho * (field[0] * n[0] + field[1] * n[1]))
-        }
-    }
-}
-
 /// A point of the body's frame in space [m].
 pub fn on(body: &Motion, at: [f64; 2]) -> [f64; 2] {
     let r = rotate(at, body.angle);
     [body.position[0] + r[0], body.position[1] + r[1]]
 }
 
-/// Face or point? Counter-clockwise corners; with `inside`, the fluid is inside them.
-pub fn reading(corners: &[[f64; 2]], at: [f64; 2], support: f64, inside: bool) -> Reading {
+/// Outward normal, in the frame of the corners, of the flat face that a place lies on, farther than a kernel's support from its
+/// ends; `None` at a corner or away from any face. Counter-clockwise corners; with `inside`, the fluid is inside them.
+fn face_normal(corners: &[[f64; 2]], at: [f64; 2], support: f64, inside: bool) -> Option<[f64; 2]> {
     let n = corners.len();
     for k in 0..n {
         let (a, b) = (corners[k], corners[(k + 1) % n]);
@@ -187,10 +161,10 @@ pub fn reading(corners: &[[f64; 2]], at: [f64; 2], support: f64, inside: bool) -
         );
         if off.abs() < 0.1 * support && along > support && along < length - support {
             let sign = if inside { -1.0 } else { 1.0 };
-            return Reading::Face([sign * dy / length, -sign * dx / length]);
+            return Some([sign * dy / length, -sign * dx / length]);
         }
     }
-    Reading::Point
+    None
 }
 
 #[cfg(test)]
@@ -200,9 +174,9 @@ mod tests {
     #[test]
     fn a_face_is_told_from_its_corners() {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-        assert_eq!(reading(&square, [0.5, 0.0], 0.1, false), Reading::Face([0.0, -1.0]));
-        assert_eq!(reading(&square, [1.0, 0.5], 0.1, true), Reading::Face([-1.0, 0.0]));
-        assert_eq!(reading(&square, [0.05, 0.0], 0.1, false), Reading::Point);
-        assert_eq!(reading(&square, [0.5, 0.5], 0.1, false), Reading::Point);
+        assert_eq!(face_normal(&square, [0.5, 0.0], 0.1, false), Some([0.0, -1.0]));
+        assert_eq!(face_normal(&square, [1.0, 0.5], 0.1, true), Some([-1.0, 0.0]));
+        assert_eq!(face_normal(&square, [0.05, 0.0], 0.1, false), None);
+        assert_eq!(face_normal(&square, [0.5, 0.5], 0.1, false), None);
     }
 }

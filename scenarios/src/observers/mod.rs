@@ -13,7 +13,6 @@ pub(crate) mod gauges;
 mod history;
 mod level;
 mod low_pass;
-mod penetration;
 mod run_log;
 mod sensing;
 mod series;
@@ -28,16 +27,16 @@ use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
-pub use body::{body_columns, body_values};
+pub use body::body_values;
 pub use columns::columns;
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
 pub use gauge_record::GaugeResult;
-pub use gauges::{GaugeReader, Reading};
-pub use history::{History, Rest};
+pub use gauges::GaugeReader;
+pub use history::{History, Rest, WorstPenetration};
 pub use low_pass::LowPass;
-pub use penetration::WorstPenetration;
 pub use run_log::LogObserver;
+pub(crate) use run_log::create_log;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
 pub use volume::Water;
@@ -68,13 +67,8 @@ impl Frame<'_> {
 #[derive(Debug, thiserror::Error)]
 pub enum ObserveError {
     /// A file could not be written.
-    #[error("cannot write {path}: {source}")]
-    Io {
-        /// The file.
-        path: String,
-        /// Why.
-        source: io::Error,
-    },
+    #[error("cannot write {0}: {1}")]
+    Io(String, #[source] io::Error),
     /// The log could not be written.
     #[error(transparent)]
     Log(#[from] LogError),
@@ -84,4 +78,11 @@ pub enum ObserveError {
 pub trait Observer {
     /// Sample the system.
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError>;
+}
+
+/// Mean and standard deviation.
+pub(crate) fn mean_and_deviation(values: &[f64]) -> [f64; 2] {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    [mean, (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt()]
 }

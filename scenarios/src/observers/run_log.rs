@@ -5,9 +5,9 @@ use std::path::Path;
 use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
-use super::body::{body_columns, body_values, panel_values};
+use super::body::{body_values, panel_values};
 use super::{Frame, ObserveError, Observer};
-use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogMetadata, Logged, ParticleView};
+use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogError, LogMetadata, Logged, Point};
 use crate::scene::Scene;
 
 /// Writes the log.
@@ -21,14 +21,10 @@ pub struct LogObserver {
 impl LogObserver {
     /// Create the file.
     pub fn create(path: &Path, scene: &Scene) -> Result<LogObserver, ObserveError> {
-        let toml = scene.to_toml();
-        let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
         let panels = scene.body.iter().flat_map(|body| &body.panels);
         let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        let end = scene.time.end;
-        let budget = scene.report.log_budget.map(|megabytes| Budget { bytes: (1e6 * megabytes) as u64, end });
-        Ok(LogObserver { writer: BackgroundLog::create(path, &metadata, budget)?, end, panels, gauges })
+        Ok(LogObserver { writer: create_log(path, scene)?, end: scene.time.end, panels, gauges })
     }
 
     /// Write a note.
@@ -45,8 +41,7 @@ impl LogObserver {
         let (t, system) = (frame.time(), frame.system);
         for body in system.bodies() {
             let Some(m) = body.motion() else { continue };
-            let values: Vec<(&str, f64)> = body_columns().into_iter().zip(body_values(&m)).collect();
-            self.writer.sample(t, &format!("body/{}", body.name()), &values)?;
+            self.writer.sample(t, &format!("body/{}", body.name()), &body_values(&m))?;
             for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
                 // names without the panel's own
                 let units = columns.iter().map(|column| &column[name.len() + 1..]);
@@ -77,6 +72,14 @@ impl LogObserver {
     }
 }
 
+/// The empty log of a scene.
+pub(crate) fn create_log(path: &Path, scene: &Scene) -> Result<BackgroundLog, LogError> {
+    let toml = scene.to_toml();
+    let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
+    let budget = |megabytes| Budget { bytes: (1e6 * megabytes) as u64, end: scene.time.end };
+    BackgroundLog::create(path, &metadata, scene.report.log_budget.map(budget))
+}
+
 /// The loops as one closed line that visits each and returns to the first corner of all.
 fn join(loops: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
     if let [only] = loops {
@@ -95,31 +98,25 @@ impl LogObserver {
 
     fn picture(&mut self, frame: &Frame<'_>, last: bool) -> Result<(), ObserveError> {
         let (p, d, w) = (frame.system.fluid.particles(), frame.system.fluid.fields(), &frame.system.walls);
-        let mut spacing = vec![0.0; p.len()];
-        parallel::gather_into(&mut spacing, |k| (p.mass[k] / p.rho[k]).sqrt());
-        let fluid = ParticleView {
-            x: &p.x,
-            y: &p.y,
-            vx: &p.u,
-            vy: &p.v,
-            pressure: &d.pressure,
-            density: &p.rho,
-            spacing: &spacing,
-            id: &p.id,
+        let speed = |u: f64, v: f64| (u * u + v * v).sqrt();
+        let mut fluid = vec![Point::default(); p.len()];
+        parallel::gather_into(&mut fluid, |k| Point {
+            at: [p.x[k], p.y[k]],
+            pressure: d.pressure[k],
+            speed: speed(p.u[k], p.v[k]),
+            density: p.rho[k],
+            spacing: (p.mass[k] / p.rho[k]).sqrt(),
+            id: p.id[k],
+        });
+        let wall = |k: usize| Point {
+            at: [w.x[k], w.y[k]],
+            pressure: w.pressure[k],
+            speed: speed(w.u[k], w.v[k]),
+            density: frame.system.fluid.domain().fluid.density,
+            spacing: w.volume[k].sqrt(),
+            id: k as u32,
         };
-        let wall_spacing: Vec<f64> = w.volume.iter().map(|v| v.sqrt()).collect();
-        let wall_density = vec![frame.system.fluid.domain().fluid.density; w.len()];
-        let wall_id: Vec<u32> = (0..w.len() as u32).collect();
-        let walls = ParticleView {
-            x: &w.x,
-            y: &w.y,
-            vx: &w.u,
-            vy: &w.v,
-            pressure: &w.pressure,
-            density: &wall_density,
-            spacing: &wall_spacing,
-            id: &wall_id,
-        };
+        let walls: Vec<Point> = (0..w.len()).map(wall).collect();
         // one closed line per body: the loops of a compound body are joined by the way back to the first corner
         let shown = frame.system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
         let shown: Vec<_> = shown.collect();

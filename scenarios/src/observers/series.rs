@@ -26,7 +26,7 @@ impl Series {
             None => None,
             Some(path) => {
                 let name = path.display().to_string();
-                let wrong = |source| ObserveError::Io { path: name.clone(), source };
+                let wrong = |source| ObserveError::Io(name.clone(), source);
                 let mut file = BufWriter::new(File::create(path).map_err(wrong)?);
                 writeln!(file, "{}", columns.join(",")).map_err(wrong)?;
                 Some((name, file))
@@ -40,7 +40,7 @@ impl Series {
     pub fn push(&mut self, row: Vec<f64>) -> Result<(), ObserveError> {
         if let Some((path, file)) = &mut self.file {
             let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
-            writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io { path: path.clone(), source })?;
+            writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io(path.clone(), source))?;
         }
         self.rows.push(row);
         Ok(())
@@ -98,7 +98,7 @@ impl Series {
     /// See that all rows are in the file.
     pub fn flush(&mut self) -> Result<(), ObserveError> {
         match &mut self.file {
-            Some((path, file)) => file.flush().map_err(|source| ObserveError::Io { path: path.clone(), source }),
+            Some((path, file)) => file.flush().map_err(|source| ObserveError::Io(path.clone(), source)),
             None => Ok(()),
         }
     }

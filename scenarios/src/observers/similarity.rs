@@ -7,7 +7,7 @@ use serde::Serialize;
 use sph_core::particles::probe::Probe;
 
 use super::face_profile::{noise, peak_place};
-use super::{Frame, ObserveError, Observer};
+use super::{Frame, ObserveError, Observer, mean_and_deviation};
 use crate::reference::WedgeSimilarity;
 use crate::scene::{Scene, Shape};
 
@@ -110,14 +110,10 @@ impl SimilarityWindow {
     /// The numbers, once the window holds samples; judged against `exact`, if there is one.
     pub fn result(&self, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
         let n = self.times.len() as f64;
-        let moments = |v: &[f64]| {
-            let mean = v.iter().sum::<f64>() / n;
-            (mean, (v.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n).sqrt())
-        };
         let (first, last) = (*self.times.first()?, *self.times.last()?);
         let profile: Vec<[f64; 2]> = (0..POINTS).map(|k| [self.x_over_vt(k), self.profile[k] / n]).collect();
         let top = profile.iter().max_by(|a, b| a[1].total_cmp(&b[1]))?;
-        let ((force, force_sd), (peak, peak_sd)) = (moments(&self.forces), moments(&self.peaks));
+        let [[force, force_sd], [peak, peak_sd]] = [&self.forces, &self.peaks].map(|v| mean_and_deviation(v));
         let least = 0.8 * std::f64::consts::FRAC_PI_2 / self.tan;
         let z = |x: f64| x * self.tan - 1.0;
         let place = peak_place(&profile)?;

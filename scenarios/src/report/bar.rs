@@ -1,7 +1,7 @@
 //! A whole and its parts, as one stacked bar.
 
-use super::colour::{Rgb, viridis};
-use super::markup::{escape, hex};
+use super::colour::{Rgb, hex, viridis};
+use super::markup::escape;
 
 /// A part of a whole.
 #[derive(Clone, Debug)]

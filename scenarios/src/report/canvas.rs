@@ -1,4 +1,4 @@
-//! A small raster: filled rectangles and polygons, smooth lines, supersampled, written as PNG.
+//! An image of pixels: filled rectangles and polygons, smooth lines, supersampled, written as PNG.
 
 use super::colour::Rgb;
 use std::ops::Range;

@@ -70,6 +70,14 @@ pub struct Curve {
     pub y: Vec<f64>,
 }
 
+impl Curve {
+    /// A named curve through points (x, y).
+    pub fn new(label: impl Into<String>, mark: Mark, points: impl IntoIterator<Item = [f64; 2]>) -> Curve {
+        let (x, y) = points.into_iter().map(|[x, y]| (x, y)).unzip();
+        Curve { label: label.into(), mark, x, y }
+    }
+}
+
 /// Curves that share two axes.
 #[derive(Clone, Debug, Default)]
 pub struct Chart {
@@ -89,6 +97,19 @@ pub struct Chart {
     pub y_range: Option<[f64; 2]>,
     /// Both axes in powers of ten; ranges are not used, and values ≤ 0 are left out.
     pub logarithmic: bool,
+}
+
+impl Chart {
+    /// Curves on linear axes whose ends follow from them.
+    pub fn new(
+        title: impl Into<String>,
+        x_label: impl Into<String>,
+        y_label: impl Into<String>,
+        curves: Vec<Curve>,
+    ) -> Chart {
+        let (title, x_label, y_label) = (title.into(), x_label.into(), y_label.into());
+        Chart { title, x_label, y_label, curves, ..Chart::default() }
+    }
 }
 
 /// Draws `chart` as a stand-alone SVG document.
@@ -280,7 +301,7 @@ fn label(text: &str) -> String {
     printable(text).replace('$', "\\$")
 }
 
-/// The scene as SVG that scales, names itself to screen readers, and has the same bytes each time.
+/// The scene as SVG that scales, has a label for those who hear it read, and the same bytes each time.
 fn to_svg(mut scene: Scene, title: &str) -> String {
     // The crate numbers clip paths with a global counter. Named by their geometry, equal names mean
     // equal paths, also among several charts on one page.

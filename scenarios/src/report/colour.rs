@@ -10,6 +10,11 @@ pub(super) const WALL: Rgb = [128, 134, 142];
 /// For a particle whose value is not a number: absent from the colour map, so that it is seen.
 pub(super) const NOT_A_NUMBER: Rgb = [230, 30, 120];
 
+/// A colour as `#rrggbb`.
+pub(super) fn hex([r, g, b]: Rgb) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
 /// Colour of the perceptually uniform map *viridis* at `t` in [0, 1]; values outside are clamped,
 /// NaN reads as 0.
 ///

@@ -3,9 +3,9 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::colour::viridis;
+use super::colour::{hex, viridis};
 use super::flow::{FlowFrame, FlowView, Window, flow_png};
-use super::markup::{escape, hex};
+use super::markup::escape;
 use super::ticks::{nice_length, nice_step, proper_range, tick_label, ticks};
 
 /// Width of the drawing in its own units; the page scales it.

@@ -63,42 +63,19 @@ pub struct Report {
 /// dark, and prints. It is well-formed as XML too. Same input, same bytes.
 pub fn render(report: &Report) -> String {
     let mut numbers = Numbers::default();
-    let sections = (1..).zip(&report.sections);
-    let sections = sections.map(|(number, (heading, blocks))| {
-        let heading = escape(heading);
-        let content = content(blocks, &mut numbers);
-        format!(
-            r#"<section id="section-{number}">
-<h2><span class="number">{number}</span> {heading}</h2>
-{content}</section>
-"#
-        )
-    });
-    let sections: String = sections.collect();
-    let title = escape(&report.title);
-    let header = header(report);
+    let section = |(number, (heading, blocks)): (usize, &(String, Vec<Block>))| {
+        let (heading, content) = (escape(heading), content(blocks, &mut numbers));
+        format!(include_str!("section.html"), number = number, heading = heading, content = content)
+    };
+    let sections: String = (1..).zip(&report.sections).map(section).collect();
     format!(
-        r#"<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8" />
-<meta name="viewport" content="width=device-width, initial-scale=1" />
-<title>{title}</title>
-<style>
-{STYLE}</style>
-</head>
-<body>
-<header>
-{header}</header>
-<main>
-{sections}</main>
-</body>
-</html>
-"#
+        include_str!("page.html"),
+        title = escape(&report.title),
+        style = include_str!("report.css"),
+        header = header(report),
+        sections = sections
     )
 }
-
-const STYLE: &str = include_str!("report.css");
 
 /// The numbers given out so far.
 #[derive(Default)]

@@ -1,6 +1,4 @@
-//! Text and colours as XML and HTML write them.
-
-use super::colour::Rgb;
+//! Text as XML and HTML write it.
 
 /// `text` without the control characters that XML forbids; line breaks and tabs stay.
 pub(super) fn printable(text: &str) -> String {
@@ -22,9 +20,4 @@ pub(crate) fn escape(text: &str) -> String {
         }
     }
     out
-}
-
-/// A colour as `#rrggbb`.
-pub(super) fn hex([r, g, b]: Rgb) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
 }

@@ -24,4 +24,5 @@ pub use flow::{FlowFrame, FlowView, flow_png};
 pub use flow_figure::flow_svg;
 pub use html::{Block, Report, Status, render};
 pub(crate) use markup::escape;
-pub use table::Table;
+pub use table::{Column, Table};
+pub(crate) use table::{known, row};

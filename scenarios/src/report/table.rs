@@ -13,9 +13,38 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
+/// The heading of a column and the text of an item's cell.
+pub type Column<T> = (&'static str, fn(&T) -> String);
+
+impl Table {
+    /// A table of the given cells.
+    pub fn new(title: impl Into<String>, head: &[&str], rows: Vec<Vec<String>>) -> Table {
+        Table { title: title.into(), head: row(head), rows }
+    }
+
+    /// A table with a row for each item.
+    pub fn of<T>(title: impl Into<String>, items: impl IntoIterator<Item = T>, columns: &[Column<T>]) -> Table {
+        let cells = |item: T| columns.iter().map(|(_, cell)| cell(&item)).collect();
+        let head: Vec<&str> = columns.iter().map(|(heading, _)| *heading).collect();
+        Table::new(title, &head, items.into_iter().map(cells).collect())
+    }
+
+    /// The cells as Markdown, without the title.
+    pub fn markdown(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let rule = format!("|{}\n", "---|".repeat(self.head.len()));
+        line(&self.head) + &rule + &self.rows.iter().map(|row| line(row)).collect::<String>()
+    }
+}
+
 /// A row of cells.
 pub(crate) fn row(cells: &[&str]) -> Vec<String> {
     cells.iter().map(|c| c.to_string()).collect()
+}
+
+/// A number with so many decimals; a dash where it is unknown.
+pub(crate) fn known(value: Option<f64>, digits: usize) -> String {
+    value.map_or("–".into(), |v| format!("{v:.digits$}"))
 }
 
 /// The table in HTML; a table with a title is given `number` in its caption.

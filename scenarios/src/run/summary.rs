@@ -14,10 +14,11 @@ use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, W
 use crate::scene::CouplingScheme;
 
 /// How a run ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     /// Reached its end time.
+    #[default]
     Completed,
     /// Broke down; `message` has cause, place and time.
     Failed,
@@ -26,7 +27,7 @@ pub enum Status {
 }
 
 /// Numbers of particles.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Particles {
     /// Fluid particles simulated.
     pub fluid: usize,
@@ -137,7 +138,7 @@ pub fn phase_times(phases: &Timers) -> BTreeMap<&'static str, PhaseTime> {
 }
 
 /// The results of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Summary {
     /// Name of the scene.
     pub scene: String,

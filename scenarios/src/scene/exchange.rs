@@ -74,7 +74,7 @@ fn row_of_water(scene: &Scene, body: &Body) -> [f64; 3] {
     sum
 }
 
-/// A body too light for one exchange a step.
+/// A body too light for explicit coupling.
 pub(super) fn light_body(scene: &Scene) -> Option<String> {
     let exchange = ExchangeRatio::of(scene)?;
     let radius = exchange.spectral_radius();
@@ -91,7 +91,7 @@ pub(super) fn light_body(scene: &Scene) -> Option<String> {
     })
 }
 
-/// CO12: what one exchange a step makes of the accelerations of a scene's panels, by panel.
+/// CO12: what explicit coupling makes of the accelerations of a scene's panels, by panel.
 pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
     let Some(body) = &scene.body else { return Vec::new() };
     // a panel on a plate's middle line is wet on both sides
@@ -112,7 +112,7 @@ pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
     body.panels.iter().map(|panel| (panel, of(panel))).collect()
 }
 
-/// Panels too light for one exchange a step.
+/// Panels too light for explicit coupling.
 pub(super) fn light_panels(scene: &Scene) -> Vec<String> {
     if scene.coupling.scheme != CouplingScheme::Weak {
         return Vec::new();

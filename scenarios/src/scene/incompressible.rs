@@ -29,7 +29,7 @@ pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
     require(cfl <= LARGEST_CFL, "fluid.cfl", cfl, expected)
 }
 
-/// Doubts about a scene with an incompressible solver: its step, its walls, and what does nothing.
+/// Warnings about a scene with an incompressible solver: its step, its walls, and what does nothing.
 pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
     let (cfl, mut warnings) = (scene.courant_number(), Vec::new());
     if cfl > STEADY_CFL {
@@ -62,7 +62,7 @@ fn one_exchange(scene: &Scene) -> Option<String> {
     };
     (moved && scene.coupling.scheme == CouplingScheme::Weak).then(|| {
         format!(
-            "coupling.scheme = \"weak\" with solver = \"{name}\": one exchange a step holds where the body is heavier than the \
+            "coupling.scheme = \"weak\" with solver = \"{name}\": explicit coupling holds where the body is heavier than the \
              water that moves with it, however short the step; {holds}"
         )
     })

@@ -135,7 +135,7 @@ pub(super) fn obstacle_to_tracking(options: &Options) -> Option<&'static str> {
     )
 }
 
-/// Doubts about options.
+/// Warnings about options.
 pub(super) fn warnings(scheme: &wcsph::Settings, options: &Options, cfl: f64) -> Vec<String> {
     let summation = (options.density_evolution == DensityEvolution::Summation)
         .then(|| "fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".to_string());

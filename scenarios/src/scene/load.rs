@@ -15,7 +15,7 @@ use super::impact::Entry;
 use super::legacy::refuse_absent;
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
-use super::settings::{Body, GRAVITY, Scene, Symmetry, Want, schema};
+use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
 use super::source::{SceneError, Source};
 use super::warnings::warnings;
 use crate::charted::spacing_within;
@@ -43,7 +43,7 @@ enum Limits {
 pub struct Loaded {
     /// The resolved scene.
     pub scene: Scene,
-    /// Doubts, in plain words.
+    /// Warnings, in plain words.
     pub warnings: Vec<String>,
     source: Source,
 }
@@ -110,10 +110,10 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     settle_solver(&mut given)?;
     let draft = draft_of(&given)?;
     if given.get("model").and_then(Value::as_str) == Some("auto") {
-        let want: Want = draft.get("want").unwrap_or_default();
+        let want: QuantityOfInterest = draft.get("want").unwrap_or_default();
         let bends = draft.count("body.panels") > 0;
         let expected = "something else without body.panels: nothing bends";
-        require(want != Want::Strain || bends, "want", "\"strain\"", expected)?;
+        require(want != QuantityOfInterest::Strain || bends, "want", "\"strain\"", expected)?;
         return Auto { want, within: draft.get("within").unwrap_or(USUAL_TOLERANCE), limits }.settle(given);
     }
     let scene = sensible(draft, limits)?;
@@ -157,7 +157,7 @@ fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
 fn settle_solver(given: &mut Value) -> Result<(), Problem> {
     let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
     let (model, solver) = (word("model"), word("solver"));
-    let Some(model) = model.and_then(|model| EntryModel::ALL.into_iter().find(|rung| rung.name() == model)) else {
+    let Some(model) = model.and_then(|model| EntryModel::ALL.into_iter().find(|known| known.name() == model)) else {
         return Ok(());
     };
     let wanted = model == EntryModel::Incompressible;
@@ -175,7 +175,7 @@ fn settle_solver(given: &mut Value) -> Result<(), Problem> {
 /// What a scene asks of `model = "auto"`.
 #[derive(Clone, Copy)]
 struct Auto {
-    want: Want,
+    want: QuantityOfInterest,
     within: f64,
     limits: Limits,
 }
@@ -200,13 +200,13 @@ impl Auto {
                 Err(_) => {} // the other solver can
             }
         }
-        let Choice { rung, scene, spacing, why } = choose(&of_particles, self.want, self.within);
-        if !rung.is_theory() && given.pointer(SPACING).is_none() && !spacing {
+        let Choice { model, scene, spacing, why } = choose(&of_particles, self.want, self.within);
+        if !model.is_theory() && given.pointer(SPACING).is_none() && !spacing {
             let why = format!("the finest spacing [m]: no chart is near this scene that would tell it; {why}");
             return Err(Problem::missing("resolution.spacing", why));
         }
         let mut scene = of_particles.swap_remove(scene);
-        (scene.model, scene.choice) = (rung, Some(why));
+        (scene.model, scene.choice) = (model, Some(why));
         Ok(scene)
     }
 

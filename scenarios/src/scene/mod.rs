@@ -43,8 +43,8 @@ pub(crate) use legacy::thesis_work;
 pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Norm, Observe,
-    Oscillation, Panel, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank, TheoryName, Time, Want,
-    panel_length, schema,
+    Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,
+    TheoryName, Time, panel_length, schema,
 };
 pub use source::{SceneError, apply_set};
 pub use sph_core::{Kernel, Slip as WallSlip};

@@ -41,7 +41,7 @@ const LIGHT: f64 = 1.0;
 /// Periods of the first dry mode in a step from which the step leaves the panel's vibration out [-].
 const UNRESOLVED: f64 = 0.1;
 
-/// Doubts about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
+/// Warnings about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
 pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.model.is_theory() {
         return theory_warnings(scene);
@@ -79,7 +79,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     warnings
 }
 
-/// Doubts about a run by a theory.
+/// Warnings about a run by a theory.
 fn theory_warnings(scene: &Scene) -> Vec<String> {
     let singular = (scene.model == EntryModel::Wagner && !scene.gauges.is_empty()).then(|| {
         "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
@@ -94,7 +94,7 @@ fn short_of_water(scene: &Scene) -> Option<String> {
     Some(format!("the body does not reach the water: at the end of the run it is {above} m above it"))
 }
 
-/// Doubts about water that carries sound: how fast, in which steps, how far, and beside what.
+/// Warnings about water that carries sound: how fast, in which steps, how far, and beside what.
 fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String> {
     let mut warnings = Vec::new();
     let cfl = scene.courant_number();
@@ -247,7 +247,7 @@ fn echo(scene: &Scene) -> Option<String> {
     })
 }
 
-/// The doubt about an upright wedge at constant speed whose jet, or spray root, passes the chine before the end.
+/// The warning about an upright wedge at constant speed whose jet, or spray root, passes the chine before the end.
 fn past_the_chine(scene: &Scene, entry: &Entry) -> Option<String> {
     let body = scene.body.as_ref()?;
     let Shape::Wedge { deadrise_deg, breadth, .. } = body.shape else { return None };
@@ -280,7 +280,7 @@ fn past_the_chine(scene: &Scene, entry: &Entry) -> Option<String> {
     })
 }
 
-/// Doubts about a scene's panels, each with its number and a cure.
+/// Warnings about a scene's panels, each with its number and a cure.
 fn doubtful_panels(scene: &Scene) -> Vec<String> {
     let Some(body) = &scene.body else { return Vec::new() };
     let each = body.panels.iter();

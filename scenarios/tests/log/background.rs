@@ -11,7 +11,7 @@ use std::time::Duration;
 use scenarios::log::{BackgroundLog, Budget, Frame, Level, LogError, Logged};
 use tempfile::TempDir;
 
-use super::{FRAMES, METADATA, Row, complete_log, path_in, picture, samples, stream, time_of};
+use super::{FRAMES, METADATA, complete_log, path_in, picture, row, samples, stream, time_of};
 
 fn create(path: &Path, budget: Option<Budget>) -> BackgroundLog {
     BackgroundLog::create(path, &METADATA, budget).expect("the log is created")
@@ -19,17 +19,14 @@ fn create(path: &Path, budget: Option<Budget>) -> BackgroundLog {
 
 fn write_frame(log: &mut BackgroundLog, k: usize) -> Result<(), LogError> {
     samples(k, |time, channel, values| log.sample(time, channel, values))?;
-    let frame = picture(k, Frame::new)?;
-    log.frame(frame, k + 1 == FRAMES)
+    log.frame(picture(k, 50)?, k + 1 == FRAMES)
 }
 
 fn complete(path: &Path, particles: usize, budget: Option<Budget>) -> Logged {
     let mut log = create(path, budget);
     for k in 0..FRAMES {
         samples(k, |time, channel, values| log.sample(time, channel, values)).expect("the samples are taken");
-        let row = Row::new(particles, k);
-        let frame = picture(k, |time, _, walls, bodies| Frame::new(time, &row.view(), walls, bodies));
-        log.frame(frame.expect("a frame"), k + 1 == FRAMES).expect("the frame is taken");
+        log.frame(picture(k, particles).expect("a frame"), k + 1 == FRAMES).expect("the frame is taken");
     }
     log.note(time_of(FRAMES), Level::Warning, "the wedge is submerged").expect("the note is taken");
     log.finish().expect("the log is finished")
@@ -117,9 +114,9 @@ fn a_run_that_is_ahead_of_the_disk_waits_for_it() {
         });
         scope.spawn(|| {
             let mut log = create(&path, None);
-            let (row, walls) = (Row::new(20_000, 0), Row::new(7, 0)); // far more bytes than a pipe holds
+            let (many, walls) = (row(20_000, 0), row(7, 0)); // far more bytes than a pipe holds
             for k in 0..FRAMES {
-                log.frame(Frame::new(time_of(k), &row.view(), &walls.view(), &[]).unwrap(), false).unwrap();
+                log.frame(Frame::new(time_of(k), &many, &walls, &[]).unwrap(), false).unwrap();
                 taken.fetch_add(1, Ordering::Relaxed);
             }
             assert_eq!(log.finish().unwrap().frames, FRAMES as u64);

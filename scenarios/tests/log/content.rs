@@ -7,7 +7,7 @@ use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate, log};
 use mcap::{MessageStream, Summary};
 use tempfile::TempDir;
 
-use super::{FRAMES, METADATA, Row, complete_log, path_in};
+use super::{FRAMES, METADATA, complete_log, path_in, row};
 
 const POINT_SIZE: usize = 32;
 
@@ -71,14 +71,14 @@ fn point_clouds_unpack_to_the_particles() {
     let names = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id"];
     assert_eq!(fields, names.into_iter().zip((0..).step_by(4)).collect::<Vec<_>>());
 
-    let row = Row::new(50, k);
-    assert_eq!(cloud.data.len(), row.x.len() * POINT_SIZE);
+    let row = row(50, k);
+    assert_eq!(cloud.data.len(), row.len() * POINT_SIZE);
     for (i, point) in cloud.data.chunks_exact(POINT_SIZE).enumerate() {
         let word = |j: usize| <[u8; 4]>::try_from(&point[4 * j..4 * j + 4]).unwrap();
         let floats: Vec<f32> = (0..7).map(|j| f32::from_le_bytes(word(j))).collect();
-        let expected = [row.x[i], row.y[i], 0.0, row.pressure[i], 5.0, row.density[i], row.spacing[i]];
+        let expected = [row[i].at[0], row[i].at[1], 0.0, row[i].pressure, 5.0, row[i].density, row[i].spacing];
         assert_eq!(floats, expected.map(|value| value as f32));
-        assert_eq!(u32::from_le_bytes(word(7)), row.id[i]);
+        assert_eq!(u32::from_le_bytes(word(7)), row[i].id);
     }
 }
 

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use mcap::McapError;
 use mcap::sans_io::LinearReaderOptions;
-use scenarios::log::{BodyView, Level, LogError, LogMetadata, LogWriter, ParticleView};
+use scenarios::log::{BodyView, Frame, Level, LogError, LogMetadata, LogWriter, Point};
 use tempfile::TempDir;
 
 const FRAMES: usize = 20;
@@ -22,45 +22,18 @@ const MESSAGES_PER_FRAME: usize = 6;
 const METADATA: LogMetadata<'static> =
     LogMetadata { scene: "wedge", scene_toml: "[fluid]\ndensity = 1000.0 # kg/m³\n", version: "0.1.0" };
 
-/// Particles that own their slices: a row at speed 5 m/s, `k` frames into the run.
-struct Row {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    vx: Vec<f64>,
-    vy: Vec<f64>,
-    pressure: Vec<f64>,
-    density: Vec<f64>,
-    spacing: Vec<f64>,
-    id: Vec<u32>,
-}
-
-impl Row {
-    fn new(count: usize, k: usize) -> Self {
-        let spacing = 0.125;
-        Self {
-            x: (0..count).map(|i| i as f64 * spacing).collect(),
-            y: vec![-(k as f64) / 16.0; count],
-            vx: vec![3.0; count],
-            vy: vec![-4.0; count],
-            pressure: (0..count).map(|i| (100 * i + k) as f64).collect(),
-            density: vec![1000.5; count],
-            spacing: vec![spacing; count],
-            id: (0..count as u32).map(|i| u32::MAX - i).collect(),
-        }
-    }
-
-    fn view(&self) -> ParticleView<'_> {
-        ParticleView {
-            x: &self.x,
-            y: &self.y,
-            vx: &self.vx,
-            vy: &self.vy,
-            pressure: &self.pressure,
-            density: &self.density,
-            spacing: &self.spacing,
-            id: &self.id,
-        }
-    }
+/// A row of particles at speed 5 m/s, `k` frames into the run.
+fn row(count: usize, k: usize) -> Vec<Point> {
+    let spacing = 0.125;
+    let particle = |i: usize| Point {
+        at: [i as f64 * spacing, -(k as f64) / 16.0],
+        pressure: (100 * i + k) as f64,
+        speed: 5.0,
+        density: 1000.5,
+        spacing,
+        id: u32::MAX - i as u32,
+    };
+    (0..count).map(particle).collect()
 }
 
 fn time_of(k: usize) -> f64 {
@@ -71,8 +44,8 @@ fn path_in(folder: &TempDir) -> PathBuf {
     folder.path().join("log.mcap")
 }
 
-/// Hands frame `k` to `show`.
-fn picture<T>(k: usize, show: impl FnOnce(f64, &ParticleView<'_>, &ParticleView<'_>, &[BodyView<'_>]) -> T) -> T {
+/// Frame `k`.
+fn picture(k: usize, particles: usize) -> Result<Frame, LogError> {
     let time = time_of(k);
     let wedge = BodyView {
         name: "wedge",
@@ -80,7 +53,7 @@ fn picture<T>(k: usize, show: impl FnOnce(f64, &ParticleView<'_>, &ParticleView<
         angle: FRAC_PI_2,
         outline: &[[-0.5, 0.5], [0.0, 0.0], [0.5, 0.5]],
     };
-    show(time, &Row::new(50, k).view(), &Row::new(7, 0).view(), &[wedge])
+    Frame::new(time, &row(particles, k), &row(7, 0), &[wedge])
 }
 
 /// Hands the samples that precede frame `k` to `take`.
@@ -92,7 +65,7 @@ fn samples(k: usize, mut take: impl FnMut(f64, &str, &[(&str, f64)]) -> Result<(
 /// Writes frame `k` and the samples that precede it.
 fn write_frame(log: &mut LogWriter, k: usize) -> Result<(), LogError> {
     samples(k, |time, channel, values| log.sample(time, channel, values))?;
-    picture(k, |time, fluid, walls, bodies| log.frame(time, fluid, walls, bodies))
+    log.frame(&picture(k, 50)?)
 }
 
 /// Writes a log of [`FRAMES`] frames and one note, and returns its bytes.

@@ -1,26 +1,16 @@
 //! What a log refuses, and in which words.
 
-use std::fs;
 use std::path::Path;
 
-use scenarios::log::{LogError, LogWriter};
+use scenarios::log::{Frame, LogError, LogWriter};
 use tempfile::TempDir;
 
-use super::{METADATA, Row, path_in, stream};
+use super::{METADATA, path_in, row};
 
 #[test]
-fn a_frame_that_is_refused_leaves_no_trace() {
-    let folder = TempDir::new().unwrap();
-    let path = path_in(&folder);
-    let mut log = LogWriter::create(&path, &METADATA).unwrap();
-    let (fluid, mut walls) = (Row::new(4, 0), Row::new(3, 0));
-    walls.density.pop();
-    let error = log.frame(0.0, &fluid.view(), &walls.view(), &[]);
-    assert_eq!(error.unwrap_err().to_string(), "/walls: 2 values of density for 3 particles");
-    let error = log.frame(f64::NAN, &fluid.view(), &fluid.view(), &[]);
-    assert!(matches!(error, Err(LogError::Time { time }) if time.is_nan()));
-    log.finish().unwrap();
-    assert_eq!(stream(&fs::read(&path).unwrap()).0.len(), 0);
+fn a_time_that_the_clock_does_not_have_is_refused() {
+    let error = Frame::new(f64::NAN, &row(4, 0), &row(3, 0), &[]);
+    assert!(matches!(error, Err(LogError::Time(time)) if time.is_nan()));
 }
 
 #[test]
@@ -37,10 +27,7 @@ fn a_sample_must_keep_to_the_schema_of_its_channel() {
     assert!(matches!(doubled, Err(LogError::Names { .. })));
     for channel in ["", "/audit", "fluid", "tf"] {
         let refused = log.sample(0.0, channel, &[("p_Pa", 1.0)]);
-        assert!(
-            matches!(&refused, Err(LogError::Channel { channel: c, .. }) if c == channel),
-            "{channel:?}: {refused:?}"
-        );
+        assert!(matches!(&refused, Err(LogError::Channel(c, _)) if c == channel), "{channel:?}: {refused:?}");
     }
 }
 
@@ -51,7 +38,7 @@ fn a_log_that_cannot_be_created_names_the_file() {
     let Err(error) = LogWriter::create(&path, &METADATA) else {
         panic!("a log in a folder that does not exist");
     };
-    assert!(matches!(&error, LogError::Create { path: p, .. } if *p == path));
+    assert!(matches!(&error, LogError::Create(p, _) if *p == path));
     assert!(error.to_string().contains("missing"), "{error}");
 }
 
@@ -62,5 +49,5 @@ fn a_full_disk_is_reported_with_the_file() {
     let Err(error) = LogWriter::create(path, &METADATA) else {
         panic!("a log on a full disk");
     };
-    assert!(matches!(&error, LogError::Write { path: p, .. } if p == path));
+    assert!(matches!(&error, LogError::Write(p, _) if p == path));
 }

@@ -6,7 +6,6 @@
 mod fit;
 mod page;
 mod refinement;
-mod table;
 
 use std::f64::consts::SQRT_2;
 
@@ -17,9 +16,8 @@ use super::runs::{run_to_end, scene_with};
 use crate::scene::{self, Scene, compressibility_error};
 
 pub use fit::{Fit, Sample, fit};
-pub use page::page;
+pub use page::{page, text};
 pub use refinement::{Refinement, coarser_runs};
-pub use table::text;
 
 /// What is run.
 #[derive(Clone, Debug)]

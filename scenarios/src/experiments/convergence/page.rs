@@ -1,25 +1,70 @@
-//! `study.html`: a study as a page.
+//! A study as a page, `study.html`, and as text.
 
-use super::table::{HEAD, cells, results};
 use super::{Point, Study};
-use crate::report::{Block, Chart, Curve, Mark, Report, Status, Table, render};
+use crate::report::{Block, Chart, Column, Curve, Mark, Report, Status, Table, render};
 
 /// Points of a fitted curve.
 const POINTS: usize = 60;
 
+/// The runs, from the coarsest.
+fn runs(study: &Study) -> Table {
+    let columns: &[Column<&Point>] = &[
+        ("spacing [m]", |p| format!("{:.6}", p.spacing_m)),
+        ("sound speed [m/s]", |p| format!("{:.2}", p.sound_speed_m_per_s)),
+        ("Mach", |p| format!("{:.4}", p.mach)),
+        ("value", |p| format!("{:.6e}", p.value)),
+        ("error [%]", |p| p.error.map_or("–".into(), |e| format!("{:+.2}", 100.0 * e))),
+        ("particles", |p| p.particles.to_string()),
+        ("steps", |p| p.steps.to_string()),
+        ("core-s", |p| format!("{:.1}", p.core_seconds)),
+    ];
+    Table::of("Runs", &study.points, columns)
+}
+
+/// Name and value of each result.
+fn results(study: &Study) -> Vec<[String; 2]> {
+    let f = &study.fit;
+    let percent = |x: f64| format!("{:+.2} %", 100.0 * x);
+    let order = match f.order {
+        Some(p) if p == f.order_used => format!("{p:.2}"),
+        Some(p) => format!("{p:.2}; {} is used", f.order_used),
+        None => format!("none; {} is used", f.order_used),
+    };
+    let unknown = || "unknown: one sound speed".to_string();
+    let share = f.sound_speed_share.map_or_else(unknown, |s| format!("{:.0} %", 100.0 * s));
+    [
+        ("extrapolated", format!("{:.6e}, within {:.2} %", f.extrapolated, 100.0 * f.uncertainty)),
+        ("observed order", order),
+        ("finest run, error of its spacing", percent(f.discretisation_error)),
+        ("finest run, error of its sound speed", f.sound_speed_error.map_or_else(unknown, percent)),
+        ("share of the sound speed in both", share),
+        ("scatter about the fit", f.scatter.map_or("unknown: no runs to spare".into(), percent)),
+        ("law of the sound speed", study.sound_speed_law.to_string()),
+        ("cost of all runs", format!("{:.1} core-s", study.core_seconds)),
+        ("verdict", f.verdict()),
+    ]
+    .map(|(name, value)| [name.to_string(), value])
+    .to_vec()
+}
+
+/// Runs and results in aligned columns.
+pub fn text(study: &Study) -> String {
+    let Table { head, rows, .. } = runs(study);
+    let width = |k: usize| rows.iter().chain([&head]).map(|r| r[k].chars().count()).max().unwrap_or(0);
+    let aligned = |row: &Vec<String>| {
+        let cells = row.iter().enumerate().map(|(k, cell)| format!("{cell:>width$}", width = width(k)));
+        cells.collect::<Vec<_>>().join("  ")
+    };
+    let mut lines = vec![format!("{}: {}", study.scene, study.quantity), aligned(&head)];
+    lines.extend(rows.iter().map(aligned));
+    lines.extend(results(study).into_iter().map(|[name, value]| format!("{name:<38} {value}")));
+    lines.join("\n")
+}
+
 /// The page of a study.
 pub fn page(study: &Study) -> String {
-    let strings = |cells: &[&str]| cells.iter().map(|c| c.to_string()).collect::<Vec<_>>();
-    let answer = Table {
-        title: "q = q₀ + A Δxᵖ + B f(M)".into(),
-        head: strings(&["quantity", "value"]),
-        rows: results(study).into_iter().map(Vec::from).collect(),
-    };
-    let runs = Table {
-        title: "Runs".into(),
-        head: strings(&HEAD),
-        rows: study.points.iter().map(|p| cells(p).into()).collect(),
-    };
+    let results = results(study).into_iter().map(Vec::from).collect();
+    let answer = Table::new("q = q₀ + A Δxᵖ + B f(M)", &["quantity", "value"], results);
     render(&Report {
         title: format!("splashdown study: {}", study.scene),
         subtitle: format!("{}: {}", study.quantity, study.fit.verdict()),
@@ -29,7 +74,7 @@ pub fn page(study: &Study) -> String {
                 "Answer".into(),
                 vec![Block::Table(answer), Block::Chart(against_spacing(study)), Block::Chart(against_cost(study))],
             ),
-            ("Runs".into(), vec![Block::Table(runs)]),
+            ("Runs".into(), vec![Block::Table(runs(study))]),
         ],
     })
 }
@@ -53,29 +98,23 @@ fn against_spacing(study: &Study) -> Chart {
     let least = study.points.iter().map(|p| p.law).fold(f64::INFINITY, f64::min);
     let mut curves = Vec::new();
     for (c, group) in by_sound_speed(study) {
-        let mark = Mark::Points;
-        let (x, y) = group.iter().map(|p| (p.spacing_m, p.value)).unzip();
-        curves.push(Curve { label: format!("c₀ = {c:.1} m/s"), mark, x, y });
+        let points = group.iter().map(|p| [p.spacing_m, p.value]);
+        curves.push(Curve::new(format!("c₀ = {c:.1} m/s"), Mark::Points, points));
         let sound = fit.sound_speed_error.unwrap_or(0.0) * group[0].law / least;
-        let x: Vec<f64> = (0..=POINTS).map(|k| coarsest * k as f64 / POINTS as f64).collect();
+        let x = (0..=POINTS).map(|k| coarsest * k as f64 / POINTS as f64);
         let share = |dx: f64| fit.discretisation_error * (dx / finest).powf(fit.order_used) + sound;
-        let y = x.iter().map(|dx| fit.extrapolated + fit.extrapolated.abs() * share(*dx)).collect();
-        curves.push(Curve { label: "fit".into(), mark: Mark::Dashed, x, y });
+        let points = x.map(|dx| [dx, fit.extrapolated + fit.extrapolated.abs() * share(dx)]);
+        curves.push(Curve::new("fit", Mark::Dashed, points));
     }
-    curves.push(Curve { label: "extrapolated".into(), mark: Mark::Points, x: vec![0.0], y: vec![fit.extrapolated] });
-    chart(&format!("{} against the spacing", study.quantity), "spacing [m]", &study.quantity, curves)
+    curves.push(Curve::new("extrapolated", Mark::Points, [[0.0, fit.extrapolated]]));
+    Chart::new(format!("{} against the spacing", study.quantity), "spacing [m]", &study.quantity, curves)
 }
 
 fn against_cost(study: &Study) -> Chart {
     let curve = |(c, group): (f64, Vec<&Point>)| {
-        let (x, y) = group.iter().filter_map(|p| Some((p.core_seconds.log10(), 100.0 * p.error?.abs()))).unzip();
-        Curve { label: format!("c₀ = {c:.1} m/s"), mark: Mark::Points, x, y }
+        let points = group.iter().filter_map(|p| Some([p.core_seconds.log10(), 100.0 * p.error?.abs()]));
+        Curve::new(format!("c₀ = {c:.1} m/s"), Mark::Points, points)
     };
     let curves = by_sound_speed(study).into_iter().map(curve).collect();
-    chart("Error against cost", "log₁₀ of cost [core-s]", "difference from the extrapolated value [%]", curves)
-}
-
-fn chart(title: &str, x: &str, y: &str, curves: Vec<Curve>) -> Chart {
-    let (title, x_label, y_label) = (title.into(), x.into(), y.into());
-    Chart { title, x_label, y_label, curves, ..Chart::default() }
+    Chart::new("Error against cost", "log₁₀ of cost [core-s]", "difference from the extrapolated value [%]", curves)
 }

@@ -5,8 +5,31 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::map::{MAPS, Map};
-use super::verdict::Verdict;
 use crate::experiments::ExperimentError;
+
+/// Verdict on a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Ran to its end, within all bounds.
+    Stable,
+    /// Ran to its end, but a number is wrong.
+    Inaccurate,
+    /// Broke down, took too many steps, gained energy, let water penetrate a wall, violated the momentum balance, or left the
+    /// map's bounds of failure.
+    Failed,
+}
+
+impl Verdict {
+    /// Its word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Stable => "stable",
+            Verdict::Inaccurate => "inaccurate",
+            Verdict::Failed => "failed",
+        }
+    }
+}
 
 /// One run.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -47,7 +70,7 @@ pub fn stored(path: &Path) -> Result<Measured, ExperimentError> {
         return Ok(Measured { map, ..measured });
     }
     let why = format!("{} points for {} by {}", measured.points.len(), map.x.len(), map.y.len());
-    Err(MAPS.not_stored(path, why))
+    Err(MAPS.not_stored(path, &why))
 }
 
 impl Measured {
@@ -116,6 +139,6 @@ mod tests {
         assert_eq!(back.to_json(), measured.to_json());
         assert_eq!(svg(&back), svg(&measured));
         std::fs::write(file.path(), "{}").expect("written");
-        assert!(matches!(stored(file.path()), Err(ExperimentError::Stored { .. })));
+        assert!(matches!(stored(file.path()), Err(ExperimentError::Case(_))));
     }
 }

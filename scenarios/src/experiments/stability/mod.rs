@@ -12,12 +12,10 @@ mod measured;
 mod page;
 mod picture;
 mod points;
-mod verdict;
 
 pub use boundary::Boundary;
 pub use map::{Axis, Bound, Choice, Key, MAPS, Map};
-pub use measured::{Measured, Point, stored};
+pub use measured::{Measured, Point, Verdict, stored};
 pub use page::{page, table};
 pub use picture::svg;
 pub use points::{boundary_ratio, point, run_map};
-pub use verdict::Verdict;

@@ -1,17 +1,21 @@
 //! A map as a page and as a table.
 
-use super::{Bound, Measured, Point, Verdict, svg};
-use crate::experiments::markdown;
-use crate::report::{Block, Report, Status, Table, render};
+use super::{Bound, Map, Measured, Point, Verdict, svg};
+use crate::report::{Block, Column, Report, Status, Table, known, render};
 
 /// The map, what its verdicts mean, and every point with its reason and its command.
 pub fn page(measured: &Measured) -> String {
     let map = &measured.map;
-    let points = Table {
-        title: "A point a row".into(),
-        head: ["x", "y", "verdict", "why", "over theory's limit [-]", "steps", "command"].map(String::from).to_vec(),
-        rows: measured.points.iter().map(|p| cells(measured, p)).collect(),
-    };
+    let columns: &[Column<(&Map, &Point)>] = &[
+        ("x", |(_, p)| p.x.clone()),
+        ("y", |(_, p)| p.y.clone()),
+        ("verdict", |(_, p)| p.verdict.name().into()),
+        ("why", |(_, p)| p.why.clone()),
+        ("over theory's limit [-]", |(_, p)| known(p.theory, 3)),
+        ("steps", |(_, p)| p.steps.to_string()),
+        ("command", |(map, p)| map.command(&p.x, &p.y)),
+    ];
+    let points = Table::of("A point a row", measured.points.iter().map(|p| (map, p)), columns);
     let meaning = std::iter::once(map.note.clone()).chain(criteria(measured)).chain(fits(measured));
     render(&Report {
         title: format!("splashdown stability: {}", map.name),
@@ -40,7 +44,7 @@ pub fn table(measured: &Measured) -> String {
         std::iter::once(name).chain(marks).chain([off]).collect()
     };
     let rows: Vec<Vec<String>> = map.y.names().into_iter().enumerate().rev().map(row).collect();
-    text += &markdown(&head, &rows);
+    text += &Table { title: String::new(), head, rows }.markdown();
     for line in criteria(measured) {
         text += &format!("\n- {line}");
     }
@@ -92,16 +96,4 @@ fn fits(measured: &Measured) -> Option<String> {
     let rows = measured.map.y.names().into_iter().enumerate();
     let rows: Vec<String> = rows.filter_map(|(j, y)| Some(format!("{y}: {}", measured.misfit(j)?))).collect();
     (!rows.is_empty()).then(|| format!("Cells between the boundary found and the theory's: {}.", rows.join("; ")))
-}
-
-fn cells(measured: &Measured, p: &Point) -> Vec<String> {
-    vec![
-        p.x.clone(),
-        p.y.clone(),
-        p.verdict.name().into(),
-        p.why.clone(),
-        p.theory.map_or("–".into(), |ratio| format!("{ratio:.3}")),
-        p.steps.to_string(),
-        measured.map.command(&p.x, &p.y),
-    ]
 }

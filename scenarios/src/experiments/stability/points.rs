@@ -5,11 +5,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use sph_core::parallel::on_threads;
 use tracing::subscriber::{NoSubscriber, with_default};
 
-use super::map::Map;
-use super::measured::{Measured, Point};
-use super::verdict::judge;
+use super::map::{Bound, Map};
+use super::measured::{Measured, Point, Verdict};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{RunRecord, side_by_side};
+use crate::run::summary::{Status, Summary};
 use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError};
 
@@ -71,4 +71,31 @@ fn run_point(map: &Map, scene: &Scene, x: &str, y: &str) -> Result<Point, RunErr
     let (verdict, why) = judge(map, &run);
     let theory = map.theory.and_then(|theory| theory.ratio(scene));
     Ok(Point { x: x.to_string(), y: y.to_string(), verdict, why, theory, steps: run.summary.steps })
+}
+
+/// The verdict on a run, and why.
+fn judge(map: &Map, run: &RunRecord) -> (Verdict, String) {
+    let first = |bounds: &[Bound]| bounds.iter().find_map(|bound| bound.breach(&run.numbers));
+    if let Some(why) = failure(map, &run.summary).or_else(|| first(&map.failed)) {
+        return (Verdict::Failed, why);
+    }
+    match first(&map.inaccurate) {
+        Some(why) => (Verdict::Inaccurate, why),
+        None => (Verdict::Stable, "ran to its end within all bounds".into()),
+    }
+}
+
+/// Why a run has failed on any map.
+fn failure(map: &Map, summary: &Summary) -> Option<String> {
+    let audit = &summary.audit;
+    let beyond = |value: f64, most: f64| value.is_nan() || value > most;
+    match () {
+        () if summary.status != Status::Completed => Some(summary.message.clone().unwrap_or_default()),
+        () if beyond(audit.energy, map.most_energy_gain) => {
+            Some(format!("energy grew by {:.3} of what was exchanged", audit.energy))
+        }
+        () if beyond(audit.momentum, map.most_momentum_gap) => Some(format!("momentum open by {:.1e}", audit.momentum)),
+        () if audit.penetrated > 0 => Some(audit.worst_penetration.as_ref().map_or(String::new(), ToString::to_string)),
+        () => None,
+    }
 }

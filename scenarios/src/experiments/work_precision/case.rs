@@ -2,6 +2,7 @@
 
 use include_dir::{Dir, include_dir};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::experiments::catalogue::{self, Catalogue};
 use crate::experiments::runs::RunRecord;
@@ -70,32 +71,12 @@ pub struct Family {
     pub vary: Option<String>,
     /// Its values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub values: Vec<Setting>,
+    pub values: Vec<Value>,
 }
 
-/// A value of a key.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-#[serde(untagged)]
-pub enum Setting {
-    /// True or false.
-    Flag(bool),
-    /// A whole number.
-    Integer(i64),
-    /// A number.
-    Number(f64),
-    /// A name.
-    Word(String),
-}
-
-impl std::fmt::Display for Setting {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Setting::Flag(value) => value.fmt(f),
-            Setting::Integer(value) => value.fmt(f),
-            Setting::Number(value) => write!(f, "{value:?}"),
-            Setting::Word(value) => value.fmt(f),
-        }
-    }
+/// The value of a key as `--set` takes it: a word without quotation marks.
+pub(super) fn as_set(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_string)
 }
 
 /// The value of a quantity in a run.
@@ -166,10 +147,10 @@ impl Quantity {
 
 impl Family {
     /// The value of the key, where one varies, and the overrides of each run.
-    pub fn runs(&self, case: &Case) -> Vec<(Option<Setting>, Vec<String>)> {
+    pub fn runs(&self, case: &Case) -> Vec<(Option<Value>, Vec<String>)> {
         let common: Vec<String> = case.set.iter().chain(&self.set).cloned().collect();
         let Some(key) = &self.vary else { return vec![(None, common)] };
-        let with = |at: &Setting| [common.clone(), vec![format!("{key}={at}")]].concat();
+        let with = |at: &Value| [common.clone(), vec![format!("{key}={}", as_set(at))]].concat();
         self.values.iter().map(|at| (Some(at.clone()), with(at))).collect()
     }
 

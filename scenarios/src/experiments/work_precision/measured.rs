@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-use super::case::{Case, Family, Quantity, Reading, Setting};
+use super::case::{Case, Family, Quantity, Reading, as_set};
 use crate::power_law::PowerLaw;
 
 /// A run, done or failed.
@@ -13,7 +14,7 @@ pub struct Point {
     /// The family.
     pub family: String,
     /// Value of the family's key, where it varies one.
-    pub at: Option<Setting>,
+    pub at: Option<Value>,
     /// All overrides of the run; they identify it when a chart is resumed.
     pub set: Vec<String>,
     /// How it ended.
@@ -86,7 +87,7 @@ impl Point {
 
     /// Family and value of its key.
     pub fn name(&self) -> String {
-        self.at.as_ref().map_or_else(|| self.family.clone(), |at| format!("{} at {at}", self.family))
+        self.at.as_ref().map_or_else(|| self.family.clone(), |at| format!("{} at {}", self.family, as_set(at)))
     }
 }
 

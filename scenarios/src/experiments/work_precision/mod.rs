@@ -11,9 +11,8 @@ mod measured;
 mod page;
 mod peers;
 
-pub use case::{CHARTS, Case, Family, Quantity, Reading, Setting};
+pub use case::{CHARTS, Case, Family, Quantity, Reading};
 pub use laws::error_laws;
 pub use measure::{measure, stored};
 pub use measured::{Measured, Outcome, Point, Run, Seen, Trend};
 pub use page::{page, svg, table};
-pub use peers::{Given, Peer, PeerPoint, peers};

@@ -1,10 +1,9 @@
 //! A chart as SVG, as a page and as tables.
 
-use super::case::Quantity;
-use super::case::Reading;
+use super::case::{Quantity, Reading, as_set};
 use super::measured::{Measured, Outcome, Seen, Trend};
 use super::peers::{Peer, PeerPoint, peers};
-use crate::experiments::{ExperimentError, markdown};
+use crate::experiments::ExperimentError;
 use crate::report::{Block, Chart, Curve, Mark, Report, Status, Table, TrendLine, chart_svg, render};
 
 const HEAD: [&str; 9] =
@@ -44,7 +43,7 @@ pub fn table(measured: &Measured) -> Result<String, ExperimentError> {
     for quantity in &case.quantity {
         text += &format!("\n### {}, {}\n", case.name, quantity.name);
         for table in tables(measured, quantity, &peers) {
-            text += &format!("\n{}\n\n{}", table.title, markdown(&table.head, &table.rows));
+            text += &format!("\n{}\n\n{}", table.title, table.markdown());
         }
     }
     Ok(text)
@@ -52,7 +51,6 @@ pub fn table(measured: &Measured) -> Result<String, ExperimentError> {
 
 /// Runs, laws, and runs without a number.
 fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table> {
-    let head = |cells: &[&str]| cells.iter().map(|c| c.to_string()).collect::<Vec<_>>();
     let mut rows: Vec<Vec<String>> = measured.seen(quantity).iter().map(cells).collect();
     let reference = quantity.reference.unwrap_or(f64::NAN);
     let theirs = given(peers, quantity, reference);
@@ -66,7 +64,7 @@ fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table
         .map(|p| format!(" {}: {}.", p.name, p.provenance))
         .collect();
     let title = format!("{}.{}", quantity.text(), sources.concat());
-    let mut tables = vec![Table { title, head: head(&HEAD), rows }];
+    let mut tables = vec![Table::new(title, &HEAD, rows)];
     let laws: Vec<Vec<String>> = measured
         .case
         .family
@@ -83,7 +81,7 @@ fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table
         })
         .collect();
     if !laws.is_empty() {
-        tables.push(Table { title: "Error against cost, fitted.".into(), head: head(&TREND_HEAD), rows: laws });
+        tables.push(Table::new("Error against cost, fitted.", &TREND_HEAD, laws));
     }
     let lost: Vec<Vec<String>> = measured
         .points
@@ -97,7 +95,7 @@ fn tables(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Vec<Table
         })
         .collect();
     if !lost.is_empty() {
-        tables.push(Table { title: "Without a number.".into(), head: head(&["run", "why"]), rows: lost });
+        tables.push(Table::new("Without a number.", &["run", "why"], lost));
     }
     tables
 }
@@ -121,41 +119,29 @@ fn chart(measured: &Measured, quantity: &Quantity, peers: &[Peer]) -> Chart {
             trends.push(TrendLine { curve: curves.len(), ends: ends.map(|x| [x, 100.0 * law.at(x)]) });
         }
         if !of.is_empty() {
-            curves.push(curve(&family.name, Mark::Points, &of));
+            curves.push(Curve::new(&family.name, Mark::Points, of));
         }
     }
     for peer in peers {
         let theirs = given(std::slice::from_ref(peer), quantity, quantity.reference.unwrap_or(f64::NAN));
         let of: Vec<[f64; 2]> = theirs.iter().map(|(_, p, r)| [p.core_seconds, 100.0 * r.error]).collect();
         if !of.is_empty() {
-            curves.push(curve(&format!("{} (hollow)", peer.name), Mark::Hollow, &of));
+            curves.push(Curve::new(format!("{} (hollow)", peer.name), Mark::Hollow, of));
         }
     }
     let mut front: Vec<[f64; 2]> = seen.iter().filter(|s| s.on_front).map(spot).collect();
     front.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    curves.push(curve("nothing is cheaper and more exact", Mark::Dashed, &front));
+    curves.push(Curve::new("nothing is cheaper and more exact", Mark::Dashed, front));
     let cut = seen.iter().any(|s| 100.0 * s.reading.error < LEAST_DRAWN);
     let y_label = if cut { "error [%], drawn from 0.01 on" } else { "error [%]" };
-    Chart {
-        title: format!("{}: {}", measured.case.about, quantity.name),
-        x_label: "cost [core-s]".into(),
-        y_label: y_label.into(),
-        curves,
-        trends,
-        logarithmic: true,
-        ..Chart::default()
-    }
-}
-
-fn curve(label: &str, mark: Mark, points: &[[f64; 2]]) -> Curve {
-    let (x, y) = points.iter().map(|p| (p[0], p[1])).unzip();
-    Curve { label: label.into(), mark, x, y }
+    let title = format!("{}: {}", measured.case.about, quantity.name);
+    Chart { trends, logarithmic: true, ..Chart::new(title, "cost [core-s]", y_label, curves) }
 }
 
 fn cells(seen: &Seen<'_>) -> Vec<String> {
     let Seen { point, run, reading, on_front } = seen;
     let mark = if *on_front { " (front)" } else { "" };
-    let at = point.at.as_ref().map_or_else(String::new, ToString::to_string);
+    let at = point.at.as_ref().map_or_else(String::new, as_set);
     row([format!("{}{mark}", point.family), at], reading, run.particles, run.steps, run.core_seconds)
 }
 

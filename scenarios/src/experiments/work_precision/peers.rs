@@ -14,26 +14,22 @@ static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference/peers"
 /// A program's runs of a charted case.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Peer {
-    /// Name and version of the program.
+pub(super) struct Peer {
+    /// Its name and version.
     pub name: String,
     /// Name of the charted case.
     pub case: String,
     /// Provenance of the measurement.
     pub provenance: String,
-    /// Its runs.
     pub point: Vec<PeerPoint>,
 }
 
 /// A run of another program.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct PeerPoint {
-    /// Its settings.
+pub(super) struct PeerPoint {
     pub at: String,
-    /// Particles.
     pub particles: usize,
-    /// Steps.
     pub steps: u64,
     /// Wall-clock time × threads [s].
     pub core_seconds: f64,
@@ -44,21 +40,11 @@ pub struct PeerPoint {
 /// A number of another program.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(untagged)]
-pub enum Given {
+pub(super) enum Given {
     /// Relative difference from the reference, and standard deviation over it [-].
-    Error {
-        /// Relative difference [-].
-        bias: f64,
-        /// Standard deviation over the reference [-].
-        scatter: f64,
-    },
+    Error { bias: f64, scatter: f64 },
     /// A reading with an uncertain interpretation: least and largest value.
-    Range {
-        /// Least reading.
-        least: f64,
-        /// Largest reading.
-        largest: f64,
-    },
+    Range { least: f64, largest: f64 },
 }
 
 impl Given {
@@ -78,8 +64,8 @@ impl Given {
 ///
 /// # Errors
 /// A file is wrong.
-pub fn peers(case: &str) -> Result<Vec<Peer>, ExperimentError> {
-    let wrong = |(name, why)| ExperimentError::Case { kind: "chart of another program", name, why };
+pub(super) fn peers(case: &str) -> Result<Vec<Peer>, ExperimentError> {
+    let wrong = |(name, why)| ExperimentError::Case(format!("chart of another program `{name}`: {why}"));
     let all: Vec<(String, Peer)> = embedded::contents(&FILES).map_err(wrong)?;
     Ok(all.into_iter().map(|(_, peer)| peer).filter(|peer| peer.case == case).collect())
 }

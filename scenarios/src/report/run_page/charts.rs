@@ -14,8 +14,8 @@ pub(super) fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
     let series = &outcome.series;
     let times = series.times();
     let ours = |name: &str, scale: f64| {
-        let y: Option<Vec<f64>> = series.column(name).map(|c| c.iter().map(|v| scale * v).collect());
-        Curve { label: outcome.summary.model.into(), mark: Mark::Line, x: times.clone(), y: y.unwrap_or_default() }
+        let values = series.column(name).unwrap_or_default();
+        Curve::new(outcome.summary.model, Mark::Line, times.iter().zip(values).map(|(t, v)| [*t, scale * v]))
     };
     let theories = Theories::beside(scene);
     let mut drawn: Vec<&str> = Vec::new();
@@ -28,14 +28,14 @@ pub(super) fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
         for (other, reference) in scene.compare.iter().zip(&outcome.references) {
             if other.quantity == compare.quantity {
                 let end = outcome.summary.time_end_s.max(scene.time.end);
-                let keep = reference.t.iter().zip(&reference.y).filter(|(t, _)| **t <= end);
-                let (x, y) = keep.map(|(t, y)| (*t, *y)).unzip();
+                let points = reference.t.iter().zip(&reference.y).map(|(t, y)| [*t, *y]).filter(|p| p[0] <= end);
                 let mark = if reference.t.len() > MANY { Mark::Dashed } else { Mark::Points };
-                curves.push(Curve { label: short(&other.reference), mark, x, y });
+                curves.push(Curve::new(short(&other.reference), mark, points));
             }
         }
         curves.extend(theories.curves(&compare.quantity, compare.scale));
-        blocks.push(chart(&format!("{} against references", compare.quantity), "t [s]", &compare.quantity, curves));
+        let title = format!("{} against references", compare.quantity);
+        blocks.push(Block::Chart(Chart::new(title, "t [s]", &compare.quantity, curves)));
     }
     if let Some(similarity) = &outcome.summary.similarity {
         blocks.push(profile_chart(scene, &similarity.profile, theories.profiles()));
@@ -45,35 +45,19 @@ pub(super) fn charts(scene: &Scene, outcome: &Outcome) -> Vec<Block> {
         let moves = curve.y.iter().any(|v| (v - curve.y[0]).abs() > 1e-12);
         if moves {
             let curves = std::iter::once(curve).chain(theories.curves(name, 1.0)).collect();
-            blocks.push(chart(name, "t [s]", name, curves));
+            blocks.push(Block::Chart(Chart::new(name, "t [s]", name, curves)));
         }
     }
     blocks
 }
 
 fn profile_chart(scene: &Scene, profile: &[[f64; 2]], theories: Vec<Curve>) -> Block {
-    let split = |points: &[[f64; 2]]| points.iter().map(|p| (p[0], p[1])).unzip();
-    let (x, y): (Vec<f64>, Vec<f64>) = split(profile);
-    let end = x.last().copied().unwrap_or(1.0);
-    let mut curves = vec![Curve { label: scene.model.name().into(), mark: Mark::Line, x, y }];
-    curves.extend(theories);
-    if let Some(exact) = compare::similarity_of(scene) {
-        let (x, y) = split(&exact.profile);
-        curves.push(Curve { label: "similarity solution".into(), mark: Mark::Dashed, x, y });
-    }
-    Block::Chart(Chart {
-        title: "Pressure on the face, mean over the window".into(),
-        x_label: "x/(V t)".into(),
-        y_label: "Cp".into(),
-        curves,
-        x_range: Some([0.0, end]),
-        ..Chart::default()
-    })
-}
-
-fn chart(title: &str, x: &str, y: &str, curves: Vec<Curve>) -> Block {
-    let (title, x_label, y_label) = (title.into(), x.into(), y.into());
-    Block::Chart(Chart { title, x_label, y_label, curves, ..Chart::default() })
+    let exact = compare::similarity_of(scene);
+    let exact = exact.map(|exact| Curve::new("similarity solution", Mark::Dashed, exact.profile));
+    let ours = Curve::new(scene.model.name(), Mark::Line, profile.iter().copied());
+    let curves = std::iter::once(ours).chain(theories).chain(exact).collect();
+    let x_range = Some([0.0, profile.last().map_or(1.0, |p| p[0])]);
+    Block::Chart(Chart { x_range, ..Chart::new("Pressure on the face, mean over the window", "x/(V t)", "Cp", curves) })
 }
 
 /// A reference's file name without folder and ending.

@@ -1,8 +1,6 @@
 //! `report.html`: what was run, pictures of the flow, curves with references, audit, cost.
 
 mod charts;
-mod error_bars;
-mod panels;
 mod pictures;
 mod tables;
 mod theories;
@@ -12,37 +10,25 @@ use crate::run::Outcome;
 use crate::run::summary::Status;
 use crate::scene::Scene;
 
-/// The page of a run.
+/// The page of a run; a section without content is left out.
 pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     let summary = &outcome.summary;
-    let mut sections = vec![("Run".to_string(), tables::run_section(scene, summary, warnings))];
-    if !summary.comparison.is_empty() {
-        sections.push(("Against references".into(), vec![tables::comparison_table(&summary.comparison)]));
-    }
-    if !summary.error_bars.is_empty() {
-        sections.push(("Error bars".into(), error_bars::error_bars_section(summary)));
-    }
-    if !scene.model.is_theory() {
-        sections.push(("Flow".into(), pictures::pictures(scene, outcome.pictures.frames())));
-    }
-    sections.push(("Curves".into(), charts::charts(scene, outcome)));
-    if scene.entry().is_some() {
-        sections.push(("Theories".into(), theories::theories_section(scene)));
-    }
-    if !summary.panels.is_empty() {
-        sections.push(("Panels".into(), panels::panels_section(summary)));
-    }
-    if !summary.force_rules.is_empty() {
-        sections.push(("Force by four rules".into(), tables::force_rules_section(summary)));
-    }
-    if !scene.model.is_theory() {
-        sections.push(("Audit".into(), vec![tables::audit_table(summary)]));
-        sections.push(("Cost".into(), vec![tables::cost_bar(summary)]));
-    }
-    sections.push((
-        "Scene as run".into(),
-        vec![Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() }],
-    ));
+    let of_particles = |blocks: &dyn Fn() -> Vec<Block>| if scene.model.is_theory() { Vec::new() } else { blocks() };
+    let toml = Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() };
+    let sections = [
+        ("Run", tables::run_section(scene, summary, warnings)),
+        ("Against references", tables::comparison_section(&summary.comparison)),
+        ("Error bars", tables::error_bars_section(summary)),
+        ("Flow", of_particles(&|| pictures::pictures(scene, outcome.pictures.frames()))),
+        ("Curves", charts::charts(scene, outcome)),
+        ("Theories", scene.entry().map_or(Vec::new(), |_| theories::theories_section(scene))),
+        ("Panels", tables::panels_section(summary)),
+        ("Force by four rules", tables::force_rules_section(summary)),
+        ("Audit", of_particles(&|| vec![tables::audit_table(summary)])),
+        ("Cost", of_particles(&|| vec![tables::cost_bar(summary)])),
+        ("Scene as run", vec![toml]),
+    ];
+    let shown = sections.into_iter().filter(|(_, blocks)| !blocks.is_empty());
     render(&Report {
         title: format!("splashdown: {}", scene.name),
         subtitle: scene.description.clone(),
@@ -51,6 +37,6 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
             Status::Failed => PageStatus::Failed(summary.message.clone().unwrap_or_default()),
             Status::Interrupted => PageStatus::Interrupted,
         },
-        sections,
+        sections: shown.map(|(heading, blocks)| (heading.to_string(), blocks)).collect(),
     })
 }

@@ -1,34 +1,51 @@
-//! The tables of `report.html`: size and cost, gauges, comparisons, force rules, audit.
+//! The tables of `report.html`: size and cost, gauges, comparisons, error bars, force rules, panels, audit.
 
 use sph_core::Phase;
 
 use crate::compare::Comparison;
-use crate::observers::{GaugeResult, RuleResult};
-use crate::report::table::row;
-use crate::report::{Bar, Block, Part, Table};
-use crate::run::summary::{Compressibility, Log, Projection, Summary};
+use crate::report::{Bar, Block, Part, Table, known, row};
+use crate::run::summary::{Compressibility, Summary};
+use crate::run::{Extremes, PanelResult, Rupture};
 use crate::scene::Scene;
 
 pub(super) fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Vec<Block> {
     let mut rows = vec![row(&["model", s.model, ""])];
+    let mut add = |quantity: &str, value: String, unit: &str| rows.push(row(&[quantity, &value, unit]));
     if !scene.model.is_theory() {
-        rows.extend([
-            row(&["fluid particles", &s.particles.fluid.to_string(), ""]),
-            row(&["wall particles", &s.particles.wall.to_string(), ""]),
-            row(&["finest spacing", &format!("{:.4}", 1e3 * scene.resolution.spacing), "mm"]),
-            row(&["steps", &s.steps.to_string(), ""]),
-            row(&["particle updates", &format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s"]),
-        ]);
+        add("fluid particles", s.particles.fluid.to_string(), "");
+        add("wall particles", s.particles.wall.to_string(), "");
+        add("finest spacing", format!("{:.4}", 1e3 * scene.resolution.spacing), "mm");
+        add("steps", s.steps.to_string(), "");
+        add("particle updates", format!("{:.2}", 1e-6 * s.particle_updates_per_s), "million/s");
     }
-    rows.extend([
-        row(&["time reached", &format!("{:.6}", s.time_end_s), "s"]),
-        row(&["wall time", &format!("{:.3}", s.wall_time_s), "s"]),
-        row(&["threads", &s.threads.to_string(), ""]),
-    ]);
-    rows.extend(s.log.iter().flat_map(log_rows));
-    rows.extend(s.compressibility.iter().flat_map(compressibility_rows));
-    rows.extend(s.projection.iter().flat_map(projection_rows));
-    let head = row(&["quantity", "value", "unit"]);
+    add("time reached", format!("{:.6}", s.time_end_s), "s");
+    add("wall time", format!("{:.3}", s.wall_time_s), "s");
+    add("threads", s.threads.to_string(), "");
+    if let Some(log) = &s.log {
+        add("log", format!("{:.1}", 1e-6 * log.bytes as f64), "MB");
+        add("frames of particles in the log", log.frames.to_string(), "");
+        if let Some(budget) = log.budget_megabytes {
+            add("size budget of the log", format!("{budget:.1}"), "MB");
+            add("frames left out to keep it", log.frames_left_out.to_string(), "");
+        }
+    }
+    if let Some(c) = &s.compressibility {
+        add("sound speed", format!("{:.1}", c.sound_speed_m_per_s), "m/s");
+        add("Mach number reached", format!("{:.4}", c.mach_reached), "");
+        if let Some(error) = c.force_error_estimate {
+            add("share of the force lost to compressibility, estimated", format!("{:.2}", 100.0 * error), "%");
+        }
+        if let Some(factor) = c.force_corrected {
+            add("factor on the force that corrects for it", format!("{factor:.4}"), "");
+        }
+    }
+    if let Some(p) = &s.projection {
+        add("pressure solves", p.solves.to_string(), "");
+        add("iterations per step", format!("{:.1}", p.iterations_mean), "");
+        if let Some(pinned) = p.pinned_last {
+            add("particles held at p = 0 in the last step", pinned.to_string(), "");
+        }
+    }
     let mut blocks = Vec::new();
     if !scene.source.is_empty() {
         blocks.push(Block::Text(format!("Source: {}.", scene.source)));
@@ -36,51 +53,10 @@ pub(super) fn run_section(scene: &Scene, s: &Summary, warnings: &[String]) -> Ve
     if !warnings.is_empty() {
         blocks.push(Block::Text(format!("Warnings before the run: {}.", warnings.join("; "))));
     }
-    blocks.push(Block::Table(Table { title: "Size and cost".into(), head, rows }));
+    blocks.push(Block::Table(Table::new("Size and cost", &["quantity", "value", "unit"], rows)));
     blocks.extend(s.compressibility.as_ref().map(|c| Block::Text(compressibility_in_words(c))));
-    blocks.extend(gauge_table(s));
+    blocks.extend(gauge_section(s));
     blocks
-}
-
-fn log_rows(log: &Log) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        row(&["log", &format!("{:.1}", 1e-6 * log.bytes as f64), "MB"]),
-        row(&["frames of particles in the log", &log.frames.to_string(), ""]),
-    ];
-    if let Some(budget) = log.budget_megabytes {
-        rows.push(row(&["size budget of the log", &format!("{budget:.1}"), "MB"]));
-        rows.push(row(&["frames left out to keep it", &log.frames_left_out.to_string(), ""]));
-    }
-    rows
-}
-
-fn compressibility_rows(c: &Compressibility) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        row(&["sound speed", &format!("{:.1}", c.sound_speed_m_per_s), "m/s"]),
-        row(&["Mach number reached", &format!("{:.4}", c.mach_reached), ""]),
-    ];
-    if let Some(error) = c.force_error_estimate {
-        rows.push(row(&[
-            "share of the force lost to compressibility, estimated",
-            &format!("{:.2}", 100.0 * error),
-            "%",
-        ]));
-    }
-    if let Some(factor) = c.force_corrected {
-        rows.push(row(&["factor on the force that corrects for it", &format!("{factor:.4}"), ""]));
-    }
-    rows
-}
-
-fn projection_rows(p: &Projection) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        row(&["pressure solves", &p.solves.to_string(), ""]),
-        row(&["iterations per step", &format!("{:.1}", p.iterations_mean), ""]),
-    ];
-    if let Some(pinned) = p.pinned_last {
-        rows.push(row(&["particles held at p = 0 in the last step", &pinned.to_string(), ""]));
-    }
-    rows
 }
 
 /// Effect of weak compressibility.
@@ -97,94 +73,148 @@ fn compressibility_in_words(c: &Compressibility) -> String {
     }
 }
 
-fn gauge_table(s: &Summary) -> Option<Block> {
-    let known = |value: Option<f64>, digits: usize| value.map_or("–".to_string(), |v| format!("{v:.digits$}"));
-    let line = |(name, g): (&String, &GaugeResult)| {
-        row(&[
-            name,
-            &format!("{:.1}", g.peak_pa),
-            &format!("{:.6}", g.peak_time_s),
-            &known(g.rise_time_s.map(|t| 1e3 * t), 3),
-            &format!("{:.4}", g.impulse_pa_s),
-            &format!("{:.2}", 1e3 * g.length_m),
-            &known(g.bandwidth_hz, 0),
-        ])
-    };
-    let head = ["gauge", "peak [Pa]", "at [s]", "rise 10–90 % [ms]", "impulse [Pa s]", "length [mm]", "bandwidth [Hz]"];
-    (!s.gauges.is_empty()).then(|| {
-        Block::Table(Table { title: "Gauges".into(), head: row(&head), rows: s.gauges.iter().map(line).collect() })
-    })
+fn gauge_section(s: &Summary) -> Vec<Block> {
+    let table = Table::of(
+        "Gauges",
+        &s.gauges,
+        &[
+            ("gauge", |(name, _)| name.to_string()),
+            ("peak [Pa]", |(_, g)| format!("{:.1}", g.peak_pa)),
+            ("at [s]", |(_, g)| format!("{:.6}", g.peak_time_s)),
+            ("rise 10–90 % [ms]", |(_, g)| known(g.rise_time_s.map(|t| 1e3 * t), 3)),
+            ("impulse [Pa s]", |(_, g)| format!("{:.4}", g.impulse_pa_s)),
+            ("length [mm]", |(_, g)| format!("{:.2}", 1e3 * g.length_m)),
+            ("bandwidth [Hz]", |(_, g)| known(g.bandwidth_hz, 0)),
+        ],
+    );
+    table_section("", table)
 }
 
-pub(super) fn comparison_table(comparisons: &[Comparison]) -> Block {
-    let line = |c: &Comparison| {
-        let verdict = match (c.tolerance, c.passes()) {
-            (None, _) => "drawn only",
-            (_, true) => "within",
-            (_, false) => "outside",
-        };
-        let tolerance = c.tolerance.map_or(String::new(), |t| format!("{t:.3}"));
-        row(&[
-            &c.reference,
-            &c.quantity,
-            &format!("{:.5}", c.ours),
-            &format!("{:.5}", c.theirs),
-            &format!("{:.4}", c.error),
-            &tolerance,
-            verdict,
-        ])
+/// Comparisons with references; nothing without any.
+pub(super) fn comparison_section(comparisons: &[Comparison]) -> Vec<Block> {
+    let verdict = |c: &&Comparison| match (c.tolerance, c.passes()) {
+        (None, _) => "drawn only".into(),
+        (_, true) => "within".into(),
+        (_, false) => "outside".into(),
     };
-    Block::Table(Table {
-        title: "Errors against references".into(),
-        head: row(&["reference", "quantity", "ours", "theirs", "error", "tolerance", "verdict"]),
-        rows: comparisons.iter().map(line).collect(),
-    })
+    let table = Table::of(
+        "Errors against references",
+        comparisons,
+        &[
+            ("reference", |c| c.reference.clone()),
+            ("quantity", |c| c.quantity.clone()),
+            ("ours", |c| format!("{:.5}", c.ours)),
+            ("theirs", |c| format!("{:.5}", c.theirs)),
+            ("error", |c| format!("{:.4}", c.error)),
+            ("tolerance", |c| c.tolerance.map_or(String::new(), |t| format!("{t:.3}"))),
+            ("verdict", verdict),
+        ],
+    );
+    table_section("", table)
 }
 
+/// A text and the table that it explains; nothing where the table is empty.
+fn table_section(text: &str, table: Table) -> Vec<Block> {
+    if table.rows.is_empty() { Vec::new() } else { vec![Block::Text(text.into()), Block::Table(table)] }
+}
+
+/// Main numbers with their bands; nothing without any.
+pub(super) fn error_bars_section(summary: &Summary) -> Vec<Block> {
+    let text = "Error bars of main numbers. The band is centred on the extrapolated value if a convergence study was made, else on \
+                the value of the run.";
+    let table = Table::of(
+        "Error bars",
+        &summary.error_bars,
+        &[
+            ("number", |(path, _)| path.to_string()),
+            ("value", |(_, bar)| format!("{:.5e}", bar.value)),
+            ("extrapolated", |(_, bar)| bar.extrapolated.map_or("–".into(), |v| format!("{v:.5e}"))),
+            ("band ±", |(_, bar)| format!("{:.2e}", bar.band)),
+            ("band [%]", |(_, bar)| format!("{:.2}", 100.0 * (bar.band / bar.middle()).abs())),
+            ("order", |(_, bar)| known(bar.order, 2)),
+            ("verdict", |(_, bar)| bar.verdict.clone()),
+            ("method", |(_, bar)| bar.method.clone()),
+        ],
+    );
+    table_section(text, table)
+}
+
+/// The force on the body by four rules; nothing where the scene does not ask.
 pub(super) fn force_rules_section(s: &Summary) -> Vec<Block> {
     let text = "The check: the integral of p dA against the body's force. Reaction: sum of the pair forces, which moves \
                 the body. First row: pressure of the boundary particles. Gauss: pressure as a gauge reads it, at Gauss \
                 points. Gauss, viscous: pressure by moving least squares, with viscous traction. Means over the last \
                 fifth of the run; differences from the reaction.";
-    let line = |r: &RuleResult| {
-        let [fx, fy] = r.force_n_per_m;
-        let percent = |share: f64| format!("{:.2}", 100.0 * share);
-        let cells = [fx, fy, r.force_y_sd_n_per_m, r.moment_n, r.impulse_n_s_per_m[1]].map(|v| format!("{v:.5e}"));
-        let mut line = vec![r.rule.to_string()];
-        line.extend(cells);
-        line.extend([percent(r.force_difference), percent(r.impulse_difference)]);
-        line
-    };
-    let head = [
-        "rule",
-        "Fx [N/m]",
-        "Fy [N/m]",
-        "sd of Fy [N/m]",
-        "moment [N]",
-        "impulse y [N s/m]",
-        "force [%]",
-        "impulse [%]",
-    ];
-    let table =
-        Table { title: "Force by four rules".into(), head: row(&head), rows: s.force_rules.iter().map(line).collect() };
-    vec![Block::Text(text.into()), Block::Table(table)]
+    let table = Table::of(
+        "Force by four rules",
+        &s.force_rules,
+        &[
+            ("rule", |r| r.rule.to_string()),
+            ("Fx [N/m]", |r| format!("{:.5e}", r.force_n_per_m[0])),
+            ("Fy [N/m]", |r| format!("{:.5e}", r.force_n_per_m[1])),
+            ("sd of Fy [N/m]", |r| format!("{:.5e}", r.force_y_sd_n_per_m)),
+            ("moment [N]", |r| format!("{:.5e}", r.moment_n)),
+            ("impulse y [N s/m]", |r| format!("{:.5e}", r.impulse_n_s_per_m[1])),
+            ("force [%]", |r| format!("{:.2}", 100.0 * r.force_difference)),
+            ("impulse [%]", |r| format!("{:.2}", 100.0 * r.impulse_difference)),
+        ],
+    );
+    table_section(text, table)
 }
 
 pub(super) fn audit_table(s: &Summary) -> Block {
-    let rows = vec![
-        row(&["momentum: largest gap per step, relative", &format!("{:.2e}", s.audit.momentum)]),
-        row(&["energy: drift over the largest exchanged (negative: dissipated)", &format!("{:.4}", s.audit.energy)]),
-        row(&["work of the water that did not reach the body, relative", &format!("{:.2e}", s.audit.work)]),
-        row(&[
-            "work on an elastic body that its energies do not contain, relative",
-            &format!("{:.2e}", s.audit.structure),
-        ]),
-        row(&["volume: relative change", &format!("{:.2e}", s.audit.volume)]),
-        row(&["particles beyond a wall", &s.audit.penetrated.to_string()]),
+    let audit = &s.audit;
+    let mut rows: Vec<Vec<String>> = [
+        ("momentum: largest gap per step, relative", format!("{:.2e}", audit.momentum)),
+        ("energy: drift over the largest exchanged (negative: dissipated)", format!("{:.4}", audit.energy)),
+        ("work of the water that did not reach the body, relative", format!("{:.2e}", audit.work)),
+        ("work on an elastic body that its energies do not contain, relative", format!("{:.2e}", audit.structure)),
+        ("volume: relative change", format!("{:.2e}", audit.volume)),
+        ("particles beyond a wall", audit.penetrated.to_string()),
+    ]
+    .map(|(quantity, value)| row(&[quantity, &value]))
+    .to_vec();
+    rows.extend(audit.worst_penetration.iter().map(|worst| row(&["penetration", &worst.to_string()])));
+    Block::Table(Table::new("Conservation", &["quantity", "value"], rows))
+}
+
+/// Extremes of each panel over every step, and its ruptures.
+pub(super) fn panels_section(summary: &Summary) -> Vec<Block> {
+    let blocks = |(name, panel): (&String, &PanelResult)| {
+        std::iter::once(panel_table(name, panel)).chain(ruptures(name, panel)).collect::<Vec<_>>()
+    };
+    summary.panels.iter().flat_map(blocks).collect()
+}
+
+fn panel_table(name: &str, panel: &PanelResult) -> Block {
+    let extremes = |what: &str, e: &Extremes| {
+        let numbers = [e.least, e.least_at_s, e.most, e.most_at_s].map(|v| format!("{v:.5e}"));
+        [vec![what.to_string()], numbers.to_vec()].concat()
+    };
+    let mut rows = vec![
+        extremes("normal force N [N/m]", &panel.normal_n_per_m),
+        extremes("shear force Q [N/m]", &panel.shear_n_per_m),
+        extremes("bending moment M [N]", &panel.moment_n),
+        extremes("stress of outer fibres [Pa]", &panel.stress_pa),
+        extremes("their strain [-]", &panel.strain),
     ];
-    let worst = s.audit.worst_penetration.iter().map(|worst| row(&["penetration", &worst.to_string()]));
-    let rows = rows.into_iter().chain(worst).collect();
-    Block::Table(Table { title: "Conservation".into(), head: row(&["quantity", "value"]), rows })
+    let single = |what: &str, value: f64| row(&[what, "", "", &format!("{value:.4e}"), ""]);
+    rows.extend(panel.reserve_factor.map(|factor| single("reserve factor: allowable over largest stress [-]", factor)));
+    if panel.plastic_curvature_per_m > 0.0 {
+        rows.push(single("plastic curvature left, largest [1/m]", panel.plastic_curvature_per_m));
+    }
+    let head = ["quantity", "least", "at [s]", "most", "at [s]"];
+    Block::Table(Table::new(format!("{name}: extremes over every step"), &head, rows))
+}
+
+/// The ruptures in a sentence.
+fn ruptures(name: &str, panel: &PanelResult) -> Option<Block> {
+    let one = |r: &Rupture| {
+        let (x, y, time, strain) = (r.x_m, r.y_m, r.time_s, r.strain);
+        format!("{name} broke off at ({x:.4}, {y:.4}) m, t = {time:.6} s, at a strain of {strain:.4}")
+    };
+    let all: Vec<String> = panel.ruptures.iter().map(one).collect();
+    (!all.is_empty()).then(|| Block::Text(format!("{}.", all.join("; "))))
 }
 
 /// Wall time by part, in the order of a step.

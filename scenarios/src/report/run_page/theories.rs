@@ -1,75 +1,77 @@
-//! The ladder in a report: what every theory says of the same scene, over one another.
+//! The theories of a scene in its report: their curves, their range, cost and error.
 
 use fsi_coupling::entry_theory::EntryModel;
 
-use crate::model_hierarchy::{Assessment, Theory, Want, assess};
+use crate::model_hierarchy::{Assessment, QuantityOfInterest, Theory, assess};
 use crate::observers::columns;
-use crate::report::table::row;
 use crate::report::{Block, Curve, Mark, Table};
 use crate::scene::Scene;
 
 /// Points of a pressure profile.
 const PROFILE: usize = 400;
 
-/// What the theories say that hold for a scene, each as far as it holds.
+/// A theory that holds for a scene, as far as it holds.
+struct Followed {
+    model: EntryModel,
+    theory: Theory,
+    rows: Vec<Vec<f64>>,
+}
+
+/// The theories that hold for a scene.
 pub(super) struct Theories {
-    told: Vec<(EntryModel, Theory, Vec<Vec<f64>>)>,
+    followed: Vec<Followed>,
     columns: Vec<String>,
 }
 
 impl Theories {
     /// All but the one that was run.
     pub fn beside(scene: &Scene) -> Theories {
-        let others = EntryModel::ALL.into_iter().filter(|rung| rung.is_theory() && *rung != scene.model);
-        let told = others.filter_map(|rung| {
-            let (theory, _) = Theory::while_in_range(scene, rung).ok()?;
+        let others = EntryModel::ALL.into_iter().filter(|model| model.is_theory() && *model != scene.model);
+        let follow = |model| {
+            let (theory, _) = Theory::while_in_range(scene, model).ok()?;
             let rows = theory.rows(scene);
-            (rows.len() > 1).then_some((rung, theory, rows))
-        });
-        let columns = columns(scene);
-        Theories { told: told.collect(), columns }
+            (rows.len() > 1).then_some(Followed { model, theory, rows })
+        };
+        Theories { followed: others.filter_map(follow).collect(), columns: columns(scene) }
     }
 
-    /// What they say of a column of the series, times `scale`.
+    /// Their values of a column of the series, times `scale`.
     pub fn curves(&self, column: &str, scale: f64) -> Vec<Curve> {
         let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
-        let told =
-            self.told.iter().filter(|(_, _, rows)| rows.iter().all(|row| row.get(k).is_some_and(|v| v.is_finite())));
-        let curve = |(rung, _, rows): &(EntryModel, Theory, Vec<Vec<f64>>)| Curve {
-            label: rung.name().into(),
-            mark: Mark::Dashed,
-            x: rows.iter().map(|row| row[0]).collect(),
-            y: rows.iter().map(|row| scale * row[k]).collect(),
-        };
-        told.map(curve).collect()
+        let known = |f: &&Followed| f.rows.iter().all(|row| row.get(k).is_some_and(|v| v.is_finite()));
+        let points = |f: &Followed| f.rows.iter().map(|row| [row[0], scale * row[k]]).collect::<Vec<_>>();
+        self.followed.iter().filter(known).map(|f| Curve::new(f.model.name(), Mark::Dashed, points(f))).collect()
     }
 
     /// Their pressure coefficients along the face, at their last moments.
     pub fn profiles(&self) -> Vec<Curve> {
-        let curve = |(rung, theory, _): &(EntryModel, Theory, Vec<Vec<f64>>)| {
-            theory.peak_pressure(theory.instants.len() - 1)?; // infinite, or none: not to be drawn
-            let (x, y) = theory.profile(theory.instants.len() - 1, PROFILE).into_iter().map(|p| (p[0], p[1])).unzip();
-            Some(Curve { label: rung.name().into(), mark: Mark::Dashed, x, y })
+        let curve = |Followed { model, theory, .. }: &Followed| {
+            let last = theory.instants.len() - 1;
+            theory.peak_pressure(last)?; // infinite, or none: not to be drawn
+            Some(Curve::new(model.name(), Mark::Dashed, theory.profile(last, PROFILE)))
         };
-        self.told.iter().filter_map(curve).collect()
+        self.followed.iter().filter_map(curve).collect()
     }
 }
 
-/// The ladder as a table: can it do the scene, what does it cost, how far off was it for `want`.
+/// Range, cost and measured error of every theory.
 pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
-    let want = Want::PeakForce;
-    let line = |a: Assessment| {
-        let cost = a.core_seconds.map_or(String::new(), |s| format!("{:.1}", 1e3 * s));
-        let error = a.measured.as_ref().map_or(String::new(), |m| format!("{:.2}", 100.0 * m.error));
-        let said = a.obstacle.or(a.measured.map(|m| m.case)).unwrap_or("measured nowhere near this scene".into());
-        row(&[a.rung.name(), &cost, &error, &said])
+    let obstacle_or_case = |a: &Assessment| {
+        let case = || a.measured.as_ref().map(|m| m.case.clone());
+        a.obstacle.clone().or_else(case).unwrap_or("measured nowhere near this scene".into())
     };
-    let head = row(&["theory", "cost [ms]", "error of the largest force [%]", "measured where, or why not"]);
-    let table = Table {
-        title: "Theories of this entry".into(),
-        head,
-        rows: assess(scene, want).into_iter().map(line).collect(),
-    };
+    let table = Table::of(
+        "Theories of this entry",
+        assess(scene, QuantityOfInterest::PeakForce),
+        &[
+            ("theory", |a| a.model.name().to_string()),
+            ("cost [ms]", |a| a.core_seconds.map_or(String::new(), |s| format!("{:.1}", 1e3 * s))),
+            ("error of the largest force [%]", |a| {
+                a.measured.as_ref().map_or(String::new(), |m| format!("{:.2}", 100.0 * m.error))
+            }),
+            ("measured where, or why not", obstacle_or_case),
+        ],
+    );
     let why = scene.choice.iter().map(|why| Block::Text(format!("Model chosen: {why}.")));
     why.chain([Block::Table(table)]).collect()
 }

@@ -12,7 +12,7 @@ use crate::scene::legacy;
 #[schemars(extend(
     "x-solver-default" = "weakly_compressible",
     "x-solver-doc" = "What gives the pressure: weakly_compressible: an equation of state; incompressible: a projection; \
-               incompressible_explicit: the projection with one pressure sweep per step, as weakly compressible as its step is \
+               incompressible_explicit: the projection with one explicit pressure per step, as weakly compressible as its step is \
                long (THEORY PR16); incompressible_thesis: Pilorget 2010"
 ))]
 pub enum SolverSettings {
@@ -31,7 +31,7 @@ pub enum SolverSettings {
         #[serde(default)]
         projection: projection::Settings,
     },
-    /// Pressures from one sweep of the projection's equation per step.
+    /// Pressures explicitly from the projection's equation, once per step.
     IncompressibleExplicit {
         /// The water and the scheme.
         #[schemars(extend("x-default" = "every key's"))]

@@ -58,7 +58,7 @@ pub struct Scene {
     /// Quantity for which model = "auto" is chosen.
     #[serde(default, skip_serializing)]
     #[schemars(extend("x-when" = "model = auto"))]
-    pub want: Want,
+    pub want: QuantityOfInterest,
     /// Largest measured error of model = "auto" [-].
     #[serde(default = "usual::within", skip_serializing)]
     #[schemars(range(min = 0.0, max = 1.0), extend("x-when" = "model = auto"))]
@@ -107,7 +107,7 @@ pub struct Scene {
 /// Quantity of interest of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Want {
+pub enum QuantityOfInterest {
     /// The largest force.
     #[default]
     PeakForce,
