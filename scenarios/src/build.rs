@@ -7,16 +7,16 @@ use fsi_coupling::{
     RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
 use sph_core::neighbours::images::Mirror;
-use sph_core::{Domain, Fluid, SchemeSettings, legacy, projection};
+use sph_core::{Domain, Fluid};
 use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, SolverSettings, Symmetry};
+use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let (domain, settings, layout) = (domain(scene), settings(scene), layout(scene));
+    let (domain, settings, layout) = (domain(scene), scene.solver.scheme(scene.tank.depth), layout(scene));
     let (pattern, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
     let rows = WallRows::of(pattern, scene.resolution.spacing);
     let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
@@ -104,26 +104,6 @@ fn domain(scene: &Scene) -> Domain {
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
         fastest_speed: scene.projection_speed(),
         ..Domain::default()
-    }
-}
-
-/// Settings of the scene's scheme.
-fn settings(scene: &Scene) -> Box<dyn SchemeSettings> {
-    use projection::Method::{OneIteration, Solve};
-    match &scene.solver {
-        SolverSettings::WeaklyCompressible { fluid } => {
-            let options = legacy::Options { water_depth: scene.tank.depth, ..fluid.options };
-            Box::new(legacy::Settings { scheme: fluid.scheme, options })
-        }
-        SolverSettings::Incompressible { fluid, projection } => {
-            Box::new(projection::Settings { flow: fluid.scheme, method: Solve, ..*projection })
-        }
-        SolverSettings::IncompressibleExplicit { fluid, projection } => {
-            Box::new(projection::Settings { flow: fluid.scheme, method: OneIteration, ..*projection })
-        }
-        SolverSettings::IncompressibleThesis { fluid, thesis } => {
-            Box::new(legacy::pilorget2010::ThesisSettings { flow: fluid.scheme, ..*thesis })
-        }
     }
 }
 

@@ -29,7 +29,6 @@ pub mod error_bar;
 pub mod experiments;
 pub mod follow;
 mod initial_fluid;
-mod least_squares;
 pub mod log;
 pub mod model_hierarchy;
 pub mod numbers;

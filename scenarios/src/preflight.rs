@@ -94,18 +94,7 @@ pub struct PanelExchange {
     pub element_spacings: f64,
     /// Its estimate; absent where water is incompressible.
     #[serde(flatten)]
-    pub exchange: Option<ExchangeEstimate>,
-}
-
-/// Explicit coupling of a panel with weakly compressible water (THEORY CO12).
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct ExchangeEstimate {
-    /// Mass of the water that it accelerates within a step, over its own [-].
-    pub added_mass: f64,
-    /// Resistance of a sound wave over its inertia in half a step [-].
-    pub acoustic: f64,
-    /// Growth of an error per step [-]; explicit coupling is unstable from 1.
-    pub spectral_radius: f64,
+    pub exchange: Option<fsi_coupling::PanelExchange>,
 }
 
 /// Estimated cost of a scene's particles [core-seconds].
@@ -173,11 +162,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
                 length_m: length(panel),
                 elements: panel.elements,
                 element_spacings: length(panel) / panel.elements as f64 / scene.resolution.spacing,
-                exchange: sound.map(|_| ExchangeEstimate {
-                    added_mass: exchange.added_mass,
-                    acoustic: exchange.acoustic,
-                    spectral_radius: exchange.spectral_radius,
-                }),
+                exchange: sound.map(|_| exchange),
             })
             .collect(),
         model: scene.model.name(),
@@ -249,7 +234,9 @@ impl Preflight {
     fn exchange_with(&self, panel: &PanelExchange) -> String {
         let PanelExchange { name, exchange, length_m, elements, element_spacings } = panel;
         let size = format!("{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings");
-        let Some(ExchangeEstimate { added_mass, acoustic, spectral_radius }) = *exchange else { return size };
+        let Some(fsi_coupling::PanelExchange { added_mass, acoustic, spectral_radius }) = *exchange else {
+            return size;
+        };
         format!(
             "{size}\n{:<12} {}: added mass of its rows over its own {added_mass:.3}, sound {acoustic:.3}; one exchange would \
              multiply an error by {spectral_radius:.2}; {}",

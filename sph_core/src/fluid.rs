@@ -8,9 +8,9 @@ use crate::memory::of_vector;
 use crate::neighbours::Neighbours;
 use crate::parallel;
 use crate::particles::refinement::RefinementZone;
-use crate::particles::totals::{FluidEnergy, Totals, halves, momentum_and_its_scale, top_speed, totals};
+use crate::particles::totals::{FluidEnergy, Totals};
 use crate::particles::{Fields, Particles, Seed};
-use crate::scheme::{Scheme, SchemeSettings};
+use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::system::{ParticleSystem, SavedSystem};
 use crate::timers::{Phase, Timers};
 use crate::walls::contact;
@@ -56,11 +56,7 @@ impl Fluid {
                 periodic.shortest()
             );
         }
-        let mut particles = Particles::with_capacity(seeds.len());
-        for seed in seeds {
-            let (rho, energy) = settings.state(&domain, seed);
-            particles.push(seed, rho, energy, ratio);
-        }
+        let particles = Particles::of(seeds, |seed| settings.state(&domain, seed), ratio);
         let mut fields = Fields::default();
         fields.resize(particles.len());
         if settings.keeps_volumes() {
@@ -69,7 +65,7 @@ impl Fluid {
         }
         let scheme = settings.scheme(&domain);
         let wall_layout = settings.wall_layout(&domain);
-        let system = ParticleSystem::new(domain, particles, fields);
+        let system = ParticleSystem { domain, particles, fields, ..ParticleSystem::default() };
         Fluid { system, scheme, saved: Vec::new(), wall_layout, updates: 0 }
     }
 
@@ -83,7 +79,7 @@ impl Fluid {
     pub fn initialise_with(&mut self, walls: &mut Walls, interfaces: &mut [WallInterface]) -> Result<(), Breakdown> {
         let unbounded = self.system.domain.periodic.is_none();
         assert!(unbounded || walls.midlines.is_empty(), "a period and thin plates exclude each other");
-        self.scheme.initialise(&mut self.system, walls, interfaces)?;
+        self.scheme.initialise(&mut Flow { system: &mut self.system, walls, interfaces })?;
         self.scheme.check(&self.system)
     }
 
@@ -99,7 +95,7 @@ impl Fluid {
         let Fluid { system, scheme, .. } = self;
         let outer = system.timers.begin(Phase::Integration);
         note_start_positions(&mut system.start_positions, &system.particles, &walls.midlines);
-        parallel::within_pool(|| scheme.step(system, walls, interfaces, dt))?;
+        parallel::within_pool(|| scheme.step(&mut Flow { system, walls, interfaces }, dt))?;
         system.fold(|id| scheme.reflected(id));
         system.time += dt;
         system.steps += 1;
@@ -235,9 +231,35 @@ impl Fluid {
         self.saved.pop();
     }
 
-    /// Mass, momentum, energy and volume, in one pass.
+    /// Copies of the simulated water: 2 with a mirror plane.
+    fn halves(&self) -> f64 {
+        if self.domain().mirror.is_some() { 2.0 } else { 1.0 }
+    }
+
+    fn of_both_halves(&self, momentum: [f64; 2]) -> [f64; 2] {
+        if self.domain().mirror.is_some() { [0.0, 2.0 * momentum[1]] } else { momentum }
+    }
+
+    /// Mass, momentum, energy and volume, in one pass. Sums are taken by chunks, in order, so that their bits do not depend on the
+    /// number of threads.
     pub fn totals(&self) -> Totals {
-        totals(self.particles(), self.domain(), |k| self.scheme.internal_energy(&self.system, k))
+        let (p, halves, g) = (self.particles(), self.halves(), self.domain().gravity);
+        let of = |k: usize| {
+            let (m, u, v) = (p.mass[k], p.u[k], p.v[k]);
+            let internal = self.scheme.internal_energy(&self.system, k);
+            [m, m * u, m * v, 0.5 * m * (u * u + v * v), m * p.x[k], m * p.y[k], m * internal, m / p.rho[k]]
+        };
+        let ([mass, mu, mv, kinetic, mx, my, elastic, volume], top_speed) =
+            parallel::within_pool(|| (parallel::sum(p.len(), of), self.top_speed()));
+        let potential = -(g[0] * mx + g[1] * my);
+        Totals {
+            mass: halves * mass,
+            momentum: self.of_both_halves([mu, mv]),
+            energy: FluidEnergy { kinetic: halves * kinetic, potential: halves * potential, elastic: halves * elastic },
+            volume: halves * volume,
+            height: my / mass,
+            top_speed,
+        }
     }
 
     /// Energies [J/m]; with a mirror plane, of both halves.
@@ -247,7 +269,12 @@ impl Fluid {
 
     /// Σ m v and Σ m |v| [N s/m]; with a mirror plane, the first of both halves, the second of one.
     pub fn momentum_and_its_scale(&self) -> ([f64; 2], f64) {
-        momentum_and_its_scale(self.particles(), self.domain())
+        let p = self.particles();
+        let [mu, mv, held] = parallel::sum(p.len(), |k| {
+            let (m, u, v) = (p.mass[k], p.u[k], p.v[k]);
+            [m * u, m * v, m * (u * u + v * v).sqrt()]
+        });
+        (self.of_both_halves([mu, mv]), held)
     }
 
     /// Σ m v [N s/m]; with a mirror plane, of both halves.
@@ -257,18 +284,19 @@ impl Fluid {
 
     /// Σ m [kg/m]; with a mirror plane, of both halves.
     pub fn mass(&self) -> f64 {
-        halves(self.domain()) * self.particles().mass.iter().sum::<f64>()
+        self.halves() * self.particles().mass.iter().sum::<f64>()
     }
 
     /// Σ m/ρ [m²]; with a mirror plane, of both halves.
     pub fn volume(&self) -> f64 {
         let p = self.particles();
-        halves(self.domain()) * p.mass.iter().zip(&p.rho).map(|(m, rho)| m / rho).sum::<f64>()
+        self.halves() * p.mass.iter().zip(&p.rho).map(|(m, rho)| m / rho).sum::<f64>()
     }
 
     /// Speed of the fastest particle [m/s].
     pub fn top_speed(&self) -> f64 {
-        top_speed(self.particles())
+        let p = self.particles();
+        (-parallel::least(p.len(), |k| -(p.u[k] * p.u[k] + p.v[k] * p.v[k]))).sqrt()
     }
 
     /// WA11: the fluid particles that crossed the midline of a thin plate in the step just taken, in the order of the particles.

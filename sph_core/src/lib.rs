@@ -66,36 +66,22 @@ pub mod parallel;
 pub mod particles;
 pub mod projection;
 pub mod scheme;
-pub mod solver;
 pub mod system;
 pub mod timers;
 pub mod walls;
 pub mod wcsph;
 
 pub use auto::Auto;
-pub use domain::{Domain, FluidSettings, Slip};
+pub use domain::{Domain, FluidSettings, Slip, Solver};
 pub use error::Breakdown;
 pub use fluid::Fluid;
 pub use interactions::dissipation::Dissipation;
 pub use interactions::kernel::Kernel;
 #[cfg(feature = "legacy")]
-pub use legacy::density_filter::DensityFilter;
-#[cfg(feature = "legacy")]
-pub use legacy::ideal_gas::IdealGas;
-#[cfg(feature = "legacy")]
-pub use legacy::integrator::Integrator;
-#[cfg(feature = "legacy")]
-pub use legacy::pilorget2010::ThesisSettings;
-#[cfg(feature = "legacy")]
-pub use legacy::summation::DensityEvolution;
-#[cfg(feature = "legacy")]
-pub use legacy::turbulence::Turbulence;
-#[cfg(feature = "legacy")]
-pub use legacy::wall_model::WallModel;
+pub use legacy::{DensityEvolution, DensityFilter, IdealGas, Integrator, ThesisSettings, Turbulence, WallModel};
 pub use particles::refinement::RefinementZone;
 pub use particles::{Particles, Seed};
 pub use scheme::{Scheme, SchemeSettings};
-pub use solver::Solver;
 pub use system::ParticleSystem;
 pub use timers::{Phase, Timers};
 pub use walls::interface::{InterfaceDynamics, WallInterface};

@@ -9,28 +9,26 @@ use crate::system::ParticleSystem;
 use crate::walls::interface::WallInterface;
 use crate::walls::{WallLayout, Walls};
 
+/// The particles and the walls around them.
+pub struct Flow<'a> {
+    /// The particles with their neighbours.
+    pub system: &'a mut ParticleSystem,
+    /// All boundary particles.
+    pub walls: &'a mut Walls,
+    /// The owners of walls whose accelerations are found with the pressures (THEORY CO5); those of all others are given.
+    pub interfaces: &'a mut [WallInterface],
+}
+
 /// A scheme that advances a [`ParticleSystem`]. It owns all state that the system does not hold.
 ///
 /// A new scheme is a folder of its own: a settings struct that implements [`SchemeSettings`], and a type that implements this.
 pub trait Scheme: Any + Send + Sync {
     /// Find the accelerations and the forces on the walls at the start. Before: the walls stand where they start.
-    fn initialise(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-    ) -> Result<(), Breakdown>;
+    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown>;
 
     /// Advance by `dt` [s]. Before: the walls' kinematics are those of the step's end. After: the walls carry the force at the
-    /// step's end and the mean force of the step. `interfaces` are the owners of walls whose accelerations are found with
-    /// the pressures (THEORY CO5); the accelerations of all others are given.
-    fn step(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        dt: f64,
-    ) -> Result<(), Breakdown>;
+    /// step's end and the mean force of the step.
+    fn step(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown>;
 
     /// The largest stable step [s].
     fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown>;

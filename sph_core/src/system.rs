@@ -16,6 +16,7 @@ use crate::walls::Walls;
 use crate::walls::midline::PlateMidline;
 
 /// Particles, their neighbours, and the arrays that the sums over pairs read.
+#[derive(Default)]
 pub struct ParticleSystem {
     /// Fluid properties, gravity, kernel, bounding planes.
     pub(crate) domain: Domain,
@@ -55,23 +56,6 @@ pub(crate) struct SavedSystem {
 }
 
 impl ParticleSystem {
-    pub(crate) fn new(domain: Domain, particles: Particles, fields: Fields) -> ParticleSystem {
-        ParticleSystem {
-            domain,
-            particles,
-            fields,
-            neighbours: Arc::default(),
-            packed: Packed::default(),
-            wall_state: Vec::new(),
-            time: 0.0,
-            steps: 0,
-            refinement_zone: None,
-            displaced: false,
-            start_positions: Vec::new(),
-            timers: Timers::default(),
-        }
-    }
-
     /// PairConstants of the pairs without dissipation: those of the domain.
     pub(crate) fn constants(&self) -> PairConstants {
         let fluid = &self.domain.fluid;

@@ -1,6 +1,6 @@
 //! What can be wrong with a model, a support set or a load.
 
-use crate::dof::Dof;
+use crate::field::Dof;
 use thiserror::Error;
 
 /// Why a model cannot be built, factorised or solved. Every variant carries the numbers of its message, which names them;
@@ -38,18 +38,10 @@ pub enum Error {
         "element {element} between nodes {} and {} has no length: {length} m in a model of extent {extent} m",
         nodes[0], nodes[1]
     )]
-    ZeroLengthElement {
-        element: usize,
-        nodes: [usize; 2],
-        /// Its length \[m\].
-        length: f64,
-        /// Diagonal of the bounding box of the whole model \[m\].
-        extent: f64,
-    },
+    ZeroLengthElement { element: usize, nodes: [usize; 2], length: f64, extent: f64 },
     /// A property of an element, a support or a load is outside its range.
     #[error("{quantity} of {item} {index} is {value}; it must be {expected}")]
     BadProperty {
-        /// Name of the quantity, with its unit.
         quantity: &'static str,
         /// What has it: "element", "spring", "node", ...
         item: &'static str,
@@ -59,12 +51,7 @@ pub enum Error {
     },
     /// A property of the whole model or of an analysis is outside its range.
     #[error("{quantity} is {value}; it must lie in {expected}")]
-    OutOfRange {
-        /// Name of the quantity, with its unit.
-        quantity: &'static str,
-        value: f64,
-        expected: &'static str,
-    },
+    OutOfRange { quantity: &'static str, value: f64, expected: &'static str },
     /// A field over the nodes, or a block of added mass, has another number of entries than its nodes require.
     #[error("{quantity} has {given} entries; it must have {expected}")]
     WrongLength { quantity: &'static str, given: usize, expected: usize },
@@ -79,24 +66,13 @@ pub enum Error {
     },
     /// The two nodes of a hinge or a weld are not at the same place.
     #[error("hinge {hinge} joins nodes {} and {}, which are {gap} m apart; they must be at the same place", nodes[0], nodes[1])]
-    HingeGap {
-        hinge: usize,
-        nodes: [usize; 2],
-        /// Their distance \[m\].
-        gap: f64,
-    },
+    HingeGap { hinge: usize, nodes: [usize; 2], gap: f64 },
     /// A motion is prescribed where there is no support.
     #[error("a motion is prescribed for {dof} of node {node}, which is not fixed; fix it first")]
     NotSupported { node: usize, dof: Dof },
     /// A rigid body without mass, or moment of inertia, that is free to move.
     #[error("the rigid body at node {node} has {quantity} = {value}, but {dof} is free; give it some, or fix it")]
-    MasslessBody {
-        node: usize,
-        dof: Dof,
-        /// The missing quantity, with its unit.
-        quantity: &'static str,
-        value: f64,
-    },
+    MasslessBody { node: usize, dof: Dof, quantity: &'static str, value: f64 },
     /// The model has a feature that the analysis does not support.
     #[error("{analysis} does not support {feature} ({item} {index}); use {instead}")]
     Unsupported {
@@ -105,7 +81,6 @@ pub enum Error {
         feature: &'static str,
         /// What has the feature: "element" or "node".
         item: &'static str,
-        /// The first such element or node.
         index: usize,
         instead: &'static str,
     },
@@ -116,7 +91,6 @@ pub enum Error {
         motion[0], motion[1], motion[2]
     )]
     UnderSupported {
-        /// First node of the part that is free to move.
         node: usize,
         /// The free rigid motion at that node, `[u, w, theta]` \[m, m, rad\], of arbitrary size.
         motion: [f64; 3],
@@ -126,29 +100,17 @@ pub enum Error {
         "ill-conditioned: the stiffness matrix lost positive definiteness at pivot {pivot} of {unknowns}; \
          use fewer elements along a beam, or stiffnesses closer to each other"
     )]
-    NotPositiveDefinite {
-        /// The pivot that was not positive, in the order of elimination.
-        pivot: usize,
-        unknowns: usize,
-    },
+    NotPositiveDefinite { pivot: usize, unknowns: usize },
     /// Iterative refinement did not converge: the condition number exceeds the digits of the factorisation.
     #[error(
         "ill-conditioned: with {unknowns} unknowns the solution still changes by {change:.1e} in the \
          energy norm after {refinements} refinements; use fewer elements along a beam, or stiffnesses \
          closer to each other"
     )]
-    IllConditioned {
-        unknowns: usize,
-        refinements: usize,
-        /// Last change of the solution relative to itself \[-\].
-        change: f64,
-    },
-    /// A new stiffness was given for a model of another connectivity.
+    IllConditioned { unknowns: usize, refinements: usize, change: f64 },
+    /// A new stiffness was given for a model of another connectivity; `element` is the first that differs, or the smaller number.
     #[error("element {element} connects other nodes than when the stiffness was analysed")]
-    OtherConnectivity {
-        /// First element that differs, or the smaller number of elements if one model has more.
-        element: usize,
-    },
+    OtherConnectivity { element: usize },
     /// The end of an element has rotated against its chord beyond the range of the shape functions.
     #[error(
         "element {element} is bent by {rotation:.2} rad against its chord, more than {limit} rad: use more elements, \
@@ -158,7 +120,6 @@ pub enum Error {
         element: usize,
         /// The larger of its ends' rotations against the chord \[rad\].
         rotation: f64,
-        /// The limit \[rad\].
         limit: f64,
     },
     /// The tangent stiffness has no inverse: a mechanism, or exactly a limit or bifurcation point.
@@ -173,12 +134,10 @@ pub enum Error {
          {residual:.3e} N at {dof} of node {node}; use more load steps, or the arc length where a load has a peak"
     )]
     NotConverged {
-        /// The load step, from 1.
         step: usize,
         iteration: usize,
         /// Largest residual, moments over the model's extent \[N\].
         residual: f64,
-        /// The load as a fraction of the whole \[-\].
         load_factor: f64,
         node: usize,
         dof: Dof,
@@ -189,9 +148,7 @@ pub enum Error {
          at {dof} of node {node}; use a smaller step"
     )]
     StepNotConverged {
-        /// Time at the start of the step \[s\].
         time: f64,
-        /// The step \[s\].
         dt: f64,
         iteration: usize,
         /// Largest residual, moments over the model's extent \[N\].

@@ -79,7 +79,6 @@
 //! ```
 
 mod assembly;
-mod dof;
 pub mod dynamics;
 mod element;
 mod error;
@@ -90,11 +89,11 @@ pub mod model;
 pub mod modes;
 pub mod statics;
 
-pub use dof::Dof;
 pub use dynamics::SupportMotion;
 pub use dynamics::{Dynamics, EffectiveInertia, EndEnvelope, Envelope, Integration, Range, State, StepReport};
 pub use element::{Damping, SectionForces, Theory};
 pub use error::Error;
+pub use field::Dof;
 pub use material::{Material, Plasticity, Section};
 pub use model::{Beam, Break, Element, Loads, Rupture, Supports};
 pub use modes::{AddedMass, Mode, natural_modes, wet_modes};

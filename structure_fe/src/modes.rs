@@ -20,8 +20,8 @@
 //! ```
 
 use crate::assembly::{Equations, SymmetricMatrix};
-use crate::dof::Dof;
 use crate::error::{Error, existing_node, finite};
+use crate::field::Dof;
 use crate::model::{Beam, Supports};
 use faer::{Mat, Scale, Side};
 

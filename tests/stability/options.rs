@@ -1,6 +1,6 @@
 //! Every option runs a dam break to its end, or fails as it is known to.
 
-use evidence::systems::scene;
+use evidence::systems::{advance, scene, system};
 use scenarios::run::summary::{Status, Summary};
 use scenarios::run::{self, RunOptions};
 use scenarios::scene;
@@ -120,4 +120,22 @@ fn a_fixed_step_above_the_acoustic_limit_breaks_down() {
     let summary = run::run(&scene, &RunOptions::default()).expect("a scene that can be built").summary;
     assert_eq!(summary.status, Status::Failed, "1.5 h/c0 ran");
     completes(&[&format!("time.step={}", 0.5 * limit)]);
+}
+
+/// Lowest pressure [Pa] in 5 ms of a cylinder that is pulled upwards through water at 10 m/s.
+fn lowest_pressure(sets: &[&str]) -> f64 {
+    let pulled = ["body.motion=constant_velocity", "body.velocity=[0.0, 10.0]", "coupling.scheme=weak"];
+    let mut system = system("rising_body", &[&pulled, sets].concat());
+    let mut lowest = 0.0_f64;
+    advance(&mut system, 0.005, |s| lowest = s.fluid.fields().pressure.iter().fold(lowest, |least, &p| least.min(p)))
+        .expect("a stable run");
+    lowest
+}
+
+/// Failure: water behind a body that leaves it fast holds tensions that no water holds. Remedy: a cavitation pressure.
+#[test]
+fn water_behind_a_fast_body_holds_tension_down_to_the_cavitation_pressure() {
+    let (without, with) = (lowest_pressure(&[]), lowest_pressure(&["fluid.cavitation_pressure=-99000"]));
+    assert!(without < -200e3, "{without} Pa");
+    assert_eq!(with, -99e3);
 }

@@ -26,7 +26,7 @@ fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
         area: 0.0,
         chord: 1.0,
         lift_slope: 0.0,
-        zero_lift: 0.0,
+        zero_lift_deg: 0.0,
         pitch_stiffness: 0.0,
         pitch_damping: 0.0,
         air_density: 0.0,

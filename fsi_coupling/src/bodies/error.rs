@@ -4,6 +4,7 @@ use crate::geometry::error::OutlineError;
 
 /// A body that cannot be built or cannot continue.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[expect(missing_docs, reason = "the message of a variant names its fields")]
 pub enum BodyError {
     /// The corners do not make an outline.
     #[error(transparent)]
@@ -11,7 +12,6 @@ pub enum BodyError {
     /// Mass or inertia that is not positive and finite.
     #[error("body `{name}`: {quantity} is {given}, expected a positive finite number")]
     Inertia {
-        /// The body.
         name: String,
         /// `mass` or `inertia`.
         quantity: &'static str,
@@ -20,20 +20,10 @@ pub enum BodyError {
     },
     /// The structure's equations cannot be set up or solved.
     #[error("body `{name}`: {reason}")]
-    Structure {
-        /// The body.
-        name: String,
-        /// The error of the finite-element model.
-        reason: String,
-    },
+    Structure { name: String, reason: String },
     /// The motion is not finite.
     #[error("body `{name}`: its motion is no longer finite at t = {time:.6e} s")]
-    NotFinite {
-        /// The body.
-        name: String,
-        /// Time [s].
-        time: f64,
-    },
+    NotFinite { name: String, time: f64 },
 }
 
 impl BodyError {

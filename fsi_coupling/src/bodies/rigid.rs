@@ -56,23 +56,17 @@ pub struct RigidBody2d {
     world: PhysicsWorld,
     handle: RigidBodyHandle,
     surface: RigidSurface,
+    state: State,
+    checkpoint: Option<(State, Pose, Vector, f64)>,
+}
+
+/// What a step changes besides rapier's position and velocities.
+#[derive(Clone, Copy, Default)]
+struct State {
     angle: f64,
     now: Resultant,
     mean: Resultant,
     kicked: Resultant,
-    external: [f64; 2],
-    work: f64,
-    time: f64,
-    checkpoint: Option<Checkpoint>,
-}
-
-/// State to return to.
-struct Checkpoint {
-    pose: Pose,
-    angle: f64,
-    linear: Vector,
-    angular: f64,
-    loads: [Resultant; 3],
     external: [f64; 2],
     work: f64,
     time: f64,
@@ -117,20 +111,8 @@ impl RigidBody2d {
         body.lock_rotations(!spec.free[2], true);
         body.recompute_mass_properties_from_colliders(&world.colliders);
         let surface = RigidSurface::new(spec.outline.clone(), com, spec.half);
-        Ok(RigidBody2d {
-            angle: spec.angle,
-            spec,
-            world,
-            handle,
-            surface,
-            now: Resultant::default(),
-            mean: Resultant::default(),
-            kicked: Resultant::default(),
-            external: [0.0; 2],
-            work: 0.0,
-            time: 0.0,
-            checkpoint: None,
-        })
+        let state = State { angle: spec.angle, ..State::default() };
+        Ok(RigidBody2d { spec, world, handle, surface, state, checkpoint: None })
     }
 
     /// Motion of the centre of mass under the load now and gravity, guides holding what is not free.
@@ -140,19 +122,19 @@ impl RigidBody2d {
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
         RigidMotion {
             position: [com.x, com.y],
-            angle: self.angle,
+            angle: self.state.angle,
             velocity: [v.x, v.y],
             angular_velocity: body.angvel(),
-            acceleration: [0, 1].map(|k| free(k, self.now.force[k] / spec.mass + spec.gravity[k])),
-            angular_acceleration: free(2, self.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
+            acceleration: [0, 1].map(|k| free(k, self.state.now.force[k] / spec.mass + spec.gravity[k])),
+            angular_acceleration: free(2, self.state.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
         }
     }
 
     /// Add the step's turn to the angle, which counts whole turns; rapier's wraps at ±π.
     fn unwrap_angle(&mut self) -> f64 {
         let wrapped = self.world.bodies[self.handle].rotation().angle();
-        let turned = (wrapped - self.angle + PI).rem_euclid(TAU) - PI;
-        self.angle += turned;
+        let turned = (wrapped - self.state.angle + PI).rem_euclid(TAU) - PI;
+        self.state.angle += turned;
         turned
     }
 
@@ -161,7 +143,7 @@ impl RigidBody2d {
         let g = self.spec.gravity;
         for k in 0..2 {
             let weight = dt * self.spec.mass * g[k];
-            self.external[k] += if self.spec.free[k] { weight } else { -dt * load.force[k] };
+            self.state.external[k] += if self.spec.free[k] { weight } else { -dt * load.force[k] };
         }
         let impulse = [0, 1].map(|k| dt * (load.force[k] + self.spec.mass * g[k]));
         let body = &mut self.world.bodies[self.handle];
@@ -199,58 +181,48 @@ impl WettedBody for RigidBody2d {
 
     fn load(&mut self, force: WallForces<'_>) {
         let about = self.motion_now().position;
-        self.kicked = self.now;
-        (self.now, self.mean) = (force.resultant(about), force.mean_resultant(about));
+        self.state.kicked = self.state.now;
+        (self.state.now, self.state.mean) = (force.resultant(about), force.mean_resultant(about));
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
         let before = self.motion_now();
-        self.kick(self.kicked, 0.5 * dt);
+        self.kick(self.state.kicked, 0.5 * dt);
         self.world.integration_parameters.dt = dt;
         self.world.step();
         if !self.world.quarantine().is_empty() {
-            return Err(BodyError::NotFinite { name: self.spec.name.clone(), time: self.time + dt });
+            return Err(BodyError::NotFinite { name: self.spec.name.clone(), time: self.state.time + dt });
         }
         let com = self.world.bodies[self.handle].center_of_mass();
         let moved = [com.x - before.position[0], com.y - before.position[1]];
         let turned = self.unwrap_angle();
         // what remains of the step's impulse after the first half kick, about where the centre of mass now is
-        let (mean, kicked) = (self.mean, self.kicked);
+        let (mean, kicked) = (self.state.mean, self.state.kicked);
         let rest = Resultant {
             force: [0, 1].map(|k| 2.0 * mean.force[k] - kicked.force[k]),
             moment: 2.0 * mean.moment - kicked.moment,
         };
         self.kick(rest.about(moved), 0.5 * dt);
-        self.now = self.now.about(moved);
-        self.work += mean.force[0] * moved[0] + mean.force[1] * moved[1];
-        self.work += 0.5 * (kicked.moment + rest.about(moved).moment) * turned;
-        self.time += dt;
+        self.state.now = self.state.now.about(moved);
+        self.state.work += mean.force[0] * moved[0] + mean.force[1] * moved[1];
+        self.state.work += 0.5 * (kicked.moment + rest.about(moved).moment) * turned;
+        self.state.time += dt;
         Ok(())
     }
 
     fn checkpoint(&mut self) {
         let body = &self.world.bodies[self.handle];
-        self.checkpoint = Some(Checkpoint {
-            pose: *body.position(),
-            angle: self.angle,
-            linear: body.linvel(),
-            angular: body.angvel(),
-            loads: [self.now, self.mean, self.kicked],
-            external: self.external,
-            work: self.work,
-            time: self.time,
-        });
+        self.checkpoint = Some((self.state, *body.position(), body.linvel(), body.angvel()));
     }
 
     fn restore(&mut self) {
-        let Some(saved) = &self.checkpoint else { return };
+        let Some((state, pose, velocity, angular_velocity)) = self.checkpoint else { return };
         let body = &mut self.world.bodies[self.handle];
-        body.set_position(saved.pose, true);
-        body.set_linvel(saved.linear, true);
-        body.set_angvel(saved.angular, true);
-        [self.now, self.mean, self.kicked] = saved.loads;
-        (self.angle, self.external, self.work, self.time) = (saved.angle, saved.external, saved.work, saved.time);
-        self.world.bodies[self.handle].recompute_mass_properties_from_colliders(&self.world.colliders);
+        body.set_position(pose, true);
+        body.set_linvel(velocity, true);
+        body.set_angvel(angular_velocity, true);
+        body.recompute_mass_properties_from_colliders(&self.world.colliders);
+        self.state = state;
     }
 }
 
@@ -272,10 +244,10 @@ impl Contact for RigidBody2d {
         body.apply_torque_impulse(angular_impulse, true);
         let after = self.motion_now();
         for k in 0..2 {
-            self.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
-            self.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
+            self.state.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
+            self.state.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
         }
-        self.work += 0.5 * (before.angular_velocity + after.angular_velocity) * angular_impulse;
+        self.state.work += 0.5 * (before.angular_velocity + after.angular_velocity) * angular_impulse;
     }
 }
 
@@ -293,7 +265,7 @@ impl Inspect for RigidBody2d {
             acceleration: now.point_acceleration(origin),
             ..now
         };
-        Some(Motion::new(&frame, self.now.about(rotate(origin, now.angle))))
+        Some(Motion::new(&frame, self.state.now.about(rotate(origin, now.angle))))
     }
 
     fn outline(&self) -> Option<&Outline> {
@@ -307,7 +279,7 @@ impl Inspect for RigidBody2d {
         Energy {
             kinetic: 0.5 * (s.mass * v2 + rotation),
             potential: -s.mass * (s.gravity[0] * r.position[0] + s.gravity[1] * r.position[1]),
-            work: self.work,
+            work: self.state.work,
             ..Energy::default()
         }
     }
@@ -315,6 +287,6 @@ impl Inspect for RigidBody2d {
     fn momentum(&self) -> Momentum {
         let v = self.motion_now().velocity;
         let momentum = [0, 1].map(|k| if self.spec.free[k] { self.spec.mass * v[k] } else { 0.0 });
-        Momentum { momentum, external: self.external }
+        Momentum { momentum, external: self.state.external }
     }
 }

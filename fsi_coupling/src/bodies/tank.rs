@@ -1,5 +1,7 @@
 //! The tank: floor and side walls at rest, sampled at the spacing of the water beside them.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
@@ -67,6 +69,7 @@ impl WettedBody for Tank {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
         let (mut points, layers) = (Vec::new(), rows.layers);
         let depth = WallRows::depth;
+        let point = |at, normal, s: f64, depth| WallPoint { at, normal, area: s * s, spacing: s, depth, midline: None };
         // shifted rows: the floor's towards the plane of symmetry or to the right, the sides' upwards
         let shift = |layer: usize, s: f64| if rows.is_shifted(layer) { 0.5 * s } else { 0.0 };
         let way = if self.half { -1.0 } else { 1.0 };
@@ -74,44 +77,29 @@ impl WettedBody for Tank {
             for layer in 0..layers {
                 let x = x + way * shift(layer, s);
                 let on_plane = self.half && x - self.x[0] < 1e-6 * s;
-                points.push(WallPoint {
-                    at: [if on_plane { self.x[0] } else { x }, self.floor - depth(layer, s)],
-                    normal: [0.0, 1.0],
-                    area: if on_plane { 0.5 * s * s } else { s * s },
-                    spacing: s,
-                    depth: depth(layer, s),
-                    midline: None,
-                });
+                let at = [if on_plane { self.x[0] } else { x }, self.floor - depth(layer, s)];
+                let area = if on_plane { 0.5 * s * s } else { s * s };
+                points.push(WallPoint { area, ..point(at, [0.0, 1.0], s, depth(layer, s)) });
             }
         }
         let sides: &[(f64, f64)] = if self.half { &[(1.0, self.x[1])] } else { &[(1.0, self.x[1]), (-1.0, self.x[0])] };
         for &(out, wall) in sides {
             for (y, s) in self.divide(self.floor, self.rim, |y| [wall, y]) {
                 for layer in 0..layers {
-                    points.push(WallPoint {
-                        at: [wall + out * depth(layer, s), y + shift(layer, s)],
-                        normal: [-out, 0.0],
-                        area: s * s,
-                        spacing: s,
-                        depth: depth(layer, s),
-                        midline: None,
-                    });
+                    let at = [wall + out * depth(layer, s), y + shift(layer, s)];
+                    points.push(point(at, [-out, 0.0], s, depth(layer, s)));
                 }
             }
             let s = self.layout.spacing_at([wall, self.floor]);
-            for i in 0..layers {
-                for j in 0..layers {
-                    let normal = [-out * std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2];
-                    points.push(WallPoint {
-                        at: [wall + out * depth(i, s) + way * shift(j, s), self.floor - depth(j, s) + shift(i, s)],
-                        normal,
-                        area: s * s,
-                        spacing: s,
-                        // its mirror point is then the corner's own diagonal opposite, in the water
-                        depth: std::f64::consts::FRAC_1_SQRT_2 * (depth(i, s) + depth(j, s)),
-                        midline: None,
-                    });
-                }
+            for (i, j) in (0..layers).flat_map(|i| (0..layers).map(move |j| (i, j))) {
+                let at = [wall + out * depth(i, s) + way * shift(j, s), self.floor - depth(j, s) + shift(i, s)];
+                // the mirror point is then the corner's own diagonal opposite, in the water
+                points.push(point(
+                    at,
+                    [-out * FRAC_1_SQRT_2, FRAC_1_SQRT_2],
+                    s,
+                    FRAC_1_SQRT_2 * (depth(i, s) + depth(j, s)),
+                ));
             }
         }
         let spacing = sides.iter().map(|&(_, wall)| self.layout.spacing_at([wall, self.rim])).fold(0.0, f64::max);

@@ -4,20 +4,27 @@ use std::ops::Range;
 
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
-use sph_core::{Fluid, Phase, Timers, WallInterface, Walls};
+use sph_core::{Breakdown, Fluid, Phase, RefinementZone, Timers, WallInterface, Walls};
 
 use crate::bodies::body::Body;
+use crate::bodies::state::Motion;
 use crate::coupling::balance::{Balance, MomentumAudit};
 use crate::coupling::contact::{resolve_contact, resolve_tunnelling};
 use crate::coupling::error::CouplingError;
 use crate::coupling::penetration::{Penetration, collision, penetration};
-use crate::coupling::placed_bodies::{Member, PlacedBodies, apply_kinematics, interfaces, load};
-use crate::coupling::refinement::RefinementRule;
+use crate::coupling::placed_bodies::{Member, PlacedBodies, WorkAudit, apply_kinematics, interfaces, load};
 use crate::coupling::scheme::{CouplingStatistics, Interface, Scheme};
-use crate::coupling::work_audit::WorkAudit;
+use crate::geometry::outline::Outline;
 
 /// Overlap of two bodies that is still no collision [spacings].
 const TOLERATED_OVERLAP: f64 = 0.01;
+
+/// Times that a step is halved before the run fails.
+const MOST_RETRIES: u32 = 3;
+
+/// The refinement zone around a body: a function of the body's motion and outline alone, so that a step that is restored and repeated
+/// gives the same bits. It is evaluated before each step.
+pub type RefinementRule = Box<dyn Fn(&Motion, &Outline) -> RefinementZone + Send + Sync>;
 
 /// A fluid and the bodies in it.
 pub struct Coupled {
@@ -99,6 +106,20 @@ impl Coupled {
     /// One step of `dt` [s].
     pub fn step(&mut self, dt: f64) -> Result<(), CouplingError> {
         parallel::within_pool(|| self.advance(dt))
+    }
+
+    /// CO26: one step of `dt` [s], or of a half, a quarter, an eighth of it where the pressure equation of the projection
+    /// ([`Breakdown::Projection`]) does not converge; returns the step taken [s]. The equation is solved before anything
+    /// moves, and bodies are placed anew for each attempt, so that a shorter step starts from the same state.
+    pub fn step_or_shorter(&mut self, dt: f64) -> Result<f64, CouplingError> {
+        let mut shorter = dt;
+        for _ in 0..MOST_RETRIES {
+            match self.step(shorter) {
+                Err(CouplingError::Fluid(Breakdown::Projection { .. })) => shorter *= 0.5,
+                ended => return ended.map(|()| shorter),
+            }
+        }
+        self.step(shorter).map(|()| shorter)
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), CouplingError> {

@@ -7,6 +7,7 @@ use crate::geometry::error::OutlineError;
 
 /// A coupled run cannot be set up or cannot go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[expect(missing_docs, reason = "the message of a variant names its fields")]
 pub enum CouplingError {
     /// The fluid broke down.
     #[error(transparent)]
@@ -19,18 +20,7 @@ pub enum CouplingError {
         "body `{body}` ran into `{wall}` at ({x:.6}, {y:.6}) m, t = {time:.6e} s: contact of solids is not modelled; \
          give it more room or end the run earlier"
     )]
-    Collision {
-        /// The body that moved.
-        body: String,
-        /// What it ran into.
-        wall: String,
-        /// Where [m].
-        x: f64,
-        /// Where [m].
-        y: f64,
-        /// When [s].
-        time: f64,
-    },
+    Collision { body: String, wall: String, x: f64, y: f64, time: f64 },
     /// The outline of a body.
     #[error(transparent)]
     Outline(#[from] OutlineError),
@@ -43,11 +33,9 @@ pub enum CouplingError {
          acceleration, tolerance {tolerance:.1e}: try coupling.scheme = \"added_mass\", or more iterations"
     )]
     NotConverged {
-        /// Iterations made.
         iterations: u32,
         /// Residual (THEORY CO8) [-].
         residual: f64,
-        /// Tolerance of the residual [-].
         tolerance: f64,
         /// Start of the step [s].
         time: f64,

@@ -11,10 +11,7 @@ pub mod force_rules;
 pub mod penetration;
 pub mod placed_bodies;
 mod quasi_newton;
-pub mod refinement;
-mod retry;
 pub mod scheme;
 pub mod stability_estimate;
-pub mod work_audit;
 
 pub use balance::MomentumAudit;

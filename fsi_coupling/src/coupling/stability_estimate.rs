@@ -1,5 +1,7 @@
 //! Stability of explicit coupling for a panel: an estimate before the run (THEORY CO12).
 
+use serde::Serialize;
+
 /// A panel beside water, as weak coupling sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beside {
@@ -20,7 +22,7 @@ pub struct Beside {
 }
 
 /// Growth of an error in a panel's acceleration under explicit coupling (THEORY CO12).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PanelExchange {
     /// μ: mass of the water whose pressure follows the acceleration within a step, over the panel's [-].
     pub added_mass: f64,

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use super::node_map::{Ends, NodeMap};
-use super::path::Path;
+use super::nodes::Path;
 use super::topology::Topology;
 use crate::bodies::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, WettedBody};

@@ -1,12 +1,12 @@
 //! The element at work: one step of the host after the other.
 
+use serde::{Deserialize, Serialize};
 use sph_core::Breakdown;
 
 use super::added_mass::AddedMass;
 use super::body::Shared;
 use super::error::HostError;
 use super::nodes::HostNodes;
-use super::snapshot::Snapshot;
 use super::spec::FluidElementSpec;
 use super::topology::Topology;
 use crate::coupling::coupled::Coupled;
@@ -42,6 +42,27 @@ pub struct Contribution {
     pub impulse: [f64; 2],
     /// Water beyond a wall's surface at the end.
     pub penetration: Penetration,
+}
+
+/// The water and the surface at one instant. Particles in the order of their identity, the same at every instant.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Snapshot {
+    /// Time [s].
+    pub time: f64,
+    /// Positions of the water's particles [m].
+    pub position: Vec<[f64; 2]>,
+    /// Their velocities [m/s].
+    pub velocity: Vec<[f64; 2]>,
+    /// Their pressures [Pa].
+    pub pressure: Vec<f64>,
+    /// Their spacings √(m/ρ₀) [m].
+    pub spacing: Vec<f64>,
+    /// The nodes' surfaces, each a closed line [m].
+    pub surface: Vec<Vec<[f64; 2]>>,
+    /// The nodes.
+    pub nodes: HostNodes,
+    /// Forces of the water on the nodes now, `[F_x, F_y, M]` [N/m, N/m, N].
+    pub force: Vec<[f64; 3]>,
 }
 
 /// A region of water that pushes a host's nodes.

@@ -6,10 +6,10 @@ use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use sph_core::{Domain, FluidSettings, Integrator, legacy, wcsph};
+use sph_core::{Domain, FluidSettings, wcsph};
 
 use super::error::HostError;
-use crate::settings::{Problem, Schema};
+use crate::settings::{Problem, Schema, require};
 
 /// Courant number at which the water's step breaks down (THEORY WC16) [-].
 const BREAKDOWN_CFL: f64 = 1.2;
@@ -82,6 +82,17 @@ pub struct FluidElementSpec {
     pub most_substeps: f64,
 }
 
+/// Time integration of an element's water.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Integrator {
+    /// Kick–drift–kick (WC11).
+    #[default]
+    Symplectic,
+    /// Monaghan's (1989), with the cargo feature `legacy` (LE2).
+    PredictorCorrector,
+}
+
 mod usual {
     pub fn growth() -> f64 {
         1.1
@@ -151,15 +162,12 @@ impl FluidElementSpec {
         if self.scheme.sound_speed.value().or(self.fastest_speed).is_none() {
             return Err(Problem::missing("fastest_speed", "a number above 0 [m/s], or sound_speed"));
         }
-        if !matches!(self.integrator, Integrator::Symplectic | Integrator::PredictorCorrector) {
-            let expected = "symplectic or predictor_corrector";
-            return Err(Problem::new("integrator", self.integrator.name(), expected));
-        }
+        let there = cfg!(feature = "legacy") || self.integrator == Integrator::Symplectic;
+        let expected = "symplectic: this program was built without the cargo feature `legacy`";
+        require(there, "integrator", "predictor_corrector", expected)?;
         let cfl = self.settings().courant_number();
-        match cfl < BREAKDOWN_CFL {
-            true => Ok(()),
-            false => Err(Problem::new("cfl", cfl, format!("a number above 0 and below {BREAKDOWN_CFL}"))),
-        }
+        let expected = format_args!("a number above 0 and below {BREAKDOWN_CFL}");
+        require(cfl < BREAKDOWN_CFL, "cfl", cfl, expected)
     }
 
     /// Speed of sound c₀ [m/s].
@@ -178,10 +186,21 @@ impl FluidElementSpec {
     }
 
     /// The scheme's settings.
-    pub fn settings(&self) -> legacy::Settings {
+    #[cfg(feature = "legacy")]
+    pub fn settings(&self) -> sph_core::legacy::Settings {
+        use sph_core::legacy::{Options, Settings};
+        let integrator = match self.integrator {
+            Integrator::Symplectic => sph_core::Integrator::Symplectic,
+            Integrator::PredictorCorrector => sph_core::Integrator::PredictorCorrector,
+        };
         let scheme = wcsph::Settings { sound_speed: self.speed_of_sound().into(), ..self.scheme };
-        let options = legacy::Options { integrator: self.integrator, water_depth: self.depth, ..Default::default() };
-        legacy::Settings { scheme, options }
+        Settings { scheme, options: Options { integrator, water_depth: self.depth, ..Options::default() } }
+    }
+
+    /// The scheme's settings.
+    #[cfg(not(feature = "legacy"))]
+    pub fn settings(&self) -> wcsph::Settings {
+        wcsph::Settings { sound_speed: self.speed_of_sound().into(), ..self.scheme }
     }
 }
 

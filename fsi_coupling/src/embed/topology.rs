@@ -129,50 +129,44 @@ impl Topology {
 
     /// Refuse surfaces that are none; `rows` [m] is how deep boundary particles reach.
     pub(super) fn check(&self, rows: f64) -> Result<(), HostError> {
-        let refuse =
-            |place: String, given: String, expected: String| Err(HostError::Topology { place, given, expected });
-        if let Some(node) = self.nodes.iter().position(|at| !(at[0] + at[1]).is_finite()) {
-            return refuse(format!("node {node}"), format!("{:?}", self.nodes[node]), "finite numbers".into());
+        let require = |holds: bool, place: String, given: String, expected: String| match holds {
+            true => Ok(()),
+            false => Err(HostError::Topology { place, given, expected }),
+        };
+        let (count, masses) = (self.nodes.len(), &self.masses);
+        for (node, at) in self.nodes.iter().enumerate() {
+            let finite = (at[0] + at[1]).is_finite();
+            require(finite, format!("node {node}"), format!("{at:?}"), "finite numbers".into())?;
         }
-        if !self.masses.is_empty() && self.masses.len() != self.nodes.len() {
-            return Err(HostError::Length { array: "masses", given: self.masses.len(), expected: self.nodes.len() });
+        if !masses.is_empty() && masses.len() != count {
+            return Err(HostError::Length { array: "masses", given: masses.len(), expected: count });
         }
-        if let Some(node) = self.masses.iter().position(|mass| !(*mass >= 0.0 && mass.is_finite())) {
-            let expected = "a mass of at least 0 kg/m".into();
-            return refuse(format!("node {node}"), format!("{} kg/m", self.masses[node]), expected);
+        for (node, mass) in masses.iter().enumerate() {
+            let heavy = *mass >= 0.0 && mass.is_finite();
+            require(heavy, format!("node {node}"), format!("{mass} kg/m"), "a mass of at least 0 kg/m".into())?;
         }
-        if self.surfaces.is_empty() {
-            return refuse("surfaces".into(), "none".into(), "one wet surface at least".into());
-        }
+        let some = !self.surfaces.is_empty();
+        require(some, "surfaces".into(), "none".into(), "one wet surface at least".into())?;
         for (k, surface) in self.surfaces.iter().enumerate() {
-            let (place, nodes) = (format!("surface {k}"), surface.nodes());
+            let (nodes, refuse) =
+                (surface.nodes(), |holds, given, why| require(holds, format!("surface {k}"), given, why));
             let least = if matches!(surface, WetSurface::Closed(_)) { 3 } else { 2 };
-            if nodes.len() < least {
-                return refuse(place, format!("{} nodes", nodes.len()), format!("{least} nodes at least"));
+            let enough = nodes.len() >= least;
+            refuse(enough, format!("{} nodes", nodes.len()), format!("{least} nodes at least"))?;
+            for (i, node) in nodes.iter().enumerate() {
+                refuse(*node < count, format!("node {node}"), format!("a number below {count}"))?;
+                refuse(!nodes[..i].contains(node), format!("node {node} twice"), "each node once".into())?;
             }
-            if let Some(node) = nodes.iter().find(|node| **node >= self.nodes.len()) {
-                return refuse(place, format!("node {node}"), format!("a number below {}", self.nodes.len()));
-            }
-            if let Some(i) = (1..nodes.len()).find(|&i| nodes[..i].contains(&nodes[i])) {
-                return refuse(place, format!("node {} twice", nodes[i]), "each node once".into());
-            }
-            if let WetSurface::Open { backing, .. } = surface
-                && !(*backing >= rows * (1.0 - 1e-9) && backing.is_finite())
-            {
-                return refuse(place, format!("a backing of {backing} m"), format!("{rows} m at least"));
+            if let WetSurface::Open { backing, .. } = surface {
+                let deep = *backing >= rows * (1.0 - 1e-9) && backing.is_finite();
+                refuse(deep, format!("a backing of {backing} m"), format!("{rows} m at least"))?;
             }
         }
-        for [a, b] in self.sides() {
+        self.sides().into_iter().try_for_each(|[a, b]| {
             let (p, q) = (self.nodes[a], self.nodes[b]);
-            if (q[0] - p[0]).hypot(q[1] - p[1]) <= 0.0 {
-                return refuse(
-                    format!("nodes {a} and {b}"),
-                    format!("both at {p:?} m"),
-                    "a side that has a length".into(),
-                );
-            }
-        }
-        Ok(())
+            let long = (q[0] - p[0]).hypot(q[1] - p[1]) > 0.0;
+            require(long, format!("nodes {a} and {b}"), format!("both at {p:?} m"), "a side that has a length".into())
+        })
     }
 }
 

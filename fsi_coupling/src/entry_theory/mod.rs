@@ -23,7 +23,6 @@ mod entry;
 mod hydroelastic;
 mod loads;
 mod model;
-mod range;
 mod section;
 mod similarity;
 

@@ -24,7 +24,8 @@ pub enum EntryModel {
 }
 
 /// A case outside the range of a model.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{range}, not {what}: the next model that can is \"{}\"", next.name())]
 pub struct OutOfRange {
     /// The case.
     pub what: String,
@@ -72,11 +73,3 @@ impl EntryModel {
         }
     }
 }
-
-impl std::fmt::Display for OutOfRange {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}, not {}: the next model that can is \"{}\"", self.range, self.what, self.next.name())
-    }
-}
-
-impl std::error::Error for OutOfRange {}

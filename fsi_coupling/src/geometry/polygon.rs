@@ -44,15 +44,9 @@ pub fn centroid(outline: &[[f64; 2]]) -> [f64; 2] {
 
 /// Corners `[min, max]` of the smallest upright rectangle around the points [m].
 pub fn bounding_box(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
-    let mut min = [f64::INFINITY; 2];
-    let mut max = [f64::NEG_INFINITY; 2];
-    for p in points {
-        for k in 0..2 {
-            min[k] = min[k].min(p[k]);
-            max[k] = max[k].max(p[k]);
-        }
-    }
-    [min, max]
+    points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[min, max], p| {
+        [[min[0].min(p[0]), min[1].min(p[1])], [max[0].max(p[0]), max[1].max(p[1])]]
+    })
 }
 
 /// Smallest distance between two parallel lines that hold all points between them [m].

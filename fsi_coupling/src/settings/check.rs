@@ -1,10 +1,66 @@
-//! The check of given settings against their schema.
+//! The check of given settings against their schema, with conditions under which a key has an effect:
+//! `.integrator = verlet | beeman and .kinematic_viscosity`.
 
 use serde_json::{Map, Value};
 
-use super::condition::{Place, is_off};
 use super::node::{Foreign, Node};
 use super::problem::Problem;
+
+/// A table with its schema: what a path of a condition starts from.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub node: Node<'a>,
+    pub content: &'a Map<String, Value>,
+}
+
+impl Place<'_> {
+    /// The value at a path, or its default.
+    fn value(self, path: &str) -> Option<Value> {
+        let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
+        let keys = self.node.keys(self.content);
+        if let Some((_, value)) = keys.tags.iter().find(|(tag, _)| *tag == key) {
+            return Some(Value::from(*value));
+        }
+        let node = keys.own(key)?;
+        match rest {
+            None => self.content.get(key).or(node.default()).cloned(),
+            Some(rest) => {
+                let empty = Map::new();
+                let content = self.content.get(key).and_then(Value::as_object).unwrap_or(&empty);
+                Place { node, content }.value(rest)
+            }
+        }
+    }
+
+    /// `here` and `root` satisfy the condition: paths that start with a dot are those of `here`.
+    pub fn satisfies(here: Place, root: Place, condition: &str) -> bool {
+        condition.split(" and ").all(|part| {
+            let (path, words) = part.split_once(" = ").map_or((part, None), |(path, words)| (path, Some(words)));
+            let value = match path.strip_prefix('.') {
+                Some(path) => here.value(path),
+                None => root.value(path),
+            };
+            match (value, words) {
+                (Some(value), None) => !is_off(&value),
+                (Some(value), Some(words)) => {
+                    value.as_str().is_some_and(|value| words.split(" | ").any(|word| word == value))
+                }
+                (None, _) => false,
+            }
+        })
+    }
+}
+
+/// False, zero, `none` and an empty list switch an option off.
+fn is_off(value: &Value) -> bool {
+    match value {
+        Value::Null | Value::Bool(false) => true,
+        Value::Number(x) => x.as_f64() == Some(0.0),
+        Value::String(word) => word == "none",
+        Value::Array(items) => items.iter().all(is_off),
+        _ => false,
+    }
+}
 
 /// Checks values of one set of settings.
 pub(super) struct Checker<'a> {
@@ -68,9 +124,9 @@ impl Checker<'_> {
             return Ok(None);
         }
         let refused = |given: String| Err(Problem::new(path, given, node.expected()));
-        let words = inner.words();
+        let words = node.given_words();
         if !words.is_empty() {
-            return self::word(&words.into_iter().chain(word).collect::<Vec<_>>(), given, path).map(Some);
+            return self::word(&words, given, path).map(Some);
         }
         match (inner.kind(), given) {
             (Some("number"), Value::Number(x))
@@ -116,8 +172,7 @@ impl Checker<'_> {
         let neutral = first.node.get("x-neutral").or(first.node.default());
         let neutral = neutral.map_or(String::new(), |neutral| format!(", or {neutral},"));
         let mut owners: Vec<String> = Vec::new();
-        for other in theirs {
-            let owner = format!("{:?}", other.owner);
+        for owner in theirs.iter().map(|other| format!("{:?}", other.owner)) {
             if !owners.contains(&owner) {
                 owners.push(owner);
             }
@@ -193,7 +248,7 @@ fn is_whole(node: Node, x: &serde_json::Number) -> bool {
     within_format && x.as_f64().is_some_and(|x| node.allows_number(x))
 }
 
-fn joined(path: &str, key: &str) -> String {
+pub(super) fn joined(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_string() } else { format!("{path}.{key}") }
 }
 

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::check::joined;
 use super::node::Node;
 
 /// A key in words.
@@ -42,12 +43,11 @@ impl Keyword {
 
 /// The keywords of a table and of the tables in it, in their order.
 pub(super) fn collect(node: Node, path: &str, words: &mut Vec<Keyword>) {
-    let dot = if path.is_empty() { "" } else { "." };
     let keys = node.keys(&Map::new());
     let foreign = keys.foreign.iter().map(|foreign| (foreign.key, foreign.node, Some(foreign.owner)));
     let own = keys.own.iter().map(|(key, node)| (*key, *node, None));
     for (key, child, owner) in own.chain(foreign) {
-        let at = format!("{path}{dot}{key}");
+        let at = joined(path, key);
         let (inner, _) = child.given();
         let is_tag = keys.tags.iter().any(|(tag, _)| *tag == key);
         match (inner.kind(), inner.get("items").map(Node)) {
@@ -109,12 +109,8 @@ fn meaning(description: &str) -> (String, String) {
 
 /// What a key takes: words as they are written, else in a phrase.
 fn takes(node: Node) -> String {
-    let (inner, word) = node.given();
-    let words = inner.words();
-    match words.is_empty() {
-        true => node.expected(),
-        false => words.into_iter().chain(word).collect::<Vec<_>>().join(" | "),
-    }
+    let words = node.given_words();
+    if words.is_empty() { node.expected() } else { words.join(" | ") }
 }
 
 /// A default as a scene file has it.

@@ -9,7 +9,7 @@
 //! | serde's default | the value of an absent key |
 //! | `schemars(range(min = 0.0, max = 1.0))`, `extend("exclusiveMinimum" = 0)` | other values are refused |
 //! | `schemars(extend("x-default" = "end/500"))` | the program finds the value of an absent key, as described |
-//! | `schemars(with = "OrAuto<f64>")` | the word `auto` means the same as an absent key |
+//! | `schemars(with = "Auto<f64>")` | the word `auto` means the same as an absent key ([`sph_core::Auto`]) |
 //! | `schemars(extend("x-when" = ".scheme = iqn_ils"))` | the key is refused where it has no effect |
 //! | `schemars(extend("x-neutral" = 0))` | under another tag the key may stand with this value only, else off or with its default |
 //! | `schemars(extend("x-ignored-elsewhere" = true))` | under another tag the key is ignored |
@@ -35,7 +35,6 @@
 //! ```
 
 mod check;
-mod condition;
 mod keyword;
 mod node;
 mod problem;
@@ -44,5 +43,5 @@ mod schema;
 mod tests;
 
 pub use keyword::Keyword;
-pub use problem::{Problem, significant};
-pub use schema::{OrAuto, OrTouching, Schema};
+pub use problem::{Problem, require, significant};
+pub use schema::{OrTouching, Schema};

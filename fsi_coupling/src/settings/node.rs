@@ -84,6 +84,13 @@ impl<'s> Node<'s> {
         listed.chain(self.list("oneOf").flat_map(|option| option.words_of_option())).collect()
     }
 
+    /// The words that may be given, that for an absent key among them; none where other values may be given too.
+    pub fn given_words(self) -> Vec<&'s str> {
+        let (inner, word) = self.given();
+        let words = inner.words();
+        if words.is_empty() { words } else { words.into_iter().chain(word).collect() }
+    }
+
     fn words_of_option(self) -> Vec<&'s str> {
         match self.text("const") {
             Some(word) => vec![word],
@@ -163,10 +170,9 @@ impl<'s> Node<'s> {
     pub fn expected(self) -> String {
         let (node, word) = self.given();
         let or_word = word.map_or(String::new(), |word| format!(" or {word:?}"));
-        let words = node.words();
+        let words: Vec<String> = self.given_words().iter().map(|word| format!("`{word}`")).collect();
         if !words.is_empty() {
-            let words: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
-            return format!("one of {}{}", words.join(", "), word.map_or(String::new(), |word| format!(", `{word}`")));
+            return format!("one of {}", words.join(", "));
         }
         let plain = match node.kind() {
             Some("number") if self.is_bounded() => self.number_range("number"),

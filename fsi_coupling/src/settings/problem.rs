@@ -25,6 +25,11 @@ impl Problem {
     }
 }
 
+/// Refuses a value unless the condition holds.
+pub fn require(holds: bool, key: &str, given: impl Display, expected: impl Display) -> Result<(), Problem> {
+    if holds { Ok(()) } else { Err(Problem::new(key, given, expected)) }
+}
+
 impl Display for Problem {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(&self.sentence)

@@ -7,8 +7,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator, json_schema};
 use serde_json::Value;
 
-use super::check::Checker;
-use super::condition::Place;
+use super::check::{Checker, Place, joined};
 use super::keyword::{self, Keyword};
 use super::node::Node;
 use super::problem::Problem;
@@ -21,20 +20,8 @@ pub struct Schema {
     noun: &'static str,
 }
 
-/// In a schema: a `T`, or the word `auto`, which means the same as an absent key.
-pub struct OrAuto<T>(PhantomData<T>);
-
 /// In a schema: a `T`, or the word `touching`, which means the same as an absent key.
 pub struct OrTouching<T>(PhantomData<T>);
-
-impl<T: JsonSchema> JsonSchema for OrAuto<T> {
-    fn schema_name() -> Cow<'static, str> {
-        format!("{}OrAuto", T::schema_name()).into()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
-        json_schema!({ "anyOf": [generator.subschema_for::<T>(), { "const": "auto" }] })
-    }
-}
 
 impl<T: JsonSchema> JsonSchema for OrTouching<T> {
     fn schema_name() -> Cow<'static, str> {
@@ -97,7 +84,7 @@ impl Schema {
         let Some(key) = text.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) else {
             return Problem { key: table.to_string(), sentence: format!("`{table}`: {text}") };
         };
-        let path = if table.is_empty() { key.to_string() } else { format!("{table}.{key}") };
+        let path = joined(table, key);
         let keyword = self.keyword(&path);
         let expected = keyword.map_or("a value".to_string(), |word| match word.unit.as_str() {
             "" => format!("{}; {}", word.takes, word.doc),
@@ -182,16 +169,9 @@ fn release_tag(variant: &mut Value, usual: &Value) {
     }
 }
 
+/// `gauges[2].at` as `gauges[].at`.
 fn without_indices(path: &str) -> String {
-    let mut inside = false;
-    path.chars()
-        .filter(|c| {
-            inside = match c {
-                '[' => true,
-                ']' => false,
-                _ => inside,
-            };
-            !inside || *c == '['
-        })
-        .collect()
+    let mut parts = path.split('[');
+    let first = parts.next().unwrap_or_default().to_string();
+    parts.fold(first, |known, part| known + "[]" + part.split_once(']').map_or("", |(_, rest)| rest))
 }

@@ -3,8 +3,9 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};
+use sph_core::Auto;
 
-use super::{OrAuto, Schema};
+use super::Schema;
 
 #[derive(Deserialize, JsonSchema)]
 #[allow(dead_code)]
@@ -14,7 +15,7 @@ struct Case {
     #[serde(flatten)]
     solver: Solver,
     /// Width [m].
-    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    #[schemars(with = "Auto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
     width: f64,
     /// Amplitude [m].
     #[serde(default)]

@@ -1,9 +1,7 @@
 //! Experiments on the command line: selection of cases, their list, tables and files.
 
 pub(super) mod convergence;
-pub(super) mod coverage;
 pub(super) mod stability;
-pub(super) mod validation;
 pub(super) mod work_precision;
 
 use std::path::{Path, PathBuf};
@@ -12,8 +10,8 @@ use clap::Args;
 use serde::Serialize;
 
 use super::shared::{DONE, Output, Stop, say};
-use crate::experiments::ExperimentError;
 use crate::experiments::catalogue::{self, Case, Catalogue};
+use crate::experiments::{ExperimentError, coverage, validation};
 
 /// Cases of an experiment, and the file of its table.
 #[derive(Args)]
@@ -80,4 +78,49 @@ fn lines_of<C: Case, Line>(
 /// Write text files into a folder.
 fn write_all(folder: &Path, files: &[(String, String)]) -> Result<(), ExperimentError> {
     files.iter().try_for_each(|(name, text)| catalogue::write(&folder.join(name), text))
+}
+
+// `splashdown validate`.
+#[derive(Args)]
+pub struct ValidateArgs {
+    #[command(flatten)]
+    selection: Selection,
+    /// Keep each case's files below this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+const VALIDATION: &str = "# Validation\n\nWritten by `splashdown validate --all --table docs/src/validation/cases.md`.";
+
+pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> {
+    if args.selection.is_empty() {
+        return list(&validation::CASES);
+    }
+    let lines = lines_of(output, &validation::CASES.select(&args.selection.cases)?, |case| {
+        validation::validate(case, args.out.as_ref())
+    })?;
+    args.selection.show(output, &lines, VALIDATION, &validation::table(&lines))?;
+    match lines.iter().filter(|l| !l.holds).count() {
+        0 => Ok(DONE),
+        misses => Err(Stop::Failed(format!("{misses} of {} numbers do not hold", lines.len()))),
+    }
+}
+
+// `splashdown bands`.
+#[derive(Args)]
+pub struct BandsArgs {
+    #[command(flatten)]
+    selection: Selection,
+}
+
+const ERROR_BARS: &str =
+    "# Error bars\n\nWritten by `splashdown bands --all --table docs/src/validation/error_bars.md`.";
+
+pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
+    if args.selection.is_empty() {
+        return list(&coverage::CASES);
+    }
+    let lines = lines_of(output, &coverage::CASES.select(&args.selection.cases)?, coverage::cover)?;
+    args.selection.show(output, &lines, ERROR_BARS, &coverage::table(&lines))?;
+    Ok(DONE)
 }

@@ -14,7 +14,7 @@ use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
-use experiments::{convergence, coverage, stability, validation, work_precision};
+use experiments::{convergence, stability, work_precision};
 use shared::{FAILED, INPUT, Output, SceneArgs, Stop};
 
 #[derive(Parser)]
@@ -48,9 +48,9 @@ enum Command {
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
     /// Compare scenes with published data.
-    Validate(validation::ValidateArgs),
+    Validate(experiments::ValidateArgs),
     /// Count how often the error bars of `run --converge` contain an exact value.
-    Bands(coverage::BandsArgs),
+    Bands(experiments::BandsArgs),
     /// Describe every key of a scene file.
     Keywords {
         /// As a page of Markdown, with the keys of landings and of embedded elements.
@@ -108,8 +108,8 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Stability(args) => stability::run_maps(output, args),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
-        Command::Validate(args) => validation::run_validation(output, args),
-        Command::Bands(args) => coverage::run_bands(output, args),
+        Command::Validate(args) => experiments::run_validation(output, args),
+        Command::Bands(args) => experiments::run_bands(output, args),
         Command::Keywords { markdown } => about::keywords(output, *markdown),
         Command::Schema => about::schema(),
     }

@@ -81,12 +81,11 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
     let options = RunOptions {
         out: Some(out.clone()),
         force: args.force,
-        without_log: false,
         interrupt: Some(&INTERRUPTED),
-        most_steps: None,
         progress: Some(&tell),
         warnings: loaded.warnings.clone(),
         error_bars: studied.as_ref().map(|of| of as &(dyn Fn(&Summary) -> ErrorBars + Sync)),
+        ..RunOptions::default()
     };
     let outcome = run(&loaded.scene, &options);
     bar.finish_and_clear();

@@ -12,19 +12,80 @@
 //! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
 //! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
 
-mod check;
 mod landed;
-mod load;
 mod model;
 mod page;
-mod run;
 mod sections;
-mod series;
-mod summary;
 
-pub use landed::{Landed, follow};
-pub use load::{builtin, load, load_text};
-pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, WaterKeys, WingKeys, schema};
-pub use run::{FILES, run};
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use fsi_coupling::entry_theory::ditching::Wing;
+use fsi_coupling::settings::Problem;
+use include_dir::{Dir, include_dir};
+
+use crate::embedded::texts;
+use crate::run::{RunError, refuse_files, write};
+use crate::scene::SceneError;
+use crate::scene::draft::Draft;
+use crate::scene::source::Source;
+use landed::csv;
+use model::checked;
+
+pub use landed::{Landed, Summary, follow};
+pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
-pub use summary::{Peak, Summary};
+
+static LANDINGS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");
+
+/// Name and text of each built-in landing, by name.
+pub fn builtin() -> &'static [(&'static str, &'static str)] {
+    static SCENES: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| texts(&LANDINGS));
+    &SCENES
+}
+
+/// Loads a built-in landing by its name, or a file by its path, with `--set` arguments applied in their order.
+pub fn load(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
+    loaded(&Source::find("landings", builtin(), name_or_path, sets, schema())?)
+}
+
+/// Loads a landing from its text; `name` stands for the file in messages. What the file leaves out is filled in.
+pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Scene, SceneError> {
+    loaded(&Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() })
+}
+
+fn loaded(source: &Source) -> Result<Scene, SceneError> {
+    let given = source.read()?;
+    let scene = Draft::of(&given, schema()).and_then(|draft| read(&draft));
+    scene.and_then(checked).map_err(|problem| source.error(problem))
+}
+
+/// The landing of a draft: table by table, so that a missing key is found where it belongs.
+fn read(draft: &Draft) -> Result<Scene, Problem> {
+    draft.read::<LandingKeys>("landing")?;
+    draft.read::<AeroplaneKeys>("aeroplane")?;
+    draft.read::<Wing>("wing")?;
+    for k in 0..draft.count("stations") {
+        draft.read::<StationKeys>(&format!("stations[{k}]"))?;
+    }
+    draft.read("")
+}
+
+/// Files of a landing.
+pub const FILES: [&str; 4] = ["series.csv", "summary.json", "scene.resolved.toml", "report.html"];
+
+/// Follow a landing and write its files into a folder; `force` replaces those that it holds.
+///
+/// # Errors
+/// The folder is a file, holds a landing, or cannot be written to.
+pub fn run(scene: &Scene, out: &Path, force: bool) -> Result<Landed, RunError> {
+    refuse_files(out, &FILES, force)?;
+    let landed = follow(scene);
+    fs::create_dir_all(out).map_err(|e| RunError::Write(out.display().to_string(), e))?;
+    let texts = [csv(&landed.rows), landed.summary.to_json(), scene.to_toml(), page::page(scene, &landed)];
+    for (name, text) in FILES.iter().zip(texts) {
+        write(&out.join(name), &text)?;
+    }
+    Ok(landed)
+}

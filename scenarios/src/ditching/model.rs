@@ -1,11 +1,16 @@
-//! A landing: its settings, as its file gives them.
+//! A landing: its settings, as its file gives them, and what they must keep to.
 
 use std::sync::LazyLock;
 
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::settings::Schema;
+use fsi_coupling::entry_theory::ditching::{
+    Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, Station, Water, Wing,
+};
+use fsi_coupling::settings::{Problem, Schema, require};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::scene::source::word;
 
 /// The schema of a landing's file.
 pub fn schema() -> &'static Schema {
@@ -32,10 +37,10 @@ pub struct Scene {
     /// The rigid aeroplane.
     pub aeroplane: AeroplaneKeys,
     /// The wing.
-    pub wing: WingKeys,
+    pub wing: Wing,
     /// The water.
     #[serde(default)]
-    pub water: WaterKeys,
+    pub water: Water,
     /// Sections of the fuselage, from the nose aft; two at least.
     pub stations: Vec<StationKeys>,
 }
@@ -83,56 +88,6 @@ pub struct AeroplaneKeys {
     pub center_of_mass: [f64; 2],
 }
 
-/// Table `[wing]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct WingKeys {
-    /// Area of the wing [m²].
-    #[schemars(range(min = 0.0))]
-    pub area: f64,
-    /// Mean chord of the wing [m].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub chord: f64,
-    /// Slope of the lift coefficient against the angle of attack [1/rad].
-    #[schemars(range(min = 0.0))]
-    pub lift_slope: f64,
-    /// Angle of attack of the body axis at which there is no lift [deg].
-    pub zero_lift_deg: f64,
-    /// Slope of the aeroplane's moment coefficient against the angle of attack [1/rad].
-    #[serde(default = "usual::pitch_stiffness")]
-    pub pitch_stiffness: f64,
-    /// Its slope against q c/(2U), the rate of pitch [1/rad].
-    #[serde(default = "usual::pitch_damping")]
-    pub pitch_damping: f64,
-    /// Density of the air [kg/m³].
-    #[serde(default = "usual::air_density")]
-    #[schemars(range(min = 0.0))]
-    pub air_density: f64,
-}
-
-/// Table `[water]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct WaterKeys {
-    /// Density of the water [kg/m³].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub density: f64,
-    /// Acceleration of gravity [m/s²].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub gravity: f64,
-    /// Friction coefficient of the wetted bottom [-].
-    #[schemars(range(min = 0.0, max = 0.1))]
-    pub friction: f64,
-    /// Share of the theory's suction where the keel curves up [-].
-    #[schemars(range(min = 0.0, max = 1.0))]
-    pub suction: f64,
-}
-
-impl Default for WaterKeys {
-    fn default() -> WaterKeys {
-        WaterKeys { density: 1000.0, gravity: 9.81, friction: 0.003, suction: 1.0 }
-    }
-}
-
 /// An item of `[[stations]]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StationKeys {
@@ -165,20 +120,99 @@ mod usual {
     pub fn strips() -> usize {
         200
     }
-    pub fn pitch_stiffness() -> f64 {
-        -1.0
-    }
-    pub fn pitch_damping() -> f64 {
-        -25.0
-    }
-    pub fn air_density() -> f64 {
-        1.225
-    }
 }
 
 impl Scene {
     /// The landing as a file.
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("a landing holds nothing that TOML cannot say")
+    }
+}
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e6;
+
+/// The landing with everything filled in, if it is one.
+pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
+    word("name", &scene.name)?;
+    numbers(&scene)?;
+    let hull = hull(&scene)?;
+    let (landing, wing) = (&scene.landing, scene.wing);
+    let weight = scene.aeroplane.mass * scene.water.gravity;
+    let attack = landing.angle_of_attack_deg.to_radians();
+    let carrying = wing.carrying_speed(weight, attack);
+    let speed = landing.speed.or(carrying);
+    let expected = format!("more than wing.zero_lift_deg, {} degrees, or a landing.speed", scene.wing.zero_lift_deg);
+    let key = "landing.angle_of_attack_deg";
+    let speed = speed.ok_or_else(|| Problem::new(key, landing.angle_of_attack_deg, expected))?;
+    let least = landing.least_speed.unwrap_or_else(|| (scene.water.gravity * hull.fuselage().length()).sqrt());
+    let expected = format_args!("less than the speed of landing, {speed:.4} m/s");
+    require(least < speed, "landing.least_speed", least, expected)?;
+    (scene.landing.speed, scene.landing.least_speed) = (Some(speed), Some(least));
+    Ok(scene)
+}
+
+fn numbers(scene: &Scene) -> Result<(), Problem> {
+    let landing = &scene.landing;
+    let pitch = landing.angle_of_attack_deg + landing.flight_path_deg;
+    let attack = landing.angle_of_attack_deg;
+    let expected = format_args!("an attitude of 0 to 30 degrees with landing.flight_path_deg, not {pitch}");
+    require((0.0..=30.0).contains(&pitch), "landing.angle_of_attack_deg", attack, expected)?;
+    let LandingKeys { step, sample_every, end, .. } = *landing;
+    for (key, value, least) in [("landing.step", step, end / MOST_STEPS), ("landing.sample_every", sample_every, step)]
+    {
+        let expected = format_args!("a number from {least} to {end}");
+        require((least..=end).contains(&value), key, value, expected)?;
+    }
+    Ok(())
+}
+
+fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
+    let key = |name: &str| format!("stations[{index}].{name}");
+    let form = match (keys.radius, keys.deadrise_deg) {
+        (Some(radius), None) => Form::Radius(radius),
+        (None, Some(deadrise)) => Form::DeadriseDeg(deadrise),
+        (Some(_), Some(given)) => {
+            return Err(Problem::new(&key("deadrise_deg"), given, "a radius or a deadrise, not both"));
+        }
+        (None, None) => return Err(Problem::missing(&key("radius"), "a radius or deadrise_deg")),
+    };
+    Ok(Station { x: keys.x, keel: keys.keel, breadth: keys.breadth, form })
+}
+
+/// The hull of a landing.
+pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
+    let stations = scene.stations.iter().enumerate().map(|(k, s)| station(k, s)).collect::<Result<Vec<_>, _>>()?;
+    let refused = |e: FuselageError| {
+        let key = if scene.stations.is_empty() { "stations".into() } else { format!("stations[{}]", e.station) };
+        let sentence = format!("`{key}`: {}", e.why);
+        Problem { key, sentence }
+    };
+    if !scene.model.is_theory() {
+        return Err(Problem::new("model", scene.model.name(), "von_karman, wagner or mlm"));
+    }
+    Fuselage::new(&stations).and_then(|fuselage| Hull::new(fuselage, scene.model)).map_err(refused)
+}
+
+/// The landing of a scene that [`checked`] gave.
+pub(super) fn landing<'a>(scene: &Scene, hull: &'a Hull) -> Landing<'a> {
+    let (keys, craft) = (&scene.landing, &scene.aeroplane);
+    Landing {
+        hull,
+        aeroplane: Aeroplane {
+            mass: craft.mass,
+            inertia: craft.mass * craft.radius_of_gyration.powi(2),
+            centre: craft.center_of_mass,
+            wing: scene.wing,
+        },
+        water: scene.water,
+        pitch: (keys.angle_of_attack_deg + keys.flight_path_deg).to_radians(),
+        path: keys.flight_path_deg.to_radians(),
+        speed: keys.speed.unwrap_or_default(),
+        strips: keys.strips,
+        step: keys.step,
+        sample_every: (keys.sample_every / keys.step).round().max(1.0) as usize,
+        end: keys.end,
+        least_speed: keys.least_speed.unwrap_or_default(),
     }
 }

@@ -2,9 +2,8 @@
 
 use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
 
-use super::check::hull;
 use super::landed::Landed;
-use super::model::Scene;
+use super::model::{Scene, hull};
 use crate::report::{Block, Chart, Curve, Mark, Report, Status as PageStatus, Table, render};
 use crate::run::summary::Status;
 

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use fsi_coupling::entry_theory::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 use serde::Serialize;
 
-use super::check::hull;
 use super::landed::Landed;
-use super::model::Scene;
+use super::model::{Scene, hull};
 use crate::run::summary::Status;
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{SceneError, load_text};

@@ -7,11 +7,9 @@ use fsi_coupling::{Coupled, CouplingError};
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
-use super::error::RunError;
-use super::files::{prepare, refuse_occupied, write};
-use super::outcome::{Outcome, RunOptions};
 use super::recorder::Recorder;
 use super::summary::Status;
+use super::{Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
 use crate::build;
 use crate::charted;
 use crate::compare;

@@ -1,19 +1,122 @@
 //! A run: build the scene, step to its end, observe on the way, keep log, curves, summary and report.
 
 mod driver;
-mod energy_balance;
-mod error;
-mod files;
-mod outcome;
-mod panel_result;
 mod particle_order;
 mod recorder;
 pub mod summary;
 
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use fsi_coupling::CouplingError;
+use fsi_coupling::entry_theory::OutOfRange;
+
+use crate::compare::ReferenceCurve;
+use crate::error_bar::ErrorBars;
+use crate::observers::{FlowPictures, ObserveError, Series};
+use crate::reference::ReferenceError;
+use summary::Summary;
+
 pub use driver::run;
-pub use error::RunError;
-pub use files::FILES;
-pub(crate) use files::refuse_occupied;
-pub use outcome::{Outcome, RunOptions};
-pub use panel_result::{Extremes, PanelResult, Rupture};
 pub use particle_order::ParticleOrder;
+pub use summary::{Extremes, PanelResult, Rupture};
+
+/// Files of a run, by the contract of the command line.
+pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
+
+/// What a run is given besides its scene.
+#[derive(Default)]
+pub struct RunOptions<'a> {
+    /// Folder for the files; without one nothing is written.
+    pub out: Option<PathBuf>,
+    /// Replace a run that the folder holds.
+    pub force: bool,
+    /// Write no `log.mcap`.
+    pub without_log: bool,
+    /// Set from outside to end the run after the present step.
+    pub interrupt: Option<&'a AtomicBool>,
+    /// Steps after which a run that has not reached its end has failed.
+    pub most_steps: Option<u64>,
+    /// Called with (time [s], steps) when the stepping begins and about ten times per second.
+    pub progress: Option<&'a (dyn Fn(f64, u64) + Sync)>,
+    /// Warnings about the scene, for the report.
+    pub warnings: Vec<String>,
+    /// Source of the error bars: a convergence study; stored charts if absent.
+    pub error_bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
+}
+
+/// A finished run in memory.
+pub struct Outcome {
+    /// The numbers.
+    pub summary: Summary,
+    /// The curves.
+    pub series: Series,
+    /// Reference curves, in the order of the scene's comparisons.
+    pub references: Vec<ReferenceCurve>,
+    /// Pictures of the flow.
+    pub pictures: FlowPictures,
+}
+
+/// Why a run cannot start, or cannot keep its results.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The output folder holds a run already.
+    #[error("{0} already holds a run ({1}): choose another --out, or --force to replace it")]
+    Occupied(String, &'static str),
+    /// A file or folder could not be written.
+    #[error("cannot write {0}: {1}")]
+    Write(String, std::io::Error),
+    /// The output folder's name is that of a file.
+    #[error("{0} is a file: choose another --out")]
+    NotAFolder(String),
+    /// An observer failed.
+    #[error(transparent)]
+    Observe(#[from] ObserveError),
+    /// A reference that the scene names cannot be used.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// The scene cannot be built.
+    #[error(transparent)]
+    Build(#[from] CouplingError),
+    /// The model does not apply to the scene.
+    #[error("model = \"{0}\" holds for {1}")]
+    Theory(&'static str, OutOfRange),
+}
+
+impl RunError {
+    /// True if the user's input is at fault (exit 2), false if the run is (exit 1).
+    pub fn is_input(&self) -> bool {
+        !matches!(self, RunError::Write(..) | RunError::Observe(_))
+    }
+}
+
+/// An error if the folder holds a run that may not be replaced.
+pub(crate) fn refuse_occupied(dir: &Path, force: bool) -> Result<(), RunError> {
+    refuse_files(dir, &FILES, force)
+}
+
+/// An error if the folder is a file, or holds one of these files that may not be replaced.
+pub(crate) fn refuse_files(dir: &Path, files: &[&'static str], force: bool) -> Result<(), RunError> {
+    if dir.is_file() {
+        return Err(RunError::NotAFolder(dir.display().to_string()));
+    }
+    match files.iter().find(|name| dir.join(name).exists()) {
+        Some(name) if !force => Err(RunError::Occupied(dir.display().to_string(), name)),
+        _ => Ok(()),
+    }
+}
+
+/// Make the folder and remove the files of an earlier run, so that no file is mistaken for one of this run.
+fn prepare(dir: &Path) -> Result<(), RunError> {
+    let wrong = |path: &Path, e| RunError::Write(path.display().to_string(), e);
+    std::fs::create_dir_all(dir).map_err(|e| wrong(dir, e))?;
+    for path in FILES.iter().map(|name| dir.join(name)).filter(|path| path.exists()) {
+        std::fs::remove_file(&path).map_err(|e| wrong(&path, e))?;
+    }
+    Ok(())
+}
+
+/// Write a text file.
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), RunError> {
+    std::fs::write(path, text).map_err(|e| RunError::Write(path.display().to_string(), e))
+}

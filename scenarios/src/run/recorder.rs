@@ -3,17 +3,14 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use fsi_coupling::Coupled;
-use sph_core::legacy::pilorget2010::Thesis;
+use fsi_coupling::{Coupled, Energy};
 use sph_core::{Fluid, Solver, projection};
 use tracing::warn;
 
-use super::energy_balance::{held, structure_gap};
-use super::error::RunError;
-use super::panel_result::PanelResult;
+use super::RunError;
 use super::particle_order::particle_order;
 use super::summary::{
-    Audit, Compressibility, Coupling, Log, Particles, Peak, Projection, Status, Summary, phase_times,
+    Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Status, Summary, phase_times,
 };
 use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::error_bar::ErrorBars;
@@ -23,7 +20,7 @@ use crate::observers::{
     SimilarityWindow, WorstPenetration,
 };
 use crate::results::ResultsObserver;
-use crate::scene::{Scene, known_compressibility_error};
+use crate::scene::{Scene, known_compressibility_error, thesis_work};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -269,10 +266,21 @@ fn model(solver: Solver) -> &'static str {
 
 /// Work of the pressure solves, for a projection.
 fn projection(fluid: &Fluid) -> Option<Projection> {
-    let (iterations, solves, pinned_last) = match (fluid.scheme::<projection::Projection>(), fluid.scheme::<Thesis>()) {
-        (Some(scheme), _) => (scheme.iterations(), scheme.solves(), Some(scheme.constrained_rows())),
-        (None, Some(thesis)) => (thesis.iterations, thesis.solutions, None),
-        (None, None) => return None,
-    };
+    let own = |scheme: &projection::Projection| (scheme.iterations(), scheme.solves(), Some(scheme.constrained_rows()));
+    let theirs = || thesis_work(fluid).map(|(iterations, solves)| (iterations, solves, None));
+    let (iterations, solves, pinned_last) = fluid.scheme().map(own).or_else(theirs)?;
     Some(Projection { iterations_mean: iterations as f64 / fluid.steps().max(1) as f64, solves, pinned_last })
+}
+
+/// Change of a body's energies plus dissipation minus the work done on it, over the work exchanged (THEORY CO17).
+fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
+    let Some(body) = system.bodies().nth(k).filter(|body| !body.is_prescribed()) else { return 0.0 };
+    let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);
+    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support;
+    if exchanged > 0.0 { gap.abs() / exchanged } else { 0.0 }
+}
+
+/// Energy that a body holds [J/m].
+fn held(energy: &Energy) -> f64 {
+    energy.kinetic + energy.potential + energy.elastic
 }

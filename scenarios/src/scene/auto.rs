@@ -1,7 +1,7 @@
 //! The values that a scene leaves to the program.
 
 use super::impact::{Entry, sound_speed_for};
-use super::settings::Body;
+use super::settings::{Body, Scene};
 
 /// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
 /// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.
@@ -30,6 +30,27 @@ pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 
         None => (2.0 * gravity[0].hypot(gravity[1]) * depth.max(0.0)).sqrt(),
     };
     flow.max(body.map_or(0.0, Body::fastest_point))
+}
+
+impl Scene {
+    /// How the body meets the water; `None` where no body falls or moves down into it.
+    pub fn entry(&self) -> Option<Entry> {
+        Entry::of(self.body.as_ref()?, self.gravity, self.water().density, self.time.end)
+    }
+
+    /// Fastest speed of the flow that is known before the run [m/s].
+    pub fn fastest_speed(&self) -> f64 {
+        let entry = self.entry();
+        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, self.tank.fall()) + self.tank.block_speed()
+    }
+
+    /// Speed by which the steps of a projection are limited before anything moves [m/s]: the fastest that is known, but for
+    /// the root of a spray no more than four times the body's speed, which a round body exceeds at first touch.
+    pub fn projection_speed(&self) -> f64 {
+        const ROOT_OVER_BODY: f64 = 4.0;
+        let fastest = self.fastest_speed();
+        self.entry().map_or(fastest, |entry| fastest.min(ROOT_OVER_BODY * entry.speed))
+    }
 }
 
 /// Speed of sound [m/s]: c₀ = max(U/M(ε), 10 u).

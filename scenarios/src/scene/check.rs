@@ -1,88 +1,156 @@
 //! Does the resolved scene make sense as a whole? Each check compares what single keys cannot know of each other.
 
-use super::settings::{Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
-use super::start::check_start;
+use std::fmt::Display;
+
+use super::incompressible::check_projection_step;
+use super::legacy::{breakdown_cfl, hollow_walls};
+use super::settings::{Block, Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use crate::observers::columns;
 use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, significant};
-use sph_core::WallModel;
+use fsi_coupling::settings::{Problem, require, significant};
 
 /// Spacings across the thinnest part of a body: three rows of wall particles behind each face.
 const THINNEST_BODY: f64 = 6.0;
 
-/// Spacings across the smallest body of water.
+/// Spacings across the smallest body of water, and across the smallest block of it.
 const SMALLEST_WATER: f64 = 4.0;
+
+/// Largest rise or fall of the surface over the depth: columns are stretched by as much.
+const LARGEST_RISE: f64 = 0.5;
 
 pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_water(scene)?;
-    check_start(scene)?;
+    check_surface(scene)?;
+    scene.tank.block().map_or(Ok(()), |block| check_block(scene, &block))?;
     check_levels(scene)?;
     if let Some(body) = &scene.body {
         check_body_in_tank(scene, body)?;
-        check_plate(scene, body)?;
-        check_thickness(scene, body)?;
+        match &body.shape {
+            Shape::Polyline { points, thickness } => check_plate(scene, points, *thickness)?,
+            shape => check_thickness(scene, shape.thickness())?,
+        }
         if scene.symmetry == Symmetry::X {
             check_symmetric(body)?;
         }
     }
-    if scene.symmetry == Symmetry::X && scene.gravity[0] != 0.0 {
-        let given = format!("[{}, {}]", scene.gravity[0], scene.gravity[1]);
-        return Err(Problem::new("gravity", given, "[0, ...] with symmetry = \"x\""));
+    let [x, y] = scene.gravity;
+    on_axis(scene.symmetry == Symmetry::None || x == 0.0, "gravity", [x, y])?;
+    check_names(scene)?;
+    for (i, gauge) in scene.gauges.iter().enumerate() {
+        check_gauge(scene, gauge, |name| format!("gauges[{i}].{name}"))?;
     }
-    check_gauges(scene)?;
     check_comparisons(scene)?;
-    match scene.similarity {
-        Some(Similarity::Wedge) => check_wedge_similarity(scene),
-        None => Ok(()),
-    }
+    scene.similarity.map_or(Ok(()), |Similarity::Wedge| check_wedge_similarity(scene))
+}
+
+/// Refuses a Courant number, or a fixed step, at which the integrator breaks down.
+pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
+    let Some(fluid) = scene.solver.weakly_compressible() else {
+        return check_projection_step(scene); // its steps know no sound
+    };
+    let (largest, name) = breakdown_cfl(&fluid.options);
+    let cfl = scene.courant_number();
+    let expected = format_args!("a number above 0 and below {largest}, where {name} breaks down");
+    require(cfl < largest, "fluid.cfl", cfl, expected)?;
+    // at the speed of sound alone: water that moves bears less
+    let still = largest * fluid.water.fluid.smoothing_ratio * scene.resolution.spacing / scene.sound_speed();
+    let step = scene.time.step.unwrap_or(0.0);
+    let limit = significant(still);
+    let expected = format_args!("an interval below {limit} s, {largest} h/c0, where {name} breaks down");
+    require(step < still, "time.step", step, expected)
+}
+
+/// A pair of numbers as a scene has it, of which the first is not 0.
+fn on_axis(holds: bool, key: &str, [x, y]: [f64; 2]) -> Result<(), Problem> {
+    require(holds, key, format_args!("[{x}, {y}]"), "[0, ...] with symmetry = \"x\"")
 }
 
 fn check_water(scene: &Scene) -> Result<(), Problem> {
     let (tank, least) = (&scene.tank, SMALLEST_WATER * scene.resolution.spacing);
+    let (width, water) = (tank.width, tank.water_width);
     let enough = format!("at least {SMALLEST_WATER} spacings of water, {} m", significant(least));
-    let lengths = [("width", tank.width), ("depth", tank.depth), ("water_width", tank.water_width)];
-    if let Some((key, length)) = lengths.iter().find(|(_, length)| *length < least) {
-        return Err(Problem::new(&format!("tank.{key}"), length, enough));
+    for (key, length) in [("tank.width", width), ("tank.depth", tank.depth), ("tank.water_width", water)] {
+        require(length >= least, key, length, &enough)?;
     }
-    if tank.water_width > tank.width {
-        let expected = format!("at most tank.width = {} m", tank.width);
-        return Err(Problem::new("tank.water_width", tank.water_width, expected));
-    }
-    if scene.symmetry == Symmetry::X && tank.water_width < tank.width {
-        let expected = format!("tank.width = {} m with symmetry = \"x\"", tank.width);
-        return Err(Problem::new("tank.water_width", tank.water_width, expected));
-    }
-    if tank.height < tank.depth {
-        let expected = format!("at least tank.depth = {} m", tank.depth);
-        return Err(Problem::new("tank.height", tank.height, expected));
-    }
-    Ok(())
+    require(water <= width, "tank.water_width", water, format_args!("at most tank.width = {width} m"))?;
+    let half = scene.symmetry == Symmetry::X;
+    let expected = format_args!("tank.width = {width} m with symmetry = \"x\"");
+    require(!half || water >= width, "tank.water_width", water, expected)?;
+    let expected = format_args!("at least tank.depth = {} m", tank.depth);
+    require(tank.height >= tank.depth, "tank.height", tank.height, expected)
+}
+
+/// The surface that the water starts with fits the tank (THEORY WC19); with a mirror at x = 0 it is its own image.
+fn check_surface(scene: &Scene) -> Result<(), Problem> {
+    let tank = &scene.tank;
+    let Some(surface) = tank.surface() else { return Ok(()) };
+    let (rise, largest, mode) = (surface.largest(), LARGEST_RISE * tank.depth, tank.surface_mode);
+    let waves = tank.surface_amplitude != 0.0;
+    let (key, given) = match waves {
+        true => ("tank.surface_amplitude", tank.surface_amplitude),
+        false => ("tank.surface_tilt_deg", tank.surface_tilt_deg),
+    };
+    let [by, most] = [rise, largest].map(significant);
+    let expected =
+        format_args!("a surface that rises and falls by no more than {most} m, half the depth: this one may by {by} m");
+    require(rise <= largest, key, given, expected)?;
+    let highest = tank.depth + rise;
+    let expected = format_args!("at least {} m, where the water starts", significant(highest));
+    require(tank.height >= highest, "tank.height", tank.height, expected)?;
+    let expected = format_args!("tank.width = {} m with a surface that is not level", tank.width);
+    require(tank.water_width >= tank.width, "tank.water_width", tank.water_width, expected)?;
+    let short = waves && tank.width / f64::from(mode) < SMALLEST_WATER * scene.resolution.spacing;
+    let expected = format_args!("at most one half wave to {SMALLEST_WATER} spacings");
+    require(!short, "tank.surface_mode", mode, expected)?;
+    let whole = scene.symmetry == Symmetry::None;
+    let (tilt, level) = (tank.surface_tilt_deg, tank.surface_tilt_deg == 0.0);
+    require(whole || level, "tank.surface_tilt_deg", tilt, "0 with symmetry = \"x\"")?;
+    require(whole || mode % 2 == 0, "tank.surface_mode", mode, "an even number with symmetry = \"x\"")
+}
+
+/// The block of water in the air is between the walls and above the water (THEORY WC18).
+fn check_block(scene: &Scene, block: &Block) -> Result<(), Problem> {
+    let (tank, half, [from, to]) = (&scene.tank, scene.symmetry == Symmetry::X, [block.from, block.to]);
+    let least = SMALLEST_WATER * scene.resolution.spacing;
+    let left = if half { 0.0 } else { -0.5 * tank.width };
+    let (right, rise, rim) = (0.5 * tank.width, tank.rise(), tank.height - tank.depth);
+    let expected = format_args!(
+        "at least {SMALLEST_WATER} spacings, {} m, above and right of block_from = {from:?}",
+        significant(least)
+    );
+    let large = (0..2).all(|k| to[k] - from[k] >= least);
+    require(large, "tank.block_to", format_args!("{to:?}"), expected)?;
+    let expected = format_args!("x of at least {left} m and y of at least {rise} m, where the water below ends");
+    require(from[0] >= left && from[1] >= rise, "tank.block_from", format_args!("{from:?}"), expected)?;
+    let expected = format_args!("x of at most {right} m and y of at most {} m, the walls' rim", significant(rim));
+    require(to[0] <= right && to[1] <= rim, "tank.block_to", format_args!("{to:?}"), expected)?;
+    let leaves_mirror = half && from[0] == 0.0 && block.velocity[0] != 0.0;
+    let given = format_args!("{:?}", block.velocity);
+    require(!leaves_mirror, "tank.block_velocity", given, "[0, ...] on the mirror")
 }
 
 fn check_body_in_tank(scene: &Scene, body: &Body) -> Result<(), Problem> {
     let [min, max] = polygon::bounding_box(&body.placed_outline());
-    if stands(body) {
+    if matches!((&body.shape, &body.motion), (Shape::Polyline { .. }, Motion::Fixed)) {
         return check_standing_plate(scene, [min, max]);
     }
     let half = 0.5 * scene.tank.width;
-    let reach = format!("a body from x = {} to {} m", significant(min[0]), significant(max[0]));
-    let inside = format!("a body between the walls at x = {} and {} m", significant(-half), significant(half));
+    let [left, right, low] = [min[0], max[0], min[1]].map(significant);
+    let [wall, floor] = [half, -scene.tank.depth].map(significant);
+    let placed =
+        |holds: bool, given: &dyn Display, expected: &dyn Display| require(holds, "body.position", given, expected);
+    let beside = |how: &str| format!("a body from x = {left} to {right} m, {how}");
+    let inside = format!("a body between the walls at x = -{wall} and {wall} m");
     // what does not move may touch the tank
     let play = if body.motion == Motion::Fixed { 1e-9 * (scene.tank.width + scene.tank.depth) } else { 0.0 };
-    if min[0] >= half || max[0] <= -half {
-        return Err(Problem::new("body.position", format!("{reach}, off the tank"), inside));
-    }
-    if min[0] <= -half - play || max[0] >= half + play {
-        return Err(Problem::new("body.position", format!("{reach}, overlapping a tank wall"), inside));
-    }
-    if min[1] <= -scene.tank.depth - play {
-        let given = format!("a body down to y = {} m, overlapping the floor", significant(min[1]));
-        let expected = format!("a body above the floor at y = {} m", significant(-scene.tank.depth));
-        return Err(Problem::new("body.position", given, expected));
-    }
+    placed(min[0] < half && max[0] > -half, &beside("off the tank"), &inside)?;
+    let between = min[0] > -half - play && max[0] < half + play;
+    placed(between, &beside("overlapping a tank wall"), &inside)?;
+    let given = format_args!("a body down to y = {low} m, overlapping the floor");
+    placed(min[1] > -scene.tank.depth - play, &given, &format_args!("a body above the floor at y = {floor} m"))?;
     match &body.motion {
         Motion::Oscillating(oscillation) => check_swing(scene, oscillation.amplitude, [min, max]),
         _ => Ok(()),
@@ -103,183 +171,125 @@ fn check_swing(scene: &Scene, amplitude: [f64; 2], [min, max]: [[f64; 2]; 2]) ->
     Err(Problem::new("body.amplitude", format!("{amplitude:?}"), expected))
 }
 
-/// A fixed plate may stand on the tank's walls.
-fn stands(body: &Body) -> bool {
-    matches!((&body.shape, &body.motion), (Shape::Polyline { .. }, Motion::Fixed))
-}
-
-/// It may touch them, and is not beyond them.
+/// A fixed plate may touch the tank's walls, and is not beyond them.
 fn check_standing_plate(scene: &Scene, [min, max]: [[f64; 2]; 2]) -> Result<(), Problem> {
     let (half, floor) = (0.5 * scene.tank.width, -scene.tank.depth);
     let beyond = 1e-9 * scene.tank.width;
-    if min[0] >= -half - beyond && max[0] <= half + beyond && min[1] >= floor - beyond {
-        return Ok(());
-    }
+    let inside = min[0] >= -half - beyond && max[0] <= half + beyond && min[1] >= floor - beyond;
     let given = format!("a plate that reaches from {:?} to {:?} m", min.map(significant), max.map(significant));
     let [half, floor] = [half, floor].map(significant);
-    let expected = format!(
+    let expected = format_args!(
         "a plate between the walls at x = -{half} and {half} m that ends at the floor, y = {floor} m, or above"
     );
-    Err(Problem::new("body.position", given, expected))
+    require(inside, "body.position", given, expected)
 }
 
 /// A thin plate (THEORY WA9) wants walls that fill it, and bends wider than its rows are deep.
-fn check_plate(scene: &Scene, body: &Body) -> Result<(), Problem> {
-    let Shape::Polyline { points, thickness } = &body.shape else { return Ok(()) };
+fn check_plate(scene: &Scene, points: &[[f64; 2]], thickness: f64) -> Result<(), Problem> {
     let spacing = scene.resolution.spacing;
     let rows = (2.0 * scene.water().smoothing_ratio - 1e-9).ceil();
-    if *thickness >= 2.0 * rows * spacing {
+    if thickness >= 2.0 * rows * spacing {
         return Ok(());
     }
-    let walls = scene.solver.weakly_compressible().map_or(WallModel::default(), |fluid| fluid.options.walls);
-    if !matches!(walls, WallModel::Extrapolated | WallModel::MirrorPoint) {
+    if let Some(walls) = scene.solver.weakly_compressible().and_then(|fluid| hollow_walls(&fluid.options)) {
         let expected = format!(
             "extrapolated or mirror_point: the body is a plate {} m thin, thinner than {} spacings",
-            significant(*thickness),
+            significant(thickness),
             2.0 * rows
         );
-        let given = format!("{:?}", walls).to_lowercase();
-        return Err(Problem::new("fluid.walls", format!("\"{given}\""), expected));
+        return Err(Problem::new("fluid.walls", format!("\"{walls}\""), expected));
     }
-    match too_tight(points, rows * spacing - 0.5 * thickness) {
-        None => Ok(()),
-        Some(side) => {
-            let expected = format!(
-                "longer sides or gentler bends beside side {side}: {rows} rows of wall particles, {} m, turn with them",
-                significant(rows * spacing)
-            );
-            Err(Problem::new("body.points", format!("{:?} to {:?}", points[side], points[side + 1]), expected))
-        }
-    }
+    let Some(side) = too_tight(points, rows * spacing - 0.5 * thickness) else { return Ok(()) };
+    let expected = format!(
+        "longer sides or gentler bends beside side {side}: {rows} rows of wall particles, {} m, turn with them",
+        significant(rows * spacing)
+    );
+    Err(Problem::new("body.points", format!("{:?} to {:?}", points[side], points[side + 1]), expected))
 }
 
-fn check_thickness(scene: &Scene, body: &Body) -> Result<(), Problem> {
-    if matches!(body.shape, Shape::Polyline { .. }) {
-        return Ok(()); // thin where it must be (THEORY WA9)
-    }
-    let (spacing, thickness) = (scene.resolution.spacing, body.shape.thickness());
-    let largest = thickness / THINNEST_BODY;
-    match spacing <= largest || matches!(body.shape, Shape::Polyline { .. }) {
-        true => Ok(()),
-        false => {
-            let expected = format!(
-                "at most {} m: the body is {} m thin, and thinner than {THINNEST_BODY} spacings it is thinner than its \
-                 walls can represent",
-                significant(largest),
-                significant(thickness)
-            );
-            Err(Problem::new("resolution.spacing", spacing, expected))
-        }
-    }
+fn check_thickness(scene: &Scene, thickness: f64) -> Result<(), Problem> {
+    let (spacing, largest) = (scene.resolution.spacing, thickness / THINNEST_BODY);
+    let expected = format_args!(
+        "at most {} m: the body is {} m thin, and thinner than {THINNEST_BODY} spacings it is thinner than its walls \
+         can represent",
+        significant(largest),
+        significant(thickness)
+    );
+    require(spacing <= largest, "resolution.spacing", spacing, expected)
 }
 
 fn check_symmetric(body: &Body) -> Result<(), Problem> {
-    let zero = |key: &str, value: f64| match value == 0.0 {
-        true => Ok(()),
-        false => Err(Problem::new(&format!("body.{key}"), value, "0 with symmetry = \"x\"")),
-    };
-    zero("angle_deg", body.angle_deg)?;
-    zero("angular_velocity_deg_per_s", body.angular_velocity_deg_per_s)?;
-    let on_axis = |key: &str, [x, y]: [f64; 2]| match x == 0.0 {
-        true => Ok(()),
-        false => Err(Problem::new(&format!("body.{key}"), format!("[{x}, {y}]"), "[0, ...] with symmetry = \"x\"")),
-    };
-    on_axis("velocity", body.velocity)?;
-    on_axis("position", body.position)?;
-    if !polygon::is_mirror_symmetric(&body.shape.outline()) {
-        let expected = "a body symmetric about x = 0 with symmetry = \"x\"";
-        return Err(Problem::new("body.points", "a lopsided body", expected));
+    for (key, value) in
+        [("body.angle_deg", body.angle_deg), ("body.angular_velocity_deg_per_s", body.angular_velocity_deg_per_s)]
+    {
+        require(value == 0.0, key, value, "0 with symmetry = \"x\"")?;
     }
-    if body.center_of_mass[0].abs() > 1e-9 * polygon::perimeter(&body.shape.outline()) {
-        let given = format!("[{}, {}]", body.center_of_mass[0], body.center_of_mass[1]);
-        return Err(Problem::new("body.center_of_mass", given, "[0, ...] with symmetry = \"x\""));
+    on_axis(body.velocity[0] == 0.0, "body.velocity", body.velocity)?;
+    on_axis(body.position[0] == 0.0, "body.position", body.position)?;
+    let (outline, centre) = (body.shape.outline(), body.center_of_mass);
+    let even = polygon::is_mirror_symmetric(&outline);
+    require(even, "body.points", "a lopsided body", "a body symmetric about x = 0 with symmetry = \"x\"")?;
+    on_axis(centre[0].abs() <= 1e-9 * polygon::perimeter(&outline), "body.center_of_mass", centre)
+}
+
+/// Each name starts columns of its own.
+fn check_names(scene: &Scene) -> Result<(), Problem> {
+    let mut names: Vec<&str> = scene.body.iter().map(|body| body.name.as_str()).collect();
+    let panels = scene.body.iter().flat_map(|body| &body.panels).enumerate();
+    let panels = panels.map(|(i, panel)| (format!("body.panels[{i}].name"), &panel.name, "panel"));
+    let gauges = scene.gauges.iter().enumerate();
+    for (key, name, kind) in panels.chain(gauges.map(|(i, gauge)| (format!("gauges[{i}].name"), &gauge.name, "gauge")))
+    {
+        let expected = format_args!("a name that no other {kind} or body has");
+        require(!names.contains(&name.as_str()), &key, format_args!("{name:?}"), expected)?;
+        names.push(name);
     }
     Ok(())
 }
 
-fn check_gauges(scene: &Scene) -> Result<(), Problem> {
-    let mut names: Vec<&str> = scene.body.iter().map(|body| body.name.as_str()).collect();
-    for (i, panel) in scene.body.iter().flat_map(|body| &body.panels).enumerate() {
-        if names.contains(&panel.name.as_str()) {
-            let expected = "a name that no other panel or body has";
-            return Err(Problem::new(&format!("body.panels[{i}].name"), format!("{:?}", panel.name), expected));
-        }
-        names.push(&panel.name);
+fn check_gauge(scene: &Scene, gauge: &Gauge, key: impl Fn(&str) -> String) -> Result<(), Problem> {
+    let (tank, [x, y], spacing) = (&scene.tank, gauge.at, scene.resolution.spacing);
+    let at = format!("{:?}", gauge.at);
+    if gauge.on == GaugeFrame::Body {
+        let refused = || Problem::new(&key("on"), "\"body\"", "\"fixed\" in a scene without a body");
+        let body = scene.body.as_ref().ok_or_else(refused)?;
+        let nearest = polygon::nearest_point(&body.shape.outline(), gauge.at);
+        let distance = (nearest[0] - x).hypot(nearest[1] - y);
+        let [near_x, near_y, away] = [nearest[0], nearest[1], distance].map(significant);
+        let expected =
+            format_args!("a point on the body's outline: the nearest, [{near_x}, {near_y}], is {away} m away");
+        return require(distance <= spacing, &key("at"), at, expected);
     }
-    for (i, gauge) in scene.gauges.iter().enumerate() {
-        let key = |name: &str| format!("gauges[{i}].{name}");
-        if names.contains(&gauge.name.as_str()) {
-            let expected = "a name that no other gauge or body has";
-            return Err(Problem::new(&key("name"), format!("{:?}", gauge.name), expected));
-        }
-        names.push(&gauge.name);
-        let given = format!("{:?}", gauge.at);
-        match (gauge.on, &scene.body) {
-            (GaugeFrame::Body, None) => {
-                return Err(Problem::new(&key("on"), "\"body\"", "\"fixed\" in a scene without a body"));
-            }
-            (GaugeFrame::Body, Some(body)) => {
-                let [x, y] = polygon::nearest_point(&body.shape.outline(), gauge.at);
-                let distance = (x - gauge.at[0]).hypot(y - gauge.at[1]);
-                if distance > scene.resolution.spacing {
-                    let [x, y, away] = [x, y, distance].map(significant);
-                    let expected = format!("a point on the body's outline: the nearest, [{x}, {y}], is {away} m away");
-                    return Err(Problem::new(&key("at"), given, expected));
-                }
-            }
-            (GaugeFrame::Fixed, _) => {
-                check_fixed_gauge(scene, &key("at"), gauge.at)?;
-                check_face_of_fixed_gauge(scene, &key("length"), gauge)?;
-            }
-        }
-    }
-    Ok(())
+    let right = 0.5 * tank.width;
+    let left = if scene.symmetry == Symmetry::X { 0.0 } else { -right };
+    let (floor, top) = (-tank.depth, tank.height - tank.depth);
+    let inside = (left..=right).contains(&x) && (floor..=top).contains(&y);
+    // only a gauge on a wall has a face to average over
+    let away = (right - x.abs()).min(y + tank.depth);
+    let faces = gauge.length == 0.0 || away <= spacing;
+    let [left, right, floor, top, away] = [left, right, floor, top, away].map(significant);
+    let expected = format_args!("a point in the tank, x from {left} to {right} and y from {floor} to {top} m");
+    require(inside, &key("at"), at, expected)?;
+    let expected = format_args!("0 for a gauge in the water, {away} m from the nearest wall");
+    require(faces, &key("length"), gauge.length, expected)
 }
 
 /// The height of the water is read between the walls.
 fn check_levels(scene: &Scene) -> Result<(), Problem> {
     let half = 0.5 * scene.tank.width;
     let left = if scene.symmetry == Symmetry::X { 0.0 } else { -half };
-    match scene.observe.level.iter().find(|x| !(left..=half).contains(*x)) {
-        None => Ok(()),
-        Some(x) => Err(Problem::new("observe.level", x, format!("places x from {left} to {half} m"))),
-    }
-}
-
-fn check_fixed_gauge(scene: &Scene, key: &str, at: [f64; 2]) -> Result<(), Problem> {
-    let tank = &scene.tank;
-    let right = 0.5 * tank.width;
-    let left = if scene.symmetry == Symmetry::X { 0.0 } else { -right };
-    let (floor, top) = (-tank.depth, tank.height - tank.depth);
-    match (left..=right).contains(&at[0]) && (floor..=top).contains(&at[1]) {
-        true => Ok(()),
-        false => {
-            let [left, right, floor, top] = [left, right, floor, top].map(significant);
-            let expected = format!("a point in the tank, x from {left} to {right} and y from {floor} to {top} m");
-            Err(Problem::new(key, format!("{at:?}"), expected))
-        }
-    }
-}
-
-/// Only a gauge on a wall has a face to average over.
-fn check_face_of_fixed_gauge(scene: &Scene, key: &str, gauge: &Gauge) -> Result<(), Problem> {
-    let (tank, [x, y]) = (&scene.tank, gauge.at);
-    let away = (0.5 * tank.width - x.abs()).min(y + tank.depth);
-    if gauge.length == 0.0 || away <= scene.resolution.spacing {
-        return Ok(());
-    }
-    let expected = format!("0 for a gauge in the water, {} m from the nearest wall", significant(away));
-    Err(Problem::new(key, gauge.length, expected))
+    scene.observe.level.iter().try_for_each(|x| {
+        let between = (left..=half).contains(x);
+        require(between, "observe.level", x, format_args!("places x from {left} to {half} m"))
+    })
 }
 
 fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
     let known = columns(scene).split_off(1);
     for (i, compare) in scene.compare.iter().enumerate() {
-        if !known.contains(&compare.quantity) {
-            let key = format!("compare[{i}].quantity");
-            let expected = format!("a column of this scene's series: {}", known.join(", "));
-            return Err(Problem::new(&key, format!("{:?}", compare.quantity), expected));
-        }
+        let given = format_args!("{:?}", compare.quantity);
+        let expected = format_args!("a column of this scene's series: {}", known.join(", "));
+        require(known.contains(&compare.quantity), &format!("compare[{i}].quantity"), given, expected)?;
         check_reference(i, compare)?;
     }
     Ok(())
@@ -287,9 +297,9 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
 
 /// The reference is there, and has the columns that the scene names.
 fn check_reference(i: usize, compare: &Compare) -> Result<(), Problem> {
-    let key = |name: &str| format!("compare[{i}].{name}");
     let wrong = |name: &str, given: &str, error: ReferenceError| {
-        Problem::new(&key(name), format!("{given:?}"), format!("a table that can be used: {error}"))
+        let expected = format!("a table that can be used: {error}");
+        Problem::new(&format!("compare[{i}].{name}"), format!("{given:?}"), expected)
     };
     let table = Table::load(&compare.reference).map_err(|e| wrong("reference", &compare.reference, e))?;
     for (name, column) in [("x", &compare.x), ("y", &compare.y)] {
@@ -300,29 +310,21 @@ fn check_reference(i: usize, compare: &Compare) -> Result<(), Problem> {
 
 /// The similarity solution asks for a wedge that touches the water at t = 0, keeps its speed and feels no gravity.
 fn check_wedge_similarity(scene: &Scene) -> Result<(), Problem> {
-    let has = |given: &str, expected: &str| {
-        let expected = format!("{expected} for the similarity solution of a wedge");
-        Err(Problem::new("similarity", format!("\"wedge\" {given}"), expected))
+    let has = |holds: bool, given: String, expected: &str| {
+        let expected = format_args!("{expected} for the similarity solution of a wedge");
+        require(holds, "similarity", format_args!("\"wedge\" {given}"), expected)
     };
-    let Some(body) = &scene.body else {
-        return has("without a body", "a wedge");
-    };
-    if !matches!(body.shape, Shape::Wedge { .. }) {
-        return has(&format!("with shape = \"{}\"", body.shape.name()), "shape = \"wedge\"");
-    }
-    if body.motion != Motion::ConstantVelocity {
-        return has("with a body that may change its speed", "motion = \"constant_velocity\"");
-    }
-    if scene.gravity != [0.0, 0.0] {
-        return has(&format!("with gravity = {:?}", scene.gravity), "gravity = [0.0, 0.0]");
-    }
+    let Some(body) = &scene.body else { return has(false, "without a body".into(), "a wedge") };
+    let wedge = matches!(body.shape, Shape::Wedge { .. });
+    has(wedge, format!("with shape = \"{}\"", body.shape.name()), "shape = \"wedge\"")?;
+    let steady = body.motion == Motion::ConstantVelocity;
+    has(steady, "with a body that may change its speed".into(), "motion = \"constant_velocity\"")?;
+    let given = format!("with gravity = {:?}", scene.gravity);
+    has(scene.gravity == [0.0, 0.0], given, "gravity = [0.0, 0.0]")?;
     let upright = body.velocity[0] == 0.0 && body.velocity[1] < 0.0 && body.angle_deg == 0.0;
-    if !upright || body.angular_velocity_deg_per_s != 0.0 {
-        let given = format!("with angle_deg = {}, velocity = {:?}", body.angle_deg, body.velocity);
-        return has(&given, "an upright wedge that moves straight down");
-    }
-    match body.position[1] == 0.0 {
-        true => Ok(()),
-        false => has(&format!("with the keel at y = {} m", body.position[1]), "position = \"touching\""),
-    }
+    let given = format!("with angle_deg = {}, velocity = {:?}", body.angle_deg, body.velocity);
+    let straight = upright && body.angular_velocity_deg_per_s == 0.0;
+    has(straight, given, "an upright wedge that moves straight down")?;
+    let keel = body.position[1];
+    has(keel == 0.0, format!("with the keel at y = {keel} m"), "position = \"touching\"")
 }

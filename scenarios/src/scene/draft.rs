@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use super::overrides::{Segment, segments};
+use super::source::{Segment, segments};
 use fsi_coupling::settings::{Problem, Schema};
 
 /// A table of settings that has been checked against its schema and is not yet complete.

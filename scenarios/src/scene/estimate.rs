@@ -1,7 +1,6 @@
 //! The size of the work, before any particle exists.
 
-use sph_core::WallModel;
-
+use super::legacy::wall_rows;
 use super::settings::{Scene, Symmetry};
 use fsi_coupling::geometry::polygon;
 
@@ -63,12 +62,8 @@ fn block_particles(scene: &Scene) -> f64 {
 }
 
 fn wall_particles(scene: &Scene) -> f64 {
-    let walls = scene.solver.weakly_compressible().map_or(WallModel::default(), |fluid| fluid.options.walls);
-    let rows = match walls {
-        WallModel::Extrapolated | WallModel::MirrorPoint => (2.0 * scene.water().smoothing_ratio).ceil(),
-        WallModel::Dynamic => 2.0,
-        WallModel::Repulsive => 1.0,
-    };
+    let options = scene.solver.weakly_compressible().map(|fluid| fluid.options).unwrap_or_default();
+    let rows = wall_rows(&options, scene.water().smoothing_ratio);
     let half = 0.5 * scene.tank.width;
     let (floor, top) = (-scene.tank.depth, scene.tank.height - scene.tank.depth);
     let right = particles_along(scene, [half, floor], [half, top]);

@@ -1,6 +1,6 @@
 //! What classical theory says of an impact before it is run: speeds, penetration, compressibility.
 
-use std::f64::consts::{FRAC_PI_2, SQRT_2};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use super::settings::{Body, Motion};
 use fsi_coupling::Shape;
@@ -211,9 +211,43 @@ pub fn sound_speed_for(error: f64, root_speed: f64) -> f64 {
     root_speed / high
 }
 
+/// Largest deadrise of the solutions that [`jet_reach`] is fitted to [deg].
+const LARGEST_DEADRISE_DEG: f64 = 50.0;
+
+/// Reach of the jet's tip along a wedge of deadrise β [deg] at constant speed, x_tip/(V t) [-] (THEORY EN11):
+/// (π − 0.98 β^1.78)/tan β with β in radians.
+///
+/// A fit to the similarity solutions (Dobrovolskaya 1969) at 10, 20, 30, 45 and 50°, within 0.2 %; π/tan β, twice the
+/// spray root's, is the limit of small β (Wagner 1932). `None` above 50°.
+pub fn jet_reach(deadrise_deg: f64) -> Option<f64> {
+    let beta = deadrise_deg.to_radians();
+    (deadrise_deg <= LARGEST_DEADRISE_DEG).then(|| (PI - 0.98 * beta.powf(1.78)) / beta.tan())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference::Table;
+
+    #[test]
+    fn the_jet_reaches_as_far_as_in_the_similarity_solutions() {
+        let name = "wedge_similarity/summary.csv";
+        let table = Table::load(name).expect("a built-in table");
+        let [deadrise, tip] = ["beta_deg", "x_tip"].map(|column| table.column(name, column).expect("a column"));
+        assert_eq!(deadrise.len(), 5);
+        for (beta, exact) in deadrise.into_iter().zip(tip) {
+            let ours = jet_reach(beta).expect("within the fit's range");
+            assert!((ours / exact - 1.0).abs() < 2e-3, "{beta} deg: {ours}, exact {exact}");
+        }
+        assert_eq!(jet_reach(60.0), None);
+    }
+
+    #[test]
+    fn the_jet_of_a_flat_wedge_is_twice_as_far_out_as_its_root() {
+        let beta: f64 = 0.5;
+        let root = FRAC_PI_2 / beta.to_radians().tan();
+        assert!((jet_reach(beta).expect("within the fit's range") / root - 2.0).abs() < 1e-3);
+    }
 
     #[test]
     fn sound_speed_inverts_the_error() {

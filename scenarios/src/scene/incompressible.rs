@@ -1,6 +1,6 @@
 //! Limits and warnings of scenes with an incompressible solver (THEORY PR2–PR14, LE18–LE28).
 
-use fsi_coupling::settings::{Problem, significant};
+use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
 use super::settings::{CouplingScheme, Motion, Scene};
@@ -19,22 +19,14 @@ const STEADY_CFL: f64 = 0.6;
 /// once, which took 18 % of a wedge's force at 5 draughts and 6 % at 10.
 const REACH: f64 = 15.0;
 
-/// h/Δx up to which the free surface of the thesis's projection holds (THEORY LE1).
-const LARGEST_RATIO_OF_THESIS: f64 = 1.25;
-
 /// Refuses steps in which water moves farther than its neighbours reach.
 pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
-    match scene.courant_number() <= LARGEST_CFL {
-        true => Ok(()),
-        false => {
-            let expected = format!(
-                "a number above 0 and up to {LARGEST_CFL} with solver = {:?}: the share of its smoothing length that a particle \
-                 moves in a step",
-                scene.solver.name()
-            );
-            Err(Problem::new("fluid.cfl", scene.courant_number(), expected))
-        }
-    }
+    let (cfl, name) = (scene.courant_number(), scene.solver.name());
+    let expected = format_args!(
+        "a number above 0 and up to {LARGEST_CFL} with solver = {name:?}: the share of its smoothing length that a particle moves \
+         in a step"
+    );
+    require(cfl <= LARGEST_CFL, "fluid.cfl", cfl, expected)
 }
 
 /// Warnings about a scene with an incompressible solver: its step, its walls, and what does nothing.
@@ -89,26 +81,4 @@ fn near_walls(scene: &Scene) -> Option<String> {
             significant(REACH * draught)
         )
     })
-}
-
-/// What the thesis's projection is not to be relied on for.
-pub(super) fn thesis_warnings(scene: &Scene) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if scene.solver.kind() != Solver::IncompressibleThesis {
-        return warnings;
-    }
-    let ratio = scene.water().smoothing_ratio;
-    if ratio > LARGEST_RATIO_OF_THESIS {
-        warnings.push(format!(
-            "fluid.smoothing_ratio = {ratio}: with solver = \"incompressible_thesis\" the free surface holds up to \
-             {LARGEST_RATIO_OF_THESIS}"
-        ));
-    }
-    if scene.body.is_some() {
-        warnings.push(
-            "solver = \"incompressible_thesis\" breaks down where a body enters the surface (THEORY LE1): take \"incompressible\""
-                .into(),
-        );
-    }
-    warnings
 }

@@ -1,24 +1,35 @@
-//! From a name or a path to a scene.
+//! From a name or a path to a scene, and from `model = "auto"` to the model that runs it.
 
-use std::fs;
-use std::io::ErrorKind;
+use std::sync::LazyLock;
 
-use fsi_coupling::settings::{Problem, significant};
+use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::settings::{Problem, require, significant};
+use include_dir::{Dir, include_dir};
 use serde_json::Value;
-use sph_core::Solver;
+use sph_core::{FluidSettings, Solver};
 
-use super::builtin::builtin;
-use super::check::check;
+use super::check::{check, check_step};
 use super::draft::Draft;
-use super::dropped::refuse_dropped;
-use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
-use super::limits::check_step;
+use super::impact::Entry;
+use super::legacy::refuse_absent;
 use super::resolve::resolve;
-use super::resolve_model::{Ask, check_model, settle_auto, settle_solver};
-use super::settings::{Scene, schema};
-use super::source::Source;
+use super::resolve_body::resolve_body;
+use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
+use super::source::{SceneError, Source};
 use super::warnings::warnings;
+use crate::charted::spacing_within;
+use crate::embedded::texts;
+use crate::model_hierarchy::{Choice, Theory, charted_number, choose};
+
+/// Largest error that `auto` may have had, where the scene does not say [-].
+const USUAL_TOLERANCE: f64 = 0.05;
+/// Left to the program, the end of an entry is when a body that kept its speed would be this many times as deep as when its
+/// spray root is at the chines: past the largest force.
+const PAST_CHINES: f64 = 2.0;
+/// Spacings in the draught from which a spacing is looked for.
+const PROVISIONAL: f64 = 32.0;
+const SPACING: &str = "/resolution/spacing";
 
 /// Whether steps at which the scheme is known to break down are refused (THEORY WC16).
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -37,43 +48,31 @@ pub struct Loaded {
     source: Source,
 }
 
-/// Loads a built-in scene by its name, or a scene file by its path, with `--set` arguments applied in their order.
-pub fn load(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    let (name, text) = text_of(name_or_path)?;
-    load_text(&name, &text, sets)
+static FILES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/scenes");
+
+/// Name and text of each built-in scene, by name.
+pub fn builtin() -> &'static [(&'static str, &'static str)] {
+    static SCENES: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| texts(&FILES));
+    &SCENES
 }
 
-/// The file's name and text of a built-in scene, or of one by its path.
-fn text_of(name_or_path: &str) -> Result<(String, String), SceneError> {
-    if let Some((name, text)) = builtin().iter().find(|(name, _)| *name == name_or_path) {
-        return Ok((format!("{name}.toml"), text.to_string()));
-    }
-    let text = fs::read_to_string(name_or_path).map_err(|cause| match cause.kind() {
-        ErrorKind::NotFound => {
-            let names: Vec<&str> = builtin().iter().map(|(name, _)| *name).collect();
-            SceneError::Unknown {
-                name: name_or_path.to_string(),
-                help: format!("built-in scenes: {}", names.join(", ")),
-            }
-        }
-        _ => SceneError::Unreadable { path: name_or_path.to_string(), cause },
-    })?;
-    Ok((name_or_path.to_string(), text))
+/// Loads a built-in scene by its name, or a scene file by its path, with `--set` arguments applied in their order.
+pub fn load(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
+    loaded(Source::find("scenes", builtin(), name_or_path, sets, schema())?, Limits::Kept)
 }
 
 /// As [`load`], but steps at which the scheme is known to break down are let through (THEORY WC16): for maps of where that is.
 pub fn load_beyond_limits(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    let (name, text) = text_of(name_or_path)?;
-    load_under(&name, &text, sets, Limits::Ignored)
+    loaded(Source::find("scenes", builtin(), name_or_path, sets, schema())?, Limits::Ignored)
 }
 
 /// Loads a scene from its text; `name` stands for the file in messages.
 pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    load_under(name, text, sets, Limits::Kept)
+    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() };
+    loaded(source, Limits::Kept)
 }
 
-fn load_under(name: &str, text: &str, sets: &[String], limits: Limits) -> Result<Loaded, SceneError> {
-    let source = Source { name: name.to_string(), text: text.to_string(), sets: sets.to_vec(), schema: schema() };
+fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let given = source.read()?;
     let scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
     let warnings = ignored(&given, &scene).into_iter().chain(warnings(&scene)).collect();
@@ -107,12 +106,23 @@ impl Loaded {
 
 fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     refuse_dropped(&mut given)?;
+    refuse_absent(&given)?;
     settle_solver(&mut given)?;
     let draft = draft_of(&given)?;
-    match Ask::of(&given, &draft)? {
-        Some(ask) => settle_auto(&given, ask, |given| sensible(draft_of(given)?, limits), draft_of),
-        None => check_model(sensible(draft, limits)?),
+    if given.get("model").and_then(Value::as_str) == Some("auto") {
+        let want: QuantityOfInterest = draft.get("want").unwrap_or_default();
+        let bends = draft.count("body.panels") > 0;
+        let expected = "something else without body.panels: nothing bends";
+        require(want != QuantityOfInterest::Strain || bends, "want", "\"strain\"", expected)?;
+        return Auto { want, within: draft.get("within").unwrap_or(USUAL_TOLERANCE), limits }.settle(given);
     }
+    let scene = sensible(draft, limits)?;
+    if scene.model.is_theory() {
+        let name = scene.model.name();
+        let refused = |e| Problem::new("model", format!("\"{name}\""), format!("a scene it holds for: {e}"));
+        Theory::of(&scene, scene.model).map_err(refused)?;
+    }
+    Ok(scene)
 }
 
 /// Options that are on and that the solver ignores.
@@ -141,4 +151,133 @@ fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
     }
     check(&scene)?;
     Ok(scene)
+}
+
+/// Writes the solver of a scene whose model names one, and refuses that of another model.
+fn settle_solver(given: &mut Value) -> Result<(), Problem> {
+    let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
+    let (model, solver) = (word("model"), word("solver"));
+    let Some(model) = model.and_then(|model| EntryModel::ALL.into_iter().find(|known| known.name() == model)) else {
+        return Ok(());
+    };
+    let wanted = model == EntryModel::Incompressible;
+    if let Some(solver) = solver {
+        let expected = format_args!("no solver, or that of model = \"{}\"", model.name());
+        let is = solver != "weakly_compressible";
+        return require(wanted == is, "solver", format_args!("{solver:?}"), expected);
+    }
+    if wanted {
+        given["solver"] = "incompressible".into();
+    }
+    Ok(())
+}
+
+/// What a scene asks of `model = "auto"`.
+#[derive(Clone, Copy)]
+struct Auto {
+    want: QuantityOfInterest,
+    within: f64,
+    limits: Limits,
+}
+
+impl Auto {
+    /// The scene by the model that [`choose`] takes: symmetry, end, spacing and solver are left to the program where the scene does
+    /// not give them.
+    fn settle(self, mut given: Value) -> Result<Scene, Problem> {
+        for key in ["model", "want", "within"] {
+            given.as_object_mut().map(|table| table.remove(key));
+        }
+        fill_in_end(&mut given)?;
+        let solvers = match given.get("solver").and_then(Value::as_str) {
+            Some(solver) => vec![solver],
+            None => vec!["weakly_compressible", "incompressible"],
+        };
+        let mut of_particles = Vec::new();
+        for solver in solvers {
+            match self.fine_enough(with(&given, "solver", solver)) {
+                Ok(scene) => of_particles.push(scene),
+                Err(problem) if of_particles.is_empty() => return Err(problem),
+                Err(_) => {} // the other solver can
+            }
+        }
+        let Choice { model, scene, spacing, why } = choose(&of_particles, self.want, self.within);
+        if !model.is_theory() && given.pointer(SPACING).is_none() && !spacing {
+            let why = format!("the finest spacing [m]: no chart is near this scene that would tell it; {why}");
+            return Err(Problem::missing("resolution.spacing", why));
+        }
+        let mut scene = of_particles.swap_remove(scene);
+        (scene.model, scene.choice) = (model, Some(why));
+        Ok(scene)
+    }
+
+    /// A sensible scene of a table: half of a symmetric one is as good.
+    fn resolved(self, given: &Value) -> Result<Scene, Problem> {
+        let resolved = |given: &Value| sensible(draft_of(given)?, self.limits);
+        match given.get("symmetry") {
+            Some(_) => resolved(given),
+            None => resolved(&with(given, "symmetry", "x")).or_else(|_| resolved(given)),
+        }
+    }
+
+    /// A scene at the spacing that it gives, or else at the one that charts say is fine enough.
+    fn fine_enough(self, mut given: Value) -> Result<Scene, Problem> {
+        if given.pointer(SPACING).is_some() {
+            return self.resolved(&given);
+        }
+        let entry = entry_of(draft_of(&given)?)?;
+        let draught = entry.map(|(_, entry)| entry.attached_draught().max(entry.bottom.draught_at(entry.half_breadth)));
+        let why = "the finest spacing [m]: nothing enters the water";
+        let draught = draught.ok_or_else(|| Problem::missing("resolution.spacing", why))?;
+        given["resolution"]["spacing"] = (draught / PROVISIONAL).into();
+        let scene = self.resolved(&given)?;
+        let fine = charted_number(self.want).and_then(|number| spacing_within(&scene, number, self.within));
+        fine.map_or(Ok(scene), |spacing| {
+            given["resolution"]["spacing"] = spacing.into();
+            self.resolved(&given)
+        })
+    }
+}
+
+/// The table with another value at a key.
+fn with(given: &Value, key: &str, value: &str) -> Value {
+    let mut given = given.clone();
+    given[key] = value.into();
+    given
+}
+
+/// The entry of a draft's body, were there no end.
+fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
+    let Some(body) = resolve_body(&mut draft, Symmetry::None)? else { return Ok(None) };
+    let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
+    let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
+    let entry = Entry::of(&body, gravity, density, draft.get("time.end").unwrap_or(0.0));
+    Ok(entry.map(|entry| (body, entry)))
+}
+
+/// An entry without an end: the end from how long it takes.
+fn fill_in_end(given: &mut Value) -> Result<(), Problem> {
+    let draft = draft_of(given)?;
+    if let (false, Some((body, entry))) = (draft.is_given("time.end"), entry_of(draft)?) {
+        let gap = (-body.draught()).max(0.0);
+        let fall = 2.0 * gap / (entry.speed - body.velocity[1]); // at the mean of first and last speed
+        let end = fall + PAST_CHINES * entry.bottom.draught_at(entry.half_breadth) / entry.speed;
+        given["time"]["end"] = end.into();
+    }
+    Ok(())
+}
+
+/// Refuses a setting of earlier versions that is in use, and removes one that is off.
+fn refuse_dropped(given: &mut Value) -> Result<(), Problem> {
+    if given.pointer("/coupling/scheme").and_then(Value::as_str) == Some("aitken") {
+        let expected = "another scheme: aitken was dropped: \"iqn_ils\" needs no more iterations";
+        return Err(Problem::new("coupling.scheme", "\"aitken\"", expected));
+    }
+    let Some(fluid) = given.get_mut("fluid").and_then(Value::as_object_mut) else { return Ok(()) };
+    match fluid.remove("volume_correction") {
+        None | Some(Value::Bool(false)) => Ok(()),
+        Some(value) => {
+            let expected = "false, or no such key: the correction was dropped, fluid.shifting keeps volumes as well";
+            Err(Problem::new("fluid.volume_correction", value, expected))
+        }
+    }
 }

@@ -13,55 +13,39 @@
 //! ```
 
 mod auto;
-mod builtin;
 mod check;
-mod chine;
-mod derived;
 pub(crate) mod draft;
-mod dropped;
-mod error;
 mod estimate;
 mod exchange;
 mod impact;
 mod incompressible;
-mod limits;
+#[cfg_attr(not(feature = "legacy"), path = "without_legacy.rs")]
+mod legacy;
 mod load;
-mod overrides;
-mod panels;
-mod read;
 mod resolve;
 mod resolve_body;
-mod resolve_fluid;
-mod resolve_model;
-mod resolve_panel;
-mod resolve_resolution;
 pub mod settings;
 pub(crate) mod source;
-mod start;
 mod warnings;
-pub(crate) mod word;
 
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
-pub use builtin::builtin;
-pub use chine::jet_reach;
-pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
-pub use fsi_coupling::PanelEnd;
-pub use fsi_coupling::Shape;
 pub use fsi_coupling::entry_theory::EntryModel;
 pub(crate) use fsi_coupling::settings::significant;
+pub use fsi_coupling::{PanelEnd, Shape};
 pub use impact::{
-    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error,
+    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error, jet_reach,
     known_compressibility_error, sound_speed_for,
 };
-pub use load::{Loaded, load, load_beyond_limits, load_text};
-pub use overrides::apply_set;
-pub use panels::panel_length;
+pub use legacy::Integrator;
+pub(crate) use legacy::thesis_work;
+pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Norm, Observe,
     Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,
-    TheoryName, Time, schema,
+    TheoryName, Time, panel_length, schema,
 };
+pub use source::{SceneError, apply_set};
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;

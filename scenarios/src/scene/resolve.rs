@@ -1,18 +1,20 @@
 //! From a draft to a scene: the values that the program finds, in the order in which they depend on each other.
 
-use fsi_coupling::settings::Problem;
-use sph_core::{FluidSettings, Solver, WallModel};
+use fsi_coupling::Shape;
+use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::settings::{Problem, require};
+use sph_core::{Dissipation, FluidSettings, Solver};
 
-use super::auto::{auto_fine_zone, auto_reach, fastest_speed};
+use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::draft::Draft;
 use super::impact::Entry;
+use super::legacy;
 use super::resolve_body::resolve_body;
-use super::resolve_fluid::resolve_fluid;
-use super::resolve_resolution::{Growth, resolve_resolution};
 use super::settings::{
-    Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Motion, Scene, SolverSettings, Tank, Time,
+    Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Lattice, Motion, Resolution, Scene, SolverSettings, Tank,
+    Time, Water, WeaklyCompressibleFluid,
 };
-use super::word::word;
+use super::source::word;
 
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
@@ -43,10 +45,8 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let solver = resolve_fluid(draft, entry.as_ref(), fastest)?;
     resolve_coupling(draft, &solver, body.as_ref())?;
     let automatic = !draft.is_given("resolution.fine_zone");
-    let spacing = match draft.get::<f64>("resolution.spacing") {
-        Some(spacing) => spacing,
-        None => return Err(Problem::missing("resolution.spacing", "the finest spacing [m]")),
-    };
+    let spacing = draft.get("resolution.spacing");
+    let spacing: f64 = spacing.ok_or_else(|| Problem::missing("resolution.spacing", "the finest spacing [m]"))?;
     match &entry {
         Some(entry) => {
             let fine_zone = draft.fill("resolution.fine_zone", auto_fine_zone(entry, spacing));
@@ -63,7 +63,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
             draft.fill("resolution.fine_zone", [tank.width, tank.depth]);
         }
     };
-    resolve_resolution(draft, &Growth { solver: &solver, entry: entry.as_ref(), body: body.as_ref(), automatic })?;
+    resolve_resolution(draft, &solver, entry.as_ref(), body.as_ref(), automatic)?;
     for i in 0..draft.count("gauges") {
         let gauge: Gauge = draft.read(&format!("gauges[{i}]"))?;
         word(&format!("gauges[{i}].name"), &gauge.name)?;
@@ -71,17 +71,10 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     for i in 0..draft.count("compare") {
         resolve_compare(draft, &format!("compare[{i}]"), time.end)?;
     }
-    let model = model_of(&solver);
-    draft.fill("model", model);
+    draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
     let scene: Scene = draft.read("")?;
     word("name", &scene.name)?;
     Ok(scene)
-}
-
-/// The model of particles that a solver is.
-fn model_of(solver: &SolverSettings) -> fsi_coupling::entry_theory::EntryModel {
-    use fsi_coupling::entry_theory::EntryModel;
-    if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph }
 }
 
 fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {
@@ -90,13 +83,14 @@ fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {
         draft.fill("time.frame_every", end / FRAMES);
     }
     let time: Time = draft.read("time")?;
-    let intervals =
-        [("sample_every", Some(time.sample_every)), ("frame_every", Some(time.frame_every)), ("step", time.step)];
-    for (key, value) in intervals {
-        if let Some(value) = value.filter(|value| !(*value > 0.0 && *value <= time.end)) {
-            let expected = format!("an interval above 0 and up to time.end = {} s", time.end);
-            return Err(Problem::new(&format!("time.{key}"), value, expected));
-        }
+    let expected = format!("an interval above 0 and up to time.end = {} s", time.end);
+    for (key, value) in [
+        ("time.sample_every", Some(time.sample_every)),
+        ("time.frame_every", Some(time.frame_every)),
+        ("time.step", time.step),
+    ] {
+        let value = value.unwrap_or(time.end);
+        require(value > 0.0 && value <= time.end, key, value, &expected)?;
     }
     Ok(time)
 }
@@ -116,33 +110,97 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
+/// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s].
+fn resolve_fluid(draft: &mut Draft, entry: Option<&Entry>, fastest: f64) -> Result<SolverSettings, Problem> {
+    let solver: Solver = draft.get("solver").unwrap_or_default();
+    let thesis = solver == Solver::IncompressibleThesis;
+    let gaseous = legacy::fill(draft, thesis);
+    if draft.get("fluid.dissipation") == Some(Dissipation::Riemann) {
+        let keys = ["fluid.artificial_viscosity", "fluid.density_diffusion"];
+        for key in &keys[..if thesis { 1 } else { 2 }] {
+            let coefficient = draft.fill(key, 0.0);
+            let expected = "none, or 0, with fluid.dissipation = \"riemann\", which has no coefficients";
+            require(coefficient == 0.0, key, coefficient, expected)?;
+        }
+    }
+    let given: Option<f64> = draft.get("fluid.sound_speed");
+    let water: Water = draft.read("fluid")?;
+    let sound = draft.fill("fluid.sound_speed", auto_sound_speed(water.compressibility_error, entry, fastest));
+    if sound == 0.0 && !gaseous {
+        let expected = "a speed [m/s]: \"auto\" needs gravity or a moving body";
+        return Err(Problem::missing("fluid.sound_speed", expected));
+    }
+    if solver == Solver::WeaklyCompressible {
+        let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
+        legacy::complete(draft, &water.fluid, scheme, options, given)?;
+    }
+    draft.read("")
+}
+
 /// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
 /// its mass.
 fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, body: Option<&Body>) -> Result<(), Problem> {
+    use CouplingScheme::{AddedMass, Weak};
     let bends = body.is_some_and(|body| !body.panels.is_empty());
     let moves_freely = body.is_some_and(|body| matches!(body.motion, Motion::Free(_)));
     let is_light = bends || solver.kind() == Solver::Incompressible && moves_freely;
     let solves_both = matches!(solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
     let options = solver.weakly_compressible().map(|fluid| &fluid.options);
-    let extrapolated = options.is_none_or(|options| options.walls == WallModel::Extrapolated);
-    let holding = is_light && solves_both && extrapolated;
-    draft.fill("coupling.scheme", if holding { CouplingScheme::AddedMass } else { CouplingScheme::Weak });
+    let extrapolated = options.is_none_or(legacy::extrapolates);
+    draft.fill("coupling.scheme", if is_light && solves_both && extrapolated { AddedMass } else { Weak });
     let scheme = draft.read::<Coupling>("coupling")?.scheme;
-    let refused = |expected: &str| Err(Problem::new("coupling.scheme", format!("{:?}", scheme.name()), expected));
-    if scheme != CouplingScheme::Weak && !extrapolated {
-        return refused("\"weak\" with these fluid.walls: only \"extrapolated\" walls take a body's acceleration");
+    let allowed =
+        |holds: bool, expected: &str| require(holds, "coupling.scheme", format_args!("{:?}", scheme.name()), expected);
+    let walls = "\"weak\" with these fluid.walls: only \"extrapolated\" walls take a body's acceleration";
+    allowed(scheme == Weak || extrapolated, walls)?;
+    allowed(
+        scheme != AddedMass || solves_both,
+        "\"weak\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" solve a body's \
+         acceleration together with the pressures",
+    )?;
+    options.map_or(Ok(()), |options| legacy::check_coupling(options, scheme == CouplingScheme::IqnIls))
+}
+
+/// Packing and refinement tracking; `automatic`: the scene leaves the fine zone to the program.
+fn resolve_resolution(
+    draft: &mut Draft,
+    solver: &SolverSettings,
+    entry: Option<&Entry>,
+    body: Option<&Body>,
+    automatic: bool,
+) -> Result<(), Problem> {
+    let plate = body.is_some_and(|body| matches!(body.shape, Shape::Polyline { .. }));
+    let packing = draft.fill("resolution.packing", solver.is_incompressible() && body.is_some() && !plate);
+    let beside_plate = "false with a polyline, beside which there is room anyhow";
+    require(!(plate && packing), "resolution.packing", true, beside_plate)?;
+    let asked: Option<bool> = draft.get("resolution.follow");
+    draft.fill("resolution.follow", false);
+    let resolution: Resolution = draft.read("resolution")?;
+    for length in resolution.fine_zone {
+        require(length > 0.0, "resolution.fine_zone", length, "a finite number above 0")?;
     }
-    if scheme == CouplingScheme::AddedMass && !solves_both {
-        return refused(
-            "\"weak\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" solve a body's \
-             acceleration together with the pressures",
-        );
-    }
-    let half_step = options.is_some_and(|options| options.integrator == sph_core::Integrator::PredictorCorrector);
-    if scheme == CouplingScheme::IqnIls && half_step {
-        // it moves the body by the force of the half step, whose acceleration is not the one iterated for (THEORY CO8)
-        return refused("\"added_mass\" with fluid.integrator = \"predictor_corrector\", or another integrator");
-    }
+    let growth = resolution.growth;
+    require(
+        resolution.lattice == Lattice::Square || growth == 1.0,
+        "resolution.lattice",
+        "\"staggered\"",
+        format_args!("\"square\" with resolution.growth = {growth}: a staggered lattice needs growth = 1"),
+    )?;
+    // why the zone cannot grow (THEORY WC21): what is expected instead of `true`
+    let of_options = solver.weakly_compressible().and_then(|fluid| legacy::obstacle_to_tracking(&fluid.options));
+    let obstacle = match () {
+        _ if entry.is_none() => Some("false where no body enters the water"),
+        _ if growth == 1.0 => Some("false with resolution.growth = 1: all the water is fine"),
+        _ if plate => Some("false with a polyline, whose sides see different water"),
+        _ if solver.is_incompressible() => {
+            Some("false with this solver: only \"weakly_compressible\" splits particles")
+        }
+        _ => of_options,
+    };
+    let rigid = body.is_some_and(|body| body.panels.is_empty());
+    let follow = asked.unwrap_or(obstacle.is_none() && automatic && rigid);
+    require(!follow || obstacle.is_none(), "resolution.follow", true, obstacle.unwrap_or_default())?;
+    draft.set("resolution.follow", follow);
     Ok(())
 }
 
@@ -150,14 +208,9 @@ fn resolve_compare(draft: &mut Draft, table: &str, end: f64) -> Result<(), Probl
     draft.fill(&format!("{table}.window"), [0.0, end]);
     let compare: Compare = draft.read(table)?;
     for (key, factor) in [("scale", compare.scale), ("x_scale", compare.x_scale), ("y_scale", compare.y_scale)] {
-        if factor == 0.0 {
-            return Err(Problem::new(&format!("{table}.{key}"), 0, "a factor other than 0"));
-        }
+        require(factor != 0.0, &format!("{table}.{key}"), 0, "a factor other than 0")?;
     }
-    let window = compare.window;
-    if window[0] < 0.0 || window[0] >= window[1] {
-        let expected = "two times [from, to] [s] with 0 <= from < to";
-        return Err(Problem::new(&format!("{table}.window"), format!("{window:?}"), expected));
-    }
-    Ok(())
+    let [from, to] = compare.window;
+    let expected = "two times [from, to] [s] with 0 <= from < to";
+    require(0.0 <= from && from < to, &format!("{table}.window"), format_args!("{:?}", compare.window), expected)
 }

@@ -1,19 +1,21 @@
-//! The body of a scene: defaults that depend on its shape and motion, and what they exclude.
+//! The body of a scene and its panels: defaults that depend on shape and motion, and what they exclude.
 
-use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
-use fsi_coupling::settings::{Problem, significant};
+use fsi_coupling::settings::{Problem, require, significant};
+use fsi_coupling::{PanelEnd, Shape};
 
 use super::draft::Draft;
-use super::resolve_panel::{check_panels, fill_panels};
-use super::settings::{Axis, Body, Motion, Symmetry, placed};
-use super::word::word;
+use super::settings::{Axis, Body, Motion, Panel, Symmetry, TheoryName, line, placed};
+use super::source::word;
 
 /// Side height over breadth, where the scene does not say.
 const SIDE_OVER_BREADTH: f64 = 0.25;
-
 /// Smallest cosine of the angle by which a plate's middle line turns: sharper corners have no sensible mitre.
 const SHARPEST_TURN: f64 = -0.5;
+/// Elements, where the scene does not say: so many, or fewer that none is shorter than two spacings, but some in any case.
+const ELEMENTS: [f64; 2] = [8.0, 24.0];
+/// Places of a panel that are tried for another panel there.
+const PROBES: u32 = 64;
 
 /// The body, complete; `None` in a scene without one.
 pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Option<Body>, Problem> {
@@ -30,7 +32,10 @@ pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Opti
     let body: Body = draft.read("body")?;
     word("body.name", &body.name)?;
     check_locked_directions(&body)?;
-    check_panels(&body, symmetry)?;
+    for (i, panel) in body.panels.iter().enumerate() {
+        check_panel(panel, &body.shape, symmetry, |name| format!("body.panels[{i}].{name}"))?;
+    }
+    check_overlaps(&body)?;
     Ok(Some(body))
 }
 
@@ -41,95 +46,80 @@ fn resolve_shape(draft: &mut Draft) -> Result<Shape, Problem> {
     }
     let shape: Shape = draft.read("body")?;
     match &shape {
-        Shape::Arc { radius, breadth, .. } if *breadth > 2.0 * radius => {
-            let expected = format!("a chord of at most twice body.radius, {} m", 2.0 * radius);
-            return Err(Problem::new("body.breadth", breadth, expected));
+        Shape::Arc { radius, breadth, .. } => {
+            let widest = 2.0 * radius;
+            let expected = format_args!("a chord of at most twice body.radius, {widest} m");
+            require(*breadth <= widest, "body.breadth", breadth, expected)?;
         }
-        Shape::Polygon { points } => check_polygon(points)?,
-        Shape::Polyline { points, .. } => check_line(points)?,
+        Shape::Polygon { points } => {
+            check_points(points, 3, true)?;
+            let refuse = |given: String, expected: &str| Err(Problem::new("body.points", given, expected));
+            if let Some((i, j)) = polygon::first_crossing(points) {
+                let given = format!("a line whose edges {i} and {j} meet");
+                return refuse(given, "an outline that does not cross itself");
+            }
+            let area = polygon::signed_area(points);
+            if area <= 0.0 {
+                return refuse(format!("points around {} m²", significant(area)), "counter-clockwise points");
+            }
+        }
+        Shape::Polyline { points, thickness } => {
+            check_points(points, 2, false)?;
+            let sharp = points.windows(3).find(|w| {
+                let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
+                a[0] * b[0] + a[1] * b[1] < SHARPEST_TURN * a[0].hypot(a[1]) * b[0].hypot(b[1])
+            });
+            if let Some(w) = sharp {
+                let given = format!("a sharp corner at {:?}", w[1]);
+                return Err(Problem::new("body.points", given, "corners that turn by at most 120 degrees"));
+            }
+            let plain = polygon::first_crossing(&shape.outline()).is_none();
+            let expected = "a plate whose two sides do not cross: thinner, or with longer edges";
+            require(plain, "body.thickness", thickness, expected)?;
+        }
         _ => {}
     }
-    check_plate_outline(&shape)?;
     Ok(shape)
 }
 
-fn check_polygon(points: &[[f64; 2]]) -> Result<(), Problem> {
-    let problem = |given: String, expected: &str| Err(Problem::new("body.points", given, expected));
-    if points.len() < 3 {
-        return problem(format!("{} points", points.len()), "at least 3 points");
-    }
-    if let Some(i) = repeated(points).or_else(|| (points.first() == points.last()).then_some(0)) {
-        return problem(format!("{:?} twice in a row", points[i]), "every vertex once");
-    }
-    if let Some((i, j)) = polygon::first_crossing(points) {
-        return problem(format!("a line whose edges {i} and {j} meet"), "an outline that does not cross itself");
-    }
-    let area = polygon::signed_area(points);
-    if area <= 0.0 {
-        return problem(format!("points around {} m²", significant(area)), "counter-clockwise points");
-    }
-    Ok(())
-}
-
-fn check_line(points: &[[f64; 2]]) -> Result<(), Problem> {
-    let problem = |given: String, expected: &str| Err(Problem::new("body.points", given, expected));
-    if points.len() < 2 {
-        return problem(format!("{} points", points.len()), "at least 2 points");
-    }
-    if let Some(i) = repeated(points) {
-        return problem(format!("{:?} twice in a row", points[i]), "every vertex once");
-    }
-    let sharp = points.windows(3).find(|w| {
-        let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
-        a[0] * b[0] + a[1] * b[1] < SHARPEST_TURN * a[0].hypot(a[1]) * b[0].hypot(b[1])
-    });
-    match sharp {
-        Some(w) => problem(format!("a sharp corner at {:?}", w[1]), "corners that turn by at most 120 degrees"),
-        None => Ok(()),
-    }
-}
-
-fn repeated(points: &[[f64; 2]]) -> Option<usize> {
-    points.windows(2).position(|w| w[0] == w[1])
-}
-
-fn check_plate_outline(shape: &Shape) -> Result<(), Problem> {
-    match shape {
-        Shape::Polyline { thickness, .. } if polygon::first_crossing(&shape.outline()).is_some() => {
-            let expected = "a plate whose two sides do not cross: thinner, or with longer edges";
-            Err(Problem::new("body.thickness", thickness, expected))
-        }
-        _ => Ok(()),
-    }
+/// As many points as the line needs, none of them twice in a row.
+fn check_points(points: &[[f64; 2]], least: usize, closed: bool) -> Result<(), Problem> {
+    let count = points.len();
+    require(count >= least, "body.points", format_args!("{count} points"), format_args!("at least {least} points"))?;
+    let repeated = points.windows(2).position(|w| w[0] == w[1]);
+    let repeated = repeated.or((closed && points.first() == points.last()).then_some(0));
+    let given = format_args!("{:?} twice in a row", points[repeated.unwrap_or(0)]);
+    require(repeated.is_none(), "body.points", given, "every vertex once")
 }
 
 fn resolve_motion(draft: &mut Draft, symmetry: Symmetry) -> Result<(), Problem> {
+    let half = symmetry == Symmetry::X;
     let motion = draft.fill("body.motion", "free".to_string());
     if motion == "free" {
-        let free = match symmetry {
-            Symmetry::None => vec![Axis::X, Axis::Y, Axis::Angle],
-            Symmetry::X => vec![Axis::Y],
-        };
-        let free = draft.fill("body.free", free);
+        let free = draft.fill("body.free", if half { vec![Axis::Y] } else { vec![Axis::X, Axis::Y, Axis::Angle] });
         if !free.contains(&Axis::Angle) {
             draft.remove("body", "inertia");
         }
     }
     match draft.read("body")? {
-        Motion::Free(freedom) if freedom.free.is_empty() => {
-            let expected = "some of \"x\", \"y\", \"angle\", or motion = \"fixed\"";
-            Err(Problem::new("body.free", "[]", expected))
+        Motion::Free(freedom) => {
+            let free = &freedom.free;
+            let some = "some of \"x\", \"y\", \"angle\", or motion = \"fixed\"";
+            require(!free.is_empty(), "body.free", "[]", some)?;
+            let on_axis = !half || free.iter().all(|axis| *axis == Axis::Y);
+            require(on_axis, "body.free", format_args!("{free:?}"), "[\"y\"] with symmetry = \"x\"")?;
+            match free.contains(&Axis::Angle) && freedom.inertia.is_none() {
+                true => {
+                    let why = "the moment of inertia [kg m²/m] of a body that is free to rotate";
+                    Err(Problem::missing("body.inertia", why))
+                }
+                false => Ok(()),
+            }
         }
-        Motion::Free(freedom) if symmetry == Symmetry::X && freedom.free.iter().any(|axis| *axis != Axis::Y) => {
-            Err(Problem::new("body.free", format!("{:?}", freedom.free), "[\"y\"] with symmetry = \"x\""))
-        }
-        Motion::Free(freedom) if freedom.free.contains(&Axis::Angle) && freedom.inertia.is_none() => {
-            let why = "the moment of inertia [kg m²/m] of a body that is free to rotate";
-            Err(Problem::missing("body.inertia", why))
-        }
-        Motion::Oscillating(oscillation) if symmetry == Symmetry::X && oscillation.amplitude[0] != 0.0 => {
-            let expected = "[0, ...] with symmetry = \"x\"";
-            Err(Problem::new("body.amplitude", format!("{:?}", oscillation.amplitude), expected))
+        Motion::Oscillating(oscillation) => {
+            let given = format_args!("{:?}", oscillation.amplitude);
+            let upright = !half || oscillation.amplitude[0] == 0.0;
+            require(upright, "body.amplitude", given, "[0, ...] with symmetry = \"x\"")
         }
         _ => Ok(()),
     }
@@ -142,14 +132,101 @@ fn check_locked_directions(body: &Body) -> Result<(), Problem> {
         Motion::ConstantVelocity => (true, true, true),
         Motion::Fixed | Motion::Oscillating(_) => (false, false, false),
     };
-    let [vx, vy] = body.velocity;
-    if (!x && vx != 0.0) || (!y && vy != 0.0) {
-        let expected = "0 along every direction that body.motion and body.free lock";
-        return Err(Problem::new("body.velocity", format!("{:?}", body.velocity), expected));
-    }
-    if !angle && body.angular_velocity_deg_per_s != 0.0 {
-        let expected = "0, since body.motion and body.free lock the rotation";
-        return Err(Problem::new("body.angular_velocity_deg_per_s", body.angular_velocity_deg_per_s, expected));
+    let ([vx, vy], spin) = (body.velocity, body.angular_velocity_deg_per_s);
+    let expected = "0 along every direction that body.motion and body.free lock";
+    let possible = (x || vx == 0.0) && (y || vy == 0.0);
+    require(possible, "body.velocity", format_args!("{:?}", body.velocity), expected)?;
+    let expected = "0, since body.motion and body.free lock the rotation";
+    require(angle || spin == 0.0, "body.angular_velocity_deg_per_s", spin, expected)
+}
+
+/// Defaults of all panels.
+fn fill_panels(draft: &mut Draft, shape: &Shape) -> Result<(), Problem> {
+    let spacing = draft.get("resolution.spacing");
+    for i in 0..draft.count("body.panels") {
+        let key = |name: &str| format!("body.panels[{i}].{name}");
+        draft.fill(&key("name"), format!("panel{}", i + 1));
+        if let (Some(from), Some(to)) = (draft.get(&key("from")), draft.get(&key("to"))) {
+            draft.fill(&key("elements"), enough_elements(shape, [from, to], spacing));
+        }
+        if let Some(stress) = draft.get::<f64>(&key("yield_stress")) {
+            draft.fill(&key("allowable_stress"), stress);
+        }
+        draft.read::<Panel>(&format!("body.panels[{i}]"))?;
     }
     Ok(())
+}
+
+/// Elements between two points of a body's line, at a particle spacing [m].
+fn enough_elements(shape: &Shape, ends: [[f64; 2]; 2], spacing: Option<f64>) -> usize {
+    let line = line(shape);
+    let [from, to] = ends.map(|at| line.nearest(at).0);
+    if !line.is_closed() && to < from {
+        return ELEMENTS[1] as usize; // refused by its place
+    }
+    let length = line.part(from, to).length();
+    let enough = spacing.map_or(ELEMENTS[1], |spacing: f64| (0.5 * length / spacing).floor());
+    enough.clamp(ELEMENTS[0], ELEMENTS[1]) as usize
+}
+
+/// No two panels take the same part of the body's line.
+fn check_overlaps(body: &Body) -> Result<(), Problem> {
+    let line = line(&body.shape);
+    let reach = |panel: &Panel| [panel.from, panel.to].map(|end| line.nearest(end).0);
+    for (i, panel) in body.panels.iter().enumerate() {
+        let [from, to] = reach(panel);
+        let part = line.part(from, to);
+        // places of this panel, ends left out
+        let within = (1..PROBES).map(|k| line.nearest(part.at(part.length() * f64::from(k) / f64::from(PROBES))).0);
+        let within: Vec<f64> = within.collect();
+        let taken = |(j, other): &(usize, &Panel)| *j != i && within.iter().any(|s| line.between(*s, reach(other)));
+        if let Some((j, _)) = body.panels.iter().enumerate().find(taken) {
+            let expected = format!("a part of the line that body.panels[{j}] does not take");
+            return Err(Problem::new(&format!("body.panels[{i}].from"), format!("{:?}", panel.from), expected));
+        }
+    }
+    Ok(())
+}
+
+/// A panel lies on the body's line, and is held.
+fn check_panel(panel: &Panel, shape: &Shape, symmetry: Symmetry, key: impl Fn(&str) -> String) -> Result<(), Problem> {
+    word(&key("name"), &panel.name)?;
+    let (line, half) = (line(shape), symmetry == Symmetry::X);
+    for (name, at) in [("from", panel.from), ("to", panel.to)] {
+        let (s, distance) = line.nearest(at);
+        let given = format!("{at:?}");
+        let ([x, y], away) = (line.at(s).map(significant), significant(distance));
+        let expected = format_args!("a point on the body's line: the nearest, [{x}, {y}], is {away} m away");
+        require(distance <= 1e-3 * line.length(), &key(name), &given, expected)?;
+        let expected = "x >= 0 with symmetry = \"x\": the other half is its image";
+        require(!half || at[0] >= 0.0, &key(name), &given, expected)?;
+    }
+    let [from, to] = [panel.from, panel.to].map(|at| line.nearest(at).0);
+    let expected = if line.is_closed() { "another point than from" } else { "a point after from along body.points" };
+    let apart = from != to && (line.is_closed() || to > from);
+    require(apart, &key("to"), format_args!("{:?}", panel.to), expected)?;
+    let length = line.part(from, to).length();
+    let expected = format_args!("at most half the panel's length of {} m: thicker it is no plate", significant(length));
+    require(panel.thickness <= 0.5 * length, &key("thickness"), panel.thickness, expected)?;
+    check_supports(&key("ends"), panel.ends)?;
+    for (end, at) in panel.ends.iter().zip([panel.from, panel.to]) {
+        let joined = *end != PanelEnd::Mirror || half && at[0] == 0.0;
+        let expected = "mirror only at x = 0, with symmetry = \"x\"";
+        require(joined, &key("ends"), format_args!("\"mirror\" at {at:?}"), expected)?;
+    }
+    for (j, place) in panel.watch.iter().enumerate() {
+        let new = !panel.watch[..j].contains(place);
+        require(new, &format!("{}[{j}]", key("watch")), place, "every place once")?;
+    }
+    let elastic = panel.yield_stress.is_none() || panel.theory == TheoryName::EulerBernoulli;
+    require(elastic, &key("theory"), "\"timoshenko\"", "\"euler_bernoulli\" with yield_stress")
+}
+
+/// Refuses a panel that is not held.
+fn check_supports(key: &str, ends: [PanelEnd; 2]) -> Result<(), Problem> {
+    use PanelEnd::{Free, Mirror, Sliding};
+    let mechanism = matches!(ends, [Free, Free | Sliding | Mirror] | [Sliding | Mirror, Free])
+        || matches!(ends, [Sliding, Sliding] | [Mirror, Mirror]);
+    let expected = "at least one end clamped or pinned: with neither the panel is a mechanism that slides away";
+    require(!mechanism, key, format!("{ends:?}").to_lowercase(), expected)
 }

@@ -1,14 +1,70 @@
-//! The text that a scene comes from, and where in it a key stands.
+//! The text that a scene comes from, the `--set` arguments that change it, and where in it a key stands.
 
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::ops::Range;
 use std::sync::Arc;
 
-use fsi_coupling::settings::{Keyword, Problem, Schema};
-use miette::NamedSource;
+use fsi_coupling::settings::{Keyword, Problem, Schema, require};
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use thiserror::Error;
 use toml::de::{DeTable, DeValue};
+use toml::{Table, Value};
 
-use super::error::SceneError;
-use super::overrides::{Segment, assignment, segments};
+/// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
+const LARGEST_NUMBER: f64 = 1e12;
+
+/// Why a scene cannot be run: its first mistake, with the place, the key, what was given and what was expected.
+#[derive(Debug, Error, Diagnostic)]
+pub enum SceneError {
+    /// Neither a built-in scene nor a file.
+    #[error("`{name}` is neither a built-in scene nor a file")]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// The scenes there are.
+        #[help]
+        help: String,
+    },
+    /// The file is there and cannot be read.
+    #[error("cannot read the scene {path}: {cause}")]
+    Unreadable {
+        /// The file.
+        path: String,
+        /// What the system says.
+        cause: io::Error,
+    },
+    /// A mistake in the file.
+    #[error("{name}:{line}: {problem}")]
+    File {
+        /// The file, or the built-in scene.
+        name: String,
+        /// Line of the mistake, from 1.
+        line: usize,
+        /// The key, what was given and what was expected.
+        problem: String,
+        /// The text of the file.
+        #[source_code]
+        text: Arc<NamedSource<String>>,
+        /// Where in the text.
+        #[label("here")]
+        span: SourceSpan,
+        /// What the key means.
+        #[help]
+        help: Option<String>,
+    },
+    /// A mistake in a `--set` argument.
+    #[error("--set {argument}: {problem}")]
+    Set {
+        /// The argument.
+        argument: String,
+        /// The key, what was given and what was expected.
+        problem: String,
+        /// What the key means.
+        #[help]
+        help: Option<String>,
+    },
+}
 
 /// A scene's text and the `--set` arguments that change it.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +77,41 @@ pub(crate) struct Source {
 }
 
 impl Source {
+    /// A file by its path, or a built-in one by its name; `kind` is what it holds, in the plural.
+    pub fn find(
+        kind: &str,
+        builtin: &[(&str, &str)],
+        name_or_path: &str,
+        sets: &[String],
+        schema: &'static Schema,
+    ) -> Result<Source, SceneError> {
+        let path = name_or_path.to_string();
+        let (name, text) = match builtin.iter().find(|(name, _)| *name == path) {
+            Some((name, text)) => (format!("{name}.toml"), text.to_string()),
+            None => match fs::read_to_string(&path) {
+                Ok(text) => (path, text),
+                Err(cause) if cause.kind() == ErrorKind::NotFound => {
+                    let names: Vec<&str> = builtin.iter().map(|(name, _)| *name).collect();
+                    let help = format!("built-in {kind}: {}", names.join(", "));
+                    return Err(SceneError::Unknown { name: path, help });
+                }
+                Err(cause) => return Err(SceneError::Unreadable { path, cause }),
+            },
+        };
+        Ok(Source { name, text, sets: sets.to_vec(), schema })
+    }
+
+    /// The file with its `--set` arguments applied in their order.
+    pub fn read(&self) -> Result<serde_json::Value, SceneError> {
+        let mut table: Table = self.text.parse().map_err(|error| self.syntax_error(&error))?;
+        for set in &self.sets {
+            apply_set(&mut table, set)?;
+        }
+        let value = Value::Table(table);
+        refuse_absurd_numbers("", &value).map_err(|problem| self.error(problem))?;
+        Ok(serde_json::to_value(value).unwrap_or_default())
+    }
+
     /// Puts a problem in its place: the last `--set` argument that wrote the key, else its line in the text.
     pub fn error(&self, problem: Problem) -> SceneError {
         let help = self.schema.keyword(&problem.key).map(Keyword::help);
@@ -31,7 +122,7 @@ impl Source {
     }
 
     /// What the TOML parser has to say about the text.
-    pub fn syntax_error(&self, error: &toml::de::Error) -> SceneError {
+    fn syntax_error(&self, error: &toml::de::Error) -> SceneError {
         let sentence = format!("not valid TOML: {}", error.message());
         self.error_at(error.span().unwrap_or(0..0), sentence, None)
     }
@@ -79,4 +170,159 @@ impl Source {
 /// Does the argument write the key, a table around it or an item in it?
 fn writes(set: &str, key: &str) -> bool {
     assignment(set).is_some_and(|(path, _)| segments(path).zip(segments(key)).all(|(a, b)| a == b))
+}
+
+/// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.
+fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
+    match value {
+        Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
+            Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))
+        }
+        Value::Array(items) => {
+            let mut items = items.iter().enumerate();
+            items.try_for_each(|(i, item)| refuse_absurd_numbers(&format!("{path}[{i}]"), item))
+        }
+        Value::Table(table) => table.iter().try_for_each(|(key, value)| {
+            let dot = if path.is_empty() { "" } else { "." };
+            refuse_absurd_numbers(&format!("{path}{dot}{key}"), value)
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a name of a file or column that has other characters than letters, digits, `_` and `-`.
+pub(crate) fn word(key: &str, name: &str) -> Result<(), Problem> {
+    let fits = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    let fits = !name.is_empty() && name.chars().all(fits);
+    require(fits, key, format_args!("{name:?}"), "a word of letters, digits, _ and -")
+}
+
+/// One step of a key's path: `gauges[0].at` is the key `gauges`, the index 0, the key `at`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Segment<'a> {
+    Key(&'a str),
+    Index(usize),
+}
+
+/// The steps of a path; `gauges[0].at` and `gauges.0.at` are the same.
+pub(super) fn segments(path: &str) -> impl Iterator<Item = Segment<'_>> {
+    let steps = path.split(['.', '[', ']']).filter(|step| !step.is_empty());
+    steps.map(|step| step.parse().map_or(Segment::Key(step), Segment::Index))
+}
+
+/// The two sides of `key.path=value`.
+pub(super) fn assignment(set: &str) -> Option<(&str, &str)> {
+    let (path, value) = set.split_once('=')?;
+    Some((path.trim(), value.trim()))
+}
+
+/// Writes `key.path=value` into a scene's table. The value is TOML; a bare word is a string: `fluid.kernel=gaussian`.
+///
+/// Tables on the way are made where they are missing, items of arrays are not. Whether a scene knows the key is seen
+/// when the table is read as one.
+pub fn apply_set(table: &mut Table, set: &str) -> Result<(), SceneError> {
+    let refuse = |problem: String| SceneError::Set { argument: set.to_string(), problem, help: None };
+    let form = || refuse("expected the form key.path=value".to_string());
+    let (path, text) = assignment(set).ok_or_else(form)?;
+    let steps: Vec<Segment> = segments(path).collect();
+    let (Some(Segment::Key(_)), false) = (steps.first(), text.is_empty()) else {
+        return Err(form());
+    };
+    let value = parse(text).map_err(|why| refuse(format!("`{path}` = {text}: expected a TOML value; {why}")))?;
+    *slot(table, &steps).map_err(|why| refuse(format!("`{path}`: {why}")))? = value;
+    Ok(())
+}
+
+fn parse(text: &str) -> Result<Value, String> {
+    let bare = |c: char| c.is_alphanumeric() || "_-./ ".contains(c);
+    match text.parse::<Value>() {
+        Ok(value) => Ok(value),
+        Err(_) if text.starts_with(char::is_alphabetic) && text.chars().all(bare) => {
+            Ok(Value::String(text.to_string()))
+        }
+        Err(error) => Err(error.message().to_string()),
+    }
+}
+
+/// The place that a path leads to.
+fn slot<'a>(table: &'a mut Table, steps: &[Segment]) -> Result<&'a mut Value, String> {
+    let empty = || Value::Table(Table::new());
+    let (Some(Segment::Key(first)), rest) = (steps.first(), &steps[1..]) else {
+        return Err("expected a key first".to_string());
+    };
+    let mut value = table.entry(*first).or_insert_with(empty);
+    let mut so_far = (*first).to_string();
+    for step in rest {
+        let kind = value.type_str();
+        value = match (step, value) {
+            (Segment::Key(key), Value::Table(table)) => {
+                so_far.push_str(&format!(".{key}"));
+                table.entry(*key).or_insert_with(empty)
+            }
+            (Segment::Index(index), Value::Array(items)) => {
+                let count = items.len();
+                let item = items.get_mut(*index);
+                item.ok_or_else(|| format!("{so_far} has {count} items: expected an index below {count}"))?
+            }
+            (Segment::Key(key), _) => {
+                return Err(format!("{so_far} is of type {kind}: expected a table with {key}"));
+            }
+            (Segment::Index(index), _) => {
+                return Err(format!("{so_far} is of type {kind}: expected an array with an item {index}"));
+            }
+        };
+        if let Segment::Index(index) = step {
+            so_far.push_str(&format!("[{index}]"));
+        }
+    }
+    Ok(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(text: &str, set: &str) -> Result<Table, String> {
+        let mut table: Table = text.parse().expect("valid TOML");
+        apply_set(&mut table, set).map_err(|error| error.to_string())?;
+        Ok(table)
+    }
+
+    #[test]
+    fn values_are_toml_and_bare_words_are_strings() {
+        for (given, value) in [
+            ("a.b=2", Value::Integer(2)),
+            ("a.b = 2.5e-3", Value::Float(2.5e-3)),
+            ("a.b=[1, 2]", Value::Array(vec![Value::Integer(1), Value::Integer(2)])),
+            ("a.b=true", Value::Boolean(true)),
+            ("a.b=\"2\"", Value::String("2".to_string())),
+            ("a.b=cubic_spline", Value::String("cubic_spline".to_string())),
+            ("a.b=x=1", Value::Integer(0)),
+        ] {
+            match set("", given) {
+                Ok(table) => assert_eq!(table["a"]["b"], value, "{given}"),
+                Err(message) => assert!(given == "a.b=x=1" && message.contains("expected a TOML value"), "{message}"),
+            }
+        }
+    }
+
+    #[test]
+    fn items_of_arrays_are_reached_both_ways() {
+        for path in ["g[1].at", "g.1.at"] {
+            let table = set("g = [{ at = 1 }, { at = 2 }]", &format!("{path}=3")).expect("both items exist");
+            assert_eq!(table["g"][1]["at"], Value::Integer(3));
+        }
+    }
+
+    #[test]
+    fn a_path_that_leads_nowhere_says_where_it_ends() {
+        for (given, expected) in [
+            ("g[2].at=3", "--set g[2].at=3: `g[2].at`: g has 1 items: expected an index below 1"),
+            ("a.b.c=3", "--set a.b.c=3: `a.b.c`: a.b is of type integer: expected a table with c"),
+            ("a=", "--set a=: expected the form key.path=value"),
+            ("a", "--set a: expected the form key.path=value"),
+        ] {
+            assert_eq!(set("g = [{ at = 1 }]\na = { b = 1 }", given), Err(expected.to_string()));
+        }
+    }
 }

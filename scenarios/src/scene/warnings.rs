@@ -1,15 +1,17 @@
 //! What a scene may be run with, but not relied on for; in plain words.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
-use super::chine::past_the_chine;
 use super::exchange::{light_body, light_panels};
-use super::impact::{Entry, known_compressibility_error};
-use super::incompressible::{projection_warnings, thesis_warnings};
-use super::panels::doubtful_panels;
-use super::settings::{Gauge, Scene, WeaklyCompressibleFluid};
+use super::impact::{Entry, jet_reach, known_compressibility_error};
+use super::incompressible::projection_warnings;
+use super::legacy;
+use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::significant;
-use sph_core::{DensityEvolution, Dissipation, Integrator, Kernel};
+use fsi_coupling::{PanelEnd, Shape};
+use sph_core::{Dissipation, Kernel, Solver};
 
 /// Spacings across the length with 90 % of the peak pressure: 17 give the peak to 2–4 %, 5 to 25 %.
 const PEAK_SPACINGS: f64 = 17.0;
@@ -19,21 +21,25 @@ const STARTING_DRAUGHT: f64 = 16.0;
 
 const LARGEST_CFL: f64 = 0.8;
 
-/// Growth of the difference of Verlet's time levels from one Euler step to the next: 2.6 ran, 98 blew up.
-const LARGEST_VERLET_GROWTH: f64 = 10.0;
-/// Courant number up to which the Riemann form runs with every kernel tried (WC13).
-const RIEMANN_CFL: f64 = 0.7;
+/// Courant number up to which the Riemann form runs (WC13): with Wendland C6, and with the wider kernels.
+const RIEMANN_CFL: [f64; 2] = [0.65, 0.7];
 
 /// Courant number at which stretched walls run without artificial viscosity.
 const STRETCHED_CFL: f64 = 0.4;
-
-/// δ that damps a single particle's density as the Riemann form does [-], with Wendland C2 (WC8).
-const RIEMANN_DELTA: f64 = 1.0 / 3.0;
 
 /// Samples in a period of a gauge's bandwidth.
 const SAMPLES_PER_PERIOD: f64 = 5.0;
 
 const LARGEST_GROWTH: f64 = 1.2;
+
+/// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
+const MEMBRANE: f64 = 0.1;
+/// Elements this short, in spacings, held with a light and soft panel; 0.83 did not [-].
+const SHORTEST: f64 = 1.5;
+/// Mass of a panel over that of a row of water below which it counts as light [-].
+const LIGHT: f64 = 1.0;
+/// Periods of the first dry mode in a step from which the step leaves the panel's vibration out [-].
+const UNRESOLVED: f64 = 0.1;
 
 /// Warnings about a scene that runs nevertheless: each says what is doubtful, with the number, and what would cure it.
 pub fn warnings(scene: &Scene) -> Vec<String> {
@@ -44,15 +50,12 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         None => projection_warnings(scene),
         Some(fluid) => sound_warnings(scene, fluid),
     };
-    warnings.extend(thesis_warnings(scene));
-    if let Some(entry) = scene.entry() {
-        match entry.final_draught > 0.0 {
-            true => warnings.extend(entry_warnings(scene, &entry)),
-            false => warnings.push(format!(
-                "the body does not reach the water: at the end of the run it is {} m above it",
-                significant(-entry.final_draught)
-            )),
-        }
+    if scene.solver.kind() == Solver::IncompressibleThesis {
+        warnings.extend(legacy::thesis_warnings(scene.water().smoothing_ratio, scene.body.is_some()));
+    }
+    match scene.entry().filter(|entry| entry.final_draught > 0.0) {
+        Some(entry) => warnings.extend(entry_warnings(scene, &entry)),
+        None => warnings.extend(short_of_water(scene)),
     }
     if scene.resolution.growth > LARGEST_GROWTH {
         warnings.push(format!(
@@ -78,14 +81,17 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
 
 /// Warnings about a run by a theory.
 fn theory_warnings(scene: &Scene) -> Vec<String> {
-    let short = scene.entry().filter(|entry| entry.final_draught <= 0.0).map(|entry| {
-        let above = significant(-entry.final_draught);
-        format!("the body does not reach the water: at the end of the run it is {above} m above it")
-    });
     let singular = (scene.model == EntryModel::Wagner && !scene.gauges.is_empty()).then(|| {
         "Wagner's pressure is infinite at the spray root: a gauge's peak depends on time.sample_every".to_string()
     });
-    short.into_iter().chain(singular).collect()
+    short_of_water(scene).into_iter().chain(singular).collect()
+}
+
+/// A body that ends its run in the air.
+fn short_of_water(scene: &Scene) -> Option<String> {
+    let above = -scene.entry().filter(|entry| entry.final_draught <= 0.0)?.final_draught;
+    let above = significant(above);
+    Some(format!("the body does not reach the water: at the end of the run it is {above} m above it"))
 }
 
 /// Warnings about water that carries sound: how fast, in which steps, how far, and beside what.
@@ -109,10 +115,7 @@ fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String>
             significant(step / acoustic)
         ));
     }
-    warnings.extend(loose_verlet(fluid, cfl));
-    if fluid.options.density_evolution == DensityEvolution::Summation {
-        warnings.push("fluid.density_evolution = \"summation\" fails at a free surface: for comparison only".into());
-    }
+    warnings.extend(legacy::warnings(&fluid.scheme, &fluid.options, cfl));
     warnings.extend(light_body(scene));
     warnings.extend(light_panels(scene));
     warnings
@@ -121,10 +124,11 @@ fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String>
 /// Limits of the step of the Riemann form (WC13) and of stretched walls (WA4).
 fn strained_step(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Vec<String> {
     let (scheme, mut warnings) = (&fluid.scheme, Vec::new());
-    if scheme.dissipation == Dissipation::Riemann && cfl > RIEMANN_CFL {
+    let narrow = fluid.water.fluid.kernel == Kernel::WendlandC6;
+    if scheme.dissipation == Dissipation::Riemann && cfl > RIEMANN_CFL[usize::from(!narrow)] {
         warnings.push(format!(
             "fluid.cfl = {cfl} with fluid.dissipation = \"riemann\": 0.7 ran and 0.75 did not with wendland_c4, 0.85 ran and \
-             0.9 did not with wendland_c2"
+             0.9 did not with wendland_c2; the limit of wendland_c6 is 0.673"
         ));
     }
     if scheme.wall_stretch && cfl > STRETCHED_CFL {
@@ -134,28 +138,6 @@ fn strained_step(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Vec<String> {
         ));
     }
     warnings
-}
-
-/// Between two Euler steps, dissipation damps the flow by about e^(−d) a step, d = 7 δ C, and grows the difference of
-/// Verlet's two time levels by as much (LE3); an Euler step leaves about ½d² of it.
-fn loose_verlet(fluid: &WeaklyCompressibleFluid, cfl: f64) -> Option<String> {
-    let scheme = &fluid.scheme;
-    let every = f64::from(fluid.options.verlet_correction_every);
-    let (delta, diffusion) = match scheme.dissipation {
-        Dissipation::Diffusion => {
-            (scheme.density_diffusion, format!("fluid.density_diffusion = {}", scheme.density_diffusion))
-        }
-        Dissipation::Riemann => (RIEMANN_DELTA, "fluid.dissipation = \"riemann\"".to_string()),
-    };
-    let damping = 7.0 * delta * cfl;
-    let growth = 0.5 * damping * damping * (damping * every).exp();
-    let loose = every == 0.0 || growth > LARGEST_VERLET_GROWTH;
-    (fluid.options.integrator == Integrator::Verlet && loose).then(|| {
-        format!(
-            "fluid.verlet_correction_every = {every}: with fluid.cfl = {cfl} and {diffusion} the two time \
-             levels of verlet drift apart; correct more often, or lower either"
-        )
-    })
 }
 
 /// A filtered curve is shown whole by samples at more than twice its bandwidth (Shannon 1949); 5 times for its shape.
@@ -262,6 +244,109 @@ fn echo(scene: &Scene) -> Option<String> {
             significant(reach),
             significant(scene.time.end * reach / needed),
             significant(needed)
+        )
+    })
+}
+
+/// The warning about an upright wedge at constant speed whose jet, or spray root, passes the chine before the end.
+fn past_the_chine(scene: &Scene, entry: &Entry) -> Option<String> {
+    let body = scene.body.as_ref()?;
+    let Shape::Wedge { deadrise_deg, breadth, .. } = body.shape else { return None };
+    let upright = body.angle_deg == 0.0 && body.angular_velocity_deg_per_s == 0.0 && body.velocity[0] == 0.0;
+    if body.motion != Motion::ConstantVelocity || !upright {
+        return None;
+    }
+    let (end, chine, keel) = (scene.time.end, 0.5 * breadth, body.position[1]);
+    let root = FRAC_PI_2 / deadrise_deg.to_radians().tan();
+    // the keel meets the water at −keel/V before or after the run's start
+    let passes = |reach: f64| (chine / reach + keel) / entry.speed;
+    let tip = jet_reach(deadrise_deg).unwrap_or(root);
+    let needed = significant(2.0 * tip * entry.final_draught);
+    let remedy = format!("body.breadth = {needed} m would keep the jet on the face");
+    if passes(root) < end {
+        return Some(format!(
+            "the spray root passes the chine at {} s and would be at {} m at the end, past the chine at {} m, where the \
+             similarity solution ends: the face is wetted to its end, and the force no longer grows with it; {remedy}",
+            significant(passes(root)),
+            significant(root * entry.final_draught),
+            significant(chine),
+        ));
+    }
+    (passes(tip) < end).then(|| {
+        format!(
+            "the jet's tip passes the chine at {} s and leaves the face: the force falls below the similarity solution's a \
+             little (20 deg, breadth 12 m: by 2 % at 1.3 times that time); {remedy}",
+            significant(passes(tip))
+        )
+    })
+}
+
+/// Warnings about a scene's panels, each with its number and a cure.
+fn doubtful_panels(scene: &Scene) -> Vec<String> {
+    let Some(body) = &scene.body else { return Vec::new() };
+    let each = body.panels.iter();
+    each.flat_map(|panel| [thin(scene, body, panel), short(scene, body, panel), slow(scene, body, panel)])
+        .flatten()
+        .collect()
+}
+
+/// Bending stiffness D = E h³/(12 (1 − ν²)) [N m].
+fn stiffness(panel: &Panel) -> f64 {
+    panel.youngs_modulus * panel.thickness.powi(3) / (12.0 * (1.0 - panel.poissons_ratio.powi(2)))
+}
+
+/// A plate on two supports under the mean pressure of a wedge's entry (Wagner 1932) or of the depth: w = q L⁴/(384 D) clamped, five
+/// times that pinned.
+fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
+    use PanelEnd::{Clamped, Mirror, Pinned, Sliding};
+    let both = panel.ends.iter().all(|end| matches!(end, Clamped | Pinned | Sliding | Mirror));
+    let softest = if panel.ends == [Clamped, Clamped] { 1.0 } else { 5.0 };
+    // rho V dc/dt
+    let pressure = match scene.entry() {
+        Some(entry) => scene.water().density * body.velocity[0].hypot(body.velocity[1]) * entry.root_speed(),
+        None => scene.water().density * scene.tank.depth * scene.gravity[1].abs(),
+    };
+    let long = panel_length(body, panel);
+    let deflection = softest * pressure * long.powi(4) / (384.0 * stiffness(panel));
+    (both && deflection > MEMBRANE * long).then(|| {
+        format!(
+            "{} is so thin that {} Pa bend it by {} of its length in plate theory: it will carry its load as a membrane, and \
+             strains may be far beyond what its material bears",
+            panel.name,
+            significant(pressure),
+            significant(deflection / long)
+        )
+    })
+}
+
+/// Elements much shorter than a spacing let a light panel crumple between particles.
+fn short(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
+    let spacings = panel_length(body, panel) / panel.elements as f64 / scene.resolution.spacing;
+    let light = panel.density * panel.thickness < LIGHT * scene.water().density * scene.resolution.spacing;
+    (light && spacings < SHORTEST).then(|| {
+        format!(
+            "{} is light, and its elements are {} spacings long: below {SHORTEST} soft panels crumpled between the particles and \
+             the run broke down; {} elements would do",
+            panel.name,
+            significant(spacings),
+            (panel_length(body, panel) / (SHORTEST * scene.resolution.spacing)).floor().max(2.0)
+        )
+    })
+}
+
+/// First dry mode of a clamped or pinned plate, ω = (λ/L)² √(D/m), at the least λ that its ends allow.
+fn slow(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
+    let step = scene.time.step?;
+    let free = panel.ends.contains(&PanelEnd::Free);
+    let lambda = if free { 1.875 } else { 4.730 };
+    let mass = panel.density * panel.thickness;
+    let omega = (lambda / panel_length(body, panel)).powi(2) * (stiffness(panel) / mass).sqrt();
+    let share = step * omega / TAU;
+    (share > UNRESOLVED).then(|| {
+        format!(
+            "time.step = {step} s is {} of the period of {}'s first dry mode: steps longer than a tenth leave its vibration out",
+            significant(share),
+            panel.name
         )
     })
 }

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 use crate::interactions::simd::SimdReal;
+use crate::parallel;
 
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
 ///
@@ -176,6 +177,24 @@ pub trait WithKernel {
     fn with<K: Shape>(self) -> Self::Out;
 }
 
+/// A sum over the neighbours of each of many targets.
+pub(crate) trait TargetSum: Sync {
+    /// A target's sum.
+    type Sum: Send;
+    /// The sum of target `k`.
+    fn of<K: Shape>(&self, k: usize) -> Self::Sum;
+}
+
+struct Gathering<'a, S: TargetSum>(&'a S, &'a mut [S::Sum]);
+
+impl<S: TargetSum> WithKernel for Gathering<'_, S> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let Gathering(sum, out) = self;
+        parallel::gather_into(out, |k| sum.of::<K>(k));
+    }
+}
+
 impl Kernel {
     /// Every kernel, for tests and tables.
     pub const ALL: [Kernel; 6] = [
@@ -197,6 +216,11 @@ impl Kernel {
             Kernel::WendlandC4 => task.with::<WendlandC4>(),
             Kernel::WendlandC6 => task.with::<WendlandC6>(),
         }
+    }
+
+    /// `out[k]` ← the sum of target `k`.
+    pub(crate) fn gather<S: TargetSum>(self, sum: &S, out: &mut [S::Sum]) {
+        self.run(Gathering(sum, out));
     }
 
     /// W(r, h) [1/m²] for a distance `r` [m] and a smoothing length `h` [m].

@@ -152,13 +152,11 @@ impl Packed {
     }
 
     /// New pressures for rows that stay where they are.
-    pub fn set_pressures(&mut self, d: &Fields, search: &Neighbours, mirror: Option<Mirror>) {
+    pub fn set_pressures(&mut self, d: &Fields, search: &Neighbours) {
         let n = d.pressure.len();
         parallel::update(&mut self.fluid[..n], |k, row| row.p = d.pressure[k]);
-        if mirror.is_some() || !search.fluid_shifts.is_empty() {
-            for (k, &source) in search.fluid_images.iter().enumerate() {
-                self.fluid[n + k].p = self.fluid[source as usize].p;
-            }
+        for (k, &source) in search.fluid_images.iter().enumerate() {
+            self.fluid[n + k].p = self.fluid[source as usize].p;
         }
     }
 

@@ -32,6 +32,8 @@ pub fn density_rate<R: SimdReal, K: Shape, D: PairDissipation>(
         compression = approach.mul_add(flux, compression);
         diffusion = excess.mul_add(D::length(&ab) * flux, diffusion);
     }
+    // ends the sum's life in a register here: else the compiler keeps it in memory through the loop above, which doubles its time
+    let diffusion = std::hint::black_box(diffusion);
     for w in walls {
         let aw = PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h));
         // WA4: behind the wall the fluid moves with the reflected velocity, so the pair closes at 2(u_a − V)·n across

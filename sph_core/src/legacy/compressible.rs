@@ -4,30 +4,26 @@ use crate::domain::Domain;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::interactions::pair::Extrapolated;
-use crate::legacy::density_filter::{DensityFilter, smooth_density};
+use crate::legacy::density_filter::smooth_density;
 use crate::legacy::dynamic_walls::{DynamicWalls, OwnVelocityRate};
 use crate::legacy::ideal_gas::{IdealGas, gas_state, heating_rates};
 use crate::legacy::mirror_point::read_mirror_points;
-use crate::legacy::multistep::{History, Old, Rates};
+use crate::legacy::multistep::{History, Rates};
 use crate::legacy::repulsive::{Repulsion, repel};
-use crate::legacy::settings::{DiffusionForm, Options, Settings};
-use crate::legacy::summation::{DensityEvolution, sum_density};
-use crate::legacy::turbulence::{Turbulence, add_eddy_forces};
-use crate::legacy::wall_model::WallModel;
+use crate::legacy::settings::*;
+use crate::legacy::summation::sum_density;
+use crate::legacy::turbulence::add_eddy_forces;
 use crate::legacy::xsph::drift_with_neighbours;
 use crate::parallel;
+use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::WallInterface;
 use crate::walls::interface_dynamics::solve_interfaces;
 use crate::walls::state::{extrapolate_to_walls, set_wall_state};
 use crate::wcsph::Wcsph;
 use crate::wcsph::shifting::even_out;
-use crate::wcsph::step_limit::acoustic_limit;
-
-/// Steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 12.0;
+use crate::wcsph::step_limit::rebuild_lists;
 
 /// The weakly compressible scheme with the options of 2010, and their state.
 #[derive(Clone)]
@@ -39,7 +35,6 @@ pub struct Compressible {
     /// The gas, if the fluid is one (LE11).
     pub(crate) gas: Option<IdealGas>,
     pub(crate) history: History,
-    pub(crate) old: Old,
     /// de/dt [W/kg] (LE12); empty for water.
     pub(crate) heating: Vec<f64>,
     pub(crate) dynamic_walls: DynamicWalls,
@@ -55,7 +50,6 @@ impl Compressible {
             options: settings.options,
             gas: settings.gas(domain),
             history: History::default(),
-            old: Old::default(),
             heating: Vec::new(),
             dynamic_walls: DynamicWalls::default(),
         }
@@ -75,9 +69,7 @@ impl Compressible {
     pub(crate) fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, self.options.walls == WallModel::MirrorPoint) {
             self.base.refine(system);
-            let cfl = self.base.settings.courant_number();
-            let life = LIST_LIFE * acoustic_limit(system, cfl, |k| self.sound_speed(system, k));
-            system.rebuild_lists(walls, life);
+            rebuild_lists(system, walls, self.base.settings.courant_number(), |system, k| self.sound_speed(system, k));
         }
         system.pack(walls);
     }
@@ -101,14 +93,14 @@ impl Compressible {
         let (fluid, walls, search) = (&system.packed.fluid, &system.packed.walls, &system.neighbours);
         let (kernel, rho) = (system.domain.fluid.kernel, &system.particles.rho);
         let mut beside_walls = vec![0.0; rho.len()];
-        let (lists, out) = (&search.walls_of_fluid, &mut beside_walls[..]);
-        kernel.run(OwnVelocityRate { targets: fluid, rho, others: walls, lists, out });
+        let lists = &search.walls_of_fluid;
+        kernel.gather(&OwnVelocityRate { targets: fluid, rho, others: walls, lists }, &mut beside_walls);
         for (rate, beside_walls) in self.base.density_rate.iter_mut().zip(&beside_walls) {
             *rate += beside_walls;
         }
         let DynamicWalls { rho, rate, .. } = &mut self.dynamic_walls;
         let lists = &search.fluid_of_wall;
-        kernel.run(OwnVelocityRate { targets: walls, rho, others: fluid, lists, out: rate });
+        kernel.gather(&OwnVelocityRate { targets: walls, rho, others: fluid, lists }, rate);
     }
 
     /// LE16: dynamic walls start at the pressure of the water beside them, or at none.
@@ -152,13 +144,8 @@ impl Compressible {
     }
 
     /// WC2, WA3, WC5–WC7, LE10: pressures, wall pressures, accelerations, forces on walls.
-    pub(crate) fn evaluate_forces(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        offset: f64,
-    ) {
+    pub(crate) fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) {
+        let Flow { system, walls, interfaces } = flow;
         self.equation_of_state(system);
         self.pack(system, walls, offset);
         match self.options.walls {
@@ -167,7 +154,12 @@ impl Compressible {
             WallModel::Dynamic => self.state_of_dynamic_walls(system, walls),
         }
         let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
-        self.gather_forces(system, walls, &mut forces);
+        let (terms, has_pressure): (PairTerms, _) = (self.base.terms(system), self.options.walls.has_pressure());
+        gather_fluid_forces(system, &terms, has_pressure, &mut forces);
+        match has_pressure {
+            true => gather_wall_forces(system, &terms, walls),
+            false => repel(system, self.repulsion(system), walls, &mut forces),
+        }
         if self.options.turbulence == Turbulence::Sps {
             add_eddy_forces(system, &mut forces);
         }
@@ -175,16 +167,6 @@ impl Compressible {
             solve_interfaces(system, walls, interfaces, &mut forces, offset);
         }
         forces.accelerate(system);
-    }
-
-    fn gather_forces(&self, system: &mut ParticleSystem, walls: &mut Walls, forces: &mut Forces) {
-        let (terms, has_pressure): (PairTerms, _) = (self.base.terms(system), self.options.walls.has_pressure());
-        gather_fluid_forces(system, &terms, has_pressure, forces);
-        if has_pressure {
-            gather_wall_forces(system, &terms, walls);
-        } else {
-            repel(system, self.repulsion(system), walls, forces);
-        }
     }
 
     /// The law of repulsive walls (LE15).

@@ -1,51 +1,29 @@
 //! Density filters (THEORY LE6, LE7): every so many steps the density field is smoothed, as the thesis's
 //! `i_densityFilter` has it. Fluid neighbours only.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::interactions::geometry::pair_geometry;
-use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
-use crate::neighbours::Neighbours;
-use crate::parallel;
+use crate::legacy::{FluidPair, fluid_pairs};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
-
-/// How densities are smoothed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum DensityFilter {
-    /// Not at all.
-    #[default]
-    None,
-    /// LE6, zeroth order (Shepard 1968): keeps a constant.
-    Shepard,
-    /// LE7, first order, moving least squares (Colagrossi & Landrini 2003): keeps a linear field.
-    Mls,
-}
 
 /// LE7 falls back to LE6 where the normalised determinant of its moments is smaller: on lines and in lone pairs of particles.
 const LEAST_DETERMINANT: f64 = 1e-3;
 
-/// LE6 or LE7 for every fluid particle.
+/// LE6 for every fluid particle, or LE7 if `linear`.
 struct Filter<'a> {
-    fluid: &'a [PackedParticle],
-    rho: &'a [f64],
-    search: &'a Neighbours,
+    system: &'a ParticleSystem,
     linear: bool,
-    out: &'a mut [f64],
 }
 
-impl WithKernel for Filter<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let Filter { fluid, rho, search, linear, out } = self;
-        parallel::gather_into(out, |k| {
-            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], rho[search.source(j, rho.len())]));
-            let moments = Moments::gather::<K>(&fluid[k], rho[k], near);
-            if linear { moments.linear() } else { moments.constant() }
-        });
+impl TargetSum for Filter<'_> {
+    type Sum = f64;
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> f64 {
+        let ParticleSystem { packed, particles, neighbours, .. } = self.system;
+        let rho = |j: Option<u32>| particles.rho[j.map_or(k, |j| neighbours.source(j, particles.len()))];
+        let moments = Moments::gather::<K>(&packed.fluid[k], fluid_pairs::<K>(self.system, k), rho);
+        if self.linear { moments.linear() } else { moments.constant() }
     }
 }
 
@@ -60,15 +38,13 @@ impl Moments {
     #[inline(always)]
     fn gather<'r, K: Shape>(
         a: &PackedParticle,
-        rho_a: f64,
-        near: impl Iterator<Item = (&'r PackedParticle, f64)>,
+        near: impl Iterator<Item = FluidPair<'r>>,
+        rho: impl Fn(Option<u32>) -> f64,
     ) -> Moments {
         let mut sum = Moments::default();
-        sum.take(a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h), 0.0, 0.0, rho_a);
-        for (b, rho_b) in near {
-            if let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) {
-                sum.take(b.raw_volume * ab.w::<K>(), -ab.dx / a.h, -ab.dy / a.h, rho_b);
-            }
+        sum.take(a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h), 0.0, 0.0, rho(None));
+        for (j, b, ab) in near {
+            sum.take(b.raw_volume * ab.w::<K>(), -ab.dx / a.h, -ab.dy / a.h, rho(Some(j)));
         }
         sum
     }
@@ -108,13 +84,7 @@ impl Moments {
 pub fn smooth_density(system: &mut ParticleSystem, linear: bool, gamma: Option<f64>) {
     system.timers.begin(Phase::Density);
     let mut smooth = vec![0.0; system.particles.len()];
-    system.domain.fluid.kernel.run(Filter {
-        fluid: &system.packed.fluid,
-        rho: &system.particles.rho,
-        search: &system.neighbours,
-        linear,
-        out: &mut smooth,
-    });
+    system.domain.fluid.kernel.gather(&Filter { system, linear }, &mut smooth);
     let p = &mut system.particles;
     std::mem::swap(&mut p.rho, &mut smooth);
     if let Some(gamma) = gamma {
@@ -127,6 +97,7 @@ pub fn smooth_density(system: &mut ParticleSystem, linear: bool, gamma: Option<f
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interactions::geometry::pair_geometry;
     use crate::interactions::kernel::WendlandC2;
 
     /// An uneven one-sided cloud, as at a free surface, and a density on it.
@@ -142,8 +113,12 @@ mod tests {
         let places = [(0.1, 0.02), (-0.07, 0.05), (0.03, 0.11), (0.12, 0.13), (-0.11, 0.12), (0.0, 0.21)];
         let near: Vec<(PackedParticle, f64)> =
             places.iter().enumerate().map(|(k, &(x, y))| (row(x, y, 0.01 + 0.001 * k as f64), rho(x, y))).collect();
-        let a = row(0.0, 0.0, 0.012);
-        (Moments::gather::<WendlandC2>(&a, rho(0.0, 0.0), near.iter().map(|(b, r)| (b, *r))), rho(0.0, 0.0))
+        let (a, here) = (row(0.0, 0.0, 0.012), rho(0.0, 0.0));
+        let pairs = (0..)
+            .zip(&near)
+            .map(|(j, (b, _))| (j, b, pair_geometry::<WendlandC2>(a.x, a.y, a.h, b.x, b.y, b.h).expect("a neighbour")));
+        let of = |j: Option<u32>| j.map_or(here, |j| near[j as usize].1);
+        (Moments::gather::<WendlandC2>(&a, pairs, of), here)
     }
 
     #[test]

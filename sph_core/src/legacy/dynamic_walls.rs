@@ -2,10 +2,9 @@
 //! from continuity, their pressure from the equation of state.
 
 use crate::interactions::geometry::kernel_and_gradient;
-use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::neighbours::lists::Lists;
-use crate::parallel;
 use crate::wcsph::eos::Tait;
 
 /// Densities of the walls; empty where walls are not dynamic.
@@ -58,36 +57,26 @@ impl DynamicWalls {
     }
 }
 
-/// LE16: the density rate that `others` cause on `targets`, both moving with their own velocities [kg/(m³ s)]. Once
-/// for the fluid beside walls, once for the walls beside fluid.
+/// LE16: the density rate ρ_a Σ_b V_b (v_a − v_b)·∇W_ab [kg/(m³ s)] that `others` cause on `targets`, both moving with their
+/// own velocities. Once for the fluid beside walls, once for the walls beside fluid.
 pub(crate) struct OwnVelocityRate<'a> {
     pub targets: &'a [PackedParticle],
     pub rho: &'a [f64],
     pub others: &'a [PackedParticle],
     pub lists: &'a Lists,
-    pub out: &'a mut [f64],
 }
 
-impl WithKernel for OwnVelocityRate<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let OwnVelocityRate { targets, rho, others, lists, out } = self;
-        parallel::gather_into(out, |k| {
-            let near = lists.of(k).map(|j| &others[j as usize]);
-            rho[k] * compression::<K>(&targets[k], near)
-        });
-    }
-}
-
-/// LE16: Σ_b V_b (v_a − v_b)·∇W_ab [1/s] over neighbours that move with their own velocities.
-#[inline(always)]
-fn compression<'r, K: Shape>(a: &PackedParticle, others: impl Iterator<Item = &'r PackedParticle>) -> f64 {
-    let mut sum = 0.0;
-    for b in others {
-        let (dx, dy) = (a.x - b.x, a.y - b.y);
-        if let Some((_, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (a.h + b.h)) {
-            sum += b.volume * ((a.u - b.u) * dx + (a.v - b.v) * dy) * slope;
+impl TargetSum for OwnVelocityRate<'_> {
+    type Sum = f64;
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> f64 {
+        let (a, mut sum) = (&self.targets[k], 0.0);
+        for b in self.lists.of(k).map(|j| &self.others[j as usize]) {
+            let (dx, dy) = (a.x - b.x, a.y - b.y);
+            if let Some((_, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (a.h + b.h)) {
+                sum += b.volume * ((a.u - b.u) * dx + (a.v - b.v) * dy) * slope;
+            }
         }
+        self.rho[k] * sum
     }
-    sum
 }

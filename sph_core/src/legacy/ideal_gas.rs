@@ -6,9 +6,8 @@ use crate::interactions::dissipation::{PairDissipation, WithPairs, with_pairs};
 use crate::interactions::forces::PairTerms;
 use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::Shape;
-use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::interactions::pair;
-use crate::neighbours::Neighbours;
+use crate::legacy::fluid_pairs;
 use crate::parallel;
 use crate::system::ParticleSystem;
 
@@ -75,10 +74,7 @@ impl IdealGas {
 
 /// LE12 for every fluid particle.
 struct Heating<'a> {
-    fluid: &'a [PackedParticle],
-    walls: &'a [PackedParticle],
-    packed_walls: &'a [PackedWall],
-    search: &'a Neighbours,
+    system: &'a ParticleSystem,
     constants: PairConstants,
     ambient: f64,
     out: &'a mut [Heat],
@@ -86,12 +82,8 @@ struct Heating<'a> {
 
 impl WithPairs for Heating<'_> {
     fn with<K: Shape, D: PairDissipation>(self) {
-        let Heating { fluid, walls, packed_walls, search, constants, ambient, out } = self;
-        parallel::gather_into(out, |k| {
-            let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
-            let pressed = search.walls_of_fluid.of(k).map(|j| (&walls[j as usize], &packed_walls[j as usize]));
-            heating::<K, D>(&fluid[k], near, pressed, &constants, ambient)
-        });
+        let Heating { system, constants, ambient, out } = self;
+        parallel::gather_into(out, |k| heating::<K, D>(system, k, &constants, ambient));
     }
 }
 
@@ -106,18 +98,9 @@ pub(crate) struct Heat {
 
 /// LE12: half of the power that the pair's absolute pressures and viscosity take from its motion; all of what a wall gives.
 #[inline(always)]
-fn heating<'r, K: Shape, D: PairDissipation>(
-    a: &PackedParticle,
-    fluid: impl Iterator<Item = &'r PackedParticle>,
-    walls: impl Iterator<Item = (&'r PackedParticle, &'r PackedWall)>,
-    c: &PairConstants,
-    ambient: f64,
-) -> Heat {
-    let mut heat = Heat::default();
-    for b in fluid {
-        let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
-            continue;
-        };
+fn heating<K: Shape, D: PairDissipation>(system: &ParticleSystem, k: usize, c: &PairConstants, ambient: f64) -> Heat {
+    let (a, mut heat) = (&system.packed.fluid[k], Heat::default());
+    for (_, b, ab) in fluid_pairs::<K>(system, k) {
         let (du, dv) = (a.u - b.u, a.v - b.v);
         let [normal, shear] = pair::force::<f64, D>(a, b, &ab, c, c.nu).map(|part| a.volume * part);
         let f = [normal * ab.dx + shear * du, normal * ab.dy + shear * dv];
@@ -125,10 +108,9 @@ fn heating<'r, K: Shape, D: PairDissipation>(
         heat.compression += b.volume * approach;
         heat.power += a.volume * b.volume * ambient * approach - 0.5 * (f[0] * du + f[1] * dv);
     }
-    for (w, face) in walls {
-        let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else {
-            continue;
-        };
+    for j in system.neighbours.walls_of_fluid.of(k) {
+        let (w, face) = (&system.packed.walls[j as usize], &system.packed.packed_walls[j as usize]);
+        let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
         let approach = a.u * face.nx + a.v * face.ny - face.vn;
         let approach = approach * (aw.dx * face.nx + aw.dy * face.ny) * aw.grad_factor;
         heat.compression += 2.0 * w.volume * approach;
@@ -146,15 +128,7 @@ pub(crate) fn heating_rates(
     out: &mut Vec<f64>,
 ) {
     let mut heat = vec![Heat::default(); system.particles.len()];
-    let sum = Heating {
-        fluid: &system.packed.fluid,
-        walls: &system.packed.walls,
-        packed_walls: &system.packed.packed_walls,
-        search: &system.neighbours,
-        constants: terms.constants,
-        ambient: gas.ambient(),
-        out: &mut heat,
-    };
+    let sum = Heating { system, constants: terms.constants, ambient: gas.ambient(), out: &mut heat };
     with_pairs(system.domain.fluid.kernel, terms.dissipation, sum);
     let p = &system.particles;
     out.resize(p.len(), 0.0);

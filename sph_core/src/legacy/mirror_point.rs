@@ -1,11 +1,9 @@
 //! Pressure at a wall particle from its mirror point in the fluid (THEORY LE17; English et al. 2022).
 
 use crate::interactions::geometry::kernel_and_gradient;
-use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
 use crate::interactions::pair::Extrapolated;
-use crate::neighbours::Neighbours;
-use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
@@ -15,36 +13,24 @@ use crate::walls::state::set_wall_state;
 const LEAST_DETERMINANT: f64 = 1e-3;
 
 /// LE17: what every wall particle finds at its mirror point.
-pub(crate) struct MirrorState<'a> {
-    pub fluid: &'a [PackedParticle],
-    pub walls: &'a [PackedParticle],
-    pub points: (&'a [f64], &'a [f64]),
-    pub search: &'a Neighbours,
-    pub out: &'a mut [Extrapolated],
-}
+struct MirrorState<'a>(&'a ParticleSystem);
 
-impl WithKernel for MirrorState<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let MirrorState { fluid, walls, points: (x, y), search, out } = self;
-        parallel::gather_into(out, |k| {
-            let near = search.fluid_of_mirror.of(k).map(|j| &fluid[j as usize]);
-            at_mirror_point::<K>(&walls[k], [x[k], y[k]], near)
-        });
+impl TargetSum for MirrorState<'_> {
+    type Sum = Extrapolated;
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> Extrapolated {
+        let (packed, (x, y)) = (&self.0.packed, &self.0.packed.mirror_points);
+        let near = self.0.neighbours.fluid_of_mirror.of(k).map(|j| &packed.fluid[j as usize]);
+        at_mirror_point::<K>(&packed.walls[k], [x[k], y[k]], near)
     }
 }
 
 /// LE17: pressures of the walls from their mirror points.
 pub(crate) fn read_mirror_points(system: &mut ParticleSystem, walls: &mut Walls) {
     system.timers.begin(Phase::Walls);
-    system.wall_state.resize(walls.len(), Extrapolated::default());
-    system.domain.fluid.kernel.run(MirrorState {
-        fluid: &system.packed.fluid,
-        walls: &system.packed.walls,
-        points: (&system.packed.mirror_points.0, &system.packed.mirror_points.1),
-        search: &system.neighbours,
-        out: &mut system.wall_state,
-    });
+    let mut found = vec![Extrapolated::default(); walls.len()];
+    system.domain.fluid.kernel.gather(&MirrorState(system), &mut found);
+    system.wall_state = found;
     set_wall_state(system, walls);
 }
 

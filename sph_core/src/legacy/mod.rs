@@ -6,18 +6,35 @@ pub mod compressible;
 pub mod density_filter;
 pub(crate) mod dynamic_walls;
 pub mod ideal_gas;
-pub mod integrator;
 pub(crate) mod mirror_point;
 pub(crate) mod multistep;
 pub mod pilorget2010;
 pub(crate) mod repulsive;
-mod scheme;
 pub mod settings;
 mod steps;
 pub mod summation;
 pub mod turbulence;
-pub mod wall_model;
 pub mod xsph;
 
+use crate::interactions::geometry::{PairGeometry, pair_geometry};
+use crate::interactions::kernel::Shape;
+use crate::interactions::packed_particle::PackedParticle;
+use crate::system::ParticleSystem;
+
 pub use compressible::Compressible;
-pub use settings::{DiffusionForm, EquationOfState, Options, Settings};
+pub use ideal_gas::IdealGas;
+pub use pilorget2010::ThesisSettings;
+pub use settings::*;
+
+/// A fluid neighbour: its index as listed, the particle or image, and the geometry of the pair.
+type FluidPair<'a> = (u32, &'a PackedParticle, PairGeometry);
+
+/// The fluid neighbours of particle `k` within the kernel, as last packed.
+#[inline(always)]
+fn fluid_pairs<K: Shape>(system: &ParticleSystem, k: usize) -> impl Iterator<Item = FluidPair<'_>> {
+    let (fluid, a) = (&system.packed.fluid, &system.packed.fluid[k]);
+    system.neighbours.fluid.of(k).filter_map(move |j| {
+        let b = &fluid[j as usize];
+        Some((j, b, pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h)?))
+    })
+}

@@ -20,35 +20,33 @@ impl Rates<'_> {
     }
 }
 
-/// Specific internal energy of particle `k` [J/kg]; 0 for water.
-fn energy_of(p: &Particles, k: usize) -> f64 {
-    p.energy.get(k).copied().unwrap_or(0.0)
+/// State x, y, u, v, ρ, e of particle `k`.
+fn state_of(p: &Particles, k: usize) -> [f64; 6] {
+    [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], p.energy.get(k).copied().unwrap_or(0.0)]
+}
+
+fn set_state(p: &mut Particles, k: usize, [x, y]: [f64; 2], [u, v, rho, energy]: [f64; 4]) {
+    (p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k]) = (x, y, u, v, rho);
+    if let Some(e) = p.energy.get_mut(k) {
+        *e = energy;
+    }
 }
 
 /// The state at n, by identity: the particles may be sorted anew before it is needed.
-#[derive(Clone, Default)]
 pub(crate) struct Old(Vec<[f64; 6]>);
 
 impl Old {
-    pub fn of(mut self, p: &Particles) -> Old {
-        self.0.resize(p.len(), [0.0; 6]);
-        for k in 0..p.len() {
-            self.0[p.id[k] as usize] = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], energy_of(p, k)];
-        }
-        self
+    pub fn of(p: &Particles) -> Old {
+        let mut states = vec![[0.0; 6]; p.len()];
+        (0..p.len()).for_each(|k| states[p.id[k] as usize] = state_of(p, k));
+        Old(states)
     }
 
     pub fn correct(&self, p: &mut Particles, rates: Rates, dt: f64) {
         for k in 0..p.x.len() {
-            let [x, y, u, v, rho, energy] = self.0[p.id[k] as usize];
-            p.u[k] = u + dt * p.ax[k];
-            p.v[k] = v + dt * p.ay[k];
-            p.x[k] = x + 0.5 * dt * (u + p.u[k]);
-            p.y[k] = y + 0.5 * dt * (v + p.v[k]);
-            p.rho[k] = rho + dt * rates.density[k];
-            if let Some(e) = p.energy.get_mut(k) {
-                *e = energy + dt * rates.energy[k];
-            }
+            let ([x, y, q @ ..], rates) = (self.0[p.id[k] as usize], rates.of(p, k));
+            let new = [0, 1, 2, 3].map(|c| q[c] + dt * rates[c]);
+            set_state(p, k, [x + 0.5 * dt * (q[0] + new[0]), y + 0.5 * dt * (q[1] + new[1])], new);
         }
     }
 }
@@ -78,15 +76,10 @@ impl History {
     pub fn leap(&mut self, p: &mut Particles, rates: Rates, dt: f64) {
         let span = dt + self.dt;
         for k in 0..p.x.len() {
-            let change = &mut self.change[p.id[k] as usize];
-            let rates = rates.of(p, k);
+            let (change, rates) = (&mut self.change[p.id[k] as usize], rates.of(p, k));
             *change = [0, 1, 2, 3].map(|c| span * rates[c] - change[c]);
-            p.u[k] += change[0];
-            p.v[k] += change[1];
-            p.rho[k] += change[2];
-            if let Some(energy) = p.energy.get_mut(k) {
-                *energy += change[3];
-            }
+            let [x, y, q @ ..] = state_of(p, k);
+            set_state(p, k, [x, y], [0, 1, 2, 3].map(|c| q[c] + change[c]));
         }
     }
 
@@ -129,11 +122,9 @@ impl History {
         self.now.resize(p.len(), [0.0; 10]);
         self.change.resize(p.len(), [0.0; 4]);
         for k in 0..p.len() {
-            let state = [p.x[k], p.y[k], p.u[k], p.v[k], p.rho[k], energy_of(p, k)];
-            let rates = rates.of(p, k);
             let now = &mut self.now[p.id[k] as usize];
-            now[..6].copy_from_slice(&state);
-            now[6..].copy_from_slice(&rates);
+            now[..6].copy_from_slice(&state_of(p, k));
+            now[6..].copy_from_slice(&rates.of(p, k));
         }
         self.wall_force[0].resize(walls.len(), [0.0; 2]);
         self.wall_force[1] = (0..walls.len()).map(|k| [walls.fx[k], walls.fy[k]]).collect();
@@ -142,15 +133,10 @@ impl History {
     pub fn predict(&self, p: &mut Particles, dt: f64, w: &Weights) {
         for k in 0..p.x.len() {
             let ([x, y, u, v, rho, e, now @ ..], before) = (self.now[p.id[k] as usize], self.change[p.id[k] as usize]);
-            let rate = |c: usize| w.predict[0] * now[c] + w.predict[1] * before[c];
             let bend = |c: usize| w.bend[0] * now[c] + w.bend[1] * before[c];
-            p.x[k] = x + dt * u + dt * dt * bend(0);
-            p.y[k] = y + dt * v + dt * dt * bend(1);
-            [p.u[k], p.v[k]] = [u + dt * rate(0), v + dt * rate(1)];
-            p.rho[k] = rho + dt * rate(2);
-            if let Some(energy) = p.energy.get_mut(k) {
-                *energy = e + dt * rate(3);
-            }
+            let rate = |c: usize| w.predict[0] * now[c] + w.predict[1] * before[c];
+            let at = [x + dt * u + dt * dt * bend(0), y + dt * v + dt * dt * bend(1)];
+            set_state(p, k, at, [u + dt * rate(0), v + dt * rate(1), rho + dt * rate(2), e + dt * rate(3)]);
         }
     }
 
@@ -158,14 +144,10 @@ impl History {
         for k in 0..p.x.len() {
             let ([x, y, u, v, rho, e, now @ ..], before) = (self.now[p.id[k] as usize], self.change[p.id[k] as usize]);
             let then = rates.of(p, k);
+            let bend = |c: usize| dt * dt * (then[c] + 2.0 * now[c]) / 6.0;
             let rate = |c: usize| w.correct[0] * then[c] + w.correct[1] * now[c] + w.correct[2] * before[c];
-            p.x[k] = x + dt * u + dt * dt * (then[0] + 2.0 * now[0]) / 6.0;
-            p.y[k] = y + dt * v + dt * dt * (then[1] + 2.0 * now[1]) / 6.0;
-            [p.u[k], p.v[k]] = [u + dt * rate(0), v + dt * rate(1)];
-            p.rho[k] = rho + dt * rate(2);
-            if let Some(energy) = p.energy.get_mut(k) {
-                *energy = e + dt * rate(3);
-            }
+            let at = [x + dt * u + bend(0), y + dt * v + bend(1)];
+            set_state(p, k, at, [u + dt * rate(0), v + dt * rate(1), rho + dt * rate(2), e + dt * rate(3)]);
         }
     }
 
@@ -174,9 +156,9 @@ impl History {
         let [before, now] = &self.wall_force;
         for k in 0..walls.len() {
             let early = [0, 1].map(|c| w.correct[1] * now[k][c] + w.correct[2] * before[k][c]);
+            walls.set_mean_force_of(k, -dt, early);
             walls.mean_fx[k] = w.correct[0] * walls.fx[k] + early[0];
             walls.mean_fy[k] = w.correct[0] * walls.fy[k] + early[1];
-            walls.mean_swing[k] = walls.swing(k, -dt, early);
         }
     }
 

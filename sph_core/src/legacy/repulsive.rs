@@ -2,7 +2,6 @@
 
 use crate::interactions::forces::Forces;
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
-use crate::neighbours::Neighbours;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
@@ -73,54 +72,24 @@ fn meet(a: &PackedParticle, w: &PackedWall) -> bool {
     dx * dx + dy * dy < reach * reach
 }
 
-/// Force of the wall points on every fluid particle [N/m].
-fn push_fluid(
-    fluid: &[PackedParticle],
-    packed_walls: &[PackedWall],
-    search: &Neighbours,
-    law: Repulsion,
-    out: &mut [[f64; 2]],
-) {
-    parallel::gather_into(out, |k| {
-        let mut sum = [0.0; 2];
-        for w in search.walls_of_fluid.of(k).map(|j| &packed_walls[j as usize]) {
-            if meet(&fluid[k], w) {
-                let push = law.push(&fluid[k], w);
-                sum[0] += push * w.nx;
-                sum[1] += push * w.ny;
-            }
-        }
-        sum
-    });
-}
-
-/// Force of the fluid on every wall point [N/m]: the same pairs with the sign turned.
-fn push_walls(
-    fluid: &[PackedParticle],
-    packed_walls: &[PackedWall],
-    search: &Neighbours,
-    law: Repulsion,
-    out: &mut [[f64; 2]],
-) {
-    parallel::gather_into(out, |k| {
-        let near = search.fluid_of_wall.of(k).map(|j| &fluid[j as usize]);
-        let total: f64 = near.filter(|a| meet(a, &packed_walls[k])).map(|a| law.push(a, &packed_walls[k])).sum();
-        [-total * packed_walls[k].nx, -total * packed_walls[k].ny]
-    });
-}
-
-/// LE15: the push of repulsive walls on the fluid, and its reaction.
+/// LE15: the push of repulsive walls on the fluid, and its reaction on the wall points: the same pairs with the sign turned.
 pub(crate) fn repel(system: &mut ParticleSystem, law: Repulsion, walls: &mut Walls, forces: &mut Forces) {
     system.timers.begin(Phase::Walls);
-    let (fluid, packed_walls, search) = (&system.packed.fluid, &system.packed.packed_walls, &system.neighbours);
-    let mut on_walls = vec![[0.0; 2]; walls.len()];
+    let (fluid, points, search) = (&system.packed.fluid, &system.packed.packed_walls, &system.neighbours);
     let mut on_fluid = vec![[0.0; 2]; system.particles.len()];
-    push_fluid(fluid, packed_walls, search, law, &mut on_fluid);
-    push_walls(fluid, packed_walls, search, law, &mut on_walls);
+    parallel::gather_into(&mut on_fluid, |k| {
+        let near = search.walls_of_fluid.of(k).map(|j| &points[j as usize]).filter(|w| meet(&fluid[k], w));
+        near.fold([0.0; 2], |sum, w| {
+            let push = law.push(&fluid[k], w);
+            [sum[0] + push * w.nx, sum[1] + push * w.ny]
+        })
+    });
     forces.add(&on_fluid);
-    for (k, force) in on_walls.into_iter().enumerate() {
-        [walls.fx[k], walls.fy[k]] = force;
-    }
+    parallel::update_both(&mut walls.fx, &mut walls.fy, |k, fx, fy| {
+        let (near, w) = (search.fluid_of_wall.of(k).map(|j| &fluid[j as usize]), &points[k]);
+        let total: f64 = near.filter(|a| meet(a, w)).map(|a| law.push(a, w)).sum();
+        (*fx, *fy) = (-total * w.nx, -total * w.ny);
+    });
 }
 
 #[cfg(test)]

@@ -3,14 +3,100 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::density_filter::DensityFilter;
-use super::ideal_gas::IdealGas;
-use super::integrator::Integrator;
-use super::summation::DensityEvolution;
-use super::turbulence::Turbulence;
-use super::wall_model::WallModel;
 use crate::domain::Domain;
+use crate::legacy::ideal_gas::IdealGas;
 use crate::wcsph;
+
+/// Time integration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Integrator {
+    /// Kick–drift–kick with the density advanced about the midpoint: second order, one sum of each kind per step (WC11).
+    #[default]
+    Symplectic,
+    /// Monaghan's (1989) predictor–corrector: second order, two sums of each kind per step (LE2).
+    PredictorCorrector,
+    /// Verlet's (1967) two-step leapfrog with an Euler step now and then: one sum of each kind per step (LE3).
+    Verlet,
+    /// Beeman's (1976) with the corrector of Adams and Moulton: third order, two sums of each kind per step (LE4).
+    Beeman,
+}
+
+impl Integrator {
+    /// Its name in a scene.
+    pub fn name(self) -> &'static str {
+        match self {
+            Integrator::Symplectic => "symplectic",
+            Integrator::PredictorCorrector => "predictor_corrector",
+            Integrator::Verlet => "verlet",
+            Integrator::Beeman => "beeman",
+        }
+    }
+}
+
+/// How densities are smoothed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DensityFilter {
+    /// Not at all.
+    #[default]
+    None,
+    /// LE6, zeroth order (Shepard 1968): keeps a constant.
+    Shepard,
+    /// LE7, first order, moving least squares (Colagrossi & Landrini 2003): keeps a linear field.
+    Mls,
+}
+
+/// Where densities come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DensityEvolution {
+    /// WC3: advanced with the divergence of velocity.
+    #[default]
+    Continuity,
+    /// LE13: counted anew from masses (M. Pilorget 2010, eq. 13). Low where neighbours are missing.
+    Summation,
+}
+
+/// What stands for the eddies smaller than a particle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Turbulence {
+    /// Nothing.
+    #[default]
+    None,
+    /// LE9, Smagorinsky's model on particles (Gotoh, Shao & Memita 2004; Dalrymple & Rogers 2006).
+    Sps,
+}
+
+/// How boundary particles keep the fluid out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WallModel {
+    /// Rows of particles that fill the kernel's support; pressure extrapolated from the fluid (WA3, Adami, Hu & Adams
+    /// 2012), reflected velocity in continuity (WA4).
+    #[default]
+    Extrapolated,
+    /// One row of points half a spacing below the surface that push by a law of distance (LE15, Monaghan 1994; Monaghan & Kos 1999).
+    Repulsive,
+    /// Two staggered rows of fluid particles that do not move: density by continuity (LE16, Dalrymple & Knio 2001).
+    Dynamic,
+    /// As `Extrapolated`, but the pressure comes from the wall particle's mirror point in the fluid, by a corrected
+    /// first-order interpolation (LE17, English et al. 2022).
+    MirrorPoint,
+}
+
+impl WallModel {
+    /// True where the fluid behind the wall moves with the reflected velocity (WA4).
+    pub(crate) fn reflects(self) -> bool {
+        matches!(self, WallModel::Extrapolated | WallModel::MirrorPoint)
+    }
+
+    /// True where wall particles push by their pressure (WC5) and count as neighbours (OP4, OP5, WC10).
+    pub(crate) fn has_pressure(self) -> bool {
+        self != WallModel::Repulsive
+    }
+}
 
 /// What gives the pressure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

@@ -1,27 +1,11 @@
 //! Sub-particle-scale turbulence (THEORY LE9, LE10): stresses, then their divergence. Fluid pairs only.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::interactions::forces::Forces;
-use crate::interactions::geometry::pair_geometry;
-use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
-use crate::neighbours::Neighbours;
-use crate::parallel;
+use crate::legacy::{FluidPair, fluid_pairs};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
-
-/// What stands for the eddies smaller than a particle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Turbulence {
-    /// Nothing.
-    #[default]
-    None,
-    /// LE9, Smagorinsky's model on particles (Gotoh, Shao & Memita 2004; Dalrymple & Rogers 2006).
-    Sps,
-}
 
 /// Smagorinsky's constant C_s [-] (LE9; Dalrymple & Rogers 2006).
 pub const SMAGORINSKY: f64 = 0.12;
@@ -34,36 +18,22 @@ const LEAST_DETERMINANT: f64 = 0.05;
 pub type Stress = [f64; 3];
 
 /// LE9 for every fluid particle.
-struct StressSum<'a> {
-    fluid: &'a [PackedParticle],
-    rho: &'a [f64],
-    search: &'a Neighbours,
-    spacing_ratio: f64,
-    out: &'a mut [Stress],
-}
+struct StressSum<'a>(&'a ParticleSystem);
 
-impl WithKernel for StressSum<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let StressSum { fluid, rho, search, spacing_ratio, out } = self;
-        parallel::gather_into(out, |k| {
-            let near = search.fluid.of(k).map(|j| &fluid[j as usize]);
-            stress(velocity_gradient::<K>(&fluid[k], near), rho[k], fluid[k].h * spacing_ratio)
-        });
+impl TargetSum for StressSum<'_> {
+    type Sum = Stress;
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> Stress {
+        let (a, spacing_ratio) = (&self.0.packed.fluid[k], 1.0 / self.0.domain.fluid.smoothing_ratio);
+        stress(velocity_gradient(a, fluid_pairs::<K>(self.0, k)), self.0.particles.rho[k], a.h * spacing_ratio)
     }
 }
 
 /// ∂u_i/∂x_j [1/s] as [[u_x, u_y], [v_x, v_y]]: Σ V (u_b − u_a)⊗∇W, renormalised (OP5) to be exact for a linear field.
 #[inline(always)]
-fn velocity_gradient<'r, K: Shape>(
-    a: &PackedParticle,
-    near: impl Iterator<Item = &'r PackedParticle>,
-) -> [[f64; 2]; 2] {
+fn velocity_gradient<'r>(a: &PackedParticle, near: impl Iterator<Item = FluidPair<'r>>) -> [[f64; 2]; 2] {
     let (mut sum, mut spread) = ([[0.0; 2]; 2], [0.0; 3]);
-    for b in near {
-        let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
-            continue;
-        };
+    for (_, b, ab) in near {
         let pull = b.raw_volume * ab.grad_factor;
         let gradient = [pull * ab.dx, pull * ab.dy];
         for j in 0..2 {
@@ -91,44 +61,32 @@ pub fn stress(gradient: [[f64; 2]; 2], rho: f64, spacing: f64) -> Stress {
     [rho * (2.0 * eddy * xx - isotropic), rho * 2.0 * eddy * xy, rho * (2.0 * eddy * yy - isotropic)]
 }
 
-/// LE10 for every fluid particle, added to the forces gathered.
+/// LE10 for every fluid particle.
 struct Divergence<'a> {
-    fluid: &'a [PackedParticle],
+    system: &'a ParticleSystem,
     stress: &'a [Stress],
-    search: &'a Neighbours,
-    out: [&'a mut [f64]; 2],
 }
 
-impl WithKernel for Divergence<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let Divergence { fluid, stress, search, out: [x, y] } = self;
-        let force = |k: usize| {
-            let near = search.fluid.of(k).map(|j| (&fluid[j as usize], &stress[j as usize]));
-            stress_force::<K>(&fluid[k], &stress[k], near)
-        };
-        parallel::update_both(x, y, |k, x, y| {
-            let force = force(k);
-            *x += force[0];
-            *y += force[1];
-        });
+impl TargetSum for Divergence<'_> {
+    type Sum = [f64; 2];
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> [f64; 2] {
+        stress_force(&self.system.packed.fluid[k], &self.stress[k], fluid_pairs::<K>(self.system, k), self.stress)
     }
 }
 
 /// LE10: Σ_b V_a V_b (τ_a + τ_b)·∇W_ab [N/m]: antisymmetric in a and b.
 #[inline(always)]
-fn stress_force<'r, K: Shape>(
+fn stress_force<'r>(
     a: &PackedParticle,
     stress_a: &Stress,
-    near: impl Iterator<Item = (&'r PackedParticle, &'r Stress)>,
+    near: impl Iterator<Item = FluidPair<'r>>,
+    stress: &[Stress],
 ) -> [f64; 2] {
     let mut force = [0.0; 2];
-    for (b, stress_b) in near {
-        let Some(ab) = pair_geometry::<K>(a.x, a.y, a.h, b.x, b.y, b.h) else {
-            continue;
-        };
+    for (j, b, ab) in near {
         let weight = a.volume * b.volume * ab.grad_factor;
-        let [xx, xy, yy] = [0, 1, 2].map(|c| stress_a[c] + stress_b[c]);
+        let [xx, xy, yy] = [0, 1, 2].map(|c| stress_a[c] + stress[j as usize][c]);
         force[0] += weight * (xx * ab.dx + xy * ab.dy);
         force[1] += weight * (xy * ab.dx + yy * ab.dy);
     }
@@ -139,13 +97,7 @@ fn stress_force<'r, K: Shape>(
 pub fn stresses(system: &ParticleSystem) -> Vec<Stress> {
     let n = system.particles.len();
     let mut stress = vec![[0.0; 3]; n + system.neighbours.fluid_images.len()];
-    system.domain.fluid.kernel.run(StressSum {
-        fluid: &system.packed.fluid,
-        rho: &system.particles.rho,
-        search: &system.neighbours,
-        spacing_ratio: 1.0 / system.domain.fluid.smoothing_ratio,
-        out: &mut stress[..n],
-    });
+    system.domain.fluid.kernel.gather(&StressSum(system), &mut stress[..n]);
     for (k, &source) in system.neighbours.fluid_images.iter().enumerate() {
         let [xx, xy, yy] = stress[source as usize];
         stress[n + k] = if system.domain.periodic.is_some() { [xx, xy, yy] } else { [xx, -xy, yy] };
@@ -156,19 +108,21 @@ pub fn stresses(system: &ParticleSystem) -> Vec<Stress> {
 /// LE9, LE10: add the forces of the eddies.
 pub(crate) fn add_eddy_forces(system: &mut ParticleSystem, forces: &mut Forces) {
     system.timers.begin(Phase::Momentum);
-    let stress = stresses(system);
-    system.domain.fluid.kernel.run(Divergence {
-        fluid: &system.packed.fluid,
-        stress: &stress,
-        search: &system.neighbours,
-        out: [&mut forces.x, &mut forces.y],
-    });
+    let (stress, mut found) = (stresses(system), vec![[0.0; 2]; system.particles.len()]);
+    system.domain.fluid.kernel.gather(&Divergence { system, stress: &stress }, &mut found);
+    forces.add(&found);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interactions::geometry::pair_geometry;
     use crate::interactions::kernel::WendlandC2;
+
+    fn pairs<'a>(a: &PackedParticle, near: &'a [PackedParticle]) -> Vec<FluidPair<'a>> {
+        let geometry = |b: &PackedParticle| pair_geometry::<WendlandC2>(a.x, a.y, a.h, b.x, b.y, b.h);
+        (0..).zip(near).map(|(j, b)| (j, b, geometry(b).expect("a neighbour"))).collect()
+    }
 
     /// u = γ̇ y: S_xy = γ̇/2, |S| = γ̇, so τ_xy = ρ (C_s Δ)² γ̇² and τ_xx = τ_yy = −⅔ ρ C_I Δ² γ̇².
     #[test]
@@ -184,7 +138,7 @@ mod tests {
             ..PackedParticle::default()
         };
         let near = [(0.1, 0.02), (-0.08, 0.01), (0.03, 0.11), (-0.02, -0.1), (0.12, 0.13)].map(|(x, y)| row(x, y));
-        let gradient = velocity_gradient::<WendlandC2>(&row(0.0, 0.0), near.iter());
+        let gradient = velocity_gradient(&row(0.0, 0.0), pairs(&row(0.0, 0.0), &near).into_iter());
         let found = stress(gradient, rho, spacing);
         let shear = rho * (0.12 * spacing * rate) * (0.12 * spacing * rate);
         let normal = -2.0 / 3.0 * rho * 0.0066 * spacing * spacing * rate * rate;
@@ -205,8 +159,8 @@ mod tests {
         };
         let (a, b) = (row(0.0, 0.0, 0.15), row(0.1, 0.07, 0.21));
         let (of_a, of_b) = ([-3.0, 5.0, 1.0], [2.0, -1.0, 4.0]);
-        let on_a = stress_force::<WendlandC2>(&a, &of_a, [(&b, &of_b)].into_iter());
-        let on_b = stress_force::<WendlandC2>(&b, &of_b, [(&a, &of_a)].into_iter());
+        let on_a = stress_force(&a, &of_a, pairs(&a, &[b]).into_iter(), &[of_b]);
+        let on_b = stress_force(&b, &of_b, pairs(&b, &[a]).into_iter(), &[of_a]);
         for c in 0..2 {
             assert!(on_a[c] != 0.0 && on_a[c] == -on_b[c], "{on_a:?} {on_b:?}");
         }

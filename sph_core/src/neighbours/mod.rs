@@ -140,21 +140,18 @@ impl Neighbours {
             self.repeat(periodic, &mut fluid, &mut wall, [&fluid_cells, &wall_cells]);
             (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
         }
-        let (h, images) = (&particles.h, &self.fluid_images);
-        let fluid_size = |j: u32| h[if (j as usize) < n { j as usize } else { images[j as usize - n] as usize }];
-        let walls_now = walls.x.len();
-        let images = &self.wall_images;
-        let wall_size = |j: u32| {
-            walls.h[if (j as usize) < walls_now { j as usize } else { images[j as usize - walls_now] as usize }]
-        };
+        let (h, walls_now) = (&particles.h, walls.x.len());
+        let (images, wall_images) = (&self.fluid_images, &self.wall_images);
+        let fluid_size = |j: u32| h[source(j as usize, n, images)];
+        let wall_size = |j: u32| walls.h[source(j as usize, walls_now, wall_images)];
         let (own, wall_own) = (|k: usize| h[k], |k: usize| walls.h[k]);
         self.fluid.build(n, &fluid_cells, |k| fluid[k], true, (own, fluid_size));
         self.walls_of_fluid.build(n, &wall_cells, |k| fluid[k], false, (own, wall_size));
         self.fluid_of_wall.build(walls_now, &fluid_cells, |k| wall[k], false, (wall_own, fluid_size));
         self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| mirrored[k], false, (wall_own, fluid_size));
         if let Some(thin) = walls.thin {
-            let images = &self.wall_images;
-            let listed = Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: images, mirror };
+            let listed =
+                Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: &self.wall_images, mirror };
             let Neighbours { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
             thin.mask(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // WA8, WA9
         }
@@ -182,7 +179,13 @@ impl Neighbours {
     /// The particle behind listed index `j` of `n` particles and their images.
     #[inline(always)]
     pub fn source(&self, j: u32, n: usize) -> usize {
-        if (j as usize) < n { j as usize } else { self.fluid_images[j as usize - n] as usize }
+        source(j as usize, n, &self.fluid_images)
+    }
+
+    /// The wall particle behind listed index `j` of `n` wall particles and their images.
+    #[inline(always)]
+    pub fn wall_source(&self, j: usize, n: usize) -> usize {
+        source(j, n, &self.wall_images)
     }
 
     /// OP9: append every translation of fluid and wall that has a neighbour in the cell itself.
@@ -216,6 +219,12 @@ impl Neighbours {
             at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
         });
     }
+}
+
+/// What listed index `j` stands for: one of `n`, or the source of an image beyond them.
+#[inline(always)]
+fn source(j: usize, n: usize, images: &[u32]) -> usize {
+    if j < n { j } else { images[j - n] as usize }
 }
 
 /// Indices of the `points` that are wanted, in order.

@@ -1,8 +1,7 @@
 //! Quantities that a step recomputes: pressure, and the moments of the kernel.
 
 use crate::memory::of_vector;
-use crate::parallel;
-use crate::particles::Particles;
+use crate::particles::{Particles, permute};
 
 /// Quantities that a step recomputes, one entry per particle.
 #[derive(Clone, Debug, Default)]
@@ -31,18 +30,10 @@ impl Fields {
     }
 
     pub(crate) fn permute(&mut self, order: &[u32]) {
-        fn gather<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32]) {
-            if array.is_empty() {
-                return;
-            }
-            let mut sorted = vec![T::default(); order.len()];
-            parallel::gather_into(&mut sorted, |k| array[order[k] as usize]);
-            *array = sorted;
-        }
-        gather(&mut self.pressure, order);
-        gather(&mut self.volume, order);
-        gather(&mut self.moments, order);
-        gather(&mut self.near_surface, order);
+        permute(&mut self.pressure, order, &mut Vec::new());
+        permute(&mut self.volume, order, &mut Vec::new());
+        permute(&mut self.moments, order, &mut Vec::new());
+        permute(&mut self.near_surface, order, &mut Vec::new());
     }
 
     /// Volume per metre of span of particle `k` of `p` [m²].

@@ -60,23 +60,24 @@ pub struct Particles {
 }
 
 impl Particles {
-    /// Room for `n` particles, and none yet.
-    pub(crate) fn with_capacity(n: usize) -> Particles {
-        let numbers = || Vec::with_capacity(n);
+    /// Particles of seeds, whose smoothing lengths are `ratio` spacings; `state` gives density [kg/m³] and specific internal energy
+    /// [J/kg] of each.
+    pub(crate) fn of(seeds: &[Seed], state: impl Fn(&Seed) -> (f64, Option<f64>), ratio: f64) -> Particles {
+        let each = |value: fn(&Seed) -> f64| seeds.iter().map(value).collect();
+        let (rho, energy): (Vec<f64>, Vec<Option<f64>>) = seeds.iter().map(state).unzip();
         Particles {
-            x: numbers(),
-            y: numbers(),
-            u: numbers(),
-            v: numbers(),
-            rho: numbers(),
-            mass: numbers(),
-            h: numbers(),
-            ax: numbers(),
-            ay: numbers(),
-            id: Vec::with_capacity(n),
-            energy: Vec::new(),
-            refinement_level: Vec::new(),
-            newly_split: Vec::new(),
+            x: each(|seed| seed.at[0]),
+            y: each(|seed| seed.at[1]),
+            u: each(|seed| seed.velocity[0]),
+            v: each(|seed| seed.velocity[1]),
+            mass: rho.iter().zip(seeds).map(|(rho, seed)| rho * seed.area).collect(),
+            rho,
+            h: seeds.iter().map(|seed| ratio * seed.area.sqrt()).collect(),
+            ax: vec![0.0; seeds.len()],
+            ay: vec![0.0; seeds.len()],
+            id: (0..seeds.len() as u32).collect(),
+            energy: energy.into_iter().flatten().collect(),
+            ..Particles::default()
         }
     }
 
@@ -90,22 +91,6 @@ impl Particles {
         self.x.is_empty()
     }
 
-    /// Append a particle of density `rho` [kg/m³] and specific internal energy `energy` [J/kg] whose smoothing length is
-    /// `ratio` spacings.
-    pub fn push(&mut self, seed: &Seed, rho: f64, energy: Option<f64>, ratio: f64) {
-        self.id.push(self.x.len() as u32);
-        self.x.push(seed.at[0]);
-        self.y.push(seed.at[1]);
-        self.u.push(seed.velocity[0]);
-        self.v.push(seed.velocity[1]);
-        self.rho.push(rho);
-        self.mass.push(rho * seed.area);
-        self.h.push(ratio * seed.area.sqrt());
-        self.ax.push(0.0);
-        self.ay.push(0.0);
-        self.energy.extend(energy);
-    }
-
     /// Memory that the arrays occupy [bytes].
     pub(crate) fn bytes(&self) -> usize {
         let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, refinement_level, newly_split } = self;
@@ -117,23 +102,21 @@ impl Particles {
     pub(crate) fn permute(&mut self, order: &[u32]) {
         let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, refinement_level, newly_split } = self;
         let mut scratch = Vec::new();
-        for array in [x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().filter(|a| !a.is_empty()) {
+        for array in [x, y, u, v, rho, mass, h, ax, ay, energy] {
             permute(array, order, &mut scratch);
         }
-        let old = id.clone();
-        for (k, &from) in order.iter().enumerate() {
-            id[k] = old[from as usize];
-        }
-        if !refinement_level.is_empty() {
-            *refinement_level = order.iter().map(|&from| refinement_level[from as usize]).collect();
-            *newly_split = order.iter().map(|&from| newly_split[from as usize]).collect();
-        }
+        permute(id, order, &mut Vec::new());
+        permute(refinement_level, order, &mut Vec::new());
+        permute(newly_split, order, &mut Vec::new());
     }
 }
 
-/// `array[k] ← array[order[k]]`, through `scratch`.
-fn permute(array: &mut Vec<f64>, order: &[u32], scratch: &mut Vec<f64>) {
-    scratch.resize(order.len(), 0.0);
+/// `array[k] ← array[order[k]]`, through `scratch`; an empty array stays empty.
+fn permute<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32], scratch: &mut Vec<T>) {
+    if array.is_empty() {
+        return;
+    }
+    scratch.resize(order.len(), T::default());
     parallel::gather_into(scratch, |k| array[order[k] as usize]);
     std::mem::swap(array, scratch);
 }

@@ -100,9 +100,7 @@ impl<'a> Probe<'a> {
 
     /// GE8: how wet a place of the surface is [-]: 2 Σ V W, at most 1; 0 on a dry face, ½ under a film a particle thick.
     pub fn wetness(&self, at: [f64; 2]) -> f64 {
-        let mut filling = 0.0;
-        self.around(at, |weight, _| filling += weight);
-        (2.0 * filling).min(1.0)
+        (2.0 * self.filling(at)).min(1.0)
     }
 
     /// GE6: Shepard mean of the pressure carried to `at` by the field ρ(g − a) [Pa/m], as walls read it (WA3); zero where
@@ -157,11 +155,6 @@ impl<'a> Probe<'a> {
     /// GE2: Shepard mean Σ V p W/Σ V W [Pa]: for corners and points inside the fluid; zero where less than an
     /// eighth of the kernel is filled.
     pub fn shepard(&self, at: [f64; 2]) -> f64 {
-        let (mut pressure, mut filling) = (0.0, 0.0);
-        self.around(at, |weight, q| {
-            pressure += weight * self.fluid.fields().pressure[q.index as usize];
-            filling += weight;
-        });
-        if filling < LEAST_FILLING { 0.0 } else { pressure / filling }
+        self.carried(at, [0.0; 2])
     }
 }

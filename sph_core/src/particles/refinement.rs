@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::neighbours::Neighbours;
 use crate::particles::{Fields, Particles};
+use crate::walls::midline::bounds;
 
 /// Where water is to be resolved: finely in a rectangle below the still surface y = 0 and in a layer beside a body, by
 /// spacings that grow around them.
@@ -54,11 +55,7 @@ struct Bounds([[f64; 2]; 2]);
 
 impl Bounds {
     fn of(edges: &[[[f64; 2]; 2]]) -> Bounds {
-        let none = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        let wider = |[low, high]: [[f64; 2]; 2], p: &[f64; 2]| {
-            [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
-        };
-        Bounds(edges.iter().flatten().fold(none, wider))
+        Bounds(bounds(edges.iter().flatten()))
     }
 
     fn is_within(&self, at: [f64; 2], distance: f64) -> bool {

@@ -17,16 +17,14 @@ mod tests;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::interactions::forces::PairTerms;
 use crate::interactions::geometry::PairConstants;
 use crate::particles::Seed;
-use crate::scheme::{Scheme, SchemeSettings};
+use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::WallInterface;
-use crate::walls::interface_dynamics::solve_interfaces;
-use crate::walls::state::extrapolate_to_walls;
+use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use forces::PressureForces;
 use free_surface::detection::SurfaceDetection;
@@ -73,47 +71,34 @@ impl Projection {
     }
 
     /// PR2: one step.
-    fn advance(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        dt: f64,
-    ) -> Result<(), Breakdown> {
-        let constants = self.constants(system);
-        self.pack(system, walls, -dt); //                                            neighbours at r
-        system.timers.begin(Phase::Density);
-        self.surface.detect(system, walls); //                                       holes between particles (PR5)
-        self.surface.mark_dry_walls(system, walls); //                               walls without water (PR5)
-        self.operators.assemble(system, walls, &self.lattice, constants, dt); //     C, ∇C, ∇·u*, A
-        self.surface.set_indicator(system, &self.operators, &self.lattice); //       particles near air (PR5)
-        self.note_kernel_sums(system);
-        self.solve_pressure(system, walls, interfaces, dt)?; //                      (A + s) p = …; a_w with it (CO21)
-        self.forces.apply(system, walls, &self.operators, self.surface.indicator(), &self.lattice, constants, dt);
-        move_particles(system, self.shift_strength(), self.surface.indicator(), dt); // u' = u + Δt a, r' = r + Δt u' + δr
+    fn advance(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
+        let constants = self.constants(flow.system);
+        self.pack(flow.system, flow.walls, -dt); //                                  neighbours at r
+        flow.system.timers.begin(Phase::Density);
+        self.surface.detect(flow.system, flow.walls); //                             holes between particles (PR5)
+        self.surface.mark_dry_walls(flow.system, flow.walls); //                     walls without water (PR5)
+        self.operators.assemble(flow.system, flow.walls, &self.lattice, constants, dt); // C, ∇C, ∇·u*, A
+        self.surface.set_indicator(flow.system, &self.operators, &self.lattice); //  particles near air (PR5)
+        self.note_kernel_sums(flow.system);
+        self.solve_pressure(flow, dt)?; //                                           (A + s) p = …; a_w with it (CO21)
+        let (Flow { system, walls, .. }, air) = (flow, self.surface.indicator());
+        self.forces.apply(system, walls, &self.operators, air, &self.lattice, constants, dt);
+        let strength = if self.settings.flow.shifting { self.settings.shift } else { 0.0 };
+        move_particles(system, strength, air, dt); //                                u' = u + Δt a, r' = r + Δt u' + δr
         self.last_dt = dt;
         Ok(())
     }
 
     /// PR7–PR11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi iteration of it (PR15).
-    fn solve_pressure(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        dt: f64,
-    ) -> Result<(), Breakdown> {
+    fn solve_pressure(&mut self, Flow { system, walls, interfaces }: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
         let Projection { settings, lattice, surface, operators, equation, reference_kernel_sum, .. } = self;
-        equation.close_surface(system, operators, surface.indicator(), lattice);
+        let air = surface.indicator();
+        equation.close_surface(system, operators, air, lattice);
         system.timers.begin(Phase::Pressure);
-        equation.gather_source(system, operators, surface.indicator(), lattice, reference_kernel_sum, settings, dt);
+        equation.gather_source(system, operators, air, lattice, reference_kernel_sum, settings, dt);
         match settings.method {
-            Method::OneIteration => {
-                equation.relax_once(system, operators, surface.indicator(), settings.flow.ventilation)
-            }
-            Method::Solve => {
-                equation.solve(system, walls, interfaces, operators, surface.indicator(), lattice, settings)?;
-            }
+            Method::OneIteration => equation.relax_once(system, operators, air, settings.flow.ventilation),
+            Method::Solve => equation.solve(system, walls, interfaces, operators, air, lattice, settings)?,
         }
         Ok(())
     }
@@ -138,10 +123,6 @@ impl Projection {
             let graded = moments.lambda > 0.9 && (moments.kernel_sum - lattice.kernel_sum).abs() < 0.1;
             self.reference_kernel_sum[id as usize] = if graded { moments.kernel_sum } else { lattice.kernel_sum };
         }
-    }
-
-    fn shift_strength(&self) -> f64 {
-        if self.settings.flow.shifting { self.settings.shift } else { 0.0 }
     }
 
     fn step_limit(&self) -> StepLimit {
@@ -177,30 +158,15 @@ impl Projection {
 }
 
 impl Scheme for Projection {
-    fn initialise(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-    ) -> Result<(), Breakdown> {
-        self.pack(system, walls, 0.0);
-        start(
-            system,
-            walls,
-            interfaces,
-            &PairTerms { constants: self.constants(system), dissipation: Default::default() },
-        );
+    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
+        self.pack(flow.system, flow.walls, 0.0);
+        let terms = PairTerms { constants: self.constants(flow.system), dissipation: Default::default() };
+        accelerate_by_pairs(flow, &terms, 0.0);
         Ok(())
     }
 
-    fn step(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        dt: f64,
-    ) -> Result<(), Breakdown> {
-        self.advance(system, walls, interfaces, dt)
+    fn step(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
+        self.advance(flow, dt)
     }
 
     fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
@@ -226,23 +192,6 @@ impl Scheme for Projection {
     fn surface_indicator(&self) -> &[f64] {
         self.surface.indicator()
     }
-}
-
-/// Forces and accelerations at the start of an incompressible scheme, under the pressures of the seeds.
-pub(crate) fn start(
-    system: &mut ParticleSystem,
-    walls: &mut Walls,
-    interfaces: &mut [WallInterface],
-    terms: &PairTerms,
-) {
-    extrapolate_to_walls(system, walls);
-    let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
-    gather_fluid_forces(system, terms, true, &mut forces);
-    gather_wall_forces(system, terms, walls);
-    if !interfaces.is_empty() {
-        solve_interfaces(system, walls, interfaces, &mut forces, 0.0);
-    }
-    forces.accelerate(system);
 }
 
 impl SchemeSettings for Settings {

@@ -7,7 +7,7 @@ use crate::projection::free_surface::active_set::{ActiveSet, Rows, Surface};
 use crate::projection::free_surface::lattice::Lattice;
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
 use crate::projection::linear_solver::matrix::Matrix;
-use crate::projection::monolithic::solve::{Bodies, Equation, MonolithicSolve};
+use crate::projection::monolithic::{Bodies, Equation, MonolithicSolve};
 use crate::projection::operators::Operators;
 use crate::projection::settings::{Method, Settings};
 use crate::system::ParticleSystem;

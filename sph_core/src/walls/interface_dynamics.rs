@@ -1,16 +1,15 @@
 //! The accelerations of walls' owners found together with the wall pressures that they cause, so that the added mass in WA3 is
 //! implicit (THEORY CO4–CO7).
 
-use crate::interactions::forces::Forces;
+use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::kernel_and_gradient;
-use crate::interactions::kernel::{Shape, WithKernel};
-use crate::interactions::packed_particle::PackedParticle;
-use crate::neighbours::lists::Lists;
-use crate::parallel;
+use crate::interactions::kernel::{Shape, TargetSum};
+use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
 use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
+use crate::walls::state::extrapolate_to_walls;
 
 /// CO4: how pressure and force of a wall particle change with its acceleration.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,76 +22,68 @@ struct PressureSensitivity {
 
 /// CO4 for the particles of one owner, the first of which is wall particle `first`.
 struct PressureSensitivities<'a> {
-    fluid: &'a [PackedParticle],
-    walls: &'a [PackedParticle],
-    lists: &'a Lists,
+    system: &'a ParticleSystem,
     first: usize,
-    out: &'a mut [PressureSensitivity],
 }
 
-impl WithKernel for PressureSensitivities<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let PressureSensitivities { fluid, walls, lists, first, out } = self;
-        parallel::gather_into(out, |k| {
-            let near = lists.of(first + k).map(|j| &fluid[j as usize]);
-            pressure_sensitivity::<K>(&walls[first + k], near)
-        });
+impl TargetSum for PressureSensitivities<'_> {
+    type Sum = PressureSensitivity;
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> PressureSensitivity {
+        let (packed, w) = (&self.system.packed, self.first + k);
+        let (wall, mut weight, mut sum) = (&packed.walls[w], 0.0, PressureSensitivity::default());
+        for b in self.system.neighbours.fluid_of_wall.of(w).map(|j| &packed.fluid[j as usize]) {
+            let (dx, dy) = (wall.x - b.x, wall.y - b.y);
+            let Some((w, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (wall.h + b.h)) else { continue };
+            let share = b.volume * w;
+            weight += share;
+            sum.arm = [sum.arm[0] + share * dx, sum.arm[1] + share * dy];
+            sum.push = [sum.push[0] + b.volume * slope * dx, sum.push[1] + b.volume * slope * dy];
+        }
+        if weight < 1e-9 {
+            return PressureSensitivity::default(); // as in WA3: no pressure without a fluid in reach
+        }
+        PressureSensitivity { arm: sum.arm.map(|a| a / weight), ..sum }
     }
 }
 
-#[inline(always)]
-fn pressure_sensitivity<'r, K: Shape>(
-    wall: &PackedParticle,
-    fluid: impl Iterator<Item = &'r PackedParticle>,
-) -> PressureSensitivity {
-    let (mut weight, mut sum) = (0.0, PressureSensitivity::default());
-    for b in fluid {
-        let (dx, dy) = (wall.x - b.x, wall.y - b.y);
-        let Some((w, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (wall.h + b.h)) else {
-            continue;
-        };
-        let share = b.volume * w;
-        weight += share;
-        sum.arm = [sum.arm[0] + share * dx, sum.arm[1] + share * dy];
-        sum.push = [sum.push[0] + b.volume * slope * dx, sum.push[1] + b.volume * slope * dy];
-    }
-    if weight < 1e-9 {
-        return PressureSensitivity::default(); // as in WA3: no pressure without a fluid in reach
-    }
-    PressureSensitivity { arm: sum.arm.map(|a| a / weight), ..sum }
-}
-
-/// CO6: the change of the wall pressures, as a force on every fluid particle [N/m]. `images` are the sources of listed walls
-/// beyond the last.
+/// CO6: the change of the wall pressures, as a force on every fluid particle [N/m].
 struct PressureCorrection<'a> {
-    fluid: &'a [PackedParticle],
-    walls: &'a [PackedParticle],
-    lists: &'a Lists,
-    images: &'a [u32],
+    system: &'a ParticleSystem,
     pressure: &'a [f64],
-    out: &'a mut [[f64; 2]],
 }
 
-impl WithKernel for PressureCorrection<'_> {
-    type Out = ();
-    fn with<K: Shape>(self) {
-        let PressureCorrection { fluid, walls, lists, images, pressure, out } = self;
-        let n = pressure.len();
-        let source = |j: usize| if j < n { j } else { images[j - n] as usize };
-        parallel::gather_into(out, |k| {
-            let (a, mut force) = (&fluid[k], [0.0; 2]);
-            for j in lists.of(k) {
-                let (w, change) = (&walls[j as usize], pressure[source(j as usize)]);
-                let (dx, dy) = (a.x - w.x, a.y - w.y);
-                if let Some((_, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (a.h + w.h)) {
-                    let push = a.volume * w.volume * slope * change;
-                    force = [force[0] - push * dx, force[1] - push * dy];
-                }
+impl TargetSum for PressureCorrection<'_> {
+    type Sum = [f64; 2];
+    #[inline(always)]
+    fn of<K: Shape>(&self, k: usize) -> [f64; 2] {
+        let ParticleSystem { packed, neighbours, .. } = self.system;
+        let (a, mut force) = (&packed.fluid[k], [0.0; 2]);
+        for j in neighbours.walls_of_fluid.of(k) {
+            let w = &packed.walls[j as usize];
+            let change = self.pressure[neighbours.wall_source(j as usize, self.pressure.len())];
+            let (dx, dy) = (a.x - w.x, a.y - w.y);
+            if let Some((_, slope)) = kernel_and_gradient::<K>(dx, dy, 0.5 * (a.h + w.h)) {
+                let push = a.volume * w.volume * slope * change;
+                force = [force[0] - push * dx, force[1] - push * dy];
             }
-            force
-        });
+        }
+        force
     }
+}
+
+/// WA3, WC5–WC7: wall pressures, accelerations of the fluid and forces on the walls, under the packed pressures; walls taken
+/// `offset` seconds from the step's end.
+pub(crate) fn accelerate_by_pairs(flow: &mut Flow<'_>, terms: &PairTerms, offset: f64) {
+    let Flow { system, walls, interfaces } = flow;
+    extrapolate_to_walls(system, walls);
+    let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
+    gather_fluid_forces(system, terms, true, &mut forces);
+    gather_wall_forces(system, terms, walls);
+    if !interfaces.is_empty() {
+        solve_interfaces(system, walls, interfaces, &mut forces, offset); // CO4–CO6
+    }
+    forces.accelerate(system);
 }
 
 /// CO4–CO6: the accelerations of the walls' owners that satisfy their equations of motion under the forces which these
@@ -107,13 +98,12 @@ pub(crate) fn solve_interfaces(
 ) {
     system.timers.begin(Phase::Coupling);
     let (kernel, rho0) = (system.domain.fluid.kernel, system.domain.fluid.density);
-    let (fluid, packed_walls, lists) = (&system.packed.fluid, &system.packed.walls, &system.neighbours);
+    let packed_walls = &system.packed.walls;
     let mut sensitivities = vec![PressureSensitivity::default(); walls.len()];
     let mut correction = vec![0.0; walls.len()];
     for member in interfaces {
         let range = member.range.clone();
-        let (first, out) = (range.start, &mut sensitivities[range.clone()]);
-        kernel.run(PressureSensitivities { fluid, walls: packed_walls, lists: &lists.fluid_of_wall, first, out });
+        kernel.gather(&PressureSensitivities { system, first: range.start }, &mut sensitivities[range.clone()]);
         let load = |k: usize| ParticleLoad {
             at: [packed_walls[k].x, packed_walls[k].y],
             force: [walls.fx[k], walls.fy[k]],
@@ -135,14 +125,6 @@ pub(crate) fn solve_interfaces(
         walls.pressure[k] += change;
     }
     let mut on_fluid = vec![[0.0; 2]; system.particles.len()];
-    let (of_fluid, images) = (&lists.walls_of_fluid, &lists.wall_images[..]);
-    kernel.run(PressureCorrection {
-        fluid,
-        walls: packed_walls,
-        lists: of_fluid,
-        images,
-        pressure: &correction,
-        out: &mut on_fluid,
-    });
+    kernel.gather(&PressureCorrection { system, pressure: &correction }, &mut on_fluid);
     forces.add(&on_fluid);
 }

@@ -135,18 +135,8 @@ impl Walls {
             self.midline.push(point.midline.map(|midline| midlines + midline));
         }
         let n = self.len();
-        for array in [
-            &mut self.u,
-            &mut self.v,
-            &mut self.ax,
-            &mut self.ay,
-            &mut self.pressure,
-            &mut self.fx,
-            &mut self.fy,
-            &mut self.mean_fx,
-            &mut self.mean_fy,
-            &mut self.mean_swing,
-        ] {
+        let Walls { u, v, ax, ay, pressure, fx, fy, mean_fx, mean_fy, mean_swing, .. } = self;
+        for array in [u, v, ax, ay, pressure, fx, fy, mean_fx, mean_fy, mean_swing] {
             array.resize(n, 0.0);
         }
         start..n
@@ -165,12 +155,16 @@ impl Walls {
         dx * force[1] - dy * force[0]
     }
 
+    /// The mean force of particle `k` over the step, which acts `offset` [s] from its end.
+    pub(crate) fn set_mean_force_of(&mut self, k: usize, offset: f64, force: [f64; 2]) {
+        [self.mean_fx[k], self.mean_fy[k]] = force;
+        self.mean_swing[k] = self.swing(k, offset, force);
+    }
+
     /// WC11: half of the present force, where the walls were at the start of a step of `dt` [s], enters the step's mean force.
     pub(crate) fn start_mean_force(&mut self, dt: f64) {
         for k in 0..self.len() {
-            let first = [0.5 * self.fx[k], 0.5 * self.fy[k]];
-            [self.mean_fx[k], self.mean_fy[k]] = first;
-            self.mean_swing[k] = self.swing(k, -dt, first);
+            self.set_mean_force_of(k, -dt, [0.5 * self.fx[k], 0.5 * self.fy[k]]);
         }
     }
 
@@ -187,8 +181,7 @@ impl Walls {
         for k in 0..self.len() {
             let force = [self.fx[k], self.fy[k]].map(|f| factor * f);
             [self.fx[k], self.fy[k]] = force;
-            [self.mean_fx[k], self.mean_fy[k]] = force;
-            self.mean_swing[k] = self.swing(k, -dt, force);
+            self.set_mean_force_of(k, -dt, force);
         }
     }
 
@@ -200,30 +193,17 @@ impl Walls {
 
     /// An owner's particles, to be moved.
     pub fn slice_mut(&mut self, range: std::ops::Range<usize>) -> WallsMut<'_> {
-        WallsMut {
-            x: &mut self.x[range.clone()],
-            y: &mut self.y[range.clone()],
-            u: &mut self.u[range.clone()],
-            v: &mut self.v[range.clone()],
-            ax: &mut self.ax[range.clone()],
-            ay: &mut self.ay[range.clone()],
-            nx: &mut self.nx[range.clone()],
-            ny: &mut self.ny[range],
-        }
+        let Walls { x, y, u, v, ax, ay, nx, ny, .. } = self;
+        let [x, y, u, v, ax, ay, nx, ny] = [x, y, u, v, ax, ay, nx, ny].map(|array| &mut array[range.clone()]);
+        WallsMut { x, y, u, v, ax, ay, nx, ny }
     }
 
     /// The forces on an owner's particles, to be read.
     pub fn forces(&self, range: std::ops::Range<usize>) -> WallForces<'_> {
-        WallForces {
-            x: &self.x[range.clone()],
-            y: &self.y[range.clone()],
-            fx: &self.fx[range.clone()],
-            fy: &self.fy[range.clone()],
-            mean_fx: &self.mean_fx[range.clone()],
-            mean_fy: &self.mean_fy[range.clone()],
-            mean_swing: &self.mean_swing[range],
-            mirrored: false,
-        }
+        let Walls { x, y, fx, fy, mean_fx, mean_fy, mean_swing, .. } = self;
+        let [x, y, fx, fy, mean_fx, mean_fy, mean_swing] =
+            [x, y, fx, fy, mean_fx, mean_fy, mean_swing].map(|array| &array[range.clone()]);
+        WallForces { x, y, fx, fy, mean_fx, mean_fy, mean_swing, mirrored: false }
     }
 }
 

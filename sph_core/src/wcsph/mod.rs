@@ -11,30 +11,26 @@ pub(crate) mod updates;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
-use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
+use crate::interactions::forces::PairTerms;
 use crate::interactions::gather::{DensityRate, PairSums};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
 use crate::particles::Seed;
 use crate::particles::refinement::refine;
-use crate::scheme::{Scheme, SchemeSettings};
+use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::WallInterface;
-use crate::walls::interface_dynamics::solve_interfaces;
-use crate::walls::state::extrapolate_to_walls;
+use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use eos::Tait;
 use shifting::{even_out, settle};
-use step_limit::{StepLimit, acoustic_limit};
+use step_limit::{StepLimit, rebuild_lists};
 use updates::{advance_density_midpoint, drift, kick};
 
 pub use settings::Settings;
 
-/// Steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 12.0;
 /// Largest |ρ/ρ₀ − 1| at which the equation of state has a meaning.
 const LARGEST_STRAIN: f64 = 0.3;
 
@@ -56,56 +52,40 @@ impl Wcsph {
     }
 
     /// WC11: one step, kick–drift–kick with the density advanced about the midpoint; of second order.
-    fn advance(&mut self, system: &mut ParticleSystem, walls: &mut Walls, interfaces: &mut [WallInterface], dt: f64) {
+    fn advance(&mut self, flow: &mut Flow<'_>, dt: f64) {
         let half = 0.5 * dt;
-        kick(system, half); //                                       v½ = v + ½Δt a
-        drift(system, half); //                                      x½ = x + ½Δt v½
-        self.evaluate_density_rate(system, walls, -half); //         dρ/dt at (x½, v½)
-        advance_density_midpoint(system, &self.density_rate, dt); // ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
-        drift(system, half); //                                      x' = x½ + ½Δt v½
+        kick(flow.system, half); //                                       v½ = v + ½Δt a
+        drift(flow.system, half); //                                      x½ = x + ½Δt v½
+        self.evaluate_density_rate(flow, -half); //                       dρ/dt at (x½, v½)
+        advance_density_midpoint(flow.system, &self.density_rate, dt); // ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
+        drift(flow.system, half); //                                      x' = x½ + ½Δt v½
         if self.settings.shifting {
-            even_out(system, self.settings.settling, dt); //         x' ← x' + δr
+            even_out(flow.system, self.settings.settling, dt); //         x' ← x' + δr
         }
-        walls.start_mean_force(dt); //                               ½F, where the walls were at the start
-        self.evaluate_forces(system, walls, interfaces, 0.0); //     a', F' at (x', ρ')
-        kick(system, half); //                                       v' = v½ + ½Δt a'
-        walls.finish_mean_force(); //                                F̄ = ½(F + F')
+        flow.walls.start_mean_force(dt); //                               ½F, where the walls were at the start
+        self.evaluate_forces(flow, 0.0); //                               a', F' at (x', ρ')
+        kick(flow.system, half); //                                       v' = v½ + ½Δt a'
+        flow.walls.finish_mean_force(); //                                F̄ = ½(F + F')
     }
 
     /// WC3 + WC4: dρ/dt at the present positions, walls taken `offset` seconds from the step's end.
-    fn evaluate_density_rate(&mut self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
-        self.pack(system, walls, offset);
-        self.gather_density_rate(system, self.constants(system), true);
+    fn evaluate_density_rate(&mut self, flow: &mut Flow<'_>, offset: f64) {
+        self.pack(flow.system, flow.walls, offset);
+        self.gather_density_rate(flow.system, self.constants(flow.system), true);
     }
 
     /// WC2, WA3, WC5–WC7: pressures, wall pressures, accelerations, forces on walls; walls taken `offset` seconds from the step's end.
-    fn evaluate_forces(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        offset: f64,
-    ) {
-        self.equation_of_state(system);
-        self.pack(system, walls, offset);
-        extrapolate_to_walls(system, walls);
-        let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
-        let terms = self.terms(system);
-        gather_fluid_forces(system, &terms, true, &mut forces);
-        gather_wall_forces(system, &terms, walls);
-        if !interfaces.is_empty() {
-            solve_interfaces(system, walls, interfaces, &mut forces, offset); // CO4–CO6
-        }
-        forces.accelerate(system);
+    fn evaluate_forces(&mut self, flow: &mut Flow<'_>, offset: f64) {
+        self.equation_of_state(flow.system);
+        self.pack(flow.system, flow.walls, offset);
+        accelerate_by_pairs(flow, &self.terms(flow.system), offset);
     }
 
     /// Make the lists if they no longer hold, splitting particles first where that is asked for (WC21); then pack.
     fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, false) {
             self.refine(system);
-            let c0 = self.eos.c0;
-            let life = LIST_LIFE * acoustic_limit(system, self.settings.courant_number(), |_| c0);
-            system.rebuild_lists(walls, life);
+            rebuild_lists(system, walls, self.settings.courant_number(), |_, _| self.eos.c0);
         }
         system.pack(walls);
     }
@@ -139,10 +119,11 @@ impl Wcsph {
         PairSums::with(&system.domain, self.settings.dissipation).run(&gather, &mut self.density_rate[..]);
     }
 
-    /// WC2: pressures from densities. Tensionless water is never thinner than water at rest.
+    /// WC2: pressures from densities, not below the cavitation pressure. Tensionless water is never thinner than water at rest.
     pub(crate) fn equation_of_state(&self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);
         let (eos, ventilation) = (self.eos, self.settings.ventilation);
+        let least = self.settings.cavitation_pressure.unwrap_or(f64::NEG_INFINITY);
         let (p, fields) = (&mut system.particles, &mut system.fields);
         let (moments, near_surface) = (&fields.moments, &fields.near_surface);
         parallel::each([&mut p.rho, &mut fields.pressure], |at, [rho, pressure]| {
@@ -150,7 +131,8 @@ impl Wcsph {
             for k in 0..moments.len() {
                 let tensionless = moments[k].tensionless(near_surface[k], ventilation);
                 rho[k] = if tensionless && rho[k] < eos.rho0 { eos.rho0 } else { rho[k] };
-                pressure[k] = eos.pressure(rho[k]);
+                let p = eos.pressure(rho[k]);
+                pressure[k] = if p < least { least } else { p };
             }
         });
     }
@@ -168,39 +150,19 @@ impl Wcsph {
 }
 
 impl Scheme for Wcsph {
-    fn initialise(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-    ) -> Result<(), Breakdown> {
-        self.evaluate_forces(system, walls, interfaces, 0.0);
-        system.neighbours.flag_surface(&mut system.fields);
-        if self.settings.shifting {
-            settle(system, self.settings.settling, |system| self.evaluate_forces(system, walls, interfaces, 0.0));
-        }
-        walls.set_mean_force();
+    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
+        let settling = self.settings.shifting.then_some(self.settings.settling);
+        settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
         Ok(())
     }
 
-    fn step(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-        dt: f64,
-    ) -> Result<(), Breakdown> {
-        self.advance(system, walls, interfaces, dt);
+    fn step(&mut self, flow: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
+        self.advance(flow, dt);
         Ok(())
     }
 
     fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
-        let c0 = self.eos.c0;
-        StepLimit { cfl: self.settings.courant_number(), c0, nu: system.domain.fluid.kinematic_viscosity }.stable_dt(
-            system,
-            walls,
-            |_| c0,
-        )
+        StepLimit { cfl: self.settings.courant_number(), c0: self.eos.c0 }.stable_dt(system, walls, |_| self.eos.c0)
     }
 
     fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {

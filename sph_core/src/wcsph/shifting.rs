@@ -1,6 +1,7 @@
 //! Particle shifting (THEORY WC10).
 
 use crate::parallel;
+use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 
 /// Longest shift in a step, in smoothing lengths.
@@ -40,15 +41,25 @@ fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, all: bool) {
     });
 }
 
+/// The forces at the start, after shifts with the coefficient `settling` [-], if there is one: they are the mean forces too.
+pub(crate) fn settle(flow: &mut Flow<'_>, settling: Option<f64>, mut evaluate_forces: impl FnMut(&mut Flow<'_>)) {
+    evaluate_forces(flow);
+    flow.system.neighbours.flag_surface(&mut flow.system.fields);
+    if let Some(settling) = settling {
+        shift_before_start(flow, settling, evaluate_forces);
+    }
+    flow.walls.set_mean_force();
+}
+
 /// WC10 before time starts: shift until the largest shift is 10⁻⁴ h, so that Σ V ∇W vanishes where rows grow. Particles of one
 /// size stay where they are. `evaluate_forces` finds the kernel moments anew.
-pub(crate) fn settle(system: &mut ParticleSystem, settling: f64, mut evaluate_forces: impl FnMut(&mut ParticleSystem)) {
-    let h = &system.particles.h;
+fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: impl FnMut(&mut Flow<'_>)) {
+    let h = &flow.system.particles.h;
     if h.iter().all(|&one| (one / h[0] - 1.0).abs() < 1e-9) {
         return;
     }
     for _ in 0..MOST_SETTLING_SHIFTS {
-        let (p, fields) = (&system.particles, &system.fields);
+        let (p, fields) = (&flow.system.particles, &flow.system.fields);
         let length = |k: usize| match fields.near_surface[k] || fields.moments[k].wall_kernel_sum > 0.0 {
             true => 0.0,
             false => {
@@ -59,8 +70,8 @@ pub(crate) fn settle(system: &mut ParticleSystem, settling: f64, mut evaluate_fo
         if -parallel::least(p.len(), |k| -length(k)) < SETTLED {
             return;
         }
-        shift(system, settling, 0.0, true);
-        evaluate_forces(system);
-        system.neighbours.flag_surface(&mut system.fields);
+        shift(flow.system, settling, 0.0, true);
+        evaluate_forces(flow);
+        flow.system.neighbours.flag_surface(&mut flow.system.fields);
     }
 }

@@ -9,6 +9,8 @@ use crate::walls::Walls;
 const FORCE: f64 = 0.25;
 /// Share of h²/ν a step may take (WC12; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
+/// Acoustic steps that a neighbour list is made to last.
+const LIST_LIFE: f64 = 12.0;
 /// A step this many times smaller than the acoustic limit of water at rest means breakdown.
 const COLLAPSE: f64 = 1e-4;
 
@@ -50,21 +52,26 @@ impl Bounds {
     }
 }
 
-/// Δt ≤ C h/(c + |v|) [s] over all particles; `sound_speed` of each [m/s].
-pub(crate) fn acoustic_limit(system: &ParticleSystem, cfl: f64, sound_speed: impl Fn(usize) -> f64 + Sync) -> f64 {
+/// Make the lists anew, to last some steps of Δt = C h/(c + |v|) [s] of all particles; `sound_speed` of each [m/s].
+pub(crate) fn rebuild_lists(
+    system: &mut ParticleSystem,
+    walls: &Walls,
+    cfl: f64,
+    sound_speed: impl Fn(&ParticleSystem, usize) -> f64 + Sync,
+) {
     let p = &system.particles;
     let speed = |k: usize| (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
-    cfl * parallel::least(p.len(), |k| p.h[k] / (sound_speed(k) + speed(k)))
+    let dt = cfl * parallel::least(p.len(), |k| p.h[k] / (sound_speed(system, k) + speed(k)));
+    system.rebuild_lists(walls, LIST_LIFE * dt);
 }
 
 /// What limits the step besides the state.
+#[derive(Clone, Copy)]
 pub(crate) struct StepLimit {
     /// Courant number [-].
     pub cfl: f64,
     /// Speed of sound at rest [m/s].
     pub c0: f64,
-    /// Kinematic viscosity [m²/s].
-    pub nu: f64,
 }
 
 impl StepLimit {
@@ -75,7 +82,7 @@ impl StepLimit {
         walls: &Walls,
         sound_speed: impl Fn(usize) -> f64 + Sync,
     ) -> Result<f64, Breakdown> {
-        let StepLimit { cfl, c0, nu } = *self;
+        let (StepLimit { cfl, c0 }, nu) = (*self, system.domain.fluid.kinematic_viscosity);
         let (p, w) = (&system.particles, walls);
         let of_fluid = |k: usize| Bounds::of(cfl, sound_speed(k), p.h[k], [p.u[k], p.v[k]], [p.ax[k], p.ay[k]]);
         let of_wall = |k: usize| Bounds::of(cfl, c0, w.h[k], [w.u[k], w.v[k]], [w.ax[k], w.ay[k]]);

@@ -1,9 +1,8 @@
 //! From nodes to equations: numbering of the free degrees of freedom, and scattering of matrix entries.
 
-use crate::dof::Dof;
 use crate::element::{ElementConstants, EndsMatrix};
 use crate::error::Error;
-use crate::field::Field;
+use crate::field::{Dof, Field};
 use crate::linear_algebra::ZeroPivot;
 use crate::model::{Beam, RigidLinks, Supports};
 use faer::sparse::Triplet;

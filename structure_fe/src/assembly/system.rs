@@ -1,9 +1,9 @@
 //! The equations of a model at large displacements: numbering, matrix layout, and measures of vectors over them.
 
 use super::{Arms, Equations};
-use crate::dof::Dof;
 use crate::element::EndsMatrix;
 use crate::error::Error;
+use crate::field::Dof;
 use crate::linear_algebra::{Bordered, narrow_band};
 use crate::model::{Beam, Supports};
 

@@ -1,9 +1,10 @@
-//! Lumped mass, and the stability limit of the explicit step.
+//! Lumped mass, its concentration at rigid bodies, and the stability limit of the explicit step.
 
 use crate::assembly::System;
 use crate::element::{Damping, ElementConstants};
-use crate::field::Field;
-use crate::model::Beam;
+use crate::error::Error;
+use crate::field::{Dof, Field};
+use crate::model::{Beam, Supports};
 
 /// Mass and moment of inertia at the nodes and by equation.
 #[derive(Debug, Clone)]
@@ -64,7 +65,7 @@ pub(crate) fn nodal_masses(beam: &Beam) -> Field {
 /// along a chain exactly too (Gregory's rule): 3/8, 7/6, 23/24 of an element's mass where all are alike (THEORY BE21).
 ///
 /// Without it the moment of inertia of a chain is too large by m L^2/6 per end, and frequencies of free ends are too low.
-pub(crate) fn correct_ends(beam: &Beam, nodal: &mut [[f64; 3]]) {
+fn correct_ends(beam: &Beam, nodal: &mut [[f64; 3]]) {
     let mut around = vec![Vec::new(); nodal.len()];
     for (index, element) in beam.elements().iter().enumerate() {
         for node in element.nodes {
@@ -100,6 +101,55 @@ pub(crate) fn correct_ends(beam: &Beam, nodal: &mut [[f64; 3]]) {
             }
         }
     }
+}
+
+/// Masses of the nodes `[nodes][m, m, J]` \[kg, kg, kg m^2\], and the model with the nodes of its bodies moved.
+///
+/// The node of a body moves to the common centre of mass of the body and of the masses lumped at its linked nodes, which
+/// then have none: its mass is diagonal and does not change with rotation (THEORY BE20). If u and w of the body are both
+/// supported the node stays: the body rotates about it.
+pub(crate) fn concentrate_at_bodies(mut beam: Beam, supports: &Supports) -> Result<(Beam, Field), Error> {
+    supports.check(&beam)?;
+    let mut nodal = nodal_masses(&beam);
+    correct_ends(&beam, &mut nodal);
+    for body in beam.rigid_bodies().to_vec() {
+        let own = beam.points()[body];
+        let fixed = [Dof::U, Dof::W, Dof::Theta].map(|dof| supports.is_fixed(body, dof));
+        for (dof, fixed) in [Dof::U, Dof::W].into_iter().zip(fixed) {
+            if !fixed && own[0] == 0.0 {
+                return Err(Error::MasslessBody { node: body, dof, quantity: "mass [kg]", value: own[0] });
+            }
+        }
+        let linked: Vec<(usize, bool)> =
+            supports.links.iter().filter(|link| link.0 == body).map(|&(_, node, clamped)| (node, clamped)).collect();
+        let places = beam.nodes();
+        let held = fixed[0] && fixed[1];
+        let members = || std::iter::once(body).chain(linked.iter().map(|&(node, _)| node));
+        let mass: f64 = members().map(|node| nodal[node][0]).sum();
+        let centre = if held {
+            places[body]
+        } else {
+            [0, 1].map(|axis| members().map(|node| nodal[node][0] * places[node][axis]).sum::<f64>() / mass)
+        };
+        let about = |node: usize| {
+            let [x, y] = [0, 1].map(|axis| places[node][axis] - centre[axis]);
+            nodal[node][0] * (x * x + y * y)
+        };
+        let rotary: f64 = linked.iter().filter(|(_, clamped)| *clamped).map(|&(node, _)| nodal[node][2]).sum();
+        let inertia = members().map(about).sum::<f64>() + own[2] + rotary;
+        if !fixed[2] && inertia == 0.0 {
+            let quantity = "moment of inertia [kg m^2]";
+            return Err(Error::MasslessBody { node: body, dof: Dof::Theta, quantity, value: inertia });
+        }
+        if !held {
+            nodal[body] = [mass, mass, inertia];
+            for (node, clamped) in linked {
+                nodal[node] = [0.0, 0.0, if clamped { 0.0 } else { nodal[node][2] }];
+            }
+            beam.move_body(body, centre);
+        }
+    }
+    Ok((beam, nodal))
 }
 
 /// The lumped mass from nodal masses concentrated at the bodies, for a rule without a stability limit.

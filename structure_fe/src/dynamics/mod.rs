@@ -23,19 +23,15 @@
 //! # Ok::<(), structure_fe::Error>(())
 //! ```
 
-mod body_mass;
-mod central_difference;
 mod effective_inertia;
 mod envelope;
 mod generalised_alpha;
 mod lumped_mass;
 mod moving_model;
 mod newton;
-mod rupture;
 mod solver;
 mod state;
 mod trapezoidal;
-mod whole_model;
 
 pub use effective_inertia::EffectiveInertia;
 pub use envelope::{EndEnvelope, Envelope, Range};

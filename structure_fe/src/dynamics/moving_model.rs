@@ -3,10 +3,9 @@
 use super::lumped_mass::LumpedMass;
 use super::{State, SupportMotion};
 use crate::assembly::System;
-use crate::dof::Dof;
 use crate::element::{Damping, Weights};
 use crate::error::{Error, finite};
-use crate::field::{Field, combine};
+use crate::field::{Dof, Field, combine};
 use crate::linear_algebra::Bordered;
 
 /// What all integration rules need of a model.

@@ -1,17 +1,15 @@
-//! The solver for motion in time: an integration rule applied to a model.
+//! The solver for motion in time: an integration rule applied to a model; ruptures at the end of a step (THEORY BE26).
 
-use super::body_mass::concentrate_at_bodies;
 use super::generalised_alpha::GeneralisedAlpha;
-use super::lumped_mass::{LumpedMass, explicit_mass, mass_with_bodies, nodal_masses};
+use super::lumped_mass::{LumpedMass, concentrate_at_bodies, explicit_mass, mass_with_bodies, nodal_masses};
 use super::moving_model::MovingModel;
 use super::trapezoidal::Trapezoidal;
-use super::{Integration, State, StepReport, SupportMotion, central_difference, rupture};
+use super::{Integration, State, StepReport, SupportMotion};
 use crate::assembly::{System, reactions};
-use crate::dof::Dof;
-use crate::element::{Damping, Ends, SectionForces, momentum};
+use crate::element::{Damping, Ends, SectionForces, momentum, rotated};
 use crate::error::{Error, above_zero, not_negative, require};
-use crate::field::{combine, sum};
-use crate::model::{Beam, Supports, add_ends};
+use crate::field::{Dof, combine, sum};
+use crate::model::{Beam, Break, Rupture, Supports, add_ends};
 
 /// A supported model that moves under loads at its nodes.
 ///
@@ -110,7 +108,7 @@ impl Dynamics {
         let model = &mut self.model;
         let (mut new, report) = match &self.rule {
             Rule::GeneralisedAlpha(rule) => rule.step(model, state, load, dt)?,
-            Rule::CentralDifference(mass) => central_difference::step(mass, model, state, load, dt)?,
+            Rule::CentralDifference(mass) => central_difference(mass, model, state, load, dt)?,
             Rule::Trapezoidal(rule) => rule.step(model, state, load, dt)?,
         };
         if let Err(error) = self.release(&mut new) {
@@ -123,12 +121,12 @@ impl Dynamics {
 
     /// Records joints beyond their limits in the state and releases their nodes.
     fn release(&mut self, state: &mut State) -> Result<(), Error> {
-        let breaks = rupture::exceeded(&self.model.system, state);
+        let breaks = exceeded(&self.model.system, state);
         if !breaks.is_empty() {
             let places = self.beam().nodes().to_vec();
             state.ruptures.extend(breaks);
             self.apply_ruptures(state)?;
-            rupture::move_bodies(self.beam(), &places, state);
+            move_bodies(self.beam(), &places, state);
         }
         Ok(())
     }
@@ -256,4 +254,93 @@ fn with_concentrated_mass(beam: Beam, supports: Supports) -> Result<(System, Lum
     let system = System::new(beam, supports)?;
     let mass = mass_with_bodies(&system, nodal);
     Ok((system, mass))
+}
+
+/// Central differences, the explicit step: v_half = v + a dt/2, u' = u + v_half dt, M a' = load - f(u', v_half),
+/// v' = v_half + a' dt/2 (THEORY BE18).
+///
+/// A motion that is not finite is an error: the step was too long.
+fn central_difference(
+    mass: &LumpedMass,
+    model: &mut MovingModel,
+    state: &State,
+    load: &[[f64; 3]],
+    dt: f64,
+) -> Result<(State, StepReport), Error> {
+    let mut new = state.clone();
+    let fields = new.displacement.as_flattened_mut().iter_mut().zip(new.velocity.as_flattened_mut());
+    for ((u, v), a) in fields.zip(state.acceleration.as_flattened()) {
+        *v += 0.5 * dt * a;
+        *u += dt * *v;
+    }
+    model.move_supports(&mut new);
+    let accelerations = mass.accelerations(&model.residual_at_prescribed_acceleration(mass, &mut new, load));
+    new.acceleration = model.system.equations.extend(|equation| accelerations[equation]);
+    for (v, a) in new.velocity.as_flattened_mut().iter_mut().zip(new.acceleration.as_flattened()) {
+        *v += 0.5 * dt * a;
+    }
+    model.move_supports(&mut new);
+    if let Some(equation) = accelerations.iter().position(|a| !a.is_finite()) {
+        let (node, dof) = model.system.equations.place(equation);
+        let residual = accelerations[equation];
+        return Err(Error::StepNotConverged { time: state.time, dt, iteration: 0, residual, node, dof });
+    }
+    new.integrated_acceleration.clone_from(&new.acceleration);
+    new.time = state.time + dt;
+    Ok((new, StepReport { last_correction: 0.0, ..StepReport::new() }))
+}
+
+/// The joints of a state that exceed their limits, in the order in which they were declared.
+fn exceeded(system: &System, state: &State) -> Vec<Break> {
+    let joints = &system.supports.breakables;
+    let strains = if joints.iter().any(|(_, rupture)| matches!(rupture, Rupture::FibreStrain(_))) {
+        system.fibre_strains(&state.displacement, &state.plastic_curvature)
+    } else {
+        Vec::new()
+    };
+    let mut breaks = Vec::new();
+    for &(node, rupture) in joints {
+        let (value, limit) = match rupture {
+            Rupture::FibreStrain(limit) => (strain_at(system, node, &strains), limit),
+            Rupture::Rotation(limit) => (rotation_of(system, node, state), limit),
+        };
+        if value > limit {
+            let (at, moved) = (system.beam.nodes()[node], state.displacement[node]);
+            let place = [at[0] + moved[0], at[1] + moved[1]];
+            breaks.push(Break { node, time: state.time, place, value });
+        }
+    }
+    breaks
+}
+
+/// Changes the motion of bodies from that of their nodes at `from` to that of their nodes in `beam`.
+fn move_bodies(beam: &Beam, from: &[[f64; 2]], state: &mut State) {
+    for &body in beam.rigid_bodies() {
+        let to = beam.nodes()[body];
+        let [x, y] = [0, 1].map(|axis| to[axis] - from[body][axis]);
+        let (q, v, a) = (state.displacement[body], state.velocity[body], state.acceleration[body]);
+        let arm = rotated([x, y], q[2]);
+        state.displacement[body] = [q[0] + arm[0] - x, q[1] + arm[1] - y, q[2]];
+        state.velocity[body] = [v[0] - v[2] * arm[1], v[1] + v[2] * arm[0], v[2]];
+        let centripetal = v[2] * v[2];
+        state.acceleration[body] =
+            [a[0] - a[2] * arm[1] - centripetal * arm[0], a[1] + a[2] * arm[0] - centripetal * arm[1], a[2]];
+    }
+}
+
+/// The largest strain of an outer fibre at the ends of elements at a node \[-\].
+fn strain_at(system: &System, node: usize, strains: &[[f64; 2]]) -> f64 {
+    let ends = system.beam.elements().iter().flat_map(|element| element.nodes);
+    let here = ends.zip(strains).filter(|(end, _)| *end == node);
+    here.flat_map(|(_, fibres)| fibres).fold(0.0, |most: f64, strain| most.max(strain.abs()))
+}
+
+/// Rotation of a node relative to the partner of its hinge, or the body of its link \[rad\].
+fn rotation_of(system: &System, node: usize, state: &State) -> f64 {
+    let hinges = system.supports.hinges.iter().copied();
+    let links = system.supports.links.iter().map(|&(body, node, _)| [node, body]);
+    let joints = hinges.flat_map(|[a, b]| [[a, b], [b, a]]).chain(links);
+    let partner = joints.into_iter().find(|joint| joint[0] == node);
+    let relative_to = partner.map_or(0.0, |[_, other]| state.displacement[other][2]);
+    (state.displacement[node][2] - relative_to).abs()
 }

@@ -5,8 +5,7 @@
 //! motion of any size, and forces and tangent are its first and second derivatives (THEORY BE11). Nodes may rotate
 //! by many turns; the end of an element may rotate against its chord by less than half a turn.
 
-use super::ends::rotate;
-use super::rotation::angle_of;
+use super::ends::{angle_of, rotate};
 use super::{ElementConstants, Ends, EndsMatrix, end_forces};
 use std::f64::consts::TAU;
 

@@ -6,16 +6,13 @@ mod ends;
 mod inertia;
 mod mass;
 mod mean_forces;
-mod rotation;
 mod section_forces;
-mod theory;
 
 pub(crate) use constants::ElementConstants;
+pub use constants::Theory;
 pub(crate) use corotational::{Chord, add_deformation_matrix, add_elastic_tangent, deformation_forces, strain_energy};
-pub(crate) use ends::{Ends, EndsMatrix, end_forces};
+pub(crate) use ends::{Ends, EndsMatrix, end_forces, rotated, sinc};
 pub use inertia::Damping;
 pub(crate) use inertia::{Motion, Weights, momentum, response, viscous_forces};
 pub(crate) use mean_forces::{DiscreteGradient, Start};
-pub(crate) use rotation::{rotated, sinc};
 pub use section_forces::SectionForces;
-pub use theory::Theory;

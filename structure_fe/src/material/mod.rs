@@ -13,11 +13,9 @@
 //! assert!((strip.mass_per_length(&steel) - 78.5).abs() < 1e-12); // [kg/m], per metre of span
 //! ```
 
-mod elastic;
 mod plasticity;
 mod section;
 
-pub use elastic::Material;
 pub use plasticity::Plasticity;
 pub(crate) use plasticity::{Flow, PlasticBending};
-pub use section::Section;
+pub use section::{Material, Section};

@@ -20,9 +20,7 @@
 
 mod beam;
 mod loads;
-mod options;
 mod rigid_links;
-mod rupture;
 mod supports;
 
 pub(crate) use beam::add_ends;
@@ -30,5 +28,4 @@ pub use beam::{Beam, Element};
 pub use loads::Loads;
 
 pub(crate) use rigid_links::RigidLinks;
-pub use rupture::{Break, Rupture};
-pub use supports::Supports;
+pub use supports::{Break, Rupture, Supports};

@@ -1,8 +1,8 @@
 //! Equilibrium paths through limit points, by the cylindrical arc length.
 
 use super::nonlinear::{Equilibrium, NonlinearStatics};
-use crate::dof::Dof;
 use crate::error::Error;
+use crate::field::Dof;
 use crate::model::Loads;
 
 /// A correction this small against the arc ends the iteration \[-\].

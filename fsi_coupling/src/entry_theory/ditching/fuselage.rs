@@ -52,21 +52,14 @@ pub struct Fuselage {
 }
 
 /// A fuselage that cannot be: which station (from 0), and why.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("station {station}: {why}")]
 pub struct FuselageError {
     /// Index of the station.
     pub station: usize,
     /// What is wrong with it, and what was expected.
     pub why: String,
 }
-
-impl std::fmt::Display for FuselageError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "station {}: {}", self.station, self.why)
-    }
-}
-
-impl std::error::Error for FuselageError {}
 
 impl Form {
     /// The section of a breadth [m].

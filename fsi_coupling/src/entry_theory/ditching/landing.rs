@@ -1,5 +1,8 @@
 //! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18, EN19).
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::hull::Hull;
 use super::strip::{Attitude, ImpactingPart, Strip};
 
@@ -8,23 +11,42 @@ const MOST_ROUNDS: usize = 40;
 /// Steepest pitch that strips across the way of flight stand for [rad].
 const STEEPEST_PITCH: f64 = 0.7;
 
-/// The wing: lift in proportion to the angle of attack and to the speed's square.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Wing {
-    /// Area [m²].
+    /// Area of the wing [m²].
+    #[schemars(range(min = 0.0))]
     pub area: f64,
-    /// dC_L/dα [1/rad].
-    pub lift_slope: f64,
-    /// Angle of attack without lift, of the body axis [rad].
-    pub zero_lift: f64,
-    /// Mean chord [m].
+    /// Mean chord of the wing [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub chord: f64,
-    /// dC_m/dα of the whole aeroplane, below nothing where it is stable [1/rad].
+    /// Slope of the lift coefficient against the angle of attack [1/rad].
+    #[schemars(range(min = 0.0))]
+    pub lift_slope: f64,
+    /// Angle of attack of the body axis at which there is no lift [deg].
+    pub zero_lift_deg: f64,
+    /// Slope of the aeroplane's moment coefficient against the angle of attack [1/rad].
+    #[serde(default = "usual::pitch_stiffness")]
     pub pitch_stiffness: f64,
-    /// dC_m/d(q c/2U), likewise [1/rad].
+    /// Its slope against q c/(2U), the rate of pitch [1/rad].
+    #[serde(default = "usual::pitch_damping")]
     pub pitch_damping: f64,
     /// Density of the air [kg/m³].
+    #[serde(default = "usual::air_density")]
+    #[schemars(range(min = 0.0))]
     pub air_density: f64,
+}
+
+mod usual {
+    pub fn pitch_stiffness() -> f64 {
+        -1.0
+    }
+    pub fn pitch_damping() -> f64 {
+        -25.0
+    }
+    pub fn air_density() -> f64 {
+        1.225
+    }
 }
 
 /// What is rigid.
@@ -40,17 +62,28 @@ pub struct Aeroplane {
     pub wing: Wing,
 }
 
-/// The water.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A landing's table `[water]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct Water {
-    /// Density [kg/m³].
+    /// Density of the water [kg/m³].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: f64,
     /// Acceleration of gravity [m/s²].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub gravity: f64,
     /// Friction coefficient of the wetted bottom [-].
+    #[schemars(range(min = 0.0, max = 0.1))]
     pub friction: f64,
-    /// Share of the theory's suction that acts where keels curve away from the water: 0 none, 1 all [-].
+    /// Share of the theory's suction where the keel curves up [-].
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub suction: f64,
+}
+
+impl Default for Water {
+    fn default() -> Water {
+        Water { density: 1000.0, gravity: 9.81, friction: 0.003, suction: 1.0 }
+    }
 }
 
 /// A landing: from the first touch to the end.
@@ -122,7 +155,7 @@ pub struct LandingResult {
 impl Wing {
     /// EN19: lift [N] at a speed [m/s] and angle of attack [rad]; never downwards.
     pub fn lift(&self, speed: f64, attack: f64) -> f64 {
-        let coefficient = (self.lift_slope * (attack - self.zero_lift)).max(0.0);
+        let coefficient = (self.lift_slope * (attack - self.zero_lift_deg.to_radians())).max(0.0);
         0.5 * self.air_density * self.area * coefficient * speed * speed
     }
 

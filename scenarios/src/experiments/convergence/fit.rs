@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::least_squares::least_squares;
+use crate::power_law::least_squares;
 
 /// Orders that a convergent sequence may show [-].
 const ORDERS: [f64; 2] = [0.5, 3.0];

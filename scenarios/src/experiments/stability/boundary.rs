@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::acoustics::{Medium, largest_courant};
 use super::lattice::{gain_of_pairs, kernel_sum, neighbours};
-use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, SolverSettings, panel_exchanges};
+use crate::scene::{CouplingScheme, ExchangeRatio, Kernel, Motion, Scene, panel_exchanges};
 use fsi_coupling::geometry::polygon;
 
 /// By so many spacings a cylinder seems smaller to a shove of one step (CO25) [-].
@@ -91,8 +91,7 @@ fn pairing(kernel: Kernel, smoothing_ratio: f64) -> f64 {
 }
 
 fn surface_rows(scene: &Scene) -> Option<f64> {
-    let SolverSettings::IncompressibleThesis { thesis, .. } = &scene.solver else { return None };
-    let ratio = thesis.surface_ratio;
+    let ratio = scene.solver.surface_ratio()?;
     let around = neighbours(scene.water().kernel, scene.water().smoothing_ratio);
     let inside = kernel_sum(&around, f64::INFINITY);
     let [top, second] = [0.0, 1.0].map(|above| kernel_sum(&around, above) / inside);

@@ -2,6 +2,7 @@
 
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
+use fsi_coupling::geometry::polyline::Polyline;
 use fsi_coupling::settings::OrTouching;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -121,6 +122,21 @@ pub(in crate::scene) fn placed(outline: Vec<[f64; 2]>, origin: [f64; 2], angle_d
     let (sin, cos) = angle_deg.to_radians().sin_cos();
     let [x0, y0] = origin;
     outline.into_iter().map(|[x, y]| [x0 + x * cos - y * sin, y0 + x * sin + y * cos]).collect()
+}
+
+/// The line that a body's panels lie along [m, body's frame].
+pub(in crate::scene) fn line(shape: &Shape) -> Polyline {
+    match shape {
+        Shape::Polyline { points, .. } => Polyline::open(points.clone()),
+        _ => Polyline::closed(&shape.outline()),
+    }
+}
+
+/// Length of a panel along the body's line [m].
+pub fn panel_length(body: &Body, panel: &Panel) -> f64 {
+    let line = line(&body.shape);
+    let [from, to] = [panel.from, panel.to].map(|end| line.nearest(end).0);
+    line.part(from, to).length()
 }
 
 impl Body {

@@ -1,11 +1,10 @@
 //! The key `solver` and the tables that it selects: `[fluid]`, `[projection]`, `[thesis]`.
 
-use fsi_coupling::settings::OrAuto;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use sph_core::legacy::pilorget2010;
-use sph_core::legacy::settings::Options;
-use sph_core::{FluidSettings, Solver, projection, wcsph};
+use sph_core::{Auto, FluidSettings, SchemeSettings, Solver, projection, wcsph};
+
+use crate::scene::legacy;
 
 /// A solver and the settings that it reads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -42,13 +41,14 @@ pub enum SolverSettings {
         projection: projection::Settings,
     },
     /// The projection of Pilorget (2010).
+    #[cfg(feature = "legacy")]
     IncompressibleThesis {
         /// The water and the scheme.
         #[schemars(extend("x-default" = "every key's"))]
         fluid: ThesisFluid,
         /// The projection.
         #[serde(default)]
-        thesis: pilorget2010::ThesisSettings,
+        thesis: legacy::ThesisSettings,
     },
 }
 
@@ -75,7 +75,7 @@ pub struct WeaklyCompressibleFluid {
     pub scheme: wcsph::Settings,
     /// Its options of 2010.
     #[serde(flatten)]
-    pub options: Options,
+    pub options: legacy::Options,
 }
 
 /// `[fluid]` of the incompressible solvers.
@@ -85,7 +85,7 @@ pub struct IncompressibleFluid {
     #[serde(flatten)]
     pub water: Water,
     /// Speed of sound from which the size of an "auto" tank follows [m/s].
-    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    #[schemars(with = "Auto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
     pub sound_speed: f64,
     /// The scheme.
     #[serde(flatten)]
@@ -93,6 +93,7 @@ pub struct IncompressibleFluid {
 }
 
 /// `[fluid]` of the thesis's projection.
+#[cfg(feature = "legacy")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ThesisFluid {
     /// The water.
@@ -100,56 +101,90 @@ pub struct ThesisFluid {
     pub water: Water,
     /// The scheme.
     #[serde(flatten)]
-    pub scheme: pilorget2010::settings::FlowSettings,
+    pub scheme: legacy::ThesisFlow,
 }
 
 fn usual_error() -> f64 {
     0.01
 }
 
+/// What all solvers have.
+struct Common<'a> {
+    kind: Solver,
+    water: &'a Water,
+    sound_speed: f64,
+    courant_number: f64,
+    surface_ratio: Option<f64>,
+}
+
 impl SolverSettings {
+    fn common(&self) -> Common<'_> {
+        let of = |kind, water, sound_speed: Auto<f64>, courant_number| Common {
+            kind,
+            water,
+            sound_speed: sound_speed.or(f64::NAN),
+            courant_number,
+            surface_ratio: None,
+        };
+        match self {
+            SolverSettings::WeaklyCompressible { fluid: WeaklyCompressibleFluid { water, scheme, .. } } => {
+                of(Solver::WeaklyCompressible, water, scheme.sound_speed, scheme.courant_number())
+            }
+            SolverSettings::Incompressible { fluid, .. } => {
+                of(Solver::Incompressible, &fluid.water, fluid.sound_speed.into(), fluid.scheme.cfl)
+            }
+            SolverSettings::IncompressibleExplicit { fluid, .. } => {
+                of(Solver::IncompressibleExplicit, &fluid.water, fluid.sound_speed.into(), fluid.scheme.cfl)
+            }
+            #[cfg(feature = "legacy")]
+            SolverSettings::IncompressibleThesis { fluid, thesis } => Common {
+                surface_ratio: Some(thesis.surface_ratio),
+                ..of(Solver::IncompressibleThesis, &fluid.water, fluid.scheme.sound_speed, fluid.scheme.cfl)
+            },
+        }
+    }
+
+    /// The scheme's settings, for water of a depth [m].
+    pub(crate) fn scheme(&self, depth: f64) -> Box<dyn SchemeSettings> {
+        use projection::Method::{OneIteration, Solve};
+        match self {
+            SolverSettings::WeaklyCompressible { fluid } => legacy::scheme(fluid.scheme, &fluid.options, depth),
+            SolverSettings::Incompressible { fluid, projection } => {
+                Box::new(projection::Settings { flow: fluid.scheme, method: Solve, ..*projection })
+            }
+            SolverSettings::IncompressibleExplicit { fluid, projection } => {
+                Box::new(projection::Settings { flow: fluid.scheme, method: OneIteration, ..*projection })
+            }
+            #[cfg(feature = "legacy")]
+            SolverSettings::IncompressibleThesis { fluid, thesis } => {
+                Box::new(legacy::ThesisSettings { flow: fluid.scheme, ..*thesis })
+            }
+        }
+    }
+
     /// The water.
     pub fn water(&self) -> &Water {
-        match self {
-            SolverSettings::WeaklyCompressible { fluid } => &fluid.water,
-            SolverSettings::Incompressible { fluid, .. } | SolverSettings::IncompressibleExplicit { fluid, .. } => {
-                &fluid.water
-            }
-            SolverSettings::IncompressibleThesis { fluid, .. } => &fluid.water,
-        }
+        self.common().water
     }
 
     /// Speed of sound c₀ [m/s]; of a projection the one from which an automatic tank follows.
     pub fn sound_speed(&self) -> f64 {
-        match self {
-            SolverSettings::WeaklyCompressible { fluid } => fluid.scheme.sound_speed.value(),
-            SolverSettings::Incompressible { fluid, .. } | SolverSettings::IncompressibleExplicit { fluid, .. } => {
-                Some(fluid.sound_speed)
-            }
-            SolverSettings::IncompressibleThesis { fluid, .. } => fluid.scheme.sound_speed.value(),
-        }
-        .unwrap_or(f64::NAN)
+        self.common().sound_speed
     }
 
     /// Courant number of the step limit [-].
     pub fn courant_number(&self) -> f64 {
-        match self {
-            SolverSettings::WeaklyCompressible { fluid } => fluid.scheme.courant_number(),
-            SolverSettings::Incompressible { fluid, .. } | SolverSettings::IncompressibleExplicit { fluid, .. } => {
-                fluid.scheme.cfl
-            }
-            SolverSettings::IncompressibleThesis { fluid, .. } => fluid.scheme.cfl,
-        }
+        self.common().courant_number
+    }
+
+    /// Divergence of r below which the thesis's projection finds a free surface, over that inside (LE23) [-].
+    pub(crate) fn surface_ratio(&self) -> Option<f64> {
+        self.common().surface_ratio
     }
 
     /// Name of the solver.
     pub fn kind(&self) -> Solver {
-        match self {
-            SolverSettings::WeaklyCompressible { .. } => Solver::WeaklyCompressible,
-            SolverSettings::Incompressible { .. } => Solver::Incompressible,
-            SolverSettings::IncompressibleExplicit { .. } => Solver::IncompressibleExplicit,
-            SolverSettings::IncompressibleThesis { .. } => Solver::IncompressibleThesis,
-        }
+        self.common().kind
     }
 
     /// Its name in a scene.

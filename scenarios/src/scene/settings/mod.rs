@@ -12,20 +12,20 @@ mod tank;
 use std::sync::LazyLock;
 
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::settings::{OrAuto, Schema};
+use fsi_coupling::settings::Schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub(super) use body::placed;
-pub use body::{Axis, Body, Freedom, Motion, Oscillation};
-pub use fluid::{IncompressibleFluid, SolverSettings, ThesisFluid, Water, WeaklyCompressibleFluid};
+pub use body::{Axis, Body, Freedom, Motion, Oscillation, panel_length};
+pub(super) use body::{line, placed};
+pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
 pub use panel::{Panel, TheoryName};
 pub use tank::{Block, Tank};
 
 use fsi_coupling::{Iteration, Scheme};
-use sph_core::FluidSettings;
+use sph_core::{Auto, FluidSettings};
 
 /// The schema of a scene file.
 pub fn schema() -> &'static Schema {
@@ -50,7 +50,7 @@ pub struct Scene {
     /// Model of the flow. auto: the cheapest whose measured error for `want` is at most `within` (THEORY EN9); von_karman,
     /// wagner, mlm, similarity: analytical models of a symmetric section's entry, in milliseconds; wcsph, incompressible:
     /// particles.
-    #[schemars(with = "OrAuto<EntryModel>", extend("x-default" = "wcsph; the solver's where there is one"))]
+    #[schemars(with = "Auto<EntryModel>", extend("x-default" = "wcsph; the solver's where there is one"))]
     pub model: EntryModel,
     /// Reason for the model, where it was `auto`.
     #[serde(skip)]
@@ -175,7 +175,7 @@ pub struct Resolution {
     pub growth: f64,
     /// Half width from the body's middle and depth below still water of the fine zone [m]. auto: it holds the spray root to the
     /// end, or the whole tank without an impact.
-    #[schemars(with = "OrAuto<[f64; 2]>", extend("x-default" = "auto"))]
+    #[schemars(with = "Auto<[f64; 2]>", extend("x-default" = "auto"))]
     pub fine_zone: [f64; 2],
     /// Arrangement of particles in uniform water (INDAT lattice 1 | 2: SC | BCC). staggered: body-centred squares of side sqrt(2)
     /// dx, growth 1 only.

@@ -1,18 +1,19 @@
 //! The tank and the water that it starts with.
 
-use fsi_coupling::settings::OrAuto;
+use fsi_coupling::geometry::water_surface::WaterSurface;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use sph_core::Auto;
 
 /// The rectangle of water and its walls.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Tank {
     /// Full inner width, x from -width/2 to width/2 (INDAT vlx) [m]. auto: outside acoustic reach of an impact.
-    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    #[schemars(with = "Auto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
     pub width: f64,
     /// Depth of still water, whose surface is y = 0 and whose floor is y = -depth (INDAT h_SWL, ZZMAX) [m]. auto: outside
     /// acoustic reach of an impact.
-    #[schemars(with = "OrAuto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
+    #[schemars(with = "Auto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
     pub depth: f64,
     /// Height of the side walls above the floor (INDAT vlz) [m].
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "1.25 depth, 3 depth for a dam break"))]
@@ -61,6 +62,29 @@ impl Tank {
     pub fn block(&self) -> Option<Block> {
         let (from, to) = self.block_from.zip(self.block_to)?;
         Some(Block { from, to, velocity: self.block_velocity })
+    }
+
+    /// The surface that the water starts with; `None` where it is level.
+    pub fn surface(&self) -> Option<WaterSurface> {
+        let (amplitude, slope) = (self.surface_amplitude, self.surface_tilt_deg.to_radians().tan());
+        let x = [-0.5 * self.width, 0.5 * self.width];
+        let surface = WaterSurface { x, depth: self.depth, amplitude, mode: self.surface_mode, slope };
+        (amplitude != 0.0 || slope != 0.0).then_some(surface)
+    }
+
+    /// The highest that the water starts above still water, at most [m].
+    pub fn rise(&self) -> f64 {
+        self.surface().map_or(0.0, |surface| surface.largest())
+    }
+
+    /// Height that water may fall through, from the highest at the start to the floor [m].
+    pub fn fall(&self) -> f64 {
+        self.depth + self.block().map_or(self.rise(), |block| block.to[1].max(self.rise()))
+    }
+
+    /// Speed of the block of water at the start [m/s]; 0 where there is none.
+    pub fn block_speed(&self) -> f64 {
+        self.block().map_or(0.0, |block| block.velocity[0].hypot(block.velocity[1]))
     }
 }
 

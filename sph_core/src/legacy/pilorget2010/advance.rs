@@ -5,7 +5,7 @@ use crate::interactions::forces::Forces;
 use crate::legacy::pilorget2010::poisson::Assembly;
 use crate::legacy::pilorget2010::settings::Predictor;
 use crate::legacy::pilorget2010::state::{Thesis, Trial};
-use crate::legacy::pilorget2010::{gradient, mass, surface};
+use crate::legacy::pilorget2010::sums::*;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
@@ -50,8 +50,10 @@ impl Thesis {
     /// LE23, LE25, at r_n.
     fn find_surface(&mut self, system: &ParticleSystem) {
         let least = self.settings.surface_ratio * self.inside;
-        self.at_surface = surface::find(&self.cast, &self.here, system.domain.fluid.density, least);
-        self.reflections = surface::reflections(&self.cast, &self.here, &self.at_surface, system.particles.len());
+        let rho0 = system.domain.fluid.density;
+        let below = |i: usize| divergence_of_place(&self.cast, &self.here, i, rho0) < least;
+        self.at_surface = (0..self.cast.rows).map(below).collect();
+        self.reflections = reflections(&self.cast, &self.here, &self.at_surface, system.particles.len());
     }
 
     /// The last step's pressures, a row each.
@@ -81,7 +83,7 @@ impl Thesis {
         let (deficit, limit_deficit, id) = (&self.deficit, &self.limit_deficit, &system.particles.id);
         parallel::gather_into(&mut self.density, |i| {
             let stored = if i < n { deficit[id[i] as usize] } else { limit_deficit[i - n] };
-            mass::density_sum(cast, pairs, i) + stored
+            density_sum(cast, pairs, i) + stored
         });
         let errors = self.density[..n].iter().zip(&self.at_surface).filter(|(_, at_surface)| !**at_surface);
         self.density_error = errors.map(|(rho, _)| (rho / rho0 - 1.0).abs()).fold(0.0, f64::max);
@@ -135,13 +137,13 @@ impl Thesis {
             let factor = match (corrected, at_surface) {
                 (false, _) => 1.0,
                 (true, true) => self.correction,
-                (true, false) => gradient::correction(pairs, i, up),
+                (true, false) => gradient_correction(pairs, i, up),
             };
-            let normal = if at_surface { surface::normal(cast, pairs, i) } else { None };
+            let normal = if at_surface { surface_normal(cast, pairs, i) } else { None };
             let push = match (at_surface, normal) {
-                (true, Some(n)) => gradient::at_surface(cast, pairs, pressure, self.density[i], i, n), // LE25
+                (true, Some(n)) => gradient_at_surface(cast, pairs, pressure, self.density[i], i, n), // LE25
                 (true, None) => [0.0; 2],
-                (false, _) => gradient::inside(cast, pairs, pressure, self.density[i], i),
+                (false, _) => gradient_inside(cast, pairs, pressure, self.density[i], i),
             };
             push.map(|a| factor * a)
         });

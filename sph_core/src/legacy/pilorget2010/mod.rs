@@ -1,48 +1,51 @@
 //! The projection of Pilorget's (2010) thesis, with its choices (THEORY LE18–LE28).
 //!
-//! Read in this order: `advance`, [`settings`], `prepare` (once), `mass`, `limit` (walls), `surface`, `poisson`, `bicgstab`,
-//! `gradient`; `stage`, `cast` and `pairs` hold the particles of a step and their pairs.
+//! Read in this order: `advance`, [`settings`], `state`, `limit` (walls), `sums`, `poisson`; `cast` holds the particles of a
+//! step and their pairs.
 
 mod advance;
-mod bicgstab;
 mod cast;
-mod gradient;
 mod limit;
-mod mass;
-mod pairs;
 mod poisson;
-mod prepare;
 pub mod settings;
-mod stage;
 mod state;
-mod step_limit;
-mod surface;
+mod sums;
 
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
+use crate::parallel;
 use crate::particles::Seed;
-use crate::projection;
-use crate::scheme::{Scheme, SchemeSettings};
+use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
-use crate::walls::interface::WallInterface;
+use crate::walls::interface_dynamics::accelerate_by_pairs;
 use crate::wcsph::eos::Tait;
 use crate::wcsph::is_weakly_compressed;
-use crate::wcsph::step_limit::acoustic_limit;
+use crate::wcsph::step_limit::rebuild_lists;
 
-pub use settings::ThesisSettings;
+pub use settings::{FlowSettings, ThesisSettings};
 pub use state::Thesis;
 
-/// Steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 12.0;
+/// Share of √(h/(|g| + |a|)) a step may take: with 0.1 water at rest begins to churn after 20 s, with 0.07 not (LE27).
+const FORCE: f64 = 0.05;
+/// Share of h²/ν a step may take (WC12).
+const VISCOUS: f64 = 0.125;
+/// ν of artificial viscosity over α h c₀ (WC6; Monaghan 2005).
+const ARTIFICIAL: f64 = 0.125;
+/// A step this many times smaller than that of water at rest means breakdown.
+const COLLAPSE: f64 = 1e-3;
+/// Where nothing moves and nothing weighs: this many acoustic steps.
+const AT_LEISURE: f64 = 5.0;
 
 impl Thesis {
     /// The scheme for a domain.
     pub fn new(domain: &Domain, settings: ThesisSettings) -> Thesis {
-        Thesis { settings, eos: equation_of_state(domain, &settings), ..Thesis::default() }
+        // the law by which the speed of sound and the elastic energy of density errors are found
+        let c0 = settings.flow.sound_speed.or(10.0 * domain.fastest_speed);
+        Thesis { settings, eos: Tait { rho0: domain.fluid.density, c0, gamma: 7.0 }, ..Thesis::default() }
     }
 
     fn terms(&self, system: &ParticleSystem) -> PairTerms {
@@ -52,8 +55,7 @@ impl Thesis {
 
     fn pack(&self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, false) {
-            let life = LIST_LIFE * acoustic_limit(system, self.settings.flow.cfl, |_| self.eos.c0);
-            system.rebuild_lists(walls, life);
+            rebuild_lists(system, walls, self.settings.flow.cfl, |_, _| self.eos.c0);
         }
         system.pack(walls);
     }
@@ -68,31 +70,14 @@ impl Thesis {
     }
 }
 
-/// The law by which the speed of sound and the elastic energy of its density errors are found.
-fn equation_of_state(domain: &Domain, settings: &ThesisSettings) -> Tait {
-    let c0 = settings.flow.sound_speed.or(10.0 * domain.fastest_speed);
-    Tait { rho0: domain.fluid.density, c0, gamma: 7.0 }
-}
-
 impl Scheme for Thesis {
-    fn initialise(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        interfaces: &mut [WallInterface],
-    ) -> Result<(), Breakdown> {
-        self.pack(system, walls, 0.0);
-        projection::start(system, walls, interfaces, &self.terms(system));
-        self.prepare(system, walls)
+    fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
+        self.pack(flow.system, flow.walls, 0.0);
+        accelerate_by_pairs(flow, &self.terms(flow.system), 0.0);
+        self.prepare(flow.system, flow.walls)
     }
 
-    fn step(
-        &mut self,
-        system: &mut ParticleSystem,
-        walls: &mut Walls,
-        _: &mut [WallInterface],
-        dt: f64,
-    ) -> Result<(), Breakdown> {
+    fn step(&mut self, Flow { system, walls, .. }: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
         self.pack(system, walls, -dt); //             neighbours at r_n
         let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
         self.gather_viscosity(system, walls, &mut forces);
@@ -102,8 +87,29 @@ impl Scheme for Thesis {
         self.advance(system, walls, trial)
     }
 
+    /// LE27: Δt ≤ ½ C Δx/|v|, 1/20 √(h/(|g| + |a|)), ⅛ h²/(ν + ⅛ α h c₀) [s].
     fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
-        step_limit::stable_dt(system, walls, &self.settings.flow, self.eos.c0)
+        let (FlowSettings { cfl, artificial_viscosity, .. }, c0) = (self.settings.flow, self.eos.c0);
+        let (p, domain) = (&system.particles, &system.domain);
+        let (ratio, nu) = (domain.fluid.smoothing_ratio, domain.fluid.kinematic_viscosity);
+        let g = domain.gravity[0].hypot(domain.gravity[1]);
+        let limit = |h: f64, speed: f64, acceleration: f64| {
+            let moving = 0.5 * cfl * h / ratio / speed;
+            moving
+                .min(FORCE * (h / (g + acceleration)).sqrt())
+                .min(VISCOUS * h * h / (nu + ARTIFICIAL * artificial_viscosity * h * c0))
+        };
+        let of_fluid = |k: usize| limit(p.h[k], p.u[k].hypot(p.v[k]), p.ax[k].hypot(p.ay[k]));
+        let of_wall = |k: usize| limit(walls.h[k], walls.u[k].hypot(walls.v[k]), walls.ax[k].hypot(walls.ay[k]));
+        let dt = parallel::least(p.len(), of_fluid).min(parallel::least(walls.len(), of_wall));
+        let leisure = AT_LEISURE * cfl * system.least_smoothing_length() / c0;
+        let dt = if g > 0.0 { dt } else { dt.min(leisure) };
+        let at_rest = parallel::least(p.len(), |k| limit(p.h[k], 0.0, 0.0));
+        if p.is_empty() || !at_rest.is_finite() || dt > COLLAPSE * at_rest {
+            return Ok(dt);
+        }
+        let k = (0..p.len()).min_by(|&a, &b| of_fluid(a).total_cmp(&of_fluid(b))).unwrap_or(0);
+        Err(system.collapsed(k, dt))
     }
 
     fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {

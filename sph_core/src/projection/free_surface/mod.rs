@@ -1,7 +1,6 @@
-//! The free surface: where it is, and its conditions on pressures and particles (THEORY PR4, PR5, PR7, PR8, PR12).
+//! The free surface: where it is, and its conditions on pressures and particles (THEORY PR4, PR5, PR7, PR8).
 
 pub(crate) mod active_set;
 pub(crate) mod detection;
 pub(crate) mod lattice;
 pub(crate) mod occupancy_grid;
-pub(crate) mod tangential;
