@@ -9,7 +9,7 @@ use sph_core::particles::probe::Probe;
 use super::gauge_record::{GaugeRecord, GaugeResult};
 use super::low_pass::LowPass;
 use super::sensing::sensing;
-use super::source::Source;
+use super::columns::Source;
 use crate::scene::{GaugeFrame, Scene, Symmetry};
 
 pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(|frame| frame.gauges.to_vec()) };

@@ -1,10 +1,21 @@
 //! The columns of `series.csv`: declared once, for the file, for the check of a scene, and for the theories.
 
-use super::source::Source;
-use super::{body, front, gauges, level, volume};
+mod body;
+mod front;
+mod level;
+mod source;
+mod volume;
+
+use super::gauges;
 use crate::scene::Scene;
 
-/// All sources, in the order of the file. A new column is a source in a file of its own and a line here.
+pub use body::body_values;
+pub(super) use body::panel_values;
+pub(super) use source::{Reader, Source};
+pub use volume::Water;
+pub(super) use volume::VOLUME;
+
+/// All sources, in the order of the file. A new column is a source in a file of its own, and its lines here.
 pub(super) const SOURCES: [Source; 5] = [body::SOURCE, gauges::SOURCE, front::SOURCE, level::SOURCE, volume::SOURCE];
 
 /// Names of the columns of a scene; the first is `time_s`.
