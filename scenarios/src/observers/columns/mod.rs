@@ -12,8 +12,8 @@ use crate::scene::Scene;
 pub use body::body_values;
 pub(super) use body::panel_values;
 pub(super) use source::{Reader, Source};
-pub use volume::Water;
 pub(super) use volume::VOLUME;
+pub use volume::Water;
 
 /// All sources, in the order of the file. A new column is a source in a file of its own, and its lines here.
 pub(super) const SOURCES: [Source; 5] = [body::SOURCE, gauges::SOURCE, front::SOURCE, level::SOURCE, volume::SOURCE];

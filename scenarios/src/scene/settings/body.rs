@@ -1,9 +1,10 @@
 //! The body of a scene.
 
-use fsi_coupling::Shape;
+use fsi_coupling::bodies::prescribed::Law;
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::geometry::polyline::Polyline;
 use fsi_coupling::settings::OrTouching;
+use fsi_coupling::{PrescribedBody, RigidMotion, Shape};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -89,6 +90,49 @@ pub struct Freedom {
     pub inertia: Option<f64>,
 }
 
+/// What moves a body.
+pub enum Moved<'a> {
+    /// Its weight and the water's load.
+    ByLoads(&'a Freedom),
+    /// A function of time.
+    ByLaw(Law),
+}
+
+impl Motion {
+    /// Directions x, y and angle in which the velocity at t = 0 may be chosen.
+    pub fn has_initial_velocity(&self) -> [bool; 3] {
+        match self {
+            Motion::Free(freedom) => [freedom.x(), freedom.y(), freedom.inertia.is_some()],
+            Motion::ConstantVelocity => [true; 3],
+            Motion::Fixed | Motion::Oscillating(_) => [false; 3],
+        }
+    }
+
+    /// What moves a body that starts so.
+    pub fn moved(&self, start: &RigidMotion) -> Moved<'_> {
+        let at_rest = RigidMotion { velocity: [0.0; 2], angular_velocity: 0.0, ..*start };
+        let steady = |m: &RigidMotion| PrescribedBody::steady(m.position, m.angle, m.velocity, m.angular_velocity);
+        match self {
+            Motion::Free(freedom) => Moved::ByLoads(freedom),
+            Motion::ConstantVelocity => Moved::ByLaw(steady(start)),
+            Motion::Fixed => Moved::ByLaw(steady(&at_rest)),
+            Motion::Oscillating(Oscillation { amplitude, period }) => {
+                Moved::ByLaw(PrescribedBody::oscillating(start.position, start.angle, *amplitude, *period))
+            }
+        }
+    }
+
+    /// Largest speed of a motion that is given, beside that of the velocity at t = 0 [m/s]: 2π A/T of an oscillation.
+    fn fastest(&self) -> f64 {
+        match self {
+            Motion::Oscillating(Oscillation { amplitude: [x, y], period }) => {
+                std::f64::consts::TAU * x.hypot(*y) / period
+            }
+            Motion::Free(_) | Motion::ConstantVelocity | Motion::Fixed => 0.0,
+        }
+    }
+}
+
 /// A direction of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -151,19 +195,13 @@ impl Body {
     }
 
     /// Bound of the speed of its points at t = 0 [m/s]: |v| + |ω| r, with the farthest vertex at r from the centre of mass;
-    /// of an oscillating body 2π A/T at any time.
+    /// and that of a motion that is given.
     pub fn fastest_point(&self) -> f64 {
         let [cx, cy] = self.center_of_mass;
         let outline = self.shape.outline();
         let arms = outline.iter().map(|p| (p[0] - cx).hypot(p[1] - cy));
         let angular = self.angular_velocity_deg_per_s.to_radians().abs();
-        let oscillation = match &self.motion {
-            Motion::Oscillating(Oscillation { amplitude: [x, y], period }) => {
-                std::f64::consts::TAU * x.hypot(*y) / period
-            }
-            _ => 0.0,
-        };
-        self.velocity[0].hypot(self.velocity[1]) + angular * arms.fold(0.0, f64::max) + oscillation
+        self.velocity[0].hypot(self.velocity[1]) + angular * arms.fold(0.0, f64::max) + self.motion.fastest()
     }
 
     /// Depth of its lowest point below the still surface at t = 0 [m]; negative above it.
