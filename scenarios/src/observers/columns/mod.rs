@@ -1,6 +1,7 @@
 //! The columns of `series.csv`: declared once, for the file, for the check of a scene, and for the theories.
 
 mod body;
+mod energy;
 mod front;
 mod level;
 mod source;
@@ -16,7 +17,8 @@ pub(super) use volume::VOLUME;
 pub use volume::Water;
 
 /// All sources, in the order of the file. A new column is a source in a file of its own, and its lines here.
-pub(super) const SOURCES: [Source; 5] = [body::SOURCE, gauges::SOURCE, front::SOURCE, level::SOURCE, volume::SOURCE];
+pub(super) const SOURCES: [Source; 6] =
+    [body::SOURCE, gauges::SOURCE, front::SOURCE, level::SOURCE, volume::SOURCE, energy::SOURCE];
 
 /// Names of the columns of a scene; the first is `time_s`.
 pub fn columns(scene: &Scene) -> Vec<String> {
