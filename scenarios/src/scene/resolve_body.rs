@@ -121,7 +121,11 @@ fn resolve_motion(draft: &mut Draft, symmetry: Symmetry) -> Result<(), Problem> 
             let upright = !half || oscillation.amplitude[0] == 0.0;
             require(upright, "body.amplitude", given, "[0, ...] with symmetry = \"x\"")
         }
-        _ => Ok(()),
+        Motion::Tabulated(table) => match table.fault(half) {
+            Some(expected) => Err(Problem::new("body.displacements", format!("{:?}", table.displacements), expected)),
+            None => Ok(()),
+        },
+        Motion::ConstantVelocity | Motion::Fixed => Ok(()),
     }
 }
 
