@@ -1,6 +1,5 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
-use fsi_coupling::bodies::prescribed::Law;
 use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
@@ -12,7 +11,7 @@ use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::{self, Motion, Oscillation, PanelEnd, Scene, Symmetry};
+use crate::scene::{self, Motion, Moved, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -120,13 +119,13 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
     if !body.panels.is_empty() {
         return flexible(scene, body, outline, start);
     }
-    let follow = |law: Law| Box::new(PrescribedBody::new(&body.name, outline.clone(), half, law)) as Box<dyn Body>;
-    let Motion::Free(freedom) = &body.motion else {
-        return Ok(follow(law(&body.motion, &start)));
+    let freedom = match body.motion.moved(&start) {
+        Moved::ByLoads(freedom) => freedom,
+        Moved::ByLaw(law) => return Ok(Box::new(PrescribedBody::new(&body.name, outline, half, law))),
     };
     Ok(Box::new(RigidBody2d::new(RigidSpec {
         name: body.name.clone(),
-        outline: outline.clone(),
+        outline,
         mass: freedom.mass,
         inertia: freedom.inertia.unwrap_or(0.0),
         center_of_mass: body.center_of_mass,
@@ -140,19 +139,6 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
     })?))
 }
 
-/// The law of a motion that is given.
-fn law(motion: &Motion, start: &RigidMotion) -> Law {
-    match motion {
-        Motion::Oscillating(Oscillation { amplitude, period }) => {
-            PrescribedBody::oscillating(start.position, start.angle, *amplitude, *period)
-        }
-        Motion::ConstantVelocity => {
-            PrescribedBody::steady(start.position, start.angle, start.velocity, start.angular_velocity)
-        }
-        Motion::Fixed | Motion::Free(_) => PrescribedBody::steady(start.position, start.angle, [0.0; 2], 0.0),
-    }
-}
-
 /// A body with panels.
 fn flexible(
     scene: &Scene,
@@ -164,15 +150,15 @@ fn flexible(
         Shape::Polyline { points, .. } => Some(points.clone()),
         _ => None,
     };
-    let frame = match &body.motion {
-        Motion::Free(freedom) => Frame::Free {
+    let frame = match body.motion.moved(&start) {
+        Moved::ByLoads(freedom) => Frame::Free {
             mass: freedom.mass,
             // a frame that does not turn needs an inertia, which has no effect
             inertia: freedom.inertia.unwrap_or(freedom.mass),
             center_of_mass: body.center_of_mass,
             free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
         },
-        motion => Frame::Given(law(motion, &start)),
+        Moved::ByLaw(law) => Frame::Given(law),
     };
     // the body's velocity is that of its centre of mass; its frame's origin moves with it
     let lever_arm = body.center_of_mass.map(|c| -c);

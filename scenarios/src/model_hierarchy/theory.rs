@@ -5,7 +5,7 @@ use fsi_coupling::entry_theory::{Entry, EntryModel, Instant, Loads, OutOfRange, 
 
 use super::elastic_wedge::Faces;
 use crate::observers::body_values;
-use crate::scene::{Body, Gauge, GaugeFrame, Motion, Scene, Shape, significant};
+use crate::scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape, significant};
 use fsi_coupling::geometry::polygon;
 
 /// Width of the window that means are taken over, the last fifth of the run.
@@ -223,6 +223,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
         (scene.gravity[0] != 0.0 || scene.gravity[1] > 0.0, "gravity that pulls sideways or up"),
         (!still || tank.water_width < tank.width, "water that is not at rest"),
         (on_tank, "gauges on the tank"),
+        (scene.observe != Observe::default(), "columns of the water, which [observe] asks for"),
         (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),
     ];
     if let Some((_, what)) = obstacles.into_iter().find(|(stands, _)| *stands) {

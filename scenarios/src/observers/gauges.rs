@@ -6,10 +6,10 @@ use fsi_coupling::geometry::vector::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::particles::probe::Probe;
 
+use super::columns::Source;
 use super::gauge_record::{GaugeRecord, GaugeResult};
 use super::low_pass::LowPass;
 use super::sensing::sensing;
-use super::source::Source;
 use crate::scene::{GaugeFrame, Scene, Symmetry};
 
 pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(|frame| frame.gauges.to_vec()) };

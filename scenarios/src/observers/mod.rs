@@ -1,24 +1,19 @@
 //! Observers sample a run. They borrow the system immutably and never shorten a step.
 //!
-//! A new column of `series.csv` is a `Source` in a file of its own and a line in `columns.rs`.
+//! A new column of `series.csv` is a `Source` in a file of `columns/`, and its lines in `columns/mod.rs`.
 
-mod body;
 mod columns;
 mod face_profile;
 mod flow;
 mod force_rules;
-mod front;
 mod gauge_record;
 pub(crate) mod gauges;
 mod history;
-mod level;
 mod low_pass;
 mod run_log;
 mod sensing;
 mod series;
 mod similarity;
-mod source;
-mod volume;
 
 use std::io;
 
@@ -27,8 +22,7 @@ use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
-pub use body::body_values;
-pub use columns::columns;
+pub use columns::{Water, body_values, columns};
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
 pub use gauge_record::GaugeResult;
@@ -39,7 +33,6 @@ pub use run_log::LogObserver;
 pub(crate) use run_log::create_log;
 pub use series::Series;
 pub use similarity::{SimilarityResult, SimilarityWindow};
-pub use volume::Water;
 
 /// What an observer sees.
 #[derive(Clone, Copy)]

@@ -5,7 +5,7 @@ use std::path::Path;
 use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
-use super::body::{body_values, panel_values};
+use super::columns::{body_values, panel_values};
 use super::{Frame, ObserveError, Observer};
 use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogError, LogMetadata, Logged, Point};
 use crate::scene::Scene;

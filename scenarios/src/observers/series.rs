@@ -4,9 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::columns::{SOURCES, columns};
-use super::source::Reader;
-use super::volume::{VOLUME, Water};
+use super::columns::{Reader, SOURCES, VOLUME, Water, columns};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
 

@@ -42,7 +42,7 @@ pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;
 pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
 pub use settings::{
-    Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Norm, Observe,
+    Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Moved, Norm, Observe,
     Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,
     TheoryName, Time, panel_length, schema,
 };

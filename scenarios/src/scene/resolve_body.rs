@@ -121,17 +121,17 @@ fn resolve_motion(draft: &mut Draft, symmetry: Symmetry) -> Result<(), Problem> 
             let upright = !half || oscillation.amplitude[0] == 0.0;
             require(upright, "body.amplitude", given, "[0, ...] with symmetry = \"x\"")
         }
-        _ => Ok(()),
+        Motion::Tabulated(table) => match table.fault(half) {
+            Some(expected) => Err(Problem::new("body.displacements", format!("{:?}", table.displacements), expected)),
+            None => Ok(()),
+        },
+        Motion::ConstantVelocity | Motion::Fixed => Ok(()),
     }
 }
 
 /// A direction that cannot move has no velocity.
 fn check_locked_directions(body: &Body) -> Result<(), Problem> {
-    let (x, y, angle) = match &body.motion {
-        Motion::Free(freedom) => (freedom.x(), freedom.y(), freedom.inertia.is_some()),
-        Motion::ConstantVelocity => (true, true, true),
-        Motion::Fixed | Motion::Oscillating(_) => (false, false, false),
-    };
+    let [x, y, angle] = body.motion.has_initial_velocity();
     let ([vx, vy], spin) = (body.velocity, body.angular_velocity_deg_per_s);
     let expected = "0 along every direction that body.motion and body.free lock";
     let possible = (x || vx == 0.0) && (y || vy == 0.0);

@@ -105,6 +105,7 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("mass = 100.0", "mass = 100.0\nperiod = 1.0", 13, &["`body.period`", "belongs to motion = \"oscillating\""]),
         ("mass = 100.0", "motion = \"oscillating\"", 7, &["`body.amplitude` is missing", "[m]"]),
         ("mass = 100.0", "motion = \"oscillating\"\namplitude = [0, 0.1]\nperiod = 0", 14, &["`body.period` = 0", "above 0"]),
+        ("mass = 100.0", "motion = \"tabulated\"\ndisplacements = [[0, 0, 0, 0], [0, 0, 1, 0]]", 13, &["`body.displacements`", "rows in order of time"]),
         ("[time]", "[observe]\nfront = 1\n[time]", 4, &["`observe.front`"]),
         ("end = 0.02", "end = ", 4, &["not valid TOML"]),
         ("end = 0.02", "end = 0.02\nend = 0.03", 5, &["not valid TOML", "duplicate key"]),

@@ -1,9 +1,10 @@
 //! The body of a scene.
 
-use fsi_coupling::Shape;
+use fsi_coupling::bodies::prescribed::Law;
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::geometry::polyline::Polyline;
 use fsi_coupling::settings::OrTouching;
+use fsi_coupling::{PrescribedBody, RigidMotion, Shape};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,6 +63,73 @@ pub enum Motion {
     Fixed,
     /// A prescribed oscillation (CO3).
     Oscillating(Oscillation),
+    /// Displacements that were measured, or computed elsewhere.
+    Tabulated(Displacements),
+}
+
+/// Prescribed displacements at given times.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Displacements {
+    /// Rows of time, displacement x, y and rotation from body.position and body.angle_deg, in order of time. Between rows cubic in
+    /// time, with the velocities of parabolas through three rows; outside the table at constant velocity [s, m, m, deg].
+    pub displacements: Vec<[f64; 4]>,
+}
+
+impl Displacements {
+    /// Velocities x, y [m/s] and angle [deg/s] at a row: of the parabola through it and its neighbours, or of the line through two.
+    fn velocities(&self, row: usize) -> [f64; 3] {
+        let (rows, last) = (&self.displacements, self.displacements.len() - 1);
+        let slope = |k: usize, i: usize| (rows[k + 1][i] - rows[k][i]) / (rows[k + 1][0] - rows[k][0]);
+        let length = |k: usize| rows[k + 1][0] - rows[k][0];
+        [1, 2, 3].map(|i| match row {
+            _ if last == 0 => 0.0,
+            _ if last == 1 => slope(0, i),
+            0 => slope(0, i) + (slope(0, i) - slope(1, i)) * length(0) / (length(0) + length(1)),
+            k if k == last => {
+                let (a, b) = (k - 2, k - 1);
+                slope(b, i) + (slope(b, i) - slope(a, i)) * length(b) / (length(a) + length(b))
+            }
+            k => (slope(k - 1, i) * length(k) + slope(k, i) * length(k - 1)) / (length(k - 1) + length(k)),
+        })
+    }
+
+    /// The rows of the motion of a body that starts so.
+    fn motions(&self, start: &RigidMotion) -> Vec<(f64, RigidMotion)> {
+        let row = |(k, [time, x, y, angle]): (usize, &[f64; 4])| {
+            let [u, v, spin] = self.velocities(k);
+            let motion = RigidMotion {
+                position: [start.position[0] + x, start.position[1] + y],
+                angle: start.angle + angle.to_radians(),
+                velocity: [u, v],
+                angular_velocity: spin.to_radians(),
+                ..RigidMotion::default()
+            };
+            (*time, motion)
+        };
+        self.displacements.iter().enumerate().map(row).collect()
+    }
+
+    /// Bound of the speed of a point at `arm` [m] from the frame's origin [m/s], at the rows.
+    fn fastest(&self, arm: f64) -> f64 {
+        let speed = |k: usize| {
+            let [u, v, spin] = self.velocities(k);
+            u.hypot(v) + spin.to_radians().abs() * arm
+        };
+        (0..self.displacements.len()).map(speed).fold(0.0, f64::max)
+    }
+
+    /// What is wrong with the table, if anything is.
+    pub(in crate::scene) fn fault(&self, half: bool) -> Option<&'static str> {
+        let rows = &self.displacements;
+        let sideways = rows.iter().any(|[_, x, _, angle]| *x != 0.0 || *angle != 0.0);
+        match () {
+            _ if rows.len() < 2 => Some("two rows at least"),
+            _ if rows.iter().flatten().any(|value| !value.is_finite()) => Some("finite numbers"),
+            _ if rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) => Some("rows in order of time"),
+            _ if half && sideways => Some("rows [t, 0, y, 0] with symmetry = \"x\""),
+            _ => None,
+        }
+    }
 }
 
 /// A prescribed oscillation: x(t) = x₀ + A r(t) sin(2π t/T), eased in by r over the first period (CO3).
@@ -87,6 +155,55 @@ pub struct Freedom {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required if free to rotate", "x-ignored-elsewhere" = true))]
     pub inertia: Option<f64>,
+}
+
+/// What moves a body.
+pub enum Moved<'a> {
+    /// Its weight and the water's load.
+    ByLoads(&'a Freedom),
+    /// A function of time.
+    ByLaw(Law),
+}
+
+impl Motion {
+    /// Directions x, y and angle in which the velocity at t = 0 may be chosen.
+    pub fn has_initial_velocity(&self) -> [bool; 3] {
+        match self {
+            Motion::Free(freedom) => [freedom.x(), freedom.y(), freedom.inertia.is_some()],
+            Motion::ConstantVelocity => [true; 3],
+            Motion::Fixed | Motion::Oscillating(_) | Motion::Tabulated(_) => [false; 3],
+        }
+    }
+
+    /// What moves a body that starts so.
+    pub fn moved(&self, start: &RigidMotion) -> Moved<'_> {
+        let at_rest = RigidMotion { velocity: [0.0; 2], angular_velocity: 0.0, ..*start };
+        let steady = |m: &RigidMotion| PrescribedBody::steady(m.position, m.angle, m.velocity, m.angular_velocity);
+        match self {
+            Motion::Free(freedom) => Moved::ByLoads(freedom),
+            Motion::ConstantVelocity => Moved::ByLaw(steady(start)),
+            Motion::Fixed => Moved::ByLaw(steady(&at_rest)),
+            Motion::Oscillating(Oscillation { amplitude, period }) => {
+                Moved::ByLaw(PrescribedBody::oscillating(start.position, start.angle, *amplitude, *period))
+            }
+            Motion::Tabulated(table) => {
+                let law = PrescribedBody::tabulated(table.motions(start));
+                Moved::ByLaw(law.unwrap_or_else(|| steady(&at_rest)))
+            }
+        }
+    }
+
+    /// Largest speed of a motion that is given, beside that of the velocity at t = 0, of points up to `arm` [m] from the origin
+    /// [m/s]: 2π A/T of an oscillation.
+    fn fastest(&self, arm: f64) -> f64 {
+        match self {
+            Motion::Oscillating(Oscillation { amplitude: [x, y], period }) => {
+                std::f64::consts::TAU * x.hypot(*y) / period
+            }
+            Motion::Tabulated(table) => table.fastest(arm),
+            Motion::Free(_) | Motion::ConstantVelocity | Motion::Fixed => 0.0,
+        }
+    }
 }
 
 /// A direction of motion.
@@ -151,19 +268,15 @@ impl Body {
     }
 
     /// Bound of the speed of its points at t = 0 [m/s]: |v| + |ω| r, with the farthest vertex at r from the centre of mass;
-    /// of an oscillating body 2π A/T at any time.
+    /// and that of a motion that is given.
     pub fn fastest_point(&self) -> f64 {
         let [cx, cy] = self.center_of_mass;
         let outline = self.shape.outline();
         let arms = outline.iter().map(|p| (p[0] - cx).hypot(p[1] - cy));
         let angular = self.angular_velocity_deg_per_s.to_radians().abs();
-        let oscillation = match &self.motion {
-            Motion::Oscillating(Oscillation { amplitude: [x, y], period }) => {
-                std::f64::consts::TAU * x.hypot(*y) / period
-            }
-            _ => 0.0,
-        };
-        self.velocity[0].hypot(self.velocity[1]) + angular * arms.fold(0.0, f64::max) + oscillation
+        self.velocity[0].hypot(self.velocity[1])
+            + angular * arms.fold(0.0, f64::max)
+            + self.motion.fastest(outline.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max))
     }
 
     /// Depth of its lowest point below the still surface at t = 0 [m]; negative above it.
@@ -176,5 +289,29 @@ impl Body {
     pub fn middle(&self) -> f64 {
         let [min, max] = polygon::bounding_box(&self.placed_outline());
         0.5 * (min[0] + max[0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Displacements that are quadratic in time come back exactly, with their velocities, from rows at uneven times.
+    #[test]
+    fn a_table_of_a_constant_acceleration_is_exact() {
+        let exact = |t: f64| [t, 0.1 * t - t * t, 0.5 * t * t, 10.0 * t];
+        let table = Displacements { displacements: [0.0, 0.1, 0.3, 0.35, 0.8].map(exact).to_vec() };
+        let start = RigidMotion { position: [1.0, 2.0], angle: 0.5, ..RigidMotion::default() };
+        let Moved::ByLaw(law) = Motion::Tabulated(table.clone()).moved(&start) else { panic!("a law") };
+        for t in [0.0, 0.05, 0.3, 0.32, 0.7] {
+            let now = law(t);
+            let [_, x, y, angle] = exact(t);
+            let found = [now.position[0] - 1.0 - x, now.position[1] - 2.0 - y, now.angle - 0.5 - angle.to_radians()];
+            assert!(found.iter().all(|gap| gap.abs() < 1e-13), "t = {t}: {found:?}");
+            assert!((now.velocity[0] - 0.1 + 2.0 * t).abs() < 1e-12 && (now.velocity[1] - t).abs() < 1e-12, "{now:?}");
+        }
+        assert!((table.fastest(0.0) - 1.5_f64.hypot(0.8)).abs() < 1e-12, "{}", table.fastest(0.0));
+        assert_eq!(table.fault(false), None);
+        assert!(table.fault(true).is_some_and(|fault| fault.contains("symmetry")));
     }
 }

@@ -15,6 +15,8 @@ pub struct Observe {
     /// Column volume_m2, and water in the summary: volume below the water's surface, found from above; for tanks without a body
     /// (GE11).
     pub volume: bool,
+    /// Columns kinetic_J_per_m, potential_J_per_m and elastic_J_per_m: energies of the water (CO28).
+    pub energy: bool,
 }
 
 /// What a run reports beside its curves.

@@ -8,7 +8,7 @@ use super::source::{Reader, Source};
 use crate::scene::{Scene, Symmetry};
 
 /// The column.
-pub(super) const VOLUME: &str = "volume_m2";
+pub(in crate::observers) const VOLUME: &str = "volume_m2";
 
 /// Volume of the water below its surface (THEORY GE11).
 #[derive(Clone, Copy, Debug, Serialize)]

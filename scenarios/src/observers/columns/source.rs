@@ -1,13 +1,13 @@
 //! A source of columns of `series.csv`.
 
-use super::Frame;
+use crate::observers::Frame;
 use crate::scene::Scene;
 
 /// Reads the values of a source's columns, in their order.
-pub(super) type Reader = Box<dyn FnMut(&Frame<'_>) -> Vec<f64> + Send>;
+pub(in crate::observers) type Reader = Box<dyn FnMut(&Frame<'_>) -> Vec<f64> + Send>;
 
 /// Where columns come from.
-pub(super) struct Source {
+pub(in crate::observers) struct Source {
     /// Names of the columns that a scene asks for; a name ends with its unit.
     pub names: fn(&Scene) -> Vec<String>,
     /// Reader of these columns.

@@ -2,8 +2,8 @@
 
 use fsi_coupling::{Motion, PanelState};
 
-use super::Frame;
 use super::source::Source;
+use crate::observers::Frame;
 use crate::scene::Scene;
 
 /// Reads a column from a body's motion.
@@ -51,7 +51,7 @@ pub fn body_values(motion: &Motion) -> [(&'static str, f64); BODY.len()] {
 }
 
 /// Values of a panel's columns, in the order of [`crate::scene::Panel::columns`].
-pub(super) fn panel_values(panel: &PanelState) -> Vec<f64> {
+pub(in crate::observers) fn panel_values(panel: &PanelState) -> Vec<f64> {
     let watched = panel
         .watched
         .iter()
