@@ -4,8 +4,8 @@ use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
 
 use super::landed::Landed;
 use super::model::{Scene, hull};
-use crate::report::{Block, Chart, Curve, Mark, Report, Status as PageStatus, Table, render};
-use crate::run::summary::Status;
+use crate::report::run_page::page_status;
+use crate::report::{Block, Chart, Curve, Mark, Report, Table, render};
 
 /// Side views, as shares of the time to the end.
 const VIEWS: [f64; 4] = [0.0, 0.1, 0.25, 0.6];
@@ -51,11 +51,7 @@ pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     render(&Report {
         title: format!("splashdown ditch: {}", scene.name),
         subtitle: scene.description.clone(),
-        status: match s.status {
-            Status::Completed => PageStatus::Completed,
-            Status::Failed => PageStatus::Failed(s.message.clone().unwrap_or_default()),
-            Status::Interrupted => PageStatus::Interrupted,
-        },
+        status: page_status(s.status, s.message.as_deref(), &[]),
         sections: vec![
             ("Landing".into(), vec![words, Block::Table(numbers)]),
             ("Curves".into(), curves),

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use super::ExperimentError;
 use crate::numbers::Numbers;
-use crate::run::summary::{Status, Summary};
+use crate::run::summary::Summary;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene, SceneError};
 

@@ -12,7 +12,6 @@ use super::catalogue::{self, Catalogue};
 use super::runs::RunRecord;
 use super::{ExperimentError, yes};
 use crate::report::{Column, Table};
-use crate::run::summary::Status;
 use crate::run::{self, RunOptions};
 use crate::scene::{self, Scene};
 

@@ -12,9 +12,10 @@ use crate::observers::{
     FlowPictures, ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation,
 };
 use crate::reference::WedgeSimilarity;
+use crate::results::{Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
 use crate::run::summary::{Log, Peak, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
-use crate::scene::{Body, Gauge, Scene};
+use crate::scene::{Body, Gauge, Motion, Scene};
 
 /// Points of a pressure profile, in x/(V t) up to the jet's tip.
 const PROFILE: usize = 800;
@@ -41,6 +42,7 @@ pub(crate) fn run(
     let mut comparison: Vec<_> =
         scene.compare.iter().zip(&references).filter_map(|(c, r)| compare::against_curve(c, r, &series)).collect();
     comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
+    let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
     let summary = Summary {
@@ -60,7 +62,8 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        error_bars: error_bars(scene, body, &theory, &series),
+        results: results(body, &theory, &bars),
+        error_bars: bars,
         similarity,
         comparison,
         ..Summary::default()
@@ -97,6 +100,32 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
         bar(QuantityOfInterest::PeakPressure, format!("peaks/{name}/value"), value)
     };
     force.into_iter().chain(scene.gauges.iter().filter_map(pressure)).collect()
+}
+
+/// Results of a theory: no particles, so no mean.
+fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
+    let mut curves = [RunningIntegral::<1>::default(), RunningIntegral::default()];
+    for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
+        curves[0].take(now.time, [now.force]);
+        curves[1].take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
+    }
+    let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
+        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict: Verdict::Resolved })
+    };
+    let peak = |curve: &RunningIntegral<1>, path: &str| {
+        let peak = curve.largest()?;
+        quantity(peak.value, Some(peak.time), bars.get(path).map(|bar| bar.band))
+    };
+    let free = matches!(body.motion, Motion::Free(_));
+    let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
+    let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
+    Results {
+        peak_force_N_per_m: peak(&curves[0], &format!("peaks/{}.fy_N_per_m/value", body.name)),
+        peak_acceleration_g: peak(&curves[1], "").filter(|_| free),
+        peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),
+        impulse_N_s_per_m: quantity(curves[0].total()[0].abs(), None, None),
+        panels: Default::default(),
+    }
 }
 
 /// Poses of the body, and its curves.

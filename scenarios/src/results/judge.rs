@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fsi_coupling::PanelState;
 
 use super::running_integral::{Extreme, RunningIntegral};
-use super::{PanelResults, Quantity, Results, Verdict};
+use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{Bottom, Entry, Scene, significant};
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
@@ -22,8 +22,6 @@ const ACOUSTIC_TIMES: f64 = 10.0;
 const ROUND_BAND: f64 = 0.05;
 /// Largest ratio of a single step's value to the mean, where no entry tells what the noise is [-].
 const LARGEST_RAW: f64 = 2.0;
-/// Standard gravity [m/s²].
-const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// The curves of the results, with the values of every step.
 #[derive(Default)]

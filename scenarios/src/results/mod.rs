@@ -13,6 +13,10 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 pub use observer::ResultsObserver;
+pub(crate) use running_integral::RunningIntegral;
+
+/// Standard gravity [m/s²].
+pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// What may be said of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -9,7 +9,7 @@ use super::map::{Bound, Map};
 use super::measured::{Measured, Point, Verdict};
 use crate::experiments::ExperimentError;
 use crate::experiments::runs::{RunRecord, side_by_side};
-use crate::run::summary::{Status, Summary};
+use crate::run::summary::Summary;
 use crate::run::{self, RunError, RunOptions};
 use crate::scene::{self, Scene, SceneError};
 

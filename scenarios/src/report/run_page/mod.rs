@@ -33,17 +33,20 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     render(&Report {
         title: format!("splashdown: {}", scene.name),
         subtitle: scene.description.clone(),
-        status: match summary.status {
-            Status::Completed => PageStatus::Completed,
-            Status::CompletedWithDoubts => {
-                PageStatus::Doubtful("Completed with doubts.".into(), summary.doubts.clone())
-            }
-            Status::BeyondAllowable => {
-                PageStatus::Doubtful("Completed; beyond an allowable stress.".into(), summary.doubts.clone())
-            }
-            Status::Failed => PageStatus::Failed(summary.message.clone().unwrap_or_default()),
-            Status::Interrupted => PageStatus::Interrupted,
-        },
+        status: page_status(summary.status, summary.message.as_deref(), &summary.doubts),
         sections: shown.map(|(heading, blocks)| (heading.to_string(), blocks)).collect(),
     })
+}
+
+/// How a run ended, for the head of its page.
+pub(crate) fn page_status(status: Status, message: Option<&str>, doubts: &[String]) -> PageStatus {
+    match status {
+        Status::Completed => PageStatus::Completed,
+        Status::CompletedWithDoubts => PageStatus::Doubtful("Completed with doubts.".into(), doubts.to_vec()),
+        Status::BeyondAllowable => {
+            PageStatus::Doubtful("Completed, beyond an allowable stress.".into(), doubts.to_vec())
+        }
+        Status::Failed => PageStatus::Failed(message.unwrap_or_default().to_string()),
+        Status::Interrupted => PageStatus::Interrupted,
+    }
 }
