@@ -15,5 +15,6 @@ mod endings;
 mod files;
 mod model;
 mod refusals;
+mod results;
 mod stability;
 mod study;

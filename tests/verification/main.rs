@@ -24,6 +24,7 @@ mod integrators;
 mod kernel_sums;
 mod options;
 mod projection_bodies;
+mod quoted_peaks;
 mod rigid_body;
 mod rotating_patch;
 mod standing_wave;

@@ -11,8 +11,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::experiments::convergence;
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
 use crate::error_bar::ErrorBars;
-use crate::run::summary::{Status, Summary};
 use crate::results::Quantity;
+use crate::run::summary::{Status, Summary};
 use crate::run::{RunOptions, run};
 use crate::scene::significant;
 
@@ -117,9 +117,9 @@ fn progress_bar(output: &Output) -> ProgressBar {
 fn result_in_words((name, quantity): &(String, Quantity)) -> String {
     let band = quantity.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
     let time = quantity.time_s.map_or(String::new(), |time| format!(" at {time:.5} s"));
-    let raw = quantity.cutoff_hz.map_or(String::new(), |f| {
-        format!(", mean below {f:.0} Hz (single step: {})", significant(quantity.raw))
-    });
+    let raw = quantity
+        .cutoff_hz
+        .map_or(String::new(), |f| format!(", mean below {f:.0} Hz (single step: {})", significant(quantity.raw)));
     format!("  {name}: {}{band}{time}, {}{raw}", significant(quantity.value), quantity.verdict.name())
 }
 

@@ -99,7 +99,9 @@ impl GaugeReader {
 
     /// Pressures for a sample [Pa]: of filters where a gauge has a bandwidth. Before: `follow`.
     pub fn read(&mut self) -> Vec<f64> {
-        for Instrument { now: [time, pressure], record, .. } in self.instruments.iter_mut().filter(|i| i.filter.is_none()) {
+        for Instrument { now: [time, pressure], record, .. } in
+            self.instruments.iter_mut().filter(|i| i.filter.is_none())
+        {
             record.take(*time, *pressure);
         }
         self.instruments.iter().map(|i| i.record.latest()).collect()

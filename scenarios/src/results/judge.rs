@@ -18,6 +18,9 @@ const FORCE_BANDS: [(f64, f64); 2] = [(11.0, 0.03), (6.0, 0.05)];
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;
+/// A round bottom in weakly compressible water starts at least so far above it (GE20), and better so far [spacings].
+const LEAST_GAP: f64 = 2.0;
+const START_GAP: f64 = 2.5;
 /// Band of a round bottom's peak through its window (GE20), share of the force [-].
 const ROUND_BAND: f64 = 0.05;
 /// Largest ratio of a single step's value to the mean, where no entry tells what the noise is [-].
@@ -135,6 +138,16 @@ impl Judge {
     fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: f64) -> Finding {
         let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
         if let Bottom::Arc { radius } = entry.bottom {
+            let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
+            if self.sound_speed.is_some() && gap < LEAST_GAP * self.spacing {
+                let why = format!(
+                    "a round bottom that starts on the water meets a row of particles at once: start it {} m above, at \
+                     body.position = [x, {}]",
+                    significant(START_GAP * self.spacing),
+                    significant(START_GAP * self.spacing)
+                );
+                return (Verdict::Acoustic, None, Some(why));
+            }
             let least = self.sound_speed.map_or(0.0, |c| ACOUSTIC_TIMES * radius * entry.speed / (c * c));
             if window < least {
                 let why = format!(

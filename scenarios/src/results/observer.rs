@@ -2,9 +2,9 @@
 
 use fsi_coupling::{Body, Coupled, Motion};
 
+use super::Results;
 use super::judge::{Curves, Judge};
 use super::running_integral::RunningIntegral;
-use super::Results;
 use crate::scene::{self, Scene};
 
 /// Gathers the curves of the results in every step.

@@ -76,8 +76,7 @@ fn compressibility_in_words(c: &Compressibility) -> String {
 /// Results, first of all: what a designer takes away.
 pub(super) fn results_section(s: &Summary) -> Vec<Block> {
     let named = s.results.named();
-    let of_single_steps =
-        "Peaks are means over the time in which the body falls three spacings; raw is the largest value of a single step.";
+    let of_single_steps = "Peaks are means over the time in which the body falls three spacings; raw is the largest value of a single step.";
     let table = Table::of(
         "Results",
         &named,
