@@ -50,6 +50,24 @@ impl Curves {
 /// A verdict, the band where one is known, and why it is not `resolved`.
 type Finding = (Verdict, Option<f64>, Option<String>);
 
+/// Doubts: why, and about which results.
+#[derive(Default)]
+struct Doubts(Vec<(String, String)>);
+
+impl Doubts {
+    fn add(&mut self, name: &str, why: Option<String>) {
+        let Some(why) = why else { return };
+        match self.0.iter_mut().find(|(_, known)| *known == why) {
+            Some((names, _)) => *names = format!("{names}, {name}"),
+            None => self.0.push((name.to_string(), why)),
+        }
+    }
+
+    fn sentences(self) -> Vec<String> {
+        self.0.into_iter().map(|(names, why)| format!("{names}: {why}")).collect()
+    }
+}
+
 /// What a scene's results are judged by.
 pub(super) struct Judge {
     spacing: f64,
@@ -73,16 +91,16 @@ impl Judge {
 
     /// The results, and doubts about them in sentences.
     pub fn results(&self, curves: &Curves, panels: &[PanelState]) -> (Results, Vec<String>) {
-        let mut doubts = Vec::new();
-        let mut keep = |name: &str, (quantity, doubt): (Quantity, Option<String>)| {
-            doubts.extend(doubt.map(|why| format!("{name}: {why}")));
+        let mut doubts = Doubts::default();
+        let mut keep = |name: &str, (quantity, why): (Quantity, Option<String>)| {
+            doubts.add(name, why);
             quantity
         };
         let window = WINDOW * self.spacing / self.speed;
         let by_force = |peak: Extreme, raw: f64| self.force_finding(curves, window, peak, raw);
         let force = self.peak(&curves.force, window, 1.0, &by_force);
         let acceleration = self.peak(&curves.acceleration, window, 1.0 / STANDARD_GRAVITY, &by_force);
-        let pressure = self.peak_pressure(&curves.pressures);
+        let pressure = self.peak_pressure(curves);
         let impulse = curves.force.largest().map(|_| self.impulse(&curves.force));
         let of_force = force.as_ref().map(|(quantity, _)| quantity.verdict);
         let results = Results {
@@ -93,12 +111,12 @@ impl Judge {
             panels: BTreeMap::new(),
         };
         let panels = panels.iter().map(|panel| {
-            let (results, doubt) = panel_results(panel, of_force);
-            doubts.extend(doubt);
+            let (results, why) = panel_results(panel, of_force);
+            doubts.add(&panel.name, why);
             (panel.name.clone(), results)
         });
         let panels = panels.collect();
-        (Results { panels, ..results }, doubts)
+        (Results { panels, ..results }, doubts.sentences())
     }
 
     /// The largest mean of a curve times `factor`; `None` without a curve.
@@ -159,15 +177,19 @@ impl Judge {
             }
             return (Verdict::Resolved, Some(ROUND_BAND), None);
         }
+        self.by_draught(curves, peak)
+    }
+
+    /// Verdict and band by the draught at the peak (GE19).
+    fn by_draught(&self, curves: &Curves, peak: Extreme) -> Finding {
         let spacings = curves.draught_at(peak.time) / self.spacing;
         match FORCE_BANDS.iter().find(|(least, _)| spacings >= *least) {
             Some((_, share)) => (Verdict::Resolved, Some(*share), None),
             None => {
                 let why = format!(
-                    "the peak comes at a draught of {} spacings; {} are needed: resolution.spacing = {} would give them",
+                    "the peak comes at a draught of {} spacings; {} are needed: halve resolution.spacing",
                     significant(spacings),
                     FORCE_BANDS[1].0,
-                    significant(self.spacing * (spacings / FORCE_BANDS[1].0).max(0.0))
                 );
                 (Verdict::NotResolved, None, Some(why))
             }
@@ -190,11 +212,15 @@ impl Judge {
     }
 
     /// The gauge with the largest peak.
-    fn peak_pressure(&self, pressures: &[RunningIntegral<1>]) -> Option<(Quantity, Option<String>)> {
+    fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
         let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
         let window = WINDOW * self.spacing / root;
         let finding = |peak: Extreme, raw: f64| {
             let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+            let (verdict, _, why) = self.by_draught(curves, peak);
+            if verdict != Verdict::Resolved {
+                return (verdict, None, why);
+            }
             let spacings = entry.peak_length() / self.spacing;
             match PRESSURE_BANDS.iter().find(|(least, _)| spacings >= *least) {
                 Some((_, share)) => (Verdict::Resolved, Some(*share), None),
@@ -208,7 +234,7 @@ impl Judge {
                 }
             }
         };
-        let each = pressures.iter().filter_map(|curve| self.peak(curve, window, 1.0, &finding));
+        let each = curves.pressures.iter().filter_map(|curve| self.peak(curve, window, 1.0, &finding));
         each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
     }
 
@@ -232,7 +258,7 @@ fn panel_results(panel: &PanelState, of_force: Option<Verdict>) -> (PanelResults
     let load = of_force.filter(|verdict| *verdict != Verdict::Resolved);
     let (verdict, doubt) = match (reserve, load) {
         (Some(reserve), _) if reserve < 1.0 => {
-            let why = format!("{}: the stress is {} times the allowable one", panel.name, significant(1.0 / reserve));
+            let why = format!("the stress is {} times the allowable one", significant(1.0 / reserve));
             (Verdict::BeyondAllowable, Some(why))
         }
         (_, Some(verdict)) => (verdict, None),
