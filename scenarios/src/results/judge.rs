@@ -12,8 +12,10 @@ use crate::scene::{Bottom, Entry, Scene, significant};
 const WINDOW: f64 = 3.0;
 /// The mean over a time τ halves the power at this over τ (GE18) [-].
 const CUTOFF: f64 = 0.443;
-/// Bands of a force by the draught at its peak, in spacings (GE19): least draught, share of the force [-].
-const FORCE_BANDS: [(f64, f64); 2] = [(11.0, 0.03), (6.0, 0.05)];
+/// Least draught at a peak (GE19) [spacings].
+const LEAST_DRAUGHT: f64 = 6.0;
+/// Band of a peak force times its draught in spacings, and the least band (GE19), shares of the force [-].
+const FORCE_BAND: (f64, f64) = (0.7, 0.03);
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
@@ -183,17 +185,15 @@ impl Judge {
     /// Verdict and band by the draught at the peak (GE19).
     fn by_draught(&self, curves: &Curves, peak: Extreme) -> Finding {
         let spacings = curves.draught_at(peak.time) / self.spacing;
-        match FORCE_BANDS.iter().find(|(least, _)| spacings >= *least) {
-            Some((_, share)) => (Verdict::Resolved, Some(*share), None),
-            None => {
-                let why = format!(
-                    "the peak comes at a draught of {} spacings; {} are needed: halve resolution.spacing",
-                    significant(spacings),
-                    FORCE_BANDS[1].0,
-                );
-                (Verdict::NotResolved, None, Some(why))
-            }
+        if spacings >= LEAST_DRAUGHT {
+            let (at_one_spacing, least) = FORCE_BAND;
+            return (Verdict::Resolved, Some((at_one_spacing / spacings).max(least)), None);
         }
+        let why = format!(
+            "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: halve resolution.spacing",
+            significant(spacings)
+        );
+        (Verdict::NotResolved, None, Some(why))
     }
 
     /// What may be said of a peak that no theory of entry foresees.

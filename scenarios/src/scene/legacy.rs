@@ -69,6 +69,8 @@ pub(super) fn complete(
         let Options { temperature, molar_mass, .. } = options;
         let gas = IdealGas { rho0: water.density, gamma: scheme.eos_exponent, temperature, molar_mass };
         require(gas.gamma > 1.0, "fluid.eos_exponent", gas.gamma, "a ratio of specific heats above 1")?;
+        let cavitates = scheme.cavitation_pressure.is_some();
+        require(!cavitates, "fluid.cavitation_pressure", "a pressure", "none: an ideal gas does not cavitate")?;
         let own = gas.sound_speed_at_rest();
         let other = sound.filter(|speed| (speed / own - 1.0).abs() > 1e-9);
         let expected = format_args!("{} m/s, that of fluid.temperature in an ideal gas, or none", significant(own));

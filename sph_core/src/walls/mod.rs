@@ -91,14 +91,13 @@ pub struct Walls {
     pub mean_fx: Vec<f64>,
     /// Mean force over the step [N/m].
     pub mean_fy: Vec<f64>,
-    /// Mean over the step of (r − r_end)×F [N]: what the moment of the mean force, taken where the particle
-    /// ends, has to be corrected by.
+    /// Mean over the step of (r − r_end)×F [N]. The moment of the mean force is taken where the particle ends; this is added to it.
     pub mean_swing: Vec<f64>,
     /// Middle lines of thin walls (THEORY WA8), in the order of their owners.
     pub midlines: Vec<PlateMidline>,
     /// Index of the midline of the thin plate that each belongs to (THEORY WA9); `None` for ordinary walls.
     pub midline: Vec<Option<u32>>,
-    /// Velocities at the step's start [m/s], where they are known otherwise than from what is above (CO23); else empty.
+    /// Velocities at the step's start [m/s] (CO23); empty where the arrays above give them.
     pub start_velocity: Vec<[f64; 2]>,
 }
 

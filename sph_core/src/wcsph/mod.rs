@@ -119,20 +119,20 @@ impl Wcsph {
         PairSums::with(&system.domain, self.settings.dissipation).run(&gather, &mut self.density_rate[..]);
     }
 
-    /// WC2: pressures from densities, not below the cavitation pressure. Tensionless water is never thinner than water at rest.
+    /// WC2: pressures from densities. Water is never thinner than at the cavitation pressure, tensionless water than at rest.
     pub(crate) fn equation_of_state(&self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);
         let (eos, ventilation) = (self.eos, self.settings.ventilation);
-        let least = self.settings.cavitation_pressure.unwrap_or(f64::NEG_INFINITY);
+        let least = self.settings.cavitation_pressure.map_or(f64::NEG_INFINITY, |pressure| eos.density(pressure));
         let (p, fields) = (&mut system.particles, &mut system.fields);
         let (moments, near_surface) = (&fields.moments, &fields.near_surface);
         parallel::each([&mut p.rho, &mut fields.pressure], |at, [rho, pressure]| {
             let (moments, near_surface) = (&moments[at.clone()], &near_surface[at]);
             for k in 0..moments.len() {
                 let tensionless = moments[k].tensionless(near_surface[k], ventilation);
-                rho[k] = if tensionless && rho[k] < eos.rho0 { eos.rho0 } else { rho[k] };
-                let p = eos.pressure(rho[k]);
-                pressure[k] = if p < least { least } else { p };
+                let least = if tensionless { eos.rho0 } else { least };
+                rho[k] = if rho[k] < least { least } else { rho[k] };
+                pressure[k] = eos.pressure(rho[k]);
             }
         });
     }

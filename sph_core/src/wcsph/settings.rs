@@ -57,10 +57,10 @@ pub struct Settings {
     /// leaves a round bottom. It cuts noise to one side, which costs accuracy at coarse spacing. false: flow is sucked along.
     #[schemars(extend("x-ignored-elsewhere" = true))]
     pub ventilation: bool,
-    /// Cavitation: the water's pressure is never below this one, relative to the atmosphere; -99000 is the vapour pressure of
-    /// water at 20 C [Pa]. Absent: the water holds any tension.
+    /// Cavitation: water is not thinner than at this pressure, relative to the atmosphere; -99000 is the vapour pressure of water at
+    /// 20 C [Pa]. Absent: the water holds any tension.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(max = 0.0), extend("x-ignored-elsewhere" = true))]
+    #[schemars(range(max = 0.0))]
     pub cavitation_pressure: Option<f64>,
     /// Courant number of the step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number) [-]. auto: 0.6, with wall_stretch 0.4.
     #[schemars(extend("exclusiveMinimum" = 0))]

@@ -67,6 +67,9 @@ pub enum Motion {
     Tabulated(Displacements),
 }
 
+/// Largest speed of tabulated displacements [m/s].
+const FASTEST: f64 = 1e4;
+
 /// Prescribed displacements at given times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Displacements {
@@ -126,6 +129,7 @@ impl Displacements {
             _ if rows.len() < 2 => Some("two rows at least"),
             _ if rows.iter().flatten().any(|value| !value.is_finite()) => Some("finite numbers"),
             _ if rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) => Some("rows in order of time"),
+            _ if !(self.fastest(0.0) <= FASTEST) => Some("speeds up to 10 000 m/s"),
             _ if half && sideways => Some("rows [t, 0, y, 0] with symmetry = \"x\""),
             _ => None,
         }

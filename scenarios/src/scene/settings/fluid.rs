@@ -12,8 +12,8 @@ use crate::scene::legacy;
 #[schemars(extend(
     "x-solver-default" = "weakly_compressible",
     "x-solver-doc" = "What gives the pressure: weakly_compressible: an equation of state; incompressible: a projection; \
-               incompressible_explicit: the projection with one explicit pressure per step, as weakly compressible as its step is \
-               long (THEORY PR16); incompressible_thesis: Pilorget 2010"
+               incompressible_explicit: the projection with one explicit pressure per step, the longer the step, the \
+               more compressible the water (THEORY PR16); incompressible_thesis: Pilorget 2010"
 ))]
 pub enum SolverSettings {
     /// Pressures from an equation of state.
