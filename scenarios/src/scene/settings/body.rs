@@ -67,7 +67,7 @@ pub enum Motion {
     Tabulated(Displacements),
 }
 
-/// Largest speed of tabulated displacements [m/s].
+/// Largest speed of tabulated displacements [m/s, deg/s].
 const FASTEST: f64 = 1e4;
 
 /// Prescribed displacements at given times.
@@ -125,11 +125,12 @@ impl Displacements {
     pub(in crate::scene) fn fault(&self, half: bool) -> Option<&'static str> {
         let rows = &self.displacements;
         let sideways = rows.iter().any(|[_, x, _, angle]| *x != 0.0 || *angle != 0.0);
+        let too_fast = |k: usize| self.velocities(k).iter().any(|v| !v.is_finite() || v.abs() > FASTEST);
         match () {
             _ if rows.len() < 2 => Some("two rows at least"),
             _ if rows.iter().flatten().any(|value| !value.is_finite()) => Some("finite numbers"),
             _ if rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) => Some("rows in order of time"),
-            _ if !(self.fastest(0.0) <= FASTEST) => Some("speeds up to 10 000 m/s"),
+            _ if (0..rows.len()).any(too_fast) => Some("speeds up to 10 000 m/s and deg/s"),
             _ if half && sideways => Some("rows [t, 0, y, 0] with symmetry = \"x\""),
             _ => None,
         }
