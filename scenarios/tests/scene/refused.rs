@@ -107,7 +107,7 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("mass = 100.0", "motion = \"oscillating\"\namplitude = [0, 0.1]\nperiod = 0", 14, &["`body.period` = 0", "above 0"]),
         ("mass = 100.0", "motion = \"tabulated\"\ndisplacements = [[0, 0, 0, 0], [0, 0, 1, 0]]", 13, &["`body.displacements`", "rows in order of time"]),
         ("mass = 100.0", "motion = \"tabulated\"\ndisplacements = [[0, 0, 0, 0], [1e-300, 0, 1, 0]]", 13, &["`body.displacements`", "speeds up to"]),
-        ("[time]", "[fluid]\nsolver = \"incompressible\"\ncavitation_pressure = -99000\n[time]", 5, &["`fluid.cavitation_pressure`", "weakly_compressible"]),
+        ("[time]", "solver = \"incompressible\"\n[fluid]\ncavitation_pressure = -99000\n[time]", 5, &["`fluid.cavitation_pressure`", "weakly_compressible"]),
         ("[time]", "[observe]\nfront = 1\n[time]", 4, &["`observe.front`"]),
         ("end = 0.02", "end = ", 4, &["not valid TOML"]),
         ("end = 0.02", "end = 0.02\nend = 0.03", 5, &["not valid TOML", "duplicate key"]),
