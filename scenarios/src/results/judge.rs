@@ -142,11 +142,14 @@ impl Judge {
             };
             return Some((quantity, Some(why)));
         };
+        // GE19: what twice the time takes off the peak
+        let twice = curve.largest_mean(2.0 * window).map_or(0.0, |longer| longer.value);
+        let smoothed = (mean.value - twice).max(0.0);
         let (verdict, band, why) = finding(mean, raw.value);
         let quantity = Quantity {
             value: factor * mean.value,
             time_s: Some(mean.time),
-            band: band.map(|share| share * factor * mean.value),
+            band: band.map(|share| factor * (share * mean.value + smoothed)),
             cutoff_hz: Some(CUTOFF / window),
             raw: factor * raw.value,
             verdict,
