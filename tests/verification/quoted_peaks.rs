@@ -25,6 +25,10 @@ fn the_quoted_peak_of_a_round_bottom_does_not_follow_the_speed_of_sound() {
     assert_eq!((slow.verdict, fast.verdict), (Verdict::Resolved, Verdict::Resolved));
     assert!((slow.value / fast.value - 1.0).abs() < 0.03, "{slow:?} {fast:?}");
     assert!(fast.raw / slow.raw > 1.15, "{slow:?} {fast:?}");
+    // a start on the water meets a row at once: an eighth more, at either speed of sound, and not resolved
+    let touching = peak_force(&summary("fuselage_section", &["resolution.spacing=0.01", "fluid.sound_speed=480"]));
+    assert_eq!(touching.verdict, Verdict::Acoustic);
+    assert!((1.10..1.20).contains(&(touching.value / fast.value)), "{touching:?} {fast:?}");
     for quoted in [slow, fast] {
         let band = quoted.band.expect("a band");
         assert!((quoted.value - 122.4e3).abs() < band, "{quoted:?}");

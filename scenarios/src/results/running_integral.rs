@@ -1,11 +1,12 @@
 //! A curve's running integral, taken in every step, and its largest mean over a time (THEORY GE18).
 
-/// Times [s], values and their integrals of `N` curves that are read together.
+/// Times [s] and integrals of `N` curves that are read together, and the largest of their values.
 #[derive(Clone, Debug, Default)]
 pub struct RunningIntegral<const N: usize> {
     times: Vec<f64>,
-    values: Vec<[f64; N]>,
     integrals: Vec<[f64; N]>,
+    last: Option<[f64; N]>,
+    largest: Option<Extreme>,
 }
 
 /// An extreme of a curve.
@@ -25,7 +26,7 @@ fn magnitude<const N: usize>(vector: [f64; N]) -> f64 {
 impl<const N: usize> RunningIntegral<N> {
     /// Add values at a later time; at the same time they are ignored.
     pub fn take(&mut self, time: f64, values: [f64; N]) {
-        let integral = match (self.times.last(), self.values.last(), self.integrals.last()) {
+        let integral = match (self.times.last(), self.last, self.integrals.last()) {
             (Some(last), ..) if time <= *last => return,
             (Some(last), Some(before), Some(integral)) => {
                 std::array::from_fn(|k| integral[k] + 0.5 * (time - last) * (before[k] + values[k]))
@@ -33,14 +34,16 @@ impl<const N: usize> RunningIntegral<N> {
             _ => [0.0; N],
         };
         self.times.push(time);
-        self.values.push(values);
         self.integrals.push(integral);
+        self.last = Some(values);
+        if self.largest.is_none_or(|largest| magnitude(values) > largest.value) {
+            self.largest = Some(Extreme { value: magnitude(values), time });
+        }
     }
 
     /// The largest magnitude of any step; `None` before any.
     pub fn largest(&self) -> Option<Extreme> {
-        let each = self.times.iter().zip(&self.values).map(|(&time, &v)| Extreme { value: magnitude(v), time });
-        each.max_by(|a, b| a.value.total_cmp(&b.value))
+        self.largest
     }
 
     /// The largest magnitude of a mean over `window` [s]; `None` where the curve is shorter.
