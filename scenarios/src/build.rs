@@ -13,7 +13,7 @@ use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
 use crate::scene::{self, Motion, Moved, PanelEnd, Scene, Symmetry};
 
-/// Fluid, walls and bodies of a scene at t = 0: the bodies are placed, the water is filled in around them.
+/// Fluid, walls and bodies of a scene at the start of its run: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let (domain, settings, layout) = (domain(scene), scene.solver.scheme(scene.tank.depth), layout(scene));
     let (pattern, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
@@ -24,7 +24,8 @@ pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let bodies = body.into_iter().chain([tank]).collect();
     let placed = PlacedBodies::new(bodies, pattern, ratio, scene.resolution.spacing)?;
     let seeds = initial_fluid(scene, &domain, &layout, &placed, thin);
-    let fluid = Fluid::new(domain, settings.as_ref(), &seeds);
+    let mut fluid = Fluid::new(domain, settings.as_ref(), &seeds);
+    fluid.start_at(scene.time.start);
     let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
     Ok(match Follower::of(scene) {
         Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
@@ -109,34 +110,31 @@ fn domain(scene: &Scene) -> Domain {
 fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Result<Box<dyn Body>, CouplingError> {
     let half = scene.symmetry == Symmetry::X;
     let outline = Outline::of(&body.shape)?.rooted(roots(scene, body, rows));
-    let start = RigidMotion {
-        position: body.position,
-        angle: body.angle_deg.to_radians(),
-        velocity: body.velocity,
-        angular_velocity: body.angular_velocity_deg_per_s.to_radians(),
-        ..RigidMotion::default()
-    };
+    let (start, clock) = (scene.motion_at_start(body), scene.time.start);
     if !body.panels.is_empty() {
-        return flexible(scene, body, outline, start);
+        return Ok(Box::new(flexible(scene, body, outline, start)?.starting_at(clock)));
     }
     let freedom = match body.motion.moved(&start) {
         Moved::ByLoads(freedom) => freedom,
-        Moved::ByLaw(law) => return Ok(Box::new(PrescribedBody::new(&body.name, outline, half, law))),
+        Moved::ByLaw(law) => {
+            return Ok(Box::new(PrescribedBody::new(&body.name, outline, half, law).starting_at(clock)));
+        }
     };
-    Ok(Box::new(RigidBody2d::new(RigidSpec {
+    let rigid = RigidBody2d::new(RigidSpec {
         name: body.name.clone(),
         outline,
         mass: freedom.mass,
         inertia: freedom.inertia.unwrap_or(0.0),
         center_of_mass: body.center_of_mass,
         free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
-        position: body.position,
+        position: start.position,
         angle: start.angle,
-        velocity: body.velocity,
+        velocity: start.velocity,
         angular_velocity: start.angular_velocity,
         gravity: scene.gravity,
         half,
-    })?))
+    })?;
+    Ok(Box::new(rigid.starting_at(clock)))
 }
 
 /// A body with panels.
@@ -145,7 +143,7 @@ fn flexible(
     body: &scene::Body,
     outline: Outline,
     start: RigidMotion,
-) -> Result<Box<dyn Body>, CouplingError> {
+) -> Result<FlexibleBody, CouplingError> {
     let middle = match &body.shape {
         Shape::Polyline { points, .. } => Some(points.clone()),
         _ => None,
@@ -164,7 +162,7 @@ fn flexible(
     let lever_arm = body.center_of_mass.map(|c| -c);
     let about = RigidMotion { position: [0.0; 2], ..start };
     let start = RigidMotion { velocity: about.point_velocity(lever_arm), ..start };
-    Ok(Box::new(FlexibleBody::new(FlexibleSpec {
+    Ok(FlexibleBody::new(FlexibleSpec {
         name: body.name.clone(),
         outline,
         middle,
@@ -174,5 +172,5 @@ fn flexible(
         gravity: scene.gravity,
         damping: Damping { mass: body.damping[0], stiffness: body.damping[1] },
         half: scene.symmetry == Symmetry::X,
-    })?))
+    })?)
 }

@@ -100,7 +100,7 @@ pub struct PanelExchange {
 /// Estimated cost of a scene's particles [core-seconds].
 pub fn core_seconds(scene: &Scene) -> f64 {
     let (particles, _) = particle_estimate(scene);
-    cost_of_step(scene.solver.kind()) * particles as f64 * (scene.time.end / step(scene)).ceil()
+    cost_of_step(scene.solver.kind()) * particles as f64 * ((scene.time.end - scene.time.start) / step(scene)).ceil()
 }
 
 /// Cost of a particle and step [s].
@@ -132,7 +132,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let fastest = scene.fastest_speed();
     let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
     let (step, cost) = (step(scene), cost_of_step(scene.solver.kind()));
-    let steps = (scene.time.end / step).ceil();
+    let steps = ((scene.time.end - scene.time.start) / step).ceil();
     let entry = scene.entry();
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
     let length = |panel: &Panel| scene.body.as_ref().map_or(0.0, |body| panel_length(body, panel));

@@ -174,6 +174,11 @@ impl Fluid {
         self.system.time
     }
 
+    /// Sets the clock of a fluid that has not stepped yet [s].
+    pub fn start_at(&mut self, time: f64) {
+        self.system.time = time;
+    }
+
     /// Steps taken.
     pub fn steps(&self) -> u64 {
         self.system.steps

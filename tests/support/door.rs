@@ -14,6 +14,7 @@ pub const MASS: f64 = 241.0;
 /// Fluid, walls and the scene's own wedge, 30°, 0.5 m broad, at 6.15 m/s.
 pub fn wedge_of_the_scene(sets: &[&str]) -> Coupled {
     let common = [
+        "time.start=0",
         "symmetry=none",
         "resolution.spacing=0.0125",
         "resolution.fine_zone=[0.4, 0.15]",

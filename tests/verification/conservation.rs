@@ -19,7 +19,8 @@ fn exchange(system: &Coupled) -> ([f64; 2], [f64; 2], f64) {
 /// forces on walls are those on the fluid with the roles swapped.
 #[test]
 fn forces_on_walls_are_equal_and_opposite_to_those_on_the_fluid() {
-    let oblique = ["symmetry=none", "body.velocity=[2.0, -6.15]", "body.angle_deg=5", "body.free=[\"x\", \"y\"]"];
+    let oblique =
+        ["symmetry=none", "body.velocity=[2.0, -6.15]", "body.angle_deg=5", "body.free=[\"x\", \"y\"]", "time.start=0"];
     for dissipation in ["fluid.dissipation=diffusion", "fluid.dissipation=riemann"] {
         let mut system = system("wedge", &[&oblique[..], &["resolution.spacing=0.016", dissipation]].concat());
         take(&mut system, 150).expect("a stable run");
@@ -58,7 +59,7 @@ fn momentum_closes_in_every_step_of_an_impact() {
         ),
         ("floating_box", float.to_vec()),
     ] {
-        let mut system = system(scene, &sets);
+        let mut system = system(scene, &[&sets[..], &["time.start=0"]].concat());
         take(&mut system, 250).expect("a stable run");
         let worst = system.momentum_audit().worst;
         assert!(worst > 0.0 && worst < 1e-10, "{scene} {sets:?}: momentum open by {worst:e}");

@@ -41,6 +41,14 @@ impl PrescribedBody {
         PrescribedBody { name: name.into(), surface, law, state: State::default(), checkpoint: None }
     }
 
+    /// The same, with a clock that starts at `time` [s]: the law begins then.
+    pub fn starting_at(mut self, time: f64) -> PrescribedBody {
+        let law = self.law;
+        self.law = Box::new(move |t| law(t - time));
+        self.state.time = time;
+        self
+    }
+
     /// The law of constant velocity [m/s] and angular velocity [rad/s] from a start position [m] and angle [rad].
     pub fn steady(start: [f64; 2], angle: f64, velocity: [f64; 2], angular_velocity: f64) -> Law {
         let first = RigidMotion { position: start, angle, velocity, angular_velocity, ..RigidMotion::default() };

@@ -115,6 +115,12 @@ impl RigidBody2d {
         Ok(RigidBody2d { spec, world, handle, surface, state, checkpoint: None })
     }
 
+    /// The same, with a clock that starts at `time` [s].
+    pub fn starting_at(mut self, time: f64) -> RigidBody2d {
+        self.state.time = time;
+        self
+    }
+
     /// Motion of the centre of mass under the load now and gravity, guides holding what is not free.
     fn motion_now(&self) -> RigidMotion {
         let (body, spec) = (&self.world.bodies[self.handle], &self.spec);

@@ -11,7 +11,7 @@
 //!
 //! Metadata `splashdown` (`scene`, `version`) and `scene.resolved.toml` (`toml`) and the
 //! attachment `scene.resolved.toml` come first in the file. Log time and publish time are both
-//! the simulated time [ns]; the wall clock is nowhere, and compression runs on one thread, so that
+//! the simulated time since the start of the run [ns]; the wall clock is nowhere, and compression runs on one thread, so that
 //! the same calls write the same bytes.
 //!
 //! # A run that is killed

@@ -13,6 +13,7 @@ use crate::scene::Scene;
 /// Writes the log.
 pub struct LogObserver {
     writer: BackgroundLog,
+    start: f64,
     end: f64,
     panels: Vec<(String, Vec<String>)>,
     gauges: Vec<String>,
@@ -24,12 +25,18 @@ impl LogObserver {
         let panels = scene.body.iter().flat_map(|body| &body.panels);
         let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        Ok(LogObserver { writer: create_log(path, scene)?, end: scene.time.end, panels, gauges })
+        Ok(LogObserver {
+            writer: create_log(path, scene)?,
+            start: scene.time.start,
+            end: scene.time.end,
+            panels,
+            gauges,
+        })
     }
 
     /// Write a note.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), ObserveError> {
-        Ok(self.writer.note(time, level, text)?)
+        Ok(self.writer.note(time - self.start, level, text)?)
     }
 
     /// Complete the file.
@@ -38,7 +45,7 @@ impl LogObserver {
     }
 
     fn curves(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
-        let (t, system) = (frame.time(), frame.system);
+        let (t, system) = (frame.time() - self.start, frame.system);
         for body in system.bodies() {
             let Some(m) = body.motion() else { continue };
             self.writer.sample(t, &format!("body/{}", body.name()), &body_values(&m))?;
@@ -76,7 +83,7 @@ impl LogObserver {
 pub(crate) fn create_log(path: &Path, scene: &Scene) -> Result<BackgroundLog, LogError> {
     let toml = scene.to_toml();
     let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-    let budget = |megabytes| Budget { bytes: (1e6 * megabytes) as u64, end: scene.time.end };
+    let budget = |megabytes| Budget { bytes: (1e6 * megabytes) as u64, end: scene.time.end - scene.time.start };
     BackgroundLog::create(path, &metadata, scene.report.log_budget.map(budget))
 }
 
@@ -124,7 +131,7 @@ impl LogObserver {
             .iter()
             .map(|(name, m, outline)| BodyView { name, position: m.position, angle: m.angle, outline })
             .collect();
-        Ok(self.writer.frame(log::Frame::new(frame.time(), &fluid, &walls, &bodies)?, last)?)
+        Ok(self.writer.frame(log::Frame::new(frame.time() - self.start, &fluid, &walls, &bodies)?, last)?)
     }
 }
 

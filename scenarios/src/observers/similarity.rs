@@ -3,6 +3,7 @@
 //! The flow depends on x/(Vt) alone, so every moment of the run is the same flow at another resolution
 //! k = Vt/Δx. Numbers are taken over the last fifth of the run.
 
+use fsi_coupling::Coupled;
 use serde::Serialize;
 use sph_core::particles::probe::Probe;
 
@@ -25,9 +26,9 @@ pub struct SimilarityResult {
     pub window_s: [f64; 2],
     /// Resolution at the window's end, Vt/Δx [-].
     pub spacings_per_draught: f64,
-    /// F/(ρV³t), mean over the window [-].
+    /// F/(ρV³t), mean over the steps of the window [-].
     pub force_coefficient: f64,
-    /// Standard deviation of the same over the window [-].
+    /// Standard deviation of the same over the samples of the window [-].
     pub force_coefficient_sd: f64,
     /// Largest pressure on the face over ½ρV², mean over the window's snapshots [-].
     pub cp_max: f64,
@@ -73,8 +74,11 @@ pub struct SimilarityWindow {
     peaks: Vec<f64>,
     profile: Vec<f64>,
     snapshot: Vec<[f64; 2]>,
+    /// Time [s], force [N/m] and its coefficient [-] of the last step; their integrals over the run and over the window.
+    before: Option<[f64; 3]>,
     impulse: f64,
-    before: [f64; 2],
+    coefficient: f64,
+    seconds: f64,
 }
 
 impl SimilarityWindow {
@@ -98,9 +102,26 @@ impl SimilarityWindow {
             peaks: Vec::new(),
             profile: vec![0.0; POINTS],
             snapshot: Vec::new(),
+            before: None,
             impulse: 0.0,
-            before: [0.0; 2],
+            coefficient: 0.0,
+            seconds: 0.0,
         })
+    }
+
+    /// Take the force after a step: integrals by trapezoids.
+    pub fn follow(&mut self, system: &Coupled) {
+        let Some(motion) = system.bodies().find_map(|b| b.motion()) else { return };
+        let (t, force) = (system.fluid.time(), motion.force[1]);
+        let coefficient = force / (self.rho * self.speed.powi(3) * t);
+        if let Some([t0, force0, coefficient0]) = self.before {
+            self.impulse += 0.5 * (force + force0) * (t - t0);
+            if t0 >= self.from {
+                self.coefficient += 0.5 * (coefficient + coefficient0) * (t - t0);
+                self.seconds += t - t0;
+            }
+        }
+        self.before = Some([t, force, coefficient]);
     }
 
     fn x_over_vt(&self, k: usize) -> f64 {
@@ -113,7 +134,7 @@ impl SimilarityWindow {
         let (first, last) = (*self.times.first()?, *self.times.last()?);
         let profile: Vec<[f64; 2]> = (0..POINTS).map(|k| [self.x_over_vt(k), self.profile[k] / n]).collect();
         let top = profile.iter().max_by(|a, b| a[1].total_cmp(&b[1]))?;
-        let [[force, force_sd], [peak, peak_sd]] = [&self.forces, &self.peaks].map(|v| mean_and_deviation(v));
+        let [[sampled, force_sd], [peak, peak_sd]] = [&self.forces, &self.peaks].map(|v| mean_and_deviation(v));
         let least = 0.8 * std::f64::consts::FRAC_PI_2 / self.tan;
         let z = |x: f64| x * self.tan - 1.0;
         let place = peak_place(&profile)?;
@@ -125,7 +146,7 @@ impl SimilarityWindow {
         Some(SimilarityResult {
             window_s: [first, last],
             spacings_per_draught: self.speed * last / self.spacing,
-            force_coefficient: force,
+            force_coefficient: if self.seconds > 0.0 { self.coefficient / self.seconds } else { sampled },
             force_coefficient_sd: force_sd,
             cp_max: peak,
             cp_max_sd: peak_sd,
@@ -147,9 +168,6 @@ impl Observer for SimilarityWindow {
         let Some(motion) = frame.system.bodies().find_map(|b| b.motion()) else {
             return Ok(());
         };
-        let [t0, force0] = self.before;
-        self.impulse += 0.5 * (motion.force[1] + force0) * (t - t0);
-        self.before = [t, motion.force[1]];
         if t < self.from {
             return Ok(());
         }

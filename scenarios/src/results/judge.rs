@@ -6,7 +6,7 @@ use fsi_coupling::PanelState;
 
 use super::running_integral::{Extreme, RunningIntegral};
 use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
-use crate::scene::{Bottom, Entry, Scene, significant};
+use crate::scene::{Bottom, Entry, START_GAP, Scene, significant};
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
 const WINDOW: f64 = 3.0;
@@ -20,9 +20,8 @@ const FORCE_BAND: (f64, f64) = (0.7, 0.03);
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;
-/// A round bottom in weakly compressible water starts at least so far above it (GE20), and better so far [spacings].
+/// A round bottom in weakly compressible water starts at least so far above it (GE20) [spacings].
 const LEAST_GAP: f64 = 2.0;
-const START_GAP: f64 = 2.5;
 /// Band of a round bottom's peak through its window (GE20), share of the force [-].
 const ROUND_BAND: f64 = 0.05;
 /// Largest ratio of a single step's value to the mean, where no entry tells what the noise is [-].
@@ -164,9 +163,8 @@ impl Judge {
             let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
             if self.sound_speed.is_some() && gap < LEAST_GAP * self.spacing {
                 let why = format!(
-                    "a round bottom that starts on the water meets a row of particles at once: start it {} m above, at \
-                     body.position = [x, {}]",
-                    significant(START_GAP * self.spacing),
+                    "a round bottom that starts on the water meets a row of particles at once: leave time.start to the program, or \
+                     start the body {} m above",
                     significant(START_GAP * self.spacing)
                 );
                 return (Verdict::Acoustic, None, Some(why));

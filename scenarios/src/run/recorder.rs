@@ -61,8 +61,8 @@ impl Recorder {
             pictures: FlowPictures::new(scene),
             similarity: scene.similarity.and_then(|_| SimilarityWindow::new(scene)),
             force_rules: ForceRules::new(scene),
-            next_sample: 0.0,
-            next_frame: 0.0,
+            next_sample: scene.time.start,
+            next_frame: scene.time.start,
             every: [scene.time.sample_every, scene.time.frame_every],
             end: scene.time.end,
             history: History::new(scene),
@@ -77,6 +77,9 @@ impl Recorder {
     pub fn observe(&mut self, system: &Coupled) -> Result<(), ObserveError> {
         let pressures = self.gauges.follow(system);
         self.results.follow(system, &pressures);
+        if let Some(window) = &mut self.similarity {
+            window.follow(system);
+        }
         let t = system.fluid.time();
         let last = t >= self.end;
         if t < self.next_sample && t < self.next_frame && !last {

@@ -5,6 +5,7 @@ use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::{Problem, require};
 use sph_core::{Dissipation, FluidSettings, Solver};
 
+use super::approach::{automatic_start, check_start};
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 use super::draft::Draft;
 use super::impact::Entry;
@@ -31,6 +32,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let draft = &mut draft;
     let symmetry = draft.get("symmetry").unwrap_or_default();
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
+    let start: Option<f64> = draft.get("time.start");
     let time = resolve_time(draft)?;
     let body = resolve_body(draft, symmetry)?;
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
@@ -71,13 +73,19 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     for i in 0..draft.count("compare") {
         resolve_compare(draft, &format!("compare[{i}]"), time.end)?;
     }
-    draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
+    let model =
+        draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
+    check_start(time.start, body.as_ref(), solver.kind())?;
+    if let (None, false, Some((body, entry))) = (start, model.is_theory(), body.as_ref().zip(entry.as_ref())) {
+        draft.set("time.start", automatic_start(body, entry, solver.kind(), gravity, spacing));
+    }
     let scene: Scene = draft.read("")?;
     word("name", &scene.name)?;
     Ok(scene)
 }
 
 fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {
+    draft.fill("time.start", 0.0);
     if let Some(end) = draft.get::<f64>("time.end") {
         draft.fill("time.sample_every", end / SAMPLES);
         draft.fill("time.frame_every", end / FRAMES);

@@ -80,6 +80,13 @@ impl FlexibleBody {
         })
     }
 
+    /// The same, with a clock that starts at `time` [s]: the law of its frame begins then.
+    pub fn starting_at(mut self, time: f64) -> FlexibleBody {
+        self.law = self.law.map(|law| -> Law { Box::new(move |t| law(t - time)) });
+        self.state.nodes.time = time;
+        self
+    }
+
     /// The structure's motion: displacements, velocities and accelerations of its nodes.
     pub fn nodes(&self) -> &State {
         &self.state.nodes
