@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::command::Workplace;
 
 const COARSE: [&str; 8] =
-    ["study", "wedge_constant", "--set", "time.end=0.5", "--spacings", "0.1,0.07,0.05", "--sound-speeds", "25,50"];
+    ["study", "wedge_constant", "--set", "time.end=1.0", "--spacings", "0.1,0.07,0.05", "--sound-speeds", "25,50"];
 const OUT: [&str; 3] = ["--out", "out", "--quiet"];
 
 /// Two files; every pair of spacing and sound speed, coarsest first; the same JSON on stdout; a verdict in words that
