@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::shared::{DONE, Output, Stop, say};
 use crate::experiments::catalogue::{self, Case, Catalogue};
-use crate::experiments::{ExperimentError, coverage, validation};
+use crate::experiments::{ExperimentError, coverage, uncharted, validation};
 
 /// Cases of an experiment, and the file of its table.
 #[derive(Args)]
@@ -111,16 +111,41 @@ pub fn run_validation(output: &Output, args: &ValidateArgs) -> Result<u8, Stop> 
 pub struct BandsArgs {
     #[command(flatten)]
     selection: Selection,
+    /// Run so many wedges that are on no chart, and compare the error bars that they have from charts.
+    #[arg(long, value_name = "COUNT", conflicts_with_all = ["cases", "all"])]
+    uncharted: Option<usize>,
+    /// Which ones.
+    #[arg(long, default_value_t = 1, requires = "uncharted")]
+    seed: u64,
 }
 
 const ERROR_BARS: &str =
     "# Error bars\n\nWritten by `splashdown bands --all --table docs/src/validation/error_bars.md`.";
 
 pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
+    if let Some(count) = args.uncharted {
+        return run_uncharted(output, args, count);
+    }
     if args.selection.is_empty() {
         return list(&coverage::CASES);
     }
     let lines = lines_of(output, &coverage::CASES.select(&args.selection.cases)?, coverage::cover)?;
     args.selection.show(output, &lines, ERROR_BARS, &coverage::table(&lines))?;
+    Ok(DONE)
+}
+
+fn run_uncharted(output: &Output, args: &BandsArgs, count: usize) -> Result<u8, Stop> {
+    let cases: Vec<_> = (0..count).map(|k| uncharted::draw(args.seed, k)).collect();
+    uncharted::read_all(&cases)?;
+    let mut lines = Vec::new();
+    for sets in &cases {
+        output.progress(format_args!("{} …", sets.join(" ")));
+        lines.extend(uncharted::cover(sets)?);
+    }
+    let heading = format!(
+        "# Error bars between charts\n\nWritten by `splashdown bands --uncharted {count} --seed {} --table FILE`.",
+        args.seed
+    );
+    args.selection.show(output, &lines, &heading, &uncharted::table(&lines))?;
     Ok(DONE)
 }

@@ -10,6 +10,7 @@
 //! | `validate` | [`validation`] | the case; a coarser run | tolerances against measured and exact values |
 //! | `study`, `run --converge` | [`convergence`] | spacings, sound speeds | observed order, extrapolated value, error bar |
 //! | `bands` | [`coverage`] | spacings in the ratio 4 : 2 : 1 | does the error bar contain the exact value? |
+//! | `bands --uncharted` | [`uncharted`] | angles, speeds, spacings at random | does a charted error bar contain the exact value? |
 //! | `chart` | [`work_precision`] | families of settings at growing effort | error against cost, Pareto front |
 //! | `stability` | [`stability`] | two parameters | stable, inaccurate or failed, against a theoretical boundary |
 //!
@@ -28,6 +29,7 @@ pub mod coverage;
 mod error;
 pub mod runs;
 pub mod stability;
+pub mod uncharted;
 pub mod validation;
 pub mod work_precision;
 

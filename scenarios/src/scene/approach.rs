@@ -1,0 +1,85 @@
+//! The approach of a body to weakly compressible water: when its run starts, and where the body is then (THEORY WA12).
+
+use fsi_coupling::RigidMotion;
+use fsi_coupling::settings::{Problem, require};
+use sph_core::Solver;
+
+use super::impact::Entry;
+use super::settings::{Body, Motion, Scene};
+
+/// Height of a body that flies in above its place at t = 0 [spacings]: water meets it so much early.
+pub const STANDOFF: f64 = 0.5;
+/// A body that flies in starts so far above its place at t = 0 [spacings], out of the kernel's reach.
+pub const START_GAP: f64 = 2.5;
+/// A body whose lowest point is so far above the water at t = 0 needs no approach [spacings].
+const LEAST_GAP: f64 = 2.0;
+
+/// When the run of a body starts that is at its place at t = 0 [s]: at the start of its approach, or at 0 where it has none.
+///
+/// It falls through 2 Δx from there to t = 0, if it is free under gravity g [m/s²] too:
+/// V T − g T²/2 = 2 Δx, or from rest where it is so slow that it cannot, T = V/g.
+pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravity: [f64; 2], spacing: f64) -> f64 {
+    let gap = -body.draught() / spacing;
+    let speed = -body.velocity[1];
+    if obstacle(body, solver).is_some()
+        || entry.final_draught <= 0.0
+        || speed <= 0.0
+        || !(0.0..LEAST_GAP).contains(&gap)
+    {
+        return 0.0;
+    }
+    let height = (START_GAP - STANDOFF) * spacing;
+    let [_, pull] = pull_on(body, gravity).map(|g| -g);
+    if pull <= 0.0 {
+        return -height / speed;
+    }
+    let before = speed * speed - 2.0 * pull * height;
+    -(speed - before.max(0.0).sqrt()) / pull
+}
+
+/// Refuses a start before t = 0 where a body cannot be carried back to it.
+pub(super) fn check_start(start: f64, body: Option<&Body>, solver: Solver) -> Result<(), Problem> {
+    let obstacle = body.map_or(Some("0 in a scene without a body"), |body| obstacle(body, solver));
+    require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())
+}
+
+/// Why a body has no approach: what is expected of `time.start` instead.
+fn obstacle(body: &Body, solver: Solver) -> Option<&'static str> {
+    let flies = matches!(body.motion, Motion::Free(_) | Motion::ConstantVelocity);
+    match () {
+        () if solver != Solver::WeaklyCompressible => Some("0 with this solver, whose bodies start on the water"),
+        () if !flies => Some("0 with a body that is neither free nor at constant velocity"),
+        () if body.angular_velocity_deg_per_s != 0.0 => Some("0 with a body that turns at t = 0"),
+        () => None,
+    }
+}
+
+/// Acceleration of a body in the air [m/s²], shape (2).
+fn pull_on(body: &Body, gravity: [f64; 2]) -> [f64; 2] {
+    let Motion::Free(freedom) = &body.motion else { return [0.0; 2] };
+    [(freedom.x(), gravity[0]), (freedom.y(), gravity[1])].map(|(free, g)| if free { g } else { 0.0 })
+}
+
+impl Scene {
+    /// Motion of a body's origin when the run starts: as the scene has it at t = 0, carried back along its path through the air to
+    /// `time.start`, and half a spacing higher.
+    pub fn motion_at_start(&self, body: &Body) -> RigidMotion {
+        let at_zero = RigidMotion {
+            position: body.position,
+            angle: body.angle_deg.to_radians(),
+            velocity: body.velocity,
+            angular_velocity: body.angular_velocity_deg_per_s.to_radians(),
+            ..RigidMotion::default()
+        };
+        let (t, pull) = (self.time.start, pull_on(body, self.gravity));
+        if t == 0.0 {
+            return at_zero;
+        }
+        let lift = [0.0, STANDOFF * self.resolution.spacing];
+        let [position, velocity] = [
+            [0, 1].map(|k| body.position[k] + lift[k] + t * (body.velocity[k] + 0.5 * t * pull[k])),
+            [0, 1].map(|k| body.velocity[k] + t * pull[k]),
+        ];
+        RigidMotion { position, velocity, ..at_zero }
+    }
+}
