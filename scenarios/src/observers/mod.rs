@@ -2,6 +2,7 @@
 //!
 //! A new column of `series.csv` is a `Source` in a file of `columns/`, and its lines in `columns/mod.rs`.
 
+mod apex;
 mod columns;
 mod face_profile;
 mod flow;
