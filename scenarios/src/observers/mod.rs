@@ -23,6 +23,7 @@ use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
+pub use apex::{KeelLaw, KeelPressure};
 pub use columns::{Water, body_values, columns};
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
