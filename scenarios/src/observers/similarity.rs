@@ -74,7 +74,7 @@ pub struct SimilarityWindow {
     spacing: f64,
     support: f64,
     law: Option<KeelLaw>,
-    /// A projection's water fills the kernel on a wet face as a lattice does not: its readings near the keel are divided by that.
+    /// Read the face beside the keel by Shepard means: for a projection, whose water fills half the kernel but roughly there.
     shepard: bool,
     from: f64,
     reach: f64,
