@@ -123,7 +123,8 @@ pub fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Compari
     };
     let mut lines = vec![line("similarity.force_coefficient", ours.force_coefficient, exact.force_coefficient, 0.02)];
     if ours.cp_max.is_finite() {
-        lines.push(line("similarity.cp_max", ours.cp_max, exact.cp_max, 0.05));
+        let judged = line("similarity.cp_max", ours.cp_max, exact.cp_max, 0.05);
+        lines.push(Comparison { tolerance: judged.tolerance.filter(|_| ours.cp_max_unresolved.is_none()), ..judged });
     }
     lines
 }

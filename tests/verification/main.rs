@@ -21,6 +21,7 @@ mod host;
 mod host_input;
 mod hydroelastic;
 mod integrators;
+mod keel;
 mod kernel_sums;
 mod options;
 mod projection_bodies;

@@ -167,6 +167,7 @@ fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -
         force_coefficient: mean,
         force_coefficient_sd: sd,
         cp_max: peak / dynamic,
+        cp_max_unresolved: None,
         cp_max_sd: 0.0,
         cp_max_of_mean: peak / dynamic,
         z_max_over_vt: z,

@@ -23,6 +23,13 @@ pub fn peak_place(profile: &[[f64; 2]]) -> Option<f64> {
     Some(at + summit(near).unwrap_or(0.0))
 }
 
+/// Length of a profile (x, value) in x with at least 90 % of its largest value.
+pub fn length_near_peak(profile: &[[f64; 2]]) -> f64 {
+    let least = 0.9 * profile.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let high = || profile.iter().filter(|p| p[1] >= least).map(|p| p[0]);
+    high().fold(0.0, f64::max) - high().fold(f64::INFINITY, f64::min).min(f64::MAX)
+}
+
 /// Where the least-squares parabola through points (x, value) is highest; `None` where it has no top.
 fn summit(points: impl Iterator<Item = [f64; 2]> + Clone) -> Option<f64> {
     let (n, sum) = points.clone().fold((0.0, 0.0), |(n, sum), [x, _]| (n + 1.0, sum + x));

@@ -2,6 +2,7 @@
 //!
 //! A new column of `series.csv` is a `Source` in a file of `columns/`, and its lines in `columns/mod.rs`.
 
+mod apex;
 mod columns;
 mod face_profile;
 mod flow;
@@ -22,6 +23,7 @@ use sph_core::particles::totals::Totals;
 
 use crate::log::LogError;
 
+pub use apex::{KeelLaw, KeelPressure};
 pub use columns::{Water, body_values, columns};
 pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};

@@ -7,7 +7,8 @@ use fsi_coupling::Coupled;
 use serde::Serialize;
 use sph_core::particles::probe::Probe;
 
-use super::face_profile::{noise, peak_place};
+use super::apex::{KeelLaw, KeelPressure, LARGEST_SHARE};
+use super::face_profile::{length_near_peak, noise, peak_place};
 use super::{Frame, ObserveError, Observer, mean_and_deviation};
 use crate::reference::WedgeSimilarity;
 use crate::scene::{Scene, Shape};
@@ -18,6 +19,8 @@ const POINTS: usize = 400;
 const POINTS_PER_SPACING: f64 = 4.0;
 /// The window starts at this share of the run.
 const FROM: f64 = 0.8;
+/// Least spacings across the length of the face with 90 % of the largest pressure: 9 to 13 gave it to 2 %, 6.5 to 5 %.
+const PEAK_SPACINGS: f64 = 8.0;
 
 /// What the run gives for the similarity solution's numbers.
 #[derive(Clone, Debug, Serialize)]
@@ -30,8 +33,12 @@ pub struct SimilarityResult {
     pub force_coefficient: f64,
     /// Standard deviation of the same over the samples of the window [-].
     pub force_coefficient_sd: f64,
-    /// Largest pressure on the face over ½ρV², mean over the window's snapshots [-].
+    /// Largest pressure on the face over ½ρV², mean over the window's snapshots [-]; above 30° the keel's is read by its law
+    /// (THEORY GE21). `null` where the keel's pressure is the largest and not resolved.
     pub cp_max: f64,
+    /// Why `cp_max` is missing, or not to be relied on; absent where it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cp_max_unresolved: Option<String>,
     /// Standard deviation of the same over the window [-].
     pub cp_max_sd: f64,
     /// Largest value of the window's mean profile [-].
@@ -67,11 +74,16 @@ pub struct SimilarityWindow {
     rho: f64,
     spacing: f64,
     support: f64,
+    law: Option<KeelLaw>,
+    /// Read the face beside the keel by Shepard means: for a projection, whose water fills half the kernel but roughly there.
+    shepard: bool,
     from: f64,
     reach: f64,
     times: Vec<f64>,
     forces: Vec<f64>,
     peaks: Vec<f64>,
+    /// Pressure coefficient beside the keel by its law, where the face is long enough.
+    keel: Vec<KeelPressure>,
     profile: Vec<f64>,
     snapshot: Vec<[f64; 2]>,
     /// Time [s], force [N/m] and its coefficient [-] of the last step; their integrals over the run and over the window.
@@ -89,17 +101,21 @@ impl SimilarityWindow {
             return None;
         };
         let tan = deadrise_deg.to_radians().tan();
+        let support = 2.0 * scene.water().smoothing_ratio * scene.resolution.spacing;
         Some(SimilarityWindow {
             speed: -body.velocity[1],
             tan,
             rho: scene.water().density,
             spacing: scene.resolution.spacing,
-            support: 2.0 * scene.water().smoothing_ratio * scene.resolution.spacing,
+            support,
+            law: KeelLaw::new(deadrise_deg.to_radians(), support),
+            shepard: scene.solver.is_incompressible(),
             from: FROM * scene.time.end,
             reach: 1.3 * std::f64::consts::FRAC_PI_2 / tan,
             times: Vec::new(),
             forces: Vec::new(),
             peaks: Vec::new(),
+            keel: Vec::new(),
             profile: vec![0.0; POINTS],
             snapshot: Vec::new(),
             before: None,
@@ -128,6 +144,28 @@ impl SimilarityWindow {
         self.reach * (k as f64 + 0.5) / POINTS as f64
     }
 
+    /// Why the largest pressure is not resolved, if it is not: at the keel, or elsewhere in a mean profile.
+    fn unresolved(&self, at_keel: bool, profile: &[[f64; 2]], spacing: f64) -> Option<String> {
+        if !at_keel {
+            let across = length_near_peak(profile) / spacing;
+            let few = || {
+                format!("{across:.1} spacings across the face with 90 % of the largest pressure, of {PEAK_SPACINGS}")
+            };
+            return (across < PEAK_SPACINGS).then(few);
+        }
+        if self.keel.len() < self.times.len() {
+            return Some("the face is too short for the law of the keel (THEORY GE21)".into());
+        }
+        let share = self.keel.iter().map(|keel| keel.share).sum::<f64>() / self.keel.len() as f64;
+        let [share, most] = [share, LARGEST_SHARE].map(|share| 100.0 * share);
+        let far = || {
+            format!(
+                "{share:.0} % of the pressure at the keel would be extrapolated, {most:.0} % is the most (THEORY GE21)"
+            )
+        };
+        (!(0.0..=most).contains(&share)).then(far)
+    }
+
     /// The numbers, once the window holds samples; judged against `exact`, if there is one.
     pub fn result(&self, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
         let n = self.times.len() as f64;
@@ -143,14 +181,24 @@ impl SimilarityWindow {
         let end = if peak_at < 0.5 * least { least / 0.9 } else { peak_at };
         let cos = 1.0 / self.tan.hypot(1.0);
         let spacing = self.spacing * cos / (self.speed * last);
+        // The law, where it holds, is in the profile: its end is the keel's.
+        let at_keel = self.law.is_some_and(|law| top[0] * self.speed * last < law.from * cos);
+        let keel = self.keel.iter().map(|keel| keel.pressure).sum::<f64>() / n;
+        let cp_max_unresolved = self.unresolved(at_keel, &profile, spacing);
+        let [cp_max, cp_max_of_mean] = match (&cp_max_unresolved, at_keel) {
+            (Some(_), true) => [f64::NAN; 2],
+            (None, true) => [peak, keel.max(top[1])],
+            (_, false) => [peak, top[1]],
+        };
         Some(SimilarityResult {
             window_s: [first, last],
             spacings_per_draught: self.speed * last / self.spacing,
             force_coefficient: if self.seconds > 0.0 { self.coefficient / self.seconds } else { sampled },
             force_coefficient_sd: force_sd,
-            cp_max: peak,
+            cp_max,
+            cp_max_unresolved,
             cp_max_sd: peak_sd,
-            cp_max_of_mean: top[1],
+            cp_max_of_mean,
             z_max_over_vt: z(place),
             profile_error: exact.map(|e| e.profile_error(&profile, least)),
             impulse_coefficient: 2.0 * self.impulse / (self.rho * self.speed.powi(3) * last * last),
@@ -179,19 +227,28 @@ impl Observer for SimilarityWindow {
             let c = 1.0 / (1.0 + self.tan * self.tan).sqrt();
             (self.tan * c, c)
         };
+        let place = |r: f64| [motion.position[0] + r * cos, motion.position[1] + r * sin];
+        let flat = |r: f64| probe.on_flat_face(place(r), [sin, -cos], 0.0);
+        let dynamic = 0.5 * self.rho * self.speed * self.speed;
+        let read = |r: f64| if self.shepard { probe.shepard(place(r)) } else { flat(r) };
+        let keel = self.law.and_then(|law| law.fit(draught, |r| read(r) / dynamic));
+        let law = keel.filter(KeelPressure::is_resolved).zip(self.law);
         let cp = |x_over_vt: f64| {
-            let x = x_over_vt * draught;
-            let at = [motion.position[0] + x, motion.position[1] + x * self.tan];
-            let p = if x / cos < self.support { probe.shepard(at) } else { probe.on_flat_face(at, [sin, -cos], 0.0) };
-            p / (0.5 * self.rho * self.speed * self.speed)
+            let r = x_over_vt * draught / cos;
+            match law {
+                Some((keel, law)) if r < law.from => keel.at(r),
+                _ if r < self.support => probe.shepard(place(r)) / dynamic,
+                _ => flat(r) / dynamic,
+            }
         };
-        let mut peak = 0.0_f64;
+        let mut peak = law.map_or(0.0, |(keel, _)| keel.pressure);
         for k in 0..POINTS {
             let cp = cp(self.x_over_vt(k));
             self.profile[k] += cp;
             peak = peak.max(cp);
         }
         self.peaks.push(peak);
+        self.keel.extend(keel);
         // The last one stays.
         let step = self.spacing * cos / (POINTS_PER_SPACING * draught);
         let places = (0..(self.reach / step) as usize).map(|k| (k as f64 + 0.5) * step);

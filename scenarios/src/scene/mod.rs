@@ -20,6 +20,7 @@ mod estimate;
 mod exchange;
 mod impact;
 mod incompressible;
+mod keel;
 #[cfg_attr(not(feature = "legacy"), path = "without_legacy.rs")]
 mod legacy;
 mod load;
