@@ -6,14 +6,12 @@ use fsi_coupling::PanelState;
 
 use super::running_integral::{Extreme, RunningIntegral};
 use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
-use crate::scene::{Bottom, Entry, Scene, significant};
+use crate::scene::{Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, Scene, known_compressibility_error, significant};
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
 const WINDOW: f64 = 3.0;
 /// The mean over a time τ halves the power at this over τ (GE18) [-].
 const CUTOFF: f64 = 0.443;
-/// Least draught at a peak (GE19) [spacings].
-const LEAST_DRAUGHT: f64 = 6.0;
 /// Band of a peak force times its draught in spacings, and the least band (GE19), shares of the force [-].
 const FORCE_BAND: (f64, f64) = (0.7, 0.03);
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
@@ -25,7 +23,9 @@ const LEAST_GAP: f64 = 2.0;
 const START_GAP: f64 = 2.5;
 /// Band of a round bottom's peak through its window (GE20), share of the force [-].
 const ROUND_BAND: f64 = 0.05;
-/// Largest ratio of a single step's value to the mean, where no entry tells what the noise is [-].
+/// Share that compressibility takes of the forces that the bands are fitted to [-].
+const ADMITTED: f64 = 0.01;
+/// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 
 /// The curves of the results, with the values of every step.
@@ -85,7 +85,7 @@ impl Judge {
         let entry = scene.entry().filter(|entry| entry.final_draught > 0.0);
         Judge {
             spacing: scene.resolution.spacing,
-            speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.speed),
+            speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.attached_speed),
             entry,
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
         }
@@ -99,7 +99,10 @@ impl Judge {
             quantity
         };
         let window = WINDOW * self.spacing / self.speed;
-        let by_force = |peak: Extreme, raw: f64| self.force_finding(curves, window, peak, raw);
+        let by_force = |peak: Extreme, raw: Extreme| {
+            let found = self.force_finding(curves, window, peak, raw);
+            if found.0 == Verdict::Resolved { self.spike(window, peak, raw).unwrap_or(found) } else { found }
+        };
         let force = self.peak(&curves.force, window, 1.0, &by_force);
         let acceleration = self.peak(&curves.acceleration, window, 1.0 / STANDARD_GRAVITY, &by_force);
         let pressure = self.peak_pressure(curves);
@@ -127,7 +130,7 @@ impl Judge {
         curve: &RunningIntegral<N>,
         window: f64,
         factor: f64,
-        finding: &dyn Fn(Extreme, f64) -> Finding,
+        finding: &dyn Fn(Extreme, Extreme) -> Finding,
     ) -> Option<(Quantity, Option<String>)> {
         let raw = curve.largest()?;
         let Some(mean) = curve.largest_mean(window) else {
@@ -145,7 +148,7 @@ impl Judge {
         // GE19: what twice the time takes off the peak
         let twice = curve.largest_mean(2.0 * window).map_or(0.0, |longer| longer.value);
         let smoothed = (mean.value - twice).max(0.0);
-        let (verdict, band, why) = finding(mean, raw.value);
+        let (verdict, band, why) = finding(mean, raw);
         let quantity = Quantity {
             value: factor * mean.value,
             time_s: Some(mean.time),
@@ -158,8 +161,11 @@ impl Judge {
     }
 
     /// What may be said of a force, or of an acceleration.
-    fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: f64) -> Finding {
+    fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: Extreme) -> Finding {
         let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+        if entry.is_flat() {
+            return (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string()));
+        }
         if let Bottom::Arc { radius } = entry.bottom {
             let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
             if self.sound_speed.is_some() && gap < LEAST_GAP * self.spacing {
@@ -182,45 +188,61 @@ impl Judge {
             }
             return (Verdict::Resolved, Some(ROUND_BAND), None);
         }
-        self.by_draught(curves, peak)
+        self.by_draught(curves, entry, peak)
     }
 
-    /// Verdict and band by the draught at the peak (GE19).
-    fn by_draught(&self, curves: &Curves, peak: Extreme) -> Finding {
-        let spacings = curves.draught_at(peak.time) / self.spacing;
-        if spacings >= LEAST_DRAUGHT {
-            let (at_one_spacing, least) = FORCE_BAND;
-            return (Verdict::Resolved, Some((at_one_spacing / spacings).max(least)), None);
+    /// Verdict and band by the draught at the peak (GE19): the run's, and no more than the theory's (GE22).
+    fn by_draught(&self, curves: &Curves, entry: &Entry, peak: Extreme) -> Finding {
+        let draught = curves.draught_at(peak.time).min(entry.peak_draught);
+        let spacings = draught / self.spacing;
+        if spacings < LEAST_DRAUGHT {
+            let why = format!(
+                "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: resolution.spacing = {} m or less",
+                significant(spacings),
+                significant(draught.max(0.5 * self.spacing) / LEAST_DRAUGHT)
+            );
+            return (Verdict::NotResolved, None, Some(why));
         }
-        let why = format!(
-            "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: halve resolution.spacing",
-            significant(spacings)
-        );
-        (Verdict::NotResolved, None, Some(why))
+        let mach = self.sound_speed.map_or(0.0, |sound| entry.root_speed() / sound);
+        let Some(lost) = known_compressibility_error(mach, 1.0) else {
+            let why = format!(
+                "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
+                significant(mach)
+            );
+            return (Verdict::Acoustic, None, Some(why));
+        };
+        let (at_one_spacing, least) = FORCE_BAND;
+        (Verdict::Resolved, Some((at_one_spacing / spacings).max(least) + (lost - ADMITTED).max(0.0)), None)
     }
 
     /// What may be said of a peak that no theory of entry foresees.
-    fn unforeseen(&self, peak: Extreme, raw: f64) -> Finding {
-        match self.sound_speed {
-            Some(c) if raw > LARGEST_RAW * peak.value => {
-                let why = format!(
-                    "single steps reach {} times the mean: sound of {} m/s acts on them",
-                    significant(raw / peak.value),
-                    significant(c)
-                );
-                (Verdict::Acoustic, None, Some(why))
-            }
-            _ => (Verdict::Resolved, None, None),
-        }
+    fn unforeseen(&self, peak: Extreme, raw: Extreme) -> Finding {
+        self.spike(f64::INFINITY, peak, raw).unwrap_or((Verdict::Resolved, None, None))
+    }
+
+    /// Single steps within the time of the mean that reach far above it.
+    fn spike(&self, window: f64, peak: Extreme, raw: Extreme) -> Option<Finding> {
+        let within = (raw.time - peak.time).abs() <= 0.5 * window;
+        (within && raw.value > LARGEST_RAW * peak.value).then(|| {
+            let ratio = significant(raw.value / peak.value);
+            let (verdict, cause) = match self.sound_speed {
+                Some(c) => (Verdict::Acoustic, format!("sound of {} m/s acts on them", significant(c))),
+                None => (Verdict::NotResolved, "the mean depends on them: use a finer spacing, or the impulse".into()),
+            };
+            (verdict, None, Some(format!("single steps reach {ratio} times the mean: {cause}")))
+        })
     }
 
     /// The gauge with the largest peak.
     fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
         let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
         let window = WINDOW * self.spacing / root;
-        let finding = |peak: Extreme, raw: f64| {
+        let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
-            let (verdict, _, why) = self.by_draught(curves, peak);
+            let (verdict, _, why) = match entry.is_flat() {
+                true => (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string())),
+                false => self.by_draught(curves, entry, peak),
+            };
             if verdict != Verdict::Resolved {
                 return (verdict, None, why);
             }
