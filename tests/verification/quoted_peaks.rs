@@ -42,3 +42,42 @@ fn a_peak_within_six_spacings_of_draught_is_not_resolved() {
     assert_eq!(peak_force(&summary).verdict, Verdict::NotResolved);
     assert!(summary.doubts.iter().any(|doubt| doubt.contains("resolution.spacing")), "{:?}", summary.doubts);
 }
+
+/// A light drop at 8 mm, whose peak comes at 6.8 mm: the doubt names the spacing that theory asks for, before and after the run.
+#[test]
+fn a_light_drop_is_not_resolved_whatever_draught_the_run_shows() {
+    let summary = summary("wedge", &["body.mass=2.72", "time.end=0.006", "resolution.spacing=0.008"]);
+    assert_eq!(peak_force(&summary).verdict, Verdict::NotResolved);
+    assert!(summary.doubts.iter().any(|doubt| doubt.contains("0.00114 m would do")), "{:?}", summary.doubts);
+}
+
+/// A drop at 0.1 m/s that gravity makes ten times as fast, against the modified Logvinovich model.
+#[test]
+fn a_slow_drop_is_right_within_its_band() {
+    let set = ["body.velocity=[0.0, -0.1]", "time.end=0.3", "resolution.spacing=0.008"];
+    let force = |sets: &[&str]| peak_force(&summary("wedge", &[&set[..], sets].concat()));
+    let (particles, theory) = (force(&[]), force(&["model=mlm"]));
+    assert_eq!(particles.verdict, Verdict::Resolved);
+    assert!((particles.value - theory.value).abs() < particles.band.expect("a band"), "{particles:?} {theory:?}");
+}
+
+/// A flat bottom: no peak is right, and the impulse is the momentum that the water takes, with that of its weight.
+#[test]
+fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
+    let body = "body={ name = 'plate', shape = 'box', breadth = 0.5, height = 0.2, mass = 100.0, free = ['y'], \
+        velocity = [0.0, -5.0] }";
+    let of = |solver: &str, spacing: &str| summary("wedge", &[body, solver, spacing, "compare=[]", "time.end=0.01"]);
+    let mut impulses = Vec::new();
+    for solver in ["solver=weakly_compressible", "solver=incompressible"] {
+        for spacing in ["resolution.spacing=0.01", "resolution.spacing=0.007"] {
+            let summary = of(solver, spacing);
+            assert_eq!(peak_force(&summary).verdict, Verdict::Acoustic, "{solver} {spacing}");
+            assert!(summary.doubts.iter().any(|doubt| doubt.contains("impulse_N_s_per_m")), "{:?}", summary.doubts);
+            let peak = summary.peaks["plate.fy_N_per_m"];
+            assert_eq!((peak.value, peak.verdict), (peak_force(&summary).raw, Some(Verdict::Acoustic)));
+            impulses.push(summary.results.impulse_N_s_per_m.expect("a body").value);
+        }
+    }
+    let mean = impulses.iter().sum::<f64>() / 4.0;
+    assert!(impulses.iter().all(|impulse| (impulse / mean - 1.0).abs() < 0.03), "{impulses:?}");
+}

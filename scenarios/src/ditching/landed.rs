@@ -133,9 +133,9 @@ impl Summary {
         let column = |name: &str| COLUMNS.iter().position(|(column, _)| *column == name).unwrap_or_default();
         let most = |name: &str, measure: fn(f64) -> f64, over: f64| {
             let k = column(name);
-            let first = Peak { value: 0.0, time_s: 0.0 };
+            let first = Peak::default();
             rows.iter().fold(first, |worst, row| match measure(row[k] / over) > measure(worst.value) {
-                true => Peak { value: row[k] / over, time_s: row[0] },
+                true => Peak { value: row[k] / over, time_s: row[0], verdict: None },
                 false => worst,
             })
         };

@@ -44,7 +44,7 @@ pub(crate) fn run(
     comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
-    let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
+    let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
     let summary = Summary {
         scene: scene.name.clone(),
         model: scene.model.name(),

@@ -23,7 +23,7 @@ pub struct GaugeResult {
     pub bandwidth_hz: Option<f64>,
 }
 
-/// Times [s] and pressures [Pa] of one gauge: of every step where it is filtered, else of every sample.
+/// Times [s] and pressures [Pa] of one gauge, of every step.
 #[derive(Default)]
 pub struct GaugeRecord {
     curve: Vec<[f64; 2]>,

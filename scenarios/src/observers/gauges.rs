@@ -84,26 +84,22 @@ impl GaugeReader {
         }
     }
 
-    /// Read the pressures after a step [Pa], and feed the filters: samples of a filter do not alias.
+    /// Read the pressures after a step [Pa], and feed the filters and the records: samples would miss peaks.
     pub fn follow(&mut self, system: &Coupled) -> Vec<f64> {
         let time = system.fluid.time();
         self.update(system);
         for Instrument { filter, now, record, .. } in &mut self.instruments {
-            if let Some(filter) = filter {
+            let pressure = filter.as_mut().map_or(now[1], |filter| {
                 filter.take(time, now[1]);
-                record.take(time, filter.value());
-            }
+                filter.value()
+            });
+            record.take(time, pressure);
         }
         self.instruments.iter().map(|i| i.now[1]).collect()
     }
 
     /// Pressures for a sample [Pa]: of filters where a gauge has a bandwidth. Before: `follow`.
-    pub fn read(&mut self) -> Vec<f64> {
-        for Instrument { now: [time, pressure], record, .. } in
-            self.instruments.iter_mut().filter(|i| i.filter.is_none())
-        {
-            record.take(*time, *pressure);
-        }
+    pub fn read(&self) -> Vec<f64> {
         self.instruments.iter().map(|i| i.record.latest()).collect()
     }
 

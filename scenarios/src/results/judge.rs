@@ -6,14 +6,14 @@ use fsi_coupling::PanelState;
 
 use super::running_integral::{Extreme, RunningIntegral};
 use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
-use crate::scene::{Bottom, Entry, START_GAP, Scene, significant};
+use crate::scene::{
+    Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, START_GAP, Scene, known_compressibility_error, significant,
+};
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
 const WINDOW: f64 = 3.0;
 /// The mean over a time τ halves the power at this over τ (GE18) [-].
 const CUTOFF: f64 = 0.443;
-/// Least draught at a peak (GE19) [spacings].
-const LEAST_DRAUGHT: f64 = 6.0;
 /// Band of a peak force times its draught in spacings, and the least band (GE19), shares of the force [-].
 const FORCE_BAND: (f64, f64) = (0.7, 0.03);
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
@@ -22,9 +22,15 @@ const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 const ACOUSTIC_TIMES: f64 = 10.0;
 /// A round bottom in weakly compressible water starts at least so far above it (GE20) [spacings].
 const LEAST_GAP: f64 = 2.0;
-/// Band of a round bottom's peak through its window (GE20), share of the force [-].
-const ROUND_BAND: f64 = 0.05;
-/// Largest ratio of a single step's value to the mean, where no entry tells what the noise is [-].
+/// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
+const LEAST_ROUND: f64 = 1.25;
+/// Least band of a round bottom's peak through its window (GE20), and that of a radius of one spacing, shares of the force [-].
+const ROUND_BAND: [f64; 2] = [0.05, 5.0];
+/// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
+const ROUND_SMOOTHING: f64 = 1.5;
+/// Share that compressibility takes of the forces that the bands are fitted to [-].
+const ADMITTED: f64 = 0.01;
+/// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 
 /// The curves of the results, with the values of every step.
@@ -75,6 +81,8 @@ pub(super) struct Judge {
     /// Speed with which rows of particles are met [m/s].
     speed: f64,
     entry: Option<Entry>,
+    /// Magnitude of gravity [m/s²].
+    gravity: f64,
     /// Speed of sound; `None` where water is incompressible [m/s].
     sound_speed: Option<f64>,
 }
@@ -84,8 +92,9 @@ impl Judge {
         let entry = scene.entry().filter(|entry| entry.final_draught > 0.0);
         Judge {
             spacing: scene.resolution.spacing,
-            speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.speed),
+            speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.attached_speed),
             entry,
+            gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
         }
     }
@@ -98,9 +107,17 @@ impl Judge {
             quantity
         };
         let window = WINDOW * self.spacing / self.speed;
-        let by_force = |peak: Extreme, raw: f64| self.force_finding(curves, window, peak, raw);
-        let force = self.peak(&curves.force, window, 1.0, &by_force);
-        let acceleration = self.peak(&curves.acceleration, window, 1.0 / STANDARD_GRAVITY, &by_force);
+        let by_force = |peak: Extreme, raw: Extreme| self.force_finding(curves, window, peak, raw);
+        let by_acceleration = |peak: Extreme, raw: Extreme| {
+            let dry = curves.draught_at(peak.time) <= self.spacing;
+            match dry && peak.value <= (1.0 + FORCE_BAND.1) * self.gravity {
+                true => (Verdict::Resolved, Some(FORCE_BAND.1), None), // the fall before the water bears
+                false => by_force(peak, raw),
+            }
+        };
+        let force = self.peak(&curves.force, window, [1.0, 0.0], &by_force);
+        let unit = [1.0 / STANDARD_GRAVITY, self.gravity];
+        let acceleration = self.peak(&curves.acceleration, window, unit, &by_acceleration);
         let pressure = self.peak_pressure(curves);
         let impulse = curves.force.largest().map(|_| self.impulse(&curves.force));
         let of_force = force.as_ref().map(|(quantity, _)| quantity.verdict);
@@ -120,13 +137,14 @@ impl Judge {
         (Results { panels, ..results }, doubts.sentences())
     }
 
-    /// The largest mean of a curve times `factor`; `None` without a curve.
+    /// The largest mean of a curve times a factor; its band's share is of the value and what is subtracted in it. `None`
+    /// without a curve.
     fn peak<const N: usize>(
         &self,
         curve: &RunningIntegral<N>,
         window: f64,
-        factor: f64,
-        finding: &dyn Fn(Extreme, f64) -> Finding,
+        [factor, subtracted]: [f64; 2],
+        finding: &dyn Fn(Extreme, Extreme) -> Finding,
     ) -> Option<(Quantity, Option<String>)> {
         let raw = curve.largest()?;
         let Some(mean) = curve.largest_mean(window) else {
@@ -143,12 +161,13 @@ impl Judge {
         };
         // GE19: what twice the time takes off the peak
         let twice = curve.largest_mean(2.0 * window).map_or(0.0, |longer| longer.value);
-        let smoothed = (mean.value - twice).max(0.0);
-        let (verdict, band, why) = finding(mean, raw.value);
+        let round = matches!(self.entry, Some(Entry { bottom: Bottom::Arc { .. }, .. }));
+        let smoothed = (mean.value - twice).max(0.0) * if round { ROUND_SMOOTHING } else { 1.0 };
+        let (verdict, band, why) = finding(mean, raw);
         let quantity = Quantity {
             value: factor * mean.value,
             time_s: Some(mean.time),
-            band: band.map(|share| factor * (share * mean.value + smoothed)),
+            band: band.map(|share| factor * (share * (mean.value + subtracted) + smoothed)),
             cutoff_hz: Some(CUTOFF / window),
             raw: factor * raw.value,
             verdict,
@@ -157,8 +176,11 @@ impl Judge {
     }
 
     /// What may be said of a force, or of an acceleration.
-    fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: f64) -> Finding {
+    fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: Extreme) -> Finding {
         let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+        if entry.is_flat() {
+            return (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string()));
+        }
         if let Bottom::Arc { radius } = entry.bottom {
             let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
             if self.sound_speed.is_some() && gap < LEAST_GAP * self.spacing {
@@ -178,47 +200,77 @@ impl Judge {
                 );
                 return (Verdict::Acoustic, None, Some(why));
             }
-            return (Verdict::Resolved, Some(ROUND_BAND), None);
+            let spacings = entry.peak_draught / self.spacing;
+            if spacings < LEAST_ROUND {
+                let why = format!(
+                    "a light round body loses its speed within {} spacings; {LEAST_ROUND} are needed: {} m would do for \
+                     resolution.spacing",
+                    significant(spacings),
+                    significant(entry.peak_draught / LEAST_ROUND)
+                );
+                return (Verdict::NotResolved, None, Some(why));
+            }
+            let share = ROUND_BAND[0].max(ROUND_BAND[1] * self.spacing / radius);
+            return (Verdict::Resolved, Some(share), None);
         }
-        self.by_draught(curves, peak)
+        let found = self.by_draught(curves, entry, peak);
+        if found.0 == Verdict::Resolved { self.spike(window, peak, raw).unwrap_or(found) } else { found }
     }
 
-    /// Verdict and band by the draught at the peak (GE19).
-    fn by_draught(&self, curves: &Curves, peak: Extreme) -> Finding {
-        let spacings = curves.draught_at(peak.time) / self.spacing;
-        if spacings >= LEAST_DRAUGHT {
-            let (at_one_spacing, least) = FORCE_BAND;
-            return (Verdict::Resolved, Some((at_one_spacing / spacings).max(least)), None);
+    /// Verdict and band by the draught at the peak (GE19): the run's, and no more than the theory's (GE22).
+    fn by_draught(&self, curves: &Curves, entry: &Entry, peak: Extreme) -> Finding {
+        let draught = curves.draught_at(peak.time).min(entry.peak_draught);
+        let spacings = draught / self.spacing;
+        if spacings < LEAST_DRAUGHT {
+            // where theory has it deeper, the run's peak is one of first contact
+            let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
+            let why = format!(
+                "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: {} m would do for resolution.spacing",
+                significant(spacings),
+                significant(cure)
+            );
+            return (Verdict::NotResolved, None, Some(why));
         }
-        let why = format!(
-            "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: halve resolution.spacing",
-            significant(spacings)
-        );
-        (Verdict::NotResolved, None, Some(why))
+        let mach = self.sound_speed.map_or(0.0, |sound| entry.root_speed() / sound);
+        let Some(lost) = known_compressibility_error(mach, 1.0) else {
+            let why = format!(
+                "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3",
+                significant(mach)
+            );
+            return (Verdict::Acoustic, None, Some(why));
+        };
+        let (at_one_spacing, least) = FORCE_BAND;
+        (Verdict::Resolved, Some((at_one_spacing / spacings).max(least) + (lost - ADMITTED).max(0.0)), None)
     }
 
     /// What may be said of a peak that no theory of entry foresees.
-    fn unforeseen(&self, peak: Extreme, raw: f64) -> Finding {
-        match self.sound_speed {
-            Some(c) if raw > LARGEST_RAW * peak.value => {
-                let why = format!(
-                    "single steps reach {} times the mean: sound of {} m/s acts on them",
-                    significant(raw / peak.value),
-                    significant(c)
-                );
-                (Verdict::Acoustic, None, Some(why))
-            }
-            _ => (Verdict::Resolved, None, None),
-        }
+    fn unforeseen(&self, peak: Extreme, raw: Extreme) -> Finding {
+        self.spike(f64::INFINITY, peak, raw).unwrap_or((Verdict::Resolved, None, None))
+    }
+
+    /// Single steps within the time of the mean that reach far above it.
+    fn spike(&self, window: f64, peak: Extreme, raw: Extreme) -> Option<Finding> {
+        let within = (raw.time - peak.time).abs() <= 0.5 * window;
+        (within && raw.value > LARGEST_RAW * peak.value).then(|| {
+            let ratio = significant(raw.value / peak.value);
+            let (verdict, cause) = match self.sound_speed {
+                Some(c) => (Verdict::Acoustic, format!("sound of {} m/s acts on them", significant(c))),
+                None => (Verdict::NotResolved, "the mean depends on them: use a finer spacing, or the impulse".into()),
+            };
+            (verdict, None, Some(format!("single steps reach {ratio} times the mean: {cause}")))
+        })
     }
 
     /// The gauge with the largest peak.
     fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
         let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
         let window = WINDOW * self.spacing / root;
-        let finding = |peak: Extreme, raw: f64| {
+        let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
-            let (verdict, _, why) = self.by_draught(curves, peak);
+            let (verdict, _, why) = match entry.is_flat() {
+                true => (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string())),
+                false => self.by_draught(curves, entry, peak),
+            };
             if verdict != Verdict::Resolved {
                 return (verdict, None, why);
             }
@@ -235,7 +287,7 @@ impl Judge {
                 }
             }
         };
-        let each = curves.pressures.iter().filter_map(|curve| self.peak(curve, window, 1.0, &finding));
+        let each = curves.pressures.iter().filter_map(|curve| self.peak(curve, window, [1.0, 0.0], &finding));
         each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
     }
 
@@ -268,4 +320,26 @@ fn panel_results(panel: &PanelState, of_force: Option<Verdict>) -> (PanelResults
     let quantity =
         |value: f64| Quantity { value, time_s: Some(time), band: None, cutoff_hz: None, raw: value, verdict };
     (PanelResults { peak_stress_Pa: quantity(value), reserve_factor: reserve.map(quantity) }, doubt)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.
+    fn judged(spike: f64, sound_speed: Option<f64>) -> Quantity {
+        let mut curves = Curves::default();
+        for k in 0..=100 {
+            curves.force.take(0.01 * f64::from(k), [0.0, if k == 50 { spike } else { 1.0 }]);
+        }
+        let judge = Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed };
+        judge.results(&curves, &[]).0.peak_force_N_per_m.expect("a force")
+    }
+
+    #[test]
+    fn a_step_far_above_its_mean_is_not_resolved() {
+        assert_eq!(judged(1.5, None).verdict, Verdict::Resolved);
+        assert_eq!(judged(5.0, None).verdict, Verdict::NotResolved);
+        assert_eq!(judged(5.0, Some(40.0)).verdict, Verdict::Acoustic);
+    }
 }

@@ -1,5 +1,6 @@
 //! The observers of a run, their schedule, and the summary of their results.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -16,10 +17,10 @@ use crate::compare::{self, Comparison, ReferenceCurve};
 use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
-    FlowPictures, ForceRules, Frame, GaugeReader, History, LogObserver, ObserveError, Observer, Series,
-    SimilarityWindow, WorstPenetration,
+    FlowPictures, ForceRules, Frame, GaugeReader, GaugeResult, History, LogObserver, ObserveError, Observer, Series,
+    SimilarityWindow, WorstPenetration, body_values,
 };
-use crate::results::ResultsObserver;
+use crate::results::{ResultsObserver, Verdict};
 use crate::scene::{Scene, known_compressibility_error, thesis_work};
 
 /// Means are taken over the run from this share of it on.
@@ -29,6 +30,7 @@ const LATE: f64 = 0.8;
 pub(crate) struct Recorder {
     gauges: GaugeReader,
     results: ResultsObserver,
+    extremes: BTreeMap<String, Peak>,
     pub series: Series,
     pub log: Option<LogObserver>,
     pub pictures: FlowPictures,
@@ -56,6 +58,7 @@ impl Recorder {
         Ok(Recorder {
             gauges: GaugeReader::new(scene),
             results: ResultsObserver::new(scene),
+            extremes: BTreeMap::new(),
             series: Series::new(scene, series)?,
             log: log.map(|path| LogObserver::create(path, scene)).transpose()?,
             pictures: FlowPictures::new(scene),
@@ -80,6 +83,7 @@ impl Recorder {
         if let Some(window) = &mut self.similarity {
             window.follow(system);
         }
+        self.follow(system);
         let t = system.fluid.time();
         let last = t >= self.end;
         if t < self.next_sample && t < self.next_frame && !last {
@@ -92,6 +96,18 @@ impl Recorder {
         }
         self.next_sample = next(self.every[0]);
         self.record(system, particles)
+    }
+
+    /// Extremes of the body's columns, in every step: samples miss what is shorter than they are apart.
+    fn follow(&mut self, system: &Coupled) {
+        let time_s = system.fluid.time();
+        let Some((body, motion)) = system.bodies().find_map(|body| Some((body, body.motion()?))) else { return };
+        for (column, value) in body_values(&motion) {
+            let largest = self.extremes.entry(format!("{}.{column}", body.name())).or_default();
+            if value.abs() > largest.value.abs() {
+                *largest = Peak { value, time_s, verdict: None };
+            }
+        }
     }
 
     fn record(&mut self, system: &Coupled, particles: bool) -> Result<(), ObserveError> {
@@ -194,7 +210,21 @@ impl Recorder {
         let mut comparison: Vec<Comparison> =
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
-        let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s });
+        let verdict = results.peak_force_N_per_m.map(|force| force.verdict).filter(|v| *v != Verdict::Resolved);
+        let gauges = self.gauges.results();
+        let extreme = |name: &str| {
+            let gauge = |g: &GaugeResult| Peak { value: g.peak_pa, time_s: g.peak_time_s, verdict: None };
+            let of_gauge = || name.strip_suffix(".p_Pa").and_then(|gauge_name| gauges.get(gauge_name)).map(gauge);
+            self.extremes.get(name).copied().or_else(of_gauge)
+        };
+        let peak = |(name, value, time_s): (&str, f64, f64)| {
+            let sampled = Peak { value, time_s, verdict: None };
+            let of_steps = extreme(name).filter(|largest| largest.value.abs() > value.abs());
+            // "NAME.fy_N_per_m", "NAME.ay_m_per_s2" of the body
+            let of_force = self.extremes.contains_key(name) && [".f", ".a"].iter().any(|c| name.contains(c));
+            let verdict = verdict.filter(|_| of_force && !name.ends_with("angle_deg"));
+            (name.to_string(), Peak { verdict, ..of_steps.unwrap_or(sampled) })
+        };
         Summary {
             scene: scene.name.clone(),
             status: status.with(&results, &doubts),
@@ -244,7 +274,7 @@ impl Recorder {
             comparison,
             error_bars: ErrorBars::new(),
             panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
-            gauges: self.gauges.results(),
+            gauges,
             projection: projection(fluid),
         }
     }

@@ -57,13 +57,16 @@ pub struct Particles {
     pub wall: usize,
 }
 
-/// The extreme of a series column.
-#[derive(Clone, Copy, Debug, Serialize)]
+/// The extreme of a series column: of the body's motion and of gauges over every step, else over the samples.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Peak {
     /// Value of largest magnitude, in the column's unit.
     pub value: f64,
     /// When [s].
     pub time_s: f64,
+    /// What may be said of it, where it is not resolved: that of `results.peak_force_N_per_m`, for forces and accelerations.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub verdict: Option<Verdict>,
 }
 
 /// Conservation over the run (THEORY CO27, CO28).

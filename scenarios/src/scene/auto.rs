@@ -1,7 +1,7 @@
 //! The values that a scene leaves to the program.
 
 use super::impact::{Entry, sound_speed_for};
-use super::settings::{Body, Scene};
+use super::settings::{Body, Scene, Tank};
 
 /// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
 /// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.
@@ -22,14 +22,30 @@ const PAST_THE_CHINES: f64 = 1.6;
 /// Least half width and depth of the fine zone [spacings].
 const LEAST_FINE_ZONE: [f64; 2] = [10.0, 4.0];
 
+/// Speed of sound in water [m/s]: a faster one has no meaning.
+pub const WATER_SOUND: f64 = 1480.0;
+
+/// Least c₀² over g times the depth of an impact's tank [-], chosen and admitted: water at the floor is 4 or 8 % denser.
+const STIFFNESS: [f64; 2] = [20.0, 10.0];
+
 /// Fastest speed of the flow that is known before the run [m/s]: the spray root's, the body's, and without an impact
-/// that of water falling through the depth, √(2 g d).
-pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 2], depth: f64) -> f64 {
-    let flow = match entry {
-        Some(entry) => entry.root_speed().max(entry.speed),
-        None => (2.0 * gravity[0].hypot(gravity[1]) * depth.max(0.0)).sqrt(),
+/// that of water falling through the depth, √(2 g d), or running out of a broken dam, 2 √(g d) (Ritter 1892).
+pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 2], tank: Option<&Tank>) -> f64 {
+    let flow = match (entry, tank) {
+        (Some(entry), _) => entry.root_speed().max(entry.fastest),
+        (None, Some(tank)) => {
+            let runs_out = if tank.water_width < tank.width { 4.0 } else { 2.0 };
+            let gravity = gravity[0].hypot(gravity[1]);
+            (gravity * (2.0 * tank.fall()).max(runs_out * tank.depth)).sqrt()
+        }
+        (None, None) => 0.0,
     };
     flow.max(body.map_or(0.0, Body::fastest_point))
+}
+
+/// Least speed of sound that bears an impact's tank of a depth [m/s], chosen and admitted (THEORY WC17).
+pub fn hydrostatic_sound(gravity: [f64; 2], depth: f64) -> [f64; 2] {
+    STIFFNESS.map(|stiffness| (stiffness * gravity[1].abs() * depth).sqrt())
 }
 
 impl Scene {
@@ -41,7 +57,7 @@ impl Scene {
     /// Fastest speed of the flow that is known before the run [m/s].
     pub fn fastest_speed(&self) -> f64 {
         let entry = self.entry();
-        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, self.tank.fall()) + self.tank.block_speed()
+        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, Some(&self.tank)) + self.tank.block_speed()
     }
 
     /// Speed by which the steps of a projection are limited before anything moves [m/s]: the fastest that is known, but for
@@ -53,13 +69,13 @@ impl Scene {
     }
 }
 
-/// Speed of sound [m/s]: c₀ = max(U/M(ε), 10 u).
+/// Speed of sound [m/s]: c₀ = min(max(U/M(ε), 10 u, still), 1480 m/s) (THEORY WC17).
 ///
 /// U is the spray root's speed [m/s] and M(ε) the Mach number at which compressibility costs the admitted share ε of
-/// the force; without an impact only the fastest known speed u [m/s] counts.
-pub fn auto_sound_speed(error: f64, entry: Option<&Entry>, fastest: f64) -> f64 {
+/// the force; without an impact only the fastest known speed u [m/s] counts. `still` bears the water's weight.
+pub fn auto_sound_speed(error: f64, entry: Option<&Entry>, fastest: f64, still: f64) -> f64 {
     let impact = entry.map_or(0.0, |entry| sound_speed_for(error, entry.root_speed()));
-    impact.max(LEAST_SOUND_RATIO * fastest)
+    impact.max(LEAST_SOUND_RATIO * fastest).max(still).min(WATER_SOUND)
 }
 
 /// Half width and depth of the fine zone of an impact [m], shape (2).
@@ -79,9 +95,12 @@ pub fn auto_fine_zone(entry: &Entry, spacing: f64) -> [f64; 2] {
 }
 
 /// Half width and depth of a tank that an impact does not feel [m], shape (2): outside acoustic reach,
-/// 0.65 c₀ t_end, and at least 10 times the fine zone.
-pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2]) -> [f64; 2] {
-    fine_zone.map(|fine| (ACOUSTIC_REACH * sound_speed * end).max(TANK_OVER_FINE_ZONE * fine))
+/// 0.65 c₀ t_end, and at least 10 times the fine zone; no deeper than the speed of sound bears under gravity.
+pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2], gravity: [f64; 2]) -> [f64; 2] {
+    let least = fine_zone.map(|fine| TANK_OVER_FINE_ZONE * fine);
+    let reach = ACOUSTIC_REACH * sound_speed * end;
+    let borne = (sound_speed / hydrostatic_sound(gravity, 1.0)[0]).powi(2); // infinite without gravity
+    [reach.max(least[0]), reach.min(borne).max(least[1])]
 }
 
 #[cfg(test)]
@@ -91,7 +110,8 @@ mod tests {
 
     fn wedge(deadrise_deg: f64, half_breadth: f64, final_draught: f64) -> Entry {
         let slope = deadrise_deg.to_radians().tan();
-        Entry { bottom: Bottom::Wedge { slope }, half_breadth, speed: 1.0, final_draught }
+        let bottom = Bottom::Wedge { slope };
+        Entry { bottom, half_breadth, speed: 1.0, final_draught, fastest: 1.0, attached_speed: 1.0, peak_draught: 1.0 }
     }
 
     #[test]
@@ -118,9 +138,9 @@ mod tests {
 
     #[test]
     fn sound_speed_is_ten_times_the_flow_without_an_impact() {
-        assert_eq!(auto_sound_speed(0.01, None, 4.0), 40.0);
+        assert_eq!(auto_sound_speed(0.01, None, 4.0, 0.0), 40.0);
         let entry = wedge(30.0, 1.0, 1.0);
-        let c = auto_sound_speed(0.01, Some(&entry), 0.0);
+        let c = auto_sound_speed(0.01, Some(&entry), 0.0, 0.0);
         assert!((24.5..26.0).contains(&(c / entry.root_speed())), "{c}");
     }
 }

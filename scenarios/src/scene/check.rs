@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use super::auto::hydrostatic_sound;
 use super::incompressible::check_projection_step;
 use super::legacy::{breakdown_cfl, hollow_walls};
 use super::settings::{Block, Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
@@ -52,6 +53,7 @@ pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
         return check_projection_step(scene); // its steps know no sound
     };
     let (largest, name) = breakdown_cfl(&fluid.options);
+    check_weight(scene)?;
     let cfl = scene.courant_number();
     let expected = format_args!("a number above 0 and below {largest}, where {name} breaks down");
     require(cfl < largest, "fluid.cfl", cfl, expected)?;
@@ -61,6 +63,14 @@ pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
     let limit = significant(still);
     let expected = format_args!("an interval below {limit} s, {largest} h/c0, where {name} breaks down");
     require(step < still, "time.step", step, expected)
+}
+
+/// Refuses a speed of sound at which the water's own weight makes it 8 % denser at the floor of an impact (THEORY WC17).
+fn check_weight(scene: &Scene) -> Result<(), Problem> {
+    let least = scene.entry().map_or(0.0, |_| hydrostatic_sound(scene.gravity, scene.tank.depth)[1]);
+    let (sound, limit, depth) = (scene.sound_speed(), significant(least), significant(scene.tank.depth));
+    let expected = format_args!("at least {limit} m/s, which bears the weight of {depth} m of water");
+    require(sound >= least, "fluid.sound_speed", significant(sound), expected)
 }
 
 /// A pair of numbers as a scene has it, of which the first is not 0.

@@ -9,11 +9,24 @@ use fsi_coupling::geometry::polygon;
 /// Least deadrise that a flat or nearly flat face counts with [deg]: below it trapped air, absent here, takes over.
 pub const LEAST_DEADRISE_DEG: f64 = 4.0;
 
+/// Why the peak force of a flat contact is refused (THEORY GE23).
+pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the \
+    spacing, and no value is right; use results.impulse_N_s_per_m";
+
+/// Least draught at a peak (THEORY GE19) [spacings].
+pub const LEAST_DRAUGHT: f64 = 6.0;
+
 /// Draught over radius at which the spray root of an arc sets the speed of sound [-].
 const ARC_DRAUGHT: f64 = 0.05;
 
 /// Steps of the penetration integral.
 const PENETRATION_STEPS: u32 = 1000;
+
+/// Mass of a falling wedge over the water's that moves with it, at the peak of its force (THEORY GE22) [-].
+const PEAK_MASS_RATIO: f64 = 5.0;
+
+/// Largest speed over the one at contact from which it counts [-]: less changes the share that compressibility takes by a tenth.
+const NOTABLE_GAIN: f64 = 1.05;
 
 /// A bottom as Wagner's theory sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,15 +44,28 @@ pub enum Bottom {
 }
 
 impl Bottom {
-    /// The bottom of a body as it lies at t = 0: an arc's radius, else the flattest face that looks down,
-    /// at least [`LEAST_DEADRISE_DEG`].
+    /// The bottom of a body as it lies at t = 0: the radius of an arc, or of a polygon whose bottom is round; else the
+    /// flattest face that looks down, at least [`LEAST_DEADRISE_DEG`].
     pub fn of(body: &Body) -> Bottom {
         if let Shape::Arc { radius, .. } = body.shape {
             return Bottom::Arc { radius };
         }
+        let outline = body.placed_outline();
+        if let Some(radius) = polygon::radius_of_bottom(&outline) {
+            return Bottom::Arc { radius };
+        }
         let least = LEAST_DEADRISE_DEG.to_radians();
-        let deadrise = polygon::flattest_downward_face(&body.placed_outline());
-        Bottom::Wedge { slope: deadrise.clamp(least, FRAC_PI_2 - least).tan() }
+        Bottom::Wedge { slope: polygon::flattest_downward_face(&outline).clamp(least, FRAC_PI_2 - least).tan() }
+    }
+
+    /// True for faces of the least deadrise that is told apart from a flat one.
+    fn is_flat(self) -> bool {
+        matches!(self, Bottom::Wedge { slope } if slope <= LEAST_DEADRISE_DEG.to_radians().tan())
+    }
+
+    /// Added mass of the water under the wetted half width c [kg/m], (π/2) ρ c², over ρ, at draught D [m]: A/ρ D² or A/ρ D.
+    fn wetted_added_mass(self, draught: f64) -> f64 {
+        FRAC_PI_2 * self.wetted_half_width(draught).powi(2)
     }
 
     /// Speed of the spray root dc/dt [m/s] at entry speed V [m/s] (Wagner 1932).
@@ -99,6 +125,12 @@ pub struct Entry {
     pub speed: f64,
     /// Draught below still water at the end of the run [m]; an upper bound for a free body, negative short of contact.
     pub final_draught: f64,
+    /// Largest downward speed in the run [m/s].
+    pub fastest: f64,
+    /// Largest downward speed until the spray root is at the chines [m/s].
+    pub attached_speed: f64,
+    /// Draught at the peak of the force [m] (THEORY GE22): where the water's mass is a fifth of the body's, or at the chines.
+    pub peak_draught: f64,
 }
 
 impl Entry {
@@ -121,22 +153,40 @@ impl Entry {
         if submerged || initial_speed < 0.0 || speed <= 0.0 {
             return None;
         }
-        let final_draught = match &body.motion {
-            Motion::Free(freedom) if freedom.y() => {
-                let added_mass = |draught: f64| {
-                    let c = bottom.still_half_width(draught.max(0.0)).min(half_breadth);
-                    FRAC_PI_2 * density * c * c
-                };
-                free_draught(draught, initial_speed, freedom.mass, added_mass, gravity, end)
-            }
-            _ => draught + speed * end,
+        let chines = bottom.draught_at(half_breadth);
+        let steady = Entry {
+            bottom,
+            half_breadth,
+            speed,
+            final_draught: draught + speed * end,
+            fastest: speed,
+            attached_speed: speed,
+            peak_draught: chines,
         };
-        Some(Entry { bottom, half_breadth, speed, final_draught })
+        let Motion::Free(freedom) = &body.motion else { return Some(steady) };
+        if !freedom.y() {
+            return Some(steady);
+        }
+        let still = |draught: f64| bottom.still_half_width(draught.max(0.0)).min(half_breadth);
+        let added_mass = |draught: f64| FRAC_PI_2 * density * still(draught).powi(2);
+        let final_draught = free_draught(draught, initial_speed, freedom.mass, added_mass, gravity, end);
+        let fall = Fall { mass: freedom.mass, density, gravity, still: &still };
+        let speeds = fall.largest_speeds(draught, initial_speed, end, chines);
+        let [fastest, attached_speed] =
+            speeds.map(|largest| if largest > NOTABLE_GAIN * speed { largest } else { speed });
+        let share = freedom.mass / PEAK_MASS_RATIO / (density * bottom.wetted_added_mass(1.0));
+        let of_mass = if matches!(bottom, Bottom::Wedge { .. }) { share.sqrt() } else { share };
+        Some(Entry { final_draught, fastest, attached_speed, peak_draught: of_mass.min(chines), ..steady })
     }
 
-    /// Speed of the spray root [m/s].
+    /// Speed of the spray root [m/s], at the body's largest speed until it is at the chines.
     pub fn root_speed(&self) -> f64 {
-        self.bottom.root_speed(self.speed)
+        self.bottom.root_speed(self.attached_speed)
+    }
+
+    /// True for a bottom that meets the water over its breadth at once: its peak is one of sound, or of the spacing.
+    pub fn is_flat(&self) -> bool {
+        self.bottom.is_flat()
     }
 
     /// Draught [m] up to which the spray root is on the bottom: at the chines or at the end of the run.
@@ -167,6 +217,33 @@ fn free_draught(start: f64, speed: f64, mass: f64, added_mass: impl Fn(f64) -> f
         let half_way = draught + 0.5 * dt * rate(t, draught);
         draught + dt * rate(t + 0.5 * dt, half_way)
     })
+}
+
+/// A free fall into water by the momentum of von Karman (1929) with buoyancy.
+struct Fall<'a> {
+    mass: f64,
+    density: f64,
+    gravity: f64,
+    /// Half width of the cut with the still water [m] at a draught [m].
+    still: &'a dyn Fn(f64) -> f64,
+}
+
+impl Fall<'_> {
+    /// Largest downward speeds [m/s] within `end` [s]: in all, and up to a draught [m].
+    fn largest_speeds(&self, start: f64, speed: f64, end: f64, chines: f64) -> [f64; 2] {
+        let moved = |draught: f64| self.mass + FRAC_PI_2 * self.density * (self.still)(draught).powi(2);
+        let (dt, mut draught, mut area) = (end / f64::from(PENETRATION_STEPS), start, 0.0);
+        let (mut momentum, mut largest) = (moved(start) * speed, [speed; 2]);
+        for _ in 0..PENETRATION_STEPS {
+            momentum += dt * self.gravity * (self.mass - self.density * area);
+            let speed = momentum / moved(draught);
+            draught += dt * speed;
+            area += 2.0 * (self.still)(draught) * dt * speed;
+            largest[0] = largest[0].max(speed);
+            largest[1] = if draught <= chines { largest[1].max(speed) } else { largest[1] };
+        }
+        largest
+    }
 }
 
 /// Share of the force that weak compressibility costs [-]: ε = 2 M² ln(1/M), M = U/c₀ from the spray root's speed U

@@ -38,8 +38,8 @@ pub use fsi_coupling::entry_theory::EntryModel;
 pub(crate) use fsi_coupling::settings::significant;
 pub use fsi_coupling::{PanelEnd, Shape};
 pub use impact::{
-    Bottom, Entry, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, compressibility_error, jet_reach,
-    known_compressibility_error, sound_speed_for,
+    Bottom, Entry, FLAT_CONTACT, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, LEAST_DRAUGHT,
+    compressibility_error, jet_reach, known_compressibility_error, sound_speed_for,
 };
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;

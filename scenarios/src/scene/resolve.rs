@@ -6,7 +6,7 @@ use fsi_coupling::settings::{Problem, require};
 use sph_core::{Dissipation, FluidSettings, Solver};
 
 use super::approach::{automatic_start, check_start};
-use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
+use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed, hydrostatic_sound};
 use super::draft::Draft;
 use super::impact::Entry;
 use super::legacy;
@@ -37,22 +37,23 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let body = resolve_body(draft, symmetry)?;
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end));
-    let fastest = match &entry {
-        Some(_) => fastest_speed(entry.as_ref(), body.as_ref(), gravity, 0.0),
-        None => {
-            let tank = resolve_tank(draft)?;
-            fastest_speed(None, body.as_ref(), gravity, tank.fall()) + tank.block_speed()
-        }
-    };
-    let solver = resolve_fluid(draft, entry.as_ref(), fastest)?;
-    resolve_coupling(draft, &solver, body.as_ref())?;
+    let tank = if entry.is_some() { None } else { Some(resolve_tank(draft)?) };
+    let fastest = fastest_speed(entry.as_ref(), body.as_ref(), gravity, tank.as_ref())
+        + tank.as_ref().map_or(0.0, Tank::block_speed);
     let automatic = !draft.is_given("resolution.fine_zone");
     let spacing = draft.get("resolution.spacing");
     let spacing: f64 = spacing.ok_or_else(|| Problem::missing("resolution.spacing", "the finest spacing [m]"))?;
+    let still = entry.as_ref().map_or(0.0, |entry| {
+        let fine_zone = draft.fill("resolution.fine_zone", auto_fine_zone(entry, spacing));
+        let least = auto_reach(0.0, time.end, fine_zone, gravity)[1];
+        hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
+    });
+    let solver = resolve_fluid(draft, entry.as_ref(), fastest, still)?;
+    resolve_coupling(draft, &solver, body.as_ref())?;
     match &entry {
         Some(entry) => {
-            let fine_zone = draft.fill("resolution.fine_zone", auto_fine_zone(entry, spacing));
-            let [beside, below] = auto_reach(solver.sound_speed(), time.end, fine_zone);
+            let fine_zone: [f64; 2] = draft.read("resolution.fine_zone")?;
+            let [beside, below] = auto_reach(solver.sound_speed(), time.end, fine_zone, gravity);
             let off_center = body.as_ref().map_or(0.0, |body| body.middle().abs());
             let beside = beside.max(BESIDE_BODY * entry.half_breadth); // a short run may need less than the body does
             draft.fill("tank.width", 2.0 * (beside + off_center));
@@ -118,8 +119,14 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s].
-fn resolve_fluid(draft: &mut Draft, entry: Option<&Entry>, fastest: f64) -> Result<SolverSettings, Problem> {
+/// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
+/// sound that bears the water's weight [m/s].
+fn resolve_fluid(
+    draft: &mut Draft,
+    entry: Option<&Entry>,
+    fastest: f64,
+    still: f64,
+) -> Result<SolverSettings, Problem> {
     let solver: Solver = draft.get("solver").unwrap_or_default();
     let thesis = solver == Solver::IncompressibleThesis;
     let gaseous = legacy::fill(draft, thesis);
@@ -133,7 +140,7 @@ fn resolve_fluid(draft: &mut Draft, entry: Option<&Entry>, fastest: f64) -> Resu
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;
-    let sound = draft.fill("fluid.sound_speed", auto_sound_speed(water.compressibility_error, entry, fastest));
+    let sound = draft.fill("fluid.sound_speed", auto_sound_speed(water.compressibility_error, entry, fastest, still));
     if sound == 0.0 && !gaseous {
         let expected = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", expected));

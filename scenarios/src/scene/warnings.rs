@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO};
+use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND};
 use super::exchange::{light_body, light_panels};
-use super::impact::{Entry, jet_reach, known_compressibility_error};
+use super::impact::{Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
@@ -174,15 +174,18 @@ fn slow_sound(scene: &Scene) -> Option<String> {
 /// What compressibility takes of an impact's force.
 fn lost_force(scene: &Scene, entry: &Entry) -> Option<String> {
     let (root, sound) = (entry.root_speed(), scene.sound_speed());
+    let cure = match sound < WATER_SOUND {
+        true => "raise fluid.sound_speed",
+        false => "sound is as fast as in water, where the force is lower as well",
+    };
     match known_compressibility_error(root, sound) {
         None => Some(format!(
-            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; compare with a \
-             larger fluid.sound_speed",
+            "the spray root starts at Mach {}: what compressibility takes of the force is known up to 0.3; {cure}",
             significant(root / sound)
         )),
         Some(error) if error > scene.solver.water().compressibility_error * (1.0 + 1e-9) => Some(format!(
             "compressibility takes about {} % of the force at Mach {} of the spray root; fluid.compressibility_error \
-             admits {} %: raise fluid.sound_speed",
+             admits {} %: {cure}",
             significant(100.0 * error),
             significant(root / sound),
             significant(100.0 * scene.solver.water().compressibility_error)
@@ -199,6 +202,19 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
         warnings.push(format!(
             "the draught at the end is {} spacings: the force is good to 1 % from {STARTING_DRAUGHT} on",
             significant(draught / spacing)
+        ));
+    }
+
+    if entry.is_flat() {
+        warnings.push(format!("the peak force will be refused: {FLAT_CONTACT}"));
+    }
+    let peak = entry.peak_draught / spacing;
+    if matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat() && peak < LEAST_DRAUGHT {
+        warnings.push(format!(
+            "the largest force comes at a draught of about {} spacings, and the run will not give it as resolved: {} m would do \
+             for resolution.spacing",
+            significant(peak),
+            significant(entry.peak_draught / LEAST_DRAUGHT)
         ));
     }
 

@@ -202,6 +202,29 @@ fn auto_sound_speed_costs_the_admitted_share_of_the_force() {
     }
 }
 
+/// A slow body is given its fall, the water its weight, and nothing a faster sound than water's.
+#[test]
+fn auto_sound_speed_covers_the_fall_and_the_weight_of_the_water() {
+    for speed in [0.1, 0.03, 0.01] {
+        let slow = drop_with(&[&format!("body.velocity=[0, -{speed}]"), "time.end=0.3", "body.side_height=0.5"]);
+        let entry = slow.entry().expect("it sinks in");
+        assert!((1.0..3.0).contains(&entry.fastest) && entry.attached_speed <= entry.fastest, "{entry:?}");
+        assert!(slow.sound_speed() >= 10.0 * entry.root_speed().max(entry.fastest), "{speed}");
+        assert!(slow.sound_speed().powi(2) >= 20.0 * 9.81 * slow.tank.depth * (1.0 - 1e-12), "{speed}");
+    }
+    let still = ["body.velocity=[0, -0.01]", "body.motion=\"constant_velocity\"", "time.end=3"];
+    let deep = drop_with(&[&still[..], &["tank.depth=5", "tank.width=4"]].concat());
+    assert!((deep.sound_speed() - (20.0 * 9.81 * 5.0_f64).sqrt()).abs() < 1e-9);
+    assert_eq!(drop_with(&["body.velocity=[0, -60]", "time.end=0.002"]).sound_speed(), 1480.0);
+}
+
+#[test]
+fn auto_sound_speed_covers_the_front_of_a_broken_dam() {
+    let [still, broken] = [&[][..], &["tank.water_width=0.3"]].map(|sets| changed(TANK, sets).expect("a tank"));
+    assert!((still.sound_speed() - 10.0 * (2.0 * 9.81 * 0.5_f64).sqrt()).abs() < 1e-9);
+    assert!((broken.sound_speed() - 20.0 * (9.81 * 0.5_f64).sqrt()).abs() < 1e-9);
+}
+
 #[test]
 fn auto_tank_lies_outside_acoustic_reach_wherever_the_body_is() {
     for x in [0.0, 1.5] {
@@ -243,6 +266,9 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
         (&["fluid.wall_stretch=true", "fluid.cfl=0.6"], &["fluid.wall_stretch=true"], "broke into oscillation"),
         (&["fluid.density_evolution=summation"], &[], "fails at a free surface"),
         (&["body.mass=0.5"], &[], "the body is light for coupling.scheme"),
+        (&["body.mass=2.7"], &[], "draught of about 1.363 spacings, and the run will not give it as resolved: 0.001136 m"),
+        (&["body.angle_deg=29"], &["body.angle_deg=15"], "the peak force will be refused: a face within 4 deg"),
+        (&["body.velocity=[0, -60]", "time.end=0.002"], &[], "sound is as fast as in water, where the force is lower as well"),
         (&["resolution.growth=1.5"], &[], "9 % of the force"),
         (&["resolution.spacing=0.009"], &["resolution.spacing=0.002"], "peak pressure unreliable"),
         (&["time.end=0.005"], &[], "the draught at the end is 4."),

@@ -27,6 +27,7 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("spacing = 0.005", "spacing = 0.005\ngrowth = 0.9", 7, &["`resolution.growth` = 0.9", "from 1 to 2"]),
         ("[time]", "[fluid]\ndensity = -1000\n[time]", 4, &["`fluid.density` = -1000", "above 0"]),
         ("[time]", "[fluid]\nsound_speed = \"fast\"\n[time]", 4, &["`fluid.sound_speed`", "fast", "a finite number above 0 or \"auto\""]),
+        ("[time]", "[fluid]\nsound_speed = 5\n[tank]\ndepth = 3\n[time]", 4, &["`fluid.sound_speed` = 5", "at least 17.16 m/s", "the weight of 3 m of water"]),
         ("[time]", "[tank]\ndepth = -1\n[time]", 4, &["`tank.depth` = -1", "above 0"]),
         ("[time]", "[tank]\nwidth = 0.01\n[time]", 4, &["`tank.width` = 0.01", "at least 4 spacings", "0.02 m"]),
         ("[time]", "[tank]\nheight = 0.1\ndepth = 2\n[time]", 4, &["`tank.height` = 0.1", "at least tank.depth = 2"]),
