@@ -205,7 +205,9 @@ impl Recorder {
         let body = system.bodies().position(|b| b.motion().is_some());
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
-        let (results, doubts) = self.results.results(scene, system);
+        let (results, mut doubts) = self.results.results(scene, system);
+        let unresolved = similarity.as_ref().and_then(|s| s.cp_max_unresolved.as_ref());
+        doubts.extend(unresolved.map(|why| format!("similarity.cp_max: {why}")));
         let curves = scene.compare.iter().zip(references);
         let mut comparison: Vec<Comparison> =
             curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();

@@ -29,12 +29,15 @@ pub const WATER_SOUND: f64 = 1480.0;
 const STIFFNESS: [f64; 2] = [20.0, 10.0];
 
 /// Fastest speed of the flow that is known before the run [m/s]: the spray root's, the body's, and without an impact
-/// that of water falling through the depth, √(2 g d), or running out of a broken dam, 2 √(g d) (Ritter 1892).
+/// that of water falling through the depth, √(2 g d), or running from a broken dam against a body farther than d/4, 2 √(g d) (Ritter 1892).
 pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 2], tank: Option<&Tank>) -> f64 {
     let flow = match (entry, tank) {
         (Some(entry), _) => entry.root_speed().max(entry.fastest),
         (None, Some(tank)) => {
-            let runs_out = if tank.water_width < tank.width { 4.0 } else { 2.0 };
+            let front = tank.water_width - 0.5 * tank.width;
+            let hit =
+                tank.water_width < tank.width && body.is_some_and(|body| body.middle() > front + 0.25 * tank.depth);
+            let runs_out = if hit { 4.0 } else { 2.0 };
             let gravity = gravity[0].hypot(gravity[1]);
             (gravity * (2.0 * tank.fall()).max(runs_out * tank.depth)).sqrt()
         }
