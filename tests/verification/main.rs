@@ -1,5 +1,6 @@
 //! Verification: what has an exact answer must meet it, and errors must fall at the order the theory says.
 
+mod approach;
 mod acoustics;
 mod channel;
 mod closed_tank;

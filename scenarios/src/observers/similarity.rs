@@ -73,6 +73,8 @@ pub struct SimilarityWindow {
     tan: f64,
     rho: f64,
     spacing: f64,
+    /// How far the body is above where V t has it [m] (THEORY WA12).
+    lift: f64,
     support: f64,
     law: Option<KeelLaw>,
     /// Read the face beside the keel by Shepard means: for a projection, whose water fills half the kernel but roughly there.
@@ -107,6 +109,7 @@ impl SimilarityWindow {
             tan,
             rho: scene.water().density,
             spacing: scene.resolution.spacing,
+            lift: scene.motion_at_start(body).position[1] - body.position[1] - body.velocity[1] * scene.time.start,
             support,
             law: KeelLaw::new(deadrise_deg.to_radians(), support),
             shepard: scene.solver.is_incompressible(),
@@ -174,7 +177,7 @@ impl SimilarityWindow {
         let top = profile.iter().max_by(|a, b| a[1].total_cmp(&b[1]))?;
         let [[sampled, force_sd], [peak, peak_sd]] = [&self.forces, &self.peaks].map(|v| mean_and_deviation(v));
         let least = 0.8 * std::f64::consts::FRAC_PI_2 / self.tan;
-        let z = |x: f64| x * self.tan - 1.0;
+        let z = |x: f64| x * self.tan - 1.0 + self.lift / (self.speed * last);
         let place = peak_place(&profile)?;
         // Where the peak is at the keel there is no way to it.
         let peak_at = exact.map_or(top[0], |e| (1.0 + e.z_max_over_vt) / self.tan);

@@ -4,7 +4,7 @@ use fsi_coupling::RigidMotion;
 use fsi_coupling::settings::{Problem, require};
 use sph_core::Solver;
 
-use super::impact::Entry;
+use super::impact::{Bottom, Entry};
 use super::settings::{Body, Motion, Scene};
 
 /// Height of a body that flies in above its place at t = 0 [spacings]: water meets it so much early.
@@ -39,6 +39,7 @@ pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravit
 
 /// Refuses a start before t = 0 where a body cannot be carried back to it.
 pub(super) fn check_start(start: f64, body: Option<&Body>, solver: Solver) -> Result<(), Problem> {
+    require(start <= 0.0, "time.start", start, "at most 0 s")?;
     let obstacle = body.map_or(Some("0 in a scene without a body"), |body| obstacle(body, solver));
     require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())
 }
@@ -49,6 +50,7 @@ fn obstacle(body: &Body, solver: Solver) -> Option<&'static str> {
     match () {
         () if solver != Solver::WeaklyCompressible => Some("0 with this solver, whose bodies start on the water"),
         () if !flies => Some("0 with a body that is neither free nor at constant velocity"),
+        () if Bottom::of(body).is_flat() => Some("0 with a flat bottom, which meets the water all at once"),
         () if body.angular_velocity_deg_per_s != 0.0 => Some("0 with a body that turns at t = 0"),
         () => None,
     }

@@ -59,7 +59,7 @@ impl Bottom {
     }
 
     /// True for faces of the least deadrise that is told apart from a flat one.
-    fn is_flat(self) -> bool {
+    pub fn is_flat(self) -> bool {
         matches!(self, Bottom::Wedge { slope } if slope <= LEAST_DEADRISE_DEG.to_radians().tan())
     }
 

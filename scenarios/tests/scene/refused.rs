@@ -19,6 +19,8 @@ fn a_mistake_is_reported_with_line_key_given_and_expected() {
         ("end = 0.02", "end = nan", 4, &["`time.end` = NaN", "a finite number"]),
         ("gravity = [0.0, -9.81]", "gravity = [0.0, -inf]", 2, &["`gravity[1]` = -inf", "a finite number"]),
         ("end = 0.02", "end = -0.02", 4, &["`time.end` = -0.02", "above 0"]),
+        ("end = 0.02", "end = 0.02\nstart = 0.01", 5, &["`time.start` = 0.01", "at most 0 s"]),
+        ("[time]", "solver = \"incompressible\"\n[time]\nstart = -0.01", 5, &["`time.start` = -0.01", "with this solver"]),
         ("end = 0.02", "", 3, &["`time.end` is missing", "[s]"]),
         ("end = 0.02", "end = 0.02\nsample_every = 0.5", 5, &["`time.sample_every` = 0.5", "up to time.end = 0.02"]),
         ("end = 0.02", "end = 0.02\nsample_every = 0", 5, &["`time.sample_every` = 0", "above 0"]),

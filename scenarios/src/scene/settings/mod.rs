@@ -146,7 +146,7 @@ pub struct Time {
     /// Start of the simulated time, at or before 0 [s]. A body is where the scene says at t = 0; a run that starts before has it
     /// fly in, half a spacing higher (THEORY WA12). auto: an approach of two spacings for what enters weakly compressible water
     /// from less than two above it, else 0.
-    #[schemars(with = "Auto<f64>", range(max = 0.0), extend("x-default" = "auto"))]
+    #[schemars(with = "Auto<f64>", extend("x-default" = "auto"))]
     pub start: f64,
     /// End of the simulated time [s].
     #[schemars(extend(

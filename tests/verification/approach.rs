@@ -1,0 +1,43 @@
+//! The approach of a body to weakly compressible water (THEORY WA12).
+
+use evidence::systems::{scene, system};
+use scenarios::run::{RunOptions, run};
+
+/// A wedge in free fall, and one at constant speed, are half a spacing above their places at t = 0, with the speed that the scene says.
+#[test]
+fn a_body_that_flies_in_is_in_its_place_at_zero() {
+    for (name, sets) in [("wedge", vec!["resolution.spacing=0.012"]), ("wedge_constant", vec!["resolution.spacing=0.05"])] {
+        let mut flying = system(name, &sets);
+        let scene = scene(name, &sets);
+        let body = scene.body.as_ref().expect("a wedge");
+        assert!(scene.time.start < 0.0 && flying.fluid.time() == scene.time.start);
+        let lowest = |height: f64| (height - body.position[1]) / scene.resolution.spacing;
+        let motion = |s: &fsi_coupling::Coupled| s.bodies().find_map(|b| b.motion()).expect("it moves");
+        assert!((lowest(motion(&flying).position[1]) - 2.5).abs() < 1e-9, "it starts 2.5 spacings above");
+        while flying.fluid.time() < 0.0 {
+            let dt = flying.stable_dt().expect("a stable step").min(-flying.fluid.time());
+            flying.step(dt).expect("a stable step");
+        }
+        let now = motion(&flying);
+        // the first water meets it before
+        assert!((lowest(now.position[1]) - 0.5).abs() < 0.01, "{name}: {}", lowest(now.position[1]));
+        assert!((now.velocity[1] / body.velocity[1] - 1.0).abs() < 5e-3, "{name}: {:?}", now.velocity);
+    }
+}
+
+/// From a draught of 8 spacings on the mean force over three spacings of fall is within 6 % of the similarity solution; a start that
+/// touches is 8 to 17 % high there.
+#[test]
+fn an_early_force_is_right_after_an_approach() {
+    let (spacing, exact) = (0.05, 14.0201); // Dobrovolskaya 1969, 30°
+    let sets = ["resolution.spacing=0.05", "time.end=0.8", "time.sample_every=0.001"];
+    let outcome = run(&scene("wedge_constant", &sets), &RunOptions::default()).expect("a run");
+    let (times, force) = (outcome.series.times(), outcome.series.column("wedge.fy_N_per_m").expect("a force"));
+    for k in [8.0, 10.0, 12.0, 14.0] {
+        let near = times.iter().zip(&force).filter(|(t, _)| (*t / spacing - k).abs() < 1.5);
+        let coefficients: Vec<f64> = near.map(|(t, f)| f / (1000.0 * t)).collect();
+        let error = coefficients.iter().sum::<f64>() / coefficients.len() as f64 / exact - 1.0;
+        println!("k = {k}: {:+.1} %", 100.0 * error);
+        assert!(error.abs() < 0.06, "k = {k}: {:+.1} %", 100.0 * error);
+    }
+}
