@@ -6,7 +6,9 @@ use scenarios::run::{RunOptions, run};
 /// A wedge in free fall, and one at constant speed, are half a spacing above their places at t = 0, with the speed that the scene says.
 #[test]
 fn a_body_that_flies_in_is_in_its_place_at_zero() {
-    for (name, sets) in [("wedge", vec!["resolution.spacing=0.012"]), ("wedge_constant", vec!["resolution.spacing=0.05"])] {
+    for (name, sets) in
+        [("wedge", vec!["resolution.spacing=0.012"]), ("wedge_constant", vec!["resolution.spacing=0.05"])]
+    {
         let mut flying = system(name, &sets);
         let scene = scene(name, &sets);
         let body = scene.body.as_ref().expect("a wedge");

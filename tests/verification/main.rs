@@ -1,7 +1,7 @@
 //! Verification: what has an exact answer must meet it, and errors must fall at the order the theory says.
 
-mod approach;
 mod acoustics;
+mod approach;
 mod channel;
 mod closed_tank;
 mod conservation;
