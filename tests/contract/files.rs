@@ -135,7 +135,11 @@ fn the_summary_has_the_keys_of_the_contract() {
     has(&summary, "/coupling/iterations_max", Value::is_u64);
     has(&summary, "/comparison/0/reference", Value::is_string);
     has(&summary, "/comparison/0/quantity", Value::is_string);
-    assert_eq!([&summary["scene"], &summary["status"], &summary["model"]], ["wedge_constant", "completed", "wcsph"]);
+    // so coarse that the largest pressure is not resolved
+    has(&summary, "/similarity/cp_max_unresolved", Value::is_string);
+    has(&summary, "/doubts/0", |v| v.as_str().is_some_and(|why| why.contains("similarity.cp_max")));
+    assert_eq!([&summary["scene"], &summary["model"]], ["wedge_constant", "wcsph"]);
+    assert_eq!(summary["status"], "completed_with_doubts");
 }
 
 /// Every built-in scene is listed with what it shows, can be checked, and every key is described.
