@@ -219,10 +219,16 @@ fn auto_sound_speed_covers_the_fall_and_the_weight_of_the_water() {
 }
 
 #[test]
-fn auto_sound_speed_covers_the_front_of_a_broken_dam() {
+fn auto_sound_speed_covers_the_front_of_a_dam_broken_before_a_body() {
     let [still, broken] = [&[][..], &["tank.water_width=0.3"]].map(|sets| changed(TANK, sets).expect("a tank"));
-    assert!((still.sound_speed() - 10.0 * (2.0 * 9.81 * 0.5_f64).sqrt()).abs() < 1e-9);
-    assert!((broken.sound_speed() - 20.0 * (9.81 * 0.5_f64).sqrt()).abs() < 1e-9);
+    for tank in [&still, &broken] {
+        assert!((tank.sound_speed() - 10.0 * (2.0 * 9.81 * 0.5_f64).sqrt()).abs() < 1e-9);
+    }
+    let baffle = load("dam_break_baffle", &[]).expect("a built-in scene").scene;
+    assert!((baffle.sound_speed() / (20.0 * (9.81 * baffle.tank.depth).sqrt()) - 1.0).abs() < 1e-9);
+    // a gate at the water is no obstacle of the front
+    let gate = load("elastic_gate", &[]).expect("a built-in scene").scene;
+    assert!((gate.sound_speed() / (10.0 * (2.0 * 9.81 * gate.tank.depth).sqrt()) - 1.0).abs() < 1e-9);
 }
 
 #[test]
