@@ -108,14 +108,15 @@ impl Judge {
         };
         let window = WINDOW * self.spacing / self.speed;
         let by_force = |peak: Extreme, raw: Extreme| self.force_finding(curves, window, peak, raw);
+        let force = self.peak(&curves.force, window, [1.0, 0.0], &by_force);
+        let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            match dry && peak.value <= (1.0 + FORCE_BAND.1) * self.gravity {
+            match known && dry && peak.value <= (1.0 + FORCE_BAND.1) * self.gravity {
                 true => (Verdict::Resolved, Some(FORCE_BAND.1), None), // the fall before the water bears
                 false => by_force(peak, raw),
             }
         };
-        let force = self.peak(&curves.force, window, [1.0, 0.0], &by_force);
         let unit = [1.0 / STANDARD_GRAVITY, self.gravity];
         let acceleration = self.peak(&curves.acceleration, window, unit, &by_acceleration);
         let pressure = self.peak_pressure(curves);
