@@ -27,19 +27,25 @@ fn a_body_that_flies_in_is_in_its_place_at_zero() {
     }
 }
 
-/// From a draught of 8 spacings on the mean force over three spacings of fall is within 6 % of the similarity solution; a start that
-/// touches is 8 to 17 % high there.
+/// Errors of the mean force over three spacings of fall at draughts of 8, 10, 12 and 14 spacings, 30° at constant speed.
+fn early_errors(sets: &[&str]) -> Vec<f64> {
+    let (spacing, exact) = (0.05, 14.0201); // Dobrovolskaya 1969
+    let coarse = ["resolution.spacing=0.05", "time.end=0.8", "time.sample_every=0.001"];
+    let outcome = run(&scene("wedge_constant", &[&coarse[..], sets].concat()), &RunOptions::default()).expect("a run");
+    let (times, force) = (outcome.series.times(), outcome.series.column("wedge.fy_N_per_m").expect("a force"));
+    let error = |k: f64| {
+        let near = times.iter().zip(&force).filter(|(t, _)| (*t / spacing - k).abs() < 1.5);
+        evidence::statistics::mean(&near.map(|(t, f)| f / (1000.0 * t)).collect::<Vec<_>>()) / exact - 1.0
+    };
+    [8.0, 10.0, 12.0, 14.0].map(error).to_vec()
+}
+
+/// After an approach the force is within 6 % of the similarity solution at 8 spacings and within 2 % from 10 on; a start that touches
+/// is more than 2.5 % high all the way.
 #[test]
 fn an_early_force_is_right_after_an_approach() {
-    let (spacing, exact) = (0.05, 14.0201); // Dobrovolskaya 1969, 30°
-    let sets = ["resolution.spacing=0.05", "time.end=0.8", "time.sample_every=0.001"];
-    let outcome = run(&scene("wedge_constant", &sets), &RunOptions::default()).expect("a run");
-    let (times, force) = (outcome.series.times(), outcome.series.column("wedge.fy_N_per_m").expect("a force"));
-    for k in [8.0, 10.0, 12.0, 14.0] {
-        let near = times.iter().zip(&force).filter(|(t, _)| (*t / spacing - k).abs() < 1.5);
-        let coefficients: Vec<f64> = near.map(|(t, f)| f / (1000.0 * t)).collect();
-        let error = coefficients.iter().sum::<f64>() / coefficients.len() as f64 / exact - 1.0;
-        println!("k = {k}: {:+.1} %", 100.0 * error);
-        assert!(error.abs() < 0.06, "k = {k}: {:+.1} %", 100.0 * error);
-    }
+    let (flying, touching) = (early_errors(&[]), early_errors(&["time.start=0"]));
+    println!("{flying:.3?}, touching {touching:.3?}");
+    assert!(flying[0].abs() < 0.06 && flying[1..].iter().all(|error| error.abs() < 0.02), "{flying:.3?}");
+    assert!(touching.iter().all(|error| *error > 0.025), "{touching:.3?}");
 }

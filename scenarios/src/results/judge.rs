@@ -7,7 +7,7 @@ use fsi_coupling::PanelState;
 use super::running_integral::{Extreme, RunningIntegral};
 use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
-    Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, START_GAP, Scene, known_compressibility_error, significant,
+    Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error, significant,
 };
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
@@ -20,8 +20,6 @@ const FORCE_BAND: (f64, f64) = (0.7, 0.03);
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;
-/// A round bottom in weakly compressible water starts at least so far above it (GE20) [spacings].
-const LEAST_GAP: f64 = 2.0;
 /// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
 const LEAST_ROUND: f64 = 1.25;
 /// Least band of a round bottom's peak through its window (GE20), and that of a radius of one spacing, shares of the force [-].

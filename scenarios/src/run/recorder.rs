@@ -1,6 +1,5 @@
 //! The observers of a run, their schedule, and the summary of their results.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -30,7 +29,7 @@ const LATE: f64 = 0.8;
 pub(crate) struct Recorder {
     gauges: GaugeReader,
     results: ResultsObserver,
-    extremes: BTreeMap<String, Peak>,
+    extremes: Vec<(String, Peak)>,
     pub series: Series,
     pub log: Option<LogObserver>,
     pub pictures: FlowPictures,
@@ -58,7 +57,7 @@ impl Recorder {
         Ok(Recorder {
             gauges: GaugeReader::new(scene),
             results: ResultsObserver::new(scene),
-            extremes: BTreeMap::new(),
+            extremes: Vec::new(),
             series: Series::new(scene, series)?,
             log: log.map(|path| LogObserver::create(path, scene)).transpose()?,
             pictures: FlowPictures::new(scene),
@@ -102,8 +101,12 @@ impl Recorder {
     fn follow(&mut self, system: &Coupled) {
         let time_s = system.fluid.time();
         let Some((body, motion)) = system.bodies().find_map(|body| Some((body, body.motion()?))) else { return };
-        for (column, value) in body_values(&motion) {
-            let largest = self.extremes.entry(format!("{}.{column}", body.name())).or_default();
+        let values = body_values(&motion);
+        if self.extremes.is_empty() {
+            let named = |(column, _): &(&str, f64)| (format!("{}.{column}", body.name()), Peak::default());
+            self.extremes = values.iter().map(named).collect();
+        }
+        for ((_, largest), (_, value)) in self.extremes.iter_mut().zip(values) {
             if value.abs() > largest.value.abs() {
                 *largest = Peak { value, time_s, verdict: None };
             }
@@ -214,16 +217,17 @@ impl Recorder {
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
         let verdict = results.peak_force_N_per_m.map(|force| force.verdict).filter(|v| *v != Verdict::Resolved);
         let gauges = self.gauges.results();
+        let of_body = |name: &str| self.extremes.iter().find(|(own, _)| own == name).map(|(_, peak)| *peak);
         let extreme = |name: &str| {
             let gauge = |g: &GaugeResult| Peak { value: g.peak_pa, time_s: g.peak_time_s, verdict: None };
             let of_gauge = || name.strip_suffix(".p_Pa").and_then(|gauge_name| gauges.get(gauge_name)).map(gauge);
-            self.extremes.get(name).copied().or_else(of_gauge)
+            of_body(name).or_else(of_gauge)
         };
         let peak = |(name, value, time_s): (&str, f64, f64)| {
             let sampled = Peak { value, time_s, verdict: None };
             let of_steps = extreme(name).filter(|largest| largest.value.abs() > value.abs());
             // "NAME.fy_N_per_m", "NAME.ay_m_per_s2" of the body
-            let of_force = self.extremes.contains_key(name) && [".f", ".a"].iter().any(|c| name.contains(c));
+            let of_force = of_body(name).is_some() && [".f", ".a"].iter().any(|c| name.contains(c));
             let verdict = verdict.filter(|_| of_force && !name.ends_with("angle_deg"));
             (name.to_string(), Peak { verdict, ..of_steps.unwrap_or(sampled) })
         };

@@ -12,7 +12,7 @@ pub const STANDOFF: f64 = 0.5;
 /// A body that flies in starts so far above its place at t = 0 [spacings], out of the kernel's reach.
 pub const START_GAP: f64 = 2.5;
 /// A body whose lowest point is so far above the water at t = 0 needs no approach [spacings].
-const LEAST_GAP: f64 = 2.0;
+pub const LEAST_GAP: f64 = 2.0;
 
 /// When the run of a body starts that is at its place at t = 0 [s]: at the start of its approach, or at 0 where it has none.
 ///

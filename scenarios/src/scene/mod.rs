@@ -30,7 +30,7 @@ pub mod settings;
 pub(crate) mod source;
 mod warnings;
 
-pub(crate) use approach::START_GAP;
+pub(crate) use approach::{LEAST_GAP, START_GAP};
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
