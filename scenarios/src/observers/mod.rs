@@ -34,6 +34,7 @@ pub use low_pass::LowPass;
 pub use run_log::LogObserver;
 pub(crate) use run_log::create_log;
 pub use series::Series;
+pub(crate) use similarity::FROM as SIMILARITY_FROM;
 pub use similarity::{SimilarityResult, SimilarityWindow};
 
 /// What an observer sees.

@@ -18,7 +18,7 @@ const POINTS: usize = 400;
 /// Points in a spacing along the face of the last snapshot.
 const POINTS_PER_SPACING: f64 = 4.0;
 /// The window starts at this share of the run.
-const FROM: f64 = 0.8;
+pub(crate) const FROM: f64 = 0.8;
 /// Least spacings across the length of the face with 90 % of the largest pressure: 9 to 13 gave it to 2 %, 6.5 to 5 %.
 const PEAK_SPACINGS: f64 = 8.0;
 

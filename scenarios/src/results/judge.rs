@@ -16,6 +16,8 @@ const WINDOW: f64 = 3.0;
 const CUTOFF: f64 = 0.443;
 /// Band of a peak force times its draught in spacings, and the least band (GE19), shares of the force [-].
 const FORCE_BAND: (f64, f64) = (0.7, 0.03);
+/// Band of an impulse times the draught at the end in spacings, and the least band (GE19), shares of the impulse [-].
+const IMPULSE_BAND: (f64, f64) = (1.4, 0.05);
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
@@ -290,11 +292,15 @@ impl Judge {
         each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
     }
 
-    /// The impulse over the run: an integral averages by itself.
+    /// The impulse over the run: an integral averages by itself. Its band is that of an entry deep enough (GE19).
     fn impulse(&self, force: &RunningIntegral<2>) -> Quantity {
         let [x, y] = force.total();
         let value = x.hypot(y);
-        Quantity { value, time_s: None, band: None, cutoff_hz: None, raw: value, verdict: Verdict::Resolved }
+        let spacings = self.entry.filter(|entry| !entry.is_flat()).map(|entry| entry.final_draught / self.spacing);
+        let (at_one_spacing, least) = IMPULSE_BAND;
+        let share = spacings.filter(|k| *k >= LEAST_DRAUGHT).map(|k| (at_one_spacing / k).max(least));
+        let band = share.map(|share| share * value);
+        Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict: Verdict::Resolved }
     }
 }
 

@@ -12,7 +12,7 @@ use super::check::{check, check_step};
 use super::draft::Draft;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 use super::impact::Entry;
-use super::keel::keel_warnings;
+use super::keel::{early_arrivals, keel_warnings};
 use super::legacy::refuse_absent;
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
@@ -76,7 +76,12 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let given = source.read()?;
     let scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
-    let warnings = ignored(&given, &scene).into_iter().chain(warnings(&scene)).chain(keel_warnings(&scene)).collect();
+    let warnings = ignored(&given, &scene)
+        .into_iter()
+        .chain(warnings(&scene))
+        .chain(keel_warnings(&scene))
+        .chain(early_arrivals(&scene))
+        .collect();
     Ok(Loaded { warnings, scene, source })
 }
 

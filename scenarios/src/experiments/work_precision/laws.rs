@@ -1,9 +1,10 @@
 //! Laws of a chart that apply to other runs (THEORY GE17).
 
-use super::case::{Family, Quantity};
+use super::case::{Family, Quantity, Reading};
 use super::measured::Measured;
 use crate::charted::{ErrorLaw, ShareOf, WedgeEntry};
 use crate::experiments::runs::scene_with;
+use crate::observers::SIMILARITY_FROM;
 use crate::power_law::PowerLaw;
 use crate::scene::{Norm, Scene, SceneError};
 
@@ -25,7 +26,8 @@ fn error_law(measured: &Measured, family: &Family, quantity: &Quantity, scene: &
     let entry = WedgeEntry::of(scene)?;
     let (path, share_of) = number_of(quantity, scene)?;
     let seen = measured.seen(quantity).into_iter().filter(|s| s.point.family == family.name);
-    let points: Vec<[f64; 2]> = seen.filter_map(|s| Some([s.run.spacings_per_draught?, s.reading.error])).collect();
+    let point = |k: f64, reading: Reading| [k, error_of_mean(k, reading)];
+    let points: Vec<[f64; 2]> = seen.filter_map(|s| Some(point(s.run.spacings_per_draught?, s.reading))).collect();
     let law = PowerLaw::fit(points.iter().copied())?;
     let spacings = points.iter().fold([f64::INFINITY, 0.0], |e: [f64; 2], p| [e[0].min(p[0]), e[1].max(p[0])]);
     Some(ErrorLaw {
@@ -39,6 +41,13 @@ fn error_law(measured: &Measured, family: &Family, quantity: &Quantity, scene: &
         law,
         spacings,
     })
+}
+
+/// Error of a mean over the window [-]: its bias, and the scatter of single samples over √n, n the rows of particles that the body
+/// meets in the window, of k that it meets in the run.
+fn error_of_mean(spacings: f64, reading: Reading) -> f64 {
+    let rows = ((1.0 - SIMILARITY_FROM) * spacings).max(1.0);
+    reading.bias.hypot(reading.scatter / rows.sqrt())
 }
 
 /// The number that a quantity's error belongs to; `None` for errors of curves that are not relative to a number.
