@@ -48,7 +48,32 @@ pub fn curve(compare: &Compare) -> Result<ReferenceCurve, ReferenceError> {
     Ok(ReferenceCurve { t: scaled(&compare.x, compare.x_scale)?, y: scaled(&compare.y, compare.y_scale)? })
 }
 
-/// Compare a sampled column with a curve; `None` if the run has no sample in the window.
+/// Compare a sampled column with the curves that a scene names: the comparisons, and of those that cannot be made, why.
+pub fn against_curves(
+    compares: &[Compare],
+    references: &[ReferenceCurve],
+    series: &Series,
+) -> (Vec<Comparison>, Vec<String>) {
+    let (mut made, mut missing) = (Vec::new(), Vec::new());
+    for (compare, reference) in compares.iter().zip(references) {
+        match against_curve(compare, reference, series) {
+            Some(comparison) => made.push(comparison),
+            None => missing.push(why_not(compare, series)),
+        }
+    }
+    (made, missing)
+}
+
+/// Why a comparison is missing.
+fn why_not(compare: &Compare, series: &Series) -> String {
+    let Compare { quantity, reference, window: [from, to], .. } = compare;
+    let end = series.times().last().copied().unwrap_or(0.0);
+    format!(
+        "{quantity} against {reference}: the run, which ends at {end:.6} s, has too little in the times compared, {from} to {to} s"
+    )
+}
+
+/// Compare a sampled column with a curve; `None` where run or reference have too little in the window for the norm.
 pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Series) -> Option<Comparison> {
     let (times, values) = (series.times(), series.column(&compare.quantity)?);
     let end = times.last().copied()?;

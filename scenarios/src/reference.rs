@@ -16,6 +16,9 @@ use include_dir::{Dir, include_dir};
 
 static TABLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/cases/reference");
 
+/// Largest file of a reference [bytes].
+const LARGEST: u64 = 16 << 20;
+
 /// A table of numbers with named columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
@@ -31,8 +34,26 @@ pub enum ReferenceError {
     /// Neither a built-in table nor a readable file.
     #[error("reference `{0}` is neither a built-in table nor a readable file; built-in: {1}")]
     Missing(String, String),
+    /// A file that is larger than any table of a reference.
+    #[error("reference `{0}` is larger than {LARGEST} bytes")]
+    Large(String),
+    /// Fewer than two rows.
+    #[error("reference `{0}` has {1} rows of numbers: two are needed")]
+    Short(String, usize),
+    /// A row with more or fewer cells than there are columns.
+    #[error("reference `{name}`, line {line}: {cells} cells, {columns} columns")]
+    Row {
+        /// The table.
+        name: String,
+        /// Line in the file, from 1.
+        line: usize,
+        /// Cells in the line.
+        cells: usize,
+        /// Columns of the table.
+        columns: usize,
+    },
     /// A cell that is not a number.
-    #[error("reference `{name}`, line {line}: `{given}` is not a number")]
+    #[error("reference `{name}`, line {line}: `{given}` is not a finite number")]
     Cell {
         /// The table.
         name: String,
@@ -58,10 +79,21 @@ impl Table {
     pub fn load(name: &str) -> Result<Table, ReferenceError> {
         let text = match TABLES.get_file(name).and_then(|f| f.contents_utf8()) {
             Some(text) => text.to_string(),
-            None => std::fs::read_to_string(name)
-                .map_err(|_| ReferenceError::Missing(name.into(), builtin_names().join(", ")))?,
+            None => {
+                let missing = |_| ReferenceError::Missing(name.into(), builtin_names().join(", "));
+                let file = std::fs::metadata(name).map_err(missing)?;
+                if file.len() > LARGEST {
+                    return Err(ReferenceError::Large(name.into()));
+                }
+                std::fs::read_to_string(name).map_err(missing)?
+            }
         };
         Table::parse(name, &text)
+    }
+
+    /// True for a table that is part of the program.
+    pub fn is_builtin(name: &str) -> bool {
+        TABLES.get_file(name).is_some()
     }
 
     fn parse(name: &str, text: &str) -> Result<Table, ReferenceError> {
@@ -73,17 +105,22 @@ impl Table {
                 table.columns = line.split(',').map(|c| c.trim().to_string()).collect();
             } else if !line.trim().is_empty() {
                 let cell = |c: &str| {
-                    let given = c.trim();
-                    given.parse().map_err(|_| ReferenceError::Cell {
-                        name: name.into(),
-                        line: k + 1,
-                        given: given.into(),
-                    })
+                    let (name, line, given) = (name.into(), k + 1, c.trim());
+                    let number = given.parse().ok().filter(|number: &f64| number.is_finite());
+                    number.ok_or(ReferenceError::Cell { name, line, given: given.into() })
                 };
-                table.rows.push(line.split(',').map(cell).collect::<Result<_, _>>()?);
+                let row: Vec<f64> = line.split(',').map(cell).collect::<Result<_, _>>()?;
+                let (cells, columns) = (row.len(), table.columns.len());
+                if cells != columns {
+                    return Err(ReferenceError::Row { name: name.into(), line: k + 1, cells, columns });
+                }
+                table.rows.push(row);
             }
         }
-        Ok(table)
+        match table.rows.len() {
+            rows @ ..=1 => Err(ReferenceError::Short(name.into(), rows)),
+            _ => Ok(table),
+        }
     }
 
     /// A column by its name.
@@ -93,7 +130,7 @@ impl Table {
             column: column.into(),
             known: self.columns.join(", "),
         })?;
-        Ok(self.rows.iter().map(|row| row.get(k).copied().unwrap_or(f64::NAN)).collect())
+        Ok(self.rows.iter().map(|row| row[k]).collect())
     }
 }
 
@@ -199,5 +236,20 @@ mod tests {
         let name = "external/wedge25_yettou2006_velocity_exp.csv";
         let column = Table::load(name).unwrap().column(name, "v").unwrap_err().to_string();
         assert!(column.contains("t_ms, v_m_s"), "{column}");
+    }
+
+    #[test]
+    fn a_table_that_cannot_be_compared_is_refused_with_its_line() {
+        let refused = |text: &str| Table::parse("own.csv", text).unwrap_err().to_string();
+        for (text, part) in [
+            ("", "0 rows"),
+            ("t,v\n", "0 rows"),
+            ("t,v\n0,1\n", "1 rows"),
+            ("# about\nt,v\n0,1\n1,NaN\n", "line 4: `NaN`"),
+            ("t,v\n0,1\n1\n", "line 3: 1 cells, 2 columns"),
+            ("t,v\n0,1\n1,inf\n", "line 3: `inf`"),
+        ] {
+            assert!(refused(text).contains(part), "{text:?}: {}", refused(text));
+        }
     }
 }

@@ -68,7 +68,8 @@ impl Workplace {
         serde_json::from_str(&self.text(&format!("{out}/summary.json"))).expect("JSON")
     }
 
-    fn command(&self, arguments: &[&str]) -> Command {
+    /// The command, not started.
+    pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(binary());
         command.args(arguments).current_dir(self.folder.path()).stdin(Stdio::null());
         command

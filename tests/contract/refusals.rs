@@ -142,7 +142,8 @@ fn a_wrong_argument_is_refused_and_named() {
         (&["run", "wedge", "--set", "body.mass=heavy"], &["--set body.mass=heavy:", "`body.mass`", "expected a finite number"]),
         (&["run", "wedge", "--set", "body.mas=3"], &["--set body.mas=3:", "unknown key `body.mas`", "body.mass"]),
         (&["run", "wedge", "--set", "body.mass=-1"], &["--set body.mass=-1:", "`body.mass` = -1", "expected a finite number above 0"]),
-        (&["run", "wedge", "--threads", "0"], &["--threads 0", "expected at least 1"]),
+        (&["run", "wedge", "--threads", "0"], &["--threads 0", "expected 1 to"]),
+        (&["run", "wedge", "--threads", "5000"], &["--threads 5000", "expected 1 to"]),
         (&["run", "wedge", "--thread", "1"], &["--thread"]),
         (&["run"], &["SCENE"]),
         (&["swim"], &["swim"]),
@@ -158,6 +159,19 @@ fn a_wrong_argument_is_refused_and_named() {
 }
 
 /// A reference that a scene names and that is not there is wrong input, found before anything is written.
+/// A line as long as no terminal is, and a stderr that nobody reads: the exit code stays.
+#[test]
+fn a_message_that_cannot_be_drawn_or_written_keeps_its_exit_code() {
+    let place = Workplace::new();
+    fs::write(place.path("wide.toml"), format!("name = \"{}\" x = 3\n", "a".repeat(70_000))).expect("a file");
+    let ended = place.run(&["check", "wide.toml"]);
+    assert_eq!(ended.code, Some(2), "{}", ended.message);
+    ended.says(&["wide.toml:1", "not valid TOML"]);
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("/dev/full");
+    let status = place.command(&["check", "nosuch"]).stderr(full).status().expect("a status");
+    assert_eq!(status.code(), Some(2));
+}
+
 #[test]
 fn a_missing_reference_is_refused_before_the_run() {
     let place = Workplace::new();

@@ -15,7 +15,10 @@ use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
 use experiments::{convergence, stability, work_precision};
-use shared::{FAILED, INPUT, Output, SceneArgs, Stop};
+use shared::{FAILED, INPUT, Output, SceneArgs, Stop, complain};
+
+/// Threads for each core, at most: more only wait for each other.
+const MOST_THREADS: usize = 8;
 
 #[derive(Parser)]
 #[command(name = "splashdown", version, about = "Water impact and ditching of sections, in two dimensions")]
@@ -67,15 +70,15 @@ pub fn main() -> ExitCode {
     trace(cli.output.quiet);
     let code = start(&cli).unwrap_or_else(|stop| match stop {
         Stop::Scene(error) => {
-            eprintln!("{:?}", miette::Report::new(error));
+            complain(format_args!("{:?}", miette::Report::new(error)));
             INPUT
         }
         Stop::Input(text) => {
-            eprintln!("error: {text}");
+            complain(format_args!("error: {text}"));
             INPUT
         }
         Stop::Failed(text) => {
-            eprintln!("error: {text}");
+            complain(format_args!("error: {text}"));
             FAILED
         }
     });
@@ -92,8 +95,9 @@ fn trace(quiet: bool) {
 
 fn start(cli: &Cli) -> Result<u8, Stop> {
     if let Some(n) = cli.threads {
-        if n == 0 {
-            return Err(Stop::Input("--threads 0: expected at least 1".into()));
+        let most = MOST_THREADS * std::thread::available_parallelism().map_or(1, usize::from);
+        if n == 0 || n > most {
+            return Err(Stop::Input(format!("--threads {n}: expected 1 to {most}, {MOST_THREADS} for each core")));
         }
         let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
         pool.map_err(|e| Stop::Failed(format!("cannot start {n} threads: {e}")))?;

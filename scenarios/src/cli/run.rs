@@ -142,6 +142,7 @@ fn in_words(s: &Summary) -> String {
         };
         lines.push(format!("  {} against {}: error {:.4} ({verdict})", c.quantity, c.reference, c.error));
     }
+    lines.extend(s.not_compared.iter().map(|why| format!("  NOT COMPARED: {why}")));
     lines.extend(s.error_bars.iter().map(|(path, bar)| {
         let order = bar.order.map_or(String::new(), |p| format!(", order {p:.2}"));
         format!("  {path}: {:.5e} ± {:.1e}{order}; {} ({})", bar.middle(), bar.band, bar.verdict, bar.method)

@@ -39,7 +39,7 @@ impl Output {
     /// Print progress on stderr, unless `--quiet`.
     pub fn progress(&self, text: std::fmt::Arguments<'_>) {
         if !self.quiet {
-            eprintln!("{text}");
+            complain(text);
         }
     }
 }
@@ -47,6 +47,11 @@ impl Output {
 /// Print a line on stdout; a reader that closed the pipe does not stop the command.
 pub(super) fn say(text: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout(), "{text}");
+}
+
+/// Print a line on stderr; a reader that is gone does not change the exit code.
+pub(super) fn complain(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "{text}");
 }
 
 /// Indented JSON.

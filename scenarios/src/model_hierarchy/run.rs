@@ -39,8 +39,7 @@ pub(crate) fn run(
     let log = log.map(|path| write_log(scene, body, &theory, &path)).transpose()?;
     let exact = compare::similarity_of(scene);
     let similarity = scene.similarity.and_then(|_| similarity(scene, &theory, exact.as_ref()));
-    let mut comparison: Vec<_> =
-        scene.compare.iter().zip(&references).filter_map(|(c, r)| compare::against_curve(c, r, &series)).collect();
+    let (mut comparison, not_compared) = compare::against_curves(&scene.compare, &references, &series);
     comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
@@ -66,6 +65,7 @@ pub(crate) fn run(
         error_bars: bars,
         similarity,
         comparison,
+        not_compared,
         ..Summary::default()
     };
     Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })

@@ -27,8 +27,6 @@ enum Breakdown {
     Endless(u64, f64),
 }
 
-/// Share of the exchanged work that may be lost without a warning [-].
-const LARGEST_WORK_GAP: f64 = 0.01;
 /// Interval between two calls of the progress function.
 const PROGRESS_EVERY: Duration = Duration::from_millis(100);
 
@@ -67,13 +65,6 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     info!(?status, steps = system.fluid.steps(), lists = system.fluid.neighbours().rebuilds, wall, "ended");
     let mut summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
     recorder.series.flush()?;
-    if summary.audit.work > LARGEST_WORK_GAP {
-        warn!(
-            "{:.1} % of the work of the water on the body did not reach the body: the step is too long for how fast the body \
-             bends; set a smaller time.step or fluid.cfl",
-            100.0 * summary.audit.work
-        );
-    }
     if summary.status.is_completed() {
         summary.error_bars = options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
     }

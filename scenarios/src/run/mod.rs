@@ -1,5 +1,6 @@
 //! A run: build the scene, step to its end, observe on the way, keep log, curves, summary and report.
 
+mod audit;
 mod driver;
 mod particle_order;
 mod recorder;

@@ -12,7 +12,7 @@ use super::particle_order::particle_order;
 use super::summary::{
     Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Status, Summary, phase_times,
 };
-use crate::compare::{self, Comparison, ReferenceCurve};
+use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
@@ -211,9 +211,18 @@ impl Recorder {
         let (results, mut doubts) = self.results.results(scene, system);
         let unresolved = similarity.as_ref().and_then(|s| s.cp_max_unresolved.as_ref());
         doubts.extend(unresolved.map(|why| format!("similarity.cp_max: {why}")));
-        let curves = scene.compare.iter().zip(references);
-        let mut comparison: Vec<Comparison> =
-            curves.filter_map(|(c, r)| compare::against_curve(c, r, &self.series)).collect();
+        let audit = Audit {
+            momentum: system.momentum_audit().worst,
+            energy: system.energy_drift() / self.history.scale(),
+            work: body.map_or(0.0, |k| system.work_audit(k).residual()),
+            structure: body.map_or(0.0, |k| structure_gap(system, k, self.energy_of_body)),
+            volume: fluid.volume() / volume - 1.0,
+            penetrated: self.history.penetrated(),
+            worst_penetration: self.history.worst_penetration().cloned(),
+            stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
+        };
+        doubts.extend(audit.doubts());
+        let (mut comparison, not_compared) = compare::against_curves(&scene.compare, references, &self.series);
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
         let verdict = results.peak_force_N_per_m.map(|force| force.verdict).filter(|v| *v != Verdict::Resolved);
         let gauges = self.gauges.results();
@@ -264,20 +273,12 @@ impl Recorder {
                 iterations_max: agreement.most_iterations,
                 residual_worst: agreement.worst_residual,
             }),
-            audit: Audit {
-                momentum: system.momentum_audit().worst,
-                energy: system.energy_drift() / self.history.scale(),
-                work: body.map_or(0.0, |k| system.work_audit(k).residual()),
-                structure: body.map_or(0.0, |k| structure_gap(system, k, self.energy_of_body)),
-                volume: fluid.volume() / volume - 1.0,
-                penetrated: self.history.penetrated(),
-                worst_penetration: self.history.worst_penetration().cloned(),
-                stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
-            },
+            audit,
             compressibility: self.compressibility(scene),
             similarity,
             force_rules: self.force_rules.as_ref().map_or(Vec::new(), |rules| rules.result(since)),
             comparison,
+            not_compared,
             error_bars: ErrorBars::new(),
             panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
             gauges,

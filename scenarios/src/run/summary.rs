@@ -7,10 +7,11 @@ use serde::Serialize;
 use sph_core::{Phase, Timers};
 use structure_fe::Range;
 
+pub use super::audit::Audit;
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
-use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, WorstPenetration};
+use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water};
 use crate::results::{Results, Verdict};
 use crate::scene::CouplingScheme;
 
@@ -67,29 +68,6 @@ pub struct Peak {
     /// What may be said of it, where it is not resolved: that of `results.peak_force_N_per_m`, for forces and accelerations.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verdict: Option<Verdict>,
-}
-
-/// Conservation over the run (THEORY CO27, CO28).
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Audit {
-    /// Worst momentum gap of a step over the momentum held and exchanged [-].
-    pub momentum: f64,
-    /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
-    pub energy: f64,
-    /// Work of the water that did not reach the body, over the work exchanged (THEORY CO17) [-].
-    pub work: f64,
-    /// Work on an elastic body that its energies do not contain, over the work exchanged [-].
-    pub structure: f64,
-    /// Change of the fluid's volume Σm/ρ over its start value [-].
-    pub volume: f64,
-    /// Most fluid particles found beyond a wall's surface at any sample.
-    pub penetrated: usize,
-    /// The worst of them; absent when there is none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub worst_penetration: Option<WorstPenetration>,
-    /// Times that a particle was stopped at a thin plate (THEORY WA11); absent when never.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stopped_at_plate: Option<u64>,
 }
 
 /// Convergence of the coupling.
@@ -229,6 +207,9 @@ pub struct Summary {
     pub force_rules: Vec<RuleResult>,
     /// Comparisons with references.
     pub comparison: Vec<Comparison>,
+    /// Comparisons that the run does not reach, and why; absent when there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_compared: Vec<String>,
     /// Error bars of main numbers, from charts or a convergence study (THEORY GE16, GE17).
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub error_bars: ErrorBars,

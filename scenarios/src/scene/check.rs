@@ -5,9 +5,9 @@ use std::fmt::Display;
 use super::auto::hydrostatic_sound;
 use super::incompressible::check_projection_step;
 use super::legacy::{breakdown_cfl, hollow_walls};
-use super::settings::{Block, Body, Compare, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
+use super::references::check_reference;
+use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use crate::observers::columns;
-use crate::reference::{ReferenceError, Table};
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
 use fsi_coupling::geometry::polygon;
@@ -300,20 +300,7 @@ fn check_comparisons(scene: &Scene) -> Result<(), Problem> {
         let given = format_args!("{:?}", compare.quantity);
         let expected = format_args!("a column of this scene's series: {}", known.join(", "));
         require(known.contains(&compare.quantity), &format!("compare[{i}].quantity"), given, expected)?;
-        check_reference(i, compare)?;
-    }
-    Ok(())
-}
-
-/// The reference is there, and has the columns that the scene names.
-fn check_reference(i: usize, compare: &Compare) -> Result<(), Problem> {
-    let wrong = |name: &str, given: &str, error: ReferenceError| {
-        let expected = format!("a table that can be used: {error}");
-        Problem::new(&format!("compare[{i}].{name}"), format!("{given:?}"), expected)
-    };
-    let table = Table::load(&compare.reference).map_err(|e| wrong("reference", &compare.reference, e))?;
-    for (name, column) in [("x", &compare.x), ("y", &compare.y)] {
-        table.column(&compare.reference, column).map_err(|e| wrong(name, column, e))?;
+        check_reference(i, compare, scene.time.end)?;
     }
     Ok(())
 }

@@ -1,6 +1,5 @@
-//! What is doubtful near the keel of a wedge.
+//! What is doubtful beside the keel of a steep wedge.
 
-use super::impact::{Bottom, Entry};
 use super::settings::{Gauge, GaugeFrame, Scene};
 use crate::observers::KeelLaw;
 use fsi_coupling::Shape;
@@ -8,31 +7,6 @@ use fsi_coupling::settings::significant;
 
 /// Deadrise from which the force is more than 1 % high at 64 spacings of draught [deg].
 const STEEP_DEG: f64 = 65.0;
-
-/// The pressure rises so far ahead of the spray root, at most: a gauge at 10 degrees [spacings].
-const EARLY: f64 = 4.0;
-/// A share of a gauge's time of arrival that is told [-].
-const TOLD: f64 = 0.1;
-
-/// Warnings about gauges so near to the keel that the pressure rises notably before the spray root is there.
-pub fn early_arrivals(scene: &Scene) -> Vec<String> {
-    let straight = |entry: &Entry| !entry.is_flat() && matches!(entry.bottom, Bottom::Wedge { .. });
-    let Some(entry) = scene.entry().filter(straight).filter(|_| !scene.model.is_theory()) else { return Vec::new() };
-    let early = |gauge: &Gauge| {
-        let share = EARLY * scene.resolution.spacing / gauge.at[0].abs();
-        let passed = gauge.on == GaugeFrame::Body && gauge.at[0].abs() < entry.half_breadth;
-        (passed && share > TOLD && share < 1.0).then(|| {
-            format!(
-                "gauge `{}` is {} spacings from the keel: the pressure rises up to {EARLY} spacings ahead of the spray root, {:.0} % of \
-                 its time of arrival",
-                gauge.name,
-                significant(gauge.at[0].abs() / scene.resolution.spacing),
-                100.0 * share
-            )
-        })
-    };
-    scene.gauges.iter().filter_map(early).collect()
-}
 
 /// Warnings about the keel's pressure, and about the force on a wedge whose tip is thinner than the kernel's support.
 pub fn keel_warnings(scene: &Scene) -> Vec<String> {
@@ -77,17 +51,5 @@ mod tests {
         assert_eq!(told("60", "at = [0.1, 0.17320508]"), [false, false]);
         assert_eq!(told("30", "at = [0.0, 0.0]"), [false, false]);
         assert_eq!(told("70", "at = [0.0, 0.0]"), [true, true]);
-    }
-
-    #[test]
-    fn an_early_arrival_is_told() {
-        let told = |at: &str| {
-            let gauge = format!("gauges=[{{ name = 'g', at = {at} }}]");
-            let warnings = load("wedge_constant", &[gauge]).expect("a scene").warnings;
-            warnings.iter().any(|w| w.contains("ahead of the spray root"))
-        };
-        let slope = 30.0_f64.to_radians().tan();
-        assert!(told(&format!("[0.3, {}]", 0.3 * slope)));
-        assert!(!told(&format!("[2.0, {}]", 2.0 * slope)));
     }
 }

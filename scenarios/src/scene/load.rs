@@ -11,9 +11,11 @@ use sph_core::{FluidSettings, Solver};
 use super::check::{check, check_step};
 use super::draft::Draft;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
+use super::gauge_warnings::gauge_warnings;
 use super::impact::Entry;
-use super::keel::{early_arrivals, keel_warnings};
+use super::keel::keel_warnings;
 use super::legacy::refuse_absent;
+use super::references::{drop_references, settle_references};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
@@ -74,13 +76,16 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 }
 
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
-    let given = source.read()?;
+    let mut given = source.read()?;
+    settle_references(&mut given, &source.name).map_err(|problem| source.error(problem))?;
+    let dropped = drop_references(&mut given, &source.sets);
     let scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
-    let warnings = ignored(&given, &scene)
+    let warnings = dropped
         .into_iter()
+        .chain(ignored(&given, &scene))
         .chain(warnings(&scene))
         .chain(keel_warnings(&scene))
-        .chain(early_arrivals(&scene))
+        .chain(gauge_warnings(&scene))
         .collect();
     Ok(Loaded { warnings, scene, source })
 }

@@ -18,12 +18,14 @@ mod check;
 pub(crate) mod draft;
 mod estimate;
 mod exchange;
+mod gauge_warnings;
 mod impact;
 mod incompressible;
 mod keel;
 #[cfg_attr(not(feature = "legacy"), path = "without_legacy.rs")]
 mod legacy;
 mod load;
+mod references;
 mod resolve;
 mod resolve_body;
 pub mod settings;

@@ -14,6 +14,10 @@ use toml::{Table, Value};
 /// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
 const LARGEST_NUMBER: f64 = 1e12;
 
+/// Longest line that a message draws whole, and how much of a longer one it shows before and behind a mistake [bytes].
+const WIDEST_LINE: usize = 2_000;
+const PART_SHOWN: usize = 60;
+
 /// Why a scene cannot be run: its first mistake, with the place, the key, what was given and what was expected.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SceneError {
@@ -129,14 +133,21 @@ impl Source {
 
     fn error_at(&self, span: Range<usize>, problem: String, help: Option<String>) -> SceneError {
         let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
-        SceneError::File {
-            name: self.name.clone(),
-            line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
-            problem,
-            text: Arc::new(NamedSource::new(&self.name, self.text.clone())),
-            span: span.into(),
-            help,
+        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+        let (shown, span) = self.shown(span);
+        let text = Arc::new(NamedSource::new(&self.name, shown));
+        SceneError::File { name: self.name.clone(), line, problem, text, span: span.into(), help }
+    }
+
+    /// The text that a message shows, and the place in it: all of it, or a part where the text is too wide to be drawn.
+    fn shown(&self, span: Range<usize>) -> (String, Range<usize>) {
+        if self.text.lines().all(|line| line.len() <= WIDEST_LINE) {
+            return (self.text.clone(), span);
         }
+        let at = |byte: usize| self.text.floor_char_boundary(byte.min(self.text.len()));
+        let (start, end) = (at(span.start.saturating_sub(PART_SHOWN)), at(span.start.saturating_add(PART_SHOWN)));
+        let place = at(span.start) - start..at(span.end).min(end).max(at(span.start)) - start;
+        (self.text[start..end].to_string(), place)
     }
 
     /// Where the value of a key stands; a key that no scene has, itself; for a key that is not written, its table's header.

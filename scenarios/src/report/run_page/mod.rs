@@ -18,7 +18,7 @@ pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
     let sections = [
         ("Results", tables::results_section(summary)),
         ("Run", tables::run_section(scene, summary, warnings)),
-        ("Against references", tables::comparison_section(&summary.comparison)),
+        ("Against references", tables::comparison_section(summary)),
         ("Error bars", tables::error_bars_section(summary)),
         ("Flow", of_particles(&|| pictures::pictures(scene, outcome.pictures.frames()))),
         ("Curves", charts::charts(scene, outcome)),

@@ -110,8 +110,8 @@ fn gauge_section(s: &Summary) -> Vec<Block> {
     table_section("", table)
 }
 
-/// Comparisons with references; nothing without any.
-pub(super) fn comparison_section(comparisons: &[Comparison]) -> Vec<Block> {
+/// Comparisons with references, and those that the run does not reach; nothing without any.
+pub(super) fn comparison_section(summary: &Summary) -> Vec<Block> {
     let verdict = |c: &&Comparison| match (c.tolerance, c.passes()) {
         (None, _) => "drawn only".into(),
         (_, true) => "within".into(),
@@ -119,7 +119,7 @@ pub(super) fn comparison_section(comparisons: &[Comparison]) -> Vec<Block> {
     };
     let table = Table::of(
         "Errors against references",
-        comparisons,
+        &summary.comparison,
         &[
             ("reference", |c| c.reference.clone()),
             ("quantity", |c| c.quantity.clone()),
@@ -130,7 +130,8 @@ pub(super) fn comparison_section(comparisons: &[Comparison]) -> Vec<Block> {
             ("verdict", verdict),
         ],
     );
-    table_section("", table)
+    let missing = summary.not_compared.iter().map(|why| Block::Text(format!("Not compared: {why}.")));
+    table_section("", table).into_iter().chain(missing).collect()
 }
 
 /// A text and the table that it explains; nothing where the table is empty.

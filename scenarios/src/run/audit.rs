@@ -1,0 +1,83 @@
+//! Conservation over a run, and what of it makes its results doubtful.
+
+use serde::Serialize;
+
+use crate::observers::WorstPenetration;
+use crate::scene::significant;
+
+/// Largest gap of the momentum that rounding can make [-].
+const MOMENTUM: f64 = 1e-9;
+/// Largest energy that may come from nowhere, over the energy exchanged [-].
+const ENERGY: f64 = 0.02;
+/// Largest share of the exchanged work that may be lost between water and body, or within the body [-].
+const WORK: f64 = 0.01;
+
+/// Conservation over the run (THEORY CO27, CO28).
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Audit {
+    /// Worst momentum gap of a step over the momentum held and exchanged [-].
+    pub momentum: f64,
+    /// Energy that left the balance over the largest energy exchanged [-]; negative: dissipated.
+    pub energy: f64,
+    /// Work of the water that did not reach the body, over the work exchanged (THEORY CO17) [-].
+    pub work: f64,
+    /// Work on an elastic body that its energies do not contain, over the work exchanged [-].
+    pub structure: f64,
+    /// Change of the fluid's volume Σm/ρ over its start value [-].
+    pub volume: f64,
+    /// Most fluid particles found beyond a wall's surface at any sample.
+    pub penetrated: usize,
+    /// The worst of them; absent when there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub worst_penetration: Option<WorstPenetration>,
+    /// Times that a particle was stopped at a thin plate (THEORY WA11); absent when never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stopped_at_plate: Option<u64>,
+}
+
+impl Audit {
+    /// What is out of bounds, in sentences.
+    pub fn doubts(&self) -> Vec<String> {
+        let percent = |share: f64| format!("{} %", significant(100.0 * share));
+        let beyond = [
+            (self.momentum > MOMENTUM).then(|| {
+                format!("audit.momentum: a step has a gap of {} of the momentum: a force has no counterforce", significant(self.momentum))
+            }),
+            (self.energy > ENERGY).then(|| {
+                format!(
+                    "audit.energy: {} of the energy exchanged came from nowhere; the method adds it to gentle motion: use a finer spacing",
+                    percent(self.energy)
+                )
+            }),
+            (self.work > WORK).then(|| {
+                format!(
+                    "audit.work: {} of the work of the water did not reach the body: the step is too long for how fast the body bends; \
+                     set a smaller time.step or fluid.cfl",
+                    percent(self.work)
+                )
+            }),
+            (self.structure > WORK).then(|| {
+                format!("audit.structure: {} of the work on the body is not in its energies", percent(self.structure))
+            }),
+            self.worst_penetration.as_ref().map(|worst| format!("audit.penetrated: {worst}")),
+        ];
+        beyond.into_iter().flatten().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_part_out_of_bounds_is_told_by_its_name() {
+        let fine = Audit { momentum: 1e-12, energy: -0.4, work: 0.005, structure: 1e-3, ..Audit::default() };
+        assert!(fine.doubts().is_empty());
+        let broken = Audit { momentum: 1e-6, energy: 0.3, work: 0.02, structure: 0.05, ..Audit::default() };
+        let doubts = broken.doubts();
+        for (doubt, name) in doubts.iter().zip(["momentum", "energy", "work", "structure"]) {
+            assert!(doubt.starts_with(&format!("audit.{name}: ")), "{doubt}");
+        }
+        assert_eq!(doubts.len(), 4);
+    }
+}

@@ -1,0 +1,140 @@
+//! The references of a scene: where they may lie, whether they hold points to compare, and which of them a changed key leaves.
+
+use std::fs;
+use std::path::{Component, Path};
+
+use fsi_coupling::settings::{Problem, require};
+use serde_json::Value;
+
+use super::settings::Compare;
+use super::source::assignment;
+use crate::reference::{ReferenceError, Table};
+
+/// Tables of a scene that say what flows, and keys of the other tables that do; the rest says how it is computed and observed.
+const OF_THE_FLOW: [&str; 5] = ["body", "tank", "gravity", "fluid.density", "fluid.kinematic_viscosity"];
+/// Keys of those tables that do not.
+const NOT_OF_THE_FLOW: [&str; 2] = ["elements", "name"];
+
+/// Puts the path of each reference behind the folder of the scene's file. Only files below that folder may be named: the text of a
+/// cell that is not a number is shown in a message.
+pub(super) fn settle_references(given: &mut Value, scene_file: &str) -> Result<(), Problem> {
+    let folder = Path::new(scene_file).parent().unwrap_or(Path::new(""));
+    let Some(compares) = given.get_mut("compare").and_then(Value::as_array_mut) else { return Ok(()) };
+    for (i, compare) in compares.iter_mut().enumerate() {
+        let Some(reference) = compare.get_mut("reference") else { continue };
+        let Some(name) = reference.as_str().filter(|name| !Table::is_builtin(name)).map(str::to_string) else {
+            continue;
+        };
+        let file = folder.join(&name);
+        let below = Path::new(&name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+        // what is not there is told with the tables that are
+        let within = below && is_within(&file, folder).unwrap_or(true);
+        let expected = "a built-in table, or a CSV file below the folder of the scene's file";
+        require(within, &format!("compare[{i}].reference"), format_args!("{name:?}"), expected)?;
+        *reference = Value::String(file.to_string_lossy().into_owned());
+    }
+    Ok(())
+}
+
+/// Whether a file is below a folder once links are followed.
+fn is_within(file: &Path, folder: &Path) -> std::io::Result<bool> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    Ok(fs::canonicalize(file)?.starts_with(fs::canonicalize(folder)?))
+}
+
+/// Takes away the references of a scene whose flow a `--set` argument changes, and says so; those that an argument gives stay. A
+/// tank around a body is as large as the program needs it, and not part of the flow.
+pub(super) fn drop_references(given: &mut Value, sets: &[String]) -> Option<String> {
+    let keys: Vec<&str> = sets.iter().filter_map(|set| assignment(set)).map(|(key, _)| key).collect();
+    let has_body = given.get("body").is_some();
+    let changed = keys.iter().find(|key| is_of_the_flow(key) && !(has_body && table_of(key) == "tank"))?;
+    let given_anew = keys.iter().any(|key| table_of(key) == "compare");
+    let compares =
+        given.get_mut("compare").and_then(Value::as_array_mut).filter(|list| !list.is_empty() && !given_anew)?;
+    let mut names: Vec<String> =
+        compares.iter().filter_map(|c| c.get("reference")?.as_str()).map(str::to_string).collect();
+    names.dedup();
+    compares.clear();
+    Some(format!("no comparison with {}: `{changed}` is not that of the reference", names.join(", ")))
+}
+
+fn table_of(key: &str) -> &str {
+    key.split(['.', '[']).next().unwrap_or(key)
+}
+
+fn is_of_the_flow(key: &str) -> bool {
+    let last = key.rsplit(['.', ']']).next().unwrap_or(key);
+    (OF_THE_FLOW.contains(&table_of(key)) || OF_THE_FLOW.contains(&key)) && !NOT_OF_THE_FLOW.contains(&last)
+}
+
+/// The reference is there, has the columns that the scene names, and at least two points in the times compared; a run that ends
+/// before them is told by its summary.
+pub(super) fn check_reference(i: usize, compare: &Compare, end: f64) -> Result<(), Problem> {
+    let wrong = |name: &str, given: &str, error: ReferenceError| {
+        let expected = format!("a table that can be used: {error}");
+        Problem::new(&format!("compare[{i}].{name}"), format!("{given:?}"), expected)
+    };
+    let table = Table::load(&compare.reference).map_err(|e| wrong("reference", &compare.reference, e))?;
+    let column =
+        |name: &str, column: &str| table.column(&compare.reference, column).map_err(|e| wrong(name, column, e));
+    let times: Vec<f64> = column("x", &compare.x)?.into_iter().map(|x| x * compare.x_scale).collect();
+    column("y", &compare.y)?;
+    let rising = times.windows(2).all(|pair| pair[0] <= pair[1]);
+    require(rising, &format!("compare[{i}].x"), format_args!("{:?}", compare.x), "a column of times that do not fall")?;
+    let [from, to] = compare.window;
+    let to = if to < end { to } else { f64::INFINITY };
+    let inside = times.iter().filter(|t| (from..=to).contains(*t)).count();
+    let expected = format_args!(
+        "times with two points of the reference, which has {inside} there and goes from {} to {} s",
+        times[0],
+        times[times.len() - 1]
+    );
+    require(inside >= 2, &format!("compare[{i}].window"), format_args!("{:?}", compare.window), expected)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::load;
+
+    fn loaded(sets: &[&str]) -> Result<(usize, Vec<String>), String> {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        load("wedge25", &sets).map(|l| (l.scene.compare.len(), l.warnings)).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn a_changed_flow_drops_its_references_with_a_warning() {
+        let (all, _) = loaded(&[]).expect("a scene");
+        assert!(all > 0);
+        for kept in ["resolution.spacing=0.02", "solver=incompressible", "time.end=0.01", "fluid.kernel=wendland_c4"] {
+            assert_eq!(loaded(&[kept]).expect("a scene").0, all, "{kept}");
+        }
+        for changed in ["body.deadrise_deg=20", "body.mass=50", "gravity=[0.0, -1.6]", "fluid.density=1025"] {
+            let (left, warnings) = loaded(&[changed]).expect("a scene");
+            assert!(left == 0 && warnings.iter().any(|w| w.contains("no comparison with")), "{changed}: {warnings:?}");
+        }
+    }
+
+    #[test]
+    fn a_reference_stays_below_the_folder_of_its_scene() {
+        for outside in ["/etc/passwd", "../secret.csv", "a/../../b.csv"] {
+            let compare =
+                format!("compare=[{{ reference = '{outside}', quantity = 'wedge.vy_m_per_s', x = 't', y = 'v' }}]");
+            let text = loaded(&[&compare]).expect_err("outside");
+            assert!(text.contains("compare[0].reference") && text.contains("below the folder"), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_window_without_points_of_the_reference_is_refused() {
+        let name = "external/wedge25_yettou2006_velocity_exp.csv";
+        let of = |window: &str| {
+            format!(
+                "compare=[{{ reference = '{name}', quantity = 'wedge.vy_m_per_s', x = 't_ms', x_scale = 0.001, y = 'v_m_s', \
+                 window = {window} }}]"
+            )
+        };
+        assert_eq!(loaded(&[&of("[0.0, 0.02]")]).expect("a scene").0, 1);
+        let text = loaded(&[&of("[0.0, 1e-6]")]).expect_err("no points");
+        assert!(text.contains("compare[0].window") && text.contains("has 0 there"), "{text}");
+    }
+}
