@@ -112,18 +112,22 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
         Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict: Verdict::Resolved })
     };
-    let peak = |curve: &RunningIntegral<1>, path: &str| {
+    // an acceleration and an impulse are as good as the force
+    let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));
+    let share = bar.filter(|bar| bar.value != 0.0).map(|bar| bar.band / bar.value.abs());
+    let peak = |curve: &RunningIntegral<1>, subtracted: f64| {
         let peak = curve.largest()?;
-        quantity(peak.value, Some(peak.time), bars.get(path).map(|bar| bar.band))
+        quantity(peak.value, Some(peak.time), share.map(|share| share * (peak.value + subtracted)))
     };
     let free = matches!(body.motion, Motion::Free(_));
+    let impulse = curves[0].total()[0].abs();
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     Results {
-        peak_force_N_per_m: peak(&curves[0], &format!("peaks/{}.fy_N_per_m/value", body.name)),
-        peak_acceleration_g: peak(&curves[1], "").filter(|_| free),
+        peak_force_N_per_m: peak(&curves[0], 0.0),
+        peak_acceleration_g: peak(&curves[1], 1.0).filter(|_| free),
         peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),
-        impulse_N_s_per_m: quantity(curves[0].total()[0].abs(), None, None),
+        impulse_N_s_per_m: quantity(impulse, None, share.map(|share| share * impulse)),
         panels: Default::default(),
     }
 }

@@ -4,20 +4,18 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::PanelState;
 
+use super::bands::{Depth, FORCE_BAND};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
-    Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error, significant,
+    Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error,
+    limit_of_forces, significant,
 };
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
 const WINDOW: f64 = 3.0;
 /// The mean over a time τ halves the power at this over τ (GE18) [-].
 const CUTOFF: f64 = 0.443;
-/// Band of a peak force times its draught in spacings, and the least band (GE19), shares of the force [-].
-const FORCE_BAND: (f64, f64) = (0.7, 0.03);
-/// Band of an impulse times the draught at the end in spacings, and the least band (GE19), shares of the impulse [-].
-const IMPULSE_BAND: (f64, f64) = (1.4, 0.05);
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
@@ -85,6 +83,8 @@ pub(super) struct Judge {
     gravity: f64,
     /// Speed of sound; `None` where water is incompressible [m/s].
     sound_speed: Option<f64>,
+    /// Why no force of the run can be relied on, where that is so.
+    limit: Option<String>,
 }
 
 impl Judge {
@@ -96,6 +96,7 @@ impl Judge {
             entry,
             gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
+            limit: limit_of_forces(scene),
         }
     }
 
@@ -120,13 +121,13 @@ impl Judge {
         let unit = [1.0 / STANDARD_GRAVITY, self.gravity];
         let acceleration = self.peak(&curves.acceleration, window, unit, &by_acceleration);
         let pressure = self.peak_pressure(curves);
-        let impulse = curves.force.largest().map(|_| self.impulse(&curves.force));
+        let impulse = curves.force.largest().map(|_| self.impulse(curves));
         let of_force = force.as_ref().map(|(quantity, _)| quantity.verdict);
         let results = Results {
             peak_force_N_per_m: force.map(|found| keep("peak_force_N_per_m", found)),
             peak_acceleration_g: acceleration.map(|found| keep("peak_acceleration_g", found)),
             peak_pressure_Pa: pressure.map(|found| keep("peak_pressure_Pa", found)),
-            impulse_N_s_per_m: impulse,
+            impulse_N_s_per_m: impulse.map(|found| keep("impulse_N_s_per_m", found)),
             panels: BTreeMap::new(),
         };
         let panels = panels.iter().map(|panel| {
@@ -178,9 +179,21 @@ impl Judge {
 
     /// What may be said of a force, or of an acceleration.
     fn force_finding(&self, curves: &Curves, window: f64, peak: Extreme, raw: Extreme) -> Finding {
-        let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+        if let Some(why) = &self.limit {
+            return (Verdict::NotResolved, None, Some(why.clone()));
+        }
+        let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
         if entry.is_flat() {
             return (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string()));
+        }
+        if let Some([start, draught]) = curves.draught.first().filter(|[_, draught]| *draught > self.spacing)
+            && peak.time < start + 2.0 * window
+        {
+            let wet = significant(*draught);
+            let why = format!(
+                "the body starts {wet} m deep at speed: the water in its way is hit at once, at an infinite force"
+            );
+            return (Verdict::Acoustic, None, Some(why));
         }
         if let Bottom::Arc { radius } = entry.bottom {
             let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
@@ -218,20 +231,17 @@ impl Judge {
         if found.0 == Verdict::Resolved { self.spike(window, peak, raw).unwrap_or(found) } else { found }
     }
 
+    fn depth(&self, draught: f64) -> Depth {
+        Depth { draught, spacing: self.spacing, incompressible: self.sound_speed.is_none() }
+    }
+
     /// Verdict and band by the draught at the peak (GE19): the run's, and no more than the theory's (GE22).
     fn by_draught(&self, curves: &Curves, entry: &Entry, peak: Extreme) -> Finding {
         let draught = curves.draught_at(peak.time).min(entry.peak_draught);
-        let spacings = draught / self.spacing;
-        if spacings < LEAST_DRAUGHT {
-            // where theory has it deeper, the run's peak is one of first contact
-            let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
-            let why = format!(
-                "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: {} m would do for resolution.spacing",
-                significant(spacings),
-                significant(cure)
-            );
-            return (Verdict::NotResolved, None, Some(why));
-        }
+        let share = match self.depth(draught).force_share(entry) {
+            Ok(share) => share,
+            Err(why) => return (Verdict::NotResolved, None, Some(why)),
+        };
         let mach = self.sound_speed.map_or(0.0, |sound| entry.root_speed() / sound);
         let Some(lost) = known_compressibility_error(mach, 1.0) else {
             let why = format!(
@@ -240,13 +250,23 @@ impl Judge {
             );
             return (Verdict::Acoustic, None, Some(why));
         };
-        let (at_one_spacing, least) = FORCE_BAND;
-        (Verdict::Resolved, Some((at_one_spacing / spacings).max(least) + (lost - ADMITTED).max(0.0)), None)
+        (Verdict::Resolved, Some(share + (lost - ADMITTED).max(0.0)), None)
     }
 
-    /// What may be said of a peak that no theory of entry foresees.
-    fn unforeseen(&self, peak: Extreme, raw: Extreme) -> Finding {
-        self.spike(f64::INFINITY, peak, raw).unwrap_or((Verdict::Resolved, None, None))
+    /// What may be said of a peak that no theory of entry foresees: of a body that comes from the air, as much as its draught allows.
+    fn unforeseen(&self, curves: &Curves, peak: Extreme, raw: Extreme) -> Finding {
+        match self.shallow(curves, curves.draught_at(peak.time)) {
+            Some(why) => (Verdict::NotResolved, None, Some(why)),
+            None => self.spike(f64::INFINITY, peak, raw).unwrap_or((Verdict::Resolved, None, None)),
+        }
+    }
+
+    /// A body that comes from the air and is too little in the water.
+    fn shallow(&self, curves: &Curves, draught: f64) -> Option<String> {
+        let from_air = curves.draught.first().is_some_and(|row| row[1] <= self.spacing);
+        let spacings = draught / self.spacing;
+        (from_air && spacings > 0.0 && spacings < LEAST_DRAUGHT)
+            .then(|| format!("it comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed", significant(spacings)))
     }
 
     /// Single steps within the time of the mean that reach far above it.
@@ -267,7 +287,7 @@ impl Judge {
         let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
         let window = WINDOW * self.spacing / root;
         let finding = |peak: Extreme, raw: Extreme| {
-            let Some(entry) = &self.entry else { return self.unforeseen(peak, raw) };
+            let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
             let (verdict, _, why) = match entry.is_flat() {
                 true => (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string())),
                 false => self.by_draught(curves, entry, peak),
@@ -275,7 +295,7 @@ impl Judge {
             if verdict != Verdict::Resolved {
                 return (verdict, None, why);
             }
-            let spacings = entry.peak_length() / self.spacing;
+            let spacings = entry.peak_length_at(curves.draught_at(peak.time)) / self.spacing;
             match PRESSURE_BANDS.iter().find(|(least, _)| spacings >= *least) {
                 Some((_, share)) => (Verdict::Resolved, Some(*share), None),
                 None => {
@@ -292,15 +312,22 @@ impl Judge {
         each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
     }
 
-    /// The impulse over the run: an integral averages by itself. Its band is that of an entry deep enough (GE19).
-    fn impulse(&self, force: &RunningIntegral<2>) -> Quantity {
-        let [x, y] = force.total();
+    /// The impulse over the run: an integral averages by itself. A flat contact and a wet start have one, of no known band.
+    fn impulse(&self, curves: &Curves) -> (Quantity, Option<String>) {
+        let [x, y] = curves.force.total();
         let value = x.hypot(y);
-        let spacings = self.entry.filter(|entry| !entry.is_flat()).map(|entry| entry.final_draught / self.spacing);
-        let (at_one_spacing, least) = IMPULSE_BAND;
-        let share = spacings.filter(|k| *k >= LEAST_DRAUGHT).map(|k| (at_one_spacing / k).max(least));
+        let deepest = curves.draught.iter().fold(0.0_f64, |deepest, row| deepest.max(row[1]));
+        let entry = self.entry.filter(|entry| !entry.is_flat() && value > 0.0);
+        let share = entry.map(|entry| self.depth(deepest).impulse_share(&entry));
+        let (share, why) = match (&self.limit, share) {
+            (Some(limit), _) => (None, Some(limit.clone())),
+            (None, Some(Err(why))) => (None, Some(why)),
+            (None, Some(Ok(share))) => (Some(share), None),
+            (None, None) => (None, self.shallow(curves, deepest).filter(|_| self.entry.is_none())),
+        };
+        let verdict = if why.is_some() { Verdict::NotResolved } else { Verdict::Resolved };
         let band = share.map(|share| share * value);
-        Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict: Verdict::Resolved }
+        (Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict }, why)
     }
 }
 
@@ -337,7 +364,7 @@ mod tests {
         for k in 0..=100 {
             curves.force.take(0.01 * f64::from(k), [0.0, if k == 50 { spike } else { 1.0 }]);
         }
-        let judge = Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed };
+        let judge = Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed, limit: None };
         judge.results(&curves, &[]).0.peak_force_N_per_m.expect("a force")
     }
 

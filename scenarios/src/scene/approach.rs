@@ -1,7 +1,7 @@
 //! The approach of a body to weakly compressible water: when its run starts, and where the body is then (THEORY WA12).
 
 use fsi_coupling::RigidMotion;
-use fsi_coupling::settings::{Problem, require};
+use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
 use super::impact::{Bottom, Entry};
@@ -13,6 +13,9 @@ pub const STANDOFF: f64 = 0.5;
 pub const START_GAP: f64 = 2.5;
 /// A body whose lowest point is so far above the water at t = 0 needs no approach [spacings].
 pub const LEAST_GAP: f64 = 2.0;
+
+/// A body starts at most so far above the water [spacings].
+const HIGHEST: f64 = 1000.0;
 
 /// When the run of a body starts that is at its place at t = 0 [s]: at the start of its approach, or at 0 where it has none.
 ///
@@ -37,11 +40,27 @@ pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravit
     -(speed - before.max(0.0).sqrt()) / pull
 }
 
-/// Refuses a start before t = 0 where a body cannot be carried back to it.
-pub(super) fn check_start(start: f64, body: Option<&Body>, solver: Solver) -> Result<(), Problem> {
+/// Refuses a start before t = 0 where a body cannot be carried back to it, or would not come down through the air from there.
+pub(super) fn check_start(
+    start: f64,
+    body: Option<&Body>,
+    solver: Solver,
+    gravity: [f64; 2],
+    spacing: f64,
+) -> Result<(), Problem> {
     require(start <= 0.0, "time.start", start, "at most 0 s")?;
     let obstacle = body.map_or(Some("0 in a scene without a body"), |body| obstacle(body, solver));
-    require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())
+    require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())?;
+    let Some(body) = body.filter(|_| start < 0.0) else { return Ok(()) };
+    let pull = pull_on(body, gravity)[1];
+    let (speed, height) = (-body.velocity[1] - start * pull, start * (body.velocity[1] + 0.5 * start * pull));
+    let gap = (height - body.draught()) / spacing + STANDOFF;
+    let expected = format!(
+        "a time at which the body comes down, 0 to {HIGHEST} spacings above the water: it would be {} spacings above, at {} m/s downwards",
+        significant(gap),
+        significant(speed)
+    );
+    require(speed >= 0.0 && (0.0..=HIGHEST).contains(&gap), "time.start", start, expected)
 }
 
 /// Why a body has no approach: what is expected of `time.start` instead.

@@ -194,12 +194,17 @@ impl Entry {
         self.final_draught.clamp(0.0, self.bottom.draught_at(self.half_breadth))
     }
 
-    /// Length of the face with at least 90 % of the peak pressure [m], at the last attached draught D.
+    /// Length of the face with at least 90 % of the peak pressure [m], at the last attached draught.
+    pub fn peak_length(&self) -> f64 {
+        self.peak_length_at(self.attached_draught())
+    }
+
+    /// The same at a draught D [m], or at the last attached one where that is less.
     ///
     /// 0.76 D tan β: the similarity solutions (Dobrovolskaya 1969) at 10°, 20° and 30° give 0.143, 0.269 and 0.437 D.
     /// Arcs count as the wedge of equal root speed.
-    pub fn peak_length(&self) -> f64 {
-        let draught = self.attached_draught();
+    pub fn peak_length_at(&self, draught: f64) -> f64 {
+        let draught = draught.clamp(0.0, self.attached_draught());
         let slope = self.bottom.equivalent_slope(draught);
         let wedge_draught = self.bottom.wetted_half_width(draught) * slope / FRAC_PI_2;
         0.76 * wedge_draught * slope

@@ -106,6 +106,11 @@ pub(super) fn extrapolates(options: &Options) -> bool {
     options.walls == WallModel::Extrapolated
 }
 
+/// True for walls of points that push (THEORY LE15).
+pub(super) fn repulsive_walls(options: &Options) -> bool {
+    options.walls == WallModel::Repulsive
+}
+
 /// The name of walls that do not fill a plate (THEORY WA9).
 pub(super) fn hollow_walls(options: &Options) -> Option<String> {
     let fills = matches!(options.walls, WallModel::Extrapolated | WallModel::MirrorPoint);

@@ -76,7 +76,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     }
     let model =
         draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
-    check_start(time.start, body.as_ref(), solver.kind())?;
+    check_start(time.start, body.as_ref(), solver.kind(), gravity, spacing)?;
     if let (None, false, Some((body, entry))) = (start, model.is_theory(), body.as_ref().zip(entry.as_ref())) {
         draft.set("time.start", automatic_start(body, entry, solver.kind(), gravity, spacing));
     }

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND};
 use super::exchange::{light_body, light_panels};
+use super::force_limits::limit_of_forces;
 use super::impact::{Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
 use super::legacy;
@@ -67,6 +68,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         warnings
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
+    warnings.extend(limit_of_forces(scene));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
@@ -225,15 +227,6 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
              {} m would do for resolution.spacing",
             significant(across),
             significant(entry.peak_length() / PEAK_SPACINGS)
-        ));
-    }
-
-    let root = entry.bottom.wetted_half_width(entry.attached_draught());
-    if scene.resolution.growth > 1.0 && scene.resolution.fine_zone[0] < root {
-        warnings.push(format!(
-            "the spray root goes out to {} m and leaves the fine zone, {} m wide on each side: the peak may be off by a quarter",
-            significant(root),
-            significant(scene.resolution.fine_zone[0])
         ));
     }
 

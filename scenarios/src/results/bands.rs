@@ -1,0 +1,108 @@
+//! Bands of forces and impulses by the draught in spacings (THEORY GE19).
+
+use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, significant};
+
+/// Band of a peak force times its draught in spacings, and the least band, shares of the force [-].
+pub(super) const FORCE_BAND: (f64, f64) = (0.7, 0.03);
+/// The same of an impulse, of wedges and of round bottoms, shares of the impulse [-].
+const IMPULSE_BAND: [f64; 2] = [2.0, 4.0];
+const LEAST_IMPULSE_BAND: f64 = 0.07;
+/// What the tip of a wedge steeper than 45 degrees, which is thinner than the kernel, adds to the force times k/tan²β: weakly
+/// compressible and incompressible [-].
+const THIN_TIP: [f64; 2] = [0.15, 0.5];
+/// A force with a band wider than this is not resolved [-].
+const WIDEST: f64 = 0.4;
+
+/// A draught [m], resolved by a spacing [m].
+#[derive(Clone, Copy)]
+pub(super) struct Depth {
+    pub draught: f64,
+    pub spacing: f64,
+    pub incompressible: bool,
+}
+
+impl Depth {
+    fn spacings(self) -> f64 {
+        self.draught / self.spacing
+    }
+
+    /// Share of a force in its band, or why it is not resolved.
+    pub fn force_share(self, entry: &Entry) -> Result<f64, String> {
+        if self.spacings() < LEAST_DRAUGHT {
+            // where theory has it deeper, the run's peak is one of first contact
+            let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
+            return Err(format!(
+                "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: {} m would do for resolution.spacing",
+                significant(self.spacings()),
+                significant(cure)
+            ));
+        }
+        let (at_one_spacing, least) = FORCE_BAND;
+        self.within_widest(((at_one_spacing + self.thin_tip(entry)) / self.spacings()).max(least))
+    }
+
+    /// Share of an impulse in its band, or why it is not resolved; of the largest draught of the run.
+    pub fn impulse_share(self, entry: &Entry) -> Result<f64, String> {
+        let round = matches!(entry.bottom, Bottom::Arc { .. });
+        let least = if round { self.draught } else { self.draught.min(entry.peak_draught) };
+        if least < LEAST_DRAUGHT * self.spacing {
+            let (deep, cure) = (significant(least / self.spacing), significant(least / LEAST_DRAUGHT));
+            return Err(format!(
+                "the draught at the end or at the largest force is {deep} spacings; {LEAST_DRAUGHT} are needed: {cure} m would do for \
+                 resolution.spacing"
+            ));
+        }
+        let at_one_spacing = IMPULSE_BAND[usize::from(round)];
+        let share = (at_one_spacing + 2.0 * self.thin_tip(entry)) / self.spacings();
+        self.within_widest(share.max(LEAST_IMPULSE_BAND))
+    }
+
+    fn within_widest(self, share: f64) -> Result<f64, String> {
+        let why = || {
+            format!(
+                "its band is {} %, because the draught is small or the tip of a steep wedge thinner than the kernel: {} m would do for \
+                 resolution.spacing",
+                significant(100.0 * share),
+                significant(self.spacing * WIDEST / share)
+            )
+        };
+        if share > WIDEST { Err(why()) } else { Ok(share) }
+    }
+
+    fn thin_tip(self, entry: &Entry) -> f64 {
+        match entry.bottom {
+            Bottom::Wedge { slope } if slope > 1.0 => THIN_TIP[usize::from(self.incompressible)] * slope * slope,
+            _ => 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::load;
+
+    fn entry(deadrise: f64) -> Entry {
+        let sets = [format!("body.deadrise_deg={deadrise}"), "body.breadth=200".to_string()];
+        load("wedge_constant", &sets).expect("a scene").scene.entry().expect("an entry")
+    }
+
+    /// The force of the projection on steep wedges against the similarity solution, at 20 spacings of draught: +10 % (60°), +33 %
+    /// (75°), impulses +10 and +35 %.
+    #[test]
+    fn the_band_of_a_steep_wedge_holds_what_its_thin_tip_adds() {
+        let at = |draught: f64, incompressible| Depth { draught, spacing: 0.05, incompressible };
+        assert!(at(1.0, true).force_share(&entry(60.0)).is_ok_and(|share| share > 0.10));
+        assert!(at(1.0, true).impulse_share(&entry(60.0)).is_ok_and(|share| share > 0.10));
+        assert!(at(1.0, true).force_share(&entry(75.0)).is_ok_and(|share| share > 0.33));
+        assert!(at(1.0, true).force_share(&entry(79.0)).is_err());
+        assert!(at(1.0, false).force_share(&entry(75.0)).is_ok_and(|share| share < 0.2));
+        assert!(
+            at(1.0, true)
+                .impulse_share(&entry(75.0))
+                .is_err_and(|why| why.contains("m would do for resolution.spacing"))
+        );
+        assert_eq!(at(1.0, true).force_share(&entry(30.0)), at(1.0, false).force_share(&entry(30.0)));
+        assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.contains("4 spacings")));
+    }
+}

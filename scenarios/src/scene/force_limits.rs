@@ -1,0 +1,34 @@
+//! Why no force on a body can be relied on, whatever the run gives: known before it.
+
+use fsi_coupling::settings::significant;
+
+use super::legacy::repulsive_walls;
+use super::settings::Scene;
+
+/// Why the forces of a scene are not resolved, where that is known; what is doubtful in `check`, and the verdict of the results.
+pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
+    if scene.body.is_none() || scene.model.is_theory() {
+        return None;
+    }
+    pushed(scene).or_else(|| outside_fine_zone(scene))
+}
+
+/// Repulsive points push each particle that comes near: a wedge of 30 degrees had five times its force.
+fn pushed(scene: &Scene) -> Option<String> {
+    let fluid = scene.solver.weakly_compressible()?;
+    repulsive_walls(&fluid.options)
+        .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to five times too large".to_string())
+}
+
+fn outside_fine_zone(scene: &Scene) -> Option<String> {
+    let entry = scene.entry().filter(|entry| entry.final_draught > 0.0)?;
+    let (root, half) = (entry.bottom.wetted_half_width(entry.attached_draught()), scene.resolution.fine_zone[0]);
+    (scene.resolution.growth > 1.0 && half < root).then(|| {
+        format!(
+            "the spray root goes out to {} m and leaves the fine zone, {} m wide on each side (resolution.fine_zone): the peak may be \
+             off by half",
+            significant(root),
+            significant(half)
+        )
+    })
+}
