@@ -159,7 +159,7 @@ fn a_wrong_argument_is_refused_and_named() {
 }
 
 /// A reference that a scene names and that is not there is wrong input, found before anything is written.
-/// A line as long as no terminal is, and a stderr that nobody reads: the exit code stays.
+/// A line as long as no terminal is, and a stderr that is full: the exit code stays.
 #[test]
 fn a_message_that_cannot_be_drawn_or_written_keeps_its_exit_code() {
     let place = Workplace::new();

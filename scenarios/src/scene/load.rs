@@ -15,7 +15,7 @@ use super::gauge_warnings::gauge_warnings;
 use super::impact::Entry;
 use super::keel::keel_warnings;
 use super::legacy::refuse_absent;
-use super::references::{drop_references, settle_references};
+use super::references::{drop_references, is_same_flow, sets_of_the_flow, settle_references};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
@@ -78,8 +78,8 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
     settle_references(&mut given, &source.name).map_err(|problem| source.error(problem))?;
-    let dropped = drop_references(&mut given, &source.sets);
-    let scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
+    let mut scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
+    let dropped = changed_flow(&source, &given, &scene).and_then(|key| drop_references(&mut scene, &key));
     let warnings = dropped
         .into_iter()
         .chain(ignored(&given, &scene))
@@ -88,6 +88,16 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
         .chain(gauge_warnings(&scene))
         .collect();
     Ok(Loaded { warnings, scene, source })
+}
+
+/// The `--set` key that changes what flows from that of the scene's references.
+fn changed_flow(source: &Source, given: &Value, scene: &Scene) -> Option<String> {
+    let (sets, changed) = sets_of_the_flow(given, &source.sets).filter(|_| !scene.compare.is_empty())?;
+    let unchanged = Source { sets, ..source.clone() }.read().ok().and_then(|mut given| {
+        settle_references(&mut given, &source.name).ok()?;
+        checked(given, Limits::Ignored).ok()
+    });
+    unchanged.is_none_or(|unchanged| !is_same_flow(&unchanged, scene)).then_some(changed)
 }
 
 impl Loaded {

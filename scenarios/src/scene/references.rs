@@ -6,7 +6,7 @@ use std::path::{Component, Path};
 use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
 
-use super::settings::Compare;
+use super::settings::{Compare, Scene};
 use super::source::assignment;
 use crate::reference::{ReferenceError, Table};
 
@@ -42,20 +42,32 @@ fn is_within(file: &Path, folder: &Path) -> std::io::Result<bool> {
     Ok(fs::canonicalize(file)?.starts_with(fs::canonicalize(folder)?))
 }
 
-/// Takes away the references of a scene whose flow a `--set` argument changes, and says so; those that an argument gives stay. A
-/// tank around a body is as large as the program needs it, and not part of the flow.
-pub(super) fn drop_references(given: &mut Value, sets: &[String]) -> Option<String> {
-    let keys: Vec<&str> = sets.iter().filter_map(|set| assignment(set)).map(|(key, _)| key).collect();
+/// The `--set` arguments without those that say what flows, and the first of those; `None` where none does, or where one gives the
+/// references too. A tank around a body is as large as the program needs it, and not part of the flow.
+pub(super) fn sets_of_the_flow(given: &Value, sets: &[String]) -> Option<(Vec<String>, String)> {
     let has_body = given.get("body").is_some();
-    let changed = keys.iter().find(|key| is_of_the_flow(key) && !(has_body && table_of(key) == "tank"))?;
-    let given_anew = keys.iter().any(|key| table_of(key) == "compare");
-    let compares =
-        given.get_mut("compare").and_then(Value::as_array_mut).filter(|list| !list.is_empty() && !given_anew)?;
-    let mut names: Vec<String> =
-        compares.iter().filter_map(|c| c.get("reference")?.as_str()).map(str::to_string).collect();
+    let key = |set: &str| assignment(set).map_or(String::new(), |(key, _)| key.to_string());
+    let changes = |set: &str| is_of_the_flow(&key(set)) && !(has_body && table_of(&key(set)) == "tank");
+    let first = key(sets.iter().find(|set| changes(set))?);
+    if sets.iter().any(|set| table_of(&key(set)) == "compare") {
+        return None;
+    }
+    Some((sets.iter().filter(|set| !changes(set)).cloned().collect(), first))
+}
+
+/// True for scenes in which the same flows.
+pub(super) fn is_same_flow(one: &Scene, other: &Scene) -> bool {
+    let tank = |scene: &Scene| scene.body.is_none().then(|| scene.tank.clone());
+    let water = |scene: &Scene| [scene.water().density, scene.water().kinematic_viscosity];
+    one.body == other.body && one.gravity == other.gravity && water(one) == water(other) && tank(one) == tank(other)
+}
+
+/// Takes away the references of a scene; what to tell of it.
+pub(super) fn drop_references(scene: &mut Scene, changed: &str) -> Option<String> {
+    let mut names: Vec<String> = scene.compare.drain(..).map(|compare| compare.reference).collect();
     names.dedup();
-    compares.clear();
-    Some(format!("no comparison with {}: `{changed}` is not that of the reference", names.join(", ")))
+    (!names.is_empty())
+        .then(|| format!("no comparison with {}: `{changed}` is not that of the reference", names.join(", ")))
 }
 
 fn table_of(key: &str) -> &str {
@@ -105,7 +117,7 @@ mod tests {
     fn a_changed_flow_drops_its_references_with_a_warning() {
         let (all, _) = loaded(&[]).expect("a scene");
         assert!(all > 0);
-        for kept in ["resolution.spacing=0.02", "solver=incompressible", "time.end=0.01", "fluid.kernel=wendland_c4"] {
+        for kept in ["resolution.spacing=0.02", "solver=incompressible", "time.end=0.01", "gravity=[0.0, -9.81]"] {
             assert_eq!(loaded(&[kept]).expect("a scene").0, all, "{kept}");
         }
         for changed in ["body.deadrise_deg=20", "body.mass=50", "gravity=[0.0, -1.6]", "fluid.density=1025"] {
