@@ -112,7 +112,8 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
     let outline = Outline::of(&body.shape)?.rooted(roots(scene, body, rows));
     let (start, clock) = (scene.motion_at_start(body), scene.time.start);
     if !body.panels.is_empty() {
-        return Ok(Box::new(flexible(scene, body, outline, start)?.starting_at(clock)));
+        let flexible = flexible(scene, body, outline, start)?.with_longest_step(scene::longest_step(scene));
+        return Ok(Box::new(flexible.starting_at(clock)));
     }
     let freedom = match body.motion.moved(&start) {
         Moved::ByLoads(freedom) => freedom,

@@ -16,7 +16,7 @@ use sph_core::Solver;
 use crate::build::layout;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
-    CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, memory_estimate,
+    CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, longest_step, memory_estimate,
     panel_exchanges, panel_length, particle_estimate,
 };
 use fsi_coupling::entry_theory::EntryModel;
@@ -119,7 +119,8 @@ fn step(scene: &Scene) -> f64 {
         true => scene.projection_speed(),
         false => scene.sound_speed() + scene.fastest_speed(),
     };
-    scene.time.step.unwrap_or(scene.courant_number() * h / fastest).min(scene.time.end)
+    let automatic = || (scene.courant_number() * h / fastest).min(longest_step(scene));
+    scene.time.step.unwrap_or_else(automatic).min(scene.time.end)
 }
 
 /// Estimate cost and validity of a run, without running it.

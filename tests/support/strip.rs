@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use fsi_coupling::RigidMotion;
 use fsi_coupling::bodies::flexible::body::FlexibleBody;
 use fsi_coupling::bodies::flexible::model::{FlexibleSpec, Frame};
-use fsi_coupling::bodies::flexible::panel::{PanelEnd, PanelSpec};
+use fsi_coupling::bodies::flexible::panel::{PanelEnd, PanelSpec, Plane};
 use fsi_coupling::{Body, Coupled, CouplingError, Outline, PrescribedBody, Scheme};
 use structure_fe::{Damping, Material, Theory};
 
@@ -44,6 +44,7 @@ fn strip(ratio: f64) -> FlexibleBody {
         span: [[LENGTH, 0.0], [0.0; 2]],
         elements: ELEMENTS,
         thickness: THICKNESS,
+        plane: Plane::Strain,
         material,
         theory: Theory::EulerBernoulli,
         ends: [PanelEnd::Clamped; 2],

@@ -189,3 +189,46 @@ fn a_rupture_changes_neither_weight_nor_energy() {
     println!("gap {gap:.1e} of {:.2} J/m", system.work_audit(0).exchanged);
     assert!(gap.abs() < 1e-6, "{gap}");
 }
+
+/// BE13: damping by mass damps the bending of the panels alone. A wedge that falls in the air falls freely, and in the water the
+/// momentum of both closes.
+#[test]
+fn damping_by_mass_does_not_brake_the_body() {
+    let damped = [&WEDGE[..], &["body.damping=[10.0, 0.0]"]].concat();
+    let mut falling = system("flexible_wedge", &[&damped[..], &["body.position=[0.0, 0.5]", "time.start=0"]].concat());
+    let (start, [from, speed]) = (falling.fluid.time(), position_and_speed(&falling));
+    advance(&mut falling, 0.006, |_| ()).expect("a stable run");
+    let (time, [to, end]) = (falling.fluid.time() - start, position_and_speed(&falling));
+    println!("{speed} m/s and {end} m/s after {time} s, {} m", to - from);
+    assert!((end - speed + 9.81 * time).abs() < 1e-10, "{speed} m/s and {end} m/s");
+    assert!(falling.momentum_audit().worst < 1e-10, "{}", falling.momentum_audit().worst);
+    let mut entering = system("flexible_wedge", &damped);
+    advance(&mut entering, 0.006, |_| ()).expect("a stable run");
+    assert!(deflection(&entering, 0, 1) > 1e-4, "the plate bends");
+    assert!(entering.momentum_audit().worst < 1e-10, "{}", entering.momentum_audit().worst);
+}
+
+/// A guided end holds rotation and deflection like a clamped one, and lets the panel slide: a thin plate under water carries no
+/// membrane force and sinks deeper; a thick one, whose deflection is small, sinks as far.
+#[test]
+fn a_guided_end_carries_no_membrane_force() {
+    let sunk = |ends: &str, thickness: &str, modulus: &str| {
+        let sets = ["solver=incompressible", "time.end=0.05", ends, thickness, modulus];
+        let mut system = system("hydrostatic_plate", &sets);
+        let mut most = 0.0_f64;
+        advance(&mut system, 0.05, |s| most = most.max(deflection(s, 0, 0).abs())).expect("a stable run");
+        (most, body(&system).panels().remove(0).worst)
+    };
+    let [clamped, guided] =
+        ["body.panels[0].ends=[\"clamped\", \"clamped\"]", "body.panels[0].ends=[\"clamped\", \"guided\"]"];
+    let thin = ["body.panels[0].thickness=0.01", "body.panels[0].youngs_modulus=3e10"];
+    let [(held, of_held), (free, of_free)] = [clamped, guided].map(|ends| sunk(ends, thin[0], thin[1]));
+    println!("clamped {held} m, {:?}; guided {free} m, {:?}", of_held.normal, of_free.normal);
+    let [pull, none] = [of_held.normal.largest(), of_free.normal.largest()];
+    assert!(none < 0.02 * pull && free > 1.1 * held, "{none} N/m of {pull} N/m, {free} m and {held} m");
+    let [ours, theirs] = [of_free.moment.largest(), of_held.moment.largest()];
+    assert!(ours > 0.7 * theirs, "the ends hold their rotation: {ours} N of {theirs} N");
+    let thick = ["body.panels[0].thickness=0.05", "body.panels[0].youngs_modulus=67.5e9"];
+    let [(held, _), (free, _)] = [clamped, guided].map(|ends| sunk(ends, thick[0], thick[1]));
+    assert!((free / held - 1.0).abs() < 1e-3, "{free} m and {held} m");
+}

@@ -6,15 +6,17 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 use structure_fe::{Material, Section};
 
+use crate::bodies::flexible::panel::Plane;
+
 /// Points on a quarter of the circle x = c cos θ, for Simpson's rule: even.
 const POINTS: usize = 48;
 /// Odd orders of sin kθ in the potential.
 const ORDERS: usize = 16;
 
-/// How the ends of a face are held, at keel and chine.
+/// How an end of a face is held; its membrane force is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
-    /// Free to turn: sin(nπx/L).
+    /// Free to turn.
     Pinned,
     /// Not.
     Clamped,
@@ -33,10 +35,12 @@ pub struct ElasticWedge {
     pub length: f64,
     /// Thickness of a face [m].
     pub thickness: f64,
+    /// Plane strain or plane stress.
+    pub plane: Plane,
     /// What it is made of.
     pub material: Material,
-    /// How it is held.
-    pub held: Held,
+    /// How it is held, at keel and chine.
+    pub held: [Held; 2],
     /// Number of modes.
     pub modes: usize,
     /// Number of steps of c, from touch to chine.
@@ -56,52 +60,67 @@ pub struct WedgeState {
     pub rates: Vec<f64>,
 }
 
-/// A mode of the face: kL, and 1 − σ of a clamped one (EN12).
+/// A mode of the face: kL, and 1 − σ where an end is clamped (EN12).
 #[derive(Clone, Copy, Debug)]
 struct Mode {
+    held: [Held; 2],
     root: f64,
     defect: f64,
 }
 
 impl Mode {
-    fn new(held: Held, n: usize) -> Mode {
-        match held {
-            Held::Pinned => Mode { root: n as f64 * PI, defect: 0.0 },
-            Held::Clamped => {
-                let mut root = (n as f64 + 0.5) * PI;
-                for _ in 0..20 {
-                    root -= (root.cos() - 1.0 / root.cosh()) / (-root.sin() + root.tanh() / root.cosh());
-                }
-                Mode { root, defect: (root.cos() - root.sin() - (-root).exp()) / (root.sinh() - root.sin()) }
+    fn new(held: [Held; 2], n: usize) -> Mode {
+        let order = n as f64;
+        // cos kL cosh kL = 1 or tan kL = tanh kL: a function with that zero and its slope, and a start for Newton's method
+        type Slope = fn(f64) -> [f64; 2];
+        let (start, of): (f64, Slope) = match held {
+            [Held::Pinned, Held::Pinned] => return Mode { held, root: order * PI, defect: 0.0 },
+            [Held::Clamped, Held::Clamped] => {
+                (order + 0.5, |z| [z.cos() - 1.0 / z.cosh(), -z.sin() + z.tanh() / z.cosh()])
             }
+            _ => (order + 0.25, |z| [z.sin() - z.cos() * z.tanh(), z.cos() * z.tanh().powi(2) + z.sin() * z.tanh()]),
+        };
+        let mut root = start * PI;
+        for _ in 0..20 {
+            let [value, slope] = of(root);
+            root -= value / slope;
         }
+        Mode { held, root, defect: (root.cos() - root.sin() - (-root).exp()) / (root.sinh() - root.sin()) }
     }
 
     /// ψ at x/L.
-    fn shape(&self, held: Held, s: f64) -> f64 {
-        let z = self.root * s;
-        match held {
-            Held::Pinned => z.sin(),
-            Held::Clamped => (-z).exp() + self.defect * z.sinh() - z.cos() + (1.0 - self.defect) * z.sin(),
+    fn shape(&self, s: f64) -> f64 {
+        match self.held {
+            [Held::Pinned, Held::Pinned] => (self.root * s).sin(),
+            [Held::Pinned, Held::Clamped] => self.clamped_shape(1.0 - s),
+            [Held::Clamped, _] => self.clamped_shape(s),
         }
     }
 
-    /// L² d²ψ/dx².
-    fn bend(&self, held: Held, s: f64) -> f64 {
+    /// ψ at a distance from a clamped end, over L.
+    fn clamped_shape(&self, s: f64) -> f64 {
         let z = self.root * s;
-        let over = match held {
-            Held::Pinned => -z.sin(),
-            Held::Clamped => (-z).exp() + self.defect * z.sinh() + z.cos() - (1.0 - self.defect) * z.sin(),
+        (-z).exp() + self.defect * z.sinh() - z.cos() + (1.0 - self.defect) * z.sin()
+    }
+
+    /// L² d²ψ/dx².
+    fn bend(&self, s: f64) -> f64 {
+        let over = match self.held {
+            [Held::Pinned, Held::Pinned] => -(self.root * s).sin(),
+            [Held::Pinned, Held::Clamped] => self.clamped_bend(1.0 - s),
+            [Held::Clamped, _] => self.clamped_bend(s),
         };
         self.root * self.root * over
     }
 
+    fn clamped_bend(&self, s: f64) -> f64 {
+        let z = self.root * s;
+        (-z).exp() + self.defect * z.sinh() + z.cos() - (1.0 - self.defect) * z.sin()
+    }
+
     /// ∫ψ² dx/L.
-    fn norm(held: Held) -> f64 {
-        match held {
-            Held::Pinned => 0.5,
-            Held::Clamped => 1.0,
-        }
+    fn norm(held: [Held; 2]) -> f64 {
+        if held == [Held::Pinned; 2] { 0.5 } else { 1.0 }
     }
 }
 
@@ -146,13 +165,18 @@ impl ElasticWedge {
 
     /// Deflection at x/L, away from the water [m].
     pub fn deflection(&self, bent: &WedgeState, share: f64) -> f64 {
-        self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.shape(self.held, share)).sum()
+        self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.shape(share)).sum()
     }
 
     /// Strain −½ t d²w/dx² of the outer fibre there [-].
     pub fn strain(&self, bent: &WedgeState, share: f64) -> f64 {
-        let bend: f64 = self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.bend(self.held, share)).sum();
+        let bend: f64 = self.modes().iter().zip(&bent.amplitudes).map(|(m, a)| a * m.bend(share)).sum();
         -0.5 * self.thickness * bend / (self.length * self.length)
+    }
+
+    /// Cross-section of a face, one metre wide.
+    pub fn section(&self) -> Section {
+        self.plane.section(self.thickness)
     }
 
     fn modes(&self) -> Vec<Mode> {
@@ -175,7 +199,7 @@ impl ElasticWedge {
         if !(dt > 0.0 && dt.is_finite()) {
             return None;
         }
-        let stiffness = Section::strip(self.thickness).bending_stiffness(&self.material) * Mode::norm(self.held);
+        let stiffness = self.section().bending_stiffness(&self.material) * Mode::norm(self.held);
         let sprung = |(m, a): (&Mode, &f64)| -stiffness * m.root.powi(4) / self.length.powi(3) * a * dt;
         let motion = rates.iter().map(|rate| rate * dt);
         Some(std::iter::once(dt).chain(motion).chain(modes.iter().zip(amplitudes).map(sprung)).collect())
@@ -184,7 +208,7 @@ impl ElasticWedge {
     /// EN13: (m G + ρ S) ȧ = P + ρ V f.
     fn rates(&self, wet: &Wet, momenta: &[f64]) -> Vec<f64> {
         let n = momenta.len();
-        let mass = Section::strip(self.thickness).mass_per_length(&self.material) * Mode::norm(self.held) * self.length;
+        let mass = self.section().mass_per_length(&self.material) * Mode::norm(self.held) * self.length;
         let matrix = Mat::from_fn(n, n, |i, j| self.density * wet.added[(i, j)] + if i == j { mass } else { 0.0 });
         let right = Mat::from_fn(n, 1, |i, _| momenta[i] + self.density * self.speed * wet.pushed[i]);
         matrix.partial_piv_lu().solve(&right).col(0).iter().copied().collect()
@@ -199,7 +223,7 @@ impl ElasticWedge {
             let weight = simpson(p) * angle.sin();
             let sines: [f64; ORDERS] = std::array::from_fn(|j| weight * ((2 * j + 1) as f64 * angle).sin());
             for (mode, b) in modes.iter().zip(&mut orders) {
-                let shape = mode.shape(self.held, c * angle.cos() / self.length);
+                let shape = mode.shape(c * angle.cos() / self.length);
                 (0..ORDERS).for_each(|j| b[j] += shape * sines[j]);
             }
         }
@@ -217,7 +241,7 @@ impl ElasticWedge {
 
     fn lifted(&self, modes: &[Mode], c: f64) -> Vec<f64> {
         let at = |p: usize| c * (FRAC_PI_2 * p as f64 / POINTS as f64).sin() / self.length;
-        let mean = |m: &Mode| 2.0 / PI * (0..=POINTS).map(|p| simpson(p) * m.shape(self.held, at(p))).sum::<f64>();
+        let mean = |m: &Mode| 2.0 / PI * (0..=POINTS).map(|p| simpson(p) * m.shape(at(p))).sum::<f64>();
         modes.iter().map(mean).collect()
     }
 
@@ -247,7 +271,7 @@ impl ElasticWedge {
             let k = (2 * j + 1) as f64;
             let part = |p: usize| {
                 let angle = FRAC_PI_2 * p as f64 / POINTS as f64;
-                simpson(p) * angle.sin() * (k * angle).sin() * mode.shape(self.held, c * angle.cos() / self.length)
+                simpson(p) * angle.sin() * (k * angle).sin() * mode.shape(c * angle.cos() / self.length)
             };
             4.0 * c / (PI * k) * (0..=POINTS).map(part).sum::<f64>() * (k * at).sin()
         };
@@ -262,5 +286,53 @@ fn simpson(point: usize) -> f64 {
         0 | POINTS => step,
         odd if odd % 2 == 1 => 4.0 * step,
         _ => 2.0 * step,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use structure_fe::{Beam, Dof, Supports, natural_modes};
+
+    use super::*;
+
+    /// EN12: the modes of each pair of ends are those of a beam of finite elements, and G is their norm.
+    #[test]
+    fn modes_of_mixed_ends_are_those_of_a_beam() {
+        const ELEMENTS: usize = 60;
+        let material = Material { youngs_modulus: 1.0, poissons_ratio: 0.0, density: 1.0 };
+        let section = Section::strip(1e-2);
+        let omega_of_one = (section.bending_stiffness(&material) / section.mass_per_length(&material)).sqrt();
+        for held in [
+            [Held::Pinned, Held::Pinned],
+            [Held::Clamped, Held::Clamped],
+            [Held::Clamped, Held::Pinned],
+            [Held::Pinned, Held::Clamped],
+        ] {
+            let beam = Beam::straight([0.0; 2], [1.0, 0.0], ELEMENTS, material, section).expect("a beam");
+            let mut supports = Supports::default();
+            for (node, end) in [0, ELEMENTS].into_iter().zip(held) {
+                supports.pin(node);
+                if end == Held::Clamped {
+                    supports.fix(node, Dof::Theta);
+                }
+            }
+            let exact = natural_modes(&beam, &supports, 4).expect("modes");
+            for (n, exact) in (1..=4).zip(&exact) {
+                let mode = Mode::new(held, n);
+                let (found, wanted) = (mode.root.powi(2) * omega_of_one, exact.angular_frequency);
+                assert!((found / wanted - 1.0).abs() < 1e-4, "{held:?} {n}: {found} {wanted}");
+                let at = |node: usize| mode.shape(node as f64 / ELEMENTS as f64);
+                let norm = (1..ELEMENTS).map(|node| at(node).powi(2)).sum::<f64>() / ELEMENTS as f64;
+                assert!((norm / Mode::norm(held) - 1.0).abs() < 1e-3, "{held:?} {n}: {norm}");
+                // the same shape: its angle to the other in the space of nodes
+                let along: f64 = (0..=ELEMENTS).map(|node| at(node) * exact.shape[node][1]).sum();
+                let own: f64 = (0..=ELEMENTS).map(|node| at(node).powi(2)).sum();
+                let other: f64 = exact.shape.iter().map(|q| q[1].powi(2)).sum();
+                assert!((along.powi(2) / (own * other) - 1.0).abs() < 1e-6, "{held:?} {n}");
+                let h = 1e-3;
+                let bend = (mode.shape(0.3 + h) - 2.0 * mode.shape(0.3) + mode.shape(0.3 - h)) / (h * h);
+                assert!((bend - mode.bend(0.3)).abs() < 1e-4 * mode.root.powi(2), "{held:?} {n}: {bend}");
+            }
+        }
     }
 }

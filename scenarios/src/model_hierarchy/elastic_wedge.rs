@@ -49,10 +49,9 @@ impl Faces {
         if panel.yield_stress.is_some() || panel.rupture_strain.is_some() {
             return Err(refuse("a panel that may yield or break"));
         }
-        let held = match panel.ends {
-            [PanelEnd::Clamped, PanelEnd::Clamped] => Held::Clamped,
-            [PanelEnd::Pinned | PanelEnd::Sliding, PanelEnd::Pinned | PanelEnd::Sliding] => Held::Pinned,
-            _ => return Err(refuse("ends that are held in two ways")),
+        let held = match panel.ends.map(held) {
+            [Some(keel), Some(chine)] => [keel, chine],
+            _ => return Err(refuse("an end that is free or on the mirror")),
         };
         let mut wedge = ElasticWedge {
             deadrise_deg: *deadrise_deg,
@@ -60,6 +59,7 @@ impl Faces {
             density: scene.water().density,
             length: half,
             thickness: panel.thickness,
+            plane: panel.plane,
             material: panel.material(),
             held,
             modes: MODES,
@@ -120,12 +120,25 @@ impl Faces {
     }
 }
 
+/// How the modal beam holds an end; its membrane force is zero. `None` for an end that it does not have.
+fn held(end: PanelEnd) -> Option<Held> {
+    match end {
+        PanelEnd::Clamped | PanelEnd::Guided => Some(Held::Clamped),
+        PanelEnd::Pinned | PanelEnd::Sliding => Some(Held::Pinned),
+        PanelEnd::Free | PanelEnd::Mirror => None,
+    }
+}
+
 /// Steps from touch to chine that the stiffest mode allows, dry: ω = (kL)² √(D/m)/L².
 fn steps_for(wedge: &ElasticWedge) -> usize {
     let ElasticWedge { thickness, material, length, .. } = wedge;
-    let half = if wedge.held == Held::Clamped { 0.5 } else { 0.0 };
+    let half = match wedge.held {
+        [Held::Pinned, Held::Pinned] => 0.0,
+        [Held::Clamped, Held::Clamped] => 0.5,
+        _ => 0.25,
+    };
     let root = (wedge.modes as f64 + half) * std::f64::consts::PI;
-    let stiffness = material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)) * thickness.powi(2) / 12.0;
+    let stiffness = wedge.plane.modulus(material) * thickness.powi(2) / 12.0;
     let turn = root.powi(2) * (stiffness / material.density).sqrt() / length.powi(2);
     let lasts = std::f64::consts::FRAC_2_PI * wedge.deadrise_deg.to_radians().tan() * length / wedge.speed;
     ((turn * lasts / LONGEST_TURN).ceil() as usize).max(STEPS)
@@ -134,7 +147,7 @@ fn steps_for(wedge: &ElasticWedge) -> usize {
 /// Values of the panel's columns, in the order of [`Panel::columns`].
 fn columns(wedge: &ElasticWedge, panel: &Panel, bent: &WedgeState) -> Vec<f64> {
     let (sin, cos) = wedge.deadrise_deg.to_radians().sin_cos();
-    let modulus = wedge.material.youngs_modulus / (1.0 - wedge.material.poissons_ratio.powi(2));
+    let modulus = wedge.plane.modulus(&wedge.material);
     let watched = panel.watch.iter().flat_map(|&place| {
         let (w, strain) = (wedge.deflection(bent, place), wedge.strain(bent, place));
         let moment = -modulus * wedge.thickness.powi(2) / 6.0 * strain; // D d²w/dx²

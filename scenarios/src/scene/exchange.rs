@@ -91,11 +91,15 @@ pub(super) fn light_body(scene: &Scene) -> Option<String> {
     })
 }
 
+/// Faces of a body's panels that may be wet: both of those on a plate's middle line [-].
+pub(super) fn wet_faces(body: &Body) -> f64 {
+    if matches!(body.shape, Shape::Polyline { .. }) { 2.0 } else { 1.0 }
+}
+
 /// CO12: what explicit coupling makes of the accelerations of a scene's panels, by panel.
 pub fn panel_exchanges(scene: &Scene) -> Vec<(&Panel, PanelExchange)> {
     let Some(body) = &scene.body else { return Vec::new() };
-    // a panel on a plate's middle line is wet on both sides
-    let faces = if matches!(body.shape, Shape::Polyline { .. }) { 2.0 } else { 1.0 };
+    let faces = wet_faces(body);
     let (fluid, sound_speed, spacing) = (scene.water(), scene.sound_speed(), scene.resolution.spacing);
     let acoustic = fluid.smoothing_ratio * spacing / (sound_speed + scene.fastest_speed());
     let of = |panel: &Panel| {

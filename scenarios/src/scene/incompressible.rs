@@ -4,6 +4,7 @@ use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
 use super::settings::{CouplingScheme, Motion, Scene};
+use super::wet_period::unresolved_panels;
 
 /// Share of its smoothing length that a particle may move in a step, where the scene does not say.
 const CFL: f64 = 0.4;
@@ -47,6 +48,7 @@ pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
             significant(CFL * passing)
         ));
     }
+    warnings.extend(unresolved_panels(scene));
     warnings.extend(near_walls(scene));
     warnings.extend(one_exchange(scene));
     warnings

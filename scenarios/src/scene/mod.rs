@@ -32,6 +32,7 @@ mod resolve_body;
 pub mod settings;
 pub(crate) mod source;
 mod warnings;
+mod wet_period;
 
 pub(crate) use approach::{LEAST_GAP, START_GAP};
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
@@ -56,3 +57,4 @@ pub use settings::{
 pub use source::{SceneError, apply_set};
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;
+pub use wet_period::longest_step;

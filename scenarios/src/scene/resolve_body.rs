@@ -224,9 +224,9 @@ fn check_panel(panel: &Panel, shape: &Shape, symmetry: Symmetry, key: impl Fn(&s
 
 /// Refuses a panel that is not held.
 fn check_supports(key: &str, ends: [PanelEnd; 2]) -> Result<(), Problem> {
-    use PanelEnd::{Free, Mirror, Sliding};
-    let mechanism = matches!(ends, [Free, Free | Sliding | Mirror] | [Sliding | Mirror, Free])
-        || matches!(ends, [Sliding, Sliding] | [Mirror, Mirror]);
+    use PanelEnd::{Free, Guided, Mirror, Sliding};
+    let mechanism = matches!(ends, [Free, Free | Sliding | Guided | Mirror] | [Sliding | Guided | Mirror, Free])
+        || matches!(ends, [Sliding | Guided, Sliding | Guided] | [Mirror, Mirror]);
     let expected = "at least one end clamped or pinned: with neither the panel is a mechanism that slides away";
     require(!mechanism, key, format!("{ends:?}").to_lowercase(), expected)
 }

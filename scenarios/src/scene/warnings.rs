@@ -299,17 +299,17 @@ fn doubtful_panels(scene: &Scene) -> Vec<String> {
         .collect()
 }
 
-/// Bending stiffness D = E h³/(12 (1 − ν²)) [N m].
+/// Bending stiffness D = E h³/(12 (1 − ν²)), without the bracket in plane stress [N m].
 fn stiffness(panel: &Panel) -> f64 {
-    panel.youngs_modulus * panel.thickness.powi(3) / (12.0 * (1.0 - panel.poissons_ratio.powi(2)))
+    panel.plane.modulus(&panel.material()) * panel.thickness.powi(3) / 12.0
 }
 
 /// A plate on two supports under the mean pressure of a wedge's entry (Wagner 1932) or of the depth: w = q L⁴/(384 D) clamped, five
 /// times that pinned.
 fn thin(scene: &Scene, body: &Body, panel: &Panel) -> Option<String> {
-    use PanelEnd::{Clamped, Mirror, Pinned, Sliding};
-    let both = panel.ends.iter().all(|end| matches!(end, Clamped | Pinned | Sliding | Mirror));
-    let softest = if panel.ends == [Clamped, Clamped] { 1.0 } else { 5.0 };
+    use PanelEnd::{Clamped, Free, Guided};
+    let both = !panel.ends.contains(&Free);
+    let softest = if panel.ends.iter().all(|end| matches!(end, Clamped | Guided)) { 1.0 } else { 5.0 };
     // rho V dc/dt
     let pressure = match scene.entry() {
         Some(entry) => scene.water().density * body.velocity[0].hypot(body.velocity[1]) * entry.root_speed(),

@@ -23,6 +23,9 @@ fn a_bad_panel_is_refused_with_key_given_and_expected() {
         ("from=[-0.1, 0.0364]", &["`body.panels[0].from`", "x >= 0 with symmetry"]),
         ("to=[0.0, 0.0]", &["`body.panels[0].to`", "another point than from"]),
         ("ends=[\"free\", \"sliding\"]", &["`body.panels[0].ends` = [free, sliding]", "at least one end clamped or pinned"]),
+        ("ends=[\"guided\", \"guided\"]", &["`body.panels[0].ends` = [guided, guided]", "at least one end clamped or pinned"]),
+        ("ends=[\"free\", \"guided\"]", &["`body.panels[0].ends` = [free, guided]", "at least one end clamped or pinned"]),
+        ("plane=shell", &["body.panels", "shell", "strain", "stress"]),
         ("ends=[\"clamped\", \"mirror\"]", &["`body.panels[0].ends`", "mirror only at x = 0"]),
         ("ends=[\"clamped\", \"welded\"]", &["body.panels", "clamped"]),
         ("watch=[0.5, 1.2]", &["`body.panels[0].watch[1]` = 1.2", "0 to 1"]),
@@ -61,4 +64,9 @@ fn a_doubtful_panel_is_warned_about() {
         &["time.step=1e-5", "body.panels[0].density=0.001", "body.panels[0].youngs_modulus=1e12"],
     );
     assert!(slow.contains("of the period of plate's first dry mode"), "{slow}");
+    let projection = |step: &str| warned("hydrostatic_plate", &["solver=incompressible", step]);
+    let coarse = projection("time.step=1e-3");
+    assert!(coarse.contains("of plate's first wet period, about 0.005") && coarse.contains(" s would do"), "{coarse}");
+    assert!(!projection("time.step=1.9e-4").contains("wet period") && !projection("time.end=1").contains("wet period"));
+    assert!(!warned("hydrostatic_plate", &["time.step=1e-4"]).contains("wet period"), "sound takes shorter steps");
 }

@@ -152,12 +152,21 @@ impl System {
         dissipated
     }
 
-    /// Damping forces with a lumped `mass` (THEORY BE13), of velocities `v` at the displacement `q`.
-    pub fn viscous_forces(&self, q: &[[f64; 3]], v: &[[f64; 3]], damping: &Damping, mass: &[[f64; 3]]) -> Field {
-        let mut forces = combine(mass, v, |mass, v| damping.mass * mass * v);
+    /// Damping forces with a lumped `mass` (THEORY BE13), of velocities `v` over a step between the displacements `from`
+    /// and `to`.
+    pub fn viscous_forces(
+        &self,
+        [from, to]: [&[[f64; 3]]; 2],
+        v: &[[f64; 3]],
+        damping: &Damping,
+        mass: &[[f64; 3]],
+    ) -> Field {
+        let arms = if damping.mass > 0.0 { self.damping_arms(from, to) } else { Vec::new() };
+        let mut forces = self.mass_damping_forces(&arms, v, mass, damping.mass);
         if damping.stiffness > 0.0 {
+            let middle = combine(from, to, |from, to| 0.5 * (from + to));
             for (nodes, element) in self.beam.constants() {
-                let chord = Chord::new(element, &self.beam.ends(nodes, q));
+                let chord = Chord::new(element, &self.beam.ends(nodes, &middle));
                 let viscous = viscous_forces(element, &chord, &chord.to_local(&self.beam.ends(nodes, v)), damping);
                 add_ends(&mut forces, nodes, &chord.to_global(&end_forces(&viscous, chord.length)));
             }

@@ -1,7 +1,9 @@
 //! Assembly: equation numbers, matrices, internal forces, and the recovery of section forces and reactions.
 
+mod damping_references;
 mod equations;
 mod internal_forces;
+mod mass_damping;
 mod recovery;
 mod system;
 

@@ -1,5 +1,6 @@
 //! The equations of a model at large displacements: numbering, matrix layout, and measures of vectors over them.
 
+use super::damping_references::DampingReferences;
 use super::{Arms, Equations};
 use crate::element::EndsMatrix;
 use crate::error::Error;
@@ -13,6 +14,7 @@ pub(crate) struct System {
     pub beam: Beam,
     pub supports: Supports,
     pub equations: Equations,
+    pub(super) damping_references: DampingReferences,
     half_band: usize,
 }
 
@@ -31,7 +33,8 @@ impl System {
         let order = narrow_band(beam.nodes().len(), links);
         let equations = Equations::in_order(order.into_iter(), &beam, &supports);
         let half_band = beam.elements().iter().map(|element| equations.band(element.nodes)).max().unwrap_or(0);
-        Ok(Self { beam, supports, equations, half_band })
+        let damping_references = DampingReferences::new(&beam, &supports);
+        Ok(Self { beam, supports, equations, damping_references, half_band })
     }
 
     /// A zero matrix over the equations.

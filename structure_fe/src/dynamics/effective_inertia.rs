@@ -57,8 +57,13 @@ impl Dynamics {
             system.elastic_forces(q, plastic, internal, Some((of_stiffness, both, &mut matrix)));
             system.add_arm_rotation(internal, &arms, -of_stiffness, &mut matrix);
             system.add_viscosity(q, damping, theta * dt, both, &mut matrix);
+            let damped = theta * dt * damping.mass;
+            let of_ground = if system.is_damped_against_ground() { damped } else { 0.0 };
             for (row, mass) in mass.by_equation.iter().enumerate() {
-                matrix.add(row, row, mass * (1.0 + theta * dt * damping.mass));
+                matrix.add(row, row, mass * (1.0 + of_ground));
+            }
+            if damped > 0.0 && !system.is_damped_against_ground() {
+                system.add_mass_damping(&system.damping_arms(q, q), &mass.nodal, damped, &mut matrix);
             }
         } else {
             let weights = Weights { acceleration: 1.0, velocity: 0.5 * dt, displacement: 0.25 * dt * dt };

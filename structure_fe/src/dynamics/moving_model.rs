@@ -105,7 +105,7 @@ impl MovingModel {
         };
         let State { displacement, velocity, acceleration, plastic_curvature, .. } = state;
         self.system.elastic_forces(displacement, plastic_curvature, &mut internal, None);
-        let mut forces = self.system.viscous_forces(displacement, velocity, &self.damping, &mass.nodal);
+        let mut forces = self.system.viscous_forces([displacement, displacement], velocity, &self.damping, &mass.nodal);
         for (node, force) in forces.iter_mut().enumerate() {
             for dof in 0..3 {
                 let inertia = mass.nodal[node][dof] * acceleration[node][dof];

@@ -149,9 +149,14 @@ impl Trapezoidal {
         let (plastic, tangent) = (&start.plastic_curvature, Some((arms, &mut *matrix)));
         system.mean_elastic_forces(from, &new.displacement, plastic, self.weight, internal, tangent);
         system.add_viscosity(&step.middle(new), damping, dt.recip(), arms, matrix);
-        let of_mass = (self.weight * dt * dt).recip() + damping.mass / dt;
+        let of_ground = if system.is_damped_against_ground() { damping.mass / dt } else { 0.0 };
+        let of_mass = (self.weight * dt * dt).recip() + of_ground;
         for (row, mass) in self.mass.by_equation.iter().enumerate() {
             matrix.add(row, row, of_mass * mass);
+        }
+        if damping.mass > 0.0 && !system.is_damped_against_ground() {
+            let arms = system.damping_arms(&start.displacement, &new.displacement);
+            system.add_mass_damping(&arms, &self.mass.nodal, damping.mass / dt, matrix);
         }
     }
 
@@ -167,7 +172,8 @@ impl Trapezoidal {
     fn mean_forces(&self, model: &MovingModel, step: &Step, new: &State) -> MeanForces {
         let (start, dt) = (step.start, step.dt);
         let rate = combine(&new.displacement, &start.displacement, |to, from| (to - from) / dt);
-        let viscous = model.system.viscous_forces(&step.middle(new), &rate, &model.damping, &self.mass.nodal);
+        let ends = [&start.displacement[..], &new.displacement[..]];
+        let viscous = model.system.viscous_forces(ends, &rate, &model.damping, &self.mass.nodal);
         let internal = combine(&model.internal, &viscous, |a, b| a + b);
         let mut total = combine(step.load, &internal, |load, internal| load - internal);
         let links = &model.system.equations.links;

@@ -12,7 +12,8 @@ use super::{add_deformation_matrix, add_elastic_tangent, deformation_forces, end
 /// (THEORY BE13).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Damping {
-    /// Coefficient a_M of the mass \[1/s\], not negative: damps slow motion, rigid motion too.
+    /// Coefficient a_M of the mass \[1/s\], not negative: damps slow vibration. In a model with rigid bodies it acts on the
+    /// velocity against the body that holds a node, so that it damps no rigid motion; without, against the ground.
     pub mass: f64,
     /// Coefficient a_K of the elastic stiffness \[s\], not negative: damps fast vibration.
     pub stiffness: f64,

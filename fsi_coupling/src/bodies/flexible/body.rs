@@ -42,6 +42,8 @@ pub struct FlexibleBody {
     outline: Outline,
     state: FlexibleState,
     checkpoint: Option<(FlexibleState, Outline)>,
+    /// Longest step that resolves its vibration [s].
+    longest_step: f64,
 }
 
 impl FlexibleBody {
@@ -77,6 +79,7 @@ impl FlexibleBody {
             outline,
             state,
             checkpoint: None,
+            longest_step: f64::INFINITY,
         })
     }
 
@@ -85,6 +88,11 @@ impl FlexibleBody {
         self.law = self.law.map(|law| -> Law { Box::new(move |t| law(t - time)) });
         self.state.nodes.time = time;
         self
+    }
+
+    /// The same, with steps of at most `dt` [s] (THEORY CO33).
+    pub fn with_longest_step(self, dt: f64) -> FlexibleBody {
+        FlexibleBody { longest_step: dt, ..self }
     }
 
     /// The structure's motion: displacements, velocities and accelerations of its nodes.
@@ -263,7 +271,7 @@ impl WettedBody for FlexibleBody {
     }
 
     fn stable_dt(&self) -> f64 {
-        self.model.dynamics.stable_dt()
+        self.model.dynamics.stable_dt().min(self.longest_step)
     }
 
     fn checkpoint(&mut self) {

@@ -8,3 +8,4 @@ pub mod panel;
 pub mod panel_state;
 mod state;
 pub mod surface_map;
+pub mod wet_period;

@@ -17,10 +17,23 @@ pub enum PanelEnd {
     Pinned,
     /// Moves with it across the panel, slides along it, and turns freely: no membrane force.
     Sliding,
+    /// Moves with it across the panel, slides along it, and turns with it: clamped without membrane force.
+    Guided,
     /// Not held.
     Free,
     /// On the plane of symmetry x = 0: moves along it and does not turn. Not held by the frame.
     Mirror,
+}
+
+/// What the third direction does to a panel (THEORY BE2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Plane {
+    /// A wide plate, which cannot contract along the span: E/(1 − ν²).
+    #[default]
+    Strain,
+    /// A narrow bar, which is free to contract: E.
+    Stress,
 }
 
 /// A panel: a strip of plate along a part of a body's outline, or of a thin wall's middle line.
@@ -34,6 +47,8 @@ pub struct PanelSpec {
     pub elements: usize,
     /// Thickness [m]. Along an outline the water is on its outside, and the middle line half of it further in.
     pub thickness: f64,
+    /// Plane strain or plane stress.
+    pub plane: Plane,
     /// What it is made of.
     pub material: Material,
     /// Beam theory.
@@ -48,6 +63,31 @@ pub struct PanelSpec {
     pub ends: [PanelEnd; 2],
     /// Places whose motion is reported, as shares of its length [-].
     pub watch: Vec<f64>,
+}
+
+impl PanelSpec {
+    /// Its cross-section, one metre wide.
+    pub fn section(&self) -> Section {
+        self.plane.section(self.thickness)
+    }
+}
+
+impl Plane {
+    /// Modulus of bending and membrane [Pa].
+    pub fn modulus(self, material: &Material) -> f64 {
+        match self {
+            Plane::Strain => material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)),
+            Plane::Stress => material.youngs_modulus,
+        }
+    }
+
+    /// Cross-section of a plate of a thickness [m], one metre wide.
+    pub fn section(self, thickness: f64) -> Section {
+        match self {
+            Plane::Strain => Section::strip(thickness),
+            Plane::Stress => Section::rectangular(thickness, 1.0),
+        }
+    }
 }
 
 /// A panel with its elements in the model of the body.
@@ -75,7 +115,7 @@ impl Panel {
             nodes.push([0, 1].map(|i| at[i] + inwards * left[i]));
         }
         for k in 0..spec.elements {
-            let (nodes, section) = ([first + k, first + k + 1], Section::strip(spec.thickness));
+            let (nodes, section) = ([first + k, first + k + 1], spec.section());
             elements.push(Element { nodes, material: spec.material, section });
         }
         Panel { spec: spec.clone(), reach, elements: first_element..elements.len(), nodes: first..nodes.len() }
@@ -85,12 +125,12 @@ impl Panel {
     pub fn hold(&self, frame: usize, supports: &mut Supports) {
         for (end, node) in self.spec.ends.iter().zip([self.nodes.start, self.nodes.end - 1]) {
             match end {
-                PanelEnd::Clamped => supports.link(frame, node),
+                PanelEnd::Clamped | PanelEnd::Guided => supports.link(frame, node),
                 PanelEnd::Pinned | PanelEnd::Sliding => supports.link_pinned(frame, node),
                 PanelEnd::Free => supports,
                 PanelEnd::Mirror => supports.fix(node, Dof::U).fix(node, Dof::Theta),
             };
-            let held = matches!(end, PanelEnd::Clamped | PanelEnd::Pinned | PanelEnd::Sliding);
+            let held = !matches!(end, PanelEnd::Free | PanelEnd::Mirror);
             if let Some(strain) = self.spec.rupture_strain.filter(|_| held) {
                 supports.breakable(node, Rupture::FibreStrain(strain));
             }
@@ -106,7 +146,7 @@ impl Panel {
             }
         }
         for (end, element) in self.spec.ends.iter().zip([self.elements.start, self.elements.end - 1]) {
-            if *end == PanelEnd::Sliding {
+            if matches!(end, PanelEnd::Sliding | PanelEnd::Guided) {
                 beam = beam.with_axial_release(element)?;
             }
         }

@@ -1,6 +1,6 @@
 //! A flexible panel of a body.
 
-use fsi_coupling::{PanelEnd, PanelSpec};
+use fsi_coupling::{PanelEnd, PanelSpec, Plane};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Material, Plasticity, Theory};
@@ -21,18 +21,21 @@ pub struct Panel {
     /// Thickness of the plate; along an outline its outside is wet [m].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: f64,
-    /// Young's modulus; the plate bends with E/(1 - nu²) [Pa].
+    /// Young's modulus; the plate bends with E/(1 - nu²), in plane stress with E [Pa].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub youngs_modulus: f64,
     /// Poisson's ratio [-].
     #[serde(default = "usual_poissons_ratio")]
     #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 0.5))]
     pub poissons_ratio: f64,
+    /// Plane strain, of a wide plate between walls or in cylindrical bending; plane stress, of a bar that is free to contract.
+    #[serde(default)]
+    pub plane: Plane,
     /// Density of the plate [kg/m³].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: f64,
-    /// Supports of its ends on the rest of the body: sliding is pinned, but free along the panel; mirror is joined to its image,
-    /// at x = 0 with symmetry = x.
+    /// Supports of both ends on the rest of the body, each its own: clamped, pinned, free; sliding (pinned) and guided (clamped)
+    /// are free along the panel, without membrane force; mirror is joined to its image, at x = 0 with symmetry = x.
     #[serde(default)]
     pub ends: [PanelEnd; 2],
     /// Beam theory.
@@ -86,6 +89,7 @@ impl Panel {
             span: [self.from, self.to],
             elements: self.elements,
             thickness: self.thickness,
+            plane: self.plane,
             material: self.material(),
             theory: match self.theory {
                 TheoryName::EulerBernoulli => Theory::EulerBernoulli,
@@ -99,9 +103,9 @@ impl Panel {
         }
     }
 
-    /// In plane strain bending yields at σ_y/√(1 − ν + ν²) (von Mises 1913).
+    /// In plane strain bending yields at σ_y/√(1 − ν + ν²) (von Mises 1913), in plane stress at σ_y.
     fn plasticity(&self) -> Option<Plasticity> {
-        let nu = self.poissons_ratio;
+        let nu = if self.plane == Plane::Strain { self.poissons_ratio } else { 0.0 };
         let yield_stress = self.yield_stress? / (1.0 - nu + nu * nu).sqrt();
         Some(Plasticity { yield_stress, hardening_modulus: self.hardening_modulus })
     }
