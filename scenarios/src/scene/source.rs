@@ -144,7 +144,8 @@ impl Source {
         if self.text.lines().all(|line| line.len() <= WIDEST_LINE) {
             return (self.text.clone(), span);
         }
-        let at = |byte: usize| self.text.floor_char_boundary(byte.min(self.text.len()));
+        let boundary = |byte: &usize| self.text.is_char_boundary(*byte);
+        let at = |byte: usize| (0..=byte.min(self.text.len())).rev().find(boundary).unwrap_or(0);
         let (start, end) = (at(span.start.saturating_sub(PART_SHOWN)), at(span.start.saturating_add(PART_SHOWN)));
         let place = at(span.start) - start..at(span.end).min(end).max(at(span.start)) - start;
         (self.text[start..end].to_string(), place)
