@@ -16,6 +16,7 @@ mod following;
 mod force_rules;
 mod gas;
 mod gauges;
+mod gentle_water;
 mod grading;
 mod heaving_box;
 mod host;

@@ -48,7 +48,8 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
         let least = auto_reach(0.0, time.end, fine_zone, gravity)[1];
         hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
     });
-    let solver = resolve_fluid(draft, entry.as_ref(), fastest, still)?;
+    let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
+    let solver = resolve_fluid(draft, entry.as_ref(), fastest, still, gentle)?;
     resolve_coupling(draft, &solver, body.as_ref())?;
     match &entry {
         Some(entry) => {
@@ -120,12 +121,13 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
 }
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
-/// sound that bears the water's weight [m/s].
+/// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks.
 fn resolve_fluid(
     draft: &mut Draft,
     entry: Option<&Entry>,
     fastest: f64,
     still: f64,
+    gentle: bool,
 ) -> Result<SolverSettings, Problem> {
     let solver: Solver = draft.get("solver").unwrap_or_default();
     let thesis = solver == Solver::IncompressibleThesis;
@@ -137,6 +139,9 @@ fn resolve_fluid(
             let expected = "none, or 0, with fluid.dissipation = \"riemann\", which has no coefficients";
             require(coefficient == 0.0, key, coefficient, expected)?;
         }
+    }
+    if solver == Solver::WeaklyCompressible {
+        draft.fill("fluid.shifting_at_surface", !gentle);
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;

@@ -196,7 +196,7 @@ impl Compressible {
     /// WC10, LE8.
     pub(crate) fn shift(&self, system: &mut ParticleSystem, dt: f64) {
         if self.base.settings.shifting {
-            even_out(system, self.base.settings.settling, dt);
+            even_out(system, &self.base.settings, dt);
         }
         if self.options.xsph != 0.0 {
             drift_with_neighbours(system, self.options.xsph, dt);

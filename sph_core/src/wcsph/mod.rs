@@ -60,7 +60,7 @@ impl Wcsph {
         advance_density_midpoint(flow.system, &self.density_rate, dt); // ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
         drift(flow.system, half); //                                      x' = x½ + ½Δt v½
         if self.settings.shifting {
-            even_out(flow.system, self.settings.settling, dt); //         x' ← x' + δr
+            even_out(flow.system, &self.settings, dt); //                  x' ← x' + δr
         }
         flow.walls.start_mean_force(dt); //                               ½F, where the walls were at the start
         self.evaluate_forces(flow, 0.0); //                               a', F' at (x', ρ')

@@ -45,6 +45,10 @@ pub struct Settings {
     /// Particle shifting.
     #[schemars(extend("x-ignored-elsewhere" = true))]
     pub shifting: bool,
+    /// Particles that see the surface are shifted too, which evens out the water around a body and in a splash, and lifts gently
+    /// moving water: its energy grows (THEORY WC10). Without effect where fluid.shifting is false.
+    #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "true, but false in a tank of water without a body"))]
+    pub shifting_at_surface: bool,
     /// Share of h^2 grad C by which particles are shifted in each step, whatever their speed, away from the surface (THEORY
     /// WC10), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
     #[schemars(range(min = 0.0, max = 0.3), extend("x-ignored-elsewhere" = true))]
@@ -76,6 +80,7 @@ impl Default for Settings {
             artificial_viscosity: 0.02,
             density_diffusion: 0.3,
             shifting: true,
+            shifting_at_surface: true,
             settling: 0.1,
             wall_stretch: false,
             ventilation: false,

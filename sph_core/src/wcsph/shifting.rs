@@ -3,6 +3,7 @@
 use crate::parallel;
 use crate::scheme::Flow;
 use crate::system::ParticleSystem;
+use crate::wcsph::Settings;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
@@ -12,13 +13,13 @@ const SETTLED: f64 = 1e-4;
 const MOST_SETTLING_SHIFTS: u32 = 60;
 
 /// WC10: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, outside the free surface; κ, `settling` [-], acts on particles that were newly
-/// split (WC21).
-pub(crate) fn even_out(system: &mut ParticleSystem, settling: f64, dt: f64) {
-    shift(system, settling, dt, false);
+/// split (WC21). `at_surface`: particles that see the surface are shifted too.
+pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64) {
+    shift(system, settings.settling, dt, settings.shifting_at_surface, false);
 }
 
 /// `all`: κ acts on all particles that have neither surface nor wall in their neighbourhood.
-fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, all: bool) {
+fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, at_surface: bool, all: bool) {
     let (p, fields) = (&mut system.particles, &system.fields);
     let newly_split = &p.newly_split;
     parallel::each([&mut p.x, &mut p.y], |at, [x, y]| {
@@ -34,7 +35,8 @@ fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, all: bool) {
             let [dx, dy] = moments[k].concentration_gradient().map(|c| scale * c);
             let (length, limit) = ((dx * dx + dy * dy).sqrt(), LONGEST_SHIFT * h[k]);
             let shrink = if length > limit { limit / length } else { 1.0 };
-            let share = if moments[k].at_surface() { 0.0 } else { shrink };
+            let stays = moments[k].at_surface() || (near_surface[k] && !at_surface);
+            let share = if stays { 0.0 } else { shrink };
             x[k] += share * dx;
             y[k] += share * dy;
         }
@@ -70,7 +72,7 @@ fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: i
         if -parallel::least(p.len(), |k| -length(k)) < SETTLED {
             return;
         }
-        shift(flow.system, settling, 0.0, true);
+        shift(flow.system, settling, 0.0, true, true);
         evaluate_forces(flow);
         flow.system.neighbours.flag_surface(&mut flow.system.fields);
     }

@@ -82,6 +82,11 @@ impl Tank {
         self.depth + self.block().map_or(self.rise(), |block| block.to[1].max(self.rise()))
     }
 
+    /// True where the water reaches from wall to wall and none is above it.
+    pub fn is_full(&self) -> bool {
+        self.water_width >= self.width && self.block().is_none()
+    }
+
     /// Speed of the block of water at the start [m/s]; 0 where there is none.
     pub fn block_speed(&self) -> f64 {
         self.block().map_or(0.0, |block| block.velocity[0].hypot(block.velocity[1]))
