@@ -6,7 +6,6 @@ use clap::Args;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, say};
 use crate::ditching::{self, Landed, SectionError, SectionResult};
-use crate::run::summary::Status;
 
 #[derive(Args)]
 pub(super) struct DitchArgs {
@@ -52,7 +51,7 @@ pub(super) fn run_ditch(output: &Output, args: &DitchArgs) -> Result<u8, Stop> {
         say(format_args!("files in {}: open report.html", out.display()));
     }
     match landed.summary.status {
-        Status::Completed => Ok(DONE),
+        status if status.is_completed() => Ok(DONE),
         _ => Err(Stop::Failed(landed.summary.message.unwrap_or_default())),
     }
 }

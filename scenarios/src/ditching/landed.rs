@@ -146,6 +146,7 @@ impl Summary {
         let deceleration = most("ax_m_per_s2", |v| -v, scene.water.gravity);
         let (status, message) = match &run.ended {
             LandingEnd::Time | LandingEnd::Slow => (Status::Completed, None),
+            LandingEnd::Aloft(what) => (Status::CompletedWithDoubts, Some(what.clone())),
             LandingEnd::OutOfRange(what) => (Status::Failed, Some(what.clone())),
         };
         Summary {
@@ -185,7 +186,7 @@ impl Summary {
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
              at {:.3} s; {:.0} kN/m of keel {:.1} m from the nose at {:.3} s\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
-             {:.1} to {:.1} degrees",
+             {:.1} to {:.1} degrees{}",
             self.scene,
             self.strips,
             self.steps,
@@ -203,7 +204,8 @@ impl Summary {
             self.speed_m_per_s[0],
             self.speed_m_per_s[1],
             self.pitch_deg[1],
-            self.pitch_deg[2]
+            self.pitch_deg[2],
+            self.message.as_ref().map_or(String::new(), |what| format!("\n  DOUBT: {what}"))
         )
     }
 }

@@ -51,7 +51,7 @@ pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     render(&Report {
         title: format!("splashdown ditch: {}", scene.name),
         subtitle: scene.description.clone(),
-        status: page_status(s.status, s.message.as_deref(), &[]),
+        status: page_status(s.status, s.message.as_deref(), s.message.as_slice()),
         sections: vec![
             ("Landing".into(), vec![words, Block::Table(numbers)]),
             ("Curves".into(), curves),

@@ -3,6 +3,8 @@
 use serde::Serialize;
 use sph_core::Particles;
 
+use crate::scene::significant;
+
 /// How regularly the particles lie at the end of a run: particles that pair, or clump, are nearer than a spacing.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ParticleOrder {
@@ -10,6 +12,22 @@ pub struct ParticleOrder {
     pub nearest_least: f64,
     /// Median over the particles of the distance to the nearest, over the same [-].
     pub nearest_median: f64,
+}
+
+/// Particles nearer than this share of a spacing have paired [-]; splashes come to 0.1.
+const PAIRED: f64 = 0.02;
+
+impl ParticleOrder {
+    /// Particles that are in one place.
+    pub(super) fn doubt(&self) -> Option<String> {
+        (self.nearest_least < PAIRED).then(|| {
+            format!(
+                "order.nearest_least: two particles are {} spacings apart: they have paired, as with kernels whose slope vanishes at \
+                 the centre; use a wendland kernel",
+                significant(self.nearest_least)
+            )
+        })
+    }
 }
 
 /// The order of all particles; `None` for fewer than two, or if a position is not finite.

@@ -222,6 +222,10 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         doubts.extend(audit.doubts());
+        let order = particle_order(fluid.particles());
+        doubts.extend(order.and_then(|order| order.doubt()));
+        let compressibility = self.compressibility(scene);
+        doubts.extend(compressibility.as_ref().and_then(Compressibility::doubt));
         let (mut comparison, not_compared) = compare::against_curves(&scene.compare, references, &self.series);
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
         let verdict = results.peak_force_N_per_m.map(|force| force.verdict).filter(|v| *v != Verdict::Resolved);
@@ -265,7 +269,7 @@ impl Recorder {
             peaks: self.series.peaks().map(peak).collect(),
             means: self.series.means(since).map(|(name, mean)| (name.to_string(), mean)).collect(),
             rest: Some(self.history.rest(since)),
-            order: particle_order(fluid.particles()),
+            order,
             water: self.series.water(since),
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
@@ -274,7 +278,7 @@ impl Recorder {
                 residual_worst: agreement.worst_residual,
             }),
             audit,
-            compressibility: self.compressibility(scene),
+            compressibility,
             similarity,
             force_rules: self.force_rules.as_ref().map_or(Vec::new(), |rules| rules.result(since)),
             comparison,

@@ -13,7 +13,7 @@ use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water};
 use crate::results::{Results, Verdict};
-use crate::scene::CouplingScheme;
+use crate::scene::{CouplingScheme, significant};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -96,6 +96,21 @@ pub struct Compressibility {
     /// Factor on the force that corrects for this share, 1/(1 − share) (THEORY GE15) [-]; `null` without an impact. No other
     /// number of the summary is corrected.
     pub force_corrected: Option<f64>,
+}
+
+/// Largest Mach number of the fastest particle up to which the law of compressibility was measured [-].
+const LARGEST_MACH: f64 = 0.3;
+
+impl Compressibility {
+    /// Water that outran the forecast by which the speed of sound was chosen.
+    pub(crate) fn doubt(&self) -> Option<String> {
+        (self.mach_reached > LARGEST_MACH).then(|| {
+            format!(
+                "compressibility.mach_reached: a particle reached Mach {}: compressibility is not small; set a higher fluid.sound_speed",
+                significant(self.mach_reached)
+            )
+        })
+    }
 }
 
 /// Work of the pressure solves.

@@ -22,6 +22,9 @@ const STARTING_DRAUGHT: f64 = 16.0;
 
 const LARGEST_CFL: f64 = 0.8;
 
+/// Densities of usual liquids [kg/m³].
+const LIQUID: [f64; 2] = [500.0, 3000.0];
+
 /// Courant number up to which the Riemann form runs (WC13): with Wendland C6, and with the wider kernels.
 const RIEMANN_CFL: [f64; 2] = [0.65, 0.7];
 
@@ -47,10 +50,16 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     if scene.model.is_theory() {
         return theory_warnings(scene);
     }
-    let mut warnings = match scene.solver.weakly_compressible() {
+    let mut warnings: Vec<String> = match scene.solver.weakly_compressible() {
         None => projection_warnings(scene),
         Some(fluid) => sound_warnings(scene, fluid),
     };
+    let density = scene.water().density;
+    if !(LIQUID[0]..=LIQUID[1]).contains(&density) {
+        warnings.push(format!(
+            "fluid.density = {density} kg/m^3 is that of no usual liquid: the weakly compressible laws and bands were measured in water"
+        ));
+    }
     if scene.solver.kind() == Solver::IncompressibleThesis {
         warnings.extend(legacy::thesis_warnings(scene.water().smoothing_ratio, scene.body.is_some()));
     }
@@ -101,6 +110,12 @@ fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String>
     let mut warnings = Vec::new();
     let cfl = scene.courant_number();
     warnings.extend(slow_sound(scene));
+    if scene.sound_speed() > WATER_SOUND {
+        warnings.push(format!(
+            "fluid.sound_speed = {} m/s is above that of water, {WATER_SOUND} m/s: steps are shorter and first contacts harder than in water",
+            significant(scene.sound_speed())
+        ));
+    }
     if let Some(entry) = scene.entry().filter(|entry| entry.final_draught > 0.0) {
         warnings.extend(lost_force(scene, &entry));
         warnings.extend(echo(scene));

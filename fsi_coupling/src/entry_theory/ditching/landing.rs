@@ -132,6 +132,9 @@ pub struct LandingState {
     pub strips: Vec<(Strip, f64)>,
 }
 
+/// A keel this far above the water, over the fuselage's length, is not in a skip [-].
+const ALOFT: f64 = 0.1;
+
 /// Why a landing ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LandingEnd {
@@ -139,6 +142,8 @@ pub enum LandingEnd {
     Time,
     /// It was as slow as asked for.
     Slow,
+    /// It left the water for good: what happened.
+    Aloft(String),
     /// The motion left what strips can describe: what happened.
     OutOfRange(String),
 }
@@ -179,10 +184,14 @@ impl Landing<'_> {
     pub fn start(&self) -> Attitude {
         let (sin, cos) = self.path.sin_cos();
         let mut attitude = Attitude { place: [0.0, 0.0, self.pitch], rate: [self.speed * cos, self.speed * sin, 0.0] };
-        let height = |x: f64| attitude.of_point(self.aeroplane.centre, [x, self.hull.fuselage().keel(x).height])[1];
-        let lowest = self.edges().into_iter().map(height).fold(f64::INFINITY, f64::min);
-        attitude.place[1] = -lowest;
+        attitude.place[1] = -self.clearance(&attitude);
         attitude
+    }
+
+    /// Height of the keel's lowest place above the still surface [m].
+    fn clearance(&self, now: &Attitude) -> f64 {
+        let height = |x: f64| now.of_point(self.aeroplane.centre, [x, self.hull.fuselage().keel(x).height])[1];
+        self.edges().into_iter().map(height).fold(f64::INFINITY, f64::min)
     }
 
     /// Ends of the strips, from the nose [m]: stations are among them.
@@ -232,6 +241,12 @@ impl Landing<'_> {
         }
         if now.rate[0] < self.least_speed {
             return Some(LandingEnd::Slow);
+        }
+        let clearance = self.clearance(now);
+        if clearance > ALOFT * self.hull.fuselage().length() {
+            return Some(LandingEnd::Aloft(format!(
+                "the aeroplane has left the water: at t = {time:.3} s its keel is {clearance:.1} m above it, which is no landing any more"
+            )));
         }
         (time >= self.end - 0.5 * self.step).then_some(LandingEnd::Time)
     }
