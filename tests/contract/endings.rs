@@ -110,7 +110,7 @@ fn a_full_disk_ends_the_run() {
         .expect("a shell");
     let ended = Ended::from(output);
     assert_eq!(ended.code, Some(1), "{}", ended.message);
-    ended.says(&["cannot write the log", "log.mcap"]);
+    ended.says(&["cannot write the log", "log.mcap", "File too large"]);
     let log = read_log(&place.read("out/log.mcap"));
     assert!(log.fluid_frames >= 1 && !log.complete, "{} frames", log.fluid_frames);
 }

@@ -12,7 +12,7 @@ pub enum LogError {
     #[error("cannot create the log {path}: {1}", path = .0.display())]
     Create(PathBuf, #[source] io::Error),
     /// The file cannot be written to; the log ends.
-    #[error("cannot write the log {path}: {1}", path = .0.display())]
+    #[error("cannot write the log {path}: {cause}", path = .0.display(), cause = cause(.1))]
     Write(PathBuf, #[source] McapError),
     /// The log has ended, for a reason that was reported before.
     #[error("the log {path} has ended", path = .0.display())]
@@ -33,4 +33,12 @@ pub enum LogError {
         /// The names of the sample.
         found: Vec<String>,
     },
+}
+
+/// What the system says, where it is the cause.
+fn cause(error: &McapError) -> String {
+    match error {
+        McapError::Io(io) => io.to_string(),
+        other => other.to_string(),
+    }
 }
