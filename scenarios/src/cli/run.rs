@@ -9,7 +9,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::experiments::convergence;
-use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
+use super::shared::{DONE, Output, SceneArgs, Stop, complain, load, say};
 use crate::error_bar::ErrorBars;
 use crate::results::Quantity;
 use crate::run::summary::{Status, Summary};
@@ -19,6 +19,10 @@ use crate::scene::significant;
 /// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
 /// process and to its group.
 const IMPATIENT: Duration = Duration::from_secs(1);
+/// A request to end waits so long for the end of a step.
+const LONGEST_STEP: Duration = Duration::from_secs(10);
+/// Exit code of a run that was ended within a step, as of a shell's Ctrl-C.
+const INTERRUPTED_CODE: i32 = 130;
 
 #[derive(Args)]
 pub(super) struct RunArgs {
@@ -44,6 +48,7 @@ pub(super) struct RunArgs {
 pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
     static STEPPING: AtomicBool = AtomicBool::new(false);
+    static STEPPED: AtomicBool = AtomicBool::new(false);
     let SceneArgs { scene, mut sets } = args.scene.clone();
     sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
     let given = SceneArgs { scene, sets };
@@ -54,8 +59,18 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         INTERRUPTED.store(true, Ordering::Relaxed);
         let asked_again = first.get_or_insert_with(Instant::now).elapsed() > IMPATIENT;
         if asked_again || !STEPPING.load(Ordering::Relaxed) {
-            std::process::exit(130); // requested twice, or nothing to keep yet
+            std::process::exit(INTERRUPTED_CODE); // requested twice, or nothing to keep yet
         }
+        std::thread::spawn(|| {
+            std::thread::sleep(LONGEST_STEP);
+            if !STEPPED.load(Ordering::Relaxed) {
+                let seconds = LONGEST_STEP.as_secs();
+                complain(format_args!(
+                    "error: interrupted within a step of more than {seconds} s: the log ends before it"
+                ));
+                std::process::exit(INTERRUPTED_CODE);
+            }
+        });
     };
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
@@ -82,6 +97,7 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         out: Some(out.clone()),
         force: args.force,
         interrupt: Some(&INTERRUPTED),
+        stepped: Some(&STEPPED),
         progress: Some(&tell),
         warnings: loaded.warnings.clone(),
         error_bars: studied.as_ref().map(|of| of as &(dyn Fn(&Summary) -> ErrorBars + Sync)),

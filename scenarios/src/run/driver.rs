@@ -51,6 +51,9 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     // on one thread of the pool for the whole run: no step wakes the pool
     let ended = parallel::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
 
+    if let Some(stepped) = options.stepped {
+        stepped.store(true, Ordering::Relaxed);
+    }
     let (status, message) = match ended {
         Ok(status) => (status, None),
         Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),

@@ -36,6 +36,8 @@ pub struct RunOptions<'a> {
     pub without_log: bool,
     /// Set from outside to end the run after the present step.
     pub interrupt: Option<&'a AtomicBool>,
+    /// Set when the last step has been taken and files are left to write.
+    pub stepped: Option<&'a AtomicBool>,
     /// Steps after which a run that has not reached its end has failed.
     pub most_steps: Option<u64>,
     /// Called with (time [s], steps) when the stepping begins and about ten times per second.
