@@ -56,8 +56,12 @@ fn a_landing_refuses_what_it_cannot_use() {
     refused(&["mercury"], &["neither a built-in scene nor a file", "mercure"]);
     refused(&["mercure", "--set", "landing.end=-1"], &["landing.end", "above 0"]);
     refused(&["mercure", "--set", "landing.speeed=70"], &["unknown key", "landing.speed"]);
-    let steep = ["--set", "landing.angle_of_attack_deg=5", "--set", "landing.flight_path_deg=-5", "--out", "up"];
-    let ended = place.run(&[&["ditch", "mercure"], &steep[..]].concat());
+    let flies = place.run(&["ditch", "mercure", "--out", "off"]);
+    assert_eq!(flies.code, Some(0), "{}", flies.message);
+    assert!(flies.stdout.contains("has left the water: at t = 2.2"), "{}", flies.stdout);
+    assert_eq!(place.summary("off")["status"], "completed_with_doubts");
+    let unstable = ["--set", "wing.pitch_stiffness=20", "--out", "up"];
+    let ended = place.run(&[&["ditch", "mercure"], &unstable[..]].concat());
     assert_eq!(ended.code, Some(1), "{}", ended.message);
     ended.says(&["a pitch of 40", "degrees at t ="]);
     assert_eq!(place.summary("up")["status"], "failed");

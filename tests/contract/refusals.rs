@@ -102,7 +102,7 @@ fn a_bad_value_of_a_new_key_is_refused_with_line_key_given_and_expected() {
         (swing("amplitude = [0.0, 0.01]\n", ""), 9, &["`body.amplitude` is missing", "[m]"]),
         (swing("[0.0, 0.01]", "0.01"), 15, &["`body.amplitude`", "0.01", "expected an array of length 2"]),
         (swing("[0.0, 0.01]", "[0.0, 0.0]"), 15, &["`body.amplitude` = [0.0, 0.0]", "expected other than [0, 0]", "fixed"]),
-        (swing("[0.0, 0.01]", "[0.9, 0.0]"), 15, &["`body.amplitude` = [0.9, 0.0]", "expected less than 0.75 m along x"]),
+        (swing("[0.0, 0.01]", "[0.9, 0.0]"), 15, &["`body.amplitude` = [0.9, 0.0]", "expected at most 0.73 m along x"]),
         (swing("[0.0, 0.01]", "[0.0, -1.5]"), 15, &["`body.amplitude` = [0.0, -1.5]", "expected less than 1 m along y"]),
         (swing("period = 0.1", "period = 0"), 16, &["`body.period` = 0", "expected a finite number above 0"]),
         (swing("period = 0.1", "period = -2"), 16, &["`body.period` = -2", "expected a finite number above 0"]),

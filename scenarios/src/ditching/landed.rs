@@ -205,7 +205,10 @@ impl Summary {
             self.speed_m_per_s[1],
             self.pitch_deg[1],
             self.pitch_deg[2],
-            self.message.as_ref().map_or(String::new(), |what| format!("\n  DOUBT: {what}"))
+            self.message
+                .as_ref()
+                .filter(|_| self.status.is_completed())
+                .map_or(String::new(), |what| format!("\n  DOUBT: {what}"))
         )
     }
 }
