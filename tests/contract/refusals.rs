@@ -147,6 +147,8 @@ fn a_wrong_argument_is_refused_and_named() {
         (&["run", "wedge", "--thread", "1"], &["--thread"]),
         (&["run"], &["SCENE"]),
         (&["swim"], &["swim"]),
+        (&["bands", "--uncharted", "100000000"], &["--uncharted", "1..=10000"]),
+        (&["run", "hydrostatic_tank", "--set", "fluid.sound_speed=1"], &["`fluid.sound_speed` = 1", "expected at least"]),
         (&["validate", "nothing"], &["`nothing`", "wedge_constant_30"]),
     ];
     let place = Workplace::new();

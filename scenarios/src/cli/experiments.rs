@@ -6,7 +6,7 @@ pub(super) mod work_precision;
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, value_parser};
 use serde::Serialize;
 
 use super::shared::{DONE, Output, Stop, say};
@@ -112,8 +112,8 @@ pub struct BandsArgs {
     #[command(flatten)]
     selection: Selection,
     /// Run so many wedges that are on no chart, and compare the error bars that they have from charts.
-    #[arg(long, value_name = "COUNT", conflicts_with_all = ["cases", "all"])]
-    uncharted: Option<usize>,
+    #[arg(long, value_name = "COUNT", conflicts_with_all = ["cases", "all"], value_parser = value_parser!(u32).range(1..=10_000))]
+    uncharted: Option<u32>,
     /// Which ones.
     #[arg(long, default_value_t = 1, requires = "uncharted")]
     seed: u64,
@@ -124,7 +124,7 @@ const ERROR_BARS: &str =
 
 pub fn run_bands(output: &Output, args: &BandsArgs) -> Result<u8, Stop> {
     if let Some(count) = args.uncharted {
-        return run_uncharted(output, args, count);
+        return run_uncharted(output, args, count as usize);
     }
     if args.selection.is_empty() {
         return list(&coverage::CASES);

@@ -10,7 +10,7 @@ use fsi_coupling::settings::{Problem, Schema, require};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::scene::source::word;
+use crate::scene::source::{LARGEST_NUMBER, word};
 
 /// The schema of a landing's file.
 pub fn schema() -> &'static Schema {
@@ -145,6 +145,8 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     let expected = format!("more than wing.zero_lift_deg, {} degrees, or a landing.speed", scene.wing.zero_lift_deg);
     let key = "landing.angle_of_attack_deg";
     let speed = speed.ok_or_else(|| Problem::new(key, landing.angle_of_attack_deg, expected))?;
+    let expected = format_args!("up to {LARGEST_NUMBER:e} m/s, or a wing that carries the weight at such a speed");
+    require(speed <= LARGEST_NUMBER, "landing.speed", speed, expected)?;
     let least = landing.least_speed.unwrap_or_else(|| (scene.water.gravity * hull.fuselage().length()).sqrt());
     let expected = format_args!("less than the speed of landing, {speed:.4} m/s");
     require(least < speed, "landing.least_speed", least, expected)?;

@@ -122,7 +122,7 @@ impl Judge {
         let acceleration = self.peak(&curves.acceleration, window, unit, &by_acceleration);
         let pressure = self.peak_pressure(curves);
         let impulse = curves.force.largest().map(|_| self.impulse(curves));
-        let of_force = force.as_ref().map(|(quantity, _)| quantity.verdict);
+        let of_force = force.as_ref().map(|(quantity, _)| *quantity);
         let results = Results {
             peak_force_N_per_m: force.map(|found| keep("peak_force_N_per_m", found)),
             peak_acceleration_g: acceleration.map(|found| keep("peak_acceleration_g", found)),
@@ -331,8 +331,8 @@ impl Judge {
     }
 }
 
-/// Results of a panel under a load with this verdict; a structure averages by itself.
-fn panel_results(panel: &PanelState, of_force: Option<Verdict>) -> (PanelResults, Option<String>) {
+/// Results of a panel under a load; a structure averages by itself, and its stress is as good as the force.
+fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (PanelResults, Option<String>) {
     let worst = &panel.worst;
     let stress = worst.stress;
     let [value, time] = match -stress.least > stress.most {
@@ -340,7 +340,7 @@ fn panel_results(panel: &PanelState, of_force: Option<Verdict>) -> (PanelResults
         false => [stress.most, stress.time_of_most],
     };
     let reserve = worst.reserve_factor;
-    let load = of_force.filter(|verdict| *verdict != Verdict::Resolved);
+    let load = force.map(|force| force.verdict).filter(|verdict| *verdict != Verdict::Resolved);
     let (verdict, doubt) = match (reserve, load) {
         (Some(reserve), _) if reserve < 1.0 => {
             let why = format!("the stress is {} times the allowable one", significant(1.0 / reserve));
@@ -349,8 +349,11 @@ fn panel_results(panel: &PanelState, of_force: Option<Verdict>) -> (PanelResults
         (_, Some(verdict)) => (verdict, None),
         _ => (Verdict::Resolved, None),
     };
-    let quantity =
-        |value: f64| Quantity { value, time_s: Some(time), band: None, cutoff_hz: None, raw: value, verdict };
+    let share = force.and_then(|force| Some(force.band? / force.value)).filter(|share| share.is_finite());
+    let quantity = |value: f64| {
+        let band = share.map(|share| share * value);
+        Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict }
+    };
     (PanelResults { peak_stress_Pa: quantity(value), reserve_factor: reserve.map(quantity) }, doubt)
 }
 

@@ -11,6 +11,7 @@ use std::sync::atomic::AtomicBool;
 
 use fsi_coupling::CouplingError;
 use fsi_coupling::entry_theory::OutOfRange;
+use sph_core::Breakdown;
 
 use crate::compare::ReferenceCurve;
 use crate::error_bar::ErrorBars;
@@ -79,11 +80,21 @@ pub enum RunError {
     #[error(transparent)]
     Reference(#[from] ReferenceError),
     /// The scene cannot be built.
-    #[error(transparent)]
+    #[error("{}", at_start(.0))]
     Build(#[from] CouplingError),
     /// The model does not apply to the scene.
     #[error("model = \"{0}\" holds for {1}")]
     Theory(&'static str, OutOfRange),
+}
+
+/// An error of the first moment, with the keys that make it.
+fn at_start(error: &CouplingError) -> String {
+    match error {
+        CouplingError::Fluid(Breakdown::Density { .. }) => format!(
+            "{error}; the water cannot start so: expected a larger `fluid.sound_speed`, or `fluid.density_evolution` = \"continuity\""
+        ),
+        other => other.to_string(),
+    }
 }
 
 impl RunError {

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use super::auto::hydrostatic_sound;
 use super::incompressible::check_projection_step;
-use super::legacy::{breakdown_cfl, gaseous, hollow_walls};
+use super::legacy::{breakdown_cfl, hollow_walls};
 use super::references::check_reference;
 use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use crate::observers::columns;
@@ -18,6 +18,9 @@ const THINNEST_BODY: f64 = 6.0;
 
 /// Spacings across the smallest body of water, and across the smallest block of it.
 const SMALLEST_WATER: f64 = 4.0;
+
+/// Density over that of the reference that water cannot reach.
+const DENSEST: f64 = 1.3;
 
 /// Largest rise or fall of the surface over the depth: columns are stretched by as much.
 const LARGEST_RISE: f64 = 0.5;
@@ -53,7 +56,7 @@ pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
         return check_projection_step(scene); // its steps know no sound
     };
     let (largest, name) = breakdown_cfl(&fluid.options);
-    check_weight(scene)?;
+    check_weight(scene, fluid.scheme.eos_exponent)?;
     let cfl = scene.courant_number();
     let expected = format_args!("a number above 0 and below {largest}, where {name} breaks down");
     require(cfl < largest, "fluid.cfl", cfl, expected)?;
@@ -65,20 +68,14 @@ pub(super) fn check_step(scene: &Scene) -> Result<(), Problem> {
     require(step < still, "time.step", step, expected)
 }
 
-/// Without an impact, gH/c₀² at which still water is 30 % denser at the floor, where a run stops (THEORY WC2).
-const HEAVIEST: f64 = 0.75;
-
-/// Refuses a speed of sound at which the water's own weight makes it 8 % denser at the floor of an impact (THEORY WC17), or as dense
-/// as no run is begun with.
-fn check_weight(scene: &Scene) -> Result<(), Problem> {
-    if scene.solver.weakly_compressible().is_none_or(|fluid| gaseous(&fluid.options)) {
-        return Ok(());
-    }
-    let least = match scene.entry() {
-        Some(_) => hydrostatic_sound(scene.gravity, scene.tank.depth)[1],
-        None => (scene.gravity[1].abs() * scene.tank.depth / HEAVIEST).sqrt(),
-    };
-    let (sound, limit, depth) = (scene.sound_speed(), significant(least), significant(scene.tank.depth));
+/// Refuses a speed of sound at which the water's own weight makes it 8 % denser at the floor of an impact, 30 % denser at that of any
+/// tank (THEORY WC17).
+fn check_weight(scene: &Scene, exponent: f64) -> Result<(), Problem> {
+    let depth = scene.tank.depth;
+    let least = scene.entry().map(|_| hydrostatic_sound(scene.gravity, depth)[1]);
+    let stiffness = exponent / (DENSEST.powf(exponent) - 1.0);
+    let least = least.unwrap_or((stiffness * scene.gravity[1].abs() * depth).sqrt());
+    let (sound, limit, depth) = (scene.sound_speed(), significant(least), significant(depth));
     let expected = format_args!("at least {limit} m/s, which bears the weight of {depth} m of water");
     require(sound >= least, "fluid.sound_speed", significant(sound), expected)
 }

@@ -106,11 +106,6 @@ pub(super) fn extrapolates(options: &Options) -> bool {
     options.walls == WallModel::Extrapolated
 }
 
-/// True for a gas, whose pressure bears no water.
-pub(super) fn gaseous(options: &Options) -> bool {
-    options.equation_of_state == EquationOfState::IdealGas
-}
-
 /// True for walls of points that push (THEORY LE15).
 pub(super) fn repulsive_walls(options: &Options) -> bool {
     options.walls == WallModel::Repulsive

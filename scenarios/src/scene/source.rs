@@ -12,11 +12,14 @@ use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
 /// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
-const LARGEST_NUMBER: f64 = 1e12;
+pub(crate) const LARGEST_NUMBER: f64 = 1e12;
 
 /// Longest line that a message draws whole, and how much of a longer one it shows before and behind a mistake [bytes].
 const WIDEST_LINE: usize = 2_000;
 const PART_SHOWN: usize = 60;
+
+/// Most keys in the path of an argument: no scene has as many, and deeper tables would not fit on the stack.
+const DEEPEST: usize = 32;
 
 /// Why a scene cannot be run: its first mistake, with the place, the key, what was given and what was expected.
 #[derive(Debug, Error, Diagnostic)]
@@ -184,11 +187,14 @@ fn writes(set: &str, key: &str) -> bool {
     assignment(set).is_some_and(|(path, _)| segments(path).zip(segments(key)).all(|(a, b)| a == b))
 }
 
-/// TOML can say `nan`, `inf` and 1e300; no key of a scene can mean them, and sums of squares need not survive them.
+/// TOML can say `nan`, `inf`, 1e300 and 2^63 - 1; no key of a scene can mean them, and sums of squares need not survive them.
 fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
     match value {
         Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
             Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))
+        }
+        Value::Integer(number) if number.unsigned_abs() as f64 > LARGEST_NUMBER => {
+            Err(Problem::new(path, number, format!("a number up to {LARGEST_NUMBER:e}")))
         }
         Value::Array(items) => {
             let mut items = items.iter().enumerate();
@@ -240,6 +246,9 @@ pub fn apply_set(table: &mut Table, set: &str) -> Result<(), SceneError> {
     let (Some(Segment::Key(_)), false) = (steps.first(), text.is_empty()) else {
         return Err(form());
     };
+    if steps.len() > DEEPEST {
+        return Err(refuse(format!("expected a path of at most {DEEPEST} keys, {} given", steps.len())));
+    }
     let value = parse(text).map_err(|why| refuse(format!("`{path}` = {text}: expected a TOML value; {why}")))?;
     *slot(table, &steps).map_err(|why| refuse(format!("`{path}`: {why}")))? = value;
     Ok(())

@@ -94,10 +94,6 @@ pub(super) fn extrapolates(_: &Options) -> bool {
     true
 }
 
-pub(super) fn gaseous(_: &Options) -> bool {
-    false
-}
-
 pub(super) fn repulsive_walls(_: &Options) -> bool {
     false
 }

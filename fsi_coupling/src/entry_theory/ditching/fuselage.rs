@@ -103,7 +103,9 @@ impl Fuselage {
                         format!("radius {r} m: expected at least half the breadth, {} m", 0.5 * s.breadth),
                     );
                 }
-                form => form.section(s.breadth).map_err(|e| FuselageError { station: k, why: e.to_string() })?,
+                form => {
+                    form.section(s.breadth).map_err(|e| FuselageError { station: k, why: format!("expected {e}") })?
+                }
             };
         }
         let curve = |of: fn(&Station) -> f64| {

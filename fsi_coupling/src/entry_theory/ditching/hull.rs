@@ -39,7 +39,7 @@ impl Hull {
         let mut kinds: Vec<Form> = Vec::new();
         let (mut forms, mut of_station) = (Vec::new(), Vec::new());
         for (station, s) in fuselage.stations().iter().enumerate() {
-            let refused = |e: crate::entry_theory::OutOfRange| FuselageError { station, why: e.to_string() };
+            let refused = |e: crate::entry_theory::OutOfRange| FuselageError { station, why: format!("expected {e}") };
             let form = s.form.scaled(1.0 / s.breadth);
             let known = kinds.iter().position(|kind| alike(*kind, form));
             if known.is_none() {
