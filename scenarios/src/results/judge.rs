@@ -28,6 +28,8 @@ const ROUND_BAND: [f64; 2] = [0.05, 5.0];
 const ROUND_SMOOTHING: f64 = 1.5;
 /// Share that compressibility takes of the forces that the bands are fitted to [-].
 const ADMITTED: f64 = 0.01;
+/// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
+const STRESS_BAND: f64 = 1.3;
 /// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 
@@ -331,7 +333,7 @@ impl Judge {
     }
 }
 
-/// Results of a panel under a load; a structure averages by itself, and its stress is as good as the force.
+/// Results of a panel under a load; a structure averages by itself, and its stress is nearly as good as the force.
 fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (PanelResults, Option<String>) {
     let worst = &panel.worst;
     let stress = worst.stress;
@@ -349,7 +351,8 @@ fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (PanelResults, 
         (_, Some(verdict)) => (verdict, None),
         _ => (Verdict::Resolved, None),
     };
-    let share = force.and_then(|force| Some(force.band? / force.value)).filter(|share| share.is_finite());
+    let of_force = force.and_then(|force| Some(STRESS_BAND * force.band? / force.value));
+    let share = of_force.filter(|share| share.is_finite());
     let quantity = |value: f64| {
         let band = share.map(|share| share * value);
         Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict }

@@ -38,30 +38,32 @@ pub struct Audit {
 impl Audit {
     /// What is out of bounds, in sentences.
     pub fn doubts(&self) -> Vec<String> {
+        // what is not a number is not within
+        let beyond = |value: f64, bound: f64| value.is_nan() || value > bound;
         let percent = |share: f64| format!("{} %", significant(100.0 * share));
-        let beyond = [
-            (self.momentum > MOMENTUM).then(|| {
+        let told = [
+            beyond(self.momentum, MOMENTUM).then(|| {
                 format!("audit.momentum: a step has a gap of {} of the momentum: a force has no counterforce", significant(self.momentum))
             }),
-            (self.energy > ENERGY).then(|| {
+            beyond(self.energy, ENERGY).then(|| {
                 format!(
                     "audit.energy: {} of the energy exchanged came from nowhere; the method adds it to gentle motion: use a finer spacing",
                     percent(self.energy)
                 )
             }),
-            (self.work > WORK).then(|| {
+            beyond(self.work, WORK).then(|| {
                 format!(
                     "audit.work: {} of the work of the water did not reach the body: the step is too long for how fast the body bends; \
                      set a smaller time.step or fluid.cfl",
                     percent(self.work)
                 )
             }),
-            (self.structure > WORK).then(|| {
+            beyond(self.structure, WORK).then(|| {
                 format!("audit.structure: {} of the work on the body is not in its energies", percent(self.structure))
             }),
             self.worst_penetration.as_ref().map(|worst| format!("audit.penetrated: {worst}")),
         ];
-        beyond.into_iter().flatten().collect()
+        told.into_iter().flatten().collect()
     }
 }
 
@@ -79,5 +81,6 @@ mod tests {
             assert!(doubt.starts_with(&format!("audit.{name}: ")), "{doubt}");
         }
         assert_eq!(doubts.len(), 4);
+        assert_eq!(Audit { energy: f64::NAN, ..fine }.doubts().len(), 1);
     }
 }
