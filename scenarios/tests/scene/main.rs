@@ -135,8 +135,9 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 16] = [
+const DEFAULTS_IN_WORDS: [&str; 17] = [
     "false; true if incompressible with a body",
+    "true; false in a tank of water without a body",
     "absent",
     "end/500",
     "end/50",

@@ -47,7 +47,7 @@ pub struct Settings {
     pub shifting: bool,
     /// Particles that see the surface are shifted too, which evens out the water around a body and in a splash, and lifts gently
     /// moving water: its energy grows (THEORY WC10). Without effect where fluid.shifting is false.
-    #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "true, but false in a tank of water without a body"))]
+    #[schemars(extend("x-ignored-elsewhere" = true, "x-default" = "true; false in a tank of water without a body"))]
     pub shifting_at_surface: bool,
     /// Share of h^2 grad C by which particles are shifted in each step, whatever their speed, away from the surface (THEORY
     /// WC10), 0 to 0.3 [-]. Without effect where fluid.shifting is false.
