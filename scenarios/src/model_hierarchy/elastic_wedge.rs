@@ -70,6 +70,9 @@ impl Faces {
             wedge.modes -= 1;
         }
         wedge.steps = steps_for(&wedge);
+        if wedge.steps > MOST_STEPS {
+            return Err(refuse("an entry so slow that its faces only follow the pressure"));
+        }
         let mut bent = wedge.enter().ok_or_else(|| refuse("a face that bends as fast as the water comes"))?;
         let (every, last) = (wedge.steps / STEPS, bent[bent.len() - 1].clone());
         bent = bent.into_iter().step_by(every).collect();

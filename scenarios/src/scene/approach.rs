@@ -25,7 +25,7 @@ pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravit
     let gap = -body.draught() / spacing;
     let speed = -body.velocity[1];
     if obstacle(body, solver).is_some()
-        || entry.final_draught <= 0.0
+        || entry.final_draught < spacing // no force of such a run is resolved, and its approach may last long
         || speed <= 0.0
         || !(0.0..LEAST_GAP).contains(&gap)
     {

@@ -19,7 +19,7 @@ use super::references::{drop_references, is_same_flow, sets_of_the_flow, settle_
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
-use super::source::{SceneError, Source};
+use super::source::{SceneError, Source, refuse_absurd_numbers};
 use super::warnings::warnings;
 use crate::charted::spacing_within;
 use crate::embedded::texts;
@@ -79,6 +79,9 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
     settle_references(&mut given, &source.name).map_err(|problem| source.error(problem))?;
     let mut scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
+    // what the program chose must be read again from the resolved scene
+    let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));
+    refuse_absurd_numbers("", &resolved).map_err(|problem| source.error(problem))?;
     let dropped = changed_flow(&source, &given, &scene).and_then(|key| drop_references(&mut scene, &key));
     let warnings = dropped
         .into_iter()

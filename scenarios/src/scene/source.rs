@@ -188,7 +188,7 @@ fn writes(set: &str, key: &str) -> bool {
 }
 
 /// TOML can say `nan`, `inf`, 1e300 and 2^63 - 1; no key of a scene can mean them, and sums of squares need not survive them.
-fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
+pub(super) fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Problem> {
     match value {
         Value::Float(number) if number.is_nan() || number.abs() > LARGEST_NUMBER => {
             Err(Problem::new(path, number, format!("a finite number up to {LARGEST_NUMBER:e}")))
