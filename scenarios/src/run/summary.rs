@@ -13,7 +13,7 @@ use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water};
 use crate::results::{Results, Verdict};
-use crate::scene::{CouplingScheme, significant};
+use crate::scene::{CouplingScheme, FITTED_MACH, significant};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -98,13 +98,10 @@ pub struct Compressibility {
     pub force_corrected: Option<f64>,
 }
 
-/// Largest Mach number of the fastest particle up to which the law of compressibility was measured [-].
-const LARGEST_MACH: f64 = 0.3;
-
 impl Compressibility {
     /// Water that outran the forecast by which the speed of sound was chosen.
     pub(crate) fn doubt(&self) -> Option<String> {
-        (self.mach_reached > LARGEST_MACH).then(|| {
+        (self.mach_reached > FITTED_MACH).then(|| {
             format!(
                 "compressibility.mach_reached: a particle reached Mach {}: compressibility is not small; set a higher fluid.sound_speed",
                 significant(self.mach_reached)

@@ -104,3 +104,18 @@ impl Scene {
         RigidMotion { position, velocity, ..at_zero }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::load;
+
+    /// A body carried back under water, moving up, and one from 10⁹ s before.
+    #[test]
+    fn a_start_from_which_the_body_does_not_come_down_is_refused() {
+        for start in ["-1.3", "-1e9"] {
+            let error = load("wedge", &[format!("time.start={start}")]).expect_err("a start that is none").to_string();
+            assert!(error.contains("`time.start`") && error.contains("comes down"), "{error}");
+        }
+        assert!(load("wedge", &["time.start=-0.005".to_string()]).is_ok());
+    }
+}

@@ -32,3 +32,18 @@ fn outside_fine_zone(scene: &Scene) -> Option<String> {
         )
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::limit_of_forces;
+    use crate::scene::load;
+
+    #[test]
+    fn repulsive_walls_and_a_small_fine_zone_are_known_before_the_run() {
+        let limit = |set: &str| limit_of_forces(&load("wedge", &[set.to_string()]).expect("a scene").scene);
+        assert_eq!(limit("resolution.spacing=0.006"), None);
+        #[cfg(feature = "legacy")]
+        assert!(limit("fluid.walls=repulsive").is_some_and(|why| why.contains("fluid.walls")));
+        assert!(limit("resolution.fine_zone=[0.03, 0.03]").is_some_and(|why| why.contains("resolution.fine_zone")));
+    }
+}

@@ -271,7 +271,7 @@ pub fn known_compressibility_error(root_speed: f64, sound_speed: f64) -> Option<
 }
 
 /// Largest Mach number of the spray root in the runs that the error is fitted to [-].
-const FITTED_MACH: f64 = 0.3;
+pub const FITTED_MACH: f64 = 0.3;
 
 /// Mach number at which the fitted error is largest, e^(−1/2) [-].
 const LARGEST_MACH: f64 = 0.606_530_659_712_633_4;

@@ -42,6 +42,7 @@ pub(crate) use force_limits::limit_of_forces;
 pub use fsi_coupling::entry_theory::EntryModel;
 pub(crate) use fsi_coupling::settings::significant;
 pub use fsi_coupling::{PanelEnd, Shape};
+pub(crate) use impact::FITTED_MACH;
 pub use impact::{
     Bottom, Entry, FLAT_CONTACT, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DEADRISE_DEG, LEAST_DRAUGHT,
     compressibility_error, jet_reach, known_compressibility_error, sound_speed_for,
