@@ -58,7 +58,7 @@ pub use bodies::body::{Body, Contact, Inspect, WettedBody};
 pub use bodies::error::BodyError;
 pub use bodies::flexible::body::FlexibleBody;
 pub use bodies::flexible::model::{FlexibleSpec, Frame};
-pub use bodies::flexible::panel::{PanelEnd, PanelSpec, Plane};
+pub use bodies::flexible::panel::{EndSpring, PanelEnd, PanelSpec, Plane};
 pub use bodies::flexible::panel_state::{PanelState, Watched, Worst};
 pub use bodies::flexible::wet_period::first_wet_period;
 pub use bodies::prescribed::PrescribedBody;

@@ -58,7 +58,7 @@ pub enum Error {
     /// A hinge, weld, rigid link or breakable joint contradicts another part of the model.
     #[error("{item} {index} at node {node}: {reason}")]
     BadJoint {
-        /// What is wrong: "hinge", "rigid link" or "breakable joint".
+        /// What is wrong: "hinge", "rigid link", "connector" or "breakable joint".
         item: &'static str,
         index: usize,
         node: usize,
@@ -77,7 +77,7 @@ pub enum Error {
     #[error("{analysis} does not support {feature} ({item} {index}); use {instead}")]
     Unsupported {
         analysis: &'static str,
-        /// The feature: "rigid bodies", "plasticity" or "rupture".
+        /// The feature: "rigid bodies", "connectors", "plasticity" or "rupture".
         feature: &'static str,
         /// What has the feature: "element" or "node".
         item: &'static str,

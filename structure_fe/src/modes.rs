@@ -149,7 +149,7 @@ fn mode(beam: &Beam, supports: &Supports, added: &[AddedMass], mut shape: Vec<[f
     for value in shape.as_flattened_mut() {
         *value *= scale;
     }
-    let energy = beam.strain_energy(&shape) + supports.spring_energy(&shape);
+    let energy = beam.strain_energy(&shape) + supports.spring_energy(&shape) + supports.connector_energy(beam, &shape);
     Mode { angular_frequency: (2.0 * energy).sqrt(), shape }
 }
 

@@ -48,6 +48,7 @@ fn strip(ratio: f64) -> FlexibleBody {
         material,
         theory: Theory::EulerBernoulli,
         ends: [PanelEnd::Clamped; 2],
+        end_springs: Default::default(),
         watch: vec![0.5],
         plasticity: None,
         rupture_strain: None,

@@ -30,6 +30,7 @@ mod projection_bodies;
 mod quoted_peaks;
 mod rigid_body;
 mod rotating_patch;
+mod sprung;
 mod standing_wave;
 mod still_water;
 mod strips;

@@ -1,7 +1,7 @@
 //! A wedge with elastic faces, by Wagner's load on a modal beam (THEORY EN12, EN13).
 
-use fsi_coupling::PanelEnd;
 use fsi_coupling::entry_theory::{ElasticWedge, EntryModel, Held, Instant, OutOfRange, WedgeState};
+use fsi_coupling::{EndSpring, PanelEnd};
 
 use crate::scene::{Body, Motion, Panel, Scene, Shape, Symmetry};
 
@@ -48,6 +48,9 @@ impl Faces {
         }
         if panel.yield_stress.is_some() || panel.rupture_strain.is_some() {
             return Err(refuse("a panel that may yield or break"));
+        }
+        if panel.end_springs().iter().any(EndSpring::acts) {
+            return Err(refuse("springs or dampers at an end"));
         }
         let held = match panel.ends.map(held) {
             [Some(keel), Some(chine)] => [keel, chine],

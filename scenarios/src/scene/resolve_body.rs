@@ -208,7 +208,8 @@ fn check_panel(panel: &Panel, shape: &Shape, symmetry: Symmetry, key: impl Fn(&s
     let length = line.part(from, to).length();
     let expected = format_args!("at most half the panel's length of {} m: thicker it is no plate", significant(length));
     require(panel.thickness <= 0.5 * length, &key("thickness"), panel.thickness, expected)?;
-    check_supports(&key("ends"), panel.ends)?;
+    check_end_springs(panel, &key)?;
+    check_supports(&key("ends"), panel)?;
     for (end, at) in panel.ends.iter().zip([panel.from, panel.to]) {
         let joined = *end != PanelEnd::Mirror || half && at[0] == 0.0;
         let expected = "mirror only at x = 0, with symmetry = \"x\"";
@@ -222,11 +223,44 @@ fn check_panel(panel: &Panel, shape: &Shape, symmetry: Symmetry, key: impl Fn(&s
     require(elastic, &key("theory"), "\"timoshenko\"", "\"euler_bernoulli\" with yield_stress")
 }
 
-/// Refuses a panel that is not held.
-fn check_supports(key: &str, ends: [PanelEnd; 2]) -> Result<(), Problem> {
-    use PanelEnd::{Free, Guided, Mirror, Sliding};
-    let mechanism = matches!(ends, [Free, Free | Sliding | Guided | Mirror] | [Sliding | Guided | Mirror, Free])
-        || matches!(ends, [Sliding | Guided, Sliding | Guided] | [Mirror, Mirror]);
-    let expected = "at least one end clamped or pinned: with neither the panel is a mechanism that slides away";
-    require(!mechanism, key, format!("{ends:?}").to_lowercase(), expected)
+/// Refuses springs and dampers below zero, or along directions that the end's support holds.
+fn check_end_springs(panel: &Panel, key: impl Fn(&str) -> String) -> Result<(), Problem> {
+    for (name, both) in [("end_springs", panel.end_springs), ("end_dampers", panel.end_dampers)] {
+        for (i, (values, end)) in both.into_iter().flatten().zip(panel.ends).enumerate() {
+            let free = match end {
+                PanelEnd::Clamped | PanelEnd::Guided => [false; 3],
+                PanelEnd::Pinned | PanelEnd::Sliding => [false, false, true],
+                PanelEnd::Mirror => [true, true, false],
+                PanelEnd::Free => [true; 3],
+            };
+            let key = format!("{}[{i}]", key(name));
+            let held = values.iter().zip(free).any(|(value, free)| *value != 0.0 && !free);
+            let expected = match end {
+                PanelEnd::Clamped | PanelEnd::Guided => "[0, 0, 0] at this end: clamped and guided ends take none",
+                PanelEnd::Pinned | PanelEnd::Sliding => "[0, 0, ...] at this end: its support holds its place",
+                _ => "[..., ..., 0] at this end: a mirror holds its rotation",
+            };
+            require(!held, &key, format_args!("{values:?}"), expected)?;
+            let sound = values.iter().all(|value| *value >= 0.0 && value.is_finite());
+            require(
+                sound,
+                &key,
+                format_args!("{values:?}"),
+                "three numbers of at least 0: along, across, in rotation",
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a panel that nothing holds along, or across.
+fn check_supports(key: &str, panel: &Panel) -> Result<(), Problem> {
+    use PanelEnd::{Clamped, Guided, Mirror, Pinned, Sliding};
+    let ends = panel.ends;
+    let sprung = |k: usize| panel.end_springs().iter().any(|spring| spring.stiffness[k] > 0.0);
+    let along = sprung(0) || ends.iter().any(|end| matches!(end, Clamped | Pinned | Mirror));
+    let across = sprung(1) || ends.iter().any(|end| matches!(end, Clamped | Pinned | Sliding | Guided));
+    let expected =
+        "at least one end clamped or pinned, or end_springs: with neither the panel is a mechanism that slides away";
+    require(along && across, key, format!("{ends:?}").to_lowercase(), expected)
 }

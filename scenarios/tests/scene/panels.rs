@@ -25,6 +25,9 @@ fn a_bad_panel_is_refused_with_key_given_and_expected() {
         ("ends=[\"free\", \"sliding\"]", &["`body.panels[0].ends` = [free, sliding]", "at least one end clamped or pinned"]),
         ("ends=[\"guided\", \"guided\"]", &["`body.panels[0].ends` = [guided, guided]", "at least one end clamped or pinned"]),
         ("ends=[\"free\", \"guided\"]", &["`body.panels[0].ends` = [free, guided]", "at least one end clamped or pinned"]),
+        ("end_springs=[[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]]", &["`body.panels[0].end_springs[0]` = [1.0, 0.0, 0.0]", "clamped and guided"]),
+        ("end_dampers=[[0.0, 0.0, 0.0], [0.0, 0.0, -1.0]]", &["`body.panels[0].end_dampers[1]`", "[0, 0, 0] at this end"]),
+        ("end_springs=[[1.0, 0.0, 0.0]]", &["body.panels[0].end_springs", "2"]),
         ("plane=shell", &["body.panels", "shell", "strain", "stress"]),
         ("ends=[\"clamped\", \"mirror\"]", &["`body.panels[0].ends`", "mirror only at x = 0"]),
         ("ends=[\"clamped\", \"welded\"]", &["body.panels", "clamped"]),
@@ -40,6 +43,17 @@ fn a_bad_panel_is_refused_with_key_given_and_expected() {
             assert!(message.contains(part), "{set}: {part:?} is not in: {message}");
         }
     }
+    let ends = |ends: &str, springs: &str| {
+        message(
+            "flexible_wedge",
+            &[&format!("body.panels[0].ends={ends}"), &format!("body.panels[0].end_springs={springs}")],
+        )
+    };
+    let pinned = ends("[\"pinned\", \"clamped\"]", "[[0.0, 5.0, 1.0], [0.0, 0.0, 0.0]]");
+    assert!(pinned.contains("`body.panels[0].end_springs[0]`") && pinned.contains("holds its place"), "{pinned}");
+    let loose = ends("[\"free\", \"free\"]", "[[0.0, 5.0, 1.0], [0.0, 0.0, 0.0]]");
+    assert!(loose.contains("`body.panels[0].ends` = [free, free]") && loose.contains("end_springs"), "{loose}");
+    assert_eq!(ends("[\"free\", \"free\"]", "[[5.0, 5.0, 1.0], [0.0, 0.0, 0.0]]"), "it loads");
     let both = message("flexible_wedge", &["body.panels[0].theory=timoshenko", "body.panels[0].yield_stress=1e8"]);
     assert!(both.contains("`body.panels[0].theory`") && both.contains("euler_bernoulli"), "{both}");
     let damped = message("wedge", &["body.damping=[1.0, 0.0]"]);

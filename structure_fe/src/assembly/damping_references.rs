@@ -8,7 +8,7 @@ use crate::model::{Beam, Supports};
 enum Reference {
     /// The ground: a part that only the ground holds.
     Ground,
-    /// The rigid motion of a body that its part is linked to.
+    /// The rigid motion of a body that its part is linked or connected to.
     Body(usize),
     /// Nothing: a body, and a part that has broken off.
     Undamped,
@@ -29,7 +29,8 @@ impl DampingReferences {
         let mut references = vec![Reference::Undamped; nodes];
         let grounded = supports.fixed.iter().map(|&(node, _)| node).chain(supports.springs.iter().map(|s| s.node));
         grounded.for_each(|node| references[part[node]] = Reference::Ground);
-        // the first link counts
+        // the first link counts, then the first connector
+        supports.connections.iter().rev().for_each(|c| references[part[c.node]] = Reference::Body(c.body));
         supports.links.iter().rev().for_each(|&(body, node, _)| references[part[node]] = Reference::Body(body));
         let of = |node: usize| if beam.is_rigid_body(node) { Reference::Undamped } else { references[part[node]] };
         Self((0..nodes).map(of).collect())

@@ -219,10 +219,16 @@ impl Equations {
         }
     }
 
-    /// The stiffness matrix, springs included. The order of its entries depends on connectivity and supports only.
+    /// The stiffness matrix, springs and connectors included. The order of its entries depends on connectivity and supports only.
     pub fn stiffness(&self, beam: &Beam, supports: &Supports) -> SymmetricMatrix {
         let springs = supports.springs.iter().map(|spring| ((spring.node, spring.dof as usize), spring.stiffness));
-        self.assemble(beam, ElementConstants::stiffness, springs)
+        let mut entries = self.assemble(beam, ElementConstants::stiffness, springs);
+        self.connector_stiffness(beam, &supports.connections, |row, column, value| {
+            if row >= column {
+                entries.push(Triplet::new(row, column, value));
+            }
+        });
+        entries
     }
 
     /// The mass matrix, with the masses of points and rigid bodies.

@@ -64,7 +64,7 @@ impl System {
         }
     }
 
-    /// Elastic forces of beams and springs (THEORY BE11), with the return map from the curvatures `plastic`; `tangent`:
+    /// Elastic forces of beams, springs and connectors (THEORY BE11, BE27), with the return map from the curvatures `plastic`; `tangent`:
     /// adds that many times the tangent (BE11) to the matrix.
     pub fn elastic_forces(
         &self,
@@ -89,9 +89,10 @@ impl System {
                 self.add_matrix(nodes, &chord.matrix_to_global(&local), *arms, matrix);
             }
         }
-        if let Some((factor, arms, matrix)) = tangent {
-            self.add_spring_stiffness(factor, arms, matrix);
+        if let Some((factor, arms, matrix)) = &mut tangent {
+            self.add_spring_stiffness(*factor, *arms, matrix);
         }
+        self.add_connector_forces_at(q, forces, tangent);
     }
 
     /// Updates the plastic curvatures by the return map at `q`.
@@ -115,7 +116,7 @@ impl System {
         self.beam.constants().map(|(nodes, element)| Chord::new(element, &self.beam.ends(nodes, q))).collect()
     }
 
-    /// Elastic forces of beams and springs over a step from the chords `from` and the displacement `before` to `q`, with
+    /// Elastic forces of beams, springs and connectors over a step from the chords `from` and the displacement `before` to `q`, with
     /// the `weight` of its end (THEORY BE21); returns their work beyond the change of the elastic energy \[J\].
     /// `tangent`: adds the derivative by `q` to the matrix.
     pub fn mean_elastic_forces(
@@ -146,13 +147,13 @@ impl System {
                 self.add_matrix(nodes, &step.tangent(), *arms, matrix);
             }
         }
-        if let Some((arms, matrix)) = tangent {
-            self.add_spring_stiffness(weight, arms, matrix);
+        if let Some((arms, matrix)) = &mut tangent {
+            self.add_spring_stiffness(weight, *arms, matrix);
         }
-        dissipated
+        dissipated + self.add_connector_forces([before, q], weight, forces, tangent)
     }
 
-    /// Damping forces with a lumped `mass` (THEORY BE13), of velocities `v` over a step between the displacements `from`
+    /// Damping forces with a lumped `mass` (THEORY BE13) and of connectors (BE27), of velocities `v` over a step between the displacements `from`
     /// and `to`.
     pub fn viscous_forces(
         &self,
@@ -175,11 +176,13 @@ impl System {
                 forces[spring.node][dof] += damping.stiffness * spring.stiffness * v[spring.node][dof];
             }
         }
+        self.add_damper_forces([from, to], v, damping.stiffness, &mut forces);
         forces
     }
 
-    /// Adds `factor` times the derivative of the stiffness-proportional damping by velocity.
+    /// Adds `factor` times the derivative of the stiffness-proportional damping and of the dampers by velocity.
     pub fn add_viscosity(&self, q: &[[f64; 3]], damping: &Damping, factor: f64, arms: Arms, matrix: &mut Bordered) {
+        self.add_damper_tangent(q, damping.stiffness, factor, arms, matrix);
         if damping.stiffness > 0.0 {
             let factor = factor * damping.stiffness;
             for (nodes, element) in self.beam.constants() {

@@ -1,5 +1,6 @@
 //! Assembly: equation numbers, matrices, internal forces, and the recovery of section forces and reactions.
 
+mod connector_forces;
 mod damping_references;
 mod equations;
 mod internal_forces;

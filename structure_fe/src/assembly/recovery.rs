@@ -10,7 +10,7 @@ use crate::model::{Beam, Element, RigidLinks, Supports};
 const MOST_BENT: f64 = 1.0;
 
 impl System {
-    /// Elastic energy of beams and springs \[J\].
+    /// Elastic energy of beams, springs and connectors \[J\].
     pub fn strain_energy(&self, q: &[[f64; 3]], plastic: &[[f64; 2]]) -> f64 {
         let elements = self.beam.constants().enumerate();
         let beams: f64 = elements
@@ -24,7 +24,8 @@ impl System {
                 elastic + bending.energy(with) - bending.energy(without)
             })
             .sum();
-        beams + self.supports.spring_energy(q)
+        let deformed = self.supports.connections.iter().map(|c| c.energy(c.deformation(&self.beam, q)));
+        beams + self.supports.spring_energy(q) + deformed.sum::<f64>()
     }
 
     /// Section forces at the ends of the elements: elastic forces minus the element's own loads.

@@ -163,7 +163,7 @@ impl Dynamics {
         }
     }
 
-    /// Elastic energy of beams and springs \[J\].
+    /// Elastic energy of beams, springs and connectors \[J\].
     pub fn strain_energy(&self, state: &State) -> f64 {
         self.model.system.strain_energy(&state.displacement, &state.plastic_curvature)
     }

@@ -19,6 +19,7 @@
 //! ```
 
 mod beam;
+mod connector;
 mod loads;
 mod rigid_links;
 mod supports;
@@ -27,5 +28,7 @@ pub(crate) use beam::add_ends;
 pub use beam::{Beam, Element};
 pub use loads::Loads;
 
+pub use connector::Connector;
+pub(crate) use connector::{Between, Connection, Rows};
 pub(crate) use rigid_links::RigidLinks;
 pub use supports::{Break, Rupture, Supports};

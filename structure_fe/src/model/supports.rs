@@ -1,6 +1,7 @@
-//! Supports and joints: fixed degrees of freedom, springs, hinges, welds, rigid links, breakable joints.
+//! Supports and joints: fixed degrees of freedom, springs, hinges, welds, rigid links, connectors, breakable joints.
 
-use super::Beam;
+use super::connector::Connection;
+use super::{Beam, Connector};
 use crate::error::{Error, existing_node, positive};
 use crate::field::Dof;
 use crate::linear_algebra::connected_parts;
@@ -25,6 +26,7 @@ pub struct Supports {
     pub(crate) links: Vec<(usize, usize, bool)>,
     pub(crate) welds: Vec<[usize; 2]>,
     pub(crate) breakables: Vec<(usize, Rupture)>,
+    pub(crate) connections: Vec<Connection>,
 }
 
 impl Supports {
@@ -71,6 +73,13 @@ impl Supports {
         self
     }
 
+    /// Connects a node to a [rigid body](Beam::with_rigid_body) by springs and dampers whose axes turn with the body: in
+    /// [`natural_modes`](crate::natural_modes) and under the trapezoidal rule.
+    pub fn connect(&mut self, body: usize, node: usize, connector: Connector) -> &mut Self {
+        self.connections.push(Connection { body, node, connector });
+        self
+    }
+
     /// Joins two nodes at the same place rigidly, for a joint that may [break](Supports::breakable).
     pub fn weld(&mut self, first: usize, second: usize) -> &mut Self {
         self.welds.push([first, second]);
@@ -79,13 +88,13 @@ impl Supports {
 
     /// Makes the joints of a node breakable under the trapezoidal rule: at the end of the step in which the `rupture`
     /// limit is exceeded all its supports, rigid links, welds and hinges are removed
-    /// ([`State::ruptures`](crate::State::ruptures)). Springs stay. Linear analyses ignore the limit.
+    /// ([`State::ruptures`](crate::State::ruptures)). Springs and connectors stay. Linear analyses ignore the limit.
     pub fn breakable(&mut self, node: usize, rupture: Rupture) -> &mut Self {
         self.breakables.push((node, rupture));
         self
     }
 
-    /// These supports without those of the `broken` nodes. Springs stay.
+    /// These supports without those of the `broken` nodes. Springs and connectors stay.
     pub(crate) fn without(&self, broken: &[usize]) -> Self {
         let whole = |node: &usize| !broken.contains(node);
         let mut left = self.clone();
@@ -127,6 +136,16 @@ impl Supports {
             .sum()
     }
 
+    /// Elastic energy in the connectors \[J\] at a small displacement.
+    pub(crate) fn connector_energy(&self, beam: &Beam, small: &[[f64; 3]]) -> f64 {
+        let still = vec![[0.0; 3]; small.len()];
+        let of = |connection: &Connection| {
+            let rows = connection.between(beam, &still, &still).rows;
+            connection.energy(connection.rate(&rows, small))
+        };
+        self.connections.iter().map(of).sum()
+    }
+
     /// Adds the forces k u of a displacement on the springs to `forces`, both `[nodes][3]`.
     pub(crate) fn add_spring_forces(&self, displacement: &[[f64; 3]], forces: &mut [[f64; 3]]) {
         for spring in &self.springs {
@@ -164,6 +183,9 @@ impl Supports {
             if gap > 1e-9 * beam.extent() {
                 return Err(Error::HingeGap { hinge: index, nodes: hinge, gap });
             }
+        }
+        for (index, connection) in self.connections.iter().enumerate() {
+            connection.check(index, beam)?;
         }
         self.check_links(beam)
     }

@@ -19,6 +19,10 @@ const FREE: f64 = 1e-12;
 /// The error that names a free rigid motion, if the supports leave one.
 pub(crate) fn require_no_free_motion(beam: &Beam, supports: &Supports) -> Result<(), Error> {
     supports.check(beam)?;
+    if let Some(connection) = supports.connections.first() {
+        let (analysis, feature, item, index) = ("statics", "connectors", "node", connection.node);
+        return Err(Error::Unsupported { analysis, feature, item, index, instead: "Dynamics" });
+    }
     let clamped = supports.links.iter().filter(|(.., clamped)| *clamped).map(|&(body, node, _)| [body, node]);
     let rigid =
         beam.elements().iter().map(|element| element.nodes).chain(clamped).chain(supports.welds.iter().copied());

@@ -99,7 +99,7 @@ impl Model {
             }
         }
         for panel in &panels {
-            panel.hold(frame, &mut supports);
+            panel.hold(frame, &beam, &mut supports);
         }
         let rule = Integration::Trapezoidal { spectral_radius: SPECTRAL_RADIUS };
         let dynamics = Dynamics::new(beam, supports, rule, spec.damping).map_err(wrong)?;

@@ -2,7 +2,9 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use structure_fe::{Beam, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory};
+use structure_fe::{
+    Beam, Connector, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory,
+};
 
 use crate::geometry::polyline::Polyline;
 
@@ -36,6 +38,22 @@ pub enum Plane {
     Stress,
 }
 
+/// A spring and a damper between an end of a panel and the frame: along the panel there, across it, and in rotation (THEORY BE27).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EndSpring {
+    /// Stiffness, of a metre of width [N/m², N/m², N/rad]; 0 is no spring.
+    pub stiffness: [f64; 3],
+    /// Damping, of a metre of width [N s/m², N s/m², N s/rad]; 0 is no damper.
+    pub damping: [f64; 3],
+}
+
+impl EndSpring {
+    /// Whether it is there.
+    pub fn acts(&self) -> bool {
+        self.stiffness.iter().chain(&self.damping).any(|value| *value > 0.0)
+    }
+}
+
 /// A panel: a strip of plate along a part of a body's outline, or of a thin wall's middle line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelSpec {
@@ -61,6 +79,8 @@ pub struct PanelSpec {
     pub allowable_stress: Option<f64>,
     /// How its ends are held.
     pub ends: [PanelEnd; 2],
+    /// What connects its ends to the frame besides.
+    pub end_springs: [EndSpring; 2],
     /// Places whose motion is reported, as shares of its length [-].
     pub watch: Vec<f64>,
 }
@@ -121,9 +141,19 @@ impl Panel {
         Panel { spec: spec.clone(), reach, elements: first_element..elements.len(), nodes: first..nodes.len() }
     }
 
-    /// Tie its ends to the frame's node.
-    pub fn hold(&self, frame: usize, supports: &mut Supports) {
-        for (end, node) in self.spec.ends.iter().zip([self.nodes.start, self.nodes.end - 1]) {
+    /// Tie its ends to the frame's node in a model.
+    pub fn hold(&self, frame: usize, beam: &Beam, supports: &mut Supports) {
+        let (first, last) = (self.nodes.start, self.nodes.end - 1);
+        for (spring, [from, to, node]) in
+            self.spec.end_springs.iter().zip([[first, first + 1, first], [last - 1, last, last]])
+        {
+            let [x, y] = [0, 1].map(|k| beam.nodes()[to][k] - beam.nodes()[from][k]);
+            let EndSpring { stiffness, damping } = *spring;
+            if spring.acts() {
+                supports.connect(frame, node, Connector { angle: y.atan2(x), stiffness, damping });
+            }
+        }
+        for (end, node) in self.spec.ends.iter().zip([first, last]) {
             match end {
                 PanelEnd::Clamped | PanelEnd::Guided => supports.link(frame, node),
                 PanelEnd::Pinned | PanelEnd::Sliding => supports.link_pinned(frame, node),

@@ -4,15 +4,18 @@ use std::f64::consts::TAU;
 
 use structure_fe::{Beam, Supports, natural_modes};
 
-use crate::bodies::flexible::panel::{Panel, PanelSpec};
+use crate::bodies::flexible::panel::{EndSpring, Panel, PanelSpec};
 use crate::geometry::polyline::Polyline;
 
 /// Elements with which the mode is found, at most: its period is then exact to 1e-5.
 const ELEMENTS: usize = 24;
 
+/// Wave number times length whose added mass is that of a rigid strip, pi rho L/8 on each face (Lamb 1932, art. 71) [-].
+const RIGID: f64 = 8.0 / std::f64::consts::PI;
+
 /// CO33: period of the first mode of a panel along a body's line, in water of a density [kg/m³] on so many of its faces [s].
 ///
-/// Its ends are held by a frame at rest. The added mass ρ/k per face is that below a standing wave with the mode's wave number in
+/// Its ends are held by a frame at rest. A panel on springs has at most the added mass of a rigid strip. The added mass ρ/k per face is that below a standing wave with the mode's wave number in
 /// deep water (Lamb 1932, art. 228): walls, a floor, and a net volume that the mode displaces add to it, so that the period is a lower
 /// bound.
 pub fn first_wet_period(
@@ -26,11 +29,14 @@ pub fn first_wet_period(
     let beam = panel.formulate(Beam::new(nodes, elements)?)?;
     let (beam, frame) = beam.with_rigid_body(spec.span[0], 0.0, 0.0)?;
     supports.clamp(frame);
-    panel.hold(frame, &mut supports);
+    panel.hold(frame, &beam, &mut supports);
     let omega = natural_modes(&beam, &supports, 1)?[0].angular_frequency;
     let section = spec.section();
     let (stiffness, mass) = (section.bending_stiffness(&spec.material), section.mass_per_length(&spec.material));
-    let wave_number = (mass * omega * omega / stiffness).powf(0.25);
+    let of_mode = (mass * omega * omega / stiffness).powf(0.25);
+    let sprung = spec.end_springs.iter().any(EndSpring::acts);
+    let wave_number =
+        if sprung { of_mode.max(RIGID / line.part(panel.reach[0], panel.reach[1]).length()) } else { of_mode };
     Ok(TAU / omega * (1.0 + faces * density / (wave_number * mass)).sqrt())
 }
 
@@ -41,6 +47,32 @@ mod tests {
     use crate::bodies::flexible::panel::{PanelEnd, Plane};
 
     use super::*;
+
+    /// A rigid plate on springs across its ends: T = 2π √((mL + n πρL²/8)/(2k)).
+    #[test]
+    fn a_rigid_plate_on_springs_has_the_period_of_its_mass() {
+        let line = Polyline::open(vec![[0.0, 0.0], [0.5, 0.0]]);
+        let spring = EndSpring { stiffness: [1e7, 3e4, 0.0], damping: [0.0; 3] };
+        let spec = PanelSpec {
+            name: "plate".into(),
+            span: [[0.0, 0.0], [0.5, 0.0]],
+            elements: 10,
+            thickness: 0.05,
+            plane: Plane::Strain,
+            material: Material { youngs_modulus: 1e13, poissons_ratio: 0.0, density: 2700.0 },
+            theory: Theory::EulerBernoulli,
+            plasticity: None,
+            rupture_strain: None,
+            allowable_stress: None,
+            ends: [PanelEnd::Free; 2],
+            end_springs: [spring; 2],
+            watch: vec![0.5],
+        };
+        let mass = 0.5 * 0.05 * 2700.0 + 1000.0 * std::f64::consts::PI * 0.25 / 8.0;
+        let exact = TAU * (mass / 6e4).sqrt();
+        let found = first_wet_period(&line, &spec, (1.0, 1000.0)).expect("a period");
+        assert!((found / exact - 1.0).abs() < 1e-4, "{found} s instead of {exact} s");
+    }
 
     /// T = (2π/k²) √((m + n ρ/k)/D) with kL of the textbooks' beams, for every pair of ends, and E for E/(1 − ν²) in plane stress.
     #[test]
@@ -72,6 +104,7 @@ mod tests {
                     rupture_strain: Some(0.1),
                     allowable_stress: None,
                     ends,
+                    end_springs: Default::default(),
                     watch: vec![0.5],
                 };
                 let k = root / 0.8;

@@ -1,6 +1,6 @@
 //! A flexible panel of a body.
 
-use fsi_coupling::{PanelEnd, PanelSpec, Plane};
+use fsi_coupling::{EndSpring, PanelEnd, PanelSpec, Plane};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Material, Plasticity, Theory};
@@ -38,6 +38,13 @@ pub struct Panel {
     /// are free along the panel, without membrane force; mirror is joined to its image, at x = 0 with symmetry = x.
     #[serde(default)]
     pub ends: [PanelEnd; 2],
+    /// Springs between its ends and the rest of the body, in the directions that ends leaves free: along the panel, across it, in
+    /// rotation [N/m², N/m², N/rad]. absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_springs: Option<[[f64; 3]; 2]>,
+    /// Dampers there [N s/m², N s/m², N s/rad]. absent: none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_dampers: Option<[[f64; 3]; 2]>,
     /// Beam theory.
     #[serde(default)]
     pub theory: TheoryName,
@@ -96,11 +103,18 @@ impl Panel {
                 TheoryName::Timoshenko => Theory::TIMOSHENKO,
             },
             ends: self.ends,
+            end_springs: self.end_springs(),
             watch: self.watch.clone(),
             plasticity: self.plasticity(),
             rupture_strain: self.rupture_strain,
             allowable_stress: self.allowable_stress,
         }
+    }
+
+    /// What connects its ends to the rest of the body besides their supports.
+    pub fn end_springs(&self) -> [EndSpring; 2] {
+        let (stiffness, damping) = (self.end_springs.unwrap_or_default(), self.end_dampers.unwrap_or_default());
+        [0, 1].map(|end| EndSpring { stiffness: stiffness[end], damping: damping[end] })
     }
 
     /// In plane strain bending yields at σ_y/√(1 − ν + ν²) (von Mises 1913), in plane stress at σ_y.
