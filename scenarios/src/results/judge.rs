@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use fsi_coupling::PanelState;
 
 use super::bands::{Depth, FORCE_BAND};
+use super::panel::panel_results;
 use super::running_integral::{Extreme, RunningIntegral};
-use super::{PanelResults, Quantity, Results, STANDARD_GRAVITY, Verdict};
+use super::tension::with_tension;
+use super::{Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
     Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error,
     limit_of_forces, significant,
@@ -28,8 +30,6 @@ const ROUND_BAND: [f64; 2] = [0.05, 5.0];
 const ROUND_SMOOTHING: f64 = 1.5;
 /// Share that compressibility takes of the forces that the bands are fitted to [-].
 const ADMITTED: f64 = 0.01;
-/// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
-const STRESS_BAND: f64 = 1.3;
 /// Largest ratio of a single step's value to the mean [-].
 const LARGEST_RAW: f64 = 2.0;
 
@@ -38,6 +38,8 @@ const LARGEST_RAW: f64 = 2.0;
 pub(super) struct Curves {
     /// Force of the water on the body [N/m].
     pub force: RunningIntegral<2>,
+    /// Force of the water on the body where it pulls [N/m].
+    pub tension: RunningIntegral<2>,
     /// Acceleration of the body's frame [m/s²]; without values for a body that is not free.
     pub acceleration: RunningIntegral<2>,
     /// Time [s] and depth of the body's lowest point [m].
@@ -55,7 +57,7 @@ impl Curves {
 }
 
 /// A verdict, the band where one is known, and why it is not `resolved`.
-type Finding = (Verdict, Option<f64>, Option<String>);
+pub(super) type Finding = (Verdict, Option<f64>, Option<String>);
 
 /// Doubts: why, and about which results.
 #[derive(Default)]
@@ -110,7 +112,10 @@ impl Judge {
             quantity
         };
         let window = WINDOW * self.spacing / self.speed;
-        let by_force = |peak: Extreme, raw: Extreme| self.force_finding(curves, window, peak, raw);
+        let by_force = |peak: Extreme, raw: Extreme| {
+            let mean = |curve: &RunningIntegral<2>| curve.mean_about(peak.time, window).unwrap_or_default();
+            with_tension(self.force_finding(curves, window, peak, raw), mean(&curves.tension), mean(&curves.force))
+        };
         let force = self.peak(&curves.force, window, [1.0, 0.0], &by_force);
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
@@ -328,36 +333,10 @@ impl Judge {
             (None, None) => (None, self.shallow(curves, deepest).filter(|_| self.entry.is_none())),
         };
         let verdict = if why.is_some() { Verdict::NotResolved } else { Verdict::Resolved };
+        let (verdict, share, why) = with_tension((verdict, share, why), curves.tension.total(), curves.force.total());
         let band = share.map(|share| share * value);
         (Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict }, why)
     }
-}
-
-/// Results of a panel under a load; a structure averages by itself, and its stress is nearly as good as the force.
-fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (PanelResults, Option<String>) {
-    let worst = &panel.worst;
-    let stress = worst.stress;
-    let [value, time] = match -stress.least > stress.most {
-        true => [-stress.least, stress.time_of_least],
-        false => [stress.most, stress.time_of_most],
-    };
-    let reserve = worst.reserve_factor;
-    let load = force.map(|force| force.verdict).filter(|verdict| *verdict != Verdict::Resolved);
-    let (verdict, doubt) = match (reserve, load) {
-        (Some(reserve), _) if reserve < 1.0 => {
-            let why = format!("the stress is {} times the allowable one", significant(1.0 / reserve));
-            (Verdict::BeyondAllowable, Some(why))
-        }
-        (_, Some(verdict)) => (verdict, None),
-        _ => (Verdict::Resolved, None),
-    };
-    let of_force = force.and_then(|force| Some(STRESS_BAND * force.band? / force.value));
-    let share = of_force.filter(|share| share.is_finite());
-    let quantity = |value: f64| {
-        let band = share.map(|share| share * value);
-        Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict }
-    };
-    (PanelResults { peak_stress_Pa: quantity(value), reserve_factor: reserve.map(quantity) }, doubt)
 }
 
 #[cfg(test)]
@@ -372,6 +351,29 @@ mod tests {
         }
         let judge = Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed, limit: None };
         judge.results(&curves, &[]).0.peak_force_N_per_m.expect("a force")
+    }
+
+    /// A steady force of 1 N/m, with tension that takes a share off it.
+    #[test]
+    fn tension_widens_the_band_of_a_force_and_beyond_a_twentieth_refuses_it() {
+        let judged = |share: f64| {
+            let mut curves = Curves::default();
+            for k in 0..=100 {
+                curves.force.take(0.01 * f64::from(k), [0.0, 1.0]);
+                curves.tension.take(0.01 * f64::from(k), [0.3, -share]);
+            }
+            let judge =
+                Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: Some(40.0), limit: None };
+            judge.results(&curves, &[])
+        };
+        let verdict = |share: f64| judged(share).0.peak_force_N_per_m.expect("a force").verdict;
+        assert_eq!(
+            (verdict(0.049), verdict(0.051), verdict(-2.0)),
+            (Verdict::Resolved, Verdict::NotResolved, Verdict::Resolved)
+        );
+        let (results, doubts) = judged(0.08);
+        assert_eq!(results.impulse_N_s_per_m.expect("an impulse").verdict, Verdict::NotResolved);
+        assert!(doubts[0].contains("8 %") && doubts[0].contains("fluid.cavitation_pressure"), "{doubts:?}");
     }
 
     #[test]

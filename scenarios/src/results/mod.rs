@@ -7,7 +7,9 @@
 mod bands;
 mod judge;
 mod observer;
+mod panel;
 mod running_integral;
+mod tension;
 
 use std::collections::BTreeMap;
 

@@ -27,8 +27,13 @@ impl ResultsObserver {
         for (curve, &pressure) in self.curves.pressures.iter_mut().zip(pressures) {
             curve.take(time, [pressure]);
         }
-        let Some((body, motion)) = system.bodies().find_map(|body| Some((body, body.motion()?))) else { return };
+        let Some((index, body, motion)) =
+            system.bodies().enumerate().find_map(|(k, body)| Some((k, body, body.motion()?)))
+        else {
+            return;
+        };
         self.curves.force.take(time, motion.force);
+        self.curves.tension.take(time, tension(system, index));
         if self.free {
             self.curves.acceleration.take(time, motion.acceleration);
         }
@@ -40,6 +45,15 @@ impl ResultsObserver {
         let panels: Vec<_> = system.bodies().flat_map(|body| body.panels()).collect();
         Judge::new(scene).results(&self.curves, &panels)
     }
+}
+
+/// Force with which the water pulls on a body where its pressure is below the air's [N/m]; of both halves of a symmetric one.
+fn tension(system: &Coupled, body: usize) -> [f64; 2] {
+    let walls = &system.walls;
+    let outwards = |k: usize| (walls.fx[k] * walls.nx[k] + walls.fy[k] * walls.ny[k]).max(0.0);
+    let sum =
+        system.range(body).fold([0.0; 2], |[x, y], k| [x + outwards(k) * walls.nx[k], y + outwards(k) * walls.ny[k]]);
+    if system.fluid.domain().mirror.is_some() { [0.0, 2.0 * sum[1]] } else { sum }
 }
 
 /// Depth of a body's lowest point below still water [m].

@@ -67,6 +67,24 @@ impl<const N: usize> RunningIntegral<N> {
         largest
     }
 
+    /// The mean over `window` [s] about a time; `None` where the curve is shorter.
+    pub fn mean_about(&self, time: f64, window: f64) -> Option<[f64; N]> {
+        let [from, to] = [-0.5, 0.5].map(|half| self.integral_at(time + half * window));
+        let (from, to) = (from?, to?);
+        Some(std::array::from_fn(|i| (to[i] - from[i]) / window))
+    }
+
+    /// The integral up to a time [s] within the curve, linear between its rows.
+    fn integral_at(&self, time: f64) -> Option<[f64; N]> {
+        let tolerance = 1e-9 * (self.times.last()? - self.times.first()?);
+        let inside = time >= self.times.first()? - tolerance && time <= self.times.last()? + tolerance;
+        let after = self.times.partition_point(|t| *t < time).clamp(1, self.times.len().max(2) - 1);
+        let (before, [from, to]) = (after - 1, [self.times.get(after - 1)?, self.times.get(after)?]);
+        let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
+        let [start, end] = [self.integrals[before], self.integrals[after]];
+        inside.then(|| std::array::from_fn(|i| start[i] + share * (end[i] - start[i])))
+    }
+
     /// The integral over the whole curve.
     pub fn total(&self) -> [f64; N] {
         self.integrals.last().copied().unwrap_or([0.0; N])
@@ -76,6 +94,18 @@ impl<const N: usize> RunningIntegral<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The mean about a time is that of the straight line between the rows; outside the curve there is none.
+    #[test]
+    fn the_mean_about_a_time_is_exact_for_a_line() {
+        let mut curve = RunningIntegral::<1>::default();
+        for k in 0..=10 {
+            curve.take(0.1 * f64::from(k), [2.0]);
+        }
+        let mean = curve.mean_about(0.53, 0.22).expect("inside");
+        assert!((mean[0] - 2.0).abs() < 1e-12, "{mean:?}");
+        assert_eq!((curve.mean_about(0.05, 0.22), RunningIntegral::<1>::default().mean_about(0.0, 1.0)), (None, None));
+    }
 
     /// A spike of one step on a slow rise: the largest value is the spike, the largest mean is the rise's, and the integral is exact.
     #[test]

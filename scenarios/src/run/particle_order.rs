@@ -1,7 +1,7 @@
 //! Distances between nearest neighbours, which show whether particles pair.
 
 use serde::Serialize;
-use sph_core::Particles;
+use sph_core::{Kernel, Particles};
 
 use crate::scene::significant;
 
@@ -14,16 +14,17 @@ pub struct ParticleOrder {
     pub nearest_median: f64,
 }
 
-/// Particles nearer than this share of a spacing have paired [-]; splashes come to 0.1.
+/// Particles nearer than this share of a spacing have paired [-].
 const PAIRED: f64 = 0.02;
 
 impl ParticleOrder {
-    /// Particles that are in one place.
-    pub(super) fn doubt(&self) -> Option<String> {
-        (self.nearest_least < PAIRED).then(|| {
+    /// Particles that are in one place, under a kernel that lets them pair; under others they have met in a splash.
+    pub(super) fn doubt(&self, kernel: Kernel) -> Option<String> {
+        let pairs = matches!(kernel, Kernel::Gaussian | Kernel::CubicSpline);
+        (pairs && self.nearest_least < PAIRED).then(|| {
             format!(
-                "order.nearest_least: two particles are {} spacings apart: they have paired, as with kernels whose slope vanishes at \
-                 the centre; use a wendland kernel",
+                "order.nearest_least: two particles are {} spacings apart: they have paired, since the slope of this kernel vanishes \
+                 at the centre; use a wendland kernel",
                 significant(self.nearest_least)
             )
         })
@@ -72,6 +73,9 @@ mod tests {
         assert!((whole.nearest_least - 1.0).abs() < 1e-9 && (whole.nearest_median - 1.0).abs() < 1e-9, "{whole:?}");
         seeds[12].at[1] -= 0.75;
         let paired = particle_order(fluid(&seeds).particles()).expect("25 particles");
+        let close = ParticleOrder { nearest_least: 0.001, ..paired };
+        assert!(close.doubt(Kernel::Gaussian).is_some_and(|why| why.contains("wendland")));
+        assert_eq!((close.doubt(Kernel::WendlandC2), paired.doubt(Kernel::Gaussian)), (None, None));
         assert!((paired.nearest_least - 0.25).abs() < 1e-9 && (paired.nearest_median - 1.0).abs() < 1e-9, "{paired:?}");
     }
 }

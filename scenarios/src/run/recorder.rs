@@ -223,7 +223,7 @@ impl Recorder {
         };
         doubts.extend(audit.doubts());
         let order = particle_order(fluid.particles());
-        doubts.extend(order.and_then(|order| order.doubt()));
+        doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
         doubts.extend(compressibility.as_ref().and_then(Compressibility::doubt));
         let (mut comparison, not_compared) = compare::against_curves(&scene.compare, references, &self.series);
