@@ -8,7 +8,7 @@ use super::bands::{Depth, FORCE_BAND};
 use super::panel::panel_results;
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
-use super::{Quantity, Results, STANDARD_GRAVITY, Verdict};
+use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
     Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error,
     limit_of_forces, significant,
@@ -55,9 +55,6 @@ impl Curves {
         self.draught.get(k).map_or(0.0, |row| row[1])
     }
 }
-
-/// A verdict, the band where one is known, and why it is not `resolved`.
-pub(super) type Finding = (Verdict, Option<f64>, Option<String>);
 
 /// Doubts: why, and about which results.
 #[derive(Default)]

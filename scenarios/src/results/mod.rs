@@ -47,6 +47,9 @@ impl Verdict {
     }
 }
 
+/// A verdict, the band as a share where one is known, and why it is not `resolved`.
+type Finding = (Verdict, Option<f64>, Option<String>);
+
 /// A result.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Quantity {

@@ -1,7 +1,6 @@
 //! What tension of the water takes off a force (THEORY GE24).
 
-use super::Verdict;
-use super::judge::Finding;
+use super::{Finding, Verdict};
 use crate::scene::significant;
 
 /// What tension takes off counts so often in the band [-].
