@@ -47,7 +47,7 @@ impl Tait {
     /// Density [kg/m³] of a pressure [Pa]; the inverse of [`Tait::pressure`], valid for p > −B.
     pub fn density(&self, pressure: f64) -> f64 {
         let b = self.rho0 * self.c0 * self.c0 / self.gamma;
-        self.rho0 * (1.0 + pressure / b).powf(1.0 / self.gamma)
+        self.rho0 * (1.0 + pressure / b).max(0.0).powf(1.0 / self.gamma)
     }
 }
 
