@@ -15,7 +15,7 @@ use super::gauge_warnings::gauge_warnings;
 use super::impact::Entry;
 use super::keel::keel_warnings;
 use super::legacy::refuse_absent;
-use super::references::{drop_references, is_same_flow, sets_of_the_flow, settle_references};
+use super::references::{drop_references, sets_of_the_flow, settle_references};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
@@ -82,7 +82,7 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     // what the program chose must be read again from the resolved scene
     let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));
     refuse_absurd_numbers("", &resolved).map_err(|problem| source.error(problem))?;
-    let dropped = changed_flow(&source, &given, &scene).and_then(|key| drop_references(&mut scene, &key));
+    let dropped = before(&source, &scene).and_then(|(before, key)| drop_references(&mut scene, before.as_ref(), &key));
     let warnings = dropped
         .into_iter()
         .chain(ignored(&given, &scene))
@@ -93,14 +93,14 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     Ok(Loaded { warnings, scene, source })
 }
 
-/// The `--set` key that changes what flows from that of the scene's references.
-fn changed_flow(source: &Source, given: &Value, scene: &Scene) -> Option<String> {
-    let (sets, changed) = sets_of_the_flow(given, &source.sets).filter(|_| !scene.compare.is_empty())?;
-    let unchanged = Source { sets, ..source.clone() }.read().ok().and_then(|mut given| {
+/// The scene without the `--set` keys that say what flows, where it can be read, and the first of these keys; `None` without any.
+fn before(source: &Source, scene: &Scene) -> Option<(Option<Scene>, String)> {
+    let (sets, changed) = sets_of_the_flow(&source.sets).filter(|_| !scene.compare.is_empty())?;
+    let before = Source { sets, ..source.clone() }.read().ok().and_then(|mut given| {
         settle_references(&mut given, &source.name).ok()?;
         checked(given, Limits::Ignored).ok()
     });
-    unchanged.is_none_or(|unchanged| !is_same_flow(&unchanged, scene)).then_some(changed)
+    Some((before, changed))
 }
 
 impl Loaded {

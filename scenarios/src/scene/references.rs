@@ -10,8 +10,8 @@ use super::settings::{Compare, Scene};
 use super::source::assignment;
 use crate::reference::{ReferenceError, Table};
 
-/// Tables of a scene that say what flows, and keys of the other tables that do; the rest says how it is computed and observed.
-const OF_THE_FLOW: [&str; 5] = ["body", "tank", "gravity", "fluid.density", "fluid.kinematic_viscosity"];
+/// Tables of a scene that say what flows and where it is measured, and keys of the other tables that do; the rest says how it is computed and observed.
+const OF_THE_FLOW: [&str; 6] = ["body", "tank", "gauges", "gravity", "fluid.density", "fluid.kinematic_viscosity"];
 /// Keys of those tables that do not.
 const NOT_OF_THE_FLOW: [&str; 2] = ["elements", "name"];
 
@@ -42,29 +42,48 @@ fn is_within(file: &Path, folder: &Path) -> std::io::Result<bool> {
     Ok(fs::canonicalize(file)?.starts_with(fs::canonicalize(folder)?))
 }
 
-/// The `--set` arguments without those that say what flows, and the first of those; `None` where none does, or where one gives the
-/// references too. A tank around a body is as large as the program needs it, and not part of the flow.
-pub(super) fn sets_of_the_flow(given: &Value, sets: &[String]) -> Option<(Vec<String>, String)> {
-    let has_body = given.get("body").is_some();
+/// The `--set` arguments without those that say what flows, and the first of those; `None` where none does, or where one gives
+/// references too.
+pub(super) fn sets_of_the_flow(sets: &[String]) -> Option<(Vec<String>, String)> {
     let key = |set: &str| assignment(set).map_or(String::new(), |(key, _)| key.to_string());
-    let changes = |set: &str| is_of_the_flow(&key(set)) && !(has_body && table_of(&key(set)) == "tank");
+    let changes = |set: &String| is_of_the_flow(&key(set));
+    let gives_reference = |key: &str| key == "compare" || table_of(key) == "compare" && key.ends_with(".reference");
     let first = key(sets.iter().find(|set| changes(set))?);
-    if sets.iter().any(|set| table_of(&key(set)) == "compare") {
+    if sets.iter().any(|set| gives_reference(&key(set))) {
         return None;
     }
     Some((sets.iter().filter(|set| !changes(set)).cloned().collect(), first))
 }
 
 /// True for scenes in which the same flows.
-pub(super) fn is_same_flow(one: &Scene, other: &Scene) -> bool {
-    let tank = |scene: &Scene| scene.body.is_none().then(|| scene.tank.clone());
+fn is_same_flow(one: &Scene, other: &Scene) -> bool {
     let water = |scene: &Scene| [scene.water().density, scene.water().kinematic_viscosity];
-    one.body == other.body && one.gravity == other.gravity && water(one) == water(other) && tank(one) == tank(other)
+    one.body == other.body && one.gravity == other.gravity && water(one) == water(other) && is_same_tank(one, other)
 }
 
-/// Takes away the references of a scene; what to tell of it.
-pub(super) fn drop_references(scene: &mut Scene, changed: &str) -> Option<String> {
-    let mut names: Vec<String> = scene.compare.drain(..).map(|compare| compare.reference).collect();
+/// Around a body that enters from the air a tank may be larger than that of the reference.
+fn is_same_tank(one: &Scene, reference: &Scene) -> bool {
+    let (tank, other) = (&one.tank, &reference.tank);
+    let wide_open = tank.water_width == tank.width && other.water_width == other.width;
+    let larger = tank.width >= other.width && tank.depth >= other.depth && wide_open;
+    tank == other || reference.entry().is_some() && larger
+}
+
+/// True where a column is not of a gauge that differs from that of the reference.
+fn is_same_gauge(column: &str, one: &Scene, reference: &Scene) -> bool {
+    let of = |scene: &Scene| scene.gauges.iter().find(|gauge| column == format!("{}.p_Pa", gauge.name)).cloned();
+    of(reference).is_none_or(|gauge| of(one) == Some(gauge))
+}
+
+/// Takes away the references of a scene that do not fit it since a key `changed` it from what it was; what to tell of it.
+pub(super) fn drop_references(scene: &mut Scene, before: Option<&Scene>, changed: &str) -> Option<String> {
+    let same = before.filter(|before| is_same_flow(scene, before));
+    let fits = |column: &str| same.is_some_and(|before| is_same_gauge(column, scene, before));
+    let kept: Vec<bool> = scene.compare.iter().map(|compare| fits(&compare.quantity)).collect();
+    let dropped = scene.compare.iter().zip(&kept).filter(|(_, kept)| !**kept);
+    let mut names: Vec<String> = dropped.map(|(compare, _)| compare.reference.clone()).collect();
+    let mut kept = kept.into_iter();
+    scene.compare.retain(|_| kept.next() == Some(true));
     names.dedup();
     (!names.is_empty())
         .then(|| format!("no comparison with {}: `{changed}` is not that of the reference", names.join(", ")))
@@ -117,13 +136,35 @@ mod tests {
     fn a_changed_flow_drops_its_references_with_a_warning() {
         let (all, _) = loaded(&[]).expect("a scene");
         assert!(all > 0);
-        for kept in ["resolution.spacing=0.02", "solver=incompressible", "time.end=0.01", "gravity=[0.0, -9.81]"] {
+        for kept in [
+            "tank.width=9.0",
+            "resolution.spacing=0.02",
+            "solver=incompressible",
+            "time.end=0.01",
+            "gravity=[0.0, -9.81]",
+        ] {
             assert_eq!(loaded(&[kept]).expect("a scene").0, all, "{kept}");
         }
-        for changed in ["body.deadrise_deg=20", "body.mass=50", "gravity=[0.0, -1.6]", "fluid.density=1025"] {
+        for changed in
+            ["tank.width=0.8", "body.deadrise_deg=20", "body.mass=50", "gravity=[0.0, -1.6]", "fluid.density=1025"]
+        {
             let (left, warnings) = loaded(&[changed]).expect("a scene");
             assert!(left == 0 && warnings.iter().any(|w| w.contains("no comparison with")), "{changed}: {warnings:?}");
         }
+    }
+
+    #[test]
+    fn a_gauge_or_a_reservoir_that_changed_drops_what_was_measured_there() {
+        let left = |scene: &str, sets: &[&str]| {
+            let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+            let loaded = load(scene, &sets).expect("a scene");
+            (loaded.scene.compare.len(), loaded.warnings.iter().any(|w| w.contains("no comparison with")))
+        };
+        let (all, _) = left("dam_break", &[]);
+        let (moved, told) = left("dam_break", &["gauges[1].at=[1.61, -0.1]"]);
+        assert!(moved < all && moved > 0 && told, "{moved} of {all}");
+        assert_eq!(left("elastic_gate", &["tank.water_width=0.05"]), (0, true));
+        assert_eq!(left("wedge", &["body.mass=100", "compare[0].tolerance=0.5"]), (0, true));
     }
 
     #[test]

@@ -20,6 +20,8 @@ use super::source::word;
 /// Rows of the series and frames of particles in a run, where the scene does not say.
 const SAMPLES: f64 = 500.0;
 const FRAMES: f64 = 50.0;
+/// Most rows of the series, or frames.
+const MOST_ROWS: f64 = 1e6;
 
 /// Wall height over depth, where the scene does not say: above waves, and above the run-up of a dam break.
 const FREEBOARD: f64 = 1.25;
@@ -101,6 +103,13 @@ fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {
     ] {
         let value = value.unwrap_or(time.end);
         require(value > 0.0 && value <= time.end, key, value, &expected)?;
+        let least = time.end / MOST_ROWS;
+        require(
+            key == "time.step" || value >= least,
+            key,
+            value,
+            format_args!("at least {least} s: {MOST_ROWS} rows"),
+        )?;
     }
     Ok(time)
 }
@@ -120,15 +129,12 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// Tension that the water holds beside a body from the air, over the dynamic pressure of its speed [-]: with more, jets are sucked
-/// around its chines and its lee side; with none, the noise of the start is cut to one side.
-const TENSION: f64 = 0.1;
-
-/// Pressure [Pa] that bounds the tension of water which a body enters: air comes in where it would be lower.
+/// Pressure [Pa] that bounds the tension of water which a body enters, −½ρV²: air comes in where it would be lower. With more tension
+/// jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies gain energy.
 fn tension_beside_air(draft: &Draft, entry: &Entry) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [across, _] = draft.get::<[f64; 2]>("body.velocity").unwrap_or_default();
-    -TENSION * 0.5 * density * (across.powi(2) + entry.speed.powi(2))
+    -0.5 * density * (across.powi(2) + entry.speed.powi(2))
 }
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of

@@ -170,7 +170,7 @@ impl Scheme for Projection {
     }
 
     fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
-        Ok(self.step_limit().stable_dt(system, walls))
+        self.step_limit().stable_dt(system, walls)
     }
 
     fn check(&self, system: &ParticleSystem) -> Result<(), Breakdown> {

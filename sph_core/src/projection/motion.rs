@@ -1,5 +1,6 @@
 //! The step of a projection, and its motion of the particles (THEORY PR14).
 
+use crate::error::Breakdown;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
@@ -12,6 +13,8 @@ const FREE_FALL: f64 = 0.25;
 const VISCOUS: f64 = 0.125;
 /// A step is at most so many times the one before: pressures go with 1/Δt.
 const GROWTH: f64 = 1.1;
+/// A particle that needs a step this many times below the limit by known speeds and free fall means breakdown.
+const COLLAPSE: f64 = 1e-3;
 
 /// PR2: u' = u + Δt a, r' = r + Δt u' + δr (PR14: shifting of the given strength, along the surface near air).
 pub(crate) fn move_particles(system: &mut ParticleSystem, strength: f64, indicator: &[f64], dt: f64) {
@@ -45,20 +48,33 @@ pub(crate) struct StepLimit {
 impl StepLimit {
     /// PR14 without viscosity [s].
     pub fn dt(&self, system: &ParticleSystem, walls: &Walls) -> f64 {
-        let (p, domain, cfl) = (&system.particles, &system.domain, self.cfl);
+        let (p, cfl, cap) = (&system.particles, self.cfl, self.cap(system));
         let limit = |h: f64, u: f64, v: f64| cfl * h / (u * u + v * v).sqrt();
         let of_fluid = |k: usize| limit(p.h[k], p.u[k], p.v[k]);
         let of_wall = |k: usize| limit(walls.h[k], walls.u[k], walls.v[k]);
-        let h = system.least_smoothing_length();
-        let g = domain.gravity[0].hypot(domain.gravity[1]);
-        let cap = (cfl * h / domain.fastest_speed).min(FREE_FALL * (h / g).sqrt());
         let now = parallel::least(p.len(), of_fluid).min(parallel::least(walls.len(), of_wall)).min(cap);
         if self.last_dt > 0.0 { now.min(GROWTH * self.last_dt) } else { now }
     }
 
-    /// The largest stable step [s].
-    pub fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> f64 {
+    /// The largest stable step [s]; an error where a particle moves so fast that the flow has broken down.
+    pub fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
+        let (p, cap) = (&system.particles, self.cap(system));
+        let speed = |k: usize| p.u[k] * p.u[k] + p.v[k] * p.v[k];
+        let fastest = (0..p.len()).max_by(|&a, &b| speed(a).total_cmp(&speed(b)));
+        if let Some(k) = fastest {
+            let dt = self.cfl * p.h[k] / speed(k).sqrt();
+            if cap.is_finite() && dt < COLLAPSE * cap {
+                return Err(system.collapsed(k, dt));
+            }
+        }
         let viscous = VISCOUS * system.least_smoothing_length().powi(2) / system.domain.fluid.kinematic_viscosity;
-        self.dt(system, walls).min(viscous)
+        Ok(self.dt(system, walls).min(viscous))
+    }
+
+    /// The limit by the fastest known speed and by free fall [s].
+    fn cap(&self, system: &ParticleSystem) -> f64 {
+        let (h, domain) = (system.least_smoothing_length(), &system.domain);
+        let g = domain.gravity[0].hypot(domain.gravity[1]);
+        (self.cfl * h / domain.fastest_speed).min(FREE_FALL * (h / g).sqrt())
     }
 }
