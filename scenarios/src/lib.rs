@@ -19,6 +19,7 @@
 //! ```
 
 pub mod bench;
+mod bounded_text;
 pub mod build;
 pub mod charted;
 pub mod cli;

@@ -62,6 +62,9 @@ pub enum ReferenceError {
         /// What stands there.
         given: String,
     },
+    /// A column that the table has twice.
+    #[error("reference `{0}` has the column `{1}` twice")]
+    Twice(String, String),
     /// A column that the table does not have.
     #[error("reference `{name}` has no column `{column}`; it has: {known}")]
     Column {
@@ -85,7 +88,7 @@ impl Table {
                 if file.len() > LARGEST {
                     return Err(ReferenceError::Large(name.into()));
                 }
-                std::fs::read_to_string(name).map_err(missing)?
+                crate::bounded_text::read_text(name).map_err(missing)?
             }
         };
         Table::parse(name, &text)
@@ -130,6 +133,9 @@ impl Table {
             column: column.into(),
             known: self.columns.join(", "),
         })?;
+        if self.columns[k + 1..].iter().any(|c| c == column) {
+            return Err(ReferenceError::Twice(table.into(), column.into()));
+        }
         Ok(self.rows.iter().map(|row| row[k]).collect())
     }
 }

@@ -17,7 +17,7 @@ fn is_result(result: &Value) {
         assert!(result[key].is_f64() || result[key].is_null() && result.get(key).is_some(), "{key} of {result}");
     }
     let verdict = result["verdict"].as_str().expect("a word");
-    assert!(["resolved", "acoustic", "not_resolved", "beyond_allowable"].contains(&verdict), "{verdict}");
+    assert!(["resolved", "no_band", "acoustic", "not_resolved", "beyond_allowable"].contains(&verdict), "{verdict}");
 }
 
 #[test]

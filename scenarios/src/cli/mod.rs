@@ -15,7 +15,7 @@ use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
 use experiments::{convergence, stability, work_precision};
-use shared::{FAILED, INPUT, Output, SceneArgs, Stop, complain};
+use shared::{DONE, FAILED, INPUT, Output, SceneArgs, Stop, complain, unsaid};
 
 /// Threads for each core, at most: more only wait for each other.
 const MOST_THREADS: usize = 8;
@@ -82,7 +82,13 @@ pub fn main() -> ExitCode {
             FAILED
         }
     });
-    ExitCode::from(code)
+    match unsaid().filter(|_| code == DONE) {
+        Some(why) => {
+            complain(format_args!("error: cannot write to stdout: {why}"));
+            ExitCode::from(FAILED)
+        }
+        None => ExitCode::from(code),
+    }
 }
 
 /// Events of a run go to stderr. `SPLASHDOWN_LOG=debug` shows more than warnings; `MODULE=LEVEL,…` selects by module.

@@ -2,6 +2,7 @@
 
 use std::io::Write;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use clap::Args;
 use serde::Serialize;
@@ -45,8 +46,23 @@ impl Output {
 }
 
 /// Print a line on stdout; a reader that closed the pipe does not stop the command.
+///
+/// One that cannot take it, as a full disk, is told at the end ([`unsaid`]).
 pub(super) fn say(text: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stdout(), "{text}");
+    if let Err(error) = writeln!(std::io::stdout(), "{text}")
+        && error.kind() != std::io::ErrorKind::BrokenPipe
+    {
+        UNSAID.get_or_init(|| error.to_string());
+    }
+}
+
+/// Why a line could not be printed, the first time.
+static UNSAID: OnceLock<String> = OnceLock::new();
+
+/// What ends a command whose lines could not all be printed.
+pub(super) fn unsaid() -> Option<String> {
+    let left = std::io::stdout().flush().err().filter(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
+    UNSAID.get().cloned().or(left.map(|error| error.to_string()))
 }
 
 /// Print a line on stderr; a reader that is gone does not change the exit code.

@@ -8,6 +8,7 @@ use include_dir::Dir;
 use serde::de::DeserializeOwned;
 
 use super::ExperimentError;
+use crate::bounded_text::read_text;
 use crate::embedded;
 
 /// A case of an experiment.
@@ -80,7 +81,7 @@ impl<C: Case> Catalogue<C> {
 
     /// The case of a TOML file.
     fn read_file(&self, path: &str) -> Result<C, ExperimentError> {
-        let text = std::fs::read_to_string(path).map_err(|e| self.wrong(path, &e))?;
+        let text = read_text(path).map_err(|e| self.wrong(path, &e))?;
         self.named(toml::from_str(&text).map_err(|e| self.wrong(path, &e))?, C::name_of_file(path))
     }
 
@@ -103,7 +104,7 @@ impl<C: Case> Catalogue<C> {
 
     /// A stored result.
     pub(super) fn stored<T: DeserializeOwned>(&self, path: &Path) -> Result<T, ExperimentError> {
-        let text = std::fs::read_to_string(path).map_err(|e| self.not_stored(path, &e))?;
+        let text = read_text(path).map_err(|e| self.not_stored(path, &e))?;
         serde_json::from_str(&text).map_err(|e| self.not_stored(path, &e))
     }
 

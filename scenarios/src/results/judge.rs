@@ -11,7 +11,7 @@ use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
     Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error,
-    limit_of_forces, significant,
+    limit_of_forces, resounding_panels, significant,
 };
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
@@ -86,6 +86,8 @@ pub(super) struct Judge {
     sound_speed: Option<f64>,
     /// Why no force of the run can be relied on, where that is so.
     limit: Option<String>,
+    /// Panels that vibrate with the water's sound, and why.
+    resounding: Vec<(String, String)>,
 }
 
 impl Judge {
@@ -98,6 +100,7 @@ impl Judge {
             gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
             limit: limit_of_forces(scene),
+            resounding: resounding_panels(scene),
         }
     }
 
@@ -106,7 +109,7 @@ impl Judge {
         let mut doubts = Doubts::default();
         let mut keep = |name: &str, (quantity, why): (Quantity, Option<String>)| {
             doubts.add(name, why);
-            quantity
+            quantity.with_known_band()
         };
         let window = WINDOW * self.spacing / self.speed;
         let by_force = |peak: Extreme, raw: Extreme| {
@@ -135,7 +138,8 @@ impl Judge {
             panels: BTreeMap::new(),
         };
         let panels = panels.iter().map(|panel| {
-            let (results, why) = panel_results(panel, of_force);
+            let resounds = self.resounding.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
+            let (results, why) = panel_results(panel, of_force, resounds);
             doubts.add(&panel.name, why);
             (panel.name.clone(), results)
         });
@@ -340,13 +344,19 @@ impl Judge {
 mod tests {
     use super::*;
 
+    /// A judge of a flow that no theory foresees.
+    fn still() -> Judge {
+        let (limit, resounding) = (None, Vec::new());
+        Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: None, limit, resounding }
+    }
+
     /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.
     fn judged(spike: f64, sound_speed: Option<f64>) -> Quantity {
         let mut curves = Curves::default();
         for k in 0..=100 {
             curves.force.take(0.01 * f64::from(k), [0.0, if k == 50 { spike } else { 1.0 }]);
         }
-        let judge = Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed, limit: None };
+        let judge = Judge { sound_speed, ..still() };
         judge.results(&curves, &[]).0.peak_force_N_per_m.expect("a force")
     }
 
@@ -359,14 +369,13 @@ mod tests {
                 curves.force.take(0.01 * f64::from(k), [0.0, 1.0]);
                 curves.tension.take(0.01 * f64::from(k), [0.3, -share]);
             }
-            let judge =
-                Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: Some(40.0), limit: None };
+            let judge = Judge { sound_speed: Some(40.0), ..still() };
             judge.results(&curves, &[])
         };
         let verdict = |share: f64| judged(share).0.peak_force_N_per_m.expect("a force").verdict;
         assert_eq!(
             (verdict(0.049), verdict(0.051), verdict(-2.0)),
-            (Verdict::Resolved, Verdict::NotResolved, Verdict::Resolved)
+            (Verdict::NoBand, Verdict::NotResolved, Verdict::NoBand)
         );
         let (results, doubts) = judged(0.08);
         assert_eq!(results.impulse_N_s_per_m.expect("an impulse").verdict, Verdict::NotResolved);
@@ -375,7 +384,7 @@ mod tests {
 
     #[test]
     fn a_step_far_above_its_mean_is_not_resolved() {
-        assert_eq!(judged(1.5, None).verdict, Verdict::Resolved);
+        assert_eq!(judged(1.5, None).verdict, Verdict::NoBand);
         assert_eq!(judged(5.0, None).verdict, Verdict::NotResolved);
         assert_eq!(judged(5.0, Some(40.0)).verdict, Verdict::Acoustic);
     }

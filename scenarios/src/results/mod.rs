@@ -31,6 +31,8 @@ pub enum Verdict {
     Acoustic,
     /// The spacing is too coarse for it.
     NotResolved,
+    /// Nothing known speaks against it, and nothing gives a band: no theory or chart is of such a flow.
+    NoBand,
     /// A stress is above the allowable one.
     BeyondAllowable,
 }
@@ -42,6 +44,7 @@ impl Verdict {
             Verdict::Resolved => "resolved",
             Verdict::Acoustic => "acoustic",
             Verdict::NotResolved => "not_resolved",
+            Verdict::NoBand => "no_band",
             Verdict::BeyondAllowable => "beyond_allowable",
         }
     }
@@ -65,6 +68,14 @@ pub struct Quantity {
     pub raw: f64,
     /// What may be said of it.
     pub verdict: Verdict,
+}
+
+impl Quantity {
+    /// The same: resolved only with a band.
+    fn with_known_band(self) -> Quantity {
+        let unknown = self.verdict == Verdict::Resolved && self.band.is_none();
+        Quantity { verdict: if unknown { Verdict::NoBand } else { self.verdict }, ..self }
+    }
 }
 
 /// Results of a panel.

@@ -9,7 +9,13 @@ use crate::scene::significant;
 const STRESS_BAND: f64 = 1.3;
 
 /// Results of a panel under a load; a structure averages by itself, and its stress is nearly as good as the force.
-pub(super) fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (PanelResults, Option<String>) {
+///
+/// `resounds`: why it vibrates with the water's sound, where it does.
+pub(super) fn panel_results(
+    panel: &PanelState,
+    force: Option<Quantity>,
+    resounds: Option<&str>,
+) -> (PanelResults, Option<String>) {
     let worst = &panel.worst;
     let stress = worst.stress;
     let [value, time] = match -stress.least > stress.most {
@@ -23,6 +29,7 @@ pub(super) fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (Pan
             let why = format!("the stress is {} times the allowable one", significant(1.0 / reserve));
             (Verdict::BeyondAllowable, Some(why))
         }
+        _ if resounds.is_some() => (Verdict::Acoustic, resounds.map(String::from)),
         (_, Some(verdict)) => (verdict, None),
         _ => (Verdict::Resolved, None),
     };
@@ -30,7 +37,7 @@ pub(super) fn panel_results(panel: &PanelState, force: Option<Quantity>) -> (Pan
     let share = of_force.filter(|share| share.is_finite());
     let quantity = |value: f64| {
         let band = share.map(|share| share * value);
-        Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict }
+        Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict }.with_known_band()
     };
     (PanelResults { peak_stress_Pa: quantity(value), reserve_factor: reserve.map(quantity) }, doubt)
 }

@@ -228,7 +228,10 @@ impl Recorder {
         doubts.extend(compressibility.as_ref().and_then(Compressibility::doubt));
         let (mut comparison, not_compared) = compare::against_curves(&scene.compare, references, &self.series);
         comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
-        let verdict = results.peak_force_N_per_m.map(|force| force.verdict).filter(|v| *v != Verdict::Resolved);
+        let verdict = results
+            .peak_force_N_per_m
+            .map(|force| force.verdict)
+            .filter(|v| !matches!(v, Verdict::Resolved | Verdict::NoBand));
         let gauges = self.gauges.results();
         let of_body = |name: &str| self.extremes.iter().find(|(own, _)| own == name).map(|(_, peak)| *peak);
         let extreme = |name: &str| {

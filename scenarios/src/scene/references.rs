@@ -137,7 +137,7 @@ mod tests {
         let (all, _) = loaded(&[]).expect("a scene");
         assert!(all > 0);
         for kept in [
-            "tank.width=9.0",
+            "tank.width=30.0",
             "resolution.spacing=0.02",
             "solver=incompressible",
             "time.end=0.01",
@@ -146,7 +146,7 @@ mod tests {
             assert_eq!(loaded(&[kept]).expect("a scene").0, all, "{kept}");
         }
         for changed in
-            ["tank.width=0.8", "body.deadrise_deg=20", "body.mass=50", "gravity=[0.0, -1.6]", "fluid.density=1025"]
+            ["tank.width=3.0", "body.deadrise_deg=20", "body.mass=50", "gravity=[0.0, -1.6]", "fluid.density=1025"]
         {
             let (left, warnings) = loaded(&[changed]).expect("a scene");
             assert!(left == 0 && warnings.iter().any(|w| w.contains("no comparison with")), "{changed}: {warnings:?}");

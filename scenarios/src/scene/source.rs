@@ -1,6 +1,5 @@
 //! The text that a scene comes from, the `--set` arguments that change it, and where in it a key stands.
 
-use std::fs;
 use std::io::{self, ErrorKind};
 use std::ops::Range;
 use std::sync::Arc;
@@ -10,6 +9,8 @@ use miette::{Diagnostic, NamedSource, SourceSpan};
 use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
+
+use crate::bounded_text::read_text;
 
 /// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
 pub(crate) const LARGEST_NUMBER: f64 = 1e12;
@@ -95,7 +96,7 @@ impl Source {
         let path = name_or_path.to_string();
         let (name, text) = match builtin.iter().find(|(name, _)| *name == path) {
             Some((name, text)) => (format!("{name}.toml"), text.to_string()),
-            None => match fs::read_to_string(&path) {
+            None => match read_text(&path) {
                 Ok(text) => (path, text),
                 Err(cause) if cause.kind() == ErrorKind::NotFound => {
                     let names: Vec<&str> = builtin.iter().map(|(name, _)| *name).collect();
@@ -211,10 +212,14 @@ pub(super) fn refuse_absurd_numbers(path: &str, value: &Value) -> Result<(), Pro
 /// Refuses a name of a file or column that has other characters than letters, digits, `_` and `-`.
 pub(crate) fn word(key: &str, name: &str) -> Result<(), Problem> {
     let fits = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    let fits = !name.is_empty() && name.chars().all(fits);
-    require(fits, key, format_args!("{name:?}"), "a word of letters, digits, _ and -")
+    let fits = (1..=LONGEST_WORD).contains(&name.len()) && name.chars().all(fits);
+    let start: String = name.chars().take(LONGEST_WORD).collect();
+    let expected = format_args!("a word of at most {LONGEST_WORD} letters, digits, _ and -");
+    require(fits, key, format_args!("{start:?}"), expected)
 }
 
+/// Longest name: it becomes a folder's.
+const LONGEST_WORD: usize = 100;
 /// One step of a key's path: `gauges[0].at` is the key `gauges`, the index 0, the key `at`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Segment<'a> {
@@ -246,6 +251,9 @@ pub fn apply_set(table: &mut Table, set: &str) -> Result<(), SceneError> {
     let (Some(Segment::Key(_)), false) = (steps.first(), text.is_empty()) else {
         return Err(form());
     };
+    if path.contains("..") || path.starts_with('.') || path.ends_with('.') {
+        return Err(form());
+    }
     if steps.len() > DEEPEST {
         return Err(refuse(format!("expected a path of at most {DEEPEST} keys, {} given", steps.len())));
     }

@@ -10,10 +10,18 @@ use super::settings::{Panel, Scene, line};
 /// Steps in the first wet period with which the step costs the frequency at most 0.25 % (CO33).
 const STEPS_PER_PERIOD: f64 = 30.0;
 
+/// The water's sound resounds in a basin whose depth is above this share of its wave length at a panel's first wet period [-].
+const RESOUNDS: f64 = 1.0 / std::f64::consts::TAU;
+
 /// CO33: the first wet periods of the panels of a scene with incompressible water [s], by panel.
-fn wet_periods(scene: &Scene) -> Vec<(&Panel, f64)> {
+fn resolved_periods(scene: &Scene) -> Vec<(&Panel, f64)> {
     let resolved = matches!(scene.solver.kind(), Solver::Incompressible | Solver::IncompressibleExplicit);
-    let Some(body) = scene.body.as_ref().filter(|_| resolved) else { return Vec::new() };
+    if resolved { wet_periods(scene) } else { Vec::new() }
+}
+
+/// CO33: the first wet periods of a scene's panels [s], by panel.
+fn wet_periods(scene: &Scene) -> Vec<(&Panel, f64)> {
+    let Some(body) = &scene.body else { return Vec::new() };
     let (line, water) = (line(&body.shape), (wet_faces(body), scene.water().density));
     // a panel without a period cannot be built, which the build reports
     let of = |panel: &Panel| first_wet_period(&line, &panel.spec(), water).ok();
@@ -22,13 +30,38 @@ fn wet_periods(scene: &Scene) -> Vec<(&Panel, f64)> {
 
 /// CO33: the longest automatic step [s]; infinite without panels in incompressible water.
 pub fn longest_step(scene: &Scene) -> f64 {
-    wet_periods(scene).iter().map(|(_, period)| period / STEPS_PER_PERIOD).fold(f64::INFINITY, f64::min)
+    resolved_periods(scene).iter().map(|(_, period)| period / STEPS_PER_PERIOD).fold(f64::INFINITY, f64::min)
+}
+
+/// Panels, by name, that vibrate with the sound of the water above them, and why their loads are not those of real water: in a basin
+/// that a body does not enter from the air.
+pub(crate) fn resounding_panels(scene: &Scene) -> Vec<(String, String)> {
+    if scene.solver.kind() != Solver::WeaklyCompressible || scene.entry().is_some() {
+        return Vec::new();
+    }
+    let (sound, depth) = (scene.sound_speed(), scene.tank.depth);
+    let resounds = |period: &f64| depth > RESOUNDS * sound * period;
+    wet_periods(scene)
+        .into_iter()
+        .filter(|(_, period)| resounds(period))
+        .map(|(panel, period)| {
+            let why = format!(
+                "its first wet period, about {} s, is short beside the {} s in which the numerical sound crosses the water: use solver \
+                 = incompressible, or a fluid.sound_speed of {} m/s",
+                significant(period),
+                significant(depth / sound),
+                significant(depth / (0.5 * RESOUNDS * period))
+            );
+            (panel.name.clone(), why)
+        })
+        .collect()
 }
 
 /// Panels whose vibration a fixed step does not resolve.
 pub(super) fn unresolved_panels(scene: &Scene) -> Vec<String> {
     let Some(step) = scene.time.step else { return Vec::new() };
-    let coarse = wet_periods(scene).into_iter().filter(|(_, period)| step * STEPS_PER_PERIOD > *period * (1.0 + 1e-9));
+    let coarse =
+        resolved_periods(scene).into_iter().filter(|(_, period)| step * STEPS_PER_PERIOD > *period * (1.0 + 1e-9));
     coarse
         .map(|(panel, period)| {
             format!(

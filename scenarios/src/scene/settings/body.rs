@@ -38,7 +38,7 @@ pub struct Body {
     /// Rotation of the body's frame about its origin at t = 0, counter-clockwise [deg].
     #[serde(default)]
     pub angle_deg: f64,
-    /// Rayleigh damping of the panels' bending, by mass and by stiffness; it does not brake the body [1/s, s].
+    /// Rayleigh damping of the panels' motion against the body, by mass and by stiffness; it does not brake the body [1/s, s].
     #[serde(default)]
     #[schemars(extend("x-when" = ".panels"), inner(range(min = 0.0)))]
     pub damping: [f64; 2],

@@ -38,8 +38,8 @@ pub struct Panel {
     /// are free along the panel, without membrane force; mirror is joined to its image, at x = 0 with symmetry = x.
     #[serde(default)]
     pub ends: [PanelEnd; 2],
-    /// Springs between its ends and the rest of the body, in the directions that ends leaves free: along the panel, across it, in
-    /// rotation [N/m², N/m², N/rad]. absent: none.
+    /// Springs between its ends and the rest of the body, along the panel, across it, in rotation [N/m², N/m², N/rad]: all at a free
+    /// end, the last at a pinned or sliding one, the first two at a mirror. absent: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_springs: Option<[[f64; 3]; 2]>,
     /// Dampers there [N s/m², N s/m², N s/rad]. absent: none.
