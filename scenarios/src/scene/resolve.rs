@@ -129,8 +129,9 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// Pressure [Pa] that bounds the tension of water which a body enters, −½ρV²: air comes in where it would be lower. With more tension
-/// jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies gain energy.
+/// Pressure [Pa] that bounds the tension of water which a free body enters, −½ρV²: air comes in where it would be lower. With more tension
+/// jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies gain energy. At a given
+/// speed the noise of the start lasts, and a bound would make it larger.
 fn tension_beside_air(draft: &Draft, entry: &Entry) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [across, _] = draft.get::<[f64; 2]>("body.velocity").unwrap_or_default();
@@ -160,7 +161,8 @@ fn resolve_fluid(
     if solver == Solver::WeaklyCompressible {
         draft.fill("fluid.shifting_at_surface", !gentle);
     }
-    if let (Solver::WeaklyCompressible, false, Some(entry)) = (solver, gaseous, entry) {
+    let free = draft.get::<String>("body.motion").is_some_and(|motion| motion == "free");
+    if let (Solver::WeaklyCompressible, false, true, Some(entry)) = (solver, gaseous, free, entry) {
         draft.fill("fluid.cavitation_pressure", tension_beside_air(draft, entry));
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
