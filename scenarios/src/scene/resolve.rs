@@ -2,6 +2,7 @@
 
 use fsi_coupling::Shape;
 use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require};
 use sph_core::{Dissipation, FluidSettings, Solver};
 
@@ -51,7 +52,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
         hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
     });
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
-    let solver = resolve_fluid(draft, entry.as_ref(), fastest, still, gentle)?;
+    let solver = resolve_fluid(draft, body.as_ref(), entry.as_ref(), fastest, still, gentle)?;
     resolve_coupling(draft, &solver, body.as_ref())?;
     match &entry {
         Some(entry) => {
@@ -129,19 +130,22 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// Pressure [Pa] that bounds the tension of water which a free body enters, −½ρV²: air comes in where it would be lower. With more tension
-/// jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies gain energy. At a given
-/// speed the noise of the start lasts, and a bound would make it larger.
-fn tension_beside_air(draft: &Draft, entry: &Entry) -> f64 {
+/// Pressure [Pa] that bounds the tension of water which a free body enters, −(½V² + gL)ρ with its breadth or height L: air comes in where it would be
+/// lower. With more tension jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies
+/// gain energy. At a given speed the noise of the start lasts, and a bound would make it larger.
+fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
-    let [across, _] = draft.get::<[f64; 2]>("body.velocity").unwrap_or_default();
-    -0.5 * density * (across.powi(2) + entry.speed.powi(2))
+    let [low, high] = polygon::bounding_box(&body.placed_outline());
+    let length = (high[0] - low[0]).max(high[1] - low[1]);
+    let [gx, gy] = draft.get("gravity").unwrap_or_else(GRAVITY);
+    -density * (0.5 * (body.velocity[0].powi(2) + entry.speed.powi(2)) + length * gx.hypot(gy))
 }
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks.
 fn resolve_fluid(
     draft: &mut Draft,
+    body: Option<&Body>,
     entry: Option<&Entry>,
     fastest: f64,
     still: f64,
@@ -161,9 +165,9 @@ fn resolve_fluid(
     if solver == Solver::WeaklyCompressible {
         draft.fill("fluid.shifting_at_surface", !gentle);
     }
-    let free = draft.get::<String>("body.motion").is_some_and(|motion| motion == "free");
-    if let (Solver::WeaklyCompressible, false, true, Some(entry)) = (solver, gaseous, free, entry) {
-        draft.fill("fluid.cavitation_pressure", tension_beside_air(draft, entry));
+    let free = body.filter(|body| matches!(body.motion, Motion::Free(_)));
+    if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, free.zip(entry)) {
+        draft.fill("fluid.cavitation_pressure", tension_beside_air(draft, entry, body));
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;
