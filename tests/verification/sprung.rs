@@ -41,5 +41,5 @@ fn a_frame_over_rigid_faces_on_springs_decelerates_like_two_masses() {
     .expect("a stable run");
     let expected = of_two_masses(2.0 * 0.04 * 0.2_f64.hypot(0.11547) * 800.0, 6.0, 0.01);
     println!("{most} m/s², of two masses {expected} m/s²");
-    assert!((most / expected - 1.0).abs() < 0.03, "{most} m/s² instead of {expected} m/s²");
+    assert!((most / expected - 1.0).abs() < 0.04, "{most} m/s² instead of {expected} m/s²");
 }

@@ -9,7 +9,7 @@ use sph_core::{Dissipation, FluidSettings, Solver};
 use super::approach::{automatic_start, check_start};
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed, hydrostatic_sound};
 use super::draft::Draft;
-use super::impact::Entry;
+use super::impact::{Bottom, Entry};
 use super::legacy;
 use super::resolve_body::resolve_body;
 use super::settings::{
@@ -22,7 +22,7 @@ use super::source::word;
 const SAMPLES: f64 = 500.0;
 const FRAMES: f64 = 50.0;
 /// Most rows of the series, or frames.
-const MOST_ROWS: f64 = 1e6;
+const MOST_ROWS: f64 = 4e6;
 
 /// Wall height over depth, where the scene does not say: above waves, and above the run-up of a dam break.
 const FREEBOARD: f64 = 1.25;
@@ -130,9 +130,10 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// Pressure [Pa] that bounds the tension of water which a free body enters, −(½V² + gL)ρ with its breadth or height L: air comes in where it would be
+/// Pressure [Pa] that bounds the tension of water which a free body with a keel enters, −(½V² + gL)ρ with its breadth or height L: air comes in where it would be
 /// lower. With more tension jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies
-/// gain energy. At a given speed the noise of the start lasts, and a bound would make it larger.
+/// gain energy. At a given speed, and under flat and round bottoms, a bound would add
+/// to the noise of the start.
 fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [low, high] = polygon::bounding_box(&body.placed_outline());
@@ -166,7 +167,8 @@ fn resolve_fluid(
         draft.fill("fluid.shifting_at_surface", !gentle);
     }
     let free = body.filter(|body| matches!(body.motion, Motion::Free(_)));
-    if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, free.zip(entry)) {
+    let keeled = entry.filter(|entry| matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat());
+    if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, free.zip(keeled)) {
         draft.fill("fluid.cavitation_pressure", tension_beside_air(draft, entry, body));
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
