@@ -214,7 +214,7 @@ pub(crate) fn word(key: &str, name: &str) -> Result<(), Problem> {
     let fits = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     let fits = (1..=LONGEST_WORD).contains(&name.len()) && name.chars().all(fits);
     let start: String = name.chars().take(LONGEST_WORD).collect();
-    let expected = format_args!("a word of at most {LONGEST_WORD} letters, digits, _ and -");
+    let expected = format_args!("a word of letters, digits, _ and -, at most {LONGEST_WORD}");
     require(fits, key, format_args!("{start:?}"), expected)
 }
 
