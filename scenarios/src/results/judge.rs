@@ -11,7 +11,7 @@ use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
     Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error,
-    limit_of_forces, resounding_panels, significant,
+    limit_of_forces, resonant_panels, significant,
 };
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
@@ -87,7 +87,7 @@ pub(super) struct Judge {
     /// Why no force of the run can be relied on, where that is so.
     limit: Option<String>,
     /// Panels that vibrate with the water's sound, and why.
-    resounding: Vec<(String, String)>,
+    resonant: Vec<(String, String)>,
 }
 
 impl Judge {
@@ -100,7 +100,7 @@ impl Judge {
             gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
             limit: limit_of_forces(scene),
-            resounding: resounding_panels(scene),
+            resonant: resonant_panels(scene),
         }
     }
 
@@ -138,8 +138,8 @@ impl Judge {
             panels: BTreeMap::new(),
         };
         let panels = panels.iter().map(|panel| {
-            let resounds = self.resounding.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
-            let (results, why) = panel_results(panel, of_force, resounds);
+            let resonates = self.resonant.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
+            let (results, why) = panel_results(panel, of_force, resonates);
             doubts.add(&panel.name, why);
             (panel.name.clone(), results)
         });
@@ -346,8 +346,8 @@ mod tests {
 
     /// A judge of a flow that no theory foresees.
     fn still() -> Judge {
-        let (limit, resounding) = (None, Vec::new());
-        Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: None, limit, resounding }
+        let (limit, resonant) = (None, Vec::new());
+        Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: None, limit, resonant }
     }
 
     /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.

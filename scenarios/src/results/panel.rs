@@ -10,11 +10,11 @@ const STRESS_BAND: f64 = 1.3;
 
 /// Results of a panel under a load; a structure averages by itself, and its stress is nearly as good as the force.
 ///
-/// `resounds`: why it vibrates with the water's sound, where it does.
+/// `resonates`: why it vibrates with the water's sound, where it does.
 pub(super) fn panel_results(
     panel: &PanelState,
     force: Option<Quantity>,
-    resounds: Option<&str>,
+    resonates: Option<&str>,
 ) -> (PanelResults, Option<String>) {
     let worst = &panel.worst;
     let stress = worst.stress;
@@ -29,7 +29,7 @@ pub(super) fn panel_results(
             let why = format!("the stress is {} times the allowable one", significant(1.0 / reserve));
             (Verdict::BeyondAllowable, Some(why))
         }
-        _ if resounds.is_some() => (Verdict::Acoustic, resounds.map(String::from)),
+        _ if resonates.is_some() => (Verdict::Acoustic, resonates.map(String::from)),
         (_, Some(verdict)) => (verdict, None),
         _ => (Verdict::Resolved, None),
     };

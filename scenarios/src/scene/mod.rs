@@ -59,4 +59,4 @@ pub use source::{SceneError, apply_set};
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;
 pub use wet_period::longest_step;
-pub(crate) use wet_period::resounding_panels;
+pub(crate) use wet_period::resonant_panels;

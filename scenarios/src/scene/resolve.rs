@@ -130,10 +130,10 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// Pressure [Pa] that bounds the tension of water which a free body with a keel enters, −(½V² + gL)ρ with its breadth or height L: air comes in where it would be
-/// lower. With more tension jets are sucked around its chines and its lee side; with none, noise is cut to one side and light bodies
-/// gain energy. At a given speed, and under flat and round bottoms, a bound would add
-/// to the noise of the start.
+/// Pressure [Pa] that bounds the tension of water which a free body with a keel enters, −ρ(½V² + gL) with the larger L of its breadth
+/// and height: air comes in where it would be lower. With more tension jets are sucked around its chines and its lee side. With none,
+/// noise is cut to one side and light bodies gain energy. At a given speed, and under flat and round bottoms, a bound would add to the
+/// noise of the start.
 fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [low, high] = polygon::bounding_box(&body.placed_outline());

@@ -10,8 +10,8 @@ use super::settings::{Panel, Scene, line};
 /// Steps in the first wet period with which the step costs the frequency at most 0.25 % (CO33).
 const STEPS_PER_PERIOD: f64 = 30.0;
 
-/// The water's sound resounds in a basin whose depth is above this share of its wave length at a panel's first wet period [-].
-const RESOUNDS: f64 = 1.0 / std::f64::consts::TAU;
+/// The water's sound resonates in a basin whose depth is above this share of its wave length at a panel's first wet period [-].
+const RESONANT: f64 = 1.0 / std::f64::consts::TAU;
 
 /// CO33: the first wet periods of the panels of a scene with incompressible water [s], by panel.
 fn resolved_periods(scene: &Scene) -> Vec<(&Panel, f64)> {
@@ -35,22 +35,22 @@ pub fn longest_step(scene: &Scene) -> f64 {
 
 /// Panels, by name, that vibrate with the sound of the water above them, and why their loads are not those of real water: in a basin
 /// that a body does not enter from the air.
-pub(crate) fn resounding_panels(scene: &Scene) -> Vec<(String, String)> {
+pub(crate) fn resonant_panels(scene: &Scene) -> Vec<(String, String)> {
     if scene.solver.kind() != Solver::WeaklyCompressible || scene.entry().is_some() {
         return Vec::new();
     }
     let (sound, depth) = (scene.sound_speed(), scene.tank.depth);
-    let resounds = |period: &f64| depth > RESOUNDS * sound * period;
+    let resonates = |period: &f64| depth > RESONANT * sound * period;
     wet_periods(scene)
         .into_iter()
-        .filter(|(_, period)| resounds(period))
+        .filter(|(_, period)| resonates(period))
         .map(|(panel, period)| {
             let why = format!(
                 "its first wet period, about {} s, is short beside the {} s in which the numerical sound crosses the water: use solver \
                  = incompressible, or a fluid.sound_speed of {} m/s",
                 significant(period),
                 significant(depth / sound),
-                significant(depth / (0.5 * RESOUNDS * period))
+                significant(depth / (0.5 * RESONANT * period))
             );
             (panel.name.clone(), why)
         })

@@ -58,17 +58,16 @@ impl StepLimit {
 
     /// The largest stable step [s]; an error where a particle moves so fast that the flow has broken down.
     pub fn stable_dt(&self, system: &ParticleSystem, walls: &Walls) -> Result<f64, Breakdown> {
-        let (p, cap) = (&system.particles, self.cap(system));
-        let speed = |k: usize| p.u[k] * p.u[k] + p.v[k] * p.v[k];
-        let fastest = (0..p.len()).max_by(|&a, &b| speed(a).total_cmp(&speed(b)));
-        if let Some(k) = fastest {
-            let dt = self.cfl * p.h[k] / speed(k).sqrt();
-            if cap.is_finite() && dt < COLLAPSE * cap {
-                return Err(system.collapsed(k, dt));
+        let (p, dt, cap) = (&system.particles, self.dt(system, walls), self.cap(system));
+        if cap.is_finite() && dt < COLLAPSE * cap {
+            let of = |k: usize| self.cfl * p.h[k] / p.u[k].hypot(p.v[k]);
+            let fastest = (0..p.len()).min_by(|&a, &b| of(a).total_cmp(&of(b)));
+            if let Some(k) = fastest.filter(|&k| of(k) < COLLAPSE * cap) {
+                return Err(system.collapsed(k, of(k)));
             }
         }
         let viscous = VISCOUS * system.least_smoothing_length().powi(2) / system.domain.fluid.kinematic_viscosity;
-        Ok(self.dt(system, walls).min(viscous))
+        Ok(dt.min(viscous))
     }
 
     /// The limit by the fastest known speed and by free fall [s].

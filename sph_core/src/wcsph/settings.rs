@@ -62,8 +62,8 @@ pub struct Settings {
     #[schemars(extend("x-ignored-elsewhere" = true))]
     pub ventilation: bool,
     /// Cavitation: water is not thinner than at this pressure, relative to the atmosphere; -99000 is the vapour pressure of water at
-    /// 20 C [Pa]. Absent: the water holds any tension. Beside a free body with a keel that enters from the air it is the dynamic pressure of its
-    /// speed V and the hydrostatic one of its breadth or height L, so that jets and cavities leave it.
+    /// 20 C [Pa]. Absent: the water holds any tension. Beside a free body with a keel that enters from the air it is the dynamic
+    /// pressure of its speed V and the hydrostatic one of its breadth or height L, so that jets and cavities leave it.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(max = 0.0), extend("x-default" = "-density (V^2/2 + g L) for a free wedge from the air; else absent"))]
     pub cavitation_pressure: Option<f64>,
