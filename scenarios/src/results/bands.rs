@@ -2,8 +2,10 @@
 
 use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, significant};
 
-/// Band of a peak force times its draught in spacings, and the least band, shares of the force [-].
-pub(super) const FORCE_BAND: (f64, f64) = (0.7, 0.03);
+/// Band of a peak force times its draught in spacings, weakly compressible and incompressible, shares of the force [-].
+const FORCE_BAND: [f64; 2] = [0.7, 1.0];
+/// The least band of a peak force, a share of it [-].
+pub(super) const LEAST_FORCE_BAND: f64 = 0.03;
 /// The same of an impulse, of wedges and of round bottoms, shares of the impulse [-].
 const IMPULSE_BAND: [f64; 2] = [2.0, 4.0];
 const LEAST_IMPULSE_BAND: f64 = 0.07;
@@ -37,8 +39,8 @@ impl Depth {
                 significant(cure)
             ));
         }
-        let (at_one_spacing, least) = FORCE_BAND;
-        self.within_widest(((at_one_spacing + self.thin_tip(entry)) / self.spacings()).max(least))
+        let at_one_spacing = FORCE_BAND[usize::from(self.incompressible)];
+        self.within_widest(((at_one_spacing + self.thin_tip(entry)) / self.spacings()).max(LEAST_FORCE_BAND))
     }
 
     /// Share of an impulse in its band, or why it is not resolved; of the largest draught of the run.
@@ -67,6 +69,11 @@ impl Depth {
             )
         };
         if share > WIDEST { Err(why()) } else { Ok(share) }
+    }
+
+    /// Share of a force or of a pressure that the tip of a steep wedge adds.
+    pub fn tip_share(self, entry: &Entry) -> f64 {
+        self.thin_tip(entry) / self.spacings()
     }
 
     fn thin_tip(self, entry: &Entry) -> f64 {
@@ -102,7 +109,9 @@ mod tests {
                 .impulse_share(&entry(75.0))
                 .is_err_and(|why| why.contains("m would do for resolution.spacing"))
         );
-        assert_eq!(at(1.0, true).force_share(&entry(30.0)), at(1.0, false).force_share(&entry(30.0)));
+        assert!(at(0.5, false).force_share(&entry(30.0)).is_ok_and(|share| (share - 0.07).abs() < 1e-12));
+        // an oblique drop of 31 degrees at 9 spacings: 10.7 % below that at a third of its spacing
+        assert!(at(0.45, true).force_share(&entry(31.0)).is_ok_and(|share| share > 0.107));
         assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.contains("4 spacings")));
     }
 }

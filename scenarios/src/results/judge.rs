@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use fsi_coupling::PanelState;
 
-use super::bands::{Depth, FORCE_BAND};
+use super::bands::{Depth, LEAST_FORCE_BAND};
 use super::panel::panel_results;
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
@@ -46,6 +46,8 @@ pub(super) struct Curves {
     pub draught: Vec<[f64; 2]>,
     /// Pressure of each gauge [Pa].
     pub pressures: Vec<RunningIntegral<1>>,
+    /// Largest stress along each panel [Pa].
+    pub stresses: Vec<RunningIntegral<1>>,
 }
 
 impl Curves {
@@ -120,8 +122,8 @@ impl Judge {
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            match known && dry && peak.value <= (1.0 + FORCE_BAND.1) * self.gravity {
-                true => (Verdict::Resolved, Some(FORCE_BAND.1), None), // the fall before the water bears
+            match known && dry && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity {
+                true => (Verdict::Resolved, Some(LEAST_FORCE_BAND), None), // the fall before the water bears
                 false => by_force(peak, raw),
             }
         };
@@ -137,9 +139,10 @@ impl Judge {
             impulse_N_s_per_m: impulse.map(|found| keep("impulse_N_s_per_m", found)),
             panels: BTreeMap::new(),
         };
-        let panels = panels.iter().map(|panel| {
+        let panels = panels.iter().enumerate().map(|(k, panel)| {
             let resonates = self.resonant.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
-            let (results, why) = panel_results(panel, of_force, resonates);
+            let mean = curves.stresses.get(k).and_then(|curve| curve.largest_mean(window));
+            let (results, why) = panel_results(panel, of_force, mean.map(|mean| mean.value), resonates);
             doubts.add(&panel.name, why);
             (panel.name.clone(), results)
         });
@@ -303,9 +306,11 @@ impl Judge {
             if verdict != Verdict::Resolved {
                 return (verdict, None, why);
             }
-            let spacings = entry.peak_length_at(curves.draught_at(peak.time)) / self.spacing;
+            let draught = curves.draught_at(peak.time);
+            let spacings = entry.peak_length_at(draught) / self.spacing;
+            let tip = self.depth(draught).tip_share(entry);
             match PRESSURE_BANDS.iter().find(|(least, _)| spacings >= *least) {
-                Some((_, share)) => (Verdict::Resolved, Some(*share), None),
+                Some((_, share)) => (Verdict::Resolved, Some(share.max(tip)), None),
                 None => {
                     let why = format!(
                         "the length with 90 % of the peak is {} spacings; {} are needed",

@@ -111,6 +111,18 @@ pub struct Results {
 }
 
 impl Results {
+    /// The same; where work of the water is lost between fluid and body, what panels bear is not resolved.
+    pub(crate) fn with_work_lost(mut self, lost: bool) -> Results {
+        for panel in self.panels.values_mut().filter(|_| lost) {
+            for quantity in std::iter::once(&mut panel.peak_stress_Pa).chain(&mut panel.reserve_factor) {
+                if matches!(quantity.verdict, Verdict::Resolved | Verdict::NoBand) {
+                    quantity.verdict = Verdict::NotResolved;
+                }
+            }
+        }
+        self
+    }
+
     /// Results with their names, those of panels as `NAME.peak_stress_Pa`.
     pub fn named(&self) -> Vec<(String, Quantity)> {
         let own = [

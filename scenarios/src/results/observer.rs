@@ -18,7 +18,9 @@ impl ResultsObserver {
     pub fn new(scene: &Scene) -> ResultsObserver {
         let free = scene.body.as_ref().is_some_and(|body| matches!(body.motion, scene::Motion::Free(_)));
         let pressures = vec![RunningIntegral::default(); scene.gauges.len()];
-        ResultsObserver { curves: Curves { pressures, ..Curves::default() }, free }
+        let panels = scene.body.as_ref().map_or(0, |body| body.panels.len());
+        let stresses = vec![RunningIntegral::default(); panels];
+        ResultsObserver { curves: Curves { pressures, stresses, ..Curves::default() }, free }
     }
 
     /// Take the state after a step, with the pressures of the scene's gauges [Pa].
@@ -38,6 +40,9 @@ impl ResultsObserver {
             self.curves.acceleration.take(time, motion.acceleration);
         }
         self.curves.draught.extend(draught(body, &motion).map(|draught| [time, draught]));
+        for (curve, panel) in self.curves.stresses.iter_mut().zip(body.panels()) {
+            curve.take(time, [panel.stress]);
+        }
     }
 
     /// The results so far, and doubts about them.

@@ -35,11 +35,19 @@ pub struct Audit {
     pub stopped_at_plate: Option<u64>,
 }
 
+/// What is not a number is not within.
+fn beyond(value: f64, bound: f64) -> bool {
+    value.is_nan() || value > bound
+}
+
 impl Audit {
+    /// True where the body took less work than the water did on it.
+    pub fn loses_work(&self) -> bool {
+        beyond(self.work, WORK)
+    }
+
     /// What is out of bounds, in sentences.
     pub fn doubts(&self) -> Vec<String> {
-        // what is not a number is not within
-        let beyond = |value: f64, bound: f64| value.is_nan() || value > bound;
         let percent = |share: f64| format!("{} %", significant(100.0 * share));
         let told = [
             beyond(self.momentum, MOMENTUM).then(|| {
@@ -51,7 +59,7 @@ impl Audit {
                     percent(self.energy)
                 )
             }),
-            beyond(self.work, WORK).then(|| {
+            self.loses_work().then(|| {
                 format!(
                     "audit.work: {} of the work of the water did not reach the body: the step is too long for how fast the body bends; \
                      set a smaller time.step or fluid.cfl",
@@ -81,6 +89,7 @@ mod tests {
             assert!(doubt.starts_with(&format!("audit.{name}: ")), "{doubt}");
         }
         assert_eq!(doubts.len(), 4);
+        assert!(broken.loses_work() && !fine.loses_work());
         assert_eq!(Audit { energy: f64::NAN, ..fine }.doubts().len(), 1);
     }
 }

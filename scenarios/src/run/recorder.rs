@@ -221,6 +221,7 @@ impl Recorder {
             worst_penetration: self.history.worst_penetration().cloned(),
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
+        let results = results.with_work_lost(audit.loses_work());
         doubts.extend(audit.doubts());
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
