@@ -38,7 +38,7 @@ SCHEMAS = {
     "/log": "foxglove.Log",
 }
 RESOLVED_SCENE = "scene.resolved.toml"
-POINT_FIELDS = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id"]
+POINT_FIELDS = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id", "vx", "vy"]
 # foxglove.PackedElementField.NumericType, as the struct module writes it.
 NUMERIC_TYPES = {1: "B", 2: "b", 3: "H", 4: "h", 5: "I", 6: "i", 7: "f", 8: "d"}
 RECORD_HEADER = struct.Struct("<BQ")

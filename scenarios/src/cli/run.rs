@@ -1,6 +1,7 @@
 //! `splashdown run`.
 
 use std::io::IsTerminal;
+use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -37,6 +38,9 @@ pub(super) struct RunArgs {
     /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
     #[arg(long, value_name = "MB")]
     log_budget: Option<f64>,
+    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS.
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true)]
+    live: Option<SocketAddr>,
     /// Run at 4 and 2 times the spacing first, and extrapolate the main numbers, with error bars.
     #[arg(long)]
     converge: bool,
@@ -93,8 +97,14 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
         bar.set_message(format!("t = {time:.5} s, step {steps}"));
     };
+    let live_at = |port: u16| {
+        let address = args.live.map_or_else(String::new, |address| SocketAddr::new(address.ip(), port).to_string());
+        output.progress(format_args!("live: connect Foxglove or Lichtblick to ws://{address}"));
+    };
     let options = RunOptions {
         out: Some(out.clone()),
+        live: args.live,
+        live_at: Some(&live_at),
         force: args.force,
         interrupt: Some(&INTERRUPTED),
         stepped: Some(&STEPPED),

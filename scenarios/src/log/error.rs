@@ -1,6 +1,7 @@
 //! Why a log cannot be written.
 
 use std::io;
+use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use mcap::McapError;
@@ -14,6 +15,9 @@ pub enum LogError {
     /// The file cannot be written to; the log ends.
     #[error("cannot write the log {path}: {cause}", path = .0.display(), cause = cause(.1))]
     Write(PathBuf, #[source] McapError),
+    /// The server of a live view cannot listen at an address.
+    #[error("cannot show the run live at {0}: {1}; expected a free address, as --live 127.0.0.1:8766")]
+    Live(SocketAddr, String),
     /// The log has ended, for a reason that was reported before.
     #[error("the log {path} has ended", path = .0.display())]
     Ended(PathBuf),

@@ -15,7 +15,7 @@ use super::error::LogError;
 const WORLD_FRAME: &str = "world";
 
 /// The fields of a packed point, in order; each takes [`FIELD_SIZE`] bytes, little-endian; `id` is an integer.
-const FIELDS: [&str; 8] = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id"];
+const FIELDS: [&str; 10] = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id", "vx", "vy"];
 const FIELD_SIZE: usize = 4;
 const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
 
@@ -48,8 +48,8 @@ pub struct Point {
     pub at: [f64; 2],
     /// Pressure [Pa].
     pub pressure: f64,
-    /// Magnitude of the velocity [m/s].
-    pub speed: f64,
+    /// Velocity [m/s].
+    pub velocity: [f64; 2],
     /// Density [kg/m³].
     pub density: f64,
     /// Spacing [m]: the square root of the particle's volume per metre of span [m²].
@@ -135,13 +135,13 @@ fn point_cloud(stamp: Timestamp, particles: &[Point]) -> PointCloud {
 }
 
 fn pack(bytes: &mut [u8], point: &Point) {
-    let Point { at: [x, y], pressure, speed, density, spacing, id } = *point;
-    let values = [x, y, 0.0, pressure, speed, density, spacing];
-    let (numbers, last) = bytes.split_at_mut(values.len() * FIELD_SIZE);
-    for (field, value) in numbers.chunks_exact_mut(FIELD_SIZE).zip(values) {
-        field.copy_from_slice(&(value as f32).to_le_bytes());
-    }
-    last.copy_from_slice(&id.to_le_bytes());
+    let Point { at: [x, y], pressure, velocity: [u, v], density, spacing, id } = *point;
+    let speed = (u * u + v * v).sqrt();
+    let number = |value: f64| (value as f32).to_le_bytes();
+    let [x, y, z, pressure, speed, density, spacing, u, v] =
+        [x, y, 0.0, pressure, speed, density, spacing, u, v].map(number);
+    let fields = [x, y, z, pressure, speed, density, spacing, id.to_le_bytes(), u, v];
+    bytes.copy_from_slice(fields.as_flattened());
 }
 
 /// The outline, locked to the frame of its body; it replaces that of the last frame.

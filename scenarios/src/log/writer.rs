@@ -14,7 +14,7 @@ use super::error::LogError;
 use super::frame::{Frame, stamp};
 
 /// The name of the program, in the metadata and as the source of its notes.
-const PROGRAM: &str = "splashdown";
+pub(super) const PROGRAM: &str = "splashdown";
 
 /// The name under which the log keeps the resolved scene.
 const RESOLVED_SCENE: &str = "scene.resolved.toml";
@@ -154,7 +154,7 @@ impl SampleTopic {
                 found: names,
             });
         }
-        Ok(Self { topic: container.add(&topic, "json", &schema(&topic, &names))?, names })
+        Ok(Self { topic: container.add(&topic, "json", &sample_schema(&topic, first))?, names })
     }
 
     /// Writes one sample.
@@ -172,8 +172,7 @@ impl SampleTopic {
                 found: names(values),
             });
         }
-        let message = serde_json::to_vec(&Sample(values)).expect("names and numbers are JSON");
-        container.write(&mut self.topic, stamp, &message)
+        container.write(&mut self.topic, stamp, &sample_message(values))
     }
 }
 
@@ -184,6 +183,11 @@ impl Serialize for Sample<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().copied())
     }
+}
+
+/// A sample as it is written.
+pub(super) fn sample_message(values: &[(&str, f64)]) -> Vec<u8> {
+    serde_json::to_vec(&Sample(values)).expect("names and numbers are JSON")
 }
 
 fn names(values: &[(&str, f64)]) -> Vec<String> {
@@ -205,15 +209,15 @@ fn topic_name(channel: &str) -> Result<String, LogError> {
     Err(LogError::Channel(channel.to_owned(), reason))
 }
 
-/// The JSON schema of samples with `names`, called after its topic: viewers keep one schema
+/// The JSON schema of samples with the names of one, called after its topic: viewers keep one schema
 /// per name.
 ///
 /// A property is a plain `number`, although a message may hold `null` in its place: the schema
 /// reader of Foxglove Studio, from which Lichtblick descends, refuses a union of types, and
 /// messages are not checked against the schema.
-fn schema(topic: &str, names: &[String]) -> Schema {
+pub(super) fn sample_schema(topic: &str, sample: &[(&str, f64)]) -> Schema {
     let properties: serde_json::Map<_, _> =
-        names.iter().map(|name| (name.clone(), json!({ "type": "number" }))).collect();
+        sample.iter().map(|(name, _)| (name.to_string(), json!({ "type": "number" }))).collect();
     let text = json!({ "type": "object", "properties": properties }).to_string();
     Schema::new(format!("splashdown{topic}"), "jsonschema", text.into_bytes())
 }

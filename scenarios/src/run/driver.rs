@@ -14,7 +14,7 @@ use crate::build;
 use crate::charted;
 use crate::compare;
 use crate::model_hierarchy;
-use crate::observers::{LogObserver, ObserveError};
+use crate::observers::{LiveObserver, LogObserver, ObserveError};
 use crate::report::run_page;
 use crate::scene::Scene;
 
@@ -42,9 +42,14 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         return keep(scene, model_hierarchy::run(scene, options, references)?, options);
     }
     let mut system = build::build(scene)?;
+    let live = options.live.map(|address| LiveObserver::start(address, scene)).transpose()?;
+    if let (Some(live), Some(tell)) = (&live, options.live_at) {
+        tell(live.port());
+    }
     start_folder(scene, options)?;
     let log = file("log.mcap").filter(|_| !options.without_log);
     let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
+    recorder.live = live;
     let (start, volume) = (Instant::now(), system.fluid.volume());
     info!(scene = scene.name, fluid = system.fluid.particles().len(), walls = system.walls.len(), "built");
 
@@ -138,6 +143,7 @@ fn advance(
 fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveError> {
     let outer = system.fluid.timers_mut().begin(Phase::Observers);
     recorder.observe(system)?;
+    recorder.show(system)?;
     system.fluid.timers_mut().hand_over(Phase::Log, recorder.time_of_log());
     system.fluid.timers_mut().resume(outer);
     Ok(())

@@ -6,6 +6,7 @@ mod particle_order;
 mod recorder;
 pub mod summary;
 
+use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -15,6 +16,7 @@ use sph_core::Breakdown;
 
 use crate::compare::ReferenceCurve;
 use crate::error_bar::ErrorBars;
+use crate::log::LogError;
 use crate::observers::{FlowPictures, ObserveError, Series};
 use crate::reference::ReferenceError;
 use summary::Summary;
@@ -33,6 +35,10 @@ pub struct RunOptions<'a> {
     pub out: Option<PathBuf>,
     /// Replace a run that the folder holds.
     pub force: bool,
+    /// Address at which viewers are shown the run while it goes on; with port 0 the system chooses one.
+    pub live: Option<SocketAddr>,
+    /// Called with the port when the server of `live` listens.
+    pub live_at: Option<&'a (dyn Fn(u16) + Sync)>,
     /// Write no `log.mcap`.
     pub without_log: bool,
     /// Set from outside to end the run after the present step.
@@ -100,7 +106,11 @@ fn at_start(error: &CouplingError) -> String {
 impl RunError {
     /// True if the user's input is at fault (exit 2), false if the run is (exit 1).
     pub fn is_input(&self) -> bool {
-        !matches!(self, RunError::Write(..) | RunError::Observe(_))
+        match self {
+            RunError::Write(..) => false,
+            RunError::Observe(why) => matches!(why, ObserveError::Log(LogError::Live(..))),
+            _ => true,
+        }
     }
 }
 

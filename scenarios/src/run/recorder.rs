@@ -16,8 +16,8 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
-    FlowPictures, ForceRules, Frame, GaugeReader, GaugeResult, History, LogObserver, ObserveError, Observer, Series,
-    SimilarityWindow, WorstPenetration, body_values,
+    FlowPictures, ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError,
+    Observer, Series, SimilarityWindow, WorstPenetration, body_values,
 };
 use crate::results::{ResultsObserver, Verdict};
 use crate::scene::{Scene, known_compressibility_error, thesis_work};
@@ -32,6 +32,7 @@ pub(crate) struct Recorder {
     extremes: Vec<(String, Peak)>,
     pub series: Series,
     pub log: Option<LogObserver>,
+    pub live: Option<LiveObserver>,
     pub pictures: FlowPictures,
     similarity: Option<SimilarityWindow>,
     force_rules: Option<ForceRules>,
@@ -60,6 +61,7 @@ impl Recorder {
             extremes: Vec::new(),
             series: Series::new(scene, series)?,
             log: log.map(|path| LogObserver::create(path, scene)).transpose()?,
+            live: None,
             pictures: FlowPictures::new(scene),
             similarity: scene.similarity.and_then(|_| SimilarityWindow::new(scene)),
             force_rules: ForceRules::new(scene),
@@ -136,6 +138,13 @@ impl Recorder {
             self.time_of_log += start.elapsed();
         }
         Ok(())
+    }
+
+    /// Show the present state to viewers, if one waits for it.
+    pub fn show(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+        let Some(live) = self.live.as_mut().filter(|live| live.is_due()) else { return Ok(()) };
+        let (gauges, held, penetration) = (self.gauges.read(), system.fluid.totals(), system.penetration());
+        live.observe(&Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true })
     }
 
     /// Wall time of the log since the last call.

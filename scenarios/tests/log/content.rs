@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 use super::{FRAMES, METADATA, complete_log, path_in, row};
 
-const POINT_SIZE: usize = 32;
+const POINT_SIZE: usize = 40;
 
 /// The data of every message of `topic`, in file order, with its time [ns].
 fn messages_of(log: &[u8], topic: &str) -> Vec<(u64, Vec<u8>)> {
@@ -68,7 +68,7 @@ fn point_clouds_unpack_to_the_particles() {
     assert_eq!(cloud.timestamp.unwrap().total_nanos(), 30_000_000);
     assert_eq!(cloud.point_stride as usize, POINT_SIZE);
     let fields: Vec<(&str, u32)> = cloud.fields.iter().map(|field| (field.name.as_str(), field.offset)).collect();
-    let names = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id"];
+    let names = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id", "vx", "vy"];
     assert_eq!(fields, names.into_iter().zip((0..).step_by(4)).collect::<Vec<_>>());
 
     let row = row(50, k);
@@ -76,9 +76,12 @@ fn point_clouds_unpack_to_the_particles() {
     for (i, point) in cloud.data.chunks_exact(POINT_SIZE).enumerate() {
         let word = |j: usize| <[u8; 4]>::try_from(&point[4 * j..4 * j + 4]).unwrap();
         let floats: Vec<f32> = (0..7).map(|j| f32::from_le_bytes(word(j))).collect();
-        let expected = [row[i].at[0], row[i].at[1], 0.0, row[i].pressure, 5.0, row[i].density, row[i].spacing];
+        let [u, v] = row[i].velocity;
+        let speed = (u * u + v * v).sqrt();
+        let expected = [row[i].at[0], row[i].at[1], 0.0, row[i].pressure, speed, row[i].density, row[i].spacing];
         assert_eq!(floats, expected.map(|value| value as f32));
         assert_eq!(u32::from_le_bytes(word(7)), row[i].id);
+        assert_eq!([8, 9].map(|j| f32::from_le_bytes(word(j))), [u as f32, v as f32]);
     }
 }
 

@@ -22,13 +22,13 @@ const MESSAGES_PER_FRAME: usize = 6;
 const METADATA: LogMetadata<'static> =
     LogMetadata { scene: "wedge", scene_toml: "[fluid]\ndensity = 1000.0 # kg/m³\n", version: "0.1.0" };
 
-/// A row of particles at speed 5 m/s, `k` frames into the run.
+/// A row of particles with velocities that do not repeat, `k` frames into the run.
 fn row(count: usize, k: usize) -> Vec<Point> {
     let spacing = 0.125;
     let particle = |i: usize| Point {
         at: [i as f64 * spacing, -(k as f64) / 16.0],
         pressure: (100 * i + k) as f64,
-        speed: 5.0,
+        velocity: [3.0 + ((7919 * i + 104_729 * k) % 1000) as f64 / 1024.0, -4.0],
         density: 1000.5,
         spacing,
         id: u32::MAX - i as u32,

@@ -1,0 +1,109 @@
+//! What the log and viewers are shown of a run: named numbers, and pictures of particles and bodies.
+
+use sph_core::parallel;
+use sph_core::particles::totals::Totals;
+
+use super::Frame;
+use super::columns::{body_values, panel_values};
+use crate::log::{self, BodyView, LogError, Point};
+use crate::scene::Scene;
+
+/// Names and the start of time of what is shown.
+pub(super) struct RunView {
+    start: f64,
+    panels: Vec<(String, Vec<String>)>,
+    gauges: Vec<String>,
+}
+
+impl RunView {
+    /// Of a scene.
+    pub fn new(scene: &Scene) -> RunView {
+        let panels = scene.body.iter().flat_map(|body| &body.panels);
+        let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
+        let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
+        RunView { start: scene.time.start, panels, gauges }
+    }
+
+    /// Time since the start of the run [s].
+    pub fn time(&self, time: f64) -> f64 {
+        time - self.start
+    }
+
+    /// Hand each channel's named numbers to `take`: bodies, panels, gauges, audit.
+    pub fn curves(
+        &self,
+        frame: &Frame<'_>,
+        mut take: impl FnMut(&str, &[(&str, f64)]) -> Result<(), LogError>,
+    ) -> Result<(), LogError> {
+        let system = frame.system;
+        for body in system.bodies() {
+            let Some(m) = body.motion() else { continue };
+            take(&format!("body/{}", body.name()), &body_values(&m))?;
+            for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
+                // names without the panel's own
+                let units = columns.iter().map(|column| &column[name.len() + 1..]);
+                let values: Vec<(&str, f64)> = units.zip(panel_values(&panel)).collect();
+                take(&format!("panel/{name}"), &values)?;
+            }
+        }
+        if !self.gauges.is_empty() {
+            let named: Vec<(&str, f64)> =
+                self.gauges.iter().map(String::as_str).zip(frame.gauges.iter().copied()).collect();
+            take("gauges", &named)?;
+        }
+        let Totals { energy, momentum, volume, top_speed, .. } = *frame.held;
+        let audit = [
+            ("momentum_x_N_s_per_m", momentum[0]),
+            ("momentum_y_N_s_per_m", momentum[1]),
+            ("momentum_closure", system.momentum_audit().worst),
+            ("kinetic_J_per_m", energy.kinetic),
+            ("potential_J_per_m", energy.potential),
+            ("elastic_J_per_m", energy.elastic),
+            ("energy_drift_J_per_m", system.energy_drift_with(&energy)),
+            ("volume_m2", volume),
+            ("penetrated", frame.penetration.count as f64),
+            ("top_speed_m_per_s", top_speed),
+        ];
+        take("audit", &audit)
+    }
+
+    /// The particles and the bodies now.
+    pub fn picture(&self, frame: &Frame<'_>) -> Result<log::Frame, LogError> {
+        let (p, d, w) = (frame.system.fluid.particles(), frame.system.fluid.fields(), &frame.system.walls);
+        let mut fluid = vec![Point::default(); p.len()];
+        parallel::gather_into(&mut fluid, |k| Point {
+            at: [p.x[k], p.y[k]],
+            pressure: d.pressure[k],
+            velocity: [p.u[k], p.v[k]],
+            density: p.rho[k],
+            spacing: (p.mass[k] / p.rho[k]).sqrt(),
+            id: p.id[k],
+        });
+        let wall = |k: usize| Point {
+            at: [w.x[k], w.y[k]],
+            pressure: w.pressure[k],
+            velocity: [w.u[k], w.v[k]],
+            density: frame.system.fluid.domain().fluid.density,
+            spacing: w.volume[k].sqrt(),
+            id: k as u32,
+        };
+        let walls: Vec<Point> = (0..w.len()).map(wall).collect();
+        // one closed line per body: the loops of a compound body are joined by the way back to the first corner
+        let shown = frame.system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
+        let shown: Vec<_> = shown.collect();
+        let bodies: Vec<BodyView<'_>> = shown
+            .iter()
+            .map(|(name, m, outline)| BodyView { name, position: m.position, angle: m.angle, outline })
+            .collect();
+        log::Frame::new(self.time(frame.time()), &fluid, &walls, &bodies)
+    }
+}
+
+/// The loops as one closed line that visits each and returns to the first corner of all.
+fn join(loops: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
+    if let [only] = loops {
+        return only.clone();
+    }
+    let home = loops[0][0];
+    loops.iter().flat_map(|l| l.iter().copied().chain([l[0], home])).collect()
+}
