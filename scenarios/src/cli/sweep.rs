@@ -121,10 +121,15 @@ pub(super) fn run_sweep(output: &Output, args: &SweepArgs, threads: Option<usize
     let collected = Collected::read(&plan, &folder);
     write_results(&collected, &folder)?;
     let ended = report::Ended { left: &left, distinct, jobs, threads, wall_time_s: start.elapsed().as_secs_f64() };
-    report::show(output, &collected, &folder, &ended);
     let (failed, all) = (collected.failed().count(), collected.points.len());
+    if stopped {
+        let ended = collected.completed().count() + failed;
+        return Err(Stop::Failed(format!(
+            "interrupted: {ended} of {all} points have ended; the same command continues"
+        )));
+    }
+    report::show(output, &collected, &folder, &ended);
     match failed {
-        _ if stopped => Err(Stop::Failed("interrupted: the same command continues".into())),
         0 => Ok(DONE),
         _ => Err(Stop::Failed(format!("{failed} of {all} points failed: {}", folder.file("sweep.html").display()))),
     }

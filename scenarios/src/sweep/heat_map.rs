@@ -19,8 +19,8 @@ pub(super) struct HeatMap<'a> {
     pub points: Vec<[f64; 3]>,
 }
 
-const COLUMNS: usize = 40;
-const ROWS: usize = 30;
+const COLUMNS: usize = 32;
+const ROWS: usize = 24;
 const WIDTH: f64 = 620.0;
 const HEIGHT: f64 = 380.0;
 /// The field: left, top, width, height.
@@ -55,7 +55,7 @@ pub(super) fn heat_map_svg(map: &HeatMap<'_>) -> String {
         let (x, y) = (left + cell_width * column as f64, top + height - cell_height * (row + 1) as f64);
         // a little larger than its place: no gaps show
         svg += &format!(
-            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{:.2}\" height=\"{:.2}\" fill=\"{}\" />\n",
+            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{:.2}\" height=\"{:.2}\" fill=\"{}\" shape-rendering=\"crispEdges\" />\n",
             cell_width + 0.3,
             cell_height + 0.3,
             colour(*value)
@@ -78,7 +78,7 @@ pub(super) fn heat_map_svg(map: &HeatMap<'_>) -> String {
         let share = k as f64 / TICKS as f64;
         let y = top + height * (1.0 - share) + 4.0;
         svg += &text(left + width * share, top + height + 18.0, "middle", &significant(between(map.x, share)));
-        svg += &text(left - 6.0, y, "end", &significant(between(map.y, share)));
+        svg += &text(left - 9.0, y, "end", &significant(between(map.y, share)));
         svg += &text(BAR[0] + BAR[1] + 6.0, y, "start", &significant(low + span * share));
     }
     const SHADES: usize = 50;

@@ -71,11 +71,16 @@ fn link(point: &PointResult) -> Cell {
     Cell(point.number.to_string(), report.map(|id| format!("{}/report.html", folder_of(id))))
 }
 
+/// A number, perhaps with a band and a mark behind it.
+fn is_number(text: &str) -> bool {
+    text.split(' ').next().is_some_and(|word| word.parse::<f64>().is_ok())
+}
+
 /// A table whose cells may be links.
 fn linked_table(caption: &str, head: &[String], rows: Vec<Vec<Cell>>) -> Block {
     let cell = |Cell(text, to): &Cell| match to {
         Some(to) => format!("<td class=\"number\"><a href=\"{}\">{}</a></td>", escape(to), escape(text)),
-        None if text.parse::<f64>().is_ok() => format!("<td class=\"number\">{}</td>", escape(text)),
+        None if is_number(text) => format!("<td class=\"number\">{}</td>", escape(text)),
         None => format!("<td>{}</td>", escape(text)),
     };
     let head: String = head.iter().map(|text| format!("<th>{}</th>", escape(text))).collect();

@@ -27,7 +27,8 @@ pub(super) fn show(output: &Output, collected: &Collected, folder: &SweepFolder,
     let ran = collected.points.iter().filter(|p| p.id.as_deref().is_some_and(|id| ended.left.contains(&id)));
     let mut seen = std::collections::HashSet::new();
     let spent: f64 = ran.filter(|p| seen.insert(p.id.clone())).filter_map(|p| p.wall_time_s).sum();
-    let busy = spent / (ended.wall_time_s * ended.jobs as f64).max(f64::MIN_POSITIVE);
+    // a point that an earlier call had begun counts for what it took here, at most
+    let busy = (spent / (ended.wall_time_s * ended.jobs as f64).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
     if output.json {
         let file = |name: &str| folder.file(name).display().to_string();
         let failures: Vec<_> = collected
