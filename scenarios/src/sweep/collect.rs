@@ -201,7 +201,12 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
         keys.iter().filter_map(|key| Some((format!("{prefix}{key}"), number(table.get(key)?)?))).collect()
     };
     let Some(results) = summary.get("results") else {
-        return [named(summary, ""), plain(summary, "", &OF_LANDING)].concat();
+        let stations = summary.get("stations").and_then(Value::as_array).into_iter().flatten();
+        let loads = stations.flat_map(|station| {
+            let place = station.get("x_m").map_or(String::new(), Value::to_string);
+            named(station, &format!("station {place} m."))
+        });
+        return [named(summary, ""), plain(summary, "", &OF_LANDING), loads.collect()].concat();
     };
     let mut numbers = named(results, "");
     for (name, panel) in results.get("panels").and_then(Value::as_object).into_iter().flatten() {
@@ -232,7 +237,10 @@ mod tests {
         let of_run = ["peak_force_N_per_m", "plate.peak_stress_Pa", "audit.momentum", "audit.penetrated"];
         assert_eq!(names(&run), of_run);
         assert_eq!(usual(&run)[0].1.band, Some(0.1));
-        let landing = serde_json::json!({"az_g": {"value": 1.0, "time_s": 0.1}, "line_load_at_m": 20.0, "strips": 20});
-        assert_eq!(names(&landing), ["az_g", "line_load_at_m"]);
+        let station = serde_json::json!({"x_m": 3.5, "line_load_n_per_m": {"value": 2.0, "time_s": 0.2}});
+        let landing = serde_json::json!({
+            "az_g": {"value": 1.0, "time_s": 0.1}, "line_load_at_m": 20.0, "strips": 20, "stations": [station]
+        });
+        assert_eq!(names(&landing), ["az_g", "line_load_at_m", "station 3.5 m.line_load_n_per_m"]);
     }
 }

@@ -31,8 +31,8 @@ pub struct SweepFile {
     pub path: PathBuf,
     /// What its points are.
     pub kind: Kind,
-    /// Scenes or landings: built-in names or paths.
-    pub scenes: Vec<String>,
+    /// Scenes or landings as the file names them, each with its built-in name or its path.
+    pub scenes: Vec<[String; 2]>,
     /// Fixed overrides, `key=value`.
     pub sets: Vec<String>,
     /// Axes.
@@ -101,7 +101,7 @@ impl SweepFile {
             return Err(reader.error(0..0, expected.into()).into());
         };
         if scenes.len() > 1 {
-            let rows = scenes.iter().map(|scene| vec![Value::String(scene.clone())]).collect();
+            let rows = scenes.iter().map(|[given, _]| vec![Value::String(given.clone())]).collect();
             blocks.insert(0, Block { keys: vec![SCENE_AXIS.into()], rows });
         }
         Ok(SweepFile { path: path.to_path_buf(), kind, scenes, sets, blocks, tabulate })
@@ -142,7 +142,7 @@ fn scenes(
     entry: &Entry<'_>,
     word: &str,
     folder: &Path,
-) -> Result<(Kind, Vec<String>), SceneError> {
+) -> Result<(Kind, Vec<[String; 2]>), SceneError> {
     let (kind, builtin) = match word {
         "ditch" => (Kind::Ditch, ditching::builtin()),
         _ => (Kind::Run, scene::builtin()),
@@ -151,8 +151,8 @@ fn scenes(
         let path = folder.join(&name);
         let known = builtin.iter().any(|(builtin, _)| *builtin == name);
         match (known, path.is_file()) {
-            (true, _) => Ok(name),
-            (false, true) => Ok(path.to_string_lossy().into_owned()),
+            (true, _) => Ok([name.clone(), name]),
+            (false, true) => Ok([name, path.to_string_lossy().into_owned()]),
             (false, false) => {
                 let names = builtin.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
                 let expected = format!("a built-in name ({names}), or the path of a file from {}", folder.display());

@@ -15,7 +15,7 @@ use crate::bounded_text::read_text;
 use crate::run::{RunError, refuse_occupied};
 
 /// A process that only looks at a lock holds it for less than this.
-const PATIENCE: Duration = Duration::from_millis(500);
+const PATIENCE: Duration = Duration::from_millis(150);
 const PAUSE: Duration = Duration::from_millis(10);
 
 /// How a point ended: `point.json`.

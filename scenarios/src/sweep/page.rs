@@ -122,14 +122,14 @@ fn worst_cases(collected: &Collected) -> Vec<Block> {
         return vec![Block::Text("No point has results.".into())];
     }
     let rows = cases.iter().map(|case| {
-        let panel = case.scene.iter().map(String::as_str).chain([case.panel]).filter(|word| !word.is_empty());
+        let place = case.scene.iter().map(String::as_str).chain([case.place]).filter(|word| !word.is_empty());
         let band = case.number.band.map_or("–".into(), significant);
         let verdict = case.number.verdict.as_deref().unwrap_or("–").replace('_', " ");
-        let first = [text(panel.collect::<Vec<_>>().join(", ")), text(case.quantity)];
+        let first = [text(place.collect::<Vec<_>>().join(", ")), text(case.quantity)];
         let number = [text(significant(case.number.value)), text(band), text(verdict), link(case.point)];
         first.into_iter().chain(number).chain(axes_of(case.point)).collect()
     });
-    let head = head(collected, &["panel", "quantity", "value", "band ±", "verdict", "point"], &[]);
+    let head = head(collected, &["place", "quantity", "value", "band ±", "verdict", "point"], &[]);
     let caption = "Worst case of each quantity: the largest magnitude, or the smallest reserve factor. A value that is not \
                    resolved may be too large or too small.";
     vec![linked_table(caption, &head, rows.collect())]

@@ -155,11 +155,14 @@ impl Plan {
 
 /// A point, and what is wrong with its scene.
 fn point(file: &SweepFile, keys: &[String], row: &[toml::Value]) -> (Point, Option<SceneError>) {
-    let mut scene = file.scenes[0].clone();
+    let place = |name: &str| file.scenes.iter().find(|[given, _]| given == name).map(|[_, place]| place.clone());
+    let mut scene = file.scenes.first().map(|[_, place]| place.clone()).unwrap_or_default();
     let mut sets = file.sets.clone();
     for (key, value) in keys.iter().zip(row) {
         match (key.as_str(), value) {
-            (SCENE_AXIS, toml::Value::String(name)) if file.scenes.len() > 1 => scene = name.clone(),
+            (SCENE_AXIS, toml::Value::String(name)) if file.scenes.len() > 1 => {
+                scene = place(name).unwrap_or_else(|| name.clone());
+            }
             _ => sets.push(assignment(key, value)),
         }
     }

@@ -78,8 +78,8 @@ pub(super) fn folder_of(id: &str) -> String {
 pub(super) struct Worst<'a> {
     /// The quantity.
     pub quantity: &'a str,
-    /// Its panel; empty for the body as a whole.
-    pub panel: &'a str,
+    /// Its panel, or its station of a landing; empty for the body as a whole.
+    pub place: &'a str,
     /// Its scene, where the sweep has several.
     pub scene: Option<String>,
     /// The number.
@@ -88,7 +88,7 @@ pub(super) struct Worst<'a> {
     pub point: &'a PointResult,
 }
 
-/// The worst case of each quantity of each panel, for each scene: the largest magnitude, or the smallest reserve factor.
+/// The worst case of each quantity at each place, for each scene: the largest magnitude, or the smallest reserve factor.
 pub(super) fn worst(collected: &Collected) -> Vec<Worst<'_>> {
     let scene_of = |point: &PointResult| collected.scene_axis().map(|k| plain(&point.values[k]));
     let mut scenes: Vec<Option<String>> = Vec::new();
@@ -99,8 +99,8 @@ pub(super) fn worst(collected: &Collected) -> Vec<Worst<'_>> {
     }
     let mut found = Vec::new();
     for name in &collected.names {
-        let (panel, quantity) = match name.rsplit_once('.') {
-            Some((panel, quantity)) if panel != "audit" && !name.contains('/') => (panel, quantity),
+        let (place, quantity) = match name.rsplit_once('.') {
+            Some((place, quantity)) if place != "audit" && !name.contains('/') => (place, quantity),
             _ => ("", name.as_str()),
         };
         let severity = |number: &Number| match quantity == "reserve_factor" {
@@ -112,7 +112,7 @@ pub(super) fn worst(collected: &Collected) -> Vec<Worst<'_>> {
             let numbers = points.filter_map(|point| Some((point, point.numbers.get(name)?)));
             // of equals the first
             let worst = numbers.reduce(|worst, next| if severity(next.1) > severity(worst.1) { next } else { worst });
-            let case = |(point, number)| Worst { quantity, panel, scene: scene.clone(), number, point };
+            let case = |(point, number)| Worst { quantity, place, scene: scene.clone(), number, point };
             found.extend(worst.map(case));
         }
     }
@@ -124,8 +124,8 @@ pub(super) fn worst(collected: &Collected) -> Vec<Worst<'_>> {
 pub struct WorstCase {
     /// The quantity.
     pub quantity: String,
-    /// Its panel; empty for the body as a whole.
-    pub panel: String,
+    /// Its panel, or its station of a landing; empty for the body as a whole.
+    pub place: String,
     /// Its scene, where the sweep has several.
     pub scene: Option<String>,
     /// The value, in the unit of its name.
@@ -138,11 +138,11 @@ pub struct WorstCase {
     pub point: usize,
 }
 
-/// The worst case of each quantity of each panel, for each scene: the largest magnitude, or the smallest reserve factor.
+/// The worst case of each quantity at each place, for each scene: the largest magnitude, or the smallest reserve factor.
 pub fn worst_cases(collected: &Collected) -> Vec<WorstCase> {
     let case = |case: Worst<'_>| WorstCase {
         quantity: case.quantity.into(),
-        panel: case.panel.into(),
+        place: case.place.into(),
         scene: case.scene,
         value: case.number.value,
         band: case.number.band,
@@ -154,14 +154,14 @@ pub fn worst_cases(collected: &Collected) -> Vec<WorstCase> {
 
 /// The worst cases, a row each.
 pub fn worst_csv(collected: &Collected) -> String {
-    let head = ["quantity", "panel", "scene", "value", "band", "verdict", "time_s", "point"].map(String::from);
+    let head = ["quantity", "place", "scene", "value", "band", "verdict", "time_s", "point"].map(String::from);
     let axes = collected.axes.iter().map(|axis| axis.label());
     let head = csv_row(head.into_iter().chain(axes).chain(["folder".to_string()]));
     let row = |case: &Worst<'_>| {
-        let Worst { quantity, panel, scene, number, point } = case;
+        let Worst { quantity, place, scene, number, point } = case;
         let first = [
             quantity.to_string(),
-            panel.to_string(),
+            place.to_string(),
             known(scene.as_ref()),
             number.value.to_string(),
             known(number.band),

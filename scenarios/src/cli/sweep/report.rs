@@ -58,7 +58,7 @@ pub(super) fn show(output: &Output, collected: &Collected, folder: &SweepFolder,
     let of = |case: &WorstCase| {
         let band = case.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
         let verdict = case.verdict.as_deref().map_or(String::new(), |word| format!(", {word}"));
-        let name = [case.scene.as_deref().unwrap_or(""), &case.panel, &case.quantity];
+        let name = [case.scene.as_deref().unwrap_or(""), &case.place, &case.quantity];
         let name: Vec<&str> = name.into_iter().filter(|word| !word.is_empty()).collect();
         format!("  worst {}: {}{band}{verdict}, point {}", name.join(" "), significant(case.value), case.point)
     };
@@ -73,7 +73,7 @@ pub(super) fn show(output: &Output, collected: &Collected, folder: &SweepFolder,
     };
     let mut lines =
         vec![format!("{} points: {done} done, {failed} failed{ran}; {reused} found", collected.points.len())];
-    lines.extend(worst.iter().filter(|case| case.panel != "audit" && !case.quantity.starts_with("audit.")).map(of));
+    lines.extend(worst.iter().filter(|case| case.place != "audit" && !case.quantity.starts_with("audit.")).map(of));
     lines.push(format!("files in {}: open sweep.html, table.csv, worst.csv", folder.path().display()));
     say(lines.join("\n"));
 }
