@@ -39,9 +39,13 @@ pub(super) fn grid(reader: &TomlReader<'_>, table: &DeTable<'_>) -> Result<Vec<B
 }
 
 /// `[[zip]]`: one block; all keys have as many values.
-pub(super) fn zip(reader: &TomlReader<'_>, table: &DeTable<'_>) -> Result<Block, SceneError> {
+pub(super) fn zip(reader: &TomlReader<'_>, given: &Entry<'_>) -> Result<Block, SceneError> {
     let mut block = Block { keys: Vec::new(), rows: Vec::new() };
-    for entry in axes_of(reader, table) {
+    let entries = axes_of(reader, reader.table(given)?);
+    if entries.is_empty() {
+        return Err(reader.error(given.place.clone(), "[zip]: expected at least one key with its values".into()));
+    }
+    for entry in entries {
         let column = values(reader, &entry)?;
         if block.keys.is_empty() {
             block.rows = vec![Vec::new(); column.len()];
@@ -68,7 +72,7 @@ pub(super) fn hypercube(reader: &TomlReader<'_>, given: &Entry<'_>) -> Result<Bl
             _ => return Err(reader.unknown(&entry, &KEYS)),
         }
     }
-    let missing = |what: &str| reader.error(given.place.clone(), format!("[latin_hypercube] expects {what}"));
+    let missing = |what: &str| reader.error(given.place.clone(), format!("[latin_hypercube]: expected {what}"));
     let samples = samples.ok_or_else(|| missing("`samples`, the number of points"))?;
     if keys.is_empty() {
         return Err(missing("a table [latin_hypercube.keys] with the ends of each key, such as [100, 400]"));

@@ -166,10 +166,9 @@ fn scenes(
 /// `[[zip]]` or `[zip]`.
 fn zips(reader: &TomlReader<'_>, entry: &Entry<'_>) -> Result<Vec<Block>, SceneError> {
     let toml::de::DeValue::Array(items) = entry.value.get_ref() else {
-        return Ok(vec![zip(reader, reader.table(entry)?)?]);
+        return Ok(vec![zip(reader, entry)?]);
     };
-    let table = |value| reader.table(&Entry { key: "zip".into(), place: entry.place.clone(), value });
-    items.iter().map(|item| zip(reader, table(item)?)).collect()
+    items.iter().map(|value| zip(reader, &Entry { value, ..entry.clone() })).collect()
 }
 
 #[cfg(test)]
@@ -220,7 +219,8 @@ mod tests {
                 "scene = \"wedge\"\n[[zip]]\na = [1, 2]\nb = [1]",
                 "s.toml:4: `b` = [1]: expected as many values as `a`: 2, not 1",
             ),
-            ("scene = \"wedge\"\n[latin_hypercube]\nkeys.a = [0, 1]", "expects `samples`"),
+            ("scene = \"wedge\"\n[zip]\n", "s.toml:2: [zip]: expected at least one key"),
+            ("scene = \"wedge\"\n[latin_hypercube]\nkeys.a = [0, 1]", "expected `samples`"),
             (
                 "scene = \"wedge\"\n[gird]\na = [1]",
                 "s.toml:2: unknown key `gird`: expected one of scene, ditch, tabulate, set, grid, zip, latin_hypercube, perhaps `grid`",

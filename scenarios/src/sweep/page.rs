@@ -12,6 +12,9 @@ const MOST_LISTED: usize = 2000;
 /// Most messages below the heading.
 const MOST_MESSAGES: usize = 5;
 
+/// Status of a point with results that are doubtful.
+const DOUBTFUL: &str = "completed_with_doubts";
+
 /// The page of a sweep.
 pub(super) fn page(collected: &Collected) -> String {
     let mut sections = vec![("Worst cases".to_string(), worst_cases(collected))];
@@ -78,18 +81,33 @@ fn is_number(text: &str) -> bool {
 
 /// A table whose cells may be links.
 fn linked_table(caption: &str, head: &[String], rows: Vec<Vec<Cell>>) -> Block {
-    let cell = |Cell(text, to): &Cell| match to {
-        Some(to) => format!("<td class=\"number\"><a href=\"{}\">{}</a></td>", escape(to), escape(text)),
-        None if is_number(text) => format!("<td class=\"number\">{}</td>", escape(text)),
-        None => format!("<td>{}</td>", escape(text)),
+    let is_numeric = |k: usize| {
+        rows.iter().any(|row| is_number(&row[k].0)) && rows.iter().all(|row| is_number(&row[k].0) || row[k].0 == DASH)
     };
-    let head: String = head.iter().map(|text| format!("<th>{}</th>", escape(text))).collect();
-    let row = |row: &Vec<Cell>| format!("<tr>{}</tr>\n", row.iter().map(cell).collect::<String>());
+    let classes: Vec<&str> = (0..head.len()).map(|k| if is_numeric(k) { " class=\"number\"" } else { "" }).collect();
+    let cell = |(Cell(text, to), class): (&Cell, &&str)| match to {
+        Some(to) => format!("<td{class}><a href=\"{}\">{}</a></td>", escape(to), escape(text)),
+        None => format!("<td{class}>{}</td>", escape(text)),
+    };
+    let heading = |(text, class): (&String, &&str)| format!("<th{class}>{}</th>", escape(text));
+    let head: String = head.iter().zip(&classes).map(heading).collect();
+    let row = |row: &Vec<Cell>| format!("<tr>{}</tr>\n", row.iter().zip(&classes).map(cell).collect::<String>());
     let body: String = rows.iter().map(row).collect();
     let svg = format!(
         "<div class=\"table\"><table>\n<thead>\n<tr>{head}</tr>\n</thead>\n<tbody>\n{body}</tbody>\n</table></div>"
     );
     Block::Drawing { svg, caption: caption.into() }
+}
+
+/// What stands where no number is known.
+const DASH: &str = "–";
+
+/// A number with four digits; with an exponent where it is very small or large.
+fn short(number: f64) -> String {
+    match number.abs() {
+        size if size > 0.0 && !(1e-4..1e7).contains(&size) => format!("{number:.3e}"),
+        _ => significant(number),
+    }
 }
 
 /// Marks of the verdicts, for the table of points.
@@ -99,13 +117,13 @@ const MARKS: [(&str, &str); 4] =
 /// A number with its band and its mark.
 fn in_words(number: &Number) -> String {
     let mark = MARKS.iter().find(|(verdict, _)| number.verdict.as_deref() == Some(verdict));
-    let band = number.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
-    format!("{}{band}{}", significant(number.value), mark.map_or(String::new(), |(_, mark)| format!(" {mark}")))
+    let band = number.band.map_or(String::new(), |band| format!(" ± {}", short(band)));
+    format!("{}{band}{}", short(number.value), mark.map_or(String::new(), |(_, mark)| format!(" {mark}")))
 }
 
 fn axes_of(point: &PointResult) -> impl Iterator<Item = Cell> {
     point.values.iter().map(|value| match value.as_f64() {
-        Some(number) => text(significant(number)),
+        Some(number) => text(short(number)),
         None => text(plain(value)),
     })
 }
@@ -123,23 +141,27 @@ fn worst_cases(collected: &Collected) -> Vec<Block> {
     }
     let rows = cases.iter().map(|case| {
         let place = case.scene.iter().map(String::as_str).chain([case.place]).filter(|word| !word.is_empty());
-        let band = case.number.band.map_or("–".into(), significant);
-        let verdict = case.number.verdict.as_deref().unwrap_or("–").replace('_', " ");
+        let band = case.number.band.map_or(DASH.into(), short);
+        let verdict = case.number.verdict.as_deref().unwrap_or(DASH).replace('_', " ");
         let first = [text(place.collect::<Vec<_>>().join(", ")), text(case.quantity)];
-        let number = [text(significant(case.number.value)), text(band), text(verdict), link(case.point)];
+        let number = [text(short(case.number.value)), text(band), text(verdict), link(case.point)];
         first.into_iter().chain(number).chain(axes_of(case.point)).collect()
     });
     let head = head(collected, &["place", "quantity", "value", "band ±", "verdict", "point"], &[]);
     let caption = "Worst case of each quantity: the largest magnitude, or the smallest reserve factor. A value that is not \
                    resolved may be too large or too small.";
-    vec![linked_table(caption, &head, rows.collect())]
+    let doubtful = collected.points.iter().filter(|point| point.status == DOUBTFUL).count();
+    let all = collected.points.len();
+    let text = Block::Text(format!("{doubtful} of {all} points are completed with doubts: their reports say why."));
+    let table = linked_table(caption, &head, rows.collect());
+    (doubtful > 0).then_some(text).into_iter().chain([table]).collect()
 }
 
 fn points(collected: &Collected) -> Vec<Block> {
     let names: Vec<&str> = charted(collected);
     let rows = collected.points.iter().take(MOST_LISTED).map(|point| {
-        let numbers = names.iter().map(|name| text(point.numbers.get(*name).map_or("–".into(), in_words)));
-        let seconds = text(point.wall_time_s.map_or("–".into(), significant));
+        let numbers = names.iter().map(|name| text(point.numbers.get(*name).map_or(DASH.into(), in_words)));
+        let seconds = text(point.wall_time_s.map_or(DASH.into(), short));
         let status = text(point.status.replace('_', " "));
         [link(point)].into_iter().chain(axes_of(point)).chain([status]).chain(numbers).chain([seconds]).collect()
     });

@@ -8,6 +8,7 @@ use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
 
 use crate::scene::SceneError;
+use crate::scene::source::LARGEST_NUMBER;
 
 /// A file's name and text.
 pub(super) struct TomlReader<'a> {
@@ -108,17 +109,18 @@ impl<'a> TomlReader<'a> {
     /// A value as TOML has it.
     pub fn value(&self, value: &Spanned<DeValue<'_>>) -> Result<Value, SceneError> {
         let text = self.text.get(value.span()).unwrap_or_default();
-        text.parse::<Value>().map_err(|e| self.error(value.span(), format!("not a TOML value: {}", e.message())))
+        text.parse::<Value>().map_err(|e| self.error(value.span(), format!("not valid TOML: {}", e.message())))
     }
 
-    /// A finite number.
+    /// A number that a scene can hold.
     pub fn number(&self, key: &str, value: &Spanned<DeValue<'_>>) -> Result<f64, SceneError> {
         let number = match self.value(value)? {
             Value::Integer(whole) => Some(whole as f64),
-            Value::Float(float) => Some(float).filter(|float| float.is_finite()),
+            Value::Float(float) => Some(float),
             _ => None,
         };
-        number.ok_or_else(|| self.unexpected(key, value, "a finite number"))
+        let number = number.filter(|number| number.abs() <= LARGEST_NUMBER);
+        number.ok_or_else(|| self.unexpected(key, value, &format!("a finite number up to {LARGEST_NUMBER:e}")))
     }
 
     /// A whole number within limits.
