@@ -54,7 +54,7 @@ impl Pool<'_> {
         thread::scope(|scope| {
             let slots: Vec<_> = (0..self.jobs.min(ids.len())).map(|_| scope.spawn(work)).collect();
             let gone = |_| Err(SweepError::Failed("a thread of the coordinator ended early".into()));
-            slots.into_iter().map(|slot| slot.join().unwrap_or_else(gone)).collect()
+            slots.into_iter().try_for_each(|slot| slot.join().unwrap_or_else(gone))
         })
     }
 
