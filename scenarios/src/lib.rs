@@ -2,8 +2,8 @@
 //!
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them while [`observers`] sample,
 //! [`compare`] judges against [`reference`] data, [`report`] writes the page. [`model_hierarchy`] runs a scene by a
-//! theory, [`experiments`] makes and judges many runs, [`ditching`] lands aeroplanes by their sections, [`bench`]
-//! measures the speed on this machine. [`cli`] parses arguments and prints.
+//! theory, [`experiments`] makes and judges many runs, [`sweep`] runs a scene at many points in processes of their own, [`ditching`]
+//! lands aeroplanes by their sections, [`bench`] measures the speed on this machine. [`cli`] parses arguments and prints.
 //!
 //! Run a scene and read its summary, here by a theory (a run with particles differs in the model only):
 //!
@@ -42,3 +42,4 @@ pub mod report;
 pub mod results;
 pub mod run;
 pub mod scene;
+pub mod sweep;

@@ -9,6 +9,15 @@ use scenarios::{ditching, scene};
 use crate::mutate::{Random, plausible, text, value};
 use crate::targets::{Input, Target};
 
+/// Sweep files with all that they may hold.
+const SWEEPS: [&str; 2] = [
+    "scene = \"wedge\"\ntabulate = [\"steps\"]\n[set]\nmodel = \"mlm\"\n[grid]\nbody.deadrise_deg = [20, 30]\n\"body.velocity[1]\" = \
+     { from = -8, to = -4, step = 2 }\nbody.mass = { from = 100, to = 400, count = 3, scale = \"log\" }\n",
+    "ditch = [\"mercure\", \"mercure\"]\n[[zip]]\nlanding.strips = [20, 30]\nwater.suction = { from = 0, to = 1, count = 2 }\n\
+     [latin_hypercube]\nsamples = 4\nseed = 2\n[latin_hypercube.keys]\naeroplane.mass = [4e4, 6e4]\nlanding.flight_path_deg = \
+     { from = -1, to = -3, scale = \"log\" }\n",
+];
+
 /// Texts to change, by target.
 pub struct Seeds {
     texts: Vec<(Target, Vec<String>)>,
@@ -36,6 +45,7 @@ impl Seeds {
                 (Target::Chart, files(&cases.join("charts"))),
                 (Target::Bands, files(&cases.join("bands"))),
                 (Target::Validation, files(&cases.join("validation"))),
+                (Target::Sweep, SWEEPS.map(String::from).to_vec()),
             ],
             names: scene::builtin().iter().map(|(name, _)| *name).collect(),
             keys: keys(scene::schema()),

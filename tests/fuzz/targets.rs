@@ -8,6 +8,7 @@ use scenarios::experiments::catalogue::{Case, Catalogue};
 use scenarios::experiments::convergence::{Plan, study};
 use scenarios::experiments::{ExperimentError, coverage, stability, validation, work_precision};
 use scenarios::scene::{Loaded, SceneError};
+use scenarios::sweep::{SweepError, SweepFile};
 use scenarios::{compare, ditching, preflight, reference, scene};
 
 /// Scenes that need more are not laid out [bytes].
@@ -38,6 +39,8 @@ pub enum Target {
     Validation,
     /// Arguments of a study: spacings, sound speeds, a scene's name, `--set` arguments.
     Study,
+    /// A sweep file.
+    Sweep,
 }
 
 /// An input and its reader.
@@ -51,7 +54,7 @@ pub struct Input {
 struct Begun;
 
 impl Target {
-    pub const ALL: [Target; 10] = [
+    pub const ALL: [Target; 11] = [
         Target::Scene,
         Target::Set,
         Target::Landing,
@@ -62,6 +65,7 @@ impl Target {
         Target::Bands,
         Target::Validation,
         Target::Study,
+        Target::Sweep,
     ];
 
     /// Its folder in the corpus.
@@ -77,6 +81,7 @@ impl Target {
             Target::Bands => "bands",
             Target::Validation => "validation",
             Target::Study => "study",
+            Target::Sweep => "sweep",
         }
     }
 }
@@ -116,6 +121,7 @@ impl Input {
             Target::Bands => of_case(&coverage::CASES, text),
             Target::Validation => of_case(&validation::CASES, text),
             Target::Study => of_study(text),
+            Target::Sweep => of_sweep(text),
         }
     }
 }
@@ -205,6 +211,17 @@ fn of_case<C: Case>(cases: &Catalogue<C>, text: &str) -> Result<bool, String> {
             let names = said.contains("own") && said.len() > 30;
             if names { Ok(false) } else { Err(format!("the message names no file: {}", short(&said))) }
         }
+    }
+}
+
+/// The points of a sweep file; their scenes are inputs of another target.
+fn of_sweep(text: &str) -> Result<bool, String> {
+    match SweepFile::parse(Path::new("fuzz.toml"), "fuzz.toml", text).and_then(|file| file.rows()) {
+        Ok(rows) if rows.iter().all(|row| row.len() == rows[0].len()) => Ok(true),
+        Ok(_) => Err("rows of different lengths".into()),
+        Err(SweepError::Scene(error)) => refused("fuzz.toml:", error),
+        Err(error) if error.to_string().contains("expected") => Ok(false),
+        Err(error) => Err(format!("a message without what is expected: {error}")),
     }
 }
 

@@ -6,6 +6,7 @@ mod ditch;
 mod experiments;
 mod run;
 mod shared;
+mod sweep;
 
 use std::process::ExitCode;
 
@@ -46,6 +47,8 @@ enum Command {
     Chart(work_precision::ChartArgs),
     /// Map where runs are stable, inaccurate or fail, over two parameters, with the theory's boundary.
     Stability(stability::StabilityArgs),
+    /// Run a scene or a landing at many points, each in a process of its own, and tabulate the results.
+    Sweep(sweep::SweepArgs),
     /// Land an aeroplane on water by its sections (2D+t).
     Ditch(ditch::DitchArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
@@ -116,6 +119,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Study(args) => convergence::run_study(output, args),
         Command::Chart(args) => work_precision::run_charts(output, args),
         Command::Stability(args) => stability::run_maps(output, args),
+        Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Validate(args) => experiments::run_validation(output, args),

@@ -126,6 +126,35 @@ pub struct Summary {
     pub line_load_n_per_m: Peak,
     /// Where that is, from the nose [m].
     pub line_load_at_m: f64,
+    /// The same at each station: the largest of the strips that are nearer to it than to another.
+    pub stations: Vec<StationLoad>,
+}
+
+/// What a station bore.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct StationLoad {
+    /// Its place, from the nose [m].
+    pub x_m: f64,
+    /// Largest load of a metre of the keel [N/m].
+    pub line_load_n_per_m: Peak,
+}
+
+/// What each station bore.
+fn station_loads(scene: &Scene, moments: &[LandingState]) -> Vec<StationLoad> {
+    let places = scene.stations.iter().map(|station| station.x);
+    let mut loads: Vec<_> = places.map(|x_m| StationLoad { x_m, line_load_n_per_m: Peak::default() }).collect();
+    for moment in moments {
+        for (strip, force) in &moment.strips {
+            let Some(entry) = &strip.entry else { continue };
+            let distance = |load: &&mut StationLoad| (load.x_m - entry.at.x).abs();
+            let nearest = loads.iter_mut().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let value = force / entry.length;
+            if let Some(load) = nearest.filter(|load| value > load.line_load_n_per_m.value) {
+                load.line_load_n_per_m = Peak { value, time_s: moment.time, verdict: None };
+            }
+        }
+    }
+    loads
 }
 
 impl Summary {
@@ -172,6 +201,7 @@ impl Summary {
             moment_nm: most("moment_Nm", f64::abs, 1.0),
             line_load_n_per_m: line_load,
             line_load_at_m: heaviest[column("line_load_at_m")],
+            stations: station_loads(scene, &run.moments),
         }
     }
 

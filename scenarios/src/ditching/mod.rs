@@ -33,7 +33,7 @@ use crate::scene::source::Source;
 use landed::csv;
 use model::checked;
 
-pub use landed::{Landed, Summary, follow};
+pub use landed::{Landed, StationLoad, Summary, follow};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 

@@ -222,13 +222,13 @@ pub(crate) fn word(key: &str, name: &str) -> Result<(), Problem> {
 const LONGEST_WORD: usize = 100;
 /// One step of a key's path: `gauges[0].at` is the key `gauges`, the index 0, the key `at`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Segment<'a> {
+pub(crate) enum Segment<'a> {
     Key(&'a str),
     Index(usize),
 }
 
 /// The steps of a path; `gauges[0].at` and `gauges.0.at` are the same.
-pub(super) fn segments(path: &str) -> impl Iterator<Item = Segment<'_>> {
+pub(crate) fn segments(path: &str) -> impl Iterator<Item = Segment<'_>> {
     let steps = path.split(['.', '[', ']']).filter(|step| !step.is_empty());
     steps.map(|step| step.parse().map_or(Segment::Key(step), Segment::Index))
 }
