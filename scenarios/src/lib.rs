@@ -42,3 +42,5 @@ pub mod report;
 pub mod results;
 pub mod run;
 pub mod scene;
+mod spelling;
+pub mod templates;

@@ -137,6 +137,10 @@ impl Checker<'_> {
             (Some("object"), Value::Object(content)) => {
                 return self.table(inner, others, content, path).map(|table| Some(Value::Object(table)));
             }
+            (Some("object"), Value::Array(items)) if items.iter().all(Value::is_object) => {
+                let given = format!("a list of tables, [[{path}]]");
+                return Err(Problem::new(path, given, format!("one table, [{path}] in single brackets")));
+            }
             _ => return refused(shown(given)),
         }
         Ok(Some(given.clone()))

@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use serde::Serialize;
@@ -49,11 +50,20 @@ impl Output {
 ///
 /// One that cannot take it, as a full disk, is told at the end ([`unsaid`]).
 pub(super) fn say(text: impl std::fmt::Display) {
+    SAID.store(true, Ordering::Relaxed);
     if let Err(error) = writeln!(std::io::stdout(), "{text}")
         && error.kind() != std::io::ErrorKind::BrokenPipe
     {
         UNSAID.get_or_init(|| error.to_string());
     }
+}
+
+/// Whether a line was printed on stdout.
+static SAID: AtomicBool = AtomicBool::new(false);
+
+/// True once a line was printed on stdout: a second document of JSON would not be read.
+pub(super) fn was_said() -> bool {
+    SAID.load(Ordering::Relaxed)
 }
 
 /// Why a line could not be printed, the first time.
@@ -111,6 +121,18 @@ pub(super) enum Stop {
     Scene(SceneError),
     Input(String),
     Failed(String),
+}
+
+impl Stop {
+    /// The error as an object of JSON: message, file, line, key, given, expected, help; null where there is none.
+    pub fn to_json(&self) -> serde_json::Value {
+        match self {
+            Stop::Scene(error) => error.to_json(),
+            Stop::Input(message) | Stop::Failed(message) => serde_json::json!({
+                "message": message, "file": null, "line": null, "key": null, "given": null, "expected": null, "help": null
+            }),
+        }
+    }
 }
 
 impl From<SceneError> for Stop {
