@@ -10,11 +10,13 @@ mod shared;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue};
+use clap::{CommandFactory, Parser, Subcommand};
 use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
+use crate::spelling::nearest;
 use experiments::{convergence, stability, work_precision};
 use shared::{DONE, FAILED, INPUT, Output, Stop, complain, say, unsaid, was_said};
 
@@ -109,7 +111,19 @@ fn refused(error: &clap::Error) -> ExitCode {
         say(serde_json::json!({"error": Stop::Input(text.to_string()).to_json()}));
     }
     let _ = error.print();
+    near_verb(error).into_iter().for_each(|verb| complain(format_args!("  tip: did you mean `splashdown {verb}`?")));
     ExitCode::from(u8::try_from(code).unwrap_or(INPUT))
+}
+
+/// The command that a misspelt one, or a scene in its place, may mean.
+fn near_verb(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    if crate::scene::builtin().iter().any(|(name, _)| name == given) || given.ends_with(".toml") {
+        return Some(format!("run {given}"));
+    }
+    let verbs: Vec<String> = Cli::command().get_subcommands().map(|verb| verb.get_name().to_string()).collect();
+    let suggested = error.get(ContextKind::SuggestedSubcommand).is_some();
+    nearest(given, verbs.iter().map(String::as_str)).filter(|_| !suggested).map(String::from)
 }
 
 /// Events of a run go to stderr. `SPLASHDOWN_LOG=debug` shows more than warnings; `MODULE=LEVEL,…` selects by module.

@@ -26,7 +26,7 @@ pub(super) struct Fault {
 
 impl Fault {
     pub fn new(line: usize, given: impl Into<String>, expected: impl Into<String>) -> Fault {
-        Fault { line, given: shortened(&given.into()), expected: expected.into() }
+        Fault { line, given: given.into(), expected: expected.into() }
     }
 }
 

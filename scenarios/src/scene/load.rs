@@ -82,7 +82,12 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
-    let outline = prepare(&mut given, &source.name).map_err(|problem| source.error(problem))?;
+    let written = given.clone();
+    let outline = prepare(&mut given, &source.name).map_err(|problem| {
+        // a misspelt key may be why another is missing
+        let misspelt = schema().check(&written).err().filter(|first| first.sentence.starts_with("unknown key"));
+        source.error(misspelt.unwrap_or(problem))
+    })?;
     let mut scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
     // what the program chose must be read again from the resolved scene
     let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));

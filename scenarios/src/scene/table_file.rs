@@ -99,7 +99,11 @@ impl NumberTable {
             return Ok(1.0);
         }
         let expected = |why: String| {
-            Fault::new(self.header_line, format!("the unit `{unit}`"), format!("a unit like {wanted}: {why}"))
+            Fault::new(
+                self.header_line,
+                format!("the unit `{}`", shortened(unit)),
+                format!("a unit like {wanted}: {why}"),
+            )
         };
         convert(&format!("1 {unit}"), wanted).map_err(expected)
     }

@@ -1,7 +1,7 @@
 //! Outlines in DXF: LINE, LWPOLYLINE, POLYLINE, ARC and CIRCLE.
 
 use super::drawing::{Drawing, Placed, arc, bulged};
-use crate::scene::data_file::Fault;
+use crate::scene::data_file::{Fault, shortened};
 
 /// Curves that are not read; other entities, such as text, say nothing of the outline.
 const REFUSED: [&str; 5] = ["SPLINE", "ELLIPSE", "INSERT", "MLINE", "HELIX"];
@@ -43,7 +43,9 @@ fn entities(text: &str) -> Result<Vec<Entity<'_>>, Fault> {
     let mut lines = text.lines().enumerate();
     let mut entities: Vec<Entity> = Vec::new();
     while let Some((k, code)) = lines.next() {
-        let wrong = |_| Fault::new(k + 1, format!("`{}`", code.trim()), "a group code of a text DXF, a whole number");
+        let wrong = |_| {
+            Fault::new(k + 1, format!("`{}`", shortened(code.trim())), "a group code of a text DXF, a whole number")
+        };
         let code: i32 = code.trim().parse().map_err(wrong)?;
         let Some((k, value)) = lines.next() else {
             return Err(Fault::new(k + 1, format!("the group code {code}"), "its value on the next line"));
@@ -76,7 +78,7 @@ impl Entity<'_> {
     fn number(&self, code: i32, usual: Option<f64>) -> Result<f64, Fault> {
         match self.groups.iter().find(|group| group.code == code) {
             Some(group) => finite(group),
-            None => usual.ok_or_else(|| Fault::new(self.line, self.name, format!("its group code {code}"))),
+            None => usual.ok_or_else(|| Fault::new(self.line, shortened(self.name), format!("its group code {code}"))),
         }
     }
 
@@ -91,7 +93,7 @@ impl Entity<'_> {
 
 fn finite(group: &Group) -> Result<f64, Fault> {
     let value = group.value.parse().ok().filter(|value: &f64| value.is_finite());
-    value.ok_or_else(|| Fault::new(group.line, format!("`{}`", group.value), "a finite number"))
+    value.ok_or_else(|| Fault::new(group.line, format!("`{}`", shortened(group.value)), "a finite number"))
 }
 
 /// A polyline on its way: its vertices with their bulges.

@@ -11,7 +11,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use self::drawing::{Drawing, MOST_POINTS, Placed};
-use super::data_file::{DataFile, Fault};
+use super::data_file::{DataFile, Fault, shortened};
 
 /// Points closer than this share of the outline's size are one [-].
 const SAME_POINT: f64 = 1e-7;
@@ -102,7 +102,7 @@ fn read(file: &DataFile) -> Result<Drawing, Fault> {
         "dat" => table::parse(&file.text, true),
         "dxf" => dxf::parse(&file.text),
         "svg" => svg::parse(&file.text),
-        _ => Err(Fault::new(1, format!("the ending `.{ending}`"), ".csv, .txt, .dat, .dxf or .svg")),
+        _ => Err(Fault::new(1, format!("the ending `.{}`", shortened(&ending)), ".csv, .txt, .dat, .dxf or .svg")),
     }
 }
 

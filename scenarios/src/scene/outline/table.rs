@@ -17,9 +17,9 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
             return Err(Fault::new(line, format!("{columns} columns"), "two columns, or a header that names x and y"));
         }
     };
-    let factors = [table.factor(x, "m")?, table.factor(y, "m")?];
-    let has_unit = table.units.iter().any(|unit| !unit.is_empty());
-    let point = |(line, row): &(usize, Vec<f64>)| (*line, [factors[0] * row[x], factors[1] * row[y]]);
+    let [unit, other] = [table.factor(x, "m")?, table.factor(y, "m")?];
+    let has_unit = [x, y].iter().any(|k| table.units.get(*k).is_some_and(|unit| !unit.is_empty()));
+    let point = |(line, row): &(usize, Vec<f64>)| (*line, [row[x], other / unit * row[y]]);
     let mut points: Vec<_> = table.rows.iter().map(point).collect();
     if let (true, Some((_, [upper, lower]))) = (is_dat, points.first().copied()) {
         let count = points.len() as f64 - 1.0;
@@ -29,7 +29,7 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
             points[..upper as usize].reverse();
         }
     }
-    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(1.0), format })
+    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), format })
 }
 
 /// The text with its first line that says something as a comment, unless it is of numbers.
@@ -48,7 +48,7 @@ mod tests {
     #[test]
     fn columns_are_found_by_name_and_units_by_the_header() {
         let drawing = parse("n; x [mm]; y [mm]\n1; 0; 0\n2; 1000; 0\n3; 0; 500\n", false).expect("points");
-        assert_eq!((drawing.pieces[0][1], drawing.unit), ((3, [1.0, 0.0]), Some(1.0)));
+        assert_eq!((drawing.pieces[0][1], drawing.unit), ((3, [1000.0, 0.0]), Some(1e-3)));
         assert!(parse("1,2,3\n1,2,3\n", false).is_err());
     }
 
