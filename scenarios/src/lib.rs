@@ -44,3 +44,5 @@ pub mod run;
 pub mod scene;
 mod spelling;
 pub mod templates;
+#[cfg(feature = "legacy")]
+pub mod thesis_files;

@@ -7,6 +7,8 @@ mod experiments;
 mod keywords;
 mod run;
 mod shared;
+#[cfg(feature = "legacy")]
+mod thesis_files;
 
 use std::process::ExitCode;
 
@@ -63,6 +65,12 @@ enum Command {
     Bands(experiments::BandsArgs),
     /// Describe every key of scenes and landings, or those that start with a prefix.
     Keywords(keywords::KeywordsArgs),
+    /// Make a scene of INDAT and IPART, the files of the solver of 2010.
+    #[cfg(feature = "legacy")]
+    Import(thesis_files::ImportArgs),
+    /// Write a scene in other formats: INDAT and IPART.
+    #[cfg(feature = "legacy")]
+    Export(thesis_files::ExportArgs),
     /// Print the JSON Schema (draft 2020-12) of a scene file.
     Schema,
 }
@@ -81,6 +89,11 @@ pub fn main() -> ExitCode {
         match stop {
             Stop::Scene(error) => {
                 complain(format_args!("{:?}", miette::Report::new(error)));
+                INPUT
+            }
+            #[cfg(feature = "legacy")]
+            Stop::Line(problem) => {
+                complain(format_args!("error: {problem}"));
                 INPUT
             }
             Stop::Input(text) => {
@@ -158,6 +171,10 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Validate(args) => experiments::run_validation(output, args),
         Command::Bands(args) => experiments::run_bands(output, args),
         Command::Keywords(args) => keywords::keywords(output, args),
+        #[cfg(feature = "legacy")]
+        Command::Import(args) => thesis_files::import(output, args),
+        #[cfg(feature = "legacy")]
+        Command::Export(args) => thesis_files::export(output, args),
         Command::Schema => keywords::schema(),
     }
 }

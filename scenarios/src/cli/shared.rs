@@ -6,6 +6,8 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+#[cfg(feature = "legacy")]
+use fsi_coupling::settings::Problem;
 use serde::Serialize;
 
 use crate::run::RunError;
@@ -119,6 +121,9 @@ fn available_memory() -> u64 {
 /// Why the process ends with a code other than 0.
 pub(super) enum Stop {
     Scene(SceneError),
+    /// A line of another file than a scene.
+    #[cfg(feature = "legacy")]
+    Line(Box<Problem>),
     Input(String),
     Failed(String),
 }
@@ -128,6 +133,12 @@ impl Stop {
     pub fn to_json(&self) -> serde_json::Value {
         match self {
             Stop::Scene(error) => error.to_json(),
+            #[cfg(feature = "legacy")]
+            Stop::Line(problem) => serde_json::json!({
+                "message": problem.sentence, "file": problem.line.as_ref().map(|at| &at.file),
+                "line": problem.line.as_ref().map(|at| at.line), "key": null, "given": problem.given,
+                "expected": problem.expected, "help": null
+            }),
             Stop::Input(message) | Stop::Failed(message) => serde_json::json!({
                 "message": message, "file": null, "line": null, "key": null, "given": null, "expected": null, "help": null
             }),

@@ -47,6 +47,7 @@ pub struct OutlineReport {
 }
 
 /// Points in the order in which a scene or a file has them: what panels refer to.
+#[derive(Debug)]
 pub(super) struct Stations {
     pub points: Vec<[f64; 2]>,
     /// True where the body has them in reverse order.
@@ -55,6 +56,7 @@ pub(super) struct Stations {
 }
 
 /// An outline, read: what was understood, and its points.
+#[derive(Debug)]
 pub(super) struct Settled {
     pub report: OutlineReport,
     pub stations: Stations,
