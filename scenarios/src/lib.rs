@@ -42,4 +42,8 @@ pub mod report;
 pub mod results;
 pub mod run;
 pub mod scene;
+mod spelling;
 pub mod sweep;
+pub mod templates;
+#[cfg(feature = "legacy")]
+pub mod thesis_files;

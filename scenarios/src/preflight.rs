@@ -16,8 +16,8 @@ use sph_core::Solver;
 use crate::build::layout;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
-    CouplingScheme, ExchangeRatio, Panel, Scene, Symmetry, known_compressibility_error, longest_step, memory_estimate,
-    panel_exchanges, panel_length, particle_estimate,
+    CouplingScheme, ExchangeRatio, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error, longest_step,
+    memory_estimate, panel_exchanges, panel_length, particle_estimate,
 };
 use fsi_coupling::entry_theory::EntryModel;
 
@@ -77,6 +77,9 @@ pub struct Preflight {
     /// The theories: range of validity, cost, and error of the largest force.
     #[serde(rename = "ladder")]
     pub theories: Vec<Assessment>,
+    /// What was understood of the file of `body.outline`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outline: Option<OutlineReport>,
     /// Warnings.
     pub warnings: Vec<String>,
 }
@@ -169,6 +172,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
         model: scene.model.name(),
         choice: scene.choice.clone(),
         theories: scene.entry().map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
+        outline: None,
         warnings: warnings.to_vec(),
     }
 }
@@ -190,6 +194,7 @@ impl Preflight {
     pub fn to_text(&self) -> String {
         let growing = self.fluid_particles_at_end.map_or(String::new(), |last| format!(" growing to about {last}"));
         let mut lines = vec![format!("scene        {}", self.scene), format!("model        {}", self.model)];
+        lines.extend(self.outline.iter().map(OutlineReport::to_text));
         lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
         lines.extend(self.theories.iter().map(theory_line));
         if !self.theories.is_empty() {

@@ -26,6 +26,11 @@ impl Polyline {
         Polyline { points, lengths, closed: false }
     }
 
+    /// Its points [m]; the first once more at the end where it is closed.
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
     /// Its length [m].
     pub fn length(&self) -> f64 {
         self.lengths[self.lengths.len() - 1]

@@ -50,11 +50,13 @@ pub enum Shape {
     Polygon {
         /// Vertices in the body's frame, shape (n, 2): a polygon's counter-clockwise, not repeated at the end, a plate's middle line
         /// [m].
+        #[schemars(extend("x-default" = "required by polygon, polyline without outline"))]
         points: Vec<[f64; 2]>,
     },
     /// An open line of constant thickness: a bent plate.
     Polyline {
         /// Vertices of the plate's middle line, shape (n, 2) [m].
+        #[schemars(extend("x-default" = "required by polygon, polyline without outline"))]
         points: Vec<[f64; 2]>,
         /// Thickness of the plate, half of it on each side of the line [m]. Of any size, also below the spacing (THEORY WA9); a fixed
         /// plate may stand on the tank's floor or walls.

@@ -81,7 +81,17 @@ impl Checker<'_> {
         let keys = node.keys(content);
         let here = Place { node, content };
         let mut kept = Map::new();
+        for (tag, _) in &keys.tags {
+            if let (Some(value), Some(node)) = (content.get(*tag), keys.own(tag)) {
+                word(&node.tag_words(), value, &joined(path, tag))?;
+            }
+        }
         for (key, value) in content {
+            let tagged = keys.foreign(key).find(|other| keys.assumed.contains(&other.tag) && keys.own(key).is_none());
+            if let Some((other, node)) = tagged.and_then(|other| Some((other, keys.own(other.tag)?))) {
+                let words = node.tag_words().join(", ");
+                return Err(Problem::missing(&joined(path, other.tag), format!("one of {words}")));
+            }
             let path = joined(path, key);
             let nested: Vec<Foreign> =
                 others.iter().flat_map(|other| within(other, content, key)).chain(keys.foreign(key).copied()).collect();
@@ -136,6 +146,14 @@ impl Checker<'_> {
             (Some("array"), Value::Array(items)) => return self.list(inner, items, path).map(Some),
             (Some("object"), Value::Object(content)) => {
                 return self.table(inner, others, content, path).map(|table| Some(Value::Object(table)));
+            }
+            (Some("object"), Value::Array(items)) if items.iter().all(Value::is_object) => {
+                let given = format!("a list of tables, [[{path}]]");
+                return Err(Problem::new(
+                    path,
+                    given,
+                    format!("one table, [{path}] in single brackets: there is only one"),
+                ));
             }
             _ => return refused(shown(given)),
         }

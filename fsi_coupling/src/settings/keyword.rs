@@ -96,7 +96,7 @@ fn required_by(table: Node, key: &str) -> String {
 }
 
 /// The text of a description and the unit that ends its first sentence.
-fn meaning(description: &str) -> (String, String) {
+pub(super) fn meaning(description: &str) -> (String, String) {
     let text = description.split_whitespace().collect::<Vec<_>>().join(" ");
     let end = text.find(". ").unwrap_or_else(|| text.trim_end_matches('.').len());
     let (sentence, rest) = text.split_at(end);

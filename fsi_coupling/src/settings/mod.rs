@@ -41,7 +41,9 @@ mod problem;
 mod schema;
 #[cfg(test)]
 mod tests;
+mod units;
 
 pub use keyword::Keyword;
-pub use problem::{Problem, require, significant};
+pub use problem::{DataLine, Problem, require, significant};
 pub use schema::{OrTouching, Schema};
+pub use units::{convert, is_quantity};

@@ -22,6 +22,8 @@ pub(super) struct Keys<'s> {
     pub foreign: Vec<Foreign<'s>>,
     /// The tags that select `own`, each with its present value.
     pub tags: Vec<(&'s str, &'s str)>,
+    /// Those of them that are neither given nor have a default.
+    pub assumed: Vec<&'s str>,
 }
 
 impl<'s> Keys<'s> {
@@ -134,6 +136,9 @@ impl<'s> Node<'s> {
         let given = |tag: &str| content.get(tag).and_then(Value::as_str).or(usual);
         let chosen = self.variants().find(|(_, tag, value)| given(tag) == Some(value));
         let Some((variant, tag, value)) = chosen.or_else(|| self.variants().next()) else { return };
+        if chosen.is_none() {
+            keys.assumed.push(tag);
+        }
         keys.tags.push((tag, value));
         let before = keys.own.len();
         variant.collect(content, keys);

@@ -11,11 +11,14 @@ use super::check::{Checker, Place, joined};
 use super::keyword::{self, Keyword};
 use super::node::Node;
 use super::problem::Problem;
+use super::units;
 
 /// The JSON Schema (draft 2020-12) of a struct of settings, and its keywords.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
     value: Value,
+    /// The same, where a number may be a string with a unit too.
+    published: Value,
     keywords: Vec<Keyword>,
     noun: &'static str,
 }
@@ -40,12 +43,26 @@ impl Schema {
         finish(&mut value, true);
         let mut keywords = Vec::new();
         keyword::collect(Node(&value), "", &mut keywords);
-        Schema { value, keywords, noun }
+        let mut published = value.clone();
+        units::allow_strings(&mut published, false);
+        Schema { value, published, keywords, noun }
     }
 
     /// As JSON.
     pub fn to_json(&self) -> &Value {
-        &self.value
+        &self.published
+    }
+
+    /// What the settings are called in messages: "a scene".
+    pub fn noun(&self) -> &'static str {
+        self.noun
+    }
+
+    /// The given settings with each string that has a unit, `"4 mm"`, as a number in the unit of its key; a number beyond `largest`
+    /// is refused as one is that was given without a unit.
+    pub fn in_si(&self, given: Value, largest: f64) -> Result<Value, Problem> {
+        units::Conversion { unit_of: &|path| self.keyword(path).map(|keyword| keyword.unit.as_str()), largest }
+            .value(given, "", None)
     }
 
     /// All keys, in the order of their declaration.
@@ -82,7 +99,8 @@ impl Schema {
     pub fn missing(&self, table: &str, error: &serde_json::Error) -> Problem {
         let text = error.to_string();
         let Some(key) = text.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) else {
-            return Problem { key: table.to_string(), sentence: format!("`{table}`: {text}") };
+            let sentence = format!("`{table}`: {text}");
+            return Problem { key: table.to_string(), sentence, ..Problem::default() };
         };
         let path = joined(table, key);
         let keyword = self.keyword(&path);
@@ -96,21 +114,30 @@ impl Schema {
     /// The refusal of an unknown key, with the nearest known one.
     fn unknown(&self, path: &str) -> Problem {
         let near = self.nearest(path).map_or(String::new(), |near| format!(", such as `{near}`"));
-        let sentence = format!("unknown key `{path}`: expected a key of {}{near}", self.noun);
-        Problem { key: path.to_string(), sentence }
+        let expected = format!("a key of {}{near}", self.noun);
+        let sentence = format!("unknown key `{path}`: expected {expected}");
+        Problem { key: path.to_string(), sentence, given: Some(path.to_string()), expected, line: None }
     }
 
     /// The known path nearest to an unknown one: few edits of the last word, few changes of table.
     fn nearest(&self, path: &str) -> Option<&str> {
         let path = without_indices(path);
         let (table, key) = path.rsplit_once('.').unwrap_or(("", &path));
-        let cost = |keyword: &&Keyword| {
-            let (its_table, its_key) = keyword.path.rsplit_once('.').unwrap_or(("", &keyword.path));
+        let cost = |known: &&str| {
+            let (its_table, its_key) = known.rsplit_once('.').unwrap_or(("", known));
             3 * strsim::levenshtein(key, its_key) + strsim::levenshtein(table, its_table).min(2)
         };
-        let best = self.keywords.iter().min_by_key(cost)?;
+        let keys = self.keywords.iter().map(|keyword| keyword.path.as_str());
+        let best = keys.chain(self.tables()).min_by_key(cost)?;
         // more than a third of the word changed is another word
-        (cost(&best) <= key.chars().count() + 2).then_some(best.path.as_str())
+        (cost(&best) <= key.chars().count() + 2).then_some(best)
+    }
+
+    /// The tables that hold keys, such as `body` and `body.panels`; most of them several times.
+    pub fn tables(&self) -> impl Iterator<Item = &str> {
+        let around = |path: &'_ str| path.match_indices('.').map(|(at, _)| at).collect::<Vec<_>>();
+        let tables = move |path| around(path).into_iter().map(move |at: usize| path[..at].trim_end_matches("[]"));
+        self.keywords.iter().flat_map(move |keyword| tables(keyword.path.as_str()))
     }
 }
 

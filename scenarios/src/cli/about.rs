@@ -1,9 +1,15 @@
-//! `splashdown list`, `keywords`, `schema` and `check`: what there is, and what a run would cost.
+//! `splashdown list`, `show`, `new` and `check`: what there is, and what a run would cost.
 
-use super::shared::{DONE, Output, SceneArgs, Stop, load, say};
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
 use crate::preflight::preflight;
-use crate::reference_page::reference_page;
-use crate::scene;
+use crate::report::section_picture;
+use crate::spelling::nearest;
+use crate::templates::TEMPLATES;
+use crate::{ditching, scene};
 
 pub(super) fn list(output: &Output) -> Result<u8, Stop> {
     let mut scenes = Vec::new();
@@ -19,30 +25,69 @@ pub(super) fn list(output: &Output) -> Result<u8, Stop> {
     Ok(DONE)
 }
 
-pub(super) fn keywords(output: &Output, markdown: bool) -> Result<u8, Stop> {
-    if markdown {
-        say(reference_page().trim_end());
+#[derive(Args)]
+pub(super) struct ShowArgs {
+    /// Name of a built-in scene or landing.
+    scene: String,
+}
+
+pub(super) fn show(args: &ShowArgs) -> Result<u8, Stop> {
+    let known: Vec<(&str, &str)> = scene::builtin().iter().chain(ditching::builtin()).copied().collect();
+    let text = named("built-in scene", &args.scene, &known)?;
+    say(text.trim_end());
+    Ok(DONE)
+}
+
+#[derive(Args)]
+pub(super) struct NewArgs {
+    /// wedge, section (an outline of points), panel (a section whose bottom bends) or ditching (a landing).
+    template: String,
+    /// Write the scene to this file, which must not exist, instead of to stdout.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+pub(super) fn new_scene(output: &Output, args: &NewArgs) -> Result<u8, Stop> {
+    let text = named("template", &args.template, &TEMPLATES)?;
+    let Some(path) = &args.out else {
+        say(text.trim_end());
         return Ok(DONE);
+    };
+    if path.exists() {
+        return Err(Stop::Input(format!("--out {}: expected the name of a new file, this one exists", path.display())));
     }
-    for k in scene::schema().keywords() {
-        match output.json {
-            true => say(serde_json::json!(k)),
-            false => {
-                say(format_args!("{}\n    {}; {} (unit: {}; default: {})", k.path, k.doc, k.takes, k.unit, k.default))
-            }
-        }
-    }
+    write(path, text)?;
+    let verb = if args.template == "ditching" { "ditch" } else { "check" };
+    output.progress(format_args!("wrote {path}; next: splashdown {verb} {path}", path = path.display()));
     Ok(DONE)
 }
 
-pub(super) fn schema() -> Result<u8, Stop> {
-    say(format_args!("{:#}", scene::schema().to_json()));
-    Ok(DONE)
+/// The text with a name.
+fn named<'a>(kind: &str, name: &str, known: &[(&'a str, &'a str)]) -> Result<&'a str, Stop> {
+    if let Some((_, text)) = known.iter().find(|(known, _)| *known == name) {
+        return Ok(text);
+    }
+    let names = || known.iter().map(|(name, _)| *name);
+    let near = nearest(name, names()).map_or(String::new(), |near| format!(": did you mean `{near}`?"));
+    Err(Stop::Input(format!("no {kind} `{name}`{near}\n  expected one of {}", names().collect::<Vec<_>>().join(", "))))
 }
 
-pub(super) fn check(output: &Output, args: &SceneArgs) -> Result<u8, Stop> {
-    let loaded = load(args)?;
-    let preflight = preflight(&loaded.scene, &loaded.warnings);
+#[derive(Args)]
+pub(super) struct CheckArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Draw the body, its panels and gauges, and the water at the start into this SVG file.
+    #[arg(long, value_name = "FILE")]
+    picture: Option<PathBuf>,
+}
+
+pub(super) fn check(output: &Output, args: &CheckArgs) -> Result<u8, Stop> {
+    let loaded = load(&args.scene)?;
+    let mut preflight = preflight(&loaded.scene, &loaded.warnings);
+    preflight.outline = loaded.outline.clone();
+    if let Some(path) = &args.picture {
+        write(path, &section_picture(&loaded.scene))?;
+    }
     output.result(&preflight, &preflight.to_text());
     Ok(DONE)
 }

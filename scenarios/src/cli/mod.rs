@@ -4,19 +4,24 @@ mod about;
 mod bench;
 mod ditch;
 mod experiments;
+mod keywords;
 mod run;
 mod shared;
 mod sweep;
+#[cfg(feature = "legacy")]
+mod thesis_files;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue};
+use clap::{CommandFactory, Parser, Subcommand};
 use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
+use crate::spelling::nearest;
 use experiments::{convergence, stability, work_precision};
-use shared::{DONE, FAILED, INPUT, Output, SceneArgs, Stop, complain, unsaid};
+use shared::{DONE, FAILED, INPUT, Output, Stop, complain, say, unsaid, was_said};
 
 /// Threads for each core, at most: more only wait for each other.
 const MOST_THREADS: usize = 8;
@@ -37,10 +42,14 @@ struct Cli {
 enum Command {
     /// List the built-in scenes.
     List,
+    /// Print the text of a built-in scene or landing.
+    Show(about::ShowArgs),
+    /// Print a scene to start from: wedge, section, panel or ditching.
+    New(about::NewArgs),
     /// Run a scene and write log, curves, summary and report.
     Run(run::RunArgs),
     /// Print what a run would cost and its known limits, without running it.
-    Check(SceneArgs),
+    Check(about::CheckArgs),
     /// Run a scene at several spacings and sound speeds and extrapolate a number.
     Study(convergence::StudyArgs),
     /// Chart error against cost, for numbers whose value is known.
@@ -57,32 +66,47 @@ enum Command {
     Validate(experiments::ValidateArgs),
     /// Count how often the error bars of `run --converge` contain an exact value.
     Bands(experiments::BandsArgs),
-    /// Describe every key of a scene file.
-    Keywords {
-        /// As a page of Markdown, with the keys of landings and of embedded elements.
-        #[arg(long)]
-        markdown: bool,
-    },
+    /// Describe every key of scenes and landings, or those that start with a prefix.
+    Keywords(keywords::KeywordsArgs),
+    /// Make a scene of INDAT and IPART, the files of the solver of 2010.
+    #[cfg(feature = "legacy")]
+    Import(thesis_files::ImportArgs),
+    /// Write a scene in other formats: INDAT and IPART.
+    #[cfg(feature = "legacy")]
+    Export(thesis_files::ExportArgs),
     /// Print the JSON Schema (draft 2020-12) of a scene file.
     Schema,
 }
 
 /// Entry point of the binary.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return refused(&error),
+    };
     trace(cli.output.quiet);
-    let code = start(&cli).unwrap_or_else(|stop| match stop {
-        Stop::Scene(error) => {
-            complain(format_args!("{:?}", miette::Report::new(error)));
-            INPUT
+    let code = start(&cli).unwrap_or_else(|stop| {
+        if cli.output.json && !was_said() {
+            say(serde_json::json!({"error": stop.to_json()}));
         }
-        Stop::Input(text) => {
-            complain(format_args!("error: {text}"));
-            INPUT
-        }
-        Stop::Failed(text) => {
-            complain(format_args!("error: {text}"));
-            FAILED
+        match stop {
+            Stop::Scene(error) => {
+                complain(format_args!("{:?}", miette::Report::new(error)));
+                INPUT
+            }
+            #[cfg(feature = "legacy")]
+            Stop::Line(problem) => {
+                complain(format_args!("error: {problem}"));
+                INPUT
+            }
+            Stop::Input(text) => {
+                complain(format_args!("error: {text}"));
+                INPUT
+            }
+            Stop::Failed(text) => {
+                complain(format_args!("error: {text}"));
+                FAILED
+            }
         }
     });
     match unsaid().filter(|_| code == DONE) {
@@ -92,6 +116,30 @@ pub fn main() -> ExitCode {
         }
         None => ExitCode::from(code),
     }
+}
+
+/// What clap refuses, in its words; with `--json` as JSON too. Help and version are no errors.
+fn refused(error: &clap::Error) -> ExitCode {
+    let code = error.exit_code();
+    if code != 0 && std::env::args().any(|argument| argument == "--json") {
+        let text = error.render().to_string();
+        let text = text.trim_start_matches("error: ").split("\n\nUsage").next().unwrap_or_default().trim();
+        say(serde_json::json!({"error": Stop::Input(text.to_string()).to_json()}));
+    }
+    let _ = error.print();
+    near_verb(error).into_iter().for_each(|verb| complain(format_args!("  tip: did you mean `splashdown {verb}`?")));
+    ExitCode::from(u8::try_from(code).unwrap_or(INPUT))
+}
+
+/// The command that a misspelt one, or a scene in its place, may mean.
+fn near_verb(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    if crate::scene::builtin().iter().any(|(name, _)| name == given) || given.ends_with(".toml") {
+        return Some(format!("run {given}"));
+    }
+    let verbs: Vec<String> = Cli::command().get_subcommands().map(|verb| verb.get_name().to_string()).collect();
+    let suggested = error.get(ContextKind::SuggestedSubcommand).is_some();
+    nearest(given, verbs.iter().map(String::as_str)).filter(|_| !suggested).map(String::from)
 }
 
 /// Events of a run go to stderr. `SPLASHDOWN_LOG=debug` shows more than warnings; `MODULE=LEVEL,…` selects by module.
@@ -114,6 +162,8 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
     let output = &cli.output;
     match &cli.command {
         Command::List => about::list(output),
+        Command::Show(args) => about::show(args),
+        Command::New(args) => about::new_scene(output, args),
         Command::Run(args) => run::run_scene(output, args),
         Command::Check(args) => about::check(output, args),
         Command::Study(args) => convergence::run_study(output, args),
@@ -124,7 +174,11 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Validate(args) => experiments::run_validation(output, args),
         Command::Bands(args) => experiments::run_bands(output, args),
-        Command::Keywords { markdown } => about::keywords(output, *markdown),
-        Command::Schema => about::schema(),
+        Command::Keywords(args) => keywords::keywords(output, args),
+        #[cfg(feature = "legacy")]
+        Command::Import(args) => thesis_files::import(output, args),
+        #[cfg(feature = "legacy")]
+        Command::Export(args) => thesis_files::export(output, args),
+        Command::Schema => keywords::schema(),
     }
 }

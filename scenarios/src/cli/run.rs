@@ -122,6 +122,9 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         say(in_words(&summary));
         say(format_args!("files in {}: open report.html", out.display()));
     }
+    if output.quiet {
+        summary.doubts.iter().for_each(|doubt| complain(format_args!("warning: {doubt}")));
+    }
     match summary.status {
         Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable => Ok(DONE),
         Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),

@@ -3,8 +3,11 @@
 use std::io::Write;
 use std::path::Path;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+#[cfg(feature = "legacy")]
+use fsi_coupling::settings::Problem;
 use serde::Serialize;
 
 use crate::run::RunError;
@@ -49,11 +52,20 @@ impl Output {
 ///
 /// One that cannot take it, as a full disk, is told at the end ([`unsaid`]).
 pub(super) fn say(text: impl std::fmt::Display) {
+    SAID.store(true, Ordering::Relaxed);
     if let Err(error) = writeln!(std::io::stdout(), "{text}")
         && error.kind() != std::io::ErrorKind::BrokenPipe
     {
         UNSAID.get_or_init(|| error.to_string());
     }
+}
+
+/// Whether a line was printed on stdout.
+static SAID: AtomicBool = AtomicBool::new(false);
+
+/// True once a line was printed on stdout: a second document of JSON would not be read.
+pub(super) fn was_said() -> bool {
+    SAID.load(Ordering::Relaxed)
 }
 
 /// Why a line could not be printed, the first time.
@@ -109,8 +121,29 @@ pub(super) fn available_memory() -> u64 {
 /// Why the process ends with a code other than 0.
 pub(super) enum Stop {
     Scene(SceneError),
+    /// A line of another file than a scene.
+    #[cfg(feature = "legacy")]
+    Line(Box<Problem>),
     Input(String),
     Failed(String),
+}
+
+impl Stop {
+    /// The error as an object of JSON: message, file, line, key, given, expected, help; null where there is none.
+    pub fn to_json(&self) -> serde_json::Value {
+        match self {
+            Stop::Scene(error) => error.to_json(),
+            #[cfg(feature = "legacy")]
+            Stop::Line(problem) => serde_json::json!({
+                "message": problem.sentence, "file": problem.line.as_ref().map(|at| &at.file),
+                "line": problem.line.as_ref().map(|at| at.line), "key": null, "given": problem.given,
+                "expected": problem.expected, "help": null
+            }),
+            Stop::Input(message) | Stop::Failed(message) => serde_json::json!({
+                "message": message, "file": null, "line": null, "key": null, "given": null, "expected": null, "help": null
+            }),
+        }
+    }
 }
 
 impl From<SceneError> for Stop {

@@ -188,7 +188,7 @@ pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
     let refused = |e: FuselageError| {
         let key = if scene.stations.is_empty() { "stations".into() } else { format!("stations[{}]", e.station) };
         let sentence = format!("`{key}`: {}", e.why);
-        Problem { key, sentence }
+        Problem { key, sentence, ..Problem::default() }
     };
     if !scene.model.is_theory() {
         return Err(Problem::new("model", scene.model.name(), "von_karman, wagner or mlm"));

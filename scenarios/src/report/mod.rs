@@ -14,6 +14,7 @@ mod flow_figure;
 mod html;
 mod markup;
 pub(crate) mod run_page;
+mod section_picture;
 mod table;
 mod ticks;
 
@@ -24,5 +25,6 @@ pub use flow::{FlowFrame, FlowView, flow_png};
 pub use flow_figure::flow_svg;
 pub use html::{Block, Report, Status, render};
 pub(crate) use markup::escape;
+pub use section_picture::section_picture;
 pub use table::{Column, Table};
 pub(crate) use table::{known, row};

@@ -10,16 +10,19 @@ use sph_core::{FluidSettings, Solver};
 
 use super::check::{check, check_step};
 use super::draft::Draft;
+use super::error::SceneError;
 use super::estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 use super::gauge_warnings::gauge_warnings;
 use super::impact::Entry;
 use super::keel::keel_warnings;
 use super::legacy::refuse_absent;
-use super::references::{drop_references, sets_of_the_flow, settle_references};
+use super::outline::OutlineReport;
+use super::prepare::prepare;
+use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
-use super::source::{SceneError, Source, refuse_absurd_numbers};
+use super::source::{Source, refuse_absurd_numbers};
 use super::warnings::warnings;
 use crate::charted::spacing_within;
 use crate::embedded::texts;
@@ -48,6 +51,8 @@ pub struct Loaded {
     pub scene: Scene,
     /// Warnings, in plain words.
     pub warnings: Vec<String>,
+    /// What was understood of the file of `body.outline`.
+    pub outline: Option<OutlineReport>,
     source: Source,
 }
 
@@ -77,7 +82,12 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
-    settle_references(&mut given, &source.name).map_err(|problem| source.error(problem))?;
+    let written = given.clone();
+    let outline = prepare(&mut given, &source.name).map_err(|problem| {
+        // a misspelt key may be why another is missing
+        let misspelt = schema().check(&written).err().filter(|first| first.sentence.starts_with("unknown key"));
+        source.error(misspelt.unwrap_or(problem))
+    })?;
     let mut scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
     // what the program chose must be read again from the resolved scene
     let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));
@@ -90,14 +100,14 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
         .chain(keel_warnings(&scene))
         .chain(gauge_warnings(&scene))
         .collect();
-    Ok(Loaded { warnings, scene, source })
+    Ok(Loaded { warnings, scene, outline, source })
 }
 
 /// The scene without the `--set` keys that say what flows, where it can be read, and the first of these keys; `None` without any.
 fn before(source: &Source, scene: &Scene) -> Option<(Option<Scene>, String)> {
     let (sets, changed) = sets_of_the_flow(&source.sets).filter(|_| !scene.compare.is_empty())?;
     let before = Source { sets, ..source.clone() }.read().ok().and_then(|mut given| {
-        settle_references(&mut given, &source.name).ok()?;
+        prepare(&mut given, &source.name).ok()?;
         checked(given, Limits::Ignored).ok()
     });
     Some((before, changed))

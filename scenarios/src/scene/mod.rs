@@ -15,7 +15,9 @@
 mod approach;
 mod auto;
 mod check;
+mod data_file;
 pub(crate) mod draft;
+mod error;
 mod estimate;
 mod exchange;
 mod force_limits;
@@ -25,17 +27,24 @@ mod incompressible;
 mod keel;
 #[cfg_attr(not(feature = "legacy"), path = "without_legacy.rs")]
 mod legacy;
+mod library;
 mod load;
+mod motion_file;
+mod outline;
+mod prepare;
 mod references;
 mod resolve;
 mod resolve_body;
 pub mod settings;
 pub(crate) mod source;
+mod stations;
+mod table_file;
 mod warnings;
 mod wet_period;
 
 pub(crate) use approach::{LEAST_GAP, START_GAP};
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
+pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
 pub use exchange::{ExchangeRatio, panel_exchanges};
 pub(crate) use force_limits::limit_of_forces;
@@ -49,13 +58,15 @@ pub use impact::{
 };
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;
+pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, WaterName, WaterProperties};
 pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
+pub use outline::OutlineReport;
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Moved, Norm, Observe,
     Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,
-    TheoryName, Time, panel_length, schema,
+    TheoryName, Time, panel_length, panel_line, schema,
 };
-pub use source::{SceneError, apply_set};
+pub use source::apply_set;
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;
 pub use wet_period::longest_step;

@@ -1,11 +1,9 @@
 //! The references of a scene: where they may lie, whether they hold points to compare, and which of them a changed key leaves.
 
-use std::fs;
-use std::path::{Component, Path};
-
 use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
 
+use super::data_file::beside;
 use super::settings::{Compare, Scene};
 use super::source::assignment;
 use crate::reference::{ReferenceError, Table};
@@ -18,28 +16,17 @@ const NOT_OF_THE_FLOW: [&str; 2] = ["elements", "name"];
 /// Puts the path of each reference behind the folder of the scene's file. Only files below that folder may be named: the text of a
 /// cell that is not a number is shown in a message.
 pub(super) fn settle_references(given: &mut Value, scene_file: &str) -> Result<(), Problem> {
-    let folder = Path::new(scene_file).parent().unwrap_or(Path::new(""));
     let Some(compares) = given.get_mut("compare").and_then(Value::as_array_mut) else { return Ok(()) };
     for (i, compare) in compares.iter_mut().enumerate() {
         let Some(reference) = compare.get_mut("reference") else { continue };
         let Some(name) = reference.as_str().filter(|name| !Table::is_builtin(name)).map(str::to_string) else {
             continue;
         };
-        let file = folder.join(&name);
-        let below = Path::new(&name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-        // what is not there is told with the tables that are
-        let within = below && is_within(&file, folder).unwrap_or(true);
-        let expected = "a built-in table, or a CSV file below the folder of the scene's file";
-        require(within, &format!("compare[{i}].reference"), format_args!("{name:?}"), expected)?;
+        let key = format!("compare[{i}].reference");
+        let file = beside(scene_file, &key, &name, "a built-in table, or a CSV file")?;
         *reference = Value::String(file.to_string_lossy().into_owned());
     }
     Ok(())
-}
-
-/// Whether a file is below a folder once links are followed.
-fn is_within(file: &Path, folder: &Path) -> std::io::Result<bool> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    Ok(fs::canonicalize(file)?.starts_with(fs::canonicalize(folder)?))
 }
 
 /// The `--set` arguments without those that say what flows, and the first of those; `None` where none does, or where one gives

@@ -40,7 +40,13 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let body = resolve_body(draft, symmetry)?;
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end));
-    let tank = if entry.is_some() { None } else { Some(resolve_tank(draft)?) };
+    let tank = match &entry {
+        Some(_) => None,
+        None => {
+            refuse_rising(draft, body.as_ref())?;
+            Some(resolve_tank(draft)?)
+        }
+    };
     let fastest = fastest_speed(entry.as_ref(), body.as_ref(), gravity, tank.as_ref())
         + tank.as_ref().map_or(0.0, Tank::block_speed);
     let automatic = !draft.is_given("resolution.fine_zone");
@@ -113,6 +119,14 @@ fn resolve_time(draft: &mut Draft) -> Result<Time, Problem> {
         )?;
     }
     Ok(time)
+}
+
+/// A body that moves up does not meet the water: without a tank of its own such a scene has a wrong sign.
+fn refuse_rising(draft: &Draft, body: Option<&Body>) -> Result<(), Problem> {
+    let has_tank = draft.is_given("tank.depth") && draft.is_given("tank.width");
+    let Some(body) = body.filter(|body| !has_tank && body.velocity[1] > 0.0) else { return Ok(()) };
+    let expected = "y below 0, down into the water, or a [tank] with width and depth: this body moves up";
+    Err(Problem::new("body.velocity", format!("{:?}", body.velocity), expected))
 }
 
 fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {

@@ -205,7 +205,11 @@ fn check_panel(panel: &Panel, shape: &Shape, symmetry: Symmetry, key: impl Fn(&s
     let expected = if line.is_closed() { "another point than from" } else { "a point after from along body.points" };
     let apart = from != to && (line.is_closed() || to > from);
     require(apart, &key("to"), format_args!("{:?}", panel.to), expected)?;
-    let length = line.part(from, to).length();
+    let part = line.part(from, to);
+    let own_half = !half || part.points().iter().all(|point| point[0] >= -1e-9 * line.length());
+    let expected = "a panel with x >= 0 all the way, with symmetry = \"x\"; from and to may be the wrong way round";
+    require(own_half, &key("to"), format_args!("{:?}", panel.to), expected)?;
+    let length = part.length();
     let expected = format_args!("at most half the panel's length of {} m: thicker it is no plate", significant(length));
     require(panel.thickness <= 0.5 * length, &key("thickness"), panel.thickness, expected)?;
     check_end_springs(panel, &key)?;

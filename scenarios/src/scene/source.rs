@@ -1,16 +1,17 @@
 //! The text that a scene comes from, the `--set` arguments that change it, and where in it a key stands.
 
-use std::io::{self, ErrorKind};
+use std::io::ErrorKind;
 use std::ops::Range;
 use std::sync::Arc;
 
-use fsi_coupling::settings::{Keyword, Problem, Schema, require};
-use miette::{Diagnostic, NamedSource, SourceSpan};
-use thiserror::Error;
+use fsi_coupling::settings::{Keyword, Problem, Schema, is_quantity, require};
+use miette::NamedSource;
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
+use super::error::SceneError;
 use crate::bounded_text::read_text;
+use crate::spelling::nearest;
 
 /// Beyond any length [m], time [s], mass [kg/m] or factor of a scene.
 pub(crate) const LARGEST_NUMBER: f64 = 1e12;
@@ -21,58 +22,6 @@ const PART_SHOWN: usize = 60;
 
 /// Most keys in the path of an argument: no scene has as many, and deeper tables would not fit on the stack.
 const DEEPEST: usize = 32;
-
-/// Why a scene cannot be run: its first mistake, with the place, the key, what was given and what was expected.
-#[derive(Debug, Error, Diagnostic)]
-pub enum SceneError {
-    /// Neither a built-in scene nor a file.
-    #[error("`{name}` is neither a built-in scene nor a file")]
-    Unknown {
-        /// What was asked for.
-        name: String,
-        /// The scenes there are.
-        #[help]
-        help: String,
-    },
-    /// The file is there and cannot be read.
-    #[error("cannot read the scene {path}: {cause}")]
-    Unreadable {
-        /// The file.
-        path: String,
-        /// What the system says.
-        cause: io::Error,
-    },
-    /// A mistake in the file.
-    #[error("{name}:{line}: {problem}")]
-    File {
-        /// The file, or the built-in scene.
-        name: String,
-        /// Line of the mistake, from 1.
-        line: usize,
-        /// The key, what was given and what was expected.
-        problem: String,
-        /// The text of the file.
-        #[source_code]
-        text: Arc<NamedSource<String>>,
-        /// Where in the text.
-        #[label("here")]
-        span: SourceSpan,
-        /// What the key means.
-        #[help]
-        help: Option<String>,
-    },
-    /// A mistake in a `--set` argument.
-    #[error("--set {argument}: {problem}")]
-    Set {
-        /// The argument.
-        argument: String,
-        /// The key, what was given and what was expected.
-        problem: String,
-        /// What the key means.
-        #[help]
-        help: Option<String>,
-    },
-}
 
 /// A scene's text and the `--set` arguments that change it.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,7 +50,8 @@ impl Source {
                 Err(cause) if cause.kind() == ErrorKind::NotFound => {
                     let names: Vec<&str> = builtin.iter().map(|(name, _)| *name).collect();
                     let help = format!("built-in {kind}: {}", names.join(", "));
-                    return Err(SceneError::Unknown { name: path, help });
+                    let near = nearest(&path, names).map(String::from);
+                    return Err(SceneError::Unknown { name: path, near, help });
                 }
                 Err(cause) => return Err(SceneError::Unreadable { path, cause }),
             },
@@ -117,30 +67,32 @@ impl Source {
         }
         let value = Value::Table(table);
         refuse_absurd_numbers("", &value).map_err(|problem| self.error(problem))?;
-        Ok(serde_json::to_value(value).unwrap_or_default())
+        let given = serde_json::to_value(value).unwrap_or_default();
+        self.schema.in_si(given, LARGEST_NUMBER).map_err(|problem| self.error(problem))
     }
 
     /// Puts a problem in its place: the last `--set` argument that wrote the key, else its line in the text.
     pub fn error(&self, problem: Problem) -> SceneError {
         let help = self.schema.keyword(&problem.key).map(Keyword::help);
         match self.sets.iter().rfind(|set| writes(set, &problem.key)) {
-            Some(argument) => SceneError::Set { argument: argument.clone(), problem: problem.sentence, help },
-            None => self.error_at(self.span(&problem.key), problem.sentence, help),
+            Some(argument) => SceneError::Set { argument: argument.clone(), problem: problem.into(), help },
+            None => self.error_at(self.span(&problem.key), problem, help),
         }
     }
 
     /// What the TOML parser has to say about the text.
     fn syntax_error(&self, error: &toml::de::Error) -> SceneError {
         let sentence = format!("not valid TOML: {}", error.message());
-        self.error_at(error.span().unwrap_or(0..0), sentence, None)
+        let problem = Problem { sentence, expected: "valid TOML".into(), ..Problem::default() };
+        self.error_at(error.span().unwrap_or(0..0), problem, None)
     }
 
-    fn error_at(&self, span: Range<usize>, problem: String, help: Option<String>) -> SceneError {
+    fn error_at(&self, span: Range<usize>, problem: Problem, help: Option<String>) -> SceneError {
         let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
         let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
         let (shown, span) = self.shown(span);
         let text = Arc::new(NamedSource::new(&self.name, shown));
-        SceneError::File { name: self.name.clone(), line, problem, text, span: span.into(), help }
+        SceneError::File { name: self.name.clone(), line, problem: problem.into(), text, span: span.into(), help }
     }
 
     /// The text that a message shows, and the place in it: all of it, or a part where the text is too wide to be drawn.
@@ -239,12 +191,16 @@ pub(super) fn assignment(set: &str) -> Option<(&str, &str)> {
     Some((path.trim(), value.trim()))
 }
 
-/// Writes `key.path=value` into a scene's table. The value is TOML; a bare word is a string: `fluid.kernel=gaussian`.
+/// Writes `key.path=value` into a scene's table. The value is TOML; a bare word is a string, `fluid.kernel=gaussian`, and so is a
+/// number with a unit, `body.mass=2 t/m`.
 ///
 /// Tables on the way are made where they are missing, items of arrays are not. Whether a scene knows the key is seen
 /// when the table is read as one.
 pub fn apply_set(table: &mut Table, set: &str) -> Result<(), SceneError> {
-    let refuse = |problem: String| SceneError::Set { argument: set.to_string(), problem, help: None };
+    let refuse = |sentence: String| {
+        let problem = Problem { sentence, given: Some(set.to_string()), ..Problem::default() };
+        SceneError::Set { argument: set.to_string(), problem: problem.into(), help: None }
+    };
     let form = || refuse("expected the form key.path=value".to_string());
     let (path, text) = assignment(set).ok_or_else(form)?;
     let steps: Vec<Segment> = segments(path).collect();
@@ -269,6 +225,7 @@ fn parse(text: &str) -> Result<Value, String> {
         Err(_) if text.starts_with(char::is_alphabetic) && text.chars().all(bare) => {
             Ok(Value::String(text.to_string()))
         }
+        Err(_) if is_quantity(text) => Ok(Value::String(text.to_string())),
         Err(error) => Err(error.message().to_string()),
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use fsi_coupling::settings::Problem;
 use miette::NamedSource;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
@@ -39,7 +40,7 @@ impl<'a> TomlReader<'a> {
         SceneError::File {
             name: self.name.to_string(),
             line: 1 + before.iter().filter(|byte| **byte == b'\n').count(),
-            problem,
+            problem: Box::new(Problem { sentence: problem, ..Problem::default() }),
             text: Arc::new(NamedSource::new(self.name, self.text.to_string())),
             span: span.into(),
             help: None,

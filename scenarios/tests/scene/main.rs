@@ -1,11 +1,14 @@
 //! Scene files: what loads, what is refused and how, what is left to the program.
 
 mod legacy;
+mod own_section;
 mod panels;
 mod projection;
 mod reference_page;
 mod refused;
 mod start;
+#[cfg(feature = "legacy")]
+mod thesis_files;
 
 use scenarios::preflight::preflight;
 use scenarios::scene::{

@@ -19,6 +19,18 @@ pub struct Body {
     /// Outline, in the body's frame.
     #[serde(flatten)]
     pub shape: Shape,
+    /// File of the points of a polygon or polyline, below the folder of the scene's file: CSV or text (x, y), DAT of airfoils, DXF (LINE,
+    /// LWPOLYLINE, POLYLINE, ARC, CIRCLE) or SVG (straight lines). A polygon is turned counter-clockwise and closed; points that repeat
+    /// are merged.
+    #[serde(default, skip_serializing)]
+    pub outline: Option<String>,
+    /// Unit of the outline's file: m, cm, mm, in or ft. absent: that which the file states, else m.
+    #[serde(default, skip_serializing)]
+    pub outline_unit: Option<String>,
+    /// Table of the motion, motion = "tabulated", below the folder of the scene's file: a header of t and x, y, angle, or the velocities
+    /// vx, vy, omega, with units such as y [mm]. Displacements count from the first row; velocities are linear between rows.
+    #[serde(default, skip_serializing)]
+    pub motion_file: Option<String>,
     /// Centre of mass x, y in the body's frame, without the panels [m]. The frame's origin is a wedge's keel, an arc's lowest
     /// point, a box's centre.
     #[schemars(extend("x-default" = "centroid of the outline"))]
@@ -73,8 +85,9 @@ const FASTEST: f64 = 1e4;
 /// Prescribed displacements at given times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Displacements {
-    /// Rows of time, displacement x, y and rotation from body.position and body.angle_deg, in order of time. Between rows cubic in
-    /// time, with the velocities of parabolas through three rows; outside the table at constant velocity [s, m, m, deg].
+    /// Rows of time, displacement x, y and rotation from body.position and body.angle_deg, in order of time [s, m, m, deg]. Between rows
+    /// cubic in time, with the velocities of parabolas through three rows; outside the table at constant velocity.
+    #[schemars(extend("x-default" = "required by tabulated without motion_file"))]
     pub displacements: Vec<[f64; 4]>,
 }
 
@@ -259,6 +272,13 @@ pub fn panel_length(body: &Body, panel: &Panel) -> f64 {
     let line = line(&body.shape);
     let [from, to] = [panel.from, panel.to].map(|end| line.nearest(end).0);
     line.part(from, to).length()
+}
+
+/// The part of the body's line that a panel takes [m, body's frame].
+pub fn panel_line(body: &Body, panel: &Panel) -> Vec<[f64; 2]> {
+    let line = line(&body.shape);
+    let [from, to] = [panel.from, panel.to].map(|end| line.nearest(end).0);
+    line.part(from, to).points().to_vec()
 }
 
 impl Body {

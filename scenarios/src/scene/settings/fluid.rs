@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use sph_core::{Auto, FluidSettings, SchemeSettings, Solver, projection, wcsph};
 
 use crate::scene::legacy;
+use crate::scene::library::WaterName;
 
 /// A solver and the settings that it reads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -55,6 +56,9 @@ pub enum SolverSettings {
 /// Keys of `[fluid]` that every solver has.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Water {
+    /// Water by name, for fluid.density where it is absent. Its viscosity stays fluid.kinematic_viscosity.
+    #[serde(default, skip_serializing)]
+    pub water: Option<WaterName>,
     /// Properties of the water.
     #[serde(flatten)]
     pub fluid: FluidSettings,

@@ -16,7 +16,7 @@ use fsi_coupling::settings::Schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length};
+pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
 pub(super) use body::{line, placed};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;

@@ -5,6 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{Material, Plasticity, Theory};
 
+use crate::scene::library::MaterialName;
+
 /// A flexible part of the body's surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Panel {
@@ -12,9 +14,22 @@ pub struct Panel {
     #[schemars(extend("x-default" = "panel1, ..."))]
     pub name: String,
     /// Start x, y in the body's frame, on the outline (a polyline's middle line) [m].
+    #[schemars(extend("x-default" = "required without from_point"))]
     pub from: [f64; 2],
     /// End x, y; along an outline counter-clockwise, along a polyline in the order of its points [m].
+    #[schemars(extend("x-default" = "required without to_point"))]
     pub to: [f64; 2],
+    /// Start as the number of a point of body.outline or body.points, counted from 1; 12.5 is halfway from 12 to 13 [-]. From there the
+    /// panel follows the order of the file, also where that is clockwise.
+    #[serde(default, skip_serializing)]
+    pub from_point: Option<f64>,
+    /// End as the number of a point [-].
+    #[serde(default, skip_serializing)]
+    pub to_point: Option<f64>,
+    /// Material by name, for youngs_modulus, poissons_ratio, density, yield_stress and allowable_stress where they are absent; with theory
+    /// = timoshenko without yield_stress. `splashdown keywords material` lists the numbers.
+    #[serde(default, skip_serializing)]
+    pub material: Option<MaterialName>,
     /// Number of beam elements. Light, soft panels may break down where elements are much shorter than 1.5 spacings.
     #[schemars(range(min = 2, max = 2000), extend("x-default" = "24, none shorter than 2 spacings, at least 8"))]
     pub elements: usize,
@@ -22,7 +37,7 @@ pub struct Panel {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: f64,
     /// Young's modulus; the plate bends with E/(1 - nu²), in plane stress with E [Pa].
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required without material"))]
     pub youngs_modulus: f64,
     /// Poisson's ratio [-].
     #[serde(default = "usual_poissons_ratio")]
@@ -32,13 +47,13 @@ pub struct Panel {
     #[serde(default)]
     pub plane: Plane,
     /// Density of the plate [kg/m³].
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "required without material"))]
     pub density: f64,
     /// Supports of both ends on the rest of the body, each its own: clamped, pinned, free; sliding (pinned) and guided (clamped)
     /// are free along the panel, without membrane force; mirror is joined to its image, at x = 0 with symmetry = x.
     #[serde(default)]
     pub ends: [PanelEnd; 2],
-    /// Springs between its ends and the rest of the body, along the panel, across it, in rotation [N/m², N/m², N/rad]: all at a free
+    /// Springs between its ends and the rest of the body, along the panel, across it, in rotation [N/m², N/m², N/rad]. All at a free
     /// end, the last at a pinned or sliding one, the first two at a mirror. absent: none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_springs: Option<[[f64; 3]; 2]>,

@@ -1,0 +1,63 @@
+//! Outlines as tables of points: CSV, and DAT of airfoils.
+
+use super::drawing::Drawing;
+use crate::scene::data_file::Fault;
+use crate::scene::table_file::NumberTable;
+
+/// Points of a table: its columns x and y, or its two columns. Of a DAT the first line is a name.
+pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
+    let (text, format) = if is_dat { (without_name(text), "DAT") } else { (text.to_string(), "CSV") };
+    let table = NumberTable::parse(&text)?;
+    let columns = table.rows.first().map_or(2, |(_, row)| row.len());
+    let [x, y] = match (table.column(&["x"]), table.column(&["y"])) {
+        (Some(x), Some(y)) => [x, y],
+        _ if columns == 2 => [0, 1],
+        _ => {
+            let line = table.rows.first().map_or(1, |(line, _)| *line);
+            return Err(Fault::new(line, format!("{columns} columns"), "two columns, or a header that names x and y"));
+        }
+    };
+    let [unit, other] = [table.factor(x, "m")?, table.factor(y, "m")?];
+    let has_unit = [x, y].iter().any(|k| table.units.get(*k).is_some_and(|unit| !unit.is_empty()));
+    let point = |(line, row): &(usize, Vec<f64>)| (*line, [row[x], other / unit * row[y]]);
+    let mut points: Vec<_> = table.rows.iter().map(point).collect();
+    if let (true, Some((_, [upper, lower]))) = (is_dat, points.first().copied()) {
+        let count = points.len() as f64 - 1.0;
+        // two counts of points, then the upper and the lower side, each from the nose (Lednicer)
+        if upper > 1.5 && upper.fract() == 0.0 && upper + lower == count {
+            points.remove(0);
+            points[..upper as usize].reverse();
+        }
+    }
+    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), format })
+}
+
+/// The text with its first line that says something as a comment, unless it is of numbers.
+fn without_name(text: &str) -> String {
+    let is_name = |line: &&str| line.split_whitespace().any(|cell| cell.parse::<f64>().is_err());
+    match text.lines().next().filter(is_name) {
+        Some(name) => format!("#{}", &text[name.len()..]),
+        None => text.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_found_by_name_and_units_by_the_header() {
+        let drawing = parse("n; x [mm]; y [mm]\n1; 0; 0\n2; 1000; 0\n3; 0; 500\n", false).expect("points");
+        assert_eq!((drawing.pieces[0][1], drawing.unit), ((3, [1000.0, 0.0]), Some(1e-3)));
+        assert!(parse("1,2,3\n1,2,3\n", false).is_err());
+    }
+
+    #[test]
+    fn both_orders_of_airfoils_give_one_line() {
+        let selig = parse("NACA 0012 section\n1 0\n0.5 0.1\n0 0\n0.5 -0.1\n1 0\n", true).expect("points");
+        assert_eq!(selig.pieces[0].len(), 5);
+        let lednicer = parse("Wing 3\n3. 3.\n\n0 0\n0.5 0.1\n1 0\n\n0 0\n0.5 -0.1\n1 0\n", true).expect("points");
+        let points: Vec<_> = lednicer.pieces[0].iter().map(|(_, p)| *p).collect();
+        assert_eq!(points, [[1.0, 0.0], [0.5, 0.1], [0.0, 0.0], [0.0, 0.0], [0.5, -0.1], [1.0, 0.0]]);
+    }
+}

@@ -1,0 +1,19 @@
+//! From what a scene's text says to plain keys: files that it names are read, names of materials become numbers.
+
+use fsi_coupling::settings::Problem;
+use serde_json::Value;
+
+use super::outline::OutlineReport;
+use super::references::settle_references;
+use super::{library, motion_file, outline, stations};
+
+/// Replaces names of files, materials and numbered points by their values; what was understood of an outline.
+pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Option<OutlineReport>, Problem> {
+    settle_references(given, scene_file)?;
+    library::settle(given);
+    motion_file::settle(given, scene_file)?;
+    let from_file = outline::settle(given, scene_file)?;
+    let written = if from_file.is_some() { None } else { stations::written(given) };
+    stations::settle(given, from_file.as_ref().map(|settled| &settled.stations).or(written.as_ref()))?;
+    Ok(from_file.map(|settled| settled.report))
+}

@@ -1,0 +1,94 @@
+//! The section of the guide: its points in each format, its panel, its picture.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use scenarios::report::section_picture;
+use scenarios::scene::{Loaded, Shape, load, panel_length};
+
+const POINTS: &str = include_str!("../../../docs/src/guide/hull_section.csv");
+const GUIDE: &str = include_str!("../../../docs/src/guide/own-section.md");
+
+/// The guide's scene with its points in another file.
+fn loaded(folder: &Path, file: &str, text: &str) -> Loaded {
+    let start = GUIDE.find("# hull.toml").expect("the guide's scene");
+    let scene = &GUIDE[start..start + GUIDE[start..].find("```").expect("its end")];
+    fs::write(folder.join(file), text).expect("a file");
+    let path = folder.join("hull.toml");
+    fs::write(&path, scene.replace("hull_section.csv", file)).expect("a file");
+    load(path.to_str().expect("a printable path"), &[]).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
+
+/// The points in the order of the file [mm].
+fn points() -> Vec<[f64; 2]> {
+    let rows = POINTS.lines().skip(2).map(|line| line.split(',').map(|cell| cell.trim().parse().expect("a number")));
+    rows.map(|mut cells| [cells.next().expect("x"), cells.next().expect("y")]).collect()
+}
+
+fn outline(loaded: &Loaded) -> Vec<[f64; 2]> {
+    let Some(Shape::Polygon { points }) = loaded.scene.body.as_ref().map(|body| &body.shape) else {
+        panic!("a polygon")
+    };
+    points.clone()
+}
+
+#[test]
+fn the_guides_section_is_understood_in_every_format() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let of = |file: &str, text: &str| loaded(folder.path(), file, text);
+    let csv = of("a.csv", POINTS);
+    let report = csv.outline.clone().expect("an outline");
+    assert_eq!((report.points_in_file, report.points, report.orientation_changed), (40, 40, false));
+    let body = csv.scene.body.as_ref().expect("a body");
+    let length = panel_length(body, &body.panels[0]);
+    assert!((length - 0.3533).abs() < 1e-3, "{length}");
+    assert_eq!((body.panels[0].thickness, body.panels[0].youngs_modulus), (0.004, 72.4e9));
+    let reversed: Vec<[f64; 2]> = points().into_iter().rev().collect();
+    let (mut dat, mut dxf, mut svg) = ("Hull\n".to_string(), String::new(), String::new());
+    for [x, y] in points() {
+        let _ = writeln!(dat, "{} {}", x / 1000.0, y / 1000.0);
+        let _ = writeln!(dxf, "10\n{x}\n20\n{y}");
+        let _ = write!(svg, "{x},{} ", -y);
+    }
+    let header = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n40\n70\n1\n";
+    let dxf = format!("{header}{dxf}0\nENDSEC\n0\nEOF\n");
+    let svg = format!("<svg width=\"1100mm\" viewBox=\"0 0 1100 500\"><polygon points=\"{svg}\"/></svg>");
+    for (file, text) in [("a.dat", dat), ("a.dxf", dxf), ("a.svg", svg)] {
+        let found = outline(&of(file, &text));
+        let gap = found.iter().zip(outline(&csv)).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max);
+        assert!(found.len() == 40 && gap < 1e-12, "{file}: {gap}");
+    }
+    // clockwise: the same body, and with the points counted from the other end the same panel
+    let text: String = reversed.iter().map(|[x, y]| format!("{x};{y}\n")).collect();
+    let scene = fs::read_to_string(folder.path().join("hull.toml")).expect("the scene");
+    let scene = scene.replace("a.svg", "b.csv").replace("outline =", "outline_unit = \"mm\"\noutline =");
+    let scene = scene.replace("from_point = 3 ", "from_point = 29").replace("to_point = 12", "to_point = 38");
+    fs::write(folder.path().join("b.csv"), text).expect("a file");
+    let path = folder.path().join("turned.toml");
+    fs::write(&path, scene).expect("a file");
+    let turned = load(path.to_str().expect("a printable path"), &[]).expect("it loads");
+    assert!(turned.outline.as_ref().is_some_and(|outline| outline.orientation_changed));
+    let panel = |loaded: &Loaded| {
+        let panel = loaded.scene.body.as_ref().expect("a body").panels[0].clone();
+        [panel.from, panel.to]
+    };
+    assert_eq!(panel(&turned), panel(&csv));
+    let picture = section_picture(&csv.scene);
+    assert!(picture.starts_with("<svg") && picture.contains("panel bottom") && picture.contains(">37</text>"));
+}
+
+#[test]
+fn a_motion_from_a_table_is_that_of_its_rows() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("drop.csv"), "t [ms], y [mm]\n0, 3\n5, -22\n10, -47\n").expect("a file");
+    let scene = "name = \"m\"\ntime = { end = 0.01 }\nresolution = { spacing = 0.01 }\ntank = { width = 2.0, depth = 1.0 }\n\
+                 [body]\nshape = \"box\"\nbreadth = \"40 cm\"\nheight = \"20 cm\"\nmotion_file = \"drop.csv\"\n";
+    let path = folder.path().join("m.toml");
+    fs::write(&path, scene).expect("a file");
+    let loaded = load(path.to_str().expect("a printable path"), &[]).expect("it loads");
+    let text = loaded.scene.to_toml();
+    assert!(text.contains("motion = \"tabulated\"") && text.contains("breadth = 0.4"), "{text}");
+    let again = scenarios::scene::load_text("again", &text, &[]).expect("the resolved scene loads");
+    assert_eq!(again.scene, loaded.scene);
+}
