@@ -17,7 +17,7 @@ const WORLD_FRAME: &str = "world";
 /// The fields of a packed point, in order; each takes [`FIELD_SIZE`] bytes, little-endian; `id` is an integer.
 const FIELDS: [&str; 8] = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id"];
 const FIELD_SIZE: usize = 4;
-const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
+pub(super) const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
 
 /// Points per task.
 const PIECE: usize = 1024;
@@ -142,6 +142,20 @@ fn pack(bytes: &mut [u8], point: &Point) {
         field.copy_from_slice(&(value as f32).to_le_bytes());
     }
     last.copy_from_slice(&id.to_le_bytes());
+}
+
+/// The point that [`pack`] wrote into the first [`POINT_SIZE`] bytes.
+pub(super) fn unpack(bytes: &[u8]) -> Point {
+    let field = |k: usize| std::array::from_fn(|i| bytes[k * FIELD_SIZE + i]);
+    let value = |k: usize| f64::from(f32::from_le_bytes(field(k)));
+    Point {
+        at: [value(0), value(1)],
+        pressure: value(3),
+        speed: value(4),
+        density: value(5),
+        spacing: value(6),
+        id: u32::from_le_bytes(field(7)),
+    }
 }
 
 /// The outline, locked to the frame of its body; it replaces that of the last frame.

@@ -3,6 +3,7 @@
 use fsi_coupling::{Body, Coupled, Motion};
 
 use super::Results;
+use super::filtered::FilteredAcceleration;
 use super::judge::{Curves, Judge};
 use super::running_integral::RunningIntegral;
 use crate::scene::{self, Scene};
@@ -38,6 +39,11 @@ impl ResultsObserver {
             self.curves.acceleration.take(time, motion.acceleration);
         }
         self.curves.draught.extend(draught(body, &motion).map(|draught| [time, draught]));
+    }
+
+    /// The largest acceleration through the filter of a channel frequency class [Hz]; `None` for a body that is not free.
+    pub fn filtered(&self, class: f64) -> Option<FilteredAcceleration> {
+        FilteredAcceleration::of(&self.curves.acceleration, class)
     }
 
     /// The results so far, and doubts about them.

@@ -29,24 +29,28 @@ impl Theories {
         let others = EntryModel::ALL.into_iter().filter(|model| model.is_theory() && *model != scene.model);
         let follow = |model| {
             let (theory, _) = Theory::while_in_range(scene, model).ok()?;
-            let rows = theory.rows(scene);
+            // beyond the chines the flow separates, which none of them describes
+            let chines = theory.loads.section().half_breadth();
+            let dry = theory.instants.iter().take_while(|now| now.wetted < chines).count();
+            let rows: Vec<Vec<f64>> = theory.rows(scene).into_iter().take(dry).collect();
             (rows.len() > 1).then_some(Followed { model, theory, rows })
         };
         Theories { followed: others.filter_map(follow).collect(), columns: columns(scene) }
     }
 
-    /// Their values of a column of the series, times `scale`.
-    pub fn curves(&self, column: &str, scale: f64) -> Vec<Curve> {
+    /// Their values of a column of the series; times and values by their scales.
+    pub fn curves(&self, column: &str, scales: [f64; 2]) -> Vec<Curve> {
         let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
         let known = |f: &&Followed| f.rows.iter().all(|row| row.get(k).is_some_and(|v| v.is_finite()));
-        let points = |f: &Followed| f.rows.iter().map(|row| [row[0], scale * row[k]]).collect::<Vec<_>>();
+        let points =
+            |f: &Followed| f.rows.iter().map(|row| [scales[0] * row[0], scales[1] * row[k]]).collect::<Vec<_>>();
         self.followed.iter().filter(known).map(|f| Curve::new(f.model.name(), Mark::Dashed, points(f))).collect()
     }
 
     /// Their pressure coefficients along the face, at their last moments.
     pub fn profiles(&self) -> Vec<Curve> {
-        let curve = |Followed { model, theory, .. }: &Followed| {
-            let last = theory.instants.len() - 1;
+        let curve = |Followed { model, theory, rows }: &Followed| {
+            let last = theory.instants.len().checked_sub(1).filter(|last| *last < rows.len())?;
             theory.peak_pressure(last)?; // infinite, or none: not to be drawn
             Some(Curve::new(model.name(), Mark::Dashed, theory.profile(last, PROFILE)))
         };
