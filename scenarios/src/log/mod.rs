@@ -45,5 +45,5 @@ pub use error::LogError;
 /// Severity of a note.
 pub use foxglove::messages::log::Level;
 pub use frame::{BodyView, Frame, Point};
-pub use reader::{LogReader, LoggedFrame};
+pub use reader::{LogReader, LoggedBody, LoggedFrame};
 pub use writer::{LogMetadata, LogWriter};

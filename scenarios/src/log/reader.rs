@@ -7,7 +7,7 @@ use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use foxglove::Decode;
-use foxglove::messages::{FrameTransform, FrameTransforms, PointCloud, SceneUpdate};
+use foxglove::messages::{FrameTransforms, PointCloud, SceneUpdate};
 use mcap::read::ChunkReader;
 use mcap::records::{ChunkHeader, Record};
 
@@ -35,8 +35,28 @@ pub struct LoggedFrame {
     pub time: f64,
     fluid: PointCloud,
     walls: PointCloud,
-    /// Outlines of the bodies in space, closed polygons, by name [m].
-    pub bodies: Vec<(String, Vec<Vec<[f64; 2]>>)>,
+    /// The bodies.
+    pub bodies: Vec<LoggedBody>,
+}
+
+/// A body in a frame read from a log.
+pub struct LoggedBody {
+    /// Its name.
+    pub name: String,
+    /// Origin of its frame in space [m].
+    pub position: [f64; 2],
+    /// Angle of its frame [rad].
+    pub angle: f64,
+    /// Its outline in space, closed polygons [m].
+    pub loops: Vec<Vec<[f64; 2]>>,
+}
+
+impl LoggedBody {
+    /// A point of its frame in space: x + R(angle)·p [m].
+    pub fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        [self.position[0] + cos * x - sin * y, self.position[1] + sin * x + cos * y]
+    }
 }
 
 impl LoggedFrame {
@@ -105,7 +125,7 @@ impl LogReader {
                 _ => {}
             }
         }
-        found.bodies = outlines(&scene?, &tf?);
+        found.bodies = bodies(&scene?, &tf?);
         Some(found)
     }
 
@@ -198,24 +218,21 @@ fn points(cloud: &PointCloud) -> impl Iterator<Item = Point> + '_ {
     cloud.data.chunks_exact(POINT_SIZE).take_while(move |_| usual).map(unpack)
 }
 
-/// The outlines of the bodies in space.
-fn outlines(scene: &SceneUpdate, tf: &FrameTransforms) -> Vec<(String, Vec<Vec<[f64; 2]>>)> {
+/// The bodies in space.
+fn bodies(scene: &SceneUpdate, tf: &FrameTransforms) -> Vec<LoggedBody> {
     let of = |entity: &foxglove::messages::SceneEntity| {
         let moved = tf.transforms.iter().find(|t| t.child_frame_id == entity.frame_id)?;
-        let line = entity.lines.first()?;
-        let points: Vec<[f64; 2]> = line.points.iter().map(|p| placed(moved, [p.x, p.y])).collect();
-        let name = entity.id.strip_prefix("body/").unwrap_or(&entity.id);
-        Some((name.to_string(), loops(&points)))
+        let mut body = LoggedBody {
+            name: entity.id.strip_prefix("body/").unwrap_or(&entity.id).to_string(),
+            position: moved.translation.as_ref().map_or([0.0; 2], |t| [t.x, t.y]),
+            angle: moved.rotation.as_ref().map_or(0.0, |q| 2.0 * q.z.atan2(q.w)),
+            loops: Vec::new(),
+        };
+        let points: Vec<[f64; 2]> = entity.lines.first()?.points.iter().map(|p| body.point([p.x, p.y])).collect();
+        body.loops = loops(&points);
+        Some(body)
     };
     scene.entities.iter().filter_map(of).collect()
-}
-
-/// A point of a body's frame in space: x + R(2 atan2(q_z, q_w))·p.
-fn placed(transform: &FrameTransform, [x, y]: [f64; 2]) -> [f64; 2] {
-    let (z, w) = transform.rotation.as_ref().map_or((0.0, 1.0), |q| (q.z, q.w));
-    let (sin, cos) = (2.0 * z.atan2(w)).sin_cos();
-    let [left, up] = transform.translation.as_ref().map_or([0.0; 2], |t| [t.x, t.y]);
-    [left + cos * x - sin * y, up + sin * x + cos * y]
 }
 
 /// The loops of a line that visits each and returns to the first corner of all in between.

@@ -12,6 +12,8 @@ const POINTS_PER_CURVE: usize = 1000;
 /// Width of a letter at the font's size, on average, and height of a line [pixels].
 const LETTER: f64 = 6.5;
 const LINE: f64 = 18.0;
+/// The same in the legend, with room for the larger letters of a phone [pixels].
+const LEGEND_LETTER: f64 = 7.8;
 /// Length of a legend's line, and blank behind an entry [pixels].
 const SAMPLE: f64 = 22.0;
 const GAP: f64 = 18.0;
@@ -164,7 +166,7 @@ fn legend(chart: &Chart, left: f64, top: f64) -> (String, f64) {
     let named = |curve: &&(usize, &Curve)| !curve.1.label.is_empty();
     let curves: Vec<(usize, &Curve)> = chart.curves.iter().enumerate().collect();
     for (index, curve) in curves.iter().filter(named) {
-        let width = SAMPLE + 6.0 + LETTER * curve.label.chars().count() as f64 + GAP;
+        let width = SAMPLE + 6.0 + LEGEND_LETTER * curve.label.chars().count() as f64 + GAP;
         if x > left && x + width > WIDTH {
             (x, y) = (left, y + LINE);
         }

@@ -120,7 +120,7 @@
         paint.strokeStyle = style.getPropertyValue('--ink');
         paint.lineWidth = 1.4 * dot;
         paint.stroke();
-        for (const [, from, end] of head.panels.filter((panel) => panel[0] === k && corners > panel[2] % corners)) {
+        for (const [, from, end] of head.panels[low].filter((panel) => panel[0] === k && corners > panel[2] % corners)) {
           line(loop, next, side, from, end);
           paint.strokeStyle = '#d55e00';
           paint.lineWidth = 3.2 * dot;

@@ -43,7 +43,7 @@
     const py = (y) => top + height - (y - view.y[0]) / (view.y[1] - view.y[0]) * height;
     const xAt = (p) => view.x[0] + (p - left) / width * (view.x[1] - view.x[0]);
     const yAt = (p) => view.y[0] + (top + height - p) / height * (view.y[1] - view.y[0]);
-    const marks = (element) => [...element.children].map((m) => m.getAttribute('transform').match(/[-+.\de]+/g).map(Number));
+    const marks = (element) => [...element.children].map((m) => m.getAttribute('transform').match(/-?[\d.]+/g).map(Number));
     const curves = [...svg.querySelectorAll('.curve, .trend')].map((element) => {
       const numbers = element.tagName === 'g' ? marks(element)
         : (element.getAttribute('d').match(/[-+.\de]+ [-+.\de]+/g) || []).map((pair) => pair.split(' ').map(Number));

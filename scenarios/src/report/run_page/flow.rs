@@ -2,6 +2,7 @@
 
 use super::camera::{View, views, whole};
 use super::folder::RunFolder;
+use super::panels::pieces;
 use crate::log::{LogReader, LoggedFrame, Point};
 use crate::report::{FlowFrame, FlowView};
 use crate::scene::{Scene, Symmetry};
@@ -34,6 +35,8 @@ pub(super) struct Moment {
     pub particles: Vec<Kept>,
     /// Loops of the outlines of all bodies [m].
     pub outlines: Vec<Vec<[f64; 2]>>,
+    /// Pieces of these loops that are panels.
+    pub panels: Vec<[usize; 3]>,
     /// Where the picture looks.
     pub view: View,
 }
@@ -97,7 +100,8 @@ impl Flow {
         let mut moments = Vec::new();
         for &k in &chosen {
             let Some(frame) = log.frame(k) else { continue };
-            moments.push(kept(&frame, times[k], share));
+            let panels = scene.body.as_ref().map_or(Vec::new(), |body| pieces(body, &frame.bodies));
+            moments.push(Moment { panels, ..kept(&frame, times[k], share) });
         }
         let still =
             moments.iter().position(|m| m.time >= times[at_peak] - 1e-12).unwrap_or(moments.len().checked_sub(1)?);
@@ -145,7 +149,8 @@ fn kept(frame: &LoggedFrame, time: f64, share: f64) -> Moment {
     Moment {
         time,
         particles: frame.fluid().filter_map(keep).collect(),
-        outlines: frame.bodies.iter().flat_map(|(_, loops)| loops.iter().cloned()).collect(),
+        outlines: frame.bodies.iter().flat_map(|body| body.loops.iter().cloned()).collect(),
+        panels: Vec::new(),
         view: View { middle: [0.0; 2], width: 1.0 },
     }
 }
@@ -181,17 +186,15 @@ pub(super) fn picture(
     let distance = |k: &usize| (times[*k] + scene.time.start - time).abs();
     let index = (0..times.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     let logged = log.frame(index)?;
-    let mut frame = FlowFrame { time: *time, outlines: outlines.clone(), ..FlowFrame::default() };
+    let wall_size = scene.resolution.spacing;
+    let mut frame = FlowFrame { time: *time, outlines: outlines.clone(), wall_size, ..FlowFrame::default() };
     for p in logged.fluid() {
         frame.x.push(p.at[0] as f32);
         frame.y.push(p.at[1] as f32);
         frame.value.push((1e-3 * p.pressure) as f32);
         frame.size.push(p.spacing as f32);
     }
-    for p in logged.walls() {
-        frame.walls.push(p.at);
-        frame.wall_size = p.spacing;
-    }
+    frame.walls = logged.walls().map(|p| p.at).collect();
     let [x, y] = view.window();
     let value = [0.0, 1e-3 * flow.top[0]];
     Some((frame, FlowView { x, y, value, width_px, label: "pressure [kPa]".into(), mirror_x: flow.mirror }))

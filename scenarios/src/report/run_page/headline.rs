@@ -43,6 +43,13 @@ pub(super) fn in_words(verdict: &str) -> &str {
     }
 }
 
+/// A doubt with the names of its results in words.
+pub(super) fn doubt_in_words(doubt: &str) -> String {
+    let Some((names, why)) = doubt.split_once(": ") else { return doubt.to_string() };
+    let words: Vec<String> = names.split(", ").map(|name| result(name).0).collect();
+    format!("{}: {why}", words.join(", "))
+}
+
 /// A number with its band in its unit.
 pub(super) fn with_band(quantity: &Quantity, si: &str) -> String {
     let Some(value) = quantity.value else { return "–".into() };
@@ -86,11 +93,11 @@ fn overstressed(run: &RunFolder) -> Vec<String> {
     let of = |(name, panel): (&String, &super::record::PanelResults)| {
         let stress = panel.peak_stress_Pa.as_ref().filter(|stress| stress.verdict == "beyond_allowable")?;
         let (value, allowed) = (stress.value?, allowable(run, name));
-        let of_allowed = allowed.map_or(String::new(), |allowed| format!(", {} allowed", with_unit(allowed, "Pa")));
+        let of_allowed = allowed.map_or(String::new(), |allowed| format!("; {} is allowed", with_unit(allowed, "Pa")));
         let reserve = panel.reserve_factor.as_ref().and_then(|factor| factor.value);
-        let factor = reserve.map_or(String::new(), |factor| format!("; reserve factor {}", digits(factor)));
+        let factor = reserve.map_or(String::new(), |factor| format!(" (reserve factor {})", digits(factor)));
         let time = stress.time_s.map_or(String::new(), |time| format!(" at {}", with_unit(time, "s")));
-        Some(format!("{name} reaches {}{of_allowed}{time}{factor}", with_unit(value, "Pa")))
+        Some(format!("{name} reaches {}{time}{of_allowed}{factor}", with_unit(value, "Pa")))
     };
     run.record.results.panels.iter().filter_map(of).collect()
 }
@@ -99,11 +106,8 @@ fn verdict(run: &RunFolder) -> Verdict {
     let record = &run.record;
     let overstressed = overstressed(run);
     let others = |doubts: &[String]| -> Vec<String> {
-        doubts
-            .iter()
-            .filter(|doubt| !(doubt.contains("times the allowable") && !overstressed.is_empty()))
-            .cloned()
-            .collect()
+        let other = |doubt: &&String| overstressed.is_empty() || !doubt.contains("times the allowable");
+        doubts.iter().filter(other).map(|doubt| doubt_in_words(doubt)).collect()
     };
     let mut reasons = others(&record.doubts);
     reasons.extend(run.gaps.iter().cloned());
@@ -138,7 +142,7 @@ fn cards(run: &RunFolder) -> String {
         let mut lines = vec![format!("{band}, {time}")];
         let panel = name.strip_suffix(".peak_stress_Pa").unwrap_or_default();
         if let Some((_, factor)) = reserve(panel) {
-            let allowed = allowable(run, panel).map_or(String::new(), |v| format!(" of {}", with_unit(v, "Pa")));
+            let allowed = allowable(run, panel).map_or(String::new(), |v| format!(", {} allowed", with_unit(v, "Pa")));
             lines.push(format!("reserve factor {}{allowed}", digits(factor.value.unwrap_or(f64::NAN))));
         }
         let class = match quantity.verdict.as_str() {

@@ -89,9 +89,9 @@ fn warnings(run: &RunFolder) -> Vec<Block> {
         let lines: String = items.iter().map(|item| format!("<li>{}</li>", escape(item))).collect();
         (!items.is_empty()).then(|| Block::Html(format!("<h3>{heading}</h3>\n<ul class=\"reasons\">{lines}</ul>\n")))
     };
-    let record = &run.record;
+    let doubts: Vec<String> = run.record.doubts.iter().map(|doubt| headline::doubt_in_words(doubt)).collect();
     [
-        list("Doubts about the results", &record.doubts),
+        list("Doubts about the results", &doubts),
         list("Warnings about the scene", &run.warnings),
         list("Missing in the folder", &run.gaps),
     ]

@@ -26,8 +26,8 @@ pub(super) struct Packed {
     pub frames: String,
 }
 
-/// Pack the frames of a flow; `panels` are pieces of loops: the loop, and its first and last corner.
-pub(super) fn pack(scene: &Scene, flow: &Flow, panels: &[[usize; 3]]) -> Packed {
+/// Pack the frames of a flow.
+pub(super) fn pack(scene: &Scene, flow: &Flow) -> Packed {
     let moments = &flow.moments;
     let ids: Vec<u32> =
         moments.iter().flat_map(|m| m.particles.iter().map(|p| p.id)).collect::<BTreeSet<_>>().into_iter().collect();
@@ -71,7 +71,7 @@ pub(super) fn pack(scene: &Scene, flow: &Flow, panels: &[[usize; 3]]) -> Packed 
     let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
     let written = encoder.write_all(&bytes).and_then(|()| encoder.finish());
     Packed {
-        head: head(scene, flow, [low, high], [least, most], ids.len(), panels),
+        head: head(scene, flow, [low, high], [least, most], ids.len()),
         frames: STANDARD.encode(written.unwrap_or_default()), // writing into memory does not fail
     }
 }
@@ -83,14 +83,7 @@ fn grid(scene: &Scene, flow: &Flow) -> [[f64; 2]; 2] {
     [[-half, -1.02 * depth], [half, top]]
 }
 
-fn head(
-    scene: &Scene,
-    flow: &Flow,
-    [low, high]: [[f64; 2]; 2],
-    size: [f64; 2],
-    particles: usize,
-    panels: &[[usize; 3]],
-) -> String {
+fn head(scene: &Scene, flow: &Flow, [low, high]: [[f64; 2]; 2], size: [f64; 2], particles: usize) -> String {
     let value = |label: &str, top: f64| {
         let step = nice_step(top, 4);
         let ticks: Vec<_> = ticks([0.0, top], step).map(|v| json!([v, tick_label(v, step)])).collect();
@@ -115,7 +108,7 @@ fn head(
         "wholeHeight": whole.1,
         "tank": [-0.5 * tank.width, 0.5 * tank.width, -tank.depth, tank.height - tank.depth],
         "outlines": flow.moments.iter().map(|m| m.outlines.iter().map(Vec::len).collect::<Vec<_>>()).collect::<Vec<_>>(),
-        "panels": panels,
+        "panels": flow.moments.iter().map(|m| &m.panels).collect::<Vec<_>>(),
         "values": {
             "pressure": value("Pressure [kPa]", 1e-3 * flow.top[0]),
             "speed": value("Speed [m/s]", flow.top[1]),

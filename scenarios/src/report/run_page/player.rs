@@ -4,7 +4,6 @@ use super::camera::ASPECT;
 use super::flow::{Flow, picture};
 use super::folder::RunFolder;
 use super::packed::{Packed, pack};
-use super::panels::pieces;
 use super::quantity::{digits, with_unit};
 use crate::report::flow_figure::flow_svg;
 use crate::report::markup::escape;
@@ -20,7 +19,7 @@ const STOPS: usize = 16;
 
 /// The animation; what it shows without a script is the moment of the largest force.
 pub(super) fn player(run: &mut RunFolder, flow: &Flow) -> String {
-    let Packed { head, frames } = pack(&run.scene, flow, &pieces(&run.scene, flow));
+    let Packed { head, frames } = pack(&run.scene, flow);
     let time = flow.moments.get(flow.still).map_or(0.0, |m| m.time);
     let still = run.log.as_mut().and_then(|log| picture(&run.scene, log, flow, flow.still, STILL));
     let still = still.map_or(String::new(), |(frame, view)| flow_svg(&frame, &view));
@@ -29,7 +28,8 @@ pub(super) fn player(run: &mut RunFolder, flow: &Flow) -> String {
         false => String::new(),
     };
     let mirrored = if flow.mirror { " Only x ≥ 0 was computed; the other half is its mirror image." } else { "" };
-    let caption = format!("The picture without animation is at {}.{mirrored}{thinned}", with_unit(time, "s"));
+    let caption =
+        format!("Largest force at {}: the picture without animation.{mirrored}{thinned}", with_unit(time, "s"));
     let stops: Vec<String> = (0..=STOPS).map(|k| colour::hex(colour::viridis(k as f64 / STOPS as f64))).collect();
     format!(
         include_str!("player.html"),

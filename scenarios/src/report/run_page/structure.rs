@@ -76,8 +76,8 @@ fn extremes_table(run: &RunFolder, name: &str, panel: &Panel) -> Block {
     let of = |si: &str, value: Option<f64>| value.map_or("–".into(), |v| with_unit(v, si));
     let mut rows = Vec::new();
     if let Some(factor) = panel.reserve_factor {
-        let allowed = allowable(run, name).map_or(String::new(), |v| format!("of {} allowed", with_unit(v, "Pa")));
-        rows.push(row(&["Reserve factor", &digits(factor), "", "", &allowed]));
+        let allowed = allowable(run, name).map_or(String::new(), |v| format!(" ({} allowed)", with_unit(v, "Pa")));
+        rows.push(row(&[&format!("Reserve factor{allowed}"), "", "", &digits(factor), ""]));
     }
     let mut extremes = |what: &str, si: &str, e: &Extremes| {
         rows.push(vec![what.to_string(), of(si, e.most), of("s", e.most_at_s), of(si, e.least), of("s", e.least_at_s)]);

@@ -7,7 +7,6 @@ use super::headline::{in_words, named, with_band};
 use super::quantity::{digits, result, with_unit};
 use super::record::{Comparison, Compressibility, Record};
 use crate::report::{Bar, Block, Part, Table, row};
-use crate::scene::significant;
 
 /// A number with three digits; a dash where it is unknown.
 fn number(value: Option<f64>) -> String {
@@ -199,9 +198,12 @@ pub(super) fn force_rules_section(s: &Record) -> Vec<Block> {
 /// Conservation; nothing where the run has no particles.
 pub(super) fn audit_section(s: &Record) -> Vec<Block> {
     let Some(audit) = &s.audit else { return Vec::new() };
-    let small = |value: Option<f64>| value.map_or("–".into(), significant);
+    let small = |value: Option<f64>| match value {
+        Some(v) if v != 0.0 && v.abs() < 1e-3 => format!("{v:.1e}").replace('-', "\u{2212}"),
+        other => number(other),
+    };
     let rows = [
-        ("Momentum: largest gap per step, relative", small(audit.momentum), "below 1e-9"),
+        ("Momentum: largest gap per step, relative", small(audit.momentum), "below 1e−9"),
         ("Energy: drift over the largest exchanged (negative: dissipated)", small(audit.energy), "below 0.02"),
         ("Work of the water that did not reach the body, relative", small(audit.work), "below 0.01"),
         ("Work on an elastic body that its energies do not contain, relative", small(audit.structure), "below 0.01"),
