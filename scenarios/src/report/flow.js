@@ -120,6 +120,11 @@
         paint.strokeStyle = style.getPropertyValue('--ink');
         paint.lineWidth = 1.4 * dot;
         paint.stroke();
+      }
+    });
+    here.forEach((loop, k) => {
+      const next = same ? there[k] : loop, corners = loop.length / 2;
+      for (const side of sides) {
         for (const [, from, end] of head.panels[low].filter((panel) => panel[0] === k && corners > panel[2] % corners)) {
           line(loop, next, side, from, end);
           paint.strokeStyle = '#d55e00';
@@ -194,7 +199,8 @@
       go(k ? k - (head.times[k] - t) / gap : 0);
     });
     window.addEventListener('resize', fit);
-    legend();
+    if (count === 0) player.querySelectorAll('.colours, .legend').forEach((element) => element.remove());
+    else legend();
     fit();
   }).catch((error) => { player.dataset.error = String(error); });
 })();

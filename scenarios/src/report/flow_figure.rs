@@ -60,7 +60,9 @@ fn colour_bar(view: &FlowView, top: f64) -> String {
         let (x, long) =
             (left + width * k as f64 / STOPS as f64, width / STOPS as f64 + if k + 1 < STOPS { 0.5 } else { 0.0 });
         let colour = hex(viridis((k as f64 + 0.5) / STOPS as f64));
-        format!("<rect x=\"{x:.2}\" y=\"{bar:.1}\" width=\"{long:.2}\" height=\"18\" fill=\"{colour}\" />")
+        format!(
+            "<rect x=\"{x:.2}\" y=\"{bar:.1}\" width=\"{long:.2}\" height=\"18\" shape-rendering=\"crispEdges\" fill=\"{colour}\" />"
+        )
     };
     let pieces: String = (0..STOPS).map(piece).collect();
     let step = nice_step(high - low, 5);

@@ -27,7 +27,9 @@ pub(super) fn player(run: &mut RunFolder, flow: &Flow) -> String {
         true => format!(" Of the particles {} % are shown, larger.", digits(100.0 * flow.share)),
         false => String::new(),
     };
-    let mirrored = if flow.mirror { " Only x ≥ 0 was computed; the other half is its mirror image." } else { "" };
+    let shown = flow.moments.iter().any(|m| !m.particles.is_empty());
+    let mirrored =
+        if flow.mirror && shown { " Only x ≥ 0 was computed; the other half is its mirror image." } else { "" };
     let caption =
         format!("Largest force at {}: the picture without animation.{mirrored}{thinned}", with_unit(time, "s"));
     let stops: Vec<String> = (0..=STOPS).map(|k| colour::hex(colour::viridis(k as f64 / STOPS as f64))).collect();

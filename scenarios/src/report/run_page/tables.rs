@@ -197,7 +197,7 @@ pub(super) fn force_rules_section(s: &Record) -> Vec<Block> {
 
 /// Conservation; nothing where the run has no particles.
 pub(super) fn audit_section(s: &Record) -> Vec<Block> {
-    let Some(audit) = &s.audit else { return Vec::new() };
+    let Some(audit) = s.audit.as_ref().filter(|_| s.particles.fluid > 0) else { return Vec::new() };
     let small = |value: Option<f64>| match value {
         Some(v) if v != 0.0 && v.abs() < 1e-3 => format!("{v:.1e}").replace('-', "\u{2212}"),
         other => number(other),
