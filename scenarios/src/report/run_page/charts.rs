@@ -60,7 +60,7 @@ fn groups(run: &RunFolder) -> Vec<Group> {
         let finite = values.iter().copied().filter(|v| v.is_finite());
         let [low, high, most] =
             finite.fold([f64::INFINITY, f64::NEG_INFINITY, 1e-9], |[l, h, m], v| [l.min(v), h.max(v), m.max(v.abs())]);
-        if !(high - low > STILL * most) {
+        if high - low <= STILL * most {
             continue;
         }
         let column = column(name);
