@@ -22,8 +22,7 @@
     const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
     let next = 0;
     const take = (n) => bytes.subarray(next, next += n);
-    const sizes = Float32Array.from(take(count), (v) => head.size[0] * Math.pow(head.size[1] / head.size[0], v / 255));
-    const x = [], y = [], pressure = [], speed = [];
+    const x = [], y = [], pressure = [], speed = [], size = [];
     const words = (before) => {
       const low = take(count), high = take(count), now = new Uint16Array(count);
       for (let k = 0; k !== count; k++) now[k] = (before ? before[k] : 0) + low[k] + 256 * high[k];
@@ -39,11 +38,13 @@
       y.push(words(y[f - 1]));
       pressure.push(small(pressure[f - 1]));
       speed.push(small(speed[f - 1]));
+      size.push(small(size[f - 1]));
     }
     const floats = new Float32Array(bytes.slice(next).buffer);
     let point = 0;
     const outlines = head.outlines.map((loops) => loops.map((n) => floats.subarray(2 * point, 2 * (point += n))));
-    data = { sizes, x, y, pressure, speed, outlines };
+    const metres = Float32Array.from({ length: 256 }, (_, k) => head.size[0] * Math.pow(head.size[1] / head.size[0], k / 255));
+    data = { metres, x, y, pressure, speed, size, outlines };
   }
 
   const camera = (time) => {
@@ -62,13 +63,13 @@
     const near = new Float32Array(width * height).fill(Infinity);
     const [xlow, ylow, xhigh, yhigh] = head.box, xs = (xhigh - xlow) / 65534, ys = (yhigh - ylow) / 65534;
     const [xa, xb, ya, yb, va, vb] = [data.x[low], data.x[high], data.y[low], data.y[high], data[value][low], data[value][high]];
-    const sides = head.mirror ? [1, -1] : [1];
+    const sides = head.mirror ? [1, -1] : [1], sizes = data.size[low];
     for (let k = 0; k !== count; k++) {
       if (xa[k] === 65535) continue;
       const gone = xb[k] === 65535, part = gone ? 0 : share;
       const x = xlow + xs * (xa[k] + part * (xb[k] - xa[k])), y = ylow + ys * (ya[k] + part * (yb[k] - ya[k]));
       const paintAs = colour[Math.round(va[k] + part * (vb[k] - va[k]))];
-      const spacing = Math.max(data.sizes[k] * scale, 1), radius = 0.8 * spacing, r2 = radius * radius, s2 = 1 / (spacing * spacing);
+      const spacing = Math.max(data.metres[sizes[k]] * scale, 1), radius = 0.8 * spacing, r2 = radius * radius, s2 = 1 / (spacing * spacing);
       const cy = (top - y) * scale;
       for (const side of sides) {
         const cx = (side * x - left) * scale;

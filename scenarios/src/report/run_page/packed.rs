@@ -1,4 +1,4 @@
-//! The animation's frames as text: 16 bits per coordinate, 8 per value, differences from the frame before, compressed, base64.
+//! The animation's frames as text: 16 bits per coordinate, 8 per value and size, differences from the frame before, compressed, base64.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -33,34 +33,36 @@ pub(super) fn pack(scene: &Scene, flow: &Flow) -> Packed {
         moments.iter().flat_map(|m| m.particles.iter().map(|p| p.id)).collect::<BTreeSet<_>>().into_iter().collect();
     let place = |id: u32| ids.binary_search(&id).ok();
     let [low, high] = grid(scene, flow);
-    let mut sizes = vec![0.0_f32; ids.len()];
-    for p in moments.iter().flat_map(|m| &m.particles) {
-        if let Some(k) = place(p.id).filter(|k| sizes[*k] == 0.0) {
-            sizes[k] = p.size.max(1e-9);
-        }
-    }
-    let (least, most) = sizes.iter().fold((f32::MAX, 1e-9), |(l, m), s| (s.min(l), s.max(m)));
-    let (least, most) = (f64::from(least.min(most)), f64::from(most) * (1.0 + 1e-6));
-    let log_size = |s: &f32| (255.0 * (f64::from(*s) / least).ln() / (most / least).ln()).round() as u8;
-    let mut bytes: Vec<u8> = sizes.iter().map(log_size).collect();
-    let mut before = (vec![0_u16; ids.len()], vec![0_u16; ids.len()], vec![0_u8; ids.len()], vec![0_u8; ids.len()]);
+    let sizes = || moments.iter().flat_map(|m| &m.particles).map(|p| f64::from(p.size.max(1e-9)));
+    let (least, most) = sizes().fold((f64::MAX, 1e-9), |(l, m), s| (s.min(l), s.max(m)));
+    let (least, most) = (least.min(most), most * (1.0 + 1e-6));
+    let code_of_size =
+        |size: f32| (255.0 * (f64::from(size.max(1e-9)) / least).ln() / (most / least).ln()).round() as u8;
+    let mut bytes = Vec::new();
+    // places x and y; pressure, speed and size
+    let mut before = (
+        [vec![0_u16; ids.len()], vec![0_u16; ids.len()]],
+        [vec![0_u8; ids.len()], vec![0; ids.len()], vec![0; ids.len()]],
+    );
     for moment in moments {
-        let mut now = (vec![ABSENT; ids.len()], before.1.clone(), before.2.clone(), before.3.clone());
+        let mut now = before.clone();
+        now.0[0].fill(ABSENT);
         for p in &moment.particles {
             let Some(k) = place(p.id) else { continue };
             let at = [0, 1].map(|i| GRID * (f64::from(p.at[i]) - low[i]) / (high[i] - low[i]));
             if at.iter().all(|v| (0.0..=GRID).contains(v)) {
-                (now.0[k], now.1[k]) = (at[0].round() as u16, at[1].round() as u16);
-                now.2[k] = (255.0 * f64::from(p.pressure) / flow.top[0]).round() as u8;
-                now.3[k] = (255.0 * f64::from(p.speed) / flow.top[1]).round() as u8;
+                (now.0[0][k], now.0[1][k]) = (at[0].round() as u16, at[1].round() as u16);
+                now.1[0][k] = (255.0 * f64::from(p.pressure) / flow.top[0]).round() as u8;
+                now.1[1][k] = (255.0 * f64::from(p.speed) / flow.top[1]).round() as u8;
+                now.1[2][k] = code_of_size(p.size);
             }
         }
-        for (now, before) in [(&now.0, &before.0), (&now.1, &before.1)] {
+        for (now, before) in now.0.iter().zip(&before.0) {
             let change = || now.iter().zip(before).map(|(a, b)| a.wrapping_sub(*b));
             bytes.extend(change().map(|d| d as u8));
             bytes.extend(change().map(|d| (d >> 8) as u8));
         }
-        for (now, before) in [(&now.2, &before.2), (&now.3, &before.3)] {
+        for (now, before) in now.1.iter().zip(&before.1) {
             bytes.extend(now.iter().zip(before).map(|(a, b)| a.wrapping_sub(*b)));
         }
         before = now;
