@@ -46,7 +46,8 @@ pub(super) fn views(scene: &Scene, boxes: &[Option<[[f64; 2]; 2]>], top: f64) ->
     let [fine, _] = scene.resolution.fine_zone;
     let graded = scene.resolution.growth > 1.0 && fine < 0.4 * scene.tank.width;
     let moves = scene.body.as_ref().is_some_and(|body| !matches!(body.motion, Motion::Fixed));
-    if !(graded && moves) && !scene.model.is_theory() {
+    let near = scene.model.is_theory() || graded && moves;
+    if !near {
         return vec![whole; boxes.len()];
     }
     let known: Vec<[[f64; 2]; 2]> = boxes.iter().flatten().copied().collect();

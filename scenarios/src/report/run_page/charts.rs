@@ -96,11 +96,11 @@ fn figure(
         let label = if column.part.is_empty() { run.model() } else { &column.part };
         curves.push(Curve::new(label, Mark::Line, scaled(values(name))));
     }
-    if first.si == "g" {
-        if let Some(smooth) = filtered(run, &curves[0], &time) {
-            curves[0].label = "every sample".into();
-            curves.insert(0, smooth);
-        }
+    if first.si == "g"
+        && let Some(smooth) = filtered(run, &curves[0], &time)
+    {
+        curves[0].label = "every sample".into();
+        curves.insert(0, smooth);
     }
     for (name, column) in &group.columns {
         for (compare, reference) in run.scene.compare.iter().zip(references) {
