@@ -59,7 +59,7 @@ pub use bodies::error::BodyError;
 pub use bodies::flexible::body::FlexibleBody;
 pub use bodies::flexible::model::{FlexibleSpec, Frame};
 pub use bodies::flexible::panel::{EndSpring, PanelEnd, PanelSpec, Plane};
-pub use bodies::flexible::panel_state::{PanelState, Watched, Worst};
+pub use bodies::flexible::panel_state::{PanelState, Station, Watched, Worst};
 pub use bodies::flexible::wet_period::first_wet_period;
 pub use bodies::prescribed::PrescribedBody;
 pub use bodies::rigid::{RigidBody2d, RigidSpec};

@@ -15,6 +15,7 @@ mod endings;
 mod files;
 mod model;
 mod refusals;
+mod report;
 mod results;
 mod stability;
 mod study;

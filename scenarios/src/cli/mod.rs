@@ -5,6 +5,7 @@ mod bench;
 mod ditch;
 mod experiments;
 mod keywords;
+mod report;
 mod run;
 mod shared;
 mod sweep;
@@ -62,6 +63,8 @@ enum Command {
     Ditch(ditch::DitchArgs),
     /// Measure the speed of this machine and of the steps on it, as ratios in one run.
     Bench(bench::BenchArgs),
+    /// Make the page of a run anew from its folder, or one page that compares several runs.
+    Report(report::ReportArgs),
     /// Compare scenes with published data.
     Validate(experiments::ValidateArgs),
     /// Count how often the error bars of `run --converge` contain an exact value.
@@ -172,6 +175,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
+        Command::Report(args) => report::make_report(output, args),
         Command::Validate(args) => experiments::run_validation(output, args),
         Command::Bands(args) => experiments::run_bands(output, args),
         Command::Keywords(args) => keywords::keywords(output, args),

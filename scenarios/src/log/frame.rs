@@ -17,7 +17,7 @@ const WORLD_FRAME: &str = "world";
 /// The fields of a packed point, in order; each takes [`FIELD_SIZE`] bytes, little-endian; `id` is an integer.
 const FIELDS: [&str; 10] = ["x", "y", "z", "pressure", "speed", "density", "spacing", "id", "vx", "vy"];
 const FIELD_SIZE: usize = 4;
-const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
+pub(super) const POINT_SIZE: usize = FIELDS.len() * FIELD_SIZE;
 
 /// Points per task.
 const PIECE: usize = 1024;
@@ -142,6 +142,20 @@ fn pack(bytes: &mut [u8], point: &Point) {
         [x, y, 0.0, pressure, speed, density, spacing, u, v].map(number);
     let fields = [x, y, z, pressure, speed, density, spacing, id.to_le_bytes(), u, v];
     bytes.copy_from_slice(fields.as_flattened());
+}
+
+/// The point that [`pack`] wrote into the first [`POINT_SIZE`] bytes.
+pub(super) fn unpack(bytes: &[u8]) -> Point {
+    let field = |k: usize| std::array::from_fn(|i| bytes[k * FIELD_SIZE + i]);
+    let value = |k: usize| f64::from(f32::from_le_bytes(field(k)));
+    Point {
+        at: [value(0), value(1)],
+        pressure: value(3),
+        velocity: [value(8), value(9)],
+        density: value(5),
+        spacing: value(6),
+        id: u32::from_le_bytes(field(7)),
+    }
 }
 
 /// The outline, locked to the frame of its body; it replaces that of the last frame.

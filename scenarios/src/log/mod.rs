@@ -37,6 +37,7 @@ mod container;
 mod error;
 mod frame;
 mod live;
+mod reader;
 mod writer;
 
 pub use background::{BackgroundLog, Logged};
@@ -46,4 +47,5 @@ pub use error::LogError;
 pub use foxglove::messages::log::Level;
 pub use frame::{BodyView, Frame, Point};
 pub use live::LiveView;
+pub use reader::{LogReader, LoggedBody, LoggedFrame};
 pub use writer::{LogMetadata, LogWriter};

@@ -8,9 +8,7 @@ use super::{Measured, QuantityOfInterest, Theory, measured};
 use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
-use crate::observers::{
-    FlowPictures, ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation,
-};
+use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
 use crate::reference::WedgeSimilarity;
 use crate::results::{Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
 use crate::run::summary::{Log, Peak, Summary};
@@ -68,7 +66,7 @@ pub(crate) fn run(
         not_compared,
         ..Summary::default()
     };
-    Ok(Outcome { summary, series, references, pictures: FlowPictures::new(scene) })
+    Ok(Outcome { summary, series })
 }
 
 /// Largest difference of the true value from a computed one whose error is the share `error` of the true value, over the

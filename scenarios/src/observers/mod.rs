@@ -5,7 +5,6 @@
 mod apex;
 mod columns;
 mod face_profile;
-mod flow;
 mod force_rules;
 mod gauge_record;
 pub(crate) mod gauges;
@@ -26,12 +25,11 @@ use crate::log::LogError;
 
 pub use apex::{KeelLaw, KeelPressure};
 pub use columns::{Water, body_values, columns};
-pub use flow::FlowPictures;
 pub use force_rules::{ForceRules, RuleResult};
 pub use gauge_record::GaugeResult;
 pub use gauges::GaugeReader;
 pub use history::{History, Rest, WorstPenetration};
-pub use low_pass::LowPass;
+pub use low_pass::{LowPass, phaseless};
 pub(crate) use run_log::create_log;
 pub use run_log::{LiveObserver, LogObserver};
 pub use series::Series;

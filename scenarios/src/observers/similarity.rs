@@ -63,7 +63,6 @@ pub struct SimilarityResult {
     /// the force coefficient in the exact solution, with less scatter and more of the coarse start.
     pub impulse_coefficient: f64,
     /// Mean profile: x/(Vt), Cp.
-    #[serde(skip)]
     pub profile: Vec<[f64; 2]>,
 }
 

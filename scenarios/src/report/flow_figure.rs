@@ -14,8 +14,8 @@ const WIDTH: f64 = 1000.0;
 const LEGEND: f64 = 84.0;
 /// Blank on the left and on the right of the legend.
 const MARGIN: f64 = 18.0;
-/// Stops of the colour bar.
-const STOPS: usize = 16;
+/// Pieces of the colour bar.
+const STOPS: usize = 64;
 
 /// `frame` as a stand-alone SVG element: the particles of [`flow_png`], the legend as text and lines.
 ///
@@ -55,11 +55,16 @@ fn scale_bar(scale: f64, top: f64) -> String {
 fn colour_bar(view: &FlowView, top: f64) -> String {
     let ([left, right], [low, high]) = ([0.5 * WIDTH, WIDTH - 2.0 * MARGIN], proper_range(view.value));
     let (bar, foot, width) = (top + 34.0, top + 52.0, right - left);
-    let stop = |k: usize| {
-        let share = k as f64 / STOPS as f64;
-        format!("<stop offset=\"{share}\" stop-color=\"{}\" />", hex(viridis(share)))
+    // pieces, for a gradient would need a name of its own in a page of many pictures; they overlap, so that no seam shows
+    let piece = |k: usize| {
+        let (x, long) =
+            (left + width * k as f64 / STOPS as f64, width / STOPS as f64 + if k + 1 < STOPS { 0.5 } else { 0.0 });
+        let colour = hex(viridis((k as f64 + 0.5) / STOPS as f64));
+        format!(
+            "<rect x=\"{x:.2}\" y=\"{bar:.1}\" width=\"{long:.2}\" height=\"18\" shape-rendering=\"crispEdges\" fill=\"{colour}\" />"
+        )
     };
-    let stops: String = (0..=STOPS).map(stop).collect();
+    let pieces: String = (0..STOPS).map(piece).collect();
     let step = nice_step(high - low, 5);
     let tick = |value: f64| {
         let x = left + (value - low) / (high - low) * width;
@@ -72,8 +77,5 @@ fn colour_bar(view: &FlowView, top: f64) -> String {
     };
     let marks: String = ticks([low, high], step).map(tick).collect();
     let (label, y) = (escape(&view.label), top + 26.0);
-    format!(
-        "<text x=\"{left}\" y=\"{y:.1}\">{label}</text>\n<defs><linearGradient id=\"viridis\">{stops}</linearGradient></defs>\n\
-         <rect x=\"{left}\" y=\"{bar:.1}\" width=\"{width:.1}\" height=\"18\" fill=\"url(#viridis)\" />\n{marks}"
-    )
+    format!("<text x=\"{left}\" y=\"{y:.1}\">{label}</text>\n{pieces}\n{marks}")
 }

@@ -1,7 +1,8 @@
-//! The report of a run: one HTML page that needs nothing else.
+//! A report: one HTML page that needs nothing else.
 
 use super::bar::{Bar, bar_svg};
-use super::chart::{Chart, untitled_svg};
+use super::chart::Chart;
+use super::chart_svg::untitled_svg;
 use super::markup::escape;
 use super::table::{Table, table_html};
 
@@ -23,6 +24,8 @@ pub enum Block {
         /// What it shows.
         caption: String,
     },
+    /// Elements, shown as they are.
+    Html(String),
     /// Text in which spaces and line breaks matter, such as a scene file.
     Code {
         /// Caption; empty for none.
@@ -58,25 +61,45 @@ pub struct Report {
     pub sections: Vec<(String, Vec<Block>)>,
 }
 
-/// Sets `report` as one HTML page: styles, charts and pictures inside, no scripts, nothing loaded
-/// from elsewhere.
+/// Sets `report` as one HTML page: styles, charts, pictures and one script inside, nothing loaded from elsewhere.
 ///
 /// Sections, figures and tables are numbered. The page follows the reader's choice of light or
-/// dark, and prints. It is well-formed as XML too. Same input, same bytes.
+/// dark, and prints; without a script its charts stand still. Same input, same bytes.
 pub fn render(report: &Report) -> String {
+    page(&report.title, &header(report), &report.sections)
+}
+
+/// A page with `lead`, which is HTML, above its sections.
+pub(super) fn page(title: &str, lead: &str, sections: &[(String, Vec<Block>)]) -> String {
     let mut numbers = Numbers::default();
     let section = |(number, (heading, blocks)): (usize, &(String, Vec<Block>))| {
         let (heading, content) = (escape(heading), content(blocks, &mut numbers));
         format!(include_str!("section.html"), number = number, heading = heading, content = content)
     };
-    let sections: String = (1..).zip(&report.sections).map(section).collect();
+    let content: String = (1..).zip(sections).map(section).collect();
+    let script = match lead.contains("id=\"player\"") {
+        true => concat!(include_str!("plot.js"), include_str!("flow.js")),
+        false => include_str!("plot.js"),
+    };
     format!(
         include_str!("page.html"),
-        title = escape(&report.title),
+        title = escape(title),
         style = include_str!("report.css"),
-        header = header(report),
-        sections = sections
+        header = lead.to_owned() + &contents(sections),
+        sections = content,
+        script = script
     )
+}
+
+/// Links to the sections; two sections need none.
+fn contents(sections: &[(String, Vec<Block>)]) -> String {
+    if sections.len() < 3 {
+        return String::new();
+    }
+    let link = |(number, (heading, _)): (usize, &(String, Vec<Block>))| {
+        format!("<li><a href=\"#section-{number}\">{}</a></li>\n", escape(heading))
+    };
+    format!("<nav><ol>\n{}</ol></nav>\n", (1..).zip(sections).map(link).collect::<String>())
 }
 
 /// The numbers given out so far.
@@ -86,7 +109,7 @@ struct Numbers {
     tables: usize,
 }
 
-/// Title, subtitle, status and contents.
+/// Title, subtitle and status.
 fn header(report: &Report) -> String {
     let mut html = format!("<h1>{}</h1>\n", escape(&report.title));
     if !report.subtitle.is_empty() {
@@ -104,15 +127,6 @@ fn header(report: &Report) -> String {
             format!("<p class=\"status failed\"><strong>Failed.</strong> {why}</p>\n")
         }
     };
-    // Two sections need no contents.
-    if report.sections.len() > 2 {
-        html += "<nav><ol>\n";
-        for (number, (heading, _)) in (1..).zip(&report.sections) {
-            let heading = escape(heading);
-            html += &format!("<li><a href=\"#section-{number}\">{heading}</a></li>\n");
-        }
-        html += "</ol></nav>\n";
-    }
     html
 }
 
@@ -141,6 +155,7 @@ fn block(block: &Block, numbers: &mut Numbers) -> String {
         Block::Chart(chart) => figure("chart", &untitled_svg(chart), &chart.title, numbers),
         Block::Bar(bar) => figure("bar", &bar_svg(bar), &bar.title, numbers),
         Block::Drawing { svg, caption } => figure("drawing", svg, caption, numbers),
+        Block::Html(html) => html.clone(),
         Block::Code { title, text } => code(title, text),
     }
 }
@@ -155,7 +170,7 @@ fn figure(class: &str, image: &str, caption: &str, numbers: &mut Numbers) -> Str
     numbers.figures += 1;
     let (number, caption) = (numbers.figures, escape(caption));
     format!(
-        r#"<figure class="{class}">
+        r#"<figure class="{class}" data-save="figure_{number}">
 {image}
 <figcaption><b>Figure {number}.</b> {caption}</figcaption>
 </figure>

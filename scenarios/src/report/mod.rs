@@ -4,9 +4,11 @@
 //! scales, [`chart_svg`] draws curves, [`render`] puts drawings, charts, tables and text on one self-contained HTML
 //! page. Same input, same bytes.
 
+mod axis;
 mod bar;
 mod canvas;
 mod chart;
+mod chart_svg;
 mod colour;
 mod decimate;
 mod flow;
@@ -19,7 +21,8 @@ mod table;
 mod ticks;
 
 pub use bar::{Bar, Part};
-pub use chart::{Chart, Curve, Mark, TrendLine, chart_svg};
+pub use chart::{Chart, Curve, Mark, TrendLine};
+pub use chart_svg::chart_svg;
 pub use colour::{Rgb, viridis};
 pub use flow::{FlowFrame, FlowView, flow_png};
 pub use flow_figure::flow_svg;

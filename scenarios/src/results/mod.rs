@@ -5,6 +5,7 @@
 //! spacings; the largest value of a single step is given beside it, as `raw`.
 
 mod bands;
+mod filtered;
 mod judge;
 mod observer;
 mod panel;
@@ -15,6 +16,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+pub use filtered::FilteredAcceleration;
+pub(crate) use filtered::PASS_OVER_CLASS;
 pub use observer::ResultsObserver;
 pub(crate) use running_integral::RunningIntegral;
 

@@ -3,6 +3,7 @@
 use fsi_coupling::{Body, Coupled, Motion};
 
 use super::Results;
+use super::filtered::FilteredAcceleration;
 use super::judge::{Curves, Judge};
 use super::running_integral::RunningIntegral;
 use crate::scene::{self, Scene};
@@ -43,6 +44,11 @@ impl ResultsObserver {
         for (curve, panel) in self.curves.stresses.iter_mut().zip(body.panels()) {
             curve.take(time, [panel.stress]);
         }
+    }
+
+    /// The largest acceleration through the filter of a channel frequency class [Hz]; `None` for a body that is not free.
+    pub fn filtered(&self, class: f64) -> Option<FilteredAcceleration> {
+        FilteredAcceleration::of(&self.curves.acceleration, class)
     }
 
     /// The results so far, and doubts about them.

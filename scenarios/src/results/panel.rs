@@ -70,7 +70,15 @@ mod tests {
             reserve_factor: None,
             plastic_curvature: 0.0,
         };
-        PanelState { name: "plate".into(), watched: Vec::new(), stress: 1e6, worst, ruptures: Vec::new() }
+        PanelState {
+            name: "plate".into(),
+            watched: Vec::new(),
+            stress: 1e6,
+            worst,
+            stations: Vec::new(),
+            allowable_stress: None,
+            ruptures: Vec::new(),
+        }
     }
 
     /// A burst of force of 3 ms rang a panel at 28 degrees: 6.4 MPa, and 5 MPa with half the spacing.

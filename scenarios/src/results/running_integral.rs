@@ -85,6 +85,15 @@ impl<const N: usize> RunningIntegral<N> {
         inside.then(|| std::array::from_fn(|i| start[i] + share * (end[i] - start[i])))
     }
 
+    /// Middles [s] and means of the intervals between its rows.
+    pub fn step_means(&self) -> Vec<(f64, [f64; N])> {
+        let rows = self.times.windows(2).zip(self.integrals.windows(2));
+        let mean = |(t, i): (&[f64], &[[f64; N]])| {
+            (0.5 * (t[0] + t[1]), std::array::from_fn(|k| (i[1][k] - i[0][k]) / (t[1] - t[0])))
+        };
+        rows.map(mean).collect()
+    }
+
     /// The integral over the whole curve.
     pub fn total(&self) -> [f64; N] {
         self.integrals.last().copied().unwrap_or([0.0; N])

@@ -39,7 +39,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     }
     if scene.model.is_theory() {
         start_folder(scene, options)?;
-        return keep(scene, model_hierarchy::run(scene, options, references)?, options);
+        return keep(model_hierarchy::run(scene, options, references)?, options);
     }
     let mut system = build::build(scene)?;
     let live = options.live.map(|address| LiveObserver::start(address, scene)).transpose()?;
@@ -76,7 +76,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
     if summary.status.is_completed() {
         summary.error_bars = options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
     }
-    keep(scene, Outcome { summary, series: recorder.series, references, pictures: recorder.pictures }, options)
+    keep(Outcome { summary, series: recorder.series }, options)
 }
 
 /// Empty the folder and write the resolved scene into it.
@@ -87,10 +87,11 @@ fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<(), RunError>
 }
 
 /// Write summary and report.
-fn keep(scene: &Scene, outcome: Outcome, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+fn keep(mut outcome: Outcome, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+    outcome.summary.warnings = options.warnings.clone();
     if let Some(dir) = &options.out {
         write(&dir.join("summary.json"), &outcome.summary.to_json())?;
-        write(&dir.join("report.html"), &run_page::report(scene, &outcome, &options.warnings))?;
+        write(&dir.join("report.html"), &run_page::report(dir)?)?;
     }
     Ok(outcome)
 }

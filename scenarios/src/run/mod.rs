@@ -2,6 +2,7 @@
 
 mod audit;
 mod driver;
+mod panel;
 mod particle_order;
 mod recorder;
 pub mod summary;
@@ -14,16 +15,16 @@ use fsi_coupling::CouplingError;
 use fsi_coupling::entry_theory::OutOfRange;
 use sph_core::Breakdown;
 
-use crate::compare::ReferenceCurve;
 use crate::error_bar::ErrorBars;
 use crate::log::LogError;
-use crate::observers::{FlowPictures, ObserveError, Series};
+use crate::observers::{ObserveError, Series};
 use crate::reference::ReferenceError;
+use crate::report::run_page::FolderError;
 use summary::Summary;
 
 pub use driver::run;
 pub use particle_order::ParticleOrder;
-pub use summary::{Extremes, PanelResult, Rupture};
+pub use summary::{Extremes, PanelEnvelope, PanelResult, Rupture};
 
 /// Files of a run, by the contract of the command line.
 pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
@@ -49,7 +50,7 @@ pub struct RunOptions<'a> {
     pub most_steps: Option<u64>,
     /// Called with (time [s], steps) when the stepping begins and about ten times per second.
     pub progress: Option<&'a (dyn Fn(f64, u64) + Sync)>,
-    /// Warnings about the scene, for the report.
+    /// Warnings about the scene, for summary and report.
     pub warnings: Vec<String>,
     /// Source of the error bars: a convergence study; stored charts if absent.
     pub error_bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
@@ -61,10 +62,6 @@ pub struct Outcome {
     pub summary: Summary,
     /// The curves.
     pub series: Series,
-    /// Reference curves, in the order of the scene's comparisons.
-    pub references: Vec<ReferenceCurve>,
-    /// Pictures of the flow.
-    pub pictures: FlowPictures,
 }
 
 /// Why a run cannot start, or cannot keep its results.
@@ -82,6 +79,9 @@ pub enum RunError {
     /// An observer failed.
     #[error(transparent)]
     Observe(#[from] ObserveError),
+    /// The files of the run cannot be read back for its report.
+    #[error(transparent)]
+    Report(#[from] FolderError),
     /// A reference that the scene names cannot be used.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -107,7 +107,7 @@ impl RunError {
     /// True if the user's input is at fault (exit 2), false if the run is (exit 1).
     pub fn is_input(&self) -> bool {
         match self {
-            RunError::Write(..) => false,
+            RunError::Write(..) | RunError::Report(_) => false,
             RunError::Observe(why) => matches!(why, ObserveError::Log(LogError::Live(..))),
             _ => true,
         }

@@ -16,8 +16,8 @@ use crate::compare::{self, ReferenceCurve};
 use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
-    FlowPictures, ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError,
-    Observer, Series, SimilarityWindow, WorstPenetration, body_values,
+    ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError, Observer, Series,
+    SimilarityWindow, WorstPenetration, body_values,
 };
 use crate::results::{ResultsObserver, Verdict};
 use crate::scene::{Scene, known_compressibility_error, thesis_work};
@@ -33,7 +33,6 @@ pub(crate) struct Recorder {
     pub series: Series,
     pub log: Option<LogObserver>,
     pub live: Option<LiveObserver>,
-    pub pictures: FlowPictures,
     similarity: Option<SimilarityWindow>,
     force_rules: Option<ForceRules>,
     next_sample: f64,
@@ -62,7 +61,6 @@ impl Recorder {
             series: Series::new(scene, series)?,
             log: log.map(|path| LogObserver::create(path, scene)).transpose()?,
             live: None,
-            pictures: FlowPictures::new(scene),
             similarity: scene.similarity.and_then(|_| SimilarityWindow::new(scene)),
             force_rules: ForceRules::new(scene),
             next_sample: scene.time.start,
@@ -125,7 +123,6 @@ impl Recorder {
         self.report_failures(system)?;
         self.history.observe(&frame)?;
         self.series.observe(&frame)?;
-        self.pictures.observe(&frame)?;
         if let Some(window) = &mut self.similarity {
             window.observe(&frame)?;
         }
@@ -188,7 +185,6 @@ impl Recorder {
         let gauges = self.gauges.read();
         let (held, penetration) = (system.fluid.totals(), system.penetration());
         let frame = Frame { system, gauges: &gauges, held: &held, penetration: &penetration, particles: true };
-        self.pictures.keep(&frame);
         if let Some(log) = &mut self.log {
             log.keep(&frame)?;
             let (level, text) = match status {
@@ -218,6 +214,7 @@ impl Recorder {
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
         let (results, mut doubts) = self.results.results(scene, system);
+        let acceleration_filtered = scene.report.acceleration_cfc.and_then(|class| self.results.filtered(class));
         let unresolved = similarity.as_ref().and_then(|s| s.cp_max_unresolved.as_ref());
         doubts.extend(unresolved.map(|why| format!("similarity.cp_max: {why}")));
         let audit = Audit {
@@ -262,7 +259,9 @@ impl Recorder {
             status: status.with(&results, &doubts),
             message,
             results,
+            acceleration_filtered,
             doubts,
+            warnings: Vec::new(),
             model: model(scene.solver.kind()),
             choice: scene.choice.clone(),
             version: env!("CARGO_PKG_VERSION"),

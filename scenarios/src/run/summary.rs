@@ -2,17 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use fsi_coupling::PanelState;
 use serde::Serialize;
 use sph_core::{Phase, Timers};
-use structure_fe::Range;
 
 pub use super::audit::Audit;
+pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
 use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water};
-use crate::results::{Results, Verdict};
+use crate::results::{FilteredAcceleration, Results, Verdict};
 use crate::scene::{CouplingScheme, FITTED_MACH, significant};
 
 /// How a run ended.
@@ -164,8 +163,14 @@ pub struct Summary {
     pub message: Option<String>,
     /// The results: what a designer takes away.
     pub results: Results,
+    /// The largest acceleration through the filter of report.acceleration_cfc; absent where the scene does not ask.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub acceleration_filtered: Option<FilteredAcceleration>,
     /// Doubts about them, in sentences.
     pub doubts: Vec<String>,
+    /// Warnings about the scene, before the run; absent when there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
     /// The model that was run: a theory, `wcsph`, or the name of an incompressible solver.
     pub model: &'static str,
     /// Why this model was chosen, for `model = "auto"`.
@@ -244,84 +249,5 @@ impl Summary {
     /// True if the run completed and every judged comparison passes.
     pub fn passes(&self) -> bool {
         self.status.is_completed() && self.comparison.iter().all(Comparison::passes)
-    }
-}
-
-/// Extremes of a quantity over a panel and the run.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Extremes {
-    /// Smallest value.
-    pub least: f64,
-    /// When [s].
-    pub least_at_s: f64,
-    /// Largest value.
-    pub most: f64,
-    /// When [s].
-    pub most_at_s: f64,
-}
-
-impl From<Range> for Extremes {
-    fn from(range: Range) -> Extremes {
-        Extremes {
-            least: range.least,
-            least_at_s: range.time_of_least,
-            most: range.most,
-            most_at_s: range.time_of_most,
-        }
-    }
-}
-
-/// An end of a panel that broke off.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Rupture {
-    /// When [s].
-    pub time_s: f64,
-    /// Where [m].
-    pub x_m: f64,
-    /// Where [m].
-    pub y_m: f64,
-    /// Strain of the outer fibre [-].
-    pub strain: f64,
-}
-
-/// Extremes over every step of the run, not only over the samples.
-#[derive(Clone, Debug, Serialize)]
-pub struct PanelResult {
-    /// Normal force [N/m].
-    pub normal_n_per_m: Extremes,
-    /// Shear force [N/m].
-    pub shear_n_per_m: Extremes,
-    /// Bending moment [N].
-    pub moment_n: Extremes,
-    /// Stress of outer fibres along the panel [Pa].
-    pub stress_pa: Extremes,
-    /// Their strain, plastic strain included [-].
-    pub strain: Extremes,
-    /// Allowable stress over the largest [-]; `null` without an allowable stress.
-    pub reserve_factor: Option<f64>,
-    /// Largest plastic curvature left [1/m].
-    pub plastic_curvature_per_m: f64,
-    /// Deflection at the places that are watched, at the end of the run [m].
-    pub deflection_at_end_m: Vec<f64>,
-    /// Ends that broke off.
-    pub ruptures: Vec<Rupture>,
-}
-
-impl From<&PanelState> for PanelResult {
-    fn from(panel: &PanelState) -> PanelResult {
-        let worst = &panel.worst;
-        let rupture =
-            |b: &structure_fe::Break| Rupture { time_s: b.time, x_m: b.place[0], y_m: b.place[1], strain: b.value };
-        PanelResult {
-            normal_n_per_m: worst.normal.into(),
-            shear_n_per_m: worst.shear.into(),
-            moment_n: worst.moment.into(),
-            stress_pa: worst.stress.into(),
-            strain: worst.strain.into(),
-            reserve_factor: worst.reserve_factor,
-            plastic_curvature_per_m: worst.plastic_curvature,
-            deflection_at_end_m: panel.watched.iter().map(|w| w.deflection).collect(),
-            ruptures: panel.ruptures.iter().map(rupture).collect(),
-        }
     }
 }

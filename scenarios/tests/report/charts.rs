@@ -24,8 +24,8 @@ fn logarithmic_axes() {
     let clean = points(vec![1.0, 10.0, 100.0], vec![5.0, 0.5, 0.05]);
     assert_well_formed(&clean);
     assert_eq!(clean, points(vec![1.0, -1.0, 10.0, 0.0, 100.0], vec![5.0, 1.0, 0.5, 1.0, 0.05]));
-    let centres: Vec<f64> =
-        clean.split("<circle cx=\"").skip(1).filter_map(|c| c.split('"').next()?.parse().ok()).collect();
+    let markers = clean.split("<circle r=\"3.4\" transform=\"translate(").skip(1);
+    let centres: Vec<f64> = markers.filter_map(|c| c.split(' ').next()?.parse().ok()).collect();
     assert!(centres.len() >= 3, "{clean}");
     let (first, second) = (centres[1] - centres[0], centres[2] - centres[1]);
     assert!(first > 10.0 && (first - second).abs() < 0.1, "{centres:?}");
@@ -77,7 +77,8 @@ fn a_long_curve_is_thinned_and_keeps_its_peak() {
     let ranged = |curves| chart_svg(&Chart { x_range: Some([0.0, 1.0]), y_range: Some([-1.0, 2.0]), ..chart(curves) });
     let (long, short) = (ranged(vec![curve(Mark::Line, x, y)]), ranged(alone));
     let points = |svg: &str| -> Vec<String> {
-        let (_, path) = svg.split_once("<path d=\"M ").expect("a path");
+        let (_, data) = svg.split_once("class=\"data\"").expect("the data");
+        let (_, path) = data.split_once("<path d=\"M ").expect("a path");
         let path = path.split('"').next().unwrap_or_default();
         path.split("L ").map(|point| point.trim().to_owned()).collect()
     };
@@ -101,8 +102,10 @@ fn curves_differ_in_colour_and_the_same_chart_in_nothing() {
     let line = |k: i32| curve(Mark::Line, vec![0.0, 1.0], vec![0.0, f64::from(k)]);
     let seven = chart((0..7).map(line).collect());
     let svg = chart_svg(&seven);
+    let (_, data) = svg.split_once("class=\"data\"").expect("the data");
+    let (data, _) = data.split_once("</g>").expect("its end");
     let mut colours: Vec<_> =
-        svg.split("<path").skip(1).map(|p| p.split_once("stroke=\"").map(|s| &s.1[..7])).collect();
+        data.split("<path").skip(1).map(|p| p.split_once("stroke=\"").map(|s| &s.1[..7])).collect();
     colours.sort_unstable();
     colours.dedup();
     assert_eq!(colours.len(), 7);
@@ -114,7 +117,8 @@ fn curves_differ_in_colour_and_the_same_chart_in_nothing() {
 fn hollow_marks_are_outlines_and_trends_have_their_curves_colour() {
     let dots = |mark| chart(vec![curve(mark, vec![1.0, 10.0, 100.0], vec![9.0, 3.0, 1.0])]);
     let [full, hollow] = [Mark::Points, Mark::Hollow].map(|mark| chart_svg(&Chart { logarithmic: true, ..dots(mark) }));
-    assert_eq!([&full, &hollow].map(|svg| svg.matches("fill-opacity=\"0\"").count()), [0, 3]);
+    // three points and the legend
+    assert_eq!([&full, &hollow].map(|svg| svg.matches("fill-opacity=\"0\"").count()), [0, 4]);
     let trends = vec![TrendLine { curve: 0, ends: [[1.0, 9.0], [100.0, 1.0]] }];
     let with = chart_svg(&Chart { logarithmic: true, trends, ..dots(Mark::Points) });
     let lines = |svg: &str| svg.matches("stroke=\"#0072b2\"").count();

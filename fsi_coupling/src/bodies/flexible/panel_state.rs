@@ -33,8 +33,27 @@ pub struct PanelState {
     pub stress: f64,
     /// What it has borne so far.
     pub worst: Worst,
+    /// What it has borne so far at each of its nodes, from its start to its end.
+    pub stations: Vec<Station>,
+    /// Stress that it may bear [Pa]; `None` where none is given.
+    pub allowable_stress: Option<f64>,
     /// What has broken of it, in the order in which it did.
     pub ruptures: Vec<Break>,
+}
+
+/// Smallest and largest values at a node of a panel over the steps so far; of a node between two elements, in both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// Distance from the panel's start along its middle line [m].
+    pub along: f64,
+    /// Normal force [N/m].
+    pub normal: Range,
+    /// Shear force [N/m].
+    pub shear: Range,
+    /// Bending moment [N].
+    pub moment: Range,
+    /// Stress of outer fibres [Pa].
+    pub stress: Range,
 }
 
 /// Smallest and largest values over a panel and over the steps so far.
@@ -89,6 +108,8 @@ pub(crate) fn state_of(
         watched: watched.collect(),
         stress: panel.stress(dynamics.beam(), &sections),
         worst: worst(panel, nodes, envelope),
+        stations: stations(panel, dynamics, envelope),
+        allowable_stress: panel.spec.allowable_stress,
         ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
     }
 }
@@ -107,6 +128,29 @@ fn worst(panel: &Panel, nodes: &State, envelope: &Envelope) -> Worst {
         reserve_factor: panel.spec.allowable_stress.map(|allowable| allowable / stress.largest()),
         plastic_curvature: plastic.fold(0.0, |most, kappa| f64::max(most, kappa.abs())),
     }
+}
+
+/// What a panel has borne at its nodes.
+fn stations(panel: &Panel, dynamics: &Dynamics, envelope: &Envelope) -> Vec<Station> {
+    let nodes = &dynamics.beam().nodes()[panel.nodes.clone()];
+    let ends = &envelope.ends[2 * panel.elements.start..2 * panel.elements.end];
+    let mut along = 0.0;
+    let station = |k: usize| {
+        if k > 0 {
+            along += (nodes[k][0] - nodes[k - 1][0]).hypot(nodes[k][1] - nodes[k - 1][1]);
+        }
+        // node k is the second end of element k − 1 and the first of element k
+        let sides = &ends[(2 * k).saturating_sub(1)..(2 * k + 1).min(ends.len())];
+        let over = |of: fn(&EndEnvelope) -> Range| sides[1..].iter().map(of).fold(of(&sides[0]), wider);
+        Station {
+            along,
+            normal: over(|end| end.normal),
+            shear: over(|end| end.shear),
+            moment: over(|end| end.moment),
+            stress: over(|end| end.fibre_stress),
+        }
+    };
+    (0..nodes.len()).map(station).collect()
 }
 
 /// The range that holds two.

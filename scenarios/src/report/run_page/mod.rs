@@ -1,44 +1,123 @@
-//! `report.html`: what was run, pictures of the flow, curves with references, audit, cost.
+//! The page of a run, made from its folder alone: `report.html`.
 
+mod camera;
 mod charts;
-mod pictures;
+mod comparison;
+mod figures;
+mod flow;
+mod folder;
+mod headline;
+mod packed;
+mod panels;
+mod player;
+mod quantity;
+mod record;
+mod structure;
+mod table;
 mod tables;
 mod theories;
 
-use crate::report::{Block, Report, Status as PageStatus, render};
-use crate::run::Outcome;
-use crate::run::summary::Status;
-use crate::scene::Scene;
+use std::path::Path;
 
-/// The page of a run; a section without content is left out.
-pub fn report(scene: &Scene, outcome: &Outcome, warnings: &[String]) -> String {
-    let summary = &outcome.summary;
-    let of_particles = |blocks: &dyn Fn() -> Vec<Block>| if scene.model.is_theory() { Vec::new() } else { blocks() };
-    let toml = Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() };
+use charts::Figure;
+use flow::Flow;
+pub use folder::FolderError;
+use folder::RunFolder;
+
+use crate::report::markup::escape;
+use crate::report::{Block, Status as PageStatus};
+use crate::report::{chart_svg::untitled_svg, html::page};
+use crate::run::summary::Status;
+
+pub(crate) use comparison::compare;
+pub(crate) use figures::{FigureError, write_figures};
+
+/// The page of the run in a folder.
+///
+/// # Errors
+/// The folder holds no run.
+pub(crate) fn report(dir: &Path) -> Result<String, FolderError> {
+    let mut run = RunFolder::read(dir)?;
+    let flow = Flow::read(&mut run);
+    let hero = flow.as_ref().map_or(String::new(), |flow| player::player(&mut run, flow));
+    let lead = headline::lead(&run) + &hero;
+    let moments = flow.as_ref().map_or(Vec::new(), |flow| player::moments(&mut run, flow));
+    let record = &run.record;
+    let toml = std::fs::read_to_string(dir.join("scene.resolved.toml")).unwrap_or_default();
     let sections = [
-        ("Results", tables::results_section(summary)),
-        ("Run", tables::run_section(scene, summary, warnings)),
-        ("Against references", tables::comparison_section(summary)),
-        ("Error bars", tables::error_bars_section(summary)),
-        ("Flow", of_particles(&|| pictures::pictures(scene, outcome.pictures.frames()))),
-        ("Curves", charts::charts(scene, outcome)),
-        ("Theories", scene.entry().map_or(Vec::new(), |_| theories::theories_section(scene))),
-        ("Panels", tables::panels_section(summary)),
-        ("Force by four rules", tables::force_rules_section(summary)),
-        ("Audit", of_particles(&|| vec![tables::audit_table(summary)])),
-        ("Cost", of_particles(&|| vec![tables::cost_bar(summary)])),
-        ("Scene as run", vec![toml]),
+        ("Curves", figure_blocks(&charts::figures(&run), HINT)),
+        ("Structure", [figure_blocks(&structure::figures(&run), ""), structure::tables(&run)].concat()),
+        ("Results in detail", [tables::results_section(&run), tables::gauge_section(record)].concat()),
+        ("Against references", tables::comparison_section(record)),
+        ("Error bars", tables::error_bars_section(record)),
+        ("Moments", moments),
+        ("Theories", run.scene.entry().map_or(Vec::new(), |_| theories::theories_section(&run.scene))),
+        ("Doubts and warnings", warnings(&run)),
+        ("Audit", tables::audit_section(record)),
+        ("Force by four rules", tables::force_rules_section(record)),
+        ("How it was got", [tables::run_section(&run), tables::cost_section(record), again(dir)].concat()),
+        ("Scene as run", vec![Block::Html(folded("scene.resolved.toml", &toml))]),
     ];
     let shown = sections.into_iter().filter(|(_, blocks)| !blocks.is_empty());
-    render(&Report {
-        title: format!("splashdown: {}", scene.name),
-        subtitle: scene.description.clone(),
-        status: page_status(summary.status, summary.message.as_deref(), &summary.doubts),
-        sections: shown.map(|(heading, blocks)| (heading.to_string(), blocks)).collect(),
-    })
+    let sections: Vec<_> = shown.map(|(heading, blocks)| (heading.to_string(), blocks)).collect();
+    Ok(page(&format!("splashdown: {}", run.scene.name), &lead, &sections))
 }
 
-/// How a run ended, for the head of its page.
+const HINT: &str =
+    "Point at a curve to read it, drag to zoom, double-click to reset; a click takes the animation to that time.";
+
+/// Figures side by side, each with its title above.
+fn figure_blocks(figures: &[Figure], hint: &str) -> Vec<Block> {
+    if figures.is_empty() {
+        return Vec::new();
+    }
+    let figure = |Figure { name, chart }: &Figure| {
+        format!(
+            "<figure class=\"chart\" data-save=\"{name}\">\n<figcaption><b>{}</b></figcaption>\n{}</figure>\n",
+            escape(&chart.title),
+            untitled_svg(chart)
+        )
+    };
+    let hint = if hint.is_empty() { String::new() } else { format!("<p class=\"hint\">{hint}</p>\n") };
+    let inner: String = figures.iter().map(figure).collect();
+    vec![Block::Html(format!("{hint}<div class=\"figures\">\n{inner}</div>\n"))]
+}
+
+/// Doubts, warnings before the run, and what is missing in the folder.
+fn warnings(run: &RunFolder) -> Vec<Block> {
+    let list = |heading: &str, items: &[String]| {
+        let lines: String = items.iter().map(|item| format!("<li>{}</li>", escape(item))).collect();
+        (!items.is_empty()).then(|| Block::Html(format!("<h3>{heading}</h3>\n<ul class=\"reasons\">{lines}</ul>\n")))
+    };
+    let doubts: Vec<String> = run.record.doubts.iter().map(|doubt| headline::doubt_in_words(doubt)).collect();
+    [
+        list("Doubts about the results", &doubts),
+        list("Warnings about the scene", &run.warnings),
+        list("Missing in the folder", &run.gaps),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The command that repeats the run.
+fn again(dir: &Path) -> Vec<Block> {
+    let scene = dir.join("scene.resolved.toml");
+    let path = scene.display().to_string();
+    let quoted = if path.contains(|c: char| c.is_whitespace() || "'\"\\$".contains(c)) {
+        format!("'{}'", path.replace('\'', "'\\''"))
+    } else {
+        path
+    };
+    vec![Block::Code { title: "To repeat this run".into(), text: format!("splashdown run {quoted} --out again") }]
+}
+
+/// A long text that opens on demand.
+fn folded(title: &str, text: &str) -> String {
+    format!("<details><summary>{}</summary><pre><code>{}</code></pre></details>\n", escape(title), escape(text))
+}
+
+/// How a run ended, for the head of a page that is not a run's.
 pub(crate) fn page_status(status: Status, message: Option<&str>, doubts: &[String]) -> PageStatus {
     match status {
         Status::Completed => PageStatus::Completed,

@@ -24,33 +24,54 @@ pub(super) struct Theories {
 }
 
 impl Theories {
-    /// All but the one that was run.
+    /// All but the one that was run, up to when the first of them has the chines wet: beyond, the flow separates.
     pub fn beside(scene: &Scene) -> Theories {
-        let others = EntryModel::ALL.into_iter().filter(|model| model.is_theory() && *model != scene.model);
+        let theories = EntryModel::ALL.into_iter().filter(|model| model.is_theory());
         let follow = |model| {
             let (theory, _) = Theory::while_in_range(scene, model).ok()?;
             let rows = theory.rows(scene);
-            (rows.len() > 1).then_some(Followed { model, theory, rows })
+            Some(Followed { model, theory, rows })
         };
-        Theories { followed: others.filter_map(follow).collect(), columns: columns(scene) }
+        let mut followed: Vec<Followed> = theories.filter_map(follow).collect();
+        let dry = |f: &Followed| {
+            let chines = f.theory.loads.section().half_breadth();
+            let wet = f.theory.instants.iter().find(|now| now.wetted >= chines);
+            wet.map_or(f64::INFINITY, |now| now.time)
+        };
+        let end = followed.iter().map(dry).fold(f64::INFINITY, f64::min);
+        followed.iter_mut().for_each(|f| f.rows.retain(|row| row[0] < end));
+        followed.retain(|f| f.model != scene.model && f.rows.len() > 1);
+        Theories { followed, columns: columns(scene) }
     }
 
-    /// Their values of a column of the series, times `scale`.
-    pub fn curves(&self, column: &str, scale: f64) -> Vec<Curve> {
+    /// Their values of a column of the series; times and values by their scales.
+    pub fn curves(&self, column: &str, scales: [f64; 2]) -> Vec<Curve> {
         let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
         let known = |f: &&Followed| f.rows.iter().all(|row| row.get(k).is_some_and(|v| v.is_finite()));
-        let points = |f: &Followed| f.rows.iter().map(|row| [row[0], scale * row[k]]).collect::<Vec<_>>();
-        self.followed.iter().filter(known).map(|f| Curve::new(f.model.name(), Mark::Dashed, points(f))).collect()
+        let points =
+            |f: &Followed| f.rows.iter().map(|row| [scales[0] * row[0], scales[1] * row[k]]).collect::<Vec<_>>();
+        self.followed.iter().filter(known).map(|f| Curve::new(in_words(f.model), Mark::Dashed, points(f))).collect()
     }
 
     /// Their pressure coefficients along the face, at their last moments.
     pub fn profiles(&self) -> Vec<Curve> {
-        let curve = |Followed { model, theory, .. }: &Followed| {
-            let last = theory.instants.len() - 1;
+        let curve = |Followed { model, theory, rows }: &Followed| {
+            let last = theory.instants.len().checked_sub(1).filter(|last| *last < rows.len())?;
             theory.peak_pressure(last)?; // infinite, or none: not to be drawn
-            Some(Curve::new(model.name(), Mark::Dashed, theory.profile(last, PROFILE)))
+            Some(Curve::new(in_words(*model), Mark::Dashed, theory.profile(last, PROFILE)))
         };
         self.followed.iter().filter_map(curve).collect()
+    }
+}
+
+/// A theory's name as papers have it.
+fn in_words(model: EntryModel) -> &'static str {
+    match model {
+        EntryModel::VonKarman => "von Karman",
+        EntryModel::Wagner => "Wagner",
+        EntryModel::Mlm => "modified Logvinovich",
+        EntryModel::Similarity => "similarity solution",
+        other => other.name(),
     }
 }
 
