@@ -4,6 +4,8 @@ mod about;
 mod bench;
 mod ditch;
 mod experiments;
+mod progress;
+mod resume;
 mod run;
 mod shared;
 
@@ -38,6 +40,8 @@ enum Command {
     List,
     /// Run a scene and write log, curves, summary and report.
     Run(run::RunArgs),
+    /// Continue a run from its checkpoint, to the same bits as without a break.
+    Resume(resume::ResumeArgs),
     /// Print what a run would cost and its known limits, without running it.
     Check(SceneArgs),
     /// Run a scene at several spacings and sound speeds and extrapolate a number.
@@ -112,6 +116,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
     match &cli.command {
         Command::List => about::list(output),
         Command::Run(args) => run::run_scene(output, args),
+        Command::Resume(args) => resume::resume_run(output, args),
         Command::Check(args) => about::check(output, args),
         Command::Study(args) => convergence::run_study(output, args),
         Command::Chart(args) => work_precision::run_charts(output, args),

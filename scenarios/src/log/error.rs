@@ -14,6 +14,9 @@ pub enum LogError {
     /// The file cannot be written to; the log ends.
     #[error("cannot write the log {path}: {cause}", path = .0.display(), cause = cause(.1))]
     Write(PathBuf, #[source] McapError),
+    /// A log that cannot be continued, and why.
+    #[error("cannot continue the log {path}: {1}", path = .0.display())]
+    Read(PathBuf, String),
     /// The log has ended, for a reason that was reported before.
     #[error("the log {path} has ended", path = .0.display())]
     Ended(PathBuf),

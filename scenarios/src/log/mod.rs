@@ -36,6 +36,7 @@ mod budget;
 mod container;
 mod error;
 mod frame;
+mod stored;
 mod writer;
 
 pub use background::{BackgroundLog, Logged};
@@ -44,4 +45,5 @@ pub use error::LogError;
 /// Severity of a note.
 pub use foxglove::messages::log::Level;
 pub use frame::{BodyView, Frame, Point};
+pub use stored::StoredLog;
 pub use writer::{LogMetadata, LogWriter};

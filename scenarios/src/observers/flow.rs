@@ -1,5 +1,7 @@
 //! Four pictures of the flow at equal intervals, for the report.
 
+use sph_core::state_bytes::{StateError, decode, encode};
+
 use super::{Frame, ObserveError, Observer, gauges};
 use crate::report::FlowFrame;
 use crate::scene::Scene;
@@ -45,6 +47,22 @@ impl FlowPictures {
                 .collect(),
             wall_size: self.spacing,
         });
+    }
+
+    /// Frames and times that are due, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&self.due, &self.frames))
+    }
+
+    /// Take frames kept up to `time` [s]; with another end of the run, later ones are due at its intervals.
+    pub fn restore_bytes(&mut self, bytes: &[u8], time: f64) -> Result<(), StateError> {
+        let due: Vec<f64>;
+        (due, self.frames) = decode("the pictures of the flow", bytes)?;
+        match due.first() == self.due.first() {
+            true => self.due = due,
+            false => self.due.retain(|due| *due > time),
+        }
+        Ok(())
     }
 
     /// The frames kept.

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use fsi_coupling::Coupled;
 use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
 use super::columns::{body_values, panel_values};
 use super::{Frame, ObserveError, Observer};
-use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogError, LogMetadata, Logged, Point};
+use crate::log::{self, BackgroundLog, BodyView, Budget, Level, LogError, LogMetadata, Logged, Point, StoredLog};
 use crate::scene::Scene;
 
 /// Writes the log.
@@ -22,16 +23,24 @@ pub struct LogObserver {
 impl LogObserver {
     /// Create the file.
     pub fn create(path: &Path, scene: &Scene) -> Result<LogObserver, ObserveError> {
+        Ok(LogObserver::with(create_log(path, scene)?, scene))
+    }
+
+    fn with(writer: BackgroundLog, scene: &Scene) -> LogObserver {
         let panels = scene.body.iter().flat_map(|body| &body.panels);
         let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        Ok(LogObserver {
-            writer: create_log(path, scene)?,
-            start: scene.time.start,
-            end: scene.time.end,
-            panels,
-            gauges,
-        })
+        LogObserver { writer, start: scene.time.start, end: scene.time.end, panels, gauges }
+    }
+
+    /// Continue the file from where it was `stored`.
+    pub fn resume(path: &Path, scene: &Scene, stored: StoredLog) -> Result<LogObserver, ObserveError> {
+        Ok(LogObserver::with(resume_log(path, scene, stored)?, scene))
+    }
+
+    /// What a later process needs to continue from here.
+    pub fn stored(&mut self) -> Result<StoredLog, ObserveError> {
+        Ok(self.writer.stored()?)
     }
 
     /// Write a note.
@@ -81,10 +90,20 @@ impl LogObserver {
 
 /// The empty log of a scene.
 pub(crate) fn create_log(path: &Path, scene: &Scene) -> Result<BackgroundLog, LogError> {
-    let toml = scene.to_toml();
-    let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-    let budget = |megabytes| Budget { bytes: (1e6 * megabytes) as u64, end: scene.time.end - scene.time.start };
-    BackgroundLog::create(path, &metadata, scene.report.log_budget.map(budget))
+    BackgroundLog::create(path, &metadata(scene, &scene.to_toml()), budget(scene))
+}
+
+fn resume_log(path: &Path, scene: &Scene, stored: StoredLog) -> Result<BackgroundLog, LogError> {
+    BackgroundLog::resume(path, &metadata(scene, &scene.to_toml()), budget(scene), stored)
+}
+
+fn metadata<'a>(scene: &'a Scene, toml: &'a str) -> LogMetadata<'a> {
+    LogMetadata { scene: &scene.name, scene_toml: toml, version: env!("CARGO_PKG_VERSION") }
+}
+
+fn budget(scene: &Scene) -> Option<Budget> {
+    let end = scene.time.end - scene.time.start;
+    scene.report.log_budget.map(|megabytes| Budget { bytes: (1e6 * megabytes) as u64, end })
 }
 
 /// The loops as one closed line that visits each and returns to the first corner of all.
@@ -100,11 +119,12 @@ impl LogObserver {
     /// Write the present state, whether due or not.
     pub fn keep(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         self.curves(frame)?;
-        self.picture(frame, true)
+        self.picture(frame.system, true)
     }
 
-    fn picture(&mut self, frame: &Frame<'_>, last: bool) -> Result<(), ObserveError> {
-        let (p, d, w) = (frame.system.fluid.particles(), frame.system.fluid.fields(), &frame.system.walls);
+    /// Write a frame of particles; the `last` of a run is written if a budget has room for it alone.
+    pub fn picture(&mut self, system: &Coupled, last: bool) -> Result<(), ObserveError> {
+        let (p, d, w) = (system.fluid.particles(), system.fluid.fields(), &system.walls);
         let speed = |u: f64, v: f64| (u * u + v * v).sqrt();
         let mut fluid = vec![Point::default(); p.len()];
         parallel::gather_into(&mut fluid, |k| Point {
@@ -119,25 +139,25 @@ impl LogObserver {
             at: [w.x[k], w.y[k]],
             pressure: w.pressure[k],
             speed: speed(w.u[k], w.v[k]),
-            density: frame.system.fluid.domain().fluid.density,
+            density: system.fluid.domain().fluid.density,
             spacing: w.volume[k].sqrt(),
             id: k as u32,
         };
         let walls: Vec<Point> = (0..w.len()).map(wall).collect();
         // one closed line per body: the loops of a compound body are joined by the way back to the first corner
-        let shown = frame.system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
+        let shown = system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
         let shown: Vec<_> = shown.collect();
         let bodies: Vec<BodyView<'_>> = shown
             .iter()
             .map(|(name, m, outline)| BodyView { name, position: m.position, angle: m.angle, outline })
             .collect();
-        Ok(self.writer.frame(log::Frame::new(frame.time() - self.start, &fluid, &walls, &bodies)?, last)?)
+        Ok(self.writer.frame(log::Frame::new(system.fluid.time() - self.start, &fluid, &walls, &bodies)?, last)?)
     }
 }
 
 impl Observer for LogObserver {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         self.curves(frame)?;
-        if frame.particles { self.picture(frame, frame.time() >= self.end) } else { Ok(()) }
+        if frame.particles { self.picture(frame.system, frame.time() >= self.end) } else { Ok(()) }
     }
 }

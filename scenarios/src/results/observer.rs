@@ -1,6 +1,7 @@
 //! Gathers the curves of the results in every step.
 
 use fsi_coupling::{Body, Coupled, Motion};
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::Results;
 use super::judge::{Curves, Judge};
@@ -38,6 +39,19 @@ impl ResultsObserver {
             self.curves.acceleration.take(time, motion.acceleration);
         }
         self.curves.draught.extend(draught(body, &motion).map(|draught| [time, draught]));
+    }
+
+    /// The curves, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&self.curves)
+    }
+
+    /// Take curves of as many gauges.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        let curves: Curves = decode("the curves of the results", bytes)?;
+        expect_count("curves of pressure", curves.pressures.len(), self.curves.pressures.len())?;
+        self.curves = curves;
+        Ok(())
     }
 
     /// The results so far, and doubts about them.

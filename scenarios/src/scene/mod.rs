@@ -50,6 +50,7 @@ pub use impact::{
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;
 pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
+pub(crate) use resolve::MOST_ROWS;
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Moved, Norm, Observe,
     Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,

@@ -4,6 +4,8 @@
 //! from those before, a cluster begins a new stretch: it keeps where that begins, and of each neighbour the way from
 //! there, with a bit for each target that may meet it.
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::simd::LANES;
 use crate::memory::of_vector;
 
@@ -42,7 +44,7 @@ const BEGIN_BITS: u32 = INDEX_BITS - ALIGNMENT_BITS;
 const MOST_OF_STRETCH: u32 = (1 << (u32::BITS - BEGIN_BITS)) - 1;
 
 /// Neighbours that lie near each other: where their indices begin, and how many there are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Stretch(u32);
 
 impl Stretch {
@@ -66,7 +68,7 @@ impl Stretch {
 }
 
 /// Entries of the clusters of a chunk, with nothing to spare: they are most of the memory.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Entries {
     /// Where each cluster starts in `within` and in `stretches`, and their lengths.
     start: Vec<[u32; 2]>,

@@ -10,6 +10,8 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
@@ -27,7 +29,7 @@ pub(crate) trait Splat {
 }
 
 /// Neighbours of many targets; stored by chunk so that chunks are filled independently.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Lists {
     chunks: Vec<ChunkList>,
     /// How many.
@@ -38,7 +40,7 @@ pub struct Lists {
     masked: bool,
 }
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct ChunkList {
     entries: Entries,
     /// A bit for each cluster: one smoothing length.
@@ -133,6 +135,11 @@ impl Lists {
     ) -> Around<'a, R, T> {
         let (met, lane) = (self.cluster(first), (first % LANES) as u32);
         Around { met, here: [].iter(), rows, near: rows, lane, masked: self.masked, zero }
+    }
+
+    /// How many targets.
+    pub(crate) fn targets(&self) -> usize {
+        self.targets
     }
 
     /// True if the targets beside `k` and all that they may meet have one smoothing length.
