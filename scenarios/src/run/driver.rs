@@ -177,6 +177,7 @@ impl Run<'_> {
                 due.as_mut().zip(every).filter(|(due, _)| time >= **due && time < scene.time.end)
             {
                 *due = next(every, time);
+                self.system.fluid.timers_mut().begin(Phase::Log);
                 if let Some(dir) = self.dir {
                     write_checkpoint(dir, &self.checkpoint(start)?)?;
                 }

@@ -12,6 +12,9 @@ use super::{assert_same, complete, scene_of};
 const SCENE: &str = "dam_break";
 const SETS: [&str; 3] = ["time.end=0.25", "resolution.spacing=0.025", "time.frame_every=0.005"];
 
+/// Bytes by which a log has grown when the run is interrupted.
+const SOME_FRAMES: u64 = 600_000;
+
 fn start(arguments: &[&str]) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_splashdown"));
     command.args(arguments).arg("--quiet").stdout(Stdio::null()).stderr(Stdio::null());
@@ -69,7 +72,10 @@ fn an_interrupted_run_continues() {
     let mut child = start(&[&["run", SCENE, "--out", folder][..], &sets].concat());
     let mut interrupts = 0;
     loop {
-        sleep(Duration::from_millis(600));
+        let size = || std::fs::metadata(parts.join("log.mcap")).map_or(0, |file| file.len());
+        while size() < (interrupts + 1) * SOME_FRAMES && child.try_wait().expect("a child").is_none() {
+            sleep(Duration::from_millis(1));
+        }
         if child.try_wait().expect("a child").is_none() {
             let id = child.id().to_string();
             Command::new("kill").args(["-TERM", &id]).status().expect("the kill command");

@@ -40,7 +40,7 @@ fn a_finished_run_goes_on() {
 fn an_impact_goes_on_deeper() {
     goes_on("wedge_constant", &["resolution.spacing=0.1", "time.end=0.9"], 1.0);
     goes_on("wedge_constant", &["resolution.spacing=0.1", "time.end=0.6", "resolution.follow=false"], 1.0);
-    goes_on("floating_box", &["time.end=0.03", "resolution.spacing=0.05", "solver=incompressible"], 0.05);
+    goes_on("floating_box", &["time.end=0.03", "resolution.spacing=0.033", "solver=incompressible"], 0.05);
 }
 
 /// A run of the same scene, whatever became of its folder's files after the checkpoint, is whole again.
