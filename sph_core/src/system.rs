@@ -166,7 +166,7 @@ impl ParticleSystem {
         let (particles, fields, neighbours, midlines, wall_state) = state;
         particles.check(&self.particles)?;
         fields.check(particles.len(), &self.fields)?;
-        neighbours.check(particles.len())?;
+        neighbours.check(particles.len(), &self.neighbours)?;
         expect_count("wall particles with a state", wall_state.len(), self.wall_state.len())?;
         (self.particles, self.fields, self.neighbours) = (particles, fields, Arc::new(neighbours));
         (self.packed.midlines, self.wall_state) = (midlines, wall_state);

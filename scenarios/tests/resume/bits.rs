@@ -33,7 +33,7 @@ fn bodies_and_couplings() {
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=iqn_ils"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=added_mass"]),
         ("heaving_box", &["time.end=0.04", "resolution.spacing=0.05"]),
-        ("plunging_body", &["time.end=0.08", "resolution.spacing=0.05"]),
+        ("plunging_body", &["time.end=0.08", "resolution.spacing=0.033"]),
     ]);
 }
 

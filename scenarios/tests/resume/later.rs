@@ -43,6 +43,16 @@ fn an_impact_goes_on_deeper() {
     goes_on("floating_box", &["time.end=0.03", "resolution.spacing=0.033", "solver=incompressible"], 0.05);
 }
 
+/// A resolved scene is read back as it was, whatever it has: the checkpoint knows it by its text.
+#[test]
+fn every_resolved_scene_is_read_back() {
+    for (name, _) in scenarios::scene::builtin() {
+        let text = scene_of(name, &[]).to_toml();
+        let back: Scene = toml::from_str(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(back.to_toml(), text, "{name}");
+    }
+}
+
 /// A run of the same scene, whatever became of its folder's files after the checkpoint, is whole again.
 #[test]
 fn files_that_went_on_are_cut_back() {

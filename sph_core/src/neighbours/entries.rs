@@ -121,6 +121,20 @@ impl Entries {
         Met { begin: 0, here: [].iter(), later: &self.within[from as usize..to as usize], stretches }
     }
 
+    /// True of entries that name `points` only, whose clusters and stretches have as many as they say.
+    pub fn are_of(&self, points: usize) -> bool {
+        let cluster = |ends: &[[u32; 2]]| {
+            let ([from, first], [to, last]) = (ends[0], ends[1]);
+            let stretches = self.stretches.get(first as usize..last as usize);
+            let known = stretches.map(|stretches| stretches.iter().map(|s| u64::from(s.count())).sum::<u64>());
+            from <= to && known == Some(u64::from(to - from))
+        };
+        let end = self.start.last().map_or(0, |[end, _]| *end as usize);
+        end == self.within.len()
+            && self.start.windows(2).all(cluster)
+            && (0..self.clusters()).flat_map(|c| self.of(c)).all(|(index, _)| (index as usize) < points)
+    }
+
     /// What they hold on to [bytes].
     pub fn bytes(&self) -> usize {
         of_vector(&self.start) + of_vector(&self.stretches) + of_vector(&self.within)

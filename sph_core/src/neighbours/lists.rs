@@ -17,6 +17,7 @@ use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
 use crate::parallel::{self, CHUNK};
+use crate::state_bytes::{StateError, expect_count};
 
 /// What a sum over pairs reads of a neighbour, spread over the lanes of its targets.
 pub(crate) trait Splat {
@@ -140,6 +141,14 @@ impl Lists {
     /// How many targets.
     pub(crate) fn targets(&self) -> usize {
         self.targets
+    }
+
+    /// An error unless these are lists of so many targets, among so many points.
+    pub(crate) fn check(&self, targets: usize, points: usize) -> Result<(), StateError> {
+        expect_count("targets of lists", self.targets, targets)?;
+        expect_count("chunks of lists", self.chunks.len(), targets.div_ceil(CHUNK))?;
+        let sound = self.chunks.iter().filter(|chunk| chunk.entries.are_of(points)).count();
+        expect_count("chunks of sound lists", sound, self.chunks.len())
     }
 
     /// True if the targets beside `k` and all that they may meet have one smoothing length.

@@ -75,9 +75,21 @@ impl Neighbours {
         Neighbours { rebuilds, ..Neighbours::default() }
     }
 
-    /// An error unless these are lists of `n` particles.
-    pub(crate) fn check(&self, n: usize) -> Result<(), StateError> {
-        expect_count("particles with neighbour lists", self.fluid.targets(), n)
+    /// An error unless these are lists of `n` particles, and of as many walls as in `like`.
+    pub(crate) fn check(&self, n: usize, like: &Neighbours) -> Result<(), StateError> {
+        let [walls, mirrored] = [&like.fluid_of_wall, &like.fluid_of_mirror].map(Lists::targets);
+        for (images, sources) in [(&self.fluid_images, n), (&self.wall_images, walls)] {
+            let known = images.iter().filter(|&&source| (source as usize) < sources).count();
+            expect_count("images of particles", known, images.len())?;
+        }
+        for (shifts, images) in [(&self.fluid_shifts, &self.fluid_images), (&self.wall_shifts, &self.wall_images)] {
+            expect_count("shifts of images", shifts.len(), if shifts.is_empty() { 0 } else { images.len() })?;
+        }
+        let [fluid, wall] = [n + self.fluid_images.len(), walls + self.wall_images.len()];
+        self.fluid.check(n, fluid)?;
+        self.walls_of_fluid.check(n, wall)?;
+        self.fluid_of_wall.check(walls, fluid)?;
+        self.fluid_of_mirror.check(mirrored, fluid)
     }
 
     /// True while every pair that can meet is listed.
