@@ -20,8 +20,8 @@ fn weakly_compressible_water() {
             &["time.end=0.04", "resolution.spacing=0.04", "fluid.dissipation=riemann", "observe.volume=true"],
         ),
         ("sloshing", &["time.end=0.1", "resolution.spacing=0.08"]),
-        ("falling_jet", &["time.end=0.1", "resolution.spacing=0.05"]),
-        ("hydrostatic_plate", &["time.end=0.01"]),
+        ("falling_jet", &["time.end=0.06", "resolution.spacing=0.05"]),
+        ("hydrostatic_plate", &["time.end=0.005"]),
     ]);
 }
 
@@ -41,10 +41,13 @@ fn bodies_and_couplings() {
 #[test]
 fn impacts_with_all_observers() {
     each(&[
-        ("wedge_constant", &["resolution.spacing=0.1", "report.force_rules=true"]),
-        ("wedge_constant", &["resolution.spacing=0.1", "resolution.follow=true", "fluid.ventilation=true"]),
+        ("wedge_constant", &["time.end=0.6", "resolution.spacing=0.1", "report.force_rules=true"]),
+        (
+            "wedge_constant",
+            &["time.end=0.6", "resolution.spacing=0.1", "resolution.follow=true", "fluid.ventilation=true"],
+        ),
         ("wedge25", &["time.end=0.01", "resolution.spacing=0.012"]),
-        ("wedge_constant", &["resolution.spacing=0.1", "report.log_budget=0.4"]),
+        ("wedge_constant", &["time.end=0.6", "resolution.spacing=0.1", "report.log_budget=0.4"]),
     ]);
 }
 
@@ -96,7 +99,7 @@ fn incompressible_water() {
 #[test]
 fn schemes_of_2010() {
     let of = |sets: &[&str]| {
-        let sets = [&["time.end=0.04", "resolution.spacing=0.06"], sets].concat();
+        let sets = [&["time.end=0.03", "resolution.spacing=0.06"], sets].concat();
         continues("dam_break", &sets, 0.6, [1, 2]);
     };
     of(&["fluid.integrator=verlet"]);
