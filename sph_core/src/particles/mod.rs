@@ -107,6 +107,8 @@ impl Particles {
         for array in [y, u, v, rho, mass, h, ax, ay] {
             expect_count("entries of a particles' array", array.len(), n)?;
         }
+        let is_finite = |k: &usize| [x, y, u, v, rho, mass, h, ax, ay].iter().all(|array| array[*k].is_finite());
+        expect_count("particles with finite numbers", (0..n).filter(is_finite).count(), n)?;
         expect_count("identities", id.len(), n)?;
         expect_count("energies", energy.len(), if like.energy.is_empty() { 0 } else { n })?;
         for split in [refinement_level.len(), newly_split.len()].into_iter().filter(|&split| split > 0) {
