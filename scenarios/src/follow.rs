@@ -33,6 +33,11 @@ impl Follower {
         scene.resolution.follow.then_some(Follower { entry, draught, origin, middle, share, spacing, slope })
     }
 
+    /// The scene's fine zone over the one that theory finds for its last draught [-], shape (2).
+    pub fn share(&self) -> [f64; 2] {
+        self.share
+    }
+
     /// Half width and depth of the zone at t = 0 [m], shape (2).
     pub fn at_start(&self) -> [f64; 2] {
         self.extent(self.draught)
@@ -61,4 +66,15 @@ impl Follower {
         let wanted = auto_fine_zone(&Entry { final_draught: draught, ..self.entry }, self.spacing);
         std::array::from_fn(|k| self.share[k] * wanted[k])
     }
+}
+
+/// The same scene with another end [s]; a fine zone that follows grows with the draught at the end.
+pub fn with_end(scene: &Scene, end: f64) -> Scene {
+    let mut longer = scene.clone();
+    longer.time.end = end;
+    if let (Some(follower), Some(entry)) = (Follower::of(scene), longer.entry()) {
+        let last = auto_fine_zone(&entry, scene.resolution.spacing);
+        longer.resolution.fine_zone = std::array::from_fn(|k| follower.share[k] * last[k]);
+    }
+    longer
 }

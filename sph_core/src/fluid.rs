@@ -11,6 +11,7 @@ use crate::particles::refinement::RefinementZone;
 use crate::particles::totals::{FluidEnergy, Totals};
 use crate::particles::{Fields, Particles, Seed};
 use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::state_bytes::{StateError, decode, encode};
 use crate::system::{ParticleSystem, SavedSystem};
 use crate::timers::{Phase, Timers};
 use crate::walls::contact;
@@ -234,6 +235,21 @@ impl Fluid {
     /// Forget the state last saved.
     pub fn forget(&mut self) {
         self.saved.pop();
+    }
+
+    /// The state that a step changes, as bytes. The walls are their owners' to store: all of [`Walls`].
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&(self.system.to_bytes(), self.scheme.to_bytes(), self.updates))
+    }
+
+    /// Take such a state: the next step gives the same bits as it gave there. Before: a fluid made of the same input, initialised.
+    /// After an error it is of no use.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        let (system, scheme, updates): (Vec<u8>, Vec<u8>, u64) = decode("the fluid", bytes)?;
+        self.system.restore_bytes(&system)?;
+        self.scheme.restore_bytes(&scheme)?;
+        self.updates = updates;
+        Ok(())
     }
 
     /// Copies of the simulated water: 2 with a mirror plane.

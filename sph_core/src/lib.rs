@@ -66,6 +66,7 @@ pub mod parallel;
 pub mod particles;
 pub mod projection;
 pub mod scheme;
+pub mod state_bytes;
 pub mod system;
 pub mod timers;
 pub mod walls;
@@ -82,6 +83,7 @@ pub use legacy::{DensityEvolution, DensityFilter, IdealGas, Integrator, ThesisSe
 pub use particles::refinement::RefinementZone;
 pub use particles::{Particles, Seed};
 pub use scheme::{Scheme, SchemeSettings};
+pub use state_bytes::StateError;
 pub use system::ParticleSystem;
 pub use timers::{Phase, Timers};
 pub use walls::interface::{InterfaceDynamics, WallInterface};

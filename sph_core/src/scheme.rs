@@ -5,6 +5,7 @@ use std::any::Any;
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::particles::Seed;
+use crate::state_bytes::StateError;
 use crate::system::ParticleSystem;
 use crate::walls::interface::WallInterface;
 use crate::walls::{WallLayout, Walls};
@@ -38,6 +39,12 @@ pub trait Scheme: Any + Send + Sync {
 
     /// A copy of the scheme's state, to return to.
     fn checkpoint(&self) -> Box<dyn Scheme>;
+
+    /// The state that a step changes and does not find anew, as bytes.
+    fn to_bytes(&self) -> Vec<u8>;
+
+    /// Take that state. Before: the scheme is made from the same settings and initialised in the same system.
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError>;
 
     /// Particle `id` has changed places with its image in the plane of symmetry.
     fn reflected(&mut self, _id: u32) {}

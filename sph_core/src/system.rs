@@ -11,6 +11,7 @@ use crate::neighbours::Neighbours;
 use crate::parallel;
 use crate::particles::refinement::RefinementZone;
 use crate::particles::{Fields, Particles};
+use crate::state_bytes::{StateError, decode, encode, expect_count};
 use crate::timers::{Phase, Timers};
 use crate::walls::Walls;
 use crate::walls::midline::PlateMidline;
@@ -149,6 +150,28 @@ impl ParticleSystem {
             clock: (self.time, self.steps),
             displaced: self.displaced,
         }
+    }
+
+    /// What a step changes, as bytes.
+    pub(crate) fn to_bytes(&self) -> Vec<u8> {
+        let neighbours: &Neighbours = &self.neighbours;
+        let state = (&self.particles, &self.fields, neighbours, &self.packed.midlines, &self.wall_state);
+        encode(&(state, (self.time, self.steps, self.displaced, &self.timers)))
+    }
+
+    /// Take that state, which has any number of particles.
+    pub(crate) fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        type Stored = (Particles, Fields, Neighbours, Vec<PlateMidline>, Vec<Extrapolated>);
+        let (state, clock): (Stored, (f64, u64, bool, Timers)) = decode("the particles", bytes)?;
+        let (particles, fields, neighbours, midlines, wall_state) = state;
+        particles.check(&self.particles)?;
+        fields.check(particles.len(), &self.fields)?;
+        neighbours.check(particles.len(), &self.neighbours)?;
+        expect_count("wall particles with a state", wall_state.len(), self.wall_state.len())?;
+        (self.particles, self.fields, self.neighbours) = (particles, fields, Arc::new(neighbours));
+        (self.packed.midlines, self.wall_state) = (midlines, wall_state);
+        (self.time, self.steps, self.displaced, self.timers) = clock;
+        Ok(())
     }
 
     pub(crate) fn restore(&mut self, saved: &SavedSystem) {

@@ -5,6 +5,8 @@
 
 use std::time::{Duration, Instant};
 
+use serde::{Deserialize, Serialize};
+
 /// A part of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
@@ -79,9 +81,10 @@ impl Phase {
 /// timers.end();
 /// assert_eq!(timers.seconds(Phase::Density), timers.total());
 /// ```
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Timers {
     spent: [Duration; Phase::ALL.len()],
+    #[serde(skip)]
     present: Option<(Phase, Instant)>,
 }
 

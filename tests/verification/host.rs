@@ -143,6 +143,27 @@ fn a_rejected_step_comes_again_to_the_same_bits() {
     assert!(step(&mut element, 3e-3, 4e-3).expect("again") == first, "redone after a breakdown");
 }
 
+/// The bytes of an element, restored in another one that is built alike, give the steps that it takes itself.
+#[test]
+fn an_element_continues_from_bytes_to_the_same_bits() {
+    let ((mut one, law), (mut other, _)) = (swinging(true), swinging(true));
+    let steps = |element: &mut FluidElement, from: u32| {
+        let mut forces = vec![[0.0; 3]; 11];
+        for k in from..from + 4 {
+            let nodes = law(2e-3 * f64::from(k + 1));
+            element.contribute(HostStep { dt: 2e-3, nodes: &nodes }, &mut forces).expect("a step");
+        }
+        bits(element, &forces)
+    };
+    steps(&mut one, 0);
+    let stored = one.to_bytes().expect("a sound element");
+    other.restore_bytes(&stored).expect("its own bytes");
+    assert_eq!(steps(&mut one, 4), steps(&mut other, 4));
+    assert!(matches!(other.restore_bytes(&stored[..stored.len() / 2]), Err(HostError::State(_))));
+    assert!(matches!(other.to_bytes(), Err(HostError::Failed(_))), "it waits for a state");
+    other.restore_bytes(&stored).expect("its own bytes");
+}
+
 /// The same bits with one thread and with two.
 #[test]
 fn the_elements_bits_do_not_depend_on_threads() {

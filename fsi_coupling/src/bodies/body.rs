@@ -3,7 +3,7 @@
 //! A coupled step of length `dt` calls, for each body: `kinematics(dt)`, `interface(dt)`; then the fluid steps; then `load`,
 //! `advance(dt)`, and the methods of [`Contact`] for single particles.
 
-use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
+use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel_state::PanelState;
@@ -49,6 +49,12 @@ pub trait WettedBody {
 
     /// Return to the state last stored; without one nothing changes. A step repeated from there gives the same bits.
     fn restore(&mut self);
+
+    /// The state that a step changes, as bytes.
+    fn to_bytes(&self) -> Vec<u8>;
+
+    /// Take such a state: a step gives the same bits as it gave there. Before: a body made of the same input, sampled.
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError>;
 }
 
 /// Contact of single fluid particles with the body's surface (THEORY WA7).

@@ -1,5 +1,8 @@
 //! A body with prescribed motion: a function of time.
 
+use serde::{Deserialize, Serialize};
+
+use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
@@ -25,7 +28,7 @@ pub struct PrescribedBody {
 }
 
 /// What a step changes.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, Serialize, Deserialize)]
 struct State {
     time: f64,
     now: Resultant,
@@ -163,6 +166,15 @@ impl WettedBody for PrescribedBody {
 
     fn restore(&mut self) {
         self.state = self.checkpoint.unwrap_or(self.state);
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&self.state)
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        self.state = decode("a body with prescribed motion", bytes)?;
+        Ok(())
     }
 }
 

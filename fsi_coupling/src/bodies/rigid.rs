@@ -7,7 +7,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use serde::{Deserialize, Serialize};
+
 use rapier2d::prelude::*;
+use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
@@ -61,7 +64,7 @@ pub struct RigidBody2d {
 }
 
 /// What a step changes besides rapier's position and velocities.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, Serialize, Deserialize)]
 struct State {
     angle: f64,
     now: Resultant,
@@ -144,6 +147,16 @@ impl RigidBody2d {
         turned
     }
 
+    /// Take a state, rapier's position and velocities with it.
+    fn set_state(&mut self, (state, pose, velocity, angular_velocity): (State, Pose, Vector, f64)) {
+        let body = &mut self.world.bodies[self.handle];
+        body.set_position(pose, true);
+        body.set_linvel(velocity, true);
+        body.set_angvel(angular_velocity, true);
+        body.recompute_mass_properties_from_colliders(&self.world.colliders);
+        self.state = state;
+    }
+
     /// CO2: give the body an impulse [N s/m] and an angular impulse; guides take their share. Updates the external impulses.
     fn kick(&mut self, load: Resultant, dt: f64) {
         let g = self.spec.gravity;
@@ -222,16 +235,25 @@ impl WettedBody for RigidBody2d {
     }
 
     fn restore(&mut self) {
-        let Some((state, pose, velocity, angular_velocity)) = self.checkpoint else { return };
-        let body = &mut self.world.bodies[self.handle];
-        body.set_position(pose, true);
-        body.set_linvel(velocity, true);
-        body.set_angvel(angular_velocity, true);
-        body.recompute_mass_properties_from_colliders(&self.world.colliders);
-        self.state = state;
+        let Some(stored) = self.checkpoint else { return };
+        self.set_state(stored);
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        let body = &self.world.bodies[self.handle];
+        let (Pose { rotation, translation }, v) = (*body.position(), body.linvel());
+        let pose = [translation.x, translation.y, rotation.re, rotation.im];
+        encode(&(self.state, pose, [v.x, v.y, body.angvel()]))
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        let (state, [x, y, re, im], [u, v, angular_velocity]): (State, [f64; 4], [f64; 3]) =
+            decode("a rigid body", bytes)?;
+        let pose = Pose { rotation: Rotation { re, im }, translation: Vector::new(x, y) };
+        self.set_state((state, pose, Vector::new(u, v), angular_velocity));
+        Ok(())
     }
 }
-
 impl Contact for RigidBody2d {
     fn signed_distance(&self, at: [f64; 2]) -> f64 {
         self.surface.signed_distance(&self.motion_now(), at)

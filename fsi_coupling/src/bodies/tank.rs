@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
+use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
@@ -133,6 +134,15 @@ impl WettedBody for Tank {
 
     fn restore(&mut self) {
         self.external = self.checkpoint;
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&self.external)
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        self.external = decode("the tank", bytes)?;
+        Ok(())
     }
 }
 

@@ -1,5 +1,7 @@
 //! Balances of momentum and energy over fluid and bodies (THEORY CO27, CO28).
 
+use serde::{Deserialize, Serialize};
+
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
 use sph_core::{Fluid, Walls};
@@ -7,7 +9,7 @@ use sph_core::{Fluid, Walls};
 use crate::coupling::placed_bodies::Member;
 
 /// Momentum closure (THEORY CO27).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MomentumAudit {
     /// Momentum of fluid and bodies less the external impulses [N s/m].
     balance: [f64; 2],
@@ -20,7 +22,7 @@ pub struct MomentumAudit {
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The balances since the start.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Balance {
     pub momentum: MomentumAudit,
     pub fluid_at_start: FluidEnergy,

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 use sph_core::{Breakdown, Fluid, Phase, RefinementZone, Timers, WallInterface, Walls};
 
 use crate::bodies::body::Body;
@@ -13,6 +14,7 @@ use crate::coupling::contact::{resolve_contact, resolve_tunnelling};
 use crate::coupling::error::CouplingError;
 use crate::coupling::penetration::{Penetration, collision, penetration};
 use crate::coupling::placed_bodies::{Member, PlacedBodies, WorkAudit, apply_kinematics, interfaces, load};
+use crate::coupling::quasi_newton::QuasiNewton;
 use crate::coupling::scheme::{CouplingStatistics, Interface, Scheme};
 use crate::geometry::outline::Outline;
 
@@ -196,6 +198,33 @@ impl Coupled {
             m.work = *work;
             m.body.restore();
         }
+    }
+
+    /// The state of fluid, walls, bodies, interface and audits, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let bodies: Vec<Vec<u8>> = self.members.iter().map(|m| m.body.to_bytes()).collect();
+        let work: Vec<WorkAudit> = self.members.iter().map(|m| m.work).collect();
+        let audits = (&self.balance, self.stopped, work);
+        encode(&(self.fluid.to_bytes(), &self.walls, self.interface.memory(), audits, bodies))
+    }
+
+    /// Take such a state: the next step gives the same bits as it gave there. Before: a system made of the same input. After an error
+    /// it is of no use.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        type Audits = (Balance, u64, Vec<WorkAudit>);
+        type Stored = (Vec<u8>, Walls, (QuasiNewton, CouplingStatistics), Audits, Vec<Vec<u8>>);
+        let (fluid, walls, memory, (balance, stopped, work), bodies): Stored = decode("the system", bytes)?;
+        walls.check(&self.walls)?;
+        expect_count("bodies", bodies.len(), self.members.len())?;
+        expect_count("audits of bodies", work.len(), self.members.len())?;
+        self.fluid.restore_bytes(&fluid)?;
+        self.interface.set_memory(memory);
+        (self.walls, self.balance, self.stopped) = (walls, balance, stopped);
+        for ((m, work), body) in self.members.iter_mut().zip(work).zip(&bodies) {
+            m.work = work;
+            m.body.restore_bytes(body)?;
+        }
+        Ok(())
     }
 
     /// WA11: particles that crossed a thin plate return to the face they met; the work of the impulses on each body [J/m].

@@ -3,6 +3,8 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use sph_core::{WallInterface, WallLayout, Walls};
 
 use crate::bodies::body::Body;
@@ -10,7 +12,7 @@ use crate::bodies::error::BodyError;
 use crate::geometry::rows::WallRows;
 
 /// Work of the fluid on a body as the fluid does it, Σ Δt F̄·V over the boundary particles, and as the body takes it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct WorkAudit {
     /// Done by the fluid since the start [J/m].
     pub given: f64,

@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use serde::{Deserialize, Serialize};
+
 /// Relaxation of the part of a residual that the history does not span [-] (CO9).
 const RELAXATION: f64 = 0.5;
 /// A column is skipped where its part orthogonal to the newer ones is a smaller share of it (CO9).
@@ -10,7 +12,7 @@ const INDEPENDENT: f64 = 1e-3;
 const MEMORY: [usize; 2] = [2, 40];
 
 /// The history of an iteration; it is kept from step to step.
-#[derive(Clone, Default)]
+#[derive(Clone, Default, Serialize, Deserialize)]
 pub(super) struct QuasiNewton {
     columns: VecDeque<Column>,
     /// Unknowns and residuals of the iteration before, in the same step.
@@ -18,7 +20,7 @@ pub(super) struct QuasiNewton {
 }
 
 /// Differences between two iterations: of the residual, and of the outcome x + r.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 struct Column {
     residual: Vec<f64>,
     outcome: Vec<f64>,

@@ -1,5 +1,7 @@
 //! Coupling schemes: how fluid and bodies find accelerations and wall pressures that belong together (THEORY CO4–CO9).
 
+use serde::{Deserialize, Serialize};
+
 use sph_core::walls::interface::InterfaceResidual;
 use sph_core::{Breakdown, Fluid, WallInterface, Walls};
 
@@ -28,7 +30,7 @@ pub struct Iteration {
 }
 
 /// Iterations and residuals of the coupling over many steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CouplingStatistics {
     /// Steps.
     pub steps: u64,
@@ -51,6 +53,16 @@ pub(super) struct Interface {
 impl Interface {
     pub fn new(scheme: Scheme) -> Interface {
         Interface { scheme, history: QuasiNewton::default(), statistics: CouplingStatistics::default() }
+    }
+
+    /// What it keeps from step to step.
+    pub fn memory(&self) -> (&QuasiNewton, &CouplingStatistics) {
+        (&self.history, &self.statistics)
+    }
+
+    /// Take what was kept.
+    pub fn set_memory(&mut self, (history, statistics): (QuasiNewton, CouplingStatistics)) {
+        (self.history, self.statistics) = (history, statistics);
     }
 
     /// Let the fluid `attempt` a step until its forces and the bodies' accelerations belong together. Before: the walls'

@@ -2,6 +2,9 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use serde::{Deserialize, Serialize};
+
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
 use super::node_map::{Ends, NodeMap};
@@ -21,7 +24,7 @@ const PIECES: f64 = 8.0;
 
 /// What the element and the body inside its [`Coupled`](crate::Coupled) share: the way of the nodes goes in, what the water
 /// gave them comes out.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Exchanged {
     /// How the nodes move in this step of the host.
     pub path: Path,
@@ -37,6 +40,19 @@ pub(super) struct Exchanged {
     external: [f64; 2],
     /// Mean forces of the step just taken on the boundary particles, and forces now [N/m].
     pushed: Vec<[[f64; 2]; 2]>,
+}
+
+impl Exchanged {
+    /// An error unless there are as many nodes as in `like`, and `particles` of the boundary, or none.
+    fn check(&self, like: &Exchanged, particles: usize) -> Result<(), StateError> {
+        expect_count("nodes with an impulse", self.impulse.len(), like.impulse.len())?;
+        expect_count("nodes with a force", self.now.len(), like.now.len())?;
+        self.path.check_like(&like.path)?;
+        match self.pushed.len() {
+            0 => Ok(()),
+            found => expect_count("boundary particles", found, particles),
+        }
+    }
 }
 
 /// One exchange, held at both ends.
@@ -203,6 +219,20 @@ impl WettedBody for HostBody {
             *self.shared.open() = exchanged.clone();
             self.outline = outline.clone();
         }
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&*self.shared.open(), self.outline.loops()))
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        const BODY: &str = "the host's surface";
+        let (exchanged, loops): (Exchanged, Vec<Vec<[f64; 2]>>) = decode(BODY, bytes)?;
+        exchanged.check(&self.shared.open(), self.attachments.len())?;
+        let not_finite = || StateError::Unreadable(BODY, "its outline is not finite".into());
+        self.outline = Outline::deformed(loops).ok_or_else(not_finite)?;
+        *self.shared.open() = exchanged;
+        Ok(())
     }
 }
 

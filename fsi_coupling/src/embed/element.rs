@@ -1,7 +1,7 @@
 //! The element at work: one step of the host after the other.
 
 use serde::{Deserialize, Serialize};
-use sph_core::Breakdown;
+use sph_core::{Breakdown, StateError};
 
 use super::added_mass::AddedMass;
 use super::body::Shared;
@@ -244,6 +244,20 @@ impl FluidElement {
         self.system.restore();
         self.broken = None;
         Ok(())
+    }
+
+    /// The present state as bytes, to continue in another process; an element that failed has none.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, HostError> {
+        self.broken.as_ref().map_or_else(|| Ok(self.system.to_bytes()), |why| Err(HostError::Failed(why.clone())))
+    }
+
+    /// Take such a state, of an element built of the same specification, topology and nodes: the next step gives the same bits. After
+    /// an error the element has failed.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), HostError> {
+        self.saved = false;
+        let restored = self.system.restore_bytes(bytes);
+        self.broken = restored.as_ref().err().map(StateError::to_string);
+        Ok(restored?)
     }
 
     /// Water and walls inside, to be looked at: the nodes' surface is body 0, the basin body 1.

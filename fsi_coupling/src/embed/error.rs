@@ -1,5 +1,7 @@
 //! Errors of the embedding element: which key, node or particle, where, when.
 
+use sph_core::StateError;
+
 use crate::bodies::error::BodyError;
 use crate::coupling::error::CouplingError;
 use crate::settings::Problem;
@@ -76,6 +78,9 @@ pub enum HostError {
     /// The step before failed, and the element was not restored.
     #[error("the element failed ({0}); restore() a saved state first")]
     Failed(String),
+    /// Bytes that are not a state of this element; it has failed.
+    #[error(transparent)]
+    State(#[from] StateError),
     /// Nothing was saved.
     #[error("restore: given no saved state, expected a save() before")]
     NothingSaved,

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use sph_core::state_bytes::{StateError, expect_count};
+
 use super::error::HostError;
 use crate::geometry::hermite::{hermite, hermite_rate};
 
@@ -72,7 +74,7 @@ impl HostNodes {
 }
 
 /// A smooth path of all nodes from one instant to the next.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Path {
     start: HostNodes,
     end: HostNodes,
@@ -88,6 +90,17 @@ impl Path {
     /// From where this path ends to `end`, `duration` [s] later.
     pub fn onward(&self, end: &HostNodes, duration: f64) -> Path {
         Path { start: self.end.clone(), end: end.clone(), duration }
+    }
+
+    /// An error unless its nodes are as many as those of `like`, with rotations or without.
+    pub fn check_like(&self, like: &Path) -> Result<(), StateError> {
+        let lengths = |path: &Path| {
+            [&path.start, &path.end].map(|at| [at.position.len(), at.velocity.len(), at.rotation.len(), at.spin.len()])
+        };
+        for (found, expected) in lengths(self).as_flattened().iter().zip(lengths(like).as_flattened()) {
+            expect_count("nodes", *found, *expected)?;
+        }
+        Ok(())
     }
 
     /// Where it ends.

@@ -5,7 +5,9 @@ mod bench;
 mod ditch;
 mod experiments;
 mod keywords;
+mod progress;
 mod report;
+mod resume;
 mod run;
 mod shared;
 mod sweep;
@@ -49,6 +51,8 @@ enum Command {
     New(about::NewArgs),
     /// Run a scene and write log, curves, summary and report.
     Run(run::RunArgs),
+    /// Continue a run from its checkpoint, to the same bits as without a break.
+    Resume(resume::ResumeArgs),
     /// Print what a run would cost and its known limits, without running it.
     Check(about::CheckArgs),
     /// Run a scene at several spacings and sound speeds and extrapolate a number.
@@ -168,6 +172,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Show(args) => about::show(args),
         Command::New(args) => about::new_scene(output, args),
         Command::Run(args) => run::run_scene(output, args),
+        Command::Resume(args) => resume::resume_run(output, args),
         Command::Check(args) => about::check(output, args),
         Command::Study(args) => convergence::run_study(output, args),
         Command::Chart(args) => work_precision::run_charts(output, args),

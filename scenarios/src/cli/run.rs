@@ -1,29 +1,16 @@
 //! `splashdown run`.
 
-use std::io::IsTerminal;
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::experiments::convergence;
-use super::shared::{DONE, Output, SceneArgs, Stop, complain, load, say};
+use super::progress::{interval, listen, step_to_end};
+use super::shared::{Output, SceneArgs, Stop, load};
 use crate::error_bar::ErrorBars;
-use crate::results::Quantity;
-use crate::run::summary::{Status, Summary};
-use crate::run::{RunOptions, run};
-use crate::scene::significant;
-
-/// A second Ctrl-C or SIGTERM after this time ends the process at once. An earlier one is the same request, sent to the
-/// process and to its group.
-const IMPATIENT: Duration = Duration::from_secs(1);
-/// A request to end waits so long for the end of a step.
-const LONGEST_STEP: Duration = Duration::from_secs(10);
-/// Exit code of a run that was ended within a step, as of a shell's Ctrl-C.
-const INTERRUPTED_CODE: i32 = 130;
+use crate::run::summary::Summary;
+use crate::run::{Checkpoints, RunOptions, run};
 
 #[derive(Args)]
 pub(super) struct RunArgs {
@@ -41,6 +28,9 @@ pub(super) struct RunArgs {
     /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS.
     #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true)]
     live: Option<SocketAddr>,
+    /// Write checkpoint.bin every so many seconds of simulated time, and at the end: `splashdown resume` continues from there.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "converge")]
+    checkpoint_every: Option<f64>,
     /// Run at 4 and 2 times the spacing first, and extrapolate the main numbers, with error bars.
     #[arg(long)]
     converge: bool,
@@ -50,33 +40,13 @@ pub(super) struct RunArgs {
 }
 
 pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
-    static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-    static STEPPING: AtomicBool = AtomicBool::new(false);
-    static STEPPED: AtomicBool = AtomicBool::new(false);
     let SceneArgs { scene, mut sets } = args.scene.clone();
     sets.extend(args.log_budget.map(|megabytes| format!("report.log_budget={megabytes:?}")));
     let given = SceneArgs { scene, sets };
+    let every = interval(args.checkpoint_every)?;
     let loaded = load(&given)?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
-    let mut first: Option<Instant> = None;
-    let handler = move || {
-        INTERRUPTED.store(true, Ordering::Relaxed);
-        let asked_again = first.get_or_insert_with(Instant::now).elapsed() > IMPATIENT;
-        if asked_again || !STEPPING.load(Ordering::Relaxed) {
-            std::process::exit(INTERRUPTED_CODE); // requested twice, or nothing to keep yet
-        }
-        std::thread::spawn(|| {
-            std::thread::sleep(LONGEST_STEP);
-            if !STEPPED.load(Ordering::Relaxed) {
-                let seconds = LONGEST_STEP.as_secs();
-                complain(format_args!(
-                    "error: interrupted within a step of more than {seconds} s: the log ends before it"
-                ));
-                std::process::exit(INTERRUPTED_CODE);
-            }
-        });
-    };
-    ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))?;
+    listen()?;
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
     let coarser = match args.converge {
         true if loaded.scene.model.is_theory() => {
@@ -91,12 +61,6 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
     };
     let studied =
         coarser.as_ref().map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
-    let bar = progress_bar(output);
-    let tell = |time: f64, steps: u64| {
-        STEPPING.store(true, Ordering::Relaxed);
-        bar.set_position((1000.0 * time / loaded.scene.time.end) as u64);
-        bar.set_message(format!("t = {time:.5} s, step {steps}"));
-    };
     let live_at = |port: u16| {
         let address = args.live.map_or_else(String::new, |address| SocketAddr::new(address.ip(), port).to_string());
         output.progress(format_args!("live: connect Foxglove or Lichtblick to ws://{address}"));
@@ -106,83 +70,11 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
         live: args.live,
         live_at: Some(&live_at),
         force: args.force,
-        interrupt: Some(&INTERRUPTED),
-        stepped: Some(&STEPPED),
-        progress: Some(&tell),
+        // the error bars of a study are lost with it: a run with them is not resumed
+        checkpoints: (!args.converge).then_some(Checkpoints { every }),
         warnings: loaded.warnings.clone(),
         error_bars: studied.as_ref().map(|of| of as &(dyn Fn(&Summary) -> ErrorBars + Sync)),
         ..RunOptions::default()
     };
-    let outcome = run(&loaded.scene, &options);
-    bar.finish_and_clear();
-    let summary = outcome?.summary;
-    if output.json {
-        say(summary.to_json());
-    } else if !output.quiet {
-        say(in_words(&summary));
-        say(format_args!("files in {}: open report.html", out.display()));
-    }
-    if output.quiet {
-        summary.doubts.iter().for_each(|doubt| complain(format_args!("warning: {doubt}")));
-    }
-    match summary.status {
-        Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable => Ok(DONE),
-        Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),
-        Status::Interrupted => Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s))),
-    }
-}
-
-fn progress_bar(output: &Output) -> ProgressBar {
-    if output.quiet || !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(1000);
-    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {elapsed} elapsed, {eta} to go  {msg}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar
-}
-
-/// A result on a line.
-fn result_in_words((name, quantity): &(String, Quantity)) -> String {
-    let band = quantity.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
-    let time = quantity.time_s.map_or(String::new(), |time| format!(" at {time:.5} s"));
-    let raw = quantity
-        .cutoff_hz
-        .map_or(String::new(), |f| format!(", mean below {f:.0} Hz (single step: {})", significant(quantity.raw)));
-    format!("  {name}: {}{band}{time}, {}{raw}", significant(quantity.value), quantity.verdict.name())
-}
-
-fn in_words(s: &Summary) -> String {
-    let theory = s.particles.fluid == 0;
-    let mut lines = vec![match theory {
-        true => format!("{}: {}, {:.1} ms of wall time", s.scene, s.model, 1e3 * s.wall_time_s),
-        false => format!(
-            "{}: {} particles, {} steps, {:.1} s of wall time",
-            s.scene, s.particles.fluid, s.steps, s.wall_time_s
-        ),
-    }];
-    lines.extend(s.results.named().iter().map(result_in_words));
-    lines.extend(s.doubts.iter().map(|doubt| format!("  DOUBT: {doubt}")));
-    lines.extend(s.choice.iter().map(|why| format!("  model chosen: {why}")));
-    for c in &s.comparison {
-        let verdict = match c.tolerance {
-            None => "drawn only".to_string(),
-            Some(t) => format!("{} {t}", if c.passes() { "within" } else { "OUTSIDE" }),
-        };
-        lines.push(format!("  {} against {}: error {:.4} ({verdict})", c.quantity, c.reference, c.error));
-    }
-    lines.extend(s.not_compared.iter().map(|why| format!("  NOT COMPARED: {why}")));
-    lines.extend(s.error_bars.iter().map(|(path, bar)| {
-        let order = bar.order.map_or(String::new(), |p| format!(", order {p:.2}"));
-        format!("  {path}: {:.5e} ± {:.1e}{order}; {} ({})", bar.middle(), bar.band, bar.verdict, bar.method)
-    }));
-    if theory {
-        return lines.join("\n");
-    }
-    lines.push(format!(
-        "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",
-        s.audit.momentum, s.audit.energy, s.audit.volume, s.audit.penetrated
-    ));
-    lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  PENETRATION: {worst}")));
-    lines.join("\n")
+    step_to_end(output, &out, loaded.scene.time.end, options, |options| run(&loaded.scene, options))
 }

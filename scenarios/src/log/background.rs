@@ -9,6 +9,7 @@ use foxglove::messages::log::Level;
 use super::budget::{Budget, Standing};
 use super::error::LogError;
 use super::frame::Frame;
+use super::stored::{LogStanding, Sample, StoredLog, replay};
 use super::writer::{LogMetadata, LogWriter};
 
 /// Frames that wait for the disk while another is written; beyond these the run waits.
@@ -40,12 +41,6 @@ pub struct Logged {
     pub left_out: u64,
 }
 
-struct Sample {
-    time: f64,
-    channel: String,
-    values: Vec<(String, f64)>,
-}
-
 /// Samples, and what comes after them and takes them to the file.
 struct Batch {
     samples: Vec<Sample>,
@@ -53,8 +48,17 @@ struct Batch {
 }
 
 enum Then {
-    Frame { frame: Box<Frame>, last: bool },
-    Note { time: f64, level: Level, text: String },
+    Frame {
+        frame: Box<Frame>,
+        last: bool,
+    },
+    Note {
+        time: f64,
+        level: Level,
+        text: String,
+    },
+    /// Tell how far the file is.
+    Tell(SyncSender<LogStanding>),
     Nothing,
 }
 
@@ -64,11 +68,41 @@ impl BackgroundLog {
     /// # Errors
     /// Those of [`LogWriter::create`].
     pub fn create(path: &Path, metadata: &LogMetadata<'_>, budget: Option<Budget>) -> Result<Self, LogError> {
-        let writer = Writer { log: LogWriter::create(path, metadata)?, budget, path: path.to_owned(), start: None };
+        let log = LogWriter::create(path, metadata)?;
+        BackgroundLog::spawn(Writer { log, budget, path: path.to_owned(), start: None, logged: Logged::default() })
+    }
+
+    /// Continues the log `path` from where it was `stored`: the file is written anew beside it, and takes its place once it is as far.
+    ///
+    /// # Errors
+    /// Those of [`LogWriter::create`], and [`LogError::Read`] if the file does not hold what it held.
+    pub fn resume(
+        path: &Path,
+        metadata: &LogMetadata<'_>,
+        budget: Option<Budget>,
+        stored: StoredLog,
+    ) -> Result<Self, LogError> {
+        let StoredLog { standing, pending } = stored;
+        let part = path.with_extension("mcap.part");
+        let written = LogWriter::create(&part, metadata).and_then(|mut log| {
+            replay(path, &standing, &mut log)?;
+            log.rename(path)?;
+            Ok(log)
+        });
+        let log = written.inspect_err(|_| drop(std::fs::remove_file(&part)))?;
+        let logged = Logged { bytes: 0, frames: standing.frames, left_out: standing.left_out };
+        let mut resumed =
+            BackgroundLog::spawn(Writer { log, budget, path: path.to_owned(), start: standing.start, logged })?;
+        resumed.samples = pending;
+        Ok(resumed)
+    }
+
+    fn spawn(writer: Writer) -> Result<Self, LogError> {
+        let path = writer.path.clone();
         let (batches, received) = sync_channel(WAITING);
         let thread = thread::Builder::new().name("log".into()).spawn(move || writer.write_all(&received));
-        let thread = thread.map_err(|source| LogError::Create(path.to_owned(), source))?;
-        Ok(Self { samples: Vec::new(), batches: Some(batches), thread: Some(thread), path: path.to_owned() })
+        let thread = thread.map_err(|source| LogError::Create(path.clone(), source))?;
+        Ok(Self { samples: Vec::new(), batches: Some(batches), thread: Some(thread), path })
     }
 
     /// As [`LogWriter::sample`].
@@ -86,6 +120,17 @@ impl BackgroundLog {
     /// As [`LogWriter::note`].
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), LogError> {
         self.submit(Then::Note { time, level, text: text.to_owned() })
+    }
+
+    /// Waits for the disk; what a later process needs to continue from here.
+    pub fn stored(&mut self) -> Result<StoredLog, LogError> {
+        let (answer, answered) = sync_channel(1);
+        let batch = Batch { samples: Vec::new(), then: Then::Tell(answer) };
+        let sent = self.batches.as_ref().is_some_and(|batches| batches.send(batch).is_ok());
+        match answered.recv().ok().filter(|_| sent) {
+            Some(standing) => Ok(StoredLog { standing, pending: self.samples.clone() }),
+            None => Err(self.failure()),
+        }
     }
 
     /// Waits for the disk and completes the file.
@@ -134,11 +179,11 @@ struct Writer {
     budget: Option<Budget>,
     path: PathBuf,
     start: Option<u64>,
+    logged: Logged,
 }
 
 impl Writer {
     fn write_all(mut self, batches: &Receiver<Batch>) -> Result<Logged, LogError> {
-        let mut logged = Logged::default();
         for Batch { samples, then } in batches {
             let mut raw = AROUND;
             for Sample { time, channel, values } in &samples {
@@ -148,26 +193,37 @@ impl Writer {
             }
             match then {
                 Then::Nothing => {}
+                Then::Tell(answer) => drop(answer.send(self.standing())), // who asked may be gone
                 Then::Note { time, level, text } => self.log.note(time, level, &text)?,
                 Then::Frame { frame, last } => {
-                    if self.admits(&frame, last, logged.frames, raw as u64) {
+                    if self.admits(&frame, last, raw as u64) {
                         self.log.frame(&frame)?;
-                        logged.frames += 1;
+                        self.logged.frames += 1;
                     } else {
                         self.log.flush()?;
-                        logged.left_out += 1;
+                        self.logged.left_out += 1;
                     }
                 }
             }
         }
-        logged.bytes = self.log.finish()?;
-        Ok(logged)
+        Ok(Logged { bytes: self.log.finish()?, ..self.logged })
     }
 
-    fn admits(&mut self, frame: &Frame, last: bool, frames: u64, samples: u64) -> bool {
+    fn standing(&self) -> LogStanding {
+        let Logged { frames, left_out, .. } = self.logged;
+        let (messages, channels) = (self.log.messages(), self.log.channels());
+        LogStanding { messages, start: self.start, frames, left_out, channels }
+    }
+
+    fn admits(&mut self, frame: &Frame, last: bool, samples: u64) -> bool {
         let Some(budget) = self.budget else { return true };
         let now = std::fs::metadata(&self.path).map_or(0, |file| file.len());
         let start = *self.start.get_or_insert(now);
-        budget.admits(Standing { start, now, frames }, frame.time, frame.raw_bytes() + samples, last)
+        budget.admits(
+            Standing { start, now, frames: self.logged.frames },
+            frame.time,
+            frame.raw_bytes() + samples,
+            last,
+        )
     }
 }

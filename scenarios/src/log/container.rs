@@ -18,6 +18,9 @@ use super::error::LogError;
 /// Level of compression: at 3, the usual one, packed particles take more than twice the time and come out half a per cent smaller.
 const LEVEL: u32 = 1;
 
+/// Nanoseconds of a second.
+const NANOSECONDS: u64 = 1_000_000_000;
+
 /// A topic and the number of messages it holds.
 pub(super) struct Topic {
     id: u16,
@@ -30,9 +33,24 @@ pub(super) struct TypedTopic<M> {
     message: PhantomData<M>,
 }
 
+impl Topic {
+    /// Its number in the file: topics are numbered as they are added.
+    pub(super) fn id(&self) -> u16 {
+        self.id
+    }
+}
+
+impl<M> TypedTopic<M> {
+    /// The topic without its type.
+    pub(super) fn untyped(&mut self) -> &mut Topic {
+        &mut self.topic
+    }
+}
+
 /// An MCAP file open for writing, which never seeks: what is in the file stays as it is.
 pub(super) struct Container {
     path: PathBuf,
+    messages: u64,
     writer: mcap::Writer<NoSeek<BufWriter<File>>>,
 }
 
@@ -49,7 +67,7 @@ impl Container {
             .chunk_size(None)
             .disable_seeking(true)
             .create(NoSeek::new(BufWriter::new(file)));
-        Ok(Self { writer: at_path(path, writer)?, path: path.to_owned() })
+        Ok(Self { writer: at_path(path, writer)?, messages: 0, path: path.to_owned() })
     }
 
     /// Writes a metadata record.
@@ -98,6 +116,25 @@ impl Container {
         };
         at_path(&self.path, self.writer.write_to_known_channel(&header, message))?;
         topic.messages = topic.messages.wrapping_add(1);
+        self.messages += 1;
+        Ok(())
+    }
+
+    /// Adds a message of an earlier file to the open chunk.
+    pub(super) fn repeat(&mut self, topic: &mut Topic, time: u64, message: &[u8]) -> Result<(), LogError> {
+        let stamp = Timestamp::new((time / NANOSECONDS) as u32, (time % NANOSECONDS) as u32);
+        self.write(topic, stamp, message)
+    }
+
+    /// Messages so far, those of the open chunk too.
+    pub(super) fn messages(&self) -> u64 {
+        self.messages
+    }
+
+    /// The file takes another name, in place of a file that has it.
+    pub(super) fn rename(&mut self, path: &Path) -> Result<(), LogError> {
+        at_path(path, std::fs::rename(&self.path, path).map_err(Into::into))?;
+        self.path = path.to_owned();
         Ok(())
     }
 

@@ -18,6 +18,9 @@ pub enum LogError {
     /// The server of a live view cannot listen at an address.
     #[error("cannot show the run live at {0}: {1}; expected a free address, as --live 127.0.0.1:8766")]
     Live(SocketAddr, String),
+    /// A log that cannot be continued, and why.
+    #[error("cannot continue the log {path}: {1}", path = .0.display())]
+    Read(PathBuf, String),
     /// The log has ended, for a reason that was reported before.
     #[error("the log {path} has ended", path = .0.display())]
     Ended(PathBuf),

@@ -38,6 +38,7 @@ mod error;
 mod frame;
 mod live;
 mod reader;
+mod stored;
 mod writer;
 
 pub use background::{BackgroundLog, Logged};
@@ -48,4 +49,5 @@ pub use foxglove::messages::log::Level;
 pub use frame::{BodyView, Frame, Point};
 pub use live::LiveView;
 pub use reader::{LogReader, LoggedBody, LoggedFrame};
+pub use stored::StoredLog;
 pub use writer::{LogMetadata, LogWriter};

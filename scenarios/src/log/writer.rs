@@ -126,6 +126,51 @@ impl LogWriter {
         self.container.flush()
     }
 
+    /// Channels of samples with their names, in the order in which they were added.
+    pub(super) fn channels(&self) -> Vec<(String, Vec<String>)> {
+        let mut topics: Vec<_> = self.samples.iter().collect();
+        topics.sort_by_key(|(_, sample)| sample.topic.id());
+        topics.into_iter().map(|(channel, sample)| (channel.clone(), sample.names.clone())).collect()
+    }
+
+    /// Writes a message of an earlier log again; `names` are those of the topic's samples.
+    pub(super) fn repeat(
+        &mut self,
+        topic: &str,
+        names: Option<&[String]>,
+        time: u64,
+        message: &[u8],
+    ) -> Result<(), LogError> {
+        let container = &mut self.container;
+        let fixed = match topic {
+            "/fluid" => self.fluid.untyped(),
+            "/walls" => self.walls.untyped(),
+            "/scene" => self.scene.untyped(),
+            "/tf" => self.tf.untyped(),
+            "/log" => self.log.untyped(),
+            _ => {
+                let channel = topic.strip_prefix('/').unwrap_or(topic);
+                if !self.samples.contains_key(channel) {
+                    let first: Vec<(&str, f64)> =
+                        names.unwrap_or_default().iter().map(|name| (name.as_str(), 0.0)).collect();
+                    self.samples.insert(channel.to_owned(), SampleTopic::create(container, channel, &first)?);
+                }
+                &mut self.samples.get_mut(channel).expect("the channel was added above").topic
+            }
+        };
+        container.repeat(fixed, time, message)
+    }
+
+    /// Messages so far; those since the last frame or note are not in the file.
+    pub(super) fn messages(&self) -> u64 {
+        self.container.messages()
+    }
+
+    /// The file takes another name, in place of a file that has it.
+    pub(super) fn rename(&mut self, path: &Path) -> Result<(), LogError> {
+        self.container.rename(path)
+    }
+
     /// Completes the file with its summary and returns its length [bytes].
     ///
     /// # Errors

@@ -5,6 +5,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use serde::{Deserialize, Serialize};
+
 /// The fit starts where the kernel no longer reaches the water beyond the keel, at 2h/sin 2β along the face, times this [-].
 const FROM: f64 = 1.7;
 /// It ends at this share of the face below the still water [-].
@@ -32,7 +34,7 @@ pub struct KeelLaw {
 }
 
 /// The law, fitted.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KeelPressure {
     /// Pressure at the keel p₀, in the unit of the points.
     pub pressure: f64,

@@ -2,6 +2,7 @@
 
 use fsi_coupling::coupling::force_rules::{RULES, force_rules};
 use serde::Serialize;
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::{Frame, ObserveError, Observer, mean_and_deviation};
 use crate::scene::Scene;
@@ -38,6 +39,17 @@ impl ForceRules {
     pub fn new(scene: &Scene) -> Option<ForceRules> {
         let asked = scene.report.force_rules && scene.body.is_some();
         asked.then(|| ForceRules { panel: scene.resolution.spacing, times: Vec::new(), loads: Vec::new() })
+    }
+
+    /// The samples, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&self.times, &self.loads))
+    }
+
+    /// Take samples.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        (self.times, self.loads) = decode("the force rules", bytes)?;
+        expect_count("loads of force rules", self.loads.len(), self.times.len())
     }
 
     /// The numbers of each rule, means from `since` [s] on; empty before the first sample.

@@ -1,6 +1,6 @@
 //! The results of a gauge: peak, rise time, impulse (THEORY GE5).
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Shares of the peak between which the rise is timed [-].
 const RISE: [f64; 2] = [0.1, 0.9];
@@ -24,7 +24,7 @@ pub struct GaugeResult {
 }
 
 /// Times [s] and pressures [Pa] of one gauge, of every step.
-#[derive(Default)]
+#[derive(Default, Serialize, Deserialize)]
 pub struct GaugeRecord {
     curve: Vec<[f64; 2]>,
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use fsi_coupling::geometry::vector::rotate;
 use fsi_coupling::{Coupled, Motion};
 use sph_core::particles::probe::Probe;
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::columns::Source;
 use super::gauge_record::{GaugeRecord, GaugeResult};
@@ -101,6 +102,21 @@ impl GaugeReader {
     /// Pressures for a sample [Pa]: of filters where a gauge has a bandwidth. Before: `follow`.
     pub fn read(&self) -> Vec<f64> {
         self.instruments.iter().map(|i| i.record.latest()).collect()
+    }
+
+    /// Readings and filters, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&self.instruments.iter().map(|i| (&i.filter, i.now, &i.record)).collect::<Vec<_>>())
+    }
+
+    /// Take readings and filters of as many gauges.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        let stored: Vec<(Option<LowPass>, [f64; 2], GaugeRecord)> = decode("the gauges", bytes)?;
+        expect_count("gauges", stored.len(), self.instruments.len())?;
+        for (instrument, (filter, now, record)) in self.instruments.iter_mut().zip(stored) {
+            (instrument.filter, instrument.now, instrument.record) = (filter, now, record);
+        }
+        Ok(())
     }
 
     /// The results of each gauge so far, by name.

@@ -1,7 +1,7 @@
 //! Totals of the fluid over the run: energies, heights, penetration, largest speed.
 
 use fsi_coupling::Breach;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
@@ -20,7 +20,7 @@ pub struct Rest {
 }
 
 /// The fluid particle that penetrated a wall deepest.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct WorstPenetration {
     /// The particle.
     pub particle: u32,
@@ -59,6 +59,7 @@ impl std::fmt::Display for WorstPenetration {
 }
 
 /// One sample.
+#[derive(Clone, Serialize, Deserialize)]
 struct Entry {
     time: f64,
     kinetic: f64,
@@ -66,7 +67,7 @@ struct Entry {
 }
 
 /// Gathers the fluid's energies at every sample.
-#[derive(Default)]
+#[derive(Clone, Default, Serialize, Deserialize)]
 pub struct History {
     entries: Vec<Entry>,
     ripple: f64,

@@ -2,15 +2,19 @@
 
 use std::f64::consts::{SQRT_2, TAU};
 
+use serde::{Deserialize, Serialize};
+
 /// y'' + √2 ω y' + ω² y = ω² x with ω = 2π f (Butterworth 1930): |y/x| is 1 far below the bandwidth f [Hz], 1/√2 at it,
 /// and falls by 40 dB a decade above.
 ///
 /// Integrated exactly for an input that is linear between the times it is given, so that steps may be of any length.
+#[derive(Serialize, Deserialize)]
 pub struct LowPass {
     omega: f64,
     state: Option<State>,
 }
 
+#[derive(Serialize, Deserialize)]
 struct State {
     time: f64,
     input: f64,

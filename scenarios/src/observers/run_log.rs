@@ -3,9 +3,11 @@
 use std::net::SocketAddr;
 use std::path::Path;
 
+use fsi_coupling::Coupled;
+
 use super::run_view::RunView;
 use super::{Frame, ObserveError, Observer};
-use crate::log::{BackgroundLog, Budget, Level, LiveView, LogError, LogMetadata, Logged};
+use crate::log::{BackgroundLog, Budget, Level, LiveView, LogError, LogMetadata, Logged, StoredLog};
 use crate::scene::Scene;
 
 /// Writes the log.
@@ -18,7 +20,21 @@ pub struct LogObserver {
 impl LogObserver {
     /// Create the file.
     pub fn create(path: &Path, scene: &Scene) -> Result<LogObserver, ObserveError> {
-        Ok(LogObserver { writer: create_log(path, scene)?, view: RunView::new(scene), end: scene.time.end })
+        Ok(LogObserver::with(create_log(path, scene)?, scene))
+    }
+
+    fn with(writer: BackgroundLog, scene: &Scene) -> LogObserver {
+        LogObserver { writer, view: RunView::new(scene), end: scene.time.end }
+    }
+
+    /// Continue the file from where it was `stored`.
+    pub fn resume(path: &Path, scene: &Scene, stored: StoredLog) -> Result<LogObserver, ObserveError> {
+        Ok(LogObserver::with(resume_log(path, scene, stored)?, scene))
+    }
+
+    /// What a later process needs to continue from here.
+    pub fn stored(&mut self) -> Result<StoredLog, ObserveError> {
+        Ok(self.writer.stored()?)
     }
 
     /// Write a note.
@@ -34,7 +50,7 @@ impl LogObserver {
     /// Write the present state, whether due or not.
     pub fn keep(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         self.curves(frame)?;
-        self.picture(frame, true)
+        self.picture(frame.system, true)
     }
 
     fn curves(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
@@ -43,24 +59,35 @@ impl LogObserver {
         Ok(view.curves(frame, |channel, values| writer.sample(time, channel, values))?)
     }
 
-    fn picture(&mut self, frame: &Frame<'_>, last: bool) -> Result<(), ObserveError> {
-        Ok(self.writer.frame(self.view.picture(frame)?, last)?)
+    /// Write a frame of particles; the `last` of a run is written if a budget has room for it alone.
+    pub fn picture(&mut self, system: &Coupled, last: bool) -> Result<(), ObserveError> {
+        Ok(self.writer.frame(self.view.picture(system)?, last)?)
     }
 }
 
 impl Observer for LogObserver {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         self.curves(frame)?;
-        if frame.particles { self.picture(frame, frame.time() >= self.end) } else { Ok(()) }
+        if frame.particles { self.picture(frame.system, frame.time() >= self.end) } else { Ok(()) }
     }
 }
 
 /// The empty log of a scene.
 pub(crate) fn create_log(path: &Path, scene: &Scene) -> Result<BackgroundLog, LogError> {
-    let toml = scene.to_toml();
-    let metadata = LogMetadata { scene: &scene.name, scene_toml: &toml, version: env!("CARGO_PKG_VERSION") };
-    let budget = |megabytes| Budget { bytes: (1e6 * megabytes) as u64, end: scene.time.end - scene.time.start };
-    BackgroundLog::create(path, &metadata, scene.report.log_budget.map(budget))
+    BackgroundLog::create(path, &metadata(scene, &scene.to_toml()), budget(scene))
+}
+
+fn resume_log(path: &Path, scene: &Scene, stored: StoredLog) -> Result<BackgroundLog, LogError> {
+    BackgroundLog::resume(path, &metadata(scene, &scene.to_toml()), budget(scene), stored)
+}
+
+fn metadata<'a>(scene: &'a Scene, toml: &'a str) -> LogMetadata<'a> {
+    LogMetadata { scene: &scene.name, scene_toml: toml, version: env!("CARGO_PKG_VERSION") }
+}
+
+fn budget(scene: &Scene) -> Option<Budget> {
+    let end = scene.time.end - scene.time.start;
+    scene.report.log_budget.map(|megabytes| Budget { bytes: (1e6 * megabytes) as u64, end })
 }
 
 /// Shows the run to viewers, at their pace: the wall clock decides when, and the run does not depend on it.
@@ -91,7 +118,7 @@ impl Observer for LiveObserver {
         let LiveObserver { live, view } = self;
         let time = view.time(frame.time());
         view.curves(frame, |channel, values| live.sample(time, channel, values))?;
-        live.frame(&view.picture(frame)?);
+        live.frame(&view.picture(frame.system)?);
         Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! What the log and viewers are shown of a run: named numbers, and pictures of particles and bodies.
 
+use fsi_coupling::Coupled;
 use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
@@ -68,8 +69,8 @@ impl RunView {
     }
 
     /// The particles and the bodies now.
-    pub fn picture(&self, frame: &Frame<'_>) -> Result<log::Frame, LogError> {
-        let (p, d, w) = (frame.system.fluid.particles(), frame.system.fluid.fields(), &frame.system.walls);
+    pub fn picture(&self, system: &Coupled) -> Result<log::Frame, LogError> {
+        let (p, d, w) = (system.fluid.particles(), system.fluid.fields(), &system.walls);
         let mut fluid = vec![Point::default(); p.len()];
         parallel::gather_into(&mut fluid, |k| Point {
             at: [p.x[k], p.y[k]],
@@ -83,19 +84,19 @@ impl RunView {
             at: [w.x[k], w.y[k]],
             pressure: w.pressure[k],
             velocity: [w.u[k], w.v[k]],
-            density: frame.system.fluid.domain().fluid.density,
+            density: system.fluid.domain().fluid.density,
             spacing: w.volume[k].sqrt(),
             id: k as u32,
         };
         let walls: Vec<Point> = (0..w.len()).map(wall).collect();
         // one closed line per body: the loops of a compound body are joined by the way back to the first corner
-        let shown = frame.system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
+        let shown = system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
         let shown: Vec<_> = shown.collect();
         let bodies: Vec<BodyView<'_>> = shown
             .iter()
             .map(|(name, m, outline)| BodyView { name, position: m.position, angle: m.angle, outline })
             .collect();
-        log::Frame::new(self.time(frame.time()), &fluid, &walls, &bodies)
+        log::Frame::new(self.time(system.fluid.time()), &fluid, &walls, &bodies)
     }
 }
 

@@ -8,6 +8,15 @@ use super::columns::{Reader, SOURCES, VOLUME, Water, columns};
 use super::{Frame, ObserveError, Observer};
 use crate::scene::Scene;
 
+/// Create the file with its heading.
+fn create(path: &Path, columns: &[String]) -> Result<(String, BufWriter<File>), ObserveError> {
+    let name = path.display().to_string();
+    let wrong = |source| ObserveError::Io(name.clone(), source);
+    let mut file = BufWriter::new(File::create(path).map_err(wrong)?);
+    writeln!(file, "{}", columns.join(",")).map_err(wrong)?;
+    Ok((name, file))
+}
+
 /// The sampled curves.
 pub struct Series {
     columns: Vec<String>,
@@ -20,18 +29,22 @@ impl Series {
     /// Columns for a scene; rows go to `path` as well if one is given.
     pub fn new(scene: &Scene, path: Option<&Path>) -> Result<Series, ObserveError> {
         let columns = columns(scene);
-        let file = match path {
-            None => None,
-            Some(path) => {
-                let name = path.display().to_string();
-                let wrong = |source| ObserveError::Io(name.clone(), source);
-                let mut file = BufWriter::new(File::create(path).map_err(wrong)?);
-                writeln!(file, "{}", columns.join(",")).map_err(wrong)?;
-                Some((name, file))
-            }
-        };
+        let file = path.map(|path| create(path, &columns)).transpose()?;
         let readers = SOURCES.iter().map(|source| (source.reader)(scene)).collect();
         Ok(Series { columns, rows: Vec::new(), readers, file })
+    }
+
+    /// The rows, in the order of the columns.
+    pub fn rows(&self) -> &[Vec<f64>] {
+        &self.rows
+    }
+
+    /// Take rows, and write them to `path` if one is given.
+    pub fn restore(&mut self, rows: Vec<Vec<f64>>, path: Option<&Path>) -> Result<(), ObserveError> {
+        self.rows = Vec::new();
+        self.file = path.map(|path| create(path, &self.columns)).transpose()?;
+        rows.into_iter().try_for_each(|row| self.push(row))?;
+        self.flush()
     }
 
     /// Take a row, in the order of the columns.

@@ -4,8 +4,9 @@
 //! k = Vt/Δx. Numbers are taken over the last fifth of the run.
 
 use fsi_coupling::Coupled;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use sph_core::particles::probe::Probe;
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::apex::{KeelLaw, KeelPressure, LARGEST_SHARE};
 use super::face_profile::{length_near_peak, noise, peak_place};
@@ -66,6 +67,29 @@ pub struct SimilarityResult {
     pub profile: Vec<[f64; 2]>,
 }
 
+/// A sample of the window.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Sample {
+    time: f64,
+    /// F/(ρV³t) [-].
+    force: f64,
+    /// Largest pressure coefficient on the face [-].
+    peak: f64,
+    /// Pressure coefficient beside the keel by its law, where the face is long enough.
+    keel: Option<KeelPressure>,
+    /// Pressure coefficients along the face [-].
+    profile: Vec<f64>,
+}
+
+/// A step of the window.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Step {
+    start: f64,
+    length: f64,
+    /// Integral of F/(ρV³t) over the step [s].
+    coefficient: f64,
+}
+
 /// Gathers the window.
 pub struct SimilarityWindow {
     speed: f64,
@@ -80,18 +104,12 @@ pub struct SimilarityWindow {
     shepard: bool,
     from: f64,
     reach: f64,
-    times: Vec<f64>,
-    forces: Vec<f64>,
-    peaks: Vec<f64>,
-    /// Pressure coefficient beside the keel by its law, where the face is long enough.
-    keel: Vec<KeelPressure>,
-    profile: Vec<f64>,
+    samples: Vec<Sample>,
+    steps: Vec<Step>,
     snapshot: Vec<[f64; 2]>,
-    /// Time [s], force [N/m] and its coefficient [-] of the last step; their integrals over the run and over the window.
+    /// Time [s], force [N/m] and its coefficient [-] of the last step; the integral of the force over the run.
     before: Option<[f64; 3]>,
     impulse: f64,
-    coefficient: f64,
-    seconds: f64,
 }
 
 impl SimilarityWindow {
@@ -114,16 +132,11 @@ impl SimilarityWindow {
             shepard: scene.solver.is_incompressible(),
             from: FROM * scene.time.end,
             reach: 1.3 * std::f64::consts::FRAC_PI_2 / tan,
-            times: Vec::new(),
-            forces: Vec::new(),
-            peaks: Vec::new(),
-            keel: Vec::new(),
-            profile: vec![0.0; POINTS],
+            samples: Vec::new(),
+            steps: Vec::new(),
             snapshot: Vec::new(),
             before: None,
             impulse: 0.0,
-            coefficient: 0.0,
-            seconds: 0.0,
         })
     }
 
@@ -135,11 +148,24 @@ impl SimilarityWindow {
         if let Some([t0, force0, coefficient0]) = self.before {
             self.impulse += 0.5 * (force + force0) * (t - t0);
             if t0 >= self.from {
-                self.coefficient += 0.5 * (coefficient + coefficient0) * (t - t0);
-                self.seconds += t - t0;
+                let coefficient = 0.5 * (coefficient + coefficient0) * (t - t0);
+                self.steps.push(Step { start: t0, length: t - t0, coefficient });
             }
         }
         self.before = Some([t, force, coefficient]);
+    }
+
+    /// What the window holds, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&self.samples, &self.steps, &self.snapshot, self.before, self.impulse))
+    }
+
+    /// Take what a window held; what is before the start of this one is left out.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        (self.samples, self.steps, self.snapshot, self.before, self.impulse) = decode("the similarity window", bytes)?;
+        self.samples.retain(|sample| sample.time >= self.from);
+        self.steps.retain(|step| step.start >= self.from);
+        self.samples.iter().try_for_each(|sample| expect_count("points of a face", sample.profile.len(), POINTS))
     }
 
     fn x_over_vt(&self, k: usize) -> f64 {
@@ -155,10 +181,10 @@ impl SimilarityWindow {
             };
             return (across < PEAK_SPACINGS).then(few);
         }
-        if self.keel.len() < self.times.len() {
+        let Some(keel) = self.samples.iter().map(|sample| sample.keel).collect::<Option<Vec<KeelPressure>>>() else {
             return Some("the face is too short for the law of the keel (THEORY GE21)".into());
-        }
-        let share = self.keel.iter().map(|keel| keel.share).sum::<f64>() / self.keel.len() as f64;
+        };
+        let share = keel.iter().map(|keel| keel.share).sum::<f64>() / keel.len() as f64;
         let [share, most] = [share, LARGEST_SHARE].map(|share| 100.0 * share);
         let far = || {
             format!(
@@ -170,11 +196,15 @@ impl SimilarityWindow {
 
     /// The numbers, once the window holds samples; judged against `exact`, if there is one.
     pub fn result(&self, exact: Option<&WedgeSimilarity>) -> Option<SimilarityResult> {
-        let n = self.times.len() as f64;
-        let (first, last) = (*self.times.first()?, *self.times.last()?);
-        let profile: Vec<[f64; 2]> = (0..POINTS).map(|k| [self.x_over_vt(k), self.profile[k] / n]).collect();
+        let n = self.samples.len() as f64;
+        let (first, last) = (self.samples.first()?.time, self.samples.last()?.time);
+        let sum = |k: usize| self.samples.iter().fold(0.0, |sum, sample| sum + sample.profile[k]);
+        let profile: Vec<[f64; 2]> = (0..POINTS).map(|k| [self.x_over_vt(k), sum(k) / n]).collect();
         let top = profile.iter().max_by(|a, b| a[1].total_cmp(&b[1]))?;
-        let [[sampled, force_sd], [peak, peak_sd]] = [&self.forces, &self.peaks].map(|v| mean_and_deviation(v));
+        let of = |read: fn(&Sample) -> f64| self.samples.iter().map(read).collect::<Vec<f64>>();
+        let [[sampled, force_sd], [peak, peak_sd]] = [of(|s| s.force), of(|s| s.peak)].map(|v| mean_and_deviation(&v));
+        let [coefficient, seconds] =
+            self.steps.iter().fold([0.0; 2], |[c, s], step| [c + step.coefficient, s + step.length]);
         let least = 0.8 * std::f64::consts::FRAC_PI_2 / self.tan;
         let z = |x: f64| x * self.tan - 1.0 + self.lift / (self.speed * last);
         let place = peak_place(&profile)?;
@@ -185,7 +215,7 @@ impl SimilarityWindow {
         let spacing = self.spacing * cos / (self.speed * last);
         // The law, where it holds, is in the profile: its end is the keel's.
         let at_keel = self.law.is_some_and(|law| top[0] * self.speed * last < law.from * cos);
-        let keel = self.keel.iter().map(|keel| keel.pressure).sum::<f64>() / n;
+        let keel = self.samples.iter().filter_map(|s| s.keel).map(|keel| keel.pressure).sum::<f64>() / n;
         let cp_max_unresolved = self.unresolved(at_keel, &profile, spacing);
         let [cp_max, cp_max_of_mean] = match (&cp_max_unresolved, at_keel) {
             (Some(_), true) => [f64::NAN; 2],
@@ -195,7 +225,7 @@ impl SimilarityWindow {
         Some(SimilarityResult {
             window_s: [first, last],
             spacings_per_draught: self.speed * last / self.spacing,
-            force_coefficient: if self.seconds > 0.0 { self.coefficient / self.seconds } else { sampled },
+            force_coefficient: if seconds > 0.0 { coefficient / seconds } else { sampled },
             force_coefficient_sd: force_sd,
             cp_max,
             cp_max_unresolved,
@@ -222,8 +252,7 @@ impl Observer for SimilarityWindow {
             return Ok(());
         }
         let draught = self.speed * t;
-        self.times.push(t);
-        self.forces.push(motion.force[1] / (self.rho * self.speed.powi(3) * t));
+        let force = motion.force[1] / (self.rho * self.speed.powi(3) * t);
         let probe = Probe::new(&frame.system.fluid);
         let (sin, cos) = {
             let c = 1.0 / (1.0 + self.tan * self.tan).sqrt();
@@ -243,18 +272,13 @@ impl Observer for SimilarityWindow {
                 _ => flat(r) / dynamic,
             }
         };
-        let mut peak = law.map_or(0.0, |(keel, _)| keel.pressure);
-        for k in 0..POINTS {
-            let cp = cp(self.x_over_vt(k));
-            self.profile[k] += cp;
-            peak = peak.max(cp);
-        }
-        self.peaks.push(peak);
-        self.keel.extend(keel);
+        let profile: Vec<f64> = (0..POINTS).map(|k| cp(self.x_over_vt(k))).collect();
+        let peak = profile.iter().copied().fold(law.map_or(0.0, |(keel, _)| keel.pressure), f64::max);
         // The last one stays.
         let step = self.spacing * cos / (POINTS_PER_SPACING * draught);
         let places = (0..(self.reach / step) as usize).map(|k| (k as f64 + 0.5) * step);
         self.snapshot = places.map(|x| [x, cp(x)]).collect();
+        self.samples.push(Sample { time: t, force, peak, keel, profile });
         Ok(())
     }
 }

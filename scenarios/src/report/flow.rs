@@ -1,5 +1,7 @@
 //! A picture of the flow: particles coloured by a value, bodies and walls.
 
+use serde::{Deserialize, Serialize};
+
 use super::canvas::{Canvas, SAMPLES, centres, edges};
 use super::colour::{BODY, INK, NOT_A_NUMBER, PAPER, WALL, viridis};
 use super::ticks::proper_range;
@@ -9,7 +11,7 @@ use super::ticks::proper_range;
 /// The arrays `x`, `y`, `value` and `size` have one entry per particle; if they differ in length,
 /// the surplus is left out, as are particles with a non-finite position or size and non-finite
 /// points of `outlines` and `walls`.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct FlowFrame {
     /// Time \[s\].
     pub time: f64,

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use fsi_coupling::PanelState;
 
 use super::bands::{Depth, LEAST_FORCE_BAND};
@@ -34,7 +36,7 @@ const ADMITTED: f64 = 0.01;
 const LARGEST_RAW: f64 = 2.0;
 
 /// The curves of the results, with the values of every step.
-#[derive(Default)]
+#[derive(Default, Serialize, Deserialize)]
 pub(super) struct Curves {
     /// Force of the water on the body [N/m].
     pub force: RunningIntegral<2>,

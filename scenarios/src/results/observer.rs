@@ -1,6 +1,7 @@
 //! Gathers the curves of the results in every step.
 
 use fsi_coupling::{Body, Coupled, Motion};
+use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::Results;
 use super::filtered::FilteredAcceleration;
@@ -49,6 +50,20 @@ impl ResultsObserver {
     /// The largest acceleration through the filter of a channel frequency class [Hz]; `None` for a body that is not free.
     pub fn filtered(&self, class: f64) -> Option<FilteredAcceleration> {
         FilteredAcceleration::of(&self.curves.acceleration, class)
+    }
+
+    /// The curves, as bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        encode(&self.curves)
+    }
+
+    /// Take curves of as many gauges and panels.
+    pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        let curves: Curves = decode("the curves of the results", bytes)?;
+        expect_count("curves of pressure", curves.pressures.len(), self.curves.pressures.len())?;
+        expect_count("curves of stress", curves.stresses.len(), self.curves.stresses.len())?;
+        self.curves = curves;
+        Ok(())
     }
 
     /// The results so far, and doubts about them.

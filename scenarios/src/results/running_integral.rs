@@ -1,7 +1,11 @@
 //! A curve's running integral, taken in every step, and its largest mean over a time (THEORY GE18).
 
+use serde::{Deserialize, Serialize};
+use sph_core::state_bytes::{StateError, expect_count};
+
 /// Times [s] and integrals of `N` curves that are read together, and the largest of their values.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(try_from = "Stored", into = "Stored")]
 pub struct RunningIntegral<const N: usize> {
     times: Vec<f64>,
     integrals: Vec<[f64; N]>,
@@ -9,8 +13,30 @@ pub struct RunningIntegral<const N: usize> {
     largest: Option<Extreme>,
 }
 
+/// Times, integrals and last values one after the other, and the largest.
+type Stored = (Vec<f64>, Vec<f64>, Vec<f64>, Option<Extreme>);
+
+impl<const N: usize> From<RunningIntegral<N>> for Stored {
+    fn from(curve: RunningIntegral<N>) -> Stored {
+        let last = curve.last.map_or(Vec::new(), |values| values.to_vec());
+        (curve.times, curve.integrals.into_flattened(), last, curve.largest)
+    }
+}
+
+impl<const N: usize> TryFrom<Stored> for RunningIntegral<N> {
+    type Error = StateError;
+
+    fn try_from((times, integrals, last, largest): Stored) -> Result<RunningIntegral<N>, StateError> {
+        let (integrals, rest) = integrals.as_chunks::<N>();
+        expect_count("integrals of a curve", integrals.len(), times.len())?;
+        expect_count("numbers of a curve", N * integrals.len() + rest.len(), N * times.len())?;
+        let last = <[f64; N]>::try_from(last).ok();
+        Ok(RunningIntegral { times, integrals: integrals.to_vec(), last, largest })
+    }
+}
+
 /// An extreme of a curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Extreme {
     /// Magnitude.
     pub value: f64,

@@ -1,5 +1,6 @@
 //! The loop of a run: step until the end, observe, and keep what was computed even if the run fails.
 
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -7,12 +8,13 @@ use fsi_coupling::{Coupled, CouplingError};
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
-use super::recorder::Recorder;
+use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
+use super::recorder::{Observed, Recorder, next};
 use super::summary::Status;
-use super::{Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
+use super::{Checkpoints, Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
 use crate::build;
 use crate::charted;
-use crate::compare;
+use crate::compare::{self, ReferenceCurve};
 use crate::model_hierarchy;
 use crate::observers::{LiveObserver, LogObserver, ObserveError};
 use crate::report::run_page;
@@ -38,45 +40,93 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         refuse_occupied(dir, options.force)?;
     }
     if scene.model.is_theory() {
+        if options.checkpoints.is_some_and(|asked| asked.every.is_some()) {
+            return Err(RunError::NoSteps(scene.model.name()));
+        }
         start_folder(scene, options)?;
-        return keep(model_hierarchy::run(scene, options, references)?, options);
+        let outcome = model_hierarchy::run(scene, options, references)?;
+        return keep(outcome, options.out.as_deref(), options);
     }
-    let mut system = build::build(scene)?;
-    let live = options.live.map(|address| LiveObserver::start(address, scene)).transpose()?;
-    if let (Some(live), Some(tell)) = (&live, options.live_at) {
-        tell(live.port());
-    }
+    let system = build::build(scene)?;
+    let live = start_live(scene, options)?;
     start_folder(scene, options)?;
     let log = file("log.mcap").filter(|_| !options.without_log);
     let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
     recorder.live = live;
-    let (start, volume) = (Instant::now(), system.fluid.volume());
-    info!(scene = scene.name, fluid = system.fluid.particles().len(), walls = system.walls.len(), "built");
+    let (fluid, walls) = (system.fluid.particles().len(), system.walls.len());
+    info!(scene = scene.name, fluid, walls, "built");
+    let volume = system.fluid.volume();
+    let dir = options.out.as_deref();
+    Run { scene, options, dir, references, system, recorder, volume, wall: 0.0, resumed: false }.complete()
+}
 
-    // on one thread of the pool for the whole run: no step wakes the pool
-    let ended = parallel::within_pool(|| advance(scene, &mut system, &mut recorder, options))?;
+/// A run between two steps.
+pub(super) struct Run<'a> {
+    pub scene: &'a Scene,
+    pub options: &'a RunOptions<'a>,
+    /// Folder for the files.
+    pub dir: Option<&'a Path>,
+    pub references: Vec<ReferenceCurve>,
+    pub system: Coupled,
+    pub recorder: Recorder,
+    /// Volume of the fluid at the start [m²].
+    pub volume: f64,
+    /// Wall time of the processes before this one [s].
+    pub wall: f64,
+    /// Continued from a checkpoint: the state was observed, and its last step was another process's.
+    pub resumed: bool,
+}
 
-    if let Some(stepped) = options.stepped {
-        stepped.store(true, Ordering::Relaxed);
+impl Run<'_> {
+    /// Step to the end, and write what is left to write.
+    pub fn complete(mut self) -> Result<Outcome, RunError> {
+        let start = Instant::now();
+        // on one thread of the pool for the whole run: no step wakes the pool
+        let (ended, checkpoint) = parallel::within_pool(|| {
+            let (ended, seen) = self.advance(start)?;
+            if let Some(stepped) = self.options.stepped {
+                stepped.store(true, Ordering::Relaxed);
+            }
+            let checkpoint = self.last_checkpoint(&ended, start)?;
+            if matches!(ended, Ok(Status::Completed)) {
+                self.observing(|recorder, system| recorder.complete(system, seen))?;
+            }
+            Ok::<_, RunError>((ended, checkpoint))
+        })?;
+        let Run { scene, options, dir, references, mut system, mut recorder, volume, .. } = self;
+        let (status, message) = match ended {
+            Ok(status) => (status, None),
+            Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
+        };
+        if status != Status::Completed {
+            recorder.record_stop(&system, status, message.as_deref())?;
+        }
+        system.fluid.timers_mut().begin(Phase::Log);
+        let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
+        system.fluid.timers_mut().end();
+        let wall = self.wall + start.elapsed().as_secs_f64();
+        info!(?status, steps = system.fluid.steps(), lists = system.fluid.neighbours().rebuilds, wall, "ended");
+        let mut summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
+        recorder.series.flush()?;
+        if summary.status.is_completed() {
+            summary.error_bars =
+                options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
+        }
+        let outcome = keep(Outcome { summary, series: recorder.series }, dir, options)?;
+        if let Some((dir, bytes)) = dir.zip(checkpoint) {
+            write_checkpoint(dir, &bytes)?;
+        }
+        Ok(outcome)
     }
-    let (status, message) = match ended {
-        Ok(status) => (status, None),
-        Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
-    };
-    if status != Status::Completed {
-        recorder.record_stop(&system, status, message.as_deref())?;
+}
+
+/// The server of a live view, if one is asked for.
+fn start_live(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<LiveObserver>, ObserveError> {
+    let live = options.live.map(|address| LiveObserver::start(address, scene)).transpose()?;
+    if let (Some(live), Some(tell)) = (&live, options.live_at) {
+        tell(live.port());
     }
-    system.fluid.timers_mut().begin(Phase::Log);
-    let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
-    system.fluid.timers_mut().end();
-    let wall = start.elapsed().as_secs_f64();
-    info!(?status, steps = system.fluid.steps(), lists = system.fluid.neighbours().rebuilds, wall, "ended");
-    let mut summary = recorder.summarise(scene, &system, &references, status, message, wall, volume, logged);
-    recorder.series.flush()?;
-    if summary.status.is_completed() {
-        summary.error_bars = options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
-    }
-    keep(Outcome { summary, series: recorder.series }, options)
+    Ok(live)
 }
 
 /// Empty the folder and write the resolved scene into it.
@@ -87,65 +137,125 @@ fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<(), RunError>
 }
 
 /// Write summary and report.
-fn keep(mut outcome: Outcome, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+fn keep(mut outcome: Outcome, dir: Option<&Path>, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
     outcome.summary.warnings = options.warnings.clone();
-    if let Some(dir) = &options.out {
+    if let Some(dir) = dir {
         write(&dir.join("summary.json"), &outcome.summary.to_json())?;
         write(&dir.join("report.html"), &run_page::report(dir)?)?;
     }
     Ok(outcome)
 }
 
-/// Step to the end. The inner error is the breakdown that stopped the run.
-fn advance(
-    scene: &Scene,
-    system: &mut Coupled,
-    recorder: &mut Recorder,
-    options: &RunOptions<'_>,
-) -> Result<Result<Status, Breakdown>, RunError> {
-    let mut shown = Instant::now();
-    if let Some(show) = options.progress {
-        show(0.0, 0);
-    }
-    observe(system, recorder)?;
-    while system.fluid.time() < scene.time.end {
-        if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
-            return Ok(Ok(Status::Interrupted));
+impl Run<'_> {
+    /// Step to the end, and what was due after the last step. The inner error is the breakdown that stopped the run.
+    fn advance(&mut self, start: Instant) -> Result<(Result<Status, Breakdown>, Observed), RunError> {
+        let Run { scene, options, .. } = *self;
+        let mut shown = Instant::now();
+        let every = options.checkpoints.and_then(|asked| asked.every);
+        let mut due = every.map(|every| next(every, self.system.fluid.time()));
+        if let Some(show) = options.progress {
+            show(self.system.fluid.time(), self.system.fluid.steps());
         }
-        if options.most_steps.is_some_and(|most| system.fluid.steps() >= most) {
-            return Ok(Err(Breakdown::Endless(system.fluid.steps(), system.fluid.time())));
-        }
-        system.fluid.timers_mut().begin(Phase::Integration);
-        let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok); // LE5
-        let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
-        match stepped {
-            Err(breakdown) => return Ok(Err(breakdown.into())),
-            Ok((asked, taken)) if taken < asked => {
-                warn!(
-                    "pressure not converged: a step of {taken:.3e} s instead of {asked:.3e} s to t = {}",
-                    system.fluid.time()
-                );
+        let mut seen = if self.resumed { Observed::Frame } else { self.observe()? };
+        let first = self.system.fluid.steps();
+        while self.system.fluid.time() < scene.time.end {
+            let system = &mut self.system;
+            let is_asked = options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
+            // a state of another process is stepped from before it is observed
+            if is_asked && !(self.resumed && system.fluid.steps() == first) {
+                return Ok((Ok(Status::Interrupted), seen));
             }
-            Ok(_) => {}
-        }
-        debug!(step = system.fluid.steps(), time = system.fluid.time(), "stepped");
-        observe(system, recorder)?;
-        if shown.elapsed() > PROGRESS_EVERY {
-            shown = Instant::now();
-            if let Some(show) = options.progress {
-                show(system.fluid.time(), system.fluid.steps());
+            if options.most_steps.is_some_and(|most| system.fluid.steps() >= most) {
+                return Ok((Err(Breakdown::Endless(system.fluid.steps(), system.fluid.time())), seen));
+            }
+            system.fluid.timers_mut().begin(Phase::Integration);
+            let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok); // LE5
+            let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
+            match stepped {
+                Err(breakdown) => return Ok((Err(breakdown.into()), seen)),
+                Ok((asked, taken)) if taken < asked => {
+                    warn!(
+                        "pressure not converged: a step of {taken:.3e} s instead of {asked:.3e} s to t = {}",
+                        system.fluid.time()
+                    );
+                }
+                Ok(_) => {}
+            }
+            let (step, time) = (system.fluid.steps(), system.fluid.time());
+            debug!(step, time, "stepped");
+            seen = self.observe()?;
+            if let Some((due, every)) =
+                due.as_mut().zip(every).filter(|(due, _)| time >= **due && time < scene.time.end)
+            {
+                *due = next(every, time);
+                self.system.fluid.timers_mut().begin(Phase::Log);
+                if let Some(dir) = self.dir {
+                    write_checkpoint(dir, &self.checkpoint(start)?)?;
+                }
+            }
+            if shown.elapsed() > PROGRESS_EVERY {
+                shown = Instant::now();
+                if let Some(show) = options.progress {
+                    show(time, step);
+                }
             }
         }
+        Ok((Ok(Status::Completed), seen))
     }
-    Ok(Ok(Status::Completed))
+
+    /// Observe if something is due.
+    fn observe(&mut self) -> Result<Observed, ObserveError> {
+        self.observing(Recorder::observe)
+    }
+
+    /// The time of `observe` counts as that of the observers and of the log.
+    fn observing<T>(
+        &mut self,
+        observe: impl FnOnce(&mut Recorder, &Coupled) -> Result<T, ObserveError>,
+    ) -> Result<T, ObserveError> {
+        let Run { system, recorder, .. } = self;
+        let outer = system.fluid.timers_mut().begin(Phase::Observers);
+        let seen = observe(recorder, system)?;
+        recorder.show(system)?;
+        system.fluid.timers_mut().hand_over(Phase::Log, recorder.time_of_log());
+        system.fluid.timers_mut().resume(outer);
+        Ok(seen)
+    }
+
+    /// The checkpoint of a run that stops: of an interrupted one it is written at once. That of the end is returned, to be written once
+    /// all other files are: before, the one before serves.
+    fn last_checkpoint(
+        &mut self,
+        ended: &Result<Status, Breakdown>,
+        start: Instant,
+    ) -> Result<Option<Vec<u8>>, RunError> {
+        let (Some(dir), Some(Checkpoints { every })) = (self.dir, self.options.checkpoints) else {
+            return Ok(None);
+        };
+        match ended {
+            Ok(Status::Interrupted) => write_checkpoint(dir, &self.checkpoint(start)?).map(|()| None),
+            Ok(Status::Completed) if every.is_some() => self.checkpoint(start).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// The present state, in whose log is what was handed over so far.
+    fn checkpoint(&mut self, start: Instant) -> Result<Vec<u8>, RunError> {
+        let Run { scene, options, system, recorder, wall, .. } = self;
+        let checkpoint = Checkpoint {
+            system: system.to_bytes(),
+            recorder: recorder.to_bytes(),
+            log: recorder.log.as_mut().map(LogObserver::stored).transpose()?,
+            every: options.checkpoints.and_then(|asked| asked.every),
+            wall: *wall + start.elapsed().as_secs_f64(),
+            warnings: options.warnings.clone(),
+            choice: scene.choice.clone(),
+        };
+        Ok(checkpoint.to_bytes(fingerprint(scene)))
+    }
 }
 
-/// Observe if something is due; the time counts as that of the observers and of the log.
-fn observe(system: &mut Coupled, recorder: &mut Recorder) -> Result<(), ObserveError> {
-    let outer = system.fluid.timers_mut().begin(Phase::Observers);
-    recorder.observe(system)?;
-    recorder.show(system)?;
-    system.fluid.timers_mut().hand_over(Phase::Log, recorder.time_of_log());
-    system.fluid.timers_mut().resume(outer);
-    Ok(())
+fn write_checkpoint(dir: &Path, bytes: &[u8]) -> Result<(), RunError> {
+    let wrong = |error| RunError::Write(dir.join(checkpoint::FILE).display().to_string(), error);
+    write_whole(dir, checkpoint::FILE, checkpoint::PART, bytes).map_err(wrong)
 }

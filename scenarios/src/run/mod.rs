@@ -1,10 +1,13 @@
 //! A run: build the scene, step to its end, observe on the way, keep log, curves, summary and report.
 
 mod audit;
+pub mod checkpoint;
 mod driver;
 mod panel;
 mod particle_order;
 mod recorder;
+mod recorder_state;
+mod resume;
 pub mod summary;
 
 use std::net::SocketAddr;
@@ -20,14 +23,17 @@ use crate::log::LogError;
 use crate::observers::{ObserveError, Series};
 use crate::reference::ReferenceError;
 use crate::report::run_page::FolderError;
+use checkpoint::CheckpointError;
 use summary::Summary;
 
 pub use driver::run;
 pub use particle_order::ParticleOrder;
+pub use resume::Resumable;
 pub use summary::{Extremes, PanelEnvelope, PanelResult, Rupture};
 
 /// Files of a run, by the contract of the command line.
-pub const FILES: [&str; 5] = ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html"];
+pub const FILES: [&str; 6] =
+    ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html", "checkpoint.bin"];
 
 /// What a run is given besides its scene.
 #[derive(Default)]
@@ -46,6 +52,8 @@ pub struct RunOptions<'a> {
     pub interrupt: Option<&'a AtomicBool>,
     /// Set when the last step has been taken and files are left to write.
     pub stepped: Option<&'a AtomicBool>,
+    /// Keep checkpoints, so that the run can be resumed.
+    pub checkpoints: Option<Checkpoints>,
     /// Steps after which a run that has not reached its end has failed.
     pub most_steps: Option<u64>,
     /// Called with (time [s], steps) when the stepping begins and about ten times per second.
@@ -54,6 +62,13 @@ pub struct RunOptions<'a> {
     pub warnings: Vec<String>,
     /// Source of the error bars: a convergence study; stored charts if absent.
     pub error_bars: Option<&'a (dyn Fn(&Summary) -> ErrorBars + Sync)>,
+}
+
+/// When a run writes its checkpoint: if it is interrupted, and as asked here.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Checkpoints {
+    /// Every so many seconds of simulated time, and at the end [s].
+    pub every: Option<f64>,
 }
 
 /// A finished run in memory.
@@ -88,6 +103,12 @@ pub enum RunError {
     /// The scene cannot be built.
     #[error("{}", at_start(.0))]
     Build(#[from] CouplingError),
+    /// A run that cannot be resumed.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+    /// Checkpoints of a model that has no steps.
+    #[error("model = \"{0}\" has no steps to keep checkpoints of: expected a model of particles")]
+    NoSteps(&'static str),
     /// The model does not apply to the scene.
     #[error("model = \"{0}\" holds for {1}")]
     Theory(&'static str, OutOfRange),
@@ -108,7 +129,7 @@ impl RunError {
     pub fn is_input(&self) -> bool {
         match self {
             RunError::Write(..) | RunError::Report(_) => false,
-            RunError::Observe(why) => matches!(why, ObserveError::Log(LogError::Live(..))),
+            RunError::Observe(why) => matches!(why, ObserveError::Log(LogError::Live(..) | LogError::Read(..))),
             _ => true,
         }
     }
@@ -134,7 +155,8 @@ pub(crate) fn refuse_files(dir: &Path, files: &[&'static str], force: bool) -> R
 fn prepare(dir: &Path) -> Result<(), RunError> {
     let wrong = |path: &Path, e| RunError::Write(path.display().to_string(), e);
     std::fs::create_dir_all(dir).map_err(|e| wrong(dir, e))?;
-    for path in FILES.iter().map(|name| dir.join(name)).filter(|path| path.exists()) {
+    let parts = [checkpoint::PART, "log.mcap.part", "series.csv.part", "scene.resolved.toml.part"];
+    for path in FILES.iter().chain(&parts).map(|name| dir.join(name)).filter(|path| path.exists()) {
         std::fs::remove_file(&path).map_err(|e| wrong(&path, e))?;
     }
     Ok(())

@@ -25,25 +25,40 @@ use crate::scene::{Scene, known_compressibility_error, thesis_work};
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
 
+/// What was due after a step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Observed {
+    /// Nothing that is not observed in every step.
+    Nothing,
+    /// A sample.
+    Sample,
+    /// A sample with a frame of particles.
+    Frame,
+}
+
+/// When something is due that is so every so many seconds: after `time` [s].
+pub(super) fn next(every: f64, time: f64) -> f64 {
+    every * ((time / every + 1e-9).floor() + 1.0)
+}
+
 /// All observers of a run and their schedule.
 pub(crate) struct Recorder {
-    gauges: GaugeReader,
-    results: ResultsObserver,
-    extremes: Vec<(String, Peak)>,
+    pub(super) gauges: GaugeReader,
+    pub(super) results: ResultsObserver,
+    pub(super) extremes: Vec<(String, Peak)>,
     pub series: Series,
     pub log: Option<LogObserver>,
     pub live: Option<LiveObserver>,
-    similarity: Option<SimilarityWindow>,
-    force_rules: Option<ForceRules>,
-    next_sample: f64,
-    next_frame: f64,
+    pub(super) similarity: Option<SimilarityWindow>,
+    pub(super) force_rules: Option<ForceRules>,
+    pub(super) next_sample: f64,
+    pub(super) next_frame: f64,
     every: [f64; 2],
-    end: f64,
-    history: History,
+    pub(super) history: History,
     energy_of_body: f64,
     time_of_log: Duration,
-    reported_until: f64,
-    crossing_reported: bool,
+    pub(super) reported_until: f64,
+    pub(super) crossing_reported: bool,
 }
 
 impl Recorder {
@@ -66,7 +81,6 @@ impl Recorder {
             next_sample: scene.time.start,
             next_frame: scene.time.start,
             every: [scene.time.sample_every, scene.time.frame_every],
-            end: scene.time.end,
             history: History::new(scene),
             energy_of_body: body.map_or(0.0, |b| held(&b.energy())),
             time_of_log: Duration::ZERO,
@@ -76,7 +90,7 @@ impl Recorder {
     }
 
     /// Observe if something is due; schedules never shorten a step.
-    pub fn observe(&mut self, system: &Coupled) -> Result<(), ObserveError> {
+    pub fn observe(&mut self, system: &Coupled) -> Result<Observed, ObserveError> {
         let pressures = self.gauges.follow(system);
         self.results.follow(system, &pressures);
         if let Some(window) = &mut self.similarity {
@@ -84,17 +98,32 @@ impl Recorder {
         }
         self.follow(system);
         let t = system.fluid.time();
-        let last = t >= self.end;
-        if t < self.next_sample && t < self.next_frame && !last {
-            return Ok(());
+        if t < self.next_sample && t < self.next_frame {
+            return Ok(Observed::Nothing);
         }
-        let particles = t >= self.next_frame || last;
-        let next = |every: f64| every * ((t / every + 1e-9).floor() + 1.0);
+        let particles = t >= self.next_frame;
         if particles {
-            self.next_frame = next(self.every[1]);
+            self.next_frame = next(self.every[1], t);
         }
-        self.next_sample = next(self.every[0]);
-        self.record(system, particles)
+        self.next_sample = next(self.every[0], t);
+        self.record(system, particles)?;
+        Ok(if particles { Observed::Frame } else { Observed::Sample })
+    }
+
+    /// The last sample of a run and its frame, where they were not due of themselves.
+    pub fn complete(&mut self, system: &Coupled, seen: Observed) -> Result<(), ObserveError> {
+        match seen {
+            Observed::Nothing => self.record(system, true),
+            Observed::Frame => Ok(()),
+            Observed::Sample => {
+                self.series.flush()?;
+                let Some(log) = &mut self.log else { return Ok(()) };
+                let start = Instant::now();
+                log.picture(system, true)?;
+                self.time_of_log += start.elapsed();
+                Ok(())
+            }
+        }
     }
 
     /// Extremes of the body's columns, in every step: samples miss what is shorter than they are apart.

@@ -61,6 +61,7 @@ pub(crate) use legacy::thesis_work;
 pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, WaterName, WaterProperties};
 pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
 pub use outline::OutlineReport;
+pub(crate) use resolve::MOST_ROWS;
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Moved, Norm, Observe,
     Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,

@@ -22,7 +22,7 @@ use super::source::word;
 const SAMPLES: f64 = 500.0;
 const FRAMES: f64 = 50.0;
 /// Most rows of the series, or frames.
-const MOST_ROWS: f64 = 4e6;
+pub(crate) const MOST_ROWS: f64 = 4e6;
 
 /// Wall height over depth, where the scene does not say: above waves, and above the run-up of a dam break.
 const FREEBOARD: f64 = 1.25;

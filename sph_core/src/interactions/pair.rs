@@ -4,6 +4,8 @@
 //! ([`crate::interactions::simd`]). Forces between fluid and wall come from one function with the roles swapped, so that action equals
 //! reaction to rounding.
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::dissipation::{ElasticPair, PairDissipation};
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
 use crate::interactions::kernel::Shape;
@@ -180,7 +182,7 @@ pub fn wall_force<R: SimdReal, K: Shape>(
 }
 
 /// What a wall particle extrapolates from the fluid.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Extrapolated<R = f64> {
     /// Pressure [Pa] (WA3).
     pub pressure: R,

@@ -1,6 +1,8 @@
 //! Dynamic walls (THEORY LE16): wall particles are fluid particles with a prescribed motion. Their density follows
 //! from continuity, their pressure from the equation of state.
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::geometry::kernel_and_gradient;
 use crate::interactions::kernel::{Shape, TargetSum};
 use crate::interactions::packed_particle::PackedParticle;
@@ -8,7 +10,7 @@ use crate::neighbours::lists::Lists;
 use crate::wcsph::eos::Tait;
 
 /// Densities of the walls; empty where walls are not dynamic.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct DynamicWalls {
     pub rho: Vec<f64>,
     pub rate: Vec<f64>,

@@ -1,6 +1,8 @@
 //! State that integrators keep of the step before: Verlet's leapfrog (THEORY LE3) and Beeman's scheme (LE4), whose steps may vary in
 //! length, and the predictor–corrector (LE2).
 
+use serde::{Deserialize, Serialize};
+
 use crate::particles::Particles;
 use crate::walls::Walls;
 
@@ -52,7 +54,7 @@ impl Old {
 }
 
 /// What the step before left: by identity, since the particles may be sorted anew in between; walls in their own order.
-#[derive(Clone, Default)]
+#[derive(Clone, Default, Serialize, Deserialize)]
 pub(crate) struct History {
     /// Length of that step [s]; 0 before the first.
     pub dt: f64,

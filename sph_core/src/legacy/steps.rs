@@ -8,6 +8,7 @@ use crate::legacy::settings::{Integrator, Settings, WallModel};
 use crate::memory::of_vector;
 use crate::particles::{Particles, Seed};
 use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::walls::{WallLayout, Walls};
 use crate::wcsph::shifting::settle;
@@ -42,6 +43,16 @@ impl Scheme for Compressible {
 
     fn checkpoint(&self) -> Box<dyn Scheme> {
         Box::new(self.clone())
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&self.base.density_rate, &self.history, &self.heating, &self.dynamic_walls))
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        (self.base.density_rate, self.history, self.heating, self.dynamic_walls) =
+            decode("the scheme with options of 2010", bytes)?;
+        Ok(())
     }
 
     fn reflected(&mut self, id: u32) {

@@ -4,6 +4,8 @@
 //! from those before, a cluster begins a new stretch: it keeps where that begins, and of each neighbour the way from
 //! there, with a bit for each target that may meet it.
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::simd::LANES;
 use crate::memory::of_vector;
 
@@ -42,7 +44,7 @@ const BEGIN_BITS: u32 = INDEX_BITS - ALIGNMENT_BITS;
 const MOST_OF_STRETCH: u32 = (1 << (u32::BITS - BEGIN_BITS)) - 1;
 
 /// Neighbours that lie near each other: where their indices begin, and how many there are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Stretch(u32);
 
 impl Stretch {
@@ -66,7 +68,7 @@ impl Stretch {
 }
 
 /// Entries of the clusters of a chunk, with nothing to spare: they are most of the memory.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Entries {
     /// Where each cluster starts in `within` and in `stretches`, and their lengths.
     start: Vec<[u32; 2]>,
@@ -117,6 +119,20 @@ impl Entries {
         };
         let stretches = self.stretches[first as usize..last as usize].iter();
         Met { begin: 0, here: [].iter(), later: &self.within[from as usize..to as usize], stretches }
+    }
+
+    /// True of entries that name `points` only, whose clusters and stretches have as many as they say.
+    pub fn are_of(&self, points: usize) -> bool {
+        let cluster = |ends: &[[u32; 2]]| {
+            let ([from, first], [to, last]) = (ends[0], ends[1]);
+            let stretches = self.stretches.get(first as usize..last as usize);
+            let known = stretches.map(|stretches| stretches.iter().map(|s| u64::from(s.count())).sum::<u64>());
+            from <= to && known == Some(u64::from(to - from))
+        };
+        let end = self.start.last().map_or(0, |[end, _]| *end as usize);
+        end == self.within.len()
+            && self.start.windows(2).all(cluster)
+            && (0..self.clusters()).flat_map(|c| self.of(c)).all(|(index, _)| (index as usize) < points)
     }
 
     /// What they hold on to [bytes].

@@ -10,11 +10,14 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
 use crate::parallel::{self, CHUNK};
+use crate::state_bytes::{StateError, expect_count};
 
 /// What a sum over pairs reads of a neighbour, spread over the lanes of its targets.
 pub(crate) trait Splat {
@@ -27,7 +30,7 @@ pub(crate) trait Splat {
 }
 
 /// Neighbours of many targets; stored by chunk so that chunks are filled independently.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Lists {
     chunks: Vec<ChunkList>,
     /// How many.
@@ -38,7 +41,7 @@ pub struct Lists {
     masked: bool,
 }
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct ChunkList {
     entries: Entries,
     /// A bit for each cluster: one smoothing length.
@@ -133,6 +136,19 @@ impl Lists {
     ) -> Around<'a, R, T> {
         let (met, lane) = (self.cluster(first), (first % LANES) as u32);
         Around { met, here: [].iter(), rows, near: rows, lane, masked: self.masked, zero }
+    }
+
+    /// How many targets.
+    pub(crate) fn targets(&self) -> usize {
+        self.targets
+    }
+
+    /// An error unless these are lists of so many targets, among so many points.
+    pub(crate) fn check(&self, targets: usize, points: usize) -> Result<(), StateError> {
+        expect_count("targets of lists", self.targets, targets)?;
+        expect_count("chunks of lists", self.chunks.len(), targets.div_ceil(CHUNK))?;
+        let sound = self.chunks.iter().filter(|chunk| chunk.entries.are_of(points)).count();
+        expect_count("chunks of sound lists", sound, self.chunks.len())
     }
 
     /// True if the targets beside `k` and all that they may meet have one smoothing length.

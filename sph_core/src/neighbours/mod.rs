@@ -6,6 +6,8 @@ pub mod images;
 pub mod lists;
 pub(crate) mod skin;
 
+use serde::{Deserialize, Serialize};
+
 use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
 use crate::neighbours::images::{Mirror, Periodic};
@@ -13,6 +15,7 @@ use crate::neighbours::lists::Lists;
 use crate::neighbours::skin::Skin;
 use crate::parallel;
 use crate::particles::{Fields, Particles};
+use crate::state_bytes::{StateError, expect_count};
 use crate::walls::visibility::{Listed, ThinWalls};
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
@@ -41,7 +44,7 @@ pub struct WallKinematics<'a> {
 
 /// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
 /// images, in the order of [`Neighbours::fluid_images`] and [`Neighbours::wall_images`].
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Neighbours {
     /// Fluid (and images) around each fluid particle.
     pub fluid: Lists,
@@ -70,6 +73,23 @@ impl Neighbours {
     /// Empty lists that were made `rebuilds` times before.
     pub(crate) fn made(rebuilds: u64) -> Neighbours {
         Neighbours { rebuilds, ..Neighbours::default() }
+    }
+
+    /// An error unless these are lists of `n` particles, and of as many walls as in `like`.
+    pub(crate) fn check(&self, n: usize, like: &Neighbours) -> Result<(), StateError> {
+        let [walls, mirrored] = [&like.fluid_of_wall, &like.fluid_of_mirror].map(Lists::targets);
+        for (images, sources) in [(&self.fluid_images, n), (&self.wall_images, walls)] {
+            let known = images.iter().filter(|&&source| (source as usize) < sources).count();
+            expect_count("images of particles", known, images.len())?;
+        }
+        for (shifts, images) in [(&self.fluid_shifts, &self.fluid_images), (&self.wall_shifts, &self.wall_images)] {
+            expect_count("shifts of images", shifts.len(), if shifts.is_empty() { 0 } else { images.len() })?;
+        }
+        let [fluid, wall] = [n + self.fluid_images.len(), walls + self.wall_images.len()];
+        self.fluid.check(n, fluid)?;
+        self.walls_of_fluid.check(n, wall)?;
+        self.fluid_of_wall.check(walls, fluid)?;
+        self.fluid_of_mirror.check(mirrored, fluid)
     }
 
     /// True while every pair that can meet is listed.

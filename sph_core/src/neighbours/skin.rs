@@ -1,11 +1,13 @@
 //! How far particles may go before their neighbour lists are to be remade.
 
+use serde::{Deserialize, Serialize};
+
 use crate::memory::of_vector;
 use crate::parallel::{self, CHUNK};
 
 /// Where particles were when the lists were made, and how far each may go before they must be remade. Places are kept from
 /// the first of each chunk on, rounded; what rounding takes is taken off the allowance.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Skin {
     origins: Vec<[f64; 2]>,
     x: Vec<f32>,

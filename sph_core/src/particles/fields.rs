@@ -1,10 +1,13 @@
 //! Quantities that a step recomputes: pressure, and the moments of the kernel.
 
+use serde::{Deserialize, Serialize};
+
 use crate::memory::of_vector;
 use crate::particles::{Particles, permute};
+use crate::state_bytes::{StateError, expect_count};
 
 /// Quantities that a step recomputes, one entry per particle.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Fields {
     /// Pressure [Pa].
     pub pressure: Vec<f64>,
@@ -29,6 +32,15 @@ impl Fields {
         of_vector(pressure) + of_vector(volume) + of_vector(moments) + of_vector(near_surface)
     }
 
+    /// An error unless there are entries for `n` particles, volumes as `like` has them.
+    pub(crate) fn check(&self, n: usize, like: &Fields) -> Result<(), StateError> {
+        let volumes = if like.volume.is_empty() { 0 } else { n };
+        expect_count("pressures", self.pressure.len(), n)?;
+        expect_count("volumes", self.volume.len(), volumes)?;
+        expect_count("kernel moments", self.moments.len(), n)?;
+        expect_count("marks of the free surface", self.near_surface.len(), n)
+    }
+
     pub(crate) fn permute(&mut self, order: &[u32]) {
         permute(&mut self.pressure, order, &mut Vec::new());
         permute(&mut self.volume, order, &mut Vec::new());
@@ -43,7 +55,7 @@ impl Fields {
 }
 
 /// Moments of the kernel over the neighbours of a particle (THEORY OP4, OP5, WC10), with V = m/ρ.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KernelMoments {
     /// S = Σ V W [-] (OP4): 1 where space is filled as the densities say.
     pub kernel_sum: f64,

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::memory::of_vector;
 use crate::parallel;
+use crate::state_bytes::{StateError, expect_count};
 
 pub use fields::{Fields, KernelMoments, SURFACE_LAMBDA, TENSIONLESS_KERNEL_SUM};
 
@@ -96,6 +97,28 @@ impl Particles {
         let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, refinement_level, newly_split } = self;
         let numbers: usize = [x, y, u, v, rho, mass, h, ax, ay, energy].map(of_vector).iter().sum();
         numbers + of_vector(id) + of_vector(refinement_level) + of_vector(newly_split)
+    }
+
+    /// An error unless all arrays have an entry per particle, and identities are those of 0, 1, 2, …; those that are empty in `like`
+    /// may be empty.
+    pub(crate) fn check(&self, like: &Particles) -> Result<(), StateError> {
+        let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, refinement_level, newly_split } = self;
+        let n = x.len();
+        for array in [y, u, v, rho, mass, h, ax, ay] {
+            expect_count("entries of a particles' array", array.len(), n)?;
+        }
+        let is_finite = |k: &usize| [x, y, u, v, rho, mass, h, ax, ay].iter().all(|array| array[*k].is_finite());
+        expect_count("particles with finite numbers", (0..n).filter(is_finite).count(), n)?;
+        expect_count("identities", id.len(), n)?;
+        expect_count("energies", energy.len(), if like.energy.is_empty() { 0 } else { n })?;
+        for split in [refinement_level.len(), newly_split.len()].into_iter().filter(|&split| split > 0) {
+            expect_count("refinement levels", split, n)?;
+        }
+        let mut known = vec![false; n];
+        for &i in id.iter().filter(|&&i| (i as usize) < n) {
+            known[i as usize] = true;
+        }
+        expect_count("different identities", known.iter().filter(|known| **known).count(), n)
     }
 
     /// Put particle `order[k]` at place k, in every array.

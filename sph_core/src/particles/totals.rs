@@ -1,7 +1,9 @@
 //! Mass, momentum, energy and volume of the fluid (THEORY CO27, CO28).
 
+use serde::{Deserialize, Serialize};
+
 /// Energies of the fluid per metre of span [J/m].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FluidEnergy {
     /// Σ ½ m v².
     pub kinetic: f64,

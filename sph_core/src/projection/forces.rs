@@ -45,6 +45,16 @@ pub(crate) struct PressureForces {
 }
 
 impl PressureForces {
+    /// The head, which a step does not find again [Pa].
+    pub fn head(&self) -> f64 {
+        self.head
+    }
+
+    /// As stored [Pa].
+    pub fn set_head(&mut self, head: f64) {
+        self.head = head;
+    }
+
     /// PR10, PR11, PR13: the forces of pairs on fluid and walls, and corrections of the sums over disordered pairs and at the surface.
     pub fn apply(
         &mut self,

@@ -21,6 +21,7 @@ use crate::interactions::forces::PairTerms;
 use crate::interactions::geometry::PairConstants;
 use crate::particles::Seed;
 use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
@@ -179,6 +180,19 @@ impl Scheme for Projection {
 
     fn checkpoint(&self) -> Box<dyn Scheme> {
         Box::new(self.clone())
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&self.equation, &self.reference_kernel_sum, self.forces.head(), self.last_dt))
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        let (equation, sums, head, last_dt): (PressureEquation, Vec<f64>, f64, f64) =
+            decode("the incompressible scheme", bytes)?;
+        (self.equation, self.reference_kernel_sum, self.last_dt) = (equation, sums, last_dt);
+        self.equation.complete();
+        self.forces.set_head(head);
+        Ok(())
     }
 
     fn force_is_constant_in_step(&self) -> bool {

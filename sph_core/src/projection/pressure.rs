@@ -1,5 +1,7 @@
 //! The pressure equation (THEORY PR7–PR11, PR15, PR16).
 
+use serde::{Deserialize, Serialize};
+
 use crate::error::Breakdown;
 use crate::parallel;
 use crate::particles::Particles;
@@ -22,18 +24,23 @@ const ACTIVE_SET_ROUNDS: usize = 6;
 const ONE_ITERATION: f64 = 100.0 / 3.0;
 
 /// The pressure equation with its solver's memory.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct PressureEquation {
     /// Excess of each row's diagonal: the free surface (PR7).
+    #[serde(skip)]
     excess: Vec<f64>,
+    #[serde(skip)]
     source: Vec<f64>,
+    #[serde(skip)]
     scale: Vec<f64>,
+    #[serde(skip)]
     matrix: Matrix,
     solver: PressureSolver,
     active: ActiveSet,
     /// Responses of the pressures to bodies, kept from step to step (CO20).
     bodies: Bodies,
     /// The last step's pressures [Pa].
+    #[serde(skip)]
     before: Vec<f64>,
     /// Iterations of all solves.
     pub iterations: u64,
@@ -42,6 +49,11 @@ pub(crate) struct PressureEquation {
 }
 
 impl PressureEquation {
+    /// What a stored equation is without.
+    pub fn complete(&mut self) {
+        self.solver.complete();
+    }
+
     /// Rows held at p = 0 in the last step.
     pub fn constrained_rows(&self) -> usize {
         self.active.count

@@ -1,9 +1,11 @@
 //! Plate midlines: they hide what is behind them (THEORY WA8), and particles that cross them are found (WA11).
 
+use serde::{Deserialize, Serialize};
+
 use crate::particles::Particles;
 
 /// The middle line of a thin wall, moving; its owner gives it anew for every step.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlateMidline {
     /// Corners of the line at the end of the step [m].
     pub points: Vec<[f64; 2]>,

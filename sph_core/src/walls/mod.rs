@@ -10,6 +10,9 @@ pub mod midline;
 pub(crate) mod state;
 pub(crate) mod visibility;
 
+use serde::{Deserialize, Serialize};
+
+use crate::state_bytes::{StateError, expect_count};
 use crate::walls::midline::PlateMidline;
 
 /// Rows of boundary particles that a scheme needs behind a wall's surface.
@@ -55,7 +58,7 @@ pub struct WallPoint {
 /// walls.fy[0] = 3.0;
 /// assert_eq!(walls.forces(floor).resultant([1.0, 0.0]).moment, -3.0);
 /// ```
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Walls {
     /// Length of the step that the kinematics are given for [s]; written by the fluid.
     pub dt: f64,
@@ -106,6 +109,27 @@ impl Walls {
     pub fn velocity_at_start(&self, k: usize, dt: f64) -> [f64; 2] {
         let from_kinematics = || [self.u[k] - 0.5 * dt * self.ax[k], self.v[k] - 0.5 * dt * self.ay[k]];
         self.start_velocity.get(k).copied().unwrap_or_else(from_kinematics)
+    }
+
+    /// An error unless every array has as many entries as in `like`.
+    pub fn check(&self, like: &Walls) -> Result<(), StateError> {
+        let arrays = |w: &Walls| {
+            let Walls { x, y, u, v, ax, ay, nx, ny, volume, h, depth, pressure, .. } = w;
+            let kinematics = [x, y, u, v, ax, ay, nx, ny, volume, h, depth, pressure].map(Vec::len);
+            let forces = [&w.fx, &w.fy, &w.mean_fx, &w.mean_fy, &w.mean_swing].map(Vec::len);
+            [&kinematics[..], &forces, &[w.midline.len()]].concat()
+        };
+        for (found, expected) in arrays(self).into_iter().zip(arrays(like)) {
+            expect_count("wall particles", found, expected)?;
+        }
+        expect_count("plate midlines", self.midlines.len(), like.midlines.len())?;
+        for (found, expected) in self.midlines.iter().zip(&like.midlines) {
+            expect_count("points of a midline", found.points.len(), expected.points.len())?;
+        }
+        match self.start_velocity.len() {
+            0 => Ok(()),
+            found => expect_count("velocities of walls", found, like.len()),
+        }
     }
 
     /// Number of boundary particles.
@@ -248,7 +272,7 @@ pub struct WallForces<'a> {
 }
 
 /// Force [N/m] and moment about a point [N] of many small forces.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Resultant {
     /// Force per metre of span [N/m].
     pub force: [f64; 2],

@@ -19,6 +19,7 @@ use crate::parallel;
 use crate::particles::Seed;
 use crate::particles::refinement::refine;
 use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::state_bytes::{StateError, expect_count};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
@@ -172,6 +173,15 @@ impl Scheme for Wcsph {
 
     fn checkpoint(&self) -> Box<dyn Scheme> {
         Box::new(self.clone())
+    }
+
+    /// Nothing: a step finds the density rates before it reads them.
+    fn to_bytes(&self) -> Vec<u8> {
+        Vec::new()
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        expect_count("bytes of the weakly compressible scheme", bytes.len(), 0)
     }
 
     fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {

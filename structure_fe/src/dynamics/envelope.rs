@@ -1,12 +1,14 @@
 //! Envelopes over a run: extreme section forces, stresses, strains and displacements.
 
+use serde::{Deserialize, Serialize};
+
 use super::{Dynamics, State};
 use crate::element::SectionForces;
 use crate::error::{Error, above_zero};
 use crate::model::Beam;
 
 /// Smallest and largest value of a quantity over a run, with their times \[s\].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Range {
     /// Smallest value.
     pub least: f64,
@@ -38,7 +40,7 @@ impl Range {
 }
 
 /// Ranges at one end of an element.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct EndEnvelope {
     /// Normal force \[N\].
     pub normal: Range,
@@ -53,7 +55,7 @@ pub struct EndEnvelope {
 }
 
 /// Ranges over a run: call [`Envelope::record`] after each step, or less often.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Envelope {
     /// Of element e at 2e (first node) and 2e + 1.
     pub ends: Vec<EndEnvelope>,

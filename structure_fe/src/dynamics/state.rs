@@ -1,12 +1,14 @@
 //! The state of a moving model, the choice of integration rule, and the report of a step.
 
+use serde::{Deserialize, Serialize};
+
 use crate::assembly::Kinematics;
 use crate::model::Break;
 
 /// Displacement and motion of a model: fields over the nodes, `[nodes][u, w, theta]`.
 ///
 /// It is complete: from a copy of it a rejected step can be repeated with the same bits. Start with [`Dynamics::at_rest`](crate::Dynamics::at_rest).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Displacement `[u, w, theta]` \[m, m, rad\].
     pub displacement: Vec<[f64; 3]>,

@@ -231,7 +231,7 @@ pub enum Rupture {
 }
 
 /// A rupture that happened, at the end of a step: the node is free from the next step on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Break {
     /// The node.
     pub node: usize,

@@ -1,7 +1,10 @@
 //! A body whose surface bends: panels of beam elements on a rigid frame, one set of equations (THEORY CO13–CO17).
 
+use std::fmt::Display;
+
 use structure_fe::{Dynamics, Envelope, State};
 
+use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
@@ -285,6 +288,24 @@ impl WettedBody for FlexibleBody {
             let _ = self.model.dynamics.apply_ruptures(&self.state.nodes);
             self.update_model();
         }
+    }
+
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&(&self.state, self.outline.loops()))
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        const BODY: &str = "a flexible body";
+        let (state, loops): (FlexibleState, Vec<Vec<[f64; 2]>>) = decode(BODY, bytes)?;
+        state.check(&self.state, self.attachments.len())?;
+        let wrong = |cause: &dyn Display| StateError::Unreadable(BODY, cause.to_string());
+        self.outline = Outline::deformed(loops).ok_or_else(|| wrong(&"its outline is not finite"))?;
+        self.state = state;
+        let nodes = &self.state.nodes;
+        self.model.dynamics.apply_ruptures(nodes).map_err(|error| wrong(&error))?;
+        self.update_model();
+        let Some(law) = &self.law else { return Ok(()) };
+        self.model.prescribe(&law(self.state.nodes.time)).map_err(|error| wrong(&error))
     }
 }
 

@@ -1,9 +1,12 @@
 //! The state of a flexible body.
 
+use serde::{Deserialize, Serialize};
+
+use sph_core::state_bytes::{StateError, expect_count};
 use structure_fe::{Envelope, State};
 
 /// Everything that a step changes.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct FlexibleState {
     pub nodes: State,
     /// Load of the fluid on the nodes: the mean over the step, and now.
@@ -46,6 +49,27 @@ impl FlexibleState {
             support: 0.0,
             dissipated: 0.0,
             envelope,
+        }
+    }
+}
+
+impl FlexibleState {
+    /// An error unless there are as many nodes and elements as in `like`, and `particles` of the boundary, or none.
+    pub fn check(&self, like: &FlexibleState, particles: usize) -> Result<(), StateError> {
+        let (nodes, n) = (&self.nodes, like.mean.len());
+        let moving = [&nodes.displacement, &nodes.velocity, &nodes.acceleration, &nodes.integrated_acceleration];
+        let loads = [&nodes.mean_reaction, &self.mean, &self.now, &self.impulses, &self.impulse_velocities];
+        for field in moving.into_iter().chain(loads) {
+            expect_count("nodes", field.len(), n)?;
+        }
+        let (found, expected) = (nodes.plastic_curvature.len(), like.nodes.plastic_curvature.len());
+        expect_count("elements that yield", found, expected)?;
+        expect_count("ruptures of nodes", nodes.ruptures.iter().filter(|r| r.node < n).count(), nodes.ruptures.len())?;
+        expect_count("element ends", self.envelope.ends.len(), like.envelope.ends.len())?;
+        expect_count("nodes", self.envelope.displacement.len(), like.envelope.displacement.len())?;
+        match self.predicted_positions.len() {
+            0 => Ok(()),
+            found => expect_count("boundary particles", found, particles),
         }
     }
 }

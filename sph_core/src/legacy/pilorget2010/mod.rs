@@ -18,6 +18,7 @@ use crate::interactions::geometry::PairConstants;
 use crate::parallel;
 use crate::particles::Seed;
 use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
@@ -119,6 +120,16 @@ impl Scheme for Thesis {
 
     fn checkpoint(&self) -> Box<dyn Scheme> {
         Box::new(self.clone())
+    }
+
+    /// What it counts: the rest is found at the start, or in each step.
+    fn to_bytes(&self) -> Vec<u8> {
+        encode(&(self.iterations, self.solutions, self.density_error))
+    }
+
+    fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
+        (self.iterations, self.solutions, self.density_error) = decode("the thesis's projection", bytes)?;
+        Ok(())
     }
 
     fn internal_energy(&self, system: &ParticleSystem, k: usize) -> f64 {

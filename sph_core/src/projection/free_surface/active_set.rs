@@ -1,5 +1,7 @@
 //! The unilateral condition at the free surface: rows that bear no tension, and air that comes in along walls (THEORY PR8).
 
+use serde::{Deserialize, Serialize};
+
 use crate::neighbours::Neighbours;
 use crate::particles::KernelMoments;
 use crate::projection::linear_solver::matrix::Matrix;
@@ -11,7 +13,7 @@ const WORTH: f64 = 1e-3;
 const LASTING: u8 = 2;
 
 /// PR8: the rows that are held at p = 0, since they bear no tension.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct ActiveSet {
     /// Rows held at p = 0.
     pub constrained: Vec<bool>,

@@ -1,12 +1,14 @@
 //! Rows that stand together for one unknown of the next coarser level (THEORY LS6).
 
+use serde::{Deserialize, Serialize};
+
 use crate::projection::linear_solver::matrix::Matrix;
 
 /// Not part of any aggregate.
 pub(crate) const NO_ROW: u32 = u32::MAX;
 
 /// Who belongs to whom.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Aggregates {
     /// The aggregate of each row, or [`NO_ROW`].
     pub of: Vec<u32>,

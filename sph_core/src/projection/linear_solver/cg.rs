@@ -1,5 +1,7 @@
 //! Conjugate gradients for the pressure equation (THEORY LS3–LS5, LS10).
 
+use serde::{Deserialize, Serialize};
+
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::hierarchy::{Hierarchy, Preconditioner};
 use crate::projection::linear_solver::matrix::{Matrix, RankOne};
@@ -54,20 +56,30 @@ struct Given<'a> {
 
 /// LS3: solves A x = b by conjugate gradients. Keeps its memory, and its hierarchy as long as that serves, from solve
 /// to solve: to repeat a step to the same bits, keep a clone as well.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct PressureSolver {
     hierarchy: Hierarchy,
+    #[serde(skip)]
     null_space: NullSpace,
+    #[serde(skip)]
     bodies: Bodies,
     /// 1/a_ii, 0 in rows that are pinned or empty.
+    #[serde(skip)]
     inverse: Vec<f64>,
+    #[serde(skip)]
     residual: Vec<f64>,
+    #[serde(skip)]
     preconditioned: Vec<f64>,
+    #[serde(skip)]
     direction: Vec<f64>,
+    #[serde(skip)]
     image: Vec<f64>,
+    #[serde(skip)]
     guess: Vec<f64>,
     /// 1/scale, of the residual (LS4).
+    #[serde(skip)]
     weight: Vec<f64>,
+    #[serde(skip)]
     sums: Vec<f64>,
 }
 
@@ -75,6 +87,11 @@ impl PressureSolver {
     /// With a preconditioner of choice.
     pub fn with(preconditioner: Preconditioner) -> PressureSolver {
         PressureSolver { hierarchy: Hierarchy::with(preconditioner), ..PressureSolver::default() }
+    }
+
+    /// What a stored solver is without.
+    pub(crate) fn complete(&mut self) {
+        self.hierarchy.complete();
     }
 
     /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's

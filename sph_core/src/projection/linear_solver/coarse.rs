@@ -1,5 +1,7 @@
 //! Matrices of coarser levels (THEORY LS6, LS7).
 
+use serde::{Deserialize, Serialize};
+
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
 use crate::projection::linear_solver::matrix::Matrix;
@@ -8,7 +10,7 @@ use crate::projection::linear_solver::matrix::Matrix;
 const NO_EXCESS: f64 = 1e-10;
 
 /// A rectangular matrix in compressed rows.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Sparse {
     pub starts: Vec<usize>,
     pub columns: Vec<u32>,

@@ -1,12 +1,14 @@
 //! The preconditioner, and how long one serves (THEORY LS9).
 
+use serde::{Deserialize, Serialize};
+
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::matrix::Matrix;
 use crate::projection::linear_solver::multigrid::Multigrid;
 use crate::projection::linear_solver::null_space::Components;
 
 /// What approximates A⁻¹ in each iteration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Preconditioner {
     /// The diagonal alone.
     Diagonal,
@@ -26,7 +28,7 @@ const FAR: f64 = 0.6;
 const FEW_MOVED: f64 = 0.2;
 
 /// A preconditioner and the connected parts of the matrix, made for one matrix and kept for those that are like it.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Hierarchy {
     kind: Preconditioner,
     multigrid: Multigrid,
@@ -35,7 +37,9 @@ pub(crate) struct Hierarchy {
     pub set_ups: u64,
     /// Where rows were when it was made [m]; rows of another matrix are elsewhere.
     made_at: Vec<[f64; 2]>,
+    #[serde(skip)]
     now_at: Vec<[f64; 2]>,
+    #[serde(skip)]
     moved: Vec<u32>,
     /// Identities of the rows of the hierarchy, and where each stands; empty where they are not known.
     id: Vec<u32>,
@@ -50,6 +54,11 @@ pub(crate) struct Hierarchy {
 impl Hierarchy {
     pub fn with(kind: Preconditioner) -> Hierarchy {
         Hierarchy { kind, ..Hierarchy::default() }
+    }
+
+    /// What a stored hierarchy is without.
+    pub fn complete(&mut self) {
+        self.multigrid.factorise_coarsest();
     }
 
     /// Row k is that of `id[k]`, who may have stood elsewhere before: so has its aggregate.

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 
@@ -13,7 +15,7 @@ const NO_EXCESS: f64 = 1e-10;
 /// LS2: A, symmetric and positive (semi-)definite, a row for each particle; off-diagonals are zero or negative, row
 /// sums zero or positive. Compressed rows without the diagonal. The unit is the caller's: solution times matrix is
 /// right side.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Matrix {
     /// Where each row starts in `columns` and `values`; one more entry than rows.
     pub starts: Vec<usize>,

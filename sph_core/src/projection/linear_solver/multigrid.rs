@@ -1,5 +1,7 @@
 //! A hierarchy of coarser systems as an approximate inverse (THEORY LS6–LS8).
 
+use serde::{Deserialize, Serialize};
+
 use crate::parallel;
 use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
 use crate::projection::linear_solver::coarse::{Collected, RowSum, Sparse, collapse, smoothed, triple};
@@ -37,7 +39,7 @@ fn gather(out: &mut [f64], value: impl Fn(usize) -> f64 + Sync) {
 }
 
 /// A coarse system and the way to the next coarser one.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Level {
     a: Matrix,
     /// ω/a_ii, or 0.
@@ -51,21 +53,25 @@ struct Level {
 }
 
 /// The hierarchy below the level of particles.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Multigrid {
     aggregates: Aggregates,
     levels: Vec<Level>,
     depth: usize,
+    #[serde(skip)]
     coarsest: Option<Llt<f64>>,
+    #[serde(skip)]
     collected: Vec<Collected>,
+    #[serde(skip)]
     sum: RowSum,
+    #[serde(skip)]
     ap: Sparse,
 }
 
 impl Multigrid {
     /// Aggregates and matrices of every level.
     pub fn set_up(&mut self, a: &Matrix) {
-        let Multigrid { aggregates, levels, depth, coarsest, collected, sum, ap } = self;
+        let Multigrid { aggregates, levels, depth, collected, sum, ap, .. } = self;
         aggregates.find(a, STRONG);
         if levels.is_empty() {
             levels.push(Level::default());
@@ -90,8 +96,13 @@ impl Multigrid {
             coarse.size();
             *depth += 1;
         }
-        let last = &levels[*depth - 1].a;
-        *coarsest = if last.rows() <= 4 * FEW { factor(last) } else { None };
+        self.factorise_coarsest();
+    }
+
+    /// The factors of the last level, which a stored hierarchy is without.
+    pub fn factorise_coarsest(&mut self) {
+        let last = self.depth.checked_sub(1).and_then(|last| self.levels.get(last));
+        self.coarsest = last.filter(|last| last.a.rows() <= 4 * FEW).and_then(|last| factor(&last.a));
     }
 
     /// The rows of the matrix have other places; see [`Aggregates::rename`].

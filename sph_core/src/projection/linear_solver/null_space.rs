@@ -1,5 +1,7 @@
 //! Pressures that no equation fixes: water that no free surface, no pin and no body gives a level (THEORY LS5).
 
+use serde::{Deserialize, Serialize};
+
 use crate::projection::linear_solver::aggregates::NO_ROW;
 use crate::projection::linear_solver::matrix::{Matrix, RankOne};
 
@@ -7,7 +9,7 @@ use crate::projection::linear_solver::matrix::{Matrix, RankOne};
 const NO_SHARE: f64 = 1e-8;
 
 /// Connected parts of the matrix, and which of them no row gives a level.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Components {
     /// The part that each row of the flooded matrix belongs to.
     node: Vec<u32>,

@@ -3,6 +3,8 @@
 
 mod subspace;
 
+use serde::{Deserialize, Serialize};
+
 use crate::domain::Domain;
 use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, TargetSum};
@@ -23,7 +25,7 @@ const MOST: usize = 40;
 const ENOUGH: f64 = 1e-7;
 
 /// What is kept from step to step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Bodies {
     /// Pressures that a unit of each unknown causes, by the identity of particles: where the next solve begins.
     responses: Vec<Vec<f64>>,

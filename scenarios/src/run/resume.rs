@@ -1,0 +1,103 @@
+//! Continue a run from its checkpoint, to the bits that it would have had without a break.
+
+use std::path::{Path, PathBuf};
+
+use tracing::{info, warn};
+
+use super::checkpoint::{Checkpoint, CheckpointError, fingerprint, write_whole};
+use super::driver::Run;
+use super::recorder::Recorder;
+use super::{Outcome, RunError, RunOptions};
+use crate::build;
+use crate::compare;
+use crate::follow::with_end;
+use crate::observers::LogObserver;
+use crate::scene::{MOST_ROWS, Scene};
+
+/// Files that say how a run ended: none of a run that goes on.
+const OF_THE_END: [&str; 2] = ["summary.json", "report.html"];
+const SCENE: &str = "scene.resolved.toml";
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// A run that can be continued.
+pub struct Resumable {
+    dir: PathBuf,
+    until: Option<f64>,
+    scene: Scene,
+    checkpoint: Checkpoint,
+}
+
+impl Resumable {
+    /// The run in a folder, up to the end of its scene or to `until` [s]. Nothing is changed yet.
+    pub fn open(dir: &Path, until: Option<f64>) -> Result<Resumable, RunError> {
+        let (checkpoint, version, of_scene) = Checkpoint::read(dir)?;
+        let path = dir.join(SCENE);
+        let text = std::fs::read_to_string(&path).map_err(|error| CheckpointError::Read(path.clone(), error))?;
+        let unreadable =
+            |error: toml::de::Error| CheckpointError::Unreadable(path.clone(), error.message().to_string());
+        let mut scene: Scene = toml::from_str(&text).map_err(unreadable)?;
+        if fingerprint(&scene) != of_scene {
+            return Err(CheckpointError::Scene(path).into());
+        }
+        if version != VERSION {
+            warn!("the checkpoint is of splashdown {version}, this is {VERSION}: the bits may differ");
+        }
+        scene.choice.clone_from(&checkpoint.choice);
+        let scene = until.map_or_else(|| scene.clone(), |later| with_end(&scene, later));
+        Ok(Resumable { dir: dir.to_owned(), until, scene, checkpoint })
+    }
+
+    /// Its scene, with the end that it goes on to.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Interval of its checkpoints in simulated time [s].
+    pub fn checkpoint_interval(&self) -> Option<f64> {
+        self.checkpoint.every
+    }
+
+    /// Warnings about its scene.
+    pub fn warnings(&self) -> &[String] {
+        &self.checkpoint.warnings
+    }
+
+    /// Continue it. Of the options the folder is its own; `force`, `without_log` have no effect. A run that is refused is left as it is.
+    pub fn resume(self, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
+        let Resumable { dir, until, scene, checkpoint } = self;
+        let file = |name: &str| dir.join(name);
+        let refused = |error| CheckpointError::State(file(super::checkpoint::FILE), error);
+        let references = scene.compare.iter().map(compare::curve).collect::<Result<Vec<_>, _>>()?;
+        let mut system = build::build(&scene)?;
+        let mut recorder = Recorder::new(&scene, None, None, &system)?;
+        let volume = system.fluid.volume();
+        system.restore_bytes(&checkpoint.system).map_err(refused)?;
+        let (time, end) = (system.fluid.time(), scene.time.end);
+        refuse_end(until, time, &scene)?;
+        let rows = recorder.restore_bytes(&checkpoint.recorder).map_err(refused)?;
+        let log = checkpoint.log.map(|log| LogObserver::resume(&file("log.mcap"), &scene, log));
+        recorder.log = log.transpose()?;
+        recorder.restore_series(rows, Some(&file("series.csv")))?;
+        let written = write_whole(&dir, SCENE, "scene.resolved.toml.part", scene.to_toml().as_bytes());
+        written.map_err(|error| RunError::Write(file(SCENE).display().to_string(), error))?;
+        for path in OF_THE_END.map(file).into_iter().filter(|path| path.exists()) {
+            std::fs::remove_file(&path).map_err(|error| RunError::Write(path.display().to_string(), error))?;
+        }
+        info!(scene = scene.name, time, end, steps = system.fluid.steps(), "resumed");
+        let (scene, wall) = (&scene, checkpoint.wall);
+        Run { scene, options, dir: Some(&dir), references, system, recorder, volume, wall, resumed: true }.complete()
+    }
+}
+
+/// An error where the end is no later than the run is, or too late for its samples.
+fn refuse_end(until: Option<f64>, time: f64, scene: &Scene) -> Result<(), CheckpointError> {
+    let end = scene.time.end;
+    let every = scene.time.sample_every.min(scene.time.frame_every);
+    match until {
+        Some(given) if !(given > time && given.is_finite() && every >= given / MOST_ROWS) => {
+            Err(CheckpointError::Until { given, time })
+        }
+        None if !(end > time && end.is_finite()) => Err(CheckpointError::Ended { time, end }),
+        _ => Ok(()),
+    }
+}
