@@ -1,4 +1,4 @@
-//! The theories of a scene in its report: their curves, their range, cost and error.
+//! The theories of a scene in its report: their curves, their range and error.
 
 use fsi_coupling::entry_theory::EntryModel;
 
@@ -75,7 +75,7 @@ fn in_words(model: EntryModel) -> &'static str {
     }
 }
 
-/// Range, cost and measured error of every theory.
+/// Range and measured error of every theory.
 pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
     let obstacle_or_case = |a: &Assessment| {
         let case = || a.measured.as_ref().map(|m| m.case.clone());
@@ -86,7 +86,6 @@ pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
         assess(scene, QuantityOfInterest::PeakForce),
         &[
             ("theory", |a| a.model.name().to_string()),
-            ("cost [ms]", |a| a.core_seconds.map_or(String::new(), |s| format!("{:.1}", 1e3 * s))),
             ("error of the largest force [%]", |a| {
                 a.measured.as_ref().map_or(String::new(), |m| format!("{:.2}", 100.0 * m.error))
             }),
