@@ -14,7 +14,7 @@ pub struct Problem {
     /// What was expected; empty where the sentence alone says it.
     pub expected: String,
     /// The line of another file that the key names.
-    pub line: Option<DataLine>,
+    pub line: Option<Box<DataLine>>,
 }
 
 /// A line of a file of data.
@@ -38,7 +38,7 @@ impl Problem {
     pub fn in_file(key: &str, at: DataLine, given: impl Display, expected: impl Display) -> Problem {
         let (given, expected) = (given.to_string(), expected.to_string());
         let sentence = format!("`{key}`: {}:{}: {given}: expected {expected}", at.file, at.line);
-        Problem { key: key.to_string(), sentence, given: Some(given), expected, line: Some(at) }
+        Problem { key: key.to_string(), sentence, given: Some(given), expected, line: Some(Box::new(at)) }
     }
 
     /// A key that is absent.

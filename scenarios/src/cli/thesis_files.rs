@@ -37,7 +37,13 @@ impl From<ThesisFileError> for Stop {
     fn from(error: ThesisFileError) -> Stop {
         let sentence = error.to_string();
         let ThesisFileError { at, given, expected } = error;
-        Stop::Line(Box::new(Problem { sentence, given: Some(given), expected, line: Some(at), ..Problem::default() }))
+        Stop::Line(Box::new(Problem {
+            sentence,
+            given: Some(given),
+            expected,
+            line: Some(Box::new(at)),
+            ..Problem::default()
+        }))
     }
 }
 

@@ -126,7 +126,7 @@ fn numerics(indat: &Indat, projection: bool, lines: &mut Lines, file: &str) -> R
     if [indat.get("dy"), indat.get("dz")].iter().any(|other| *other != 0.0 && *other != dx) {
         lines.note("dy and dz: the spacing is dx along both axes");
     }
-    let ratio = indat.get("h") / dx;
+    let ratio = (1e9 * indat.get("h") / dx).round() / 1e9;
     let kept = ratio.clamp(1.0, 3.0);
     if kept != ratio {
         lines.note(format!("h/dx = {ratio}: fluid.smoothing_ratio takes 1 to 3, {kept} is written"));

@@ -146,7 +146,7 @@ fn unit(svg: &Tag) -> Option<f64> {
 fn points(text: &str, line: usize) -> Result<Vec<Placed>, Fault> {
     let numbers = text.split(|c: char| c == ',' || c.is_whitespace()).filter(|part| !part.is_empty());
     let numbers: Vec<f64> = numbers.map(|part| finite(part, line)).collect::<Result<_, _>>()?;
-    if numbers.len() % 2 != 0 {
+    if !numbers.len().is_multiple_of(2) {
         return Err(Fault::new(line, format!("{} numbers", numbers.len()), "pairs of x and y"));
     }
     Ok(numbers.chunks(2).map(|pair| (line, [pair[0], pair[1]])).collect())
