@@ -28,6 +28,7 @@ pub mod ditching;
 mod embedded;
 pub mod error_bar;
 pub mod experiments;
+pub mod export;
 pub mod follow;
 mod initial_fluid;
 pub mod log;

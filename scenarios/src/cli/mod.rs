@@ -4,6 +4,7 @@ mod about;
 mod bench;
 mod ditch;
 mod experiments;
+mod export;
 mod keywords;
 mod progress;
 mod report;
@@ -78,11 +79,17 @@ enum Command {
     /// Make a scene of INDAT and IPART, the files of the solver of 2010.
     #[cfg(feature = "legacy")]
     Import(thesis_files::ImportArgs),
-    /// Write a scene in other formats: INDAT and IPART.
-    #[cfg(feature = "legacy")]
-    Export(thesis_files::ExportArgs),
+    /// Write the frames of a run for ParaView or as tables, or a scene as INDAT and IPART.
+    Export(export::ExportArgs),
     /// Print the JSON Schema (draft 2020-12) of a scene file.
     Schema,
+    /// Print the completions of a shell, to be loaded by it.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page (roff), with all commands.
+    Man,
 }
 
 /// Entry point of the binary.
@@ -186,8 +193,30 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Keywords(args) => keywords::keywords(output, args),
         #[cfg(feature = "legacy")]
         Command::Import(args) => thesis_files::import(output, args),
-        #[cfg(feature = "legacy")]
-        Command::Export(args) => thesis_files::export(output, args),
+        Command::Export(args) => export::export(output, args),
         Command::Schema => keywords::schema(),
+        Command::Completions { shell } => {
+            let mut text = Vec::new();
+            clap_complete::generate(*shell, &mut Cli::command(), "splashdown", &mut text);
+            print_text(text)
+        }
+        Command::Man => manual().and_then(print_text),
     }
+}
+
+/// The manual page of the program, and after it one of each command.
+fn manual() -> Result<Vec<u8>, Stop> {
+    let (mut text, program) = (Vec::new(), Cli::command());
+    let wrong = |error: std::io::Error| Stop::Failed(error.to_string());
+    clap_mangen::Man::new(program.clone()).render(&mut text).map_err(wrong)?;
+    for command in program.get_subcommands() {
+        let name = format!("splashdown-{}", command.get_name());
+        clap_mangen::Man::new(command.clone().display_name(name)).render(&mut text).map_err(wrong)?;
+    }
+    Ok(text)
+}
+
+fn print_text(text: Vec<u8>) -> Result<u8, Stop> {
+    say(String::from_utf8_lossy(&text).trim_end());
+    Ok(DONE)
 }

@@ -1,4 +1,4 @@
-//! `splashdown import` and `export`: INDAT and IPART of the solver of 2010.
+//! `splashdown import`, and `export` to INDAT and IPART of the solver of 2010.
 
 use std::path::{Path, PathBuf};
 
@@ -19,18 +19,6 @@ pub(super) struct ImportArgs {
     /// Write the scene to this file, which must not exist, instead of to stdout.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-}
-
-#[derive(Args)]
-pub(super) struct ExportArgs {
-    #[command(flatten)]
-    scene: SceneArgs,
-    /// Write the parameters of the scene to this file.
-    #[arg(long, value_name = "FILE", requires = "ipart", required = true)]
-    indat: Option<PathBuf>,
-    /// Write its particles at the start to this file.
-    #[arg(long, value_name = "FILE", requires = "indat")]
-    ipart: Option<PathBuf>,
 }
 
 impl From<ThesisFileError> for Stop {
@@ -77,11 +65,8 @@ pub(super) fn import(output: &Output, args: &ImportArgs) -> Result<u8, Stop> {
     Ok(DONE)
 }
 
-pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
-    let loaded = load(&args.scene)?;
-    let (Some(indat_file), Some(ipart_file)) = (&args.indat, &args.ipart) else {
-        return Err(Stop::Input("export: expected --indat FILE and --ipart FILE".into()));
-    };
+pub(super) fn export(output: &Output, scene: &SceneArgs, indat_file: &Path, ipart_file: &Path) -> Result<u8, Stop> {
+    let loaded = load(scene)?;
     let (indat, ipart, notes) = files_of(&loaded.scene).map_err(|error| Stop::Failed(error.to_string()))?;
     write(indat_file, &indat.to_text())?;
     write(ipart_file, &ipart.to_text())?;

@@ -1,0 +1,75 @@
+//! `splashdown export`: the frames of a run, or a scene as the files of the solver of 2010.
+
+use std::path::Path;
+
+use clap::Args;
+#[cfg(feature = "legacy")]
+use std::path::PathBuf;
+
+use super::shared::{DONE, Output, SceneArgs, Stop, say};
+#[cfg(feature = "legacy")]
+use super::thesis_files;
+use crate::export::{ExportError, FrameFormat, export_frames};
+
+#[derive(Args)]
+pub(super) struct ExportArgs {
+    /// Folder of a run, for frames; or a scene, for INDAT and IPART.
+    #[command(flatten)]
+    target: SceneArgs,
+    /// Write the frames of the run in the folder to DIR/vtk, for ParaView.
+    #[arg(long)]
+    vtk: bool,
+    /// Write them to DIR/csv, as tables.
+    #[arg(long)]
+    csv: bool,
+    /// Write the parameters of the scene to this file.
+    #[cfg(feature = "legacy")]
+    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv"])]
+    indat: Option<PathBuf>,
+    /// Write its particles at the start to this file.
+    #[cfg(feature = "legacy")]
+    #[arg(long, value_name = "FILE", requires = "indat")]
+    ipart: Option<PathBuf>,
+}
+
+impl From<ExportError> for Stop {
+    fn from(error: ExportError) -> Stop {
+        match error {
+            ExportError::NoFrames(_) => Stop::Input(error.to_string()),
+            ExportError::Write(..) => Stop::Failed(error.to_string()),
+        }
+    }
+}
+
+pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
+    #[cfg(feature = "legacy")]
+    if let (Some(indat), Some(ipart)) = (&args.indat, &args.ipart) {
+        return thesis_files::export(output, &args.target, indat, ipart);
+    }
+    let asked = [(args.vtk, FrameFormat::Vtk), (args.csv, FrameFormat::Csv)];
+    let formats: Vec<FrameFormat> = asked.into_iter().filter(|(asked, _)| *asked).map(|(_, format)| format).collect();
+    if formats.is_empty() {
+        return Err(Stop::Input(
+            "export: expected --vtk or --csv with the folder of a run, or --indat and --ipart".into(),
+        ));
+    }
+    if let Some(set) = args.target.sets.first() {
+        return Err(Stop::Input(format!("--set {set}: expected none: the frames of a run are exported as they are")));
+    }
+    let mut written = Vec::new();
+    for format in formats {
+        let exported = export_frames(Path::new(&args.target.scene), format)?;
+        let folder = exported.folder.display().to_string();
+        if exported.damaged > 0 {
+            output.progress(format_args!("{} frames of the log are damaged: left out", exported.damaged));
+        }
+        if !output.quiet && !output.json {
+            say(format_args!("{} frames in {folder}", exported.frames));
+        }
+        written.push(serde_json::json!({ "folder": folder, "frames": exported.frames, "damaged": exported.damaged }));
+    }
+    if output.json {
+        say(serde_json::json!({ "exported": written }));
+    }
+    Ok(DONE)
+}

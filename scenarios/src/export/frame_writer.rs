@@ -1,0 +1,14 @@
+//! What a format of frames does.
+
+use std::io;
+
+use crate::log::LoggedFrame;
+
+/// Writes frames into a folder.
+pub(super) trait FrameWriter {
+    /// Write the frame of a number.
+    fn frame(&mut self, number: usize, frame: &LoggedFrame) -> io::Result<()>;
+
+    /// Write what belongs to all frames.
+    fn finish(&mut self) -> io::Result<()>;
+}

@@ -1,0 +1,84 @@
+//! Frames of a run in other formats hold what the log holds.
+
+use std::fs;
+use std::path::Path;
+
+use scenarios::export::{ExportError, FrameFormat, export_frames};
+use scenarios::log::LogReader;
+use scenarios::run::{RunOptions, run};
+use scenarios::scene;
+use tempfile::TempDir;
+
+/// A short run of the wedge.
+fn folder() -> TempDir {
+    let folder = TempDir::new().expect("a folder");
+    let sets = ["resolution.spacing=0.02", "time.end=0.004", "time.frame_every=0.002", "compare=[]"].map(String::from);
+    let scene = scene::load("wedge", &sets).expect("a built-in scene").scene;
+    let options = RunOptions { out: Some(folder.path().join("run")), ..RunOptions::default() };
+    run(&scene, &options).expect("a run");
+    folder
+}
+
+/// Values of an array of a PolyData file.
+fn array(file: &[u8], name: &str, components: usize) -> Vec<f64> {
+    let split = file.windows(2).position(|pair| pair == b"\n_").expect("appended data") + 2;
+    let head = std::str::from_utf8(&file[..split]).expect("XML");
+    let line = head.lines().find(|line| line.contains(&format!("Name=\"{name}\""))).expect("the array");
+    assert!(line.contains("Float32") && line.contains(&format!("NumberOfComponents=\"{components}\"")), "{line}");
+    let offset = line.split("offset=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("an offset");
+    let start = split + offset.parse::<usize>().expect("a number");
+    let length = u64::from_le_bytes(file[start..start + 8].try_into().expect("8 bytes")) as usize;
+    let values = file[start + 8..start + 8 + length].chunks_exact(4);
+    values.map(|bytes| f64::from(f32::from_le_bytes(bytes.try_into().expect("4 bytes")))).collect()
+}
+
+fn frame_of_log(dir: &Path, index: usize) -> (usize, Vec<f64>, Vec<f64>) {
+    let mut log = LogReader::open(&dir.join("log.mcap")).expect("a log");
+    let frame = log.frame(index).expect("a frame");
+    let pressures = frame.fluid().map(|point| point.pressure).collect();
+    let velocities = frame.fluid().flat_map(|point| [point.velocity[0], point.velocity[1], 0.0]).collect();
+    (log.times().len(), pressures, velocities)
+}
+
+#[test]
+fn paraview_files_hold_every_frame() {
+    let folder = folder();
+    let dir = folder.path().join("run");
+    let (frames, pressures, velocities) = frame_of_log(&dir, 1);
+    let exported = export_frames(&dir, FrameFormat::Vtk).expect("files");
+    assert_eq!((exported.frames, exported.damaged), (frames, 0));
+    let file = fs::read(dir.join("vtk/fluid_0001.vtp")).expect("a file");
+    assert_eq!(array(&file, "pressure_Pa", 1), pressures);
+    assert_eq!(array(&file, "velocity_m_per_s", 3), velocities);
+    assert!(velocities.iter().any(|v| *v != 0.0));
+    let collection = fs::read_to_string(dir.join("vtk/fluid.pvd")).expect("a collection");
+    assert_eq!(collection.matches("<DataSet").count(), frames);
+    let bodies = fs::read(dir.join("vtk/bodies_0000.vtp")).expect("a file");
+    assert!(array(&bodies, "position_m", 3).len() >= 9);
+}
+
+#[test]
+fn tables_hold_every_particle() {
+    let folder = folder();
+    let dir = folder.path().join("run");
+    let (frames, pressures, _) = frame_of_log(&dir, 1);
+    export_frames(&dir, FrameFormat::Csv).expect("files");
+    let table = fs::read_to_string(dir.join("csv/fluid_0001.csv")).expect("a table");
+    let column =
+        table.lines().next().and_then(|head| head.split(',').position(|name| name == "pressure_Pa")).expect("it");
+    let read =
+        table.lines().skip(1).map(|row| row.split(',').nth(column).expect("a cell").parse::<f64>().expect("a number"));
+    let read: Vec<f64> = read.collect();
+    assert_eq!(read.len(), pressures.len());
+    assert!(read.iter().zip(&pressures).all(|(a, b)| (*a as f32) == (*b as f32)));
+    let times = fs::read_to_string(dir.join("csv/frames.csv")).expect("a table");
+    assert_eq!(times.lines().count(), frames + 1);
+}
+
+#[test]
+fn a_folder_without_frames_is_refused_by_name() {
+    let folder = TempDir::new().expect("a folder");
+    let error = export_frames(folder.path(), FrameFormat::Vtk).expect_err("no log");
+    assert!(matches!(error, ExportError::NoFrames(_)));
+    assert!(error.to_string().contains(&folder.path().display().to_string()));
+}
