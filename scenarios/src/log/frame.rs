@@ -54,8 +54,24 @@ pub struct Point {
     pub density: f64,
     /// Spacing [m]: the square root of the particle's volume per metre of span [m²].
     pub spacing: f64,
-    /// Identity, which stays with a particle when its place among the others changes.
+    /// Identity, which stays with a particle when its place among the others changes; with the bit [`IMAGE`] of its image.
     pub id: u32,
+}
+
+/// Bit of the identity of a particle's image in the plane of symmetry.
+pub const IMAGE: u32 = 1 << 31;
+
+impl Point {
+    /// Its image in the plane of symmetry at `plane` [m].
+    pub fn image(&self, plane: f64) -> Point {
+        let ([x, y], [u, v]) = (self.at, self.velocity);
+        Point { at: [2.0 * plane - x, y], velocity: [-u, v], id: self.id | IMAGE, ..*self }
+    }
+
+    /// True of an image.
+    pub fn is_image(&self) -> bool {
+        self.id & IMAGE != 0
+    }
 }
 
 /// A body of one frame.

@@ -3,7 +3,7 @@
 //!
 //! | topic | schema | content | written by |
 //! |---|---|---|---|
-//! | `/fluid`, `/walls` | `foxglove.PointCloud` | one packed point per particle | [`LogWriter::frame`] |
+//! | `/fluid`, `/walls` | `foxglove.PointCloud` | one packed point per particle, and per image of a symmetric run | [`LogWriter::frame`] |
 //! | `/scene` | `foxglove.SceneUpdate` | the outline of each body, in the frame of the body | [`LogWriter::frame`] |
 //! | `/tf` | `foxglove.FrameTransforms` | the frame of each body, `body/NAME`, in `world` | [`LogWriter::frame`] |
 //! | `/log` | `foxglove.Log` | notes in words | [`LogWriter::note`] |
@@ -46,7 +46,7 @@ pub use budget::Budget;
 pub use error::LogError;
 /// Severity of a note.
 pub use foxglove::messages::log::Level;
-pub use frame::{BodyView, Frame, Point};
+pub use frame::{BodyView, Frame, IMAGE, Point};
 pub use live::LiveView;
 pub use reader::{LogReader, LoggedBody, LoggedFrame};
 pub use stored::StoredLog;

@@ -60,12 +60,12 @@ impl LoggedBody {
 }
 
 impl LoggedFrame {
-    /// The particles of the fluid.
+    /// The particles of the fluid; of a symmetric run with their images.
     pub fn fluid(&self) -> impl Iterator<Item = Point> + '_ {
         points(&self.fluid)
     }
 
-    /// The particles of the walls.
+    /// The particles of the walls; of a symmetric run with their images.
     pub fn walls(&self) -> impl Iterator<Item = Point> + '_ {
         points(&self.walls)
     }

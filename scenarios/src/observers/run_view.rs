@@ -88,7 +88,14 @@ impl RunView {
             spacing: w.volume[k].sqrt(),
             id: k as u32,
         };
-        let walls: Vec<Point> = (0..w.len()).map(wall).collect();
+        let mut walls: Vec<Point> = (0..w.len()).map(wall).collect();
+        if let Some(mirror) = system.fluid.domain().mirror {
+            for points in [&mut fluid, &mut walls] {
+                points.extend_from_within(..);
+                let images = points.len() / 2;
+                points[images..].iter_mut().for_each(|point| *point = point.image(mirror.at));
+            }
+        }
         // one closed line per body: the loops of a compound body are joined by the way back to the first corner
         let shown = system.bodies().filter_map(|b| Some((b.name(), b.motion()?, join(b.outline()?.loops()))));
         let shown: Vec<_> = shown.collect();

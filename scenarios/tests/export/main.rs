@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use scenarios::export::{ExportError, FrameFormat, export_frames};
-use scenarios::log::LogReader;
+use scenarios::log::{IMAGE, LogReader};
 use scenarios::run::{RunOptions, run};
 use scenarios::scene;
 use tempfile::TempDir;
@@ -55,6 +55,23 @@ fn paraview_files_hold_every_frame() {
     assert_eq!(collection.matches("<DataSet").count(), frames);
     let bodies = fs::read(dir.join("vtk/bodies_0000.vtp")).expect("a file");
     assert!(array(&bodies, "position_m", 3).len() >= 9);
+}
+
+/// A symmetric run computes half of the water; its log shows both.
+#[test]
+fn a_symmetric_run_is_logged_whole() {
+    let folder = folder();
+    let mut log = LogReader::open(&folder.path().join("run/log.mcap")).expect("a log");
+    let frame = log.frame(1).expect("a frame");
+    let (images, own): (Vec<_>, Vec<_>) = frame.fluid().partition(|point| point.is_image());
+    assert!(own.len() > 100 && own.len() == images.len());
+    for (point, image) in own.iter().zip(&images) {
+        assert_eq!(
+            (image.id & !IMAGE, image.at, image.pressure),
+            (point.id, [-point.at[0], point.at[1]], point.pressure)
+        );
+        assert_eq!(image.velocity, [-point.velocity[0], point.velocity[1]]);
+    }
 }
 
 #[test]

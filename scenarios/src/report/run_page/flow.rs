@@ -93,7 +93,7 @@ impl Flow {
         };
         let at_peak = nearest(peak.unwrap_or(f64::INFINITY).min(times.last().copied().unwrap_or(0.0)));
         let ends = [log.frame(0), log.frame(times.len() - 1)];
-        let most = ends.iter().flatten().map(|f| f.fluid().count()).max().unwrap_or(0).max(1);
+        let most = ends.iter().flatten().map(|f| computed(f).count()).max().unwrap_or(0).max(1);
         let frames = (RECORDS / most).clamp(FRAMES[1], FRAMES[0]);
         let share = (RECORDS as f64 / (frames * most) as f64).min(1.0);
         let chosen = evenly(times.len(), frames, at_peak);
@@ -134,6 +134,11 @@ fn peak_time(run: &RunFolder) -> Option<f64> {
     force.or_else(pressure).or_else(sampled)
 }
 
+/// The particles that were computed: the page draws their images itself.
+fn computed(frame: &LoggedFrame) -> impl Iterator<Item = Point> + '_ {
+    frame.fluid().filter(|point| !point.is_image())
+}
+
 fn kept(frame: &LoggedFrame, time: f64, share: f64) -> Moment {
     let grown = share.powf(-0.5) as f32;
     let keep = |p: Point| {
@@ -149,7 +154,7 @@ fn kept(frame: &LoggedFrame, time: f64, share: f64) -> Moment {
     };
     Moment {
         time,
-        particles: frame.fluid().filter_map(keep).collect(),
+        particles: computed(frame).filter_map(keep).collect(),
         outlines: frame.bodies.iter().flat_map(|body| body.loops.iter().cloned()).collect(),
         panels: Vec::new(),
         view: View { middle: [0.0; 2], width: 1.0 },
@@ -189,13 +194,13 @@ pub(super) fn picture(
     let logged = log.frame(index)?;
     let wall_size = scene.resolution.spacing;
     let mut frame = FlowFrame { time: *time, outlines: outlines.clone(), wall_size, ..FlowFrame::default() };
-    for p in logged.fluid() {
+    for p in computed(&logged) {
         frame.x.push(p.at[0] as f32);
         frame.y.push(p.at[1] as f32);
         frame.value.push((1e-3 * p.pressure) as f32);
         frame.size.push(p.spacing as f32);
     }
-    frame.walls = logged.walls().map(|p| p.at).collect();
+    frame.walls = logged.walls().filter(|p| !p.is_image()).map(|p| p.at).collect();
     let [x, y] = view.window();
     let value = [0.0, 1e-3 * flow.top[0]];
     Some((frame, FlowView { x, y, value, width_px, label: "pressure [kPa]".into(), mirror_x: flow.mirror }))
