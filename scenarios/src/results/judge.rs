@@ -143,7 +143,7 @@ impl Judge {
         };
         let panels = panels.iter().enumerate().map(|(k, panel)| {
             let resonates = self.resonant.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
-            // the time of GE18 is that of rows met in an entry: elsewhere a plate may well vibrate faster
+            // GE18 averages over spacings that an entering body falls through: elsewhere a plate may vibrate faster
             let stress = curves.stresses.get(k).filter(|_| self.entry.is_some());
             let mean = stress.and_then(|curve| curve.largest_mean(window));
             let (results, why) = panel_results(panel, of_force, mean.map(|mean| mean.value), resonates);
