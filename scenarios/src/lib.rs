@@ -24,6 +24,7 @@ pub mod build;
 pub mod charted;
 pub mod cli;
 pub mod compare;
+mod data_table;
 pub mod ditching;
 mod embedded;
 pub mod error_bar;

@@ -22,9 +22,12 @@ pub(super) struct ExportArgs {
     /// Write them to DIR/csv, as tables.
     #[arg(long)]
     csv: bool,
+    /// Write them to DIR/parquet, as one table of all frames.
+    #[arg(long)]
+    parquet: bool,
     /// Write the parameters of the scene to this file.
     #[cfg(feature = "legacy")]
-    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv"])]
+    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv", "parquet"])]
     indat: Option<PathBuf>,
     /// Write its particles at the start to this file.
     #[cfg(feature = "legacy")]
@@ -46,11 +49,11 @@ pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
     if let (Some(indat), Some(ipart)) = (&args.indat, &args.ipart) {
         return thesis_files::export(output, &args.target, indat, ipart);
     }
-    let asked = [(args.vtk, FrameFormat::Vtk), (args.csv, FrameFormat::Csv)];
+    let asked = [(args.vtk, FrameFormat::Vtk), (args.csv, FrameFormat::Csv), (args.parquet, FrameFormat::Parquet)];
     let formats: Vec<FrameFormat> = asked.into_iter().filter(|(asked, _)| *asked).map(|(_, format)| format).collect();
     if formats.is_empty() {
         return Err(Stop::Input(
-            "export: expected --vtk or --csv with the folder of a run, or --indat and --ipart".into(),
+            "export: expected --vtk, --csv or --parquet with the folder of a run, or --indat and --ipart".into(),
         ));
     }
     if let Some(set) = args.target.sets.first() {

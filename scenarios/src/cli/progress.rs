@@ -1,6 +1,7 @@
 //! What `run` and `resume` share: requests to end, progress, results in words.
 
 use std::io::IsTerminal;
+use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -46,6 +47,14 @@ pub(super) fn listen() -> Result<(), Stop> {
         });
     };
     ctrlc::set_handler(handler).map_err(|e| Stop::Failed(format!("cannot listen for Ctrl-C: {e}")))
+}
+
+/// Says where the live view is, when its server listens.
+pub(super) fn live_at(output: &Output, live: Option<SocketAddr>) -> impl Fn(u16) + Sync {
+    move |port| {
+        let address = live.map_or_else(String::new, |address| SocketAddr::new(address.ip(), port).to_string());
+        output.progress(format_args!("live: connect Foxglove or Lichtblick to ws://{address}"));
+    }
 }
 
 /// The interval of checkpoints as given [s].

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::progress::{interval, listen, step_to_end};
-use super::shared::{Output, Stop};
+use super::progress::{interval, listen, live_at, step_to_end};
+use super::shared::{LiveArgs, Output, Stop};
 use crate::run::{Checkpoints, Resumable, RunOptions};
 
 #[derive(Args)]
@@ -19,13 +19,18 @@ pub(super) struct ResumeArgs {
     /// Write checkpoint.bin every so many seconds of simulated time, and at the end (default: as before).
     #[arg(long, value_name = "SECONDS")]
     checkpoint_every: Option<f64>,
+    #[command(flatten)]
+    live: LiveArgs,
 }
 
 pub(super) fn resume_run(output: &Output, args: &ResumeArgs) -> Result<u8, Stop> {
     let every = interval(args.checkpoint_every)?;
     let run = Resumable::open(&args.dir, args.until)?;
     listen()?;
+    let live_at = live_at(output, args.live.live);
     let options = RunOptions {
+        live: args.live.live,
+        live_at: Some(&live_at),
         checkpoints: Some(Checkpoints { every: every.or(run.checkpoint_interval()) }),
         warnings: run.warnings().to_vec(),
         ..RunOptions::default()

@@ -1,13 +1,12 @@
 //! `splashdown run`.
 
-use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use clap::Args;
 
 use super::experiments::convergence;
-use super::progress::{interval, listen, step_to_end};
-use super::shared::{Output, SceneArgs, Stop, load};
+use super::progress::{interval, listen, live_at, step_to_end};
+use super::shared::{LiveArgs, Output, SceneArgs, Stop, load};
 use crate::error_bar::ErrorBars;
 use crate::run::summary::Summary;
 use crate::run::{Checkpoints, RunOptions, run};
@@ -25,9 +24,8 @@ pub(super) struct RunArgs {
     /// Keep log.mcap below this size, with fewer frames of particles: the key report.log_budget.
     #[arg(long, value_name = "MB")]
     log_budget: Option<f64>,
-    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS.
-    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true)]
-    live: Option<SocketAddr>,
+    #[command(flatten)]
+    live: LiveArgs,
     /// Write checkpoint.bin every so many seconds of simulated time, and at the end: `splashdown resume` continues from there.
     #[arg(long, value_name = "SECONDS", conflicts_with = "converge")]
     checkpoint_every: Option<f64>,
@@ -61,13 +59,10 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
     };
     let studied =
         coarser.as_ref().map(|runs| |summary: &Summary| runs.error_bars(&loaded.scene, summary, &args.quantities));
-    let live_at = |port: u16| {
-        let address = args.live.map_or_else(String::new, |address| SocketAddr::new(address.ip(), port).to_string());
-        output.progress(format_args!("live: connect Foxglove or Lichtblick to ws://{address}"));
-    };
+    let live_at = live_at(output, args.live.live);
     let options = RunOptions {
         out: Some(out.clone()),
-        live: args.live,
+        live: args.live.live,
         live_at: Some(&live_at),
         force: args.force,
         // the error bars of a study are lost with it: a run with them is not resumed

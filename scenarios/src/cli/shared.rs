@@ -1,6 +1,7 @@
 //! What the commands share: exit codes, output, arguments that name a scene.
 
 use std::io::Write;
+use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -99,6 +100,13 @@ pub(super) struct SceneArgs {
     /// Override a key, e.g. --set body.deadrise_deg=20 (repeatable).
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub sets: Vec<String>,
+}
+
+#[derive(Args, Clone)]
+pub(super) struct LiveArgs {
+    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS.
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true)]
+    pub live: Option<SocketAddr>,
 }
 
 /// Load a scene and refuse one that does not fit in memory.

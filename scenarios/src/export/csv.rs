@@ -38,7 +38,7 @@ impl FrameWriter for CsvWriter {
         self.table(&format!("walls_{number:04}.csv"), frame.walls())
     }
 
-    fn finish(&mut self) -> io::Result<()> {
+    fn finish(self: Box<Self>) -> io::Result<()> {
         let rows = self.times.iter().enumerate().map(|(number, time)| format!("{number},{time:.9e}\n"));
         std::fs::write(self.folder.join("frames.csv"), format!("frame,time_s\n{}", rows.collect::<String>()))
     }

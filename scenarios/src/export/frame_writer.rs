@@ -10,5 +10,5 @@ pub(super) trait FrameWriter {
     fn frame(&mut self, number: usize, frame: &LoggedFrame) -> io::Result<()>;
 
     /// Write what belongs to all frames.
-    fn finish(&mut self) -> io::Result<()>;
+    fn finish(self: Box<Self>) -> io::Result<()>;
 }

@@ -1,10 +1,11 @@
-//! The frames of a run's log in formats of other programs: VTK for ParaView, CSV for tables.
+//! The frames of a run's log in formats of other programs: VTK for ParaView, CSV and Parquet for tables.
 //!
 //! A frame has the particles of the fluid and of the walls, with pressure, velocity, density, spacing and identity, and the outlines of
 //! the bodies. A new format is a file of this folder that implements `FrameWriter`.
 
 mod csv;
 mod frame_writer;
+mod parquet;
 mod vtk;
 
 use std::io;
@@ -20,6 +21,8 @@ pub enum FrameFormat {
     Vtk,
     /// A table per frame.
     Csv,
+    /// A table of all frames (Apache Parquet).
+    Parquet,
 }
 
 /// What was written.
@@ -44,7 +47,7 @@ pub enum ExportError {
     Write(String, #[source] io::Error),
 }
 
-/// Writes the frames of the run in `dir` to the folder `dir/vtk` or `dir/csv`, whose files of the same names are replaced.
+/// Writes the frames of the run in `dir` to the folder `dir/vtk`, `dir/csv` or `dir/parquet`, whose files of the same names are replaced.
 ///
 /// # Errors
 /// [`ExportError::NoFrames`], [`ExportError::Write`].
@@ -58,12 +61,14 @@ pub fn export_frames(dir: &Path, format: FrameFormat) -> Result<Exported, Export
     let folder = dir.join(match format {
         FrameFormat::Vtk => "vtk",
         FrameFormat::Csv => "csv",
+        FrameFormat::Parquet => "parquet",
     });
     let wrong = |error| ExportError::Write(folder.display().to_string(), error);
     std::fs::create_dir_all(&folder).map_err(wrong)?;
     let mut writer: Box<dyn FrameWriter> = match format {
         FrameFormat::Vtk => Box::new(vtk::VtkWriter::new(&folder)),
         FrameFormat::Csv => Box::new(csv::CsvWriter::new(&folder)),
+        FrameFormat::Parquet => Box::new(parquet::ParquetWriter::new(&folder).map_err(wrong)?),
     };
     let mut frames = 0;
     for index in 0..count {

@@ -32,7 +32,7 @@ impl FrameWriter for VtkWriter {
         Ok(())
     }
 
-    fn finish(&mut self) -> io::Result<()> {
+    fn finish(self: Box<Self>) -> io::Result<()> {
         for group in GROUPS {
             let sets = self.times.iter().enumerate().map(|(number, time)| {
                 format!("    <DataSet timestep=\"{time:e}\" part=\"0\" file=\"{}\"/>\n", file_name(group, number))

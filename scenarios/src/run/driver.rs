@@ -11,7 +11,7 @@ use tracing::{debug, info, warn};
 use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
 use super::recorder::{Observed, Recorder, next};
 use super::summary::Status;
-use super::{Checkpoints, Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
+use super::{Checkpoints, Held, Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
 use crate::build;
 use crate::charted;
 use crate::compare::{self, ReferenceCurve};
@@ -43,13 +43,13 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         if options.checkpoints.is_some_and(|asked| asked.every.is_some()) {
             return Err(RunError::NoSteps(scene.model.name()));
         }
-        start_folder(scene, options)?;
+        let _held = start_folder(scene, options)?;
         let outcome = model_hierarchy::run(scene, options, references)?;
         return keep(outcome, options.out.as_deref(), options);
     }
     let system = build::build(scene)?;
     let live = start_live(scene, options)?;
-    start_folder(scene, options)?;
+    let _held = start_folder(scene, options)?;
     let log = file("log.mcap").filter(|_| !options.without_log);
     let mut recorder = Recorder::new(scene, file("series.csv").as_deref(), log.as_deref(), &system)?;
     recorder.live = live;
@@ -121,7 +121,7 @@ impl Run<'_> {
 }
 
 /// The server of a live view, if one is asked for.
-fn start_live(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<LiveObserver>, ObserveError> {
+pub(super) fn start_live(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<LiveObserver>, ObserveError> {
     let live = options.live.map(|address| LiveObserver::start(address, scene)).transpose()?;
     if let (Some(live), Some(tell)) = (&live, options.live_at) {
         tell(live.port());
@@ -129,11 +129,12 @@ fn start_live(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<LiveObse
     Ok(live)
 }
 
-/// Empty the folder and write the resolved scene into it.
-fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<(), RunError> {
-    let Some(dir) = &options.out else { return Ok(()) };
-    prepare(dir)?;
-    write(&dir.join("scene.resolved.toml"), &scene.to_toml())
+/// Hold and empty the folder, and write the resolved scene into it.
+fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<Held>, RunError> {
+    let Some(dir) = &options.out else { return Ok(None) };
+    let held = prepare(dir)?;
+    write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
+    Ok(Some(held))
 }
 
 /// Write summary and report.

@@ -10,6 +10,7 @@ mod recorder_state;
 mod resume;
 pub mod summary;
 
+use std::fs::{File, TryLockError};
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -88,6 +89,9 @@ pub enum RunError {
     /// A file or folder could not be written.
     #[error("cannot write {0}: {1}")]
     Write(String, std::io::Error),
+    /// Another process writes to the folder.
+    #[error("{0}: another process writes a run there: wait for it, or choose another folder")]
+    Held(String),
     /// The output folder's name is that of a file.
     #[error("{0} is a file: choose another --out")]
     NotAFolder(String),
@@ -151,15 +155,30 @@ pub(crate) fn refuse_files(dir: &Path, files: &[&'static str], force: bool) -> R
     }
 }
 
-/// Make the folder and remove the files of an earlier run, so that no file is mistaken for one of this run.
-fn prepare(dir: &Path) -> Result<(), RunError> {
+/// Make the folder, hold it and remove the files of an earlier run, so that no file is mistaken for one of this run.
+fn prepare(dir: &Path) -> Result<Held, RunError> {
     let wrong = |path: &Path, e| RunError::Write(path.display().to_string(), e);
     std::fs::create_dir_all(dir).map_err(|e| wrong(dir, e))?;
+    let held = hold(dir)?;
     let parts = [checkpoint::PART, "log.mcap.part", "series.csv.part", "scene.resolved.toml.part"];
     for path in FILES.iter().chain(&parts).map(|name| dir.join(name)).filter(|path| path.exists()) {
         std::fs::remove_file(&path).map_err(|e| wrong(&path, e))?;
     }
-    Ok(())
+    Ok(held)
+}
+
+/// The lock on a folder, as long as the value lives; the system frees it when the process ends.
+struct Held {
+    _folder: Option<File>,
+}
+
+/// Hold a folder, so that no other process writes a run there. Where the system cannot lock folders, nothing is held.
+fn hold(dir: &Path) -> Result<Held, RunError> {
+    let folder = File::open(dir).ok();
+    match folder.as_ref().map(File::try_lock) {
+        Some(Err(TryLockError::WouldBlock)) => Err(RunError::Held(dir.display().to_string())),
+        _ => Ok(Held { _folder: folder }),
+    }
 }
 
 /// Write a text file.

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use tracing::{info, warn};
 
 use super::checkpoint::{Checkpoint, CheckpointError, fingerprint, write_whole};
-use super::driver::Run;
+use super::driver::{Run, start_live};
 use super::recorder::Recorder;
-use super::{Outcome, RunError, RunOptions};
+use super::{Outcome, RunError, RunOptions, hold};
 use crate::build;
 use crate::compare;
 use crate::follow::with_end;
@@ -66,6 +66,7 @@ impl Resumable {
     pub fn resume(self, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
         let Resumable { dir, until, scene, checkpoint } = self;
         let file = |name: &str| dir.join(name);
+        let _held = hold(&dir)?;
         let refused = |error| CheckpointError::State(file(super::checkpoint::FILE), error);
         let references = scene.compare.iter().map(compare::curve).collect::<Result<Vec<_>, _>>()?;
         let mut system = build::build(&scene)?;
@@ -75,6 +76,7 @@ impl Resumable {
         let (time, end) = (system.fluid.time(), scene.time.end);
         refuse_end(until, time, &scene)?;
         let rows = recorder.restore_bytes(&checkpoint.recorder).map_err(refused)?;
+        recorder.live = start_live(&scene, options)?;
         let log = checkpoint.log.map(|log| LogObserver::resume(&file("log.mcap"), &scene, log));
         recorder.log = log.transpose()?;
         recorder.restore_series(rows, Some(&file("series.csv")))?;

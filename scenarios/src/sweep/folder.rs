@@ -1,7 +1,7 @@
 //! The folders of a sweep and of its points: their files, their locks, how a point ended.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -120,6 +120,14 @@ impl SweepFolder {
     pub fn write(&self, name: &str, text: &str) -> Result<(), SweepError> {
         replace(&self.file(name), text)
     }
+
+    /// Write a file of the sweep by a function of its path, whole or not at all.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn write_with(&self, name: &str, write: impl Fn(&Path) -> io::Result<()>) -> Result<(), SweepError> {
+        replace_with(&self.file(name), write)
+    }
 }
 
 /// The folder of a point.
@@ -219,8 +227,12 @@ fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, String> {
 
 /// Write beside the file, then rename.
 fn replace(path: &Path, text: &str) -> Result<(), SweepError> {
+    replace_with(path, |beside| fs::write(beside, text))
+}
+
+fn replace_with(path: &Path, write: impl Fn(&Path) -> io::Result<()>) -> Result<(), SweepError> {
     let beside = path.with_extension(format!("{}.part", std::process::id()));
-    let written = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
+    let written = write(&beside).and_then(|()| fs::rename(&beside, path));
     written.map_err(|e| SweepError::write(path, e))
 }
 

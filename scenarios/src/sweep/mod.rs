@@ -41,5 +41,5 @@ pub use folder::{Outcome, PointFolder, State, SweepFolder};
 pub use outputs::write_results;
 pub use plan::{Plan, Point, Task};
 pub use progress::Progress;
-pub use table::{WorstCase, table_csv, worst_cases, worst_csv};
+pub use table::{WorstCase, worst_cases};
 pub use worker::run_point;

@@ -4,14 +4,16 @@ use super::collect::Collected;
 use super::error::SweepError;
 use super::folder::SweepFolder;
 use super::page::page;
-use super::table::{table_csv, worst_csv};
+use super::table::{table, worst_table};
 
-/// Write `table.csv`, `worst.csv` and `sweep.html`.
+/// Write `table.csv`, `table.parquet`, `worst.csv` and `sweep.html`.
 ///
 /// # Errors
 /// The disk's.
 pub fn write_results(collected: &Collected, folder: &SweepFolder) -> Result<(), SweepError> {
-    folder.write("table.csv", &table_csv(collected))?;
-    folder.write("worst.csv", &worst_csv(collected))?;
+    let table = table(collected);
+    folder.write("table.csv", &table.to_csv())?;
+    folder.write_with("table.parquet", |part| table.write_parquet(part))?;
+    folder.write("worst.csv", &worst_table(collected).to_csv())?;
     folder.write("sweep.html", &page(collected))
 }

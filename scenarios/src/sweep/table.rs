@@ -1,72 +1,59 @@
-//! The table of a sweep as CSV, and its worst cases.
+//! The table of a sweep, and its worst cases.
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::collect::{Collected, Number, PointResult};
-
-/// A row of CSV (RFC 4180).
-fn csv_row(cells: impl IntoIterator<Item = String>) -> String {
-    let quoted = |cell: String| match cell.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", cell.replace('"', "\"\"")),
-        false => cell,
-    };
-    cells.into_iter().map(quoted).collect::<Vec<_>>().join(",") + "\n"
-}
+use crate::data_table::DataTable;
 
 /// A value of an axis; texts without quotes.
 pub(super) fn plain(value: &Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), String::from)
 }
 
-fn known<T: ToString>(value: Option<T>) -> String {
-    value.map_or(String::new(), |value| value.to_string())
-}
-
 /// What stands beside a value, where any point has it.
-type Beside = (&'static str, fn(&Number) -> Option<String>);
-
-const BESIDE: [Beside; 3] = [
-    ("band", |number| number.band.map(|band| band.to_string())),
-    ("verdict", |number| number.verdict.clone()),
-    ("time_s", |number| number.time_s.map(|time| time.to_string())),
-];
+type Beside<T> = fn(&Number) -> Option<T>;
 
 /// The table: a row for each point; axes, status, numbers, texts, cost, folder.
-pub fn table_csv(collected: &Collected) -> String {
-    let beside: Vec<(&String, Vec<&Beside>)> = collected
-        .names
-        .iter()
-        .map(|name| {
-            let has = |(_, of): &&Beside| {
-                collected.points.iter().filter_map(|p| p.numbers.get(name)).any(|n| of(n).is_some())
-            };
-            (name, BESIDE.iter().filter(has).collect())
-        })
-        .collect();
-    let mut head = vec!["point".to_string()];
-    head.extend(collected.axes.iter().map(|axis| axis.label()));
-    head.extend(["status", "message"].map(String::from));
-    for (name, more) in &beside {
-        head.push(name.to_string());
-        head.extend(more.iter().map(|(word, _)| format!("{name}.{word}")));
+pub(crate) fn table(collected: &Collected) -> DataTable {
+    let points = &collected.points;
+    let mut table = DataTable::default();
+    table.wholes("point", points.iter().map(|point| Some(point.number)));
+    for (k, axis) in collected.axes.iter().enumerate() {
+        axis_column(&mut table, axis.label(), points.iter().map(|point| &point.values[k]));
     }
-    head.extend(collected.texts.iter().cloned());
-    head.extend(["wall_time_s", "threads", "folder"].map(String::from));
-    let row = |point: &PointResult| {
-        let mut row = vec![point.number.to_string()];
-        row.extend(point.values.iter().map(plain));
-        row.extend([point.status.clone(), known(point.message.as_ref())]);
-        for (name, more) in &beside {
-            let number = point.numbers.get(*name);
-            row.push(known(number.map(|number| number.value)));
-            row.extend(more.iter().map(|(_, of)| known(number.and_then(of))));
+    table.texts("status", points.iter().map(|point| Some(point.status.clone())));
+    table.texts("message", points.iter().map(|point| point.message.clone()));
+    for name in &collected.names {
+        let numbers = points.iter().map(|point| point.numbers.get(name));
+        let has = |of: fn(&Number) -> bool| numbers.clone().flatten().any(of);
+        let numbers_of = |of: Beside<f64>| numbers.clone().map(move |number| number.and_then(of));
+        table.numbers(name, numbers_of(|number| Some(number.value)));
+        if has(|number| number.band.is_some()) {
+            table.numbers(format!("{name}.band"), numbers_of(|number| number.band));
         }
-        row.extend(collected.texts.iter().map(|name| known(point.texts.get(name))));
-        row.extend([known(point.wall_time_s), known(point.threads), known(point.id.as_deref().map(folder_of))]);
-        csv_row(row)
-    };
-    csv_row(head) + &collected.points.iter().map(row).collect::<String>()
+        if has(|number| number.verdict.is_some()) {
+            table.texts(format!("{name}.verdict"), numbers.clone().map(|number| number?.verdict.clone()));
+        }
+        if has(|number| number.time_s.is_some()) {
+            table.numbers(format!("{name}.time_s"), numbers_of(|number| number.time_s));
+        }
+    }
+    for name in &collected.texts {
+        table.texts(name, points.iter().map(|point| point.texts.get(name).cloned()));
+    }
+    table.numbers("wall_time_s", points.iter().map(|point| point.wall_time_s));
+    table.wholes("threads", points.iter().map(|point| point.threads));
+    table.texts("folder", points.iter().map(|point| point.id.as_deref().map(folder_of)));
+    table
+}
+
+/// Numbers where all values are, else texts.
+fn axis_column<'a>(table: &mut DataTable, name: String, values: impl Iterator<Item = &'a Value> + Clone) {
+    match values.clone().all(Value::is_number) {
+        true => table.numbers(name, values.map(Value::as_f64)),
+        false => table.texts(name, values.map(|value| Some(plain(value)))),
+    }
 }
 
 /// The folder of a point, from that of the sweep.
@@ -153,24 +140,20 @@ pub fn worst_cases(collected: &Collected) -> Vec<WorstCase> {
 }
 
 /// The worst cases, a row each.
-pub fn worst_csv(collected: &Collected) -> String {
-    let head = ["quantity", "place", "scene", "value", "band", "verdict", "time_s", "point"].map(String::from);
-    let axes = collected.axes.iter().map(|axis| axis.label());
-    let head = csv_row(head.into_iter().chain(axes).chain(["folder".to_string()]));
-    let row = |case: &Worst<'_>| {
-        let Worst { quantity, place, scene, number, point } = case;
-        let first = [
-            quantity.to_string(),
-            place.to_string(),
-            known(scene.as_ref()),
-            number.value.to_string(),
-            known(number.band),
-            known(number.verdict.as_ref()),
-            known(number.time_s),
-            point.number.to_string(),
-        ];
-        let folder = known(point.id.as_deref().map(folder_of));
-        csv_row(first.into_iter().chain(point.values.iter().map(plain)).chain([folder]))
-    };
-    head + &worst(collected).iter().map(row).collect::<String>()
+pub(crate) fn worst_table(collected: &Collected) -> DataTable {
+    let cases = worst(collected);
+    let mut table = DataTable::default();
+    table.texts("quantity", cases.iter().map(|case| Some(case.quantity.into())));
+    table.texts("place", cases.iter().map(|case| Some(case.place.into())));
+    table.texts("scene", cases.iter().map(|case| case.scene.clone()));
+    table.numbers("value", cases.iter().map(|case| Some(case.number.value)));
+    table.numbers("band", cases.iter().map(|case| case.number.band));
+    table.texts("verdict", cases.iter().map(|case| case.number.verdict.clone()));
+    table.numbers("time_s", cases.iter().map(|case| case.number.time_s));
+    table.wholes("point", cases.iter().map(|case| Some(case.point.number)));
+    for (k, axis) in collected.axes.iter().enumerate() {
+        axis_column(&mut table, axis.label(), cases.iter().map(|case| &case.point.values[k]));
+    }
+    table.texts("folder", cases.iter().map(|case| case.point.id.as_deref().map(folder_of)));
+    table
 }

@@ -8,10 +8,10 @@ use super::folder::{Outcome, PointFolder, SweepFolder};
 use super::plan::Resolved;
 use crate::ditching;
 use crate::run::summary::Status;
-use crate::run::{RunError, RunOptions, run};
+use crate::run::{Checkpoints, Resumable, RunError, RunOptions, run};
 use crate::scene::Loaded;
 
-/// Run a point of a planned sweep; an interrupted one keeps no outcome, so that it runs again, from its start.
+/// Run a point of a planned sweep; an interrupted one keeps no outcome, so that it runs again: from its checkpoint, where it has one.
 ///
 /// `memory`: what a scene may need [bytes]; `interrupt` ends the run after the present step; `stepped` is set when the last step has
 /// been taken.
@@ -77,10 +77,15 @@ fn run_scene(
         force: true,
         interrupt: Some(interrupt),
         stepped: Some(stepped),
+        checkpoints: Some(Checkpoints { every: None }),
         warnings: loaded.warnings.clone(),
         ..RunOptions::default()
     };
-    match run(&loaded.scene, &options) {
+    let ended = match Resumable::open(point.path(), None).and_then(|interrupted| interrupted.resume(&options)) {
+        Err(RunError::Checkpoint(_)) => run(&loaded.scene, &options),
+        resumed => resumed,
+    };
+    match ended {
         Ok(outcome) => Ok((outcome.summary.status, outcome.summary.message)),
         Err(error) if error.is_input() => Ok((Status::Failed, Some(error.to_string()))),
         Err(error) => Err(failed(error)),

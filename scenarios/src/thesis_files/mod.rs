@@ -5,6 +5,7 @@
 //! Chosen here: a value per line, with its name as a comment; ten numbers per particle; fixed limit particles first, then mobile ones,
 //! then the fluid.
 
+mod body_of;
 mod indat;
 mod ipart;
 mod scene_of;

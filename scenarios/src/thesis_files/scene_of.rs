@@ -1,5 +1,6 @@
 //! From INDAT and IPART to a scene.
 
+use super::body_of::body_of;
 use super::{Indat, Ipart, Particle, ThesisFileError, wrong};
 
 /// Times √(depth/g) that an imported run lasts: INDAT has no end.
@@ -27,6 +28,7 @@ struct Lines {
     time: Vec<String>,
     fluid: Vec<String>,
     tank: Vec<String>,
+    body: Vec<String>,
     notes: Vec<String>,
 }
 
@@ -42,12 +44,13 @@ impl Lines {
             lines => format!("\n[{name}]\n{}\n", lines.join("\n")),
         };
         format!(
-            "# Written by `splashdown import` from INDAT and IPART (Pilorget 2010). What has no counterpart, or was chosen:\n{notes}{}\n{}{}{}{}",
+            "# Written by `splashdown import` from INDAT and IPART (Pilorget 2010). What has no counterpart, or was chosen:\n{notes}{}\n{}{}{}{}{}",
             self.top.join("\n"),
             table("time", &self.time),
             table("resolution", &self.resolution),
             table("fluid", &self.fluid),
-            table("tank", &self.tank)
+            table("tank", &self.tank),
+            table("body", &self.body)
         )
     }
 }
@@ -82,11 +85,24 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
     if projection {
         lines.top.push("solver = \"incompressible_thesis\"".into());
     }
-    numerics(indat, projection, &mut lines, files[0])?;
     let upright = upright_axis(&ipart.particles);
-    basin(indat, &ipart.particles[limit as usize..], upright, &mut lines);
-    if fixed < limit {
-        lines.note(format!("NB - NBF = {} mobile limit particles: no body is made of them", limit - fixed));
+    let (fixed, limit) = (fixed as usize, limit as usize);
+    let [walls, mobile, fluid] = [&ipart.particles[..fixed], &ipart.particles[fixed..limit], &ipart.particles[limit..]];
+    let body = (!mobile.is_empty()).then(|| {
+        // the middle of the tank and the still water in the file's axes
+        let middle = match walls.is_empty() {
+            true => 0.5 * (indat.get("XMIN") + indat.get("XMAX")),
+            false => 0.5 * extent(walls, 0).iter().sum::<f64>(),
+        };
+        let floor = if fluid.is_empty() { 0.0 } else { extent(fluid, upright)[0] - 0.5 * indat.get("dx") };
+        body_of(mobile, upright, [middle, floor + indat.get("h_SWL")], indat.get("dx"))
+    });
+    let plate = body.as_ref().is_some_and(|body| body.is_plate);
+    numerics(indat, projection, plate, &mut lines, files[0])?;
+    basin(indat, fluid, upright, &mut lines);
+    if let Some(body) = body {
+        lines.body.extend(body.lines);
+        lines.notes.extend(body.notes);
     }
     for (name, what) in [
         ("visc_wall", "the viscosity of Monaghan's walls"),
@@ -98,12 +114,20 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
         "XMIN to ZMAX: no counterpart, the domain is the tank; x = 0 is its middle, y = 0 the still water".to_string(),
     );
     lines.note("pressure, density, temperature and sound velocity of each particle: no counterpart, water starts at rest in equilibrium");
-    lines.note("IPART: limit particles are taken to stand first; walls are made anew from the tank".to_string());
+    lines.note(
+        "IPART: fixed limit particles are taken to stand first, then mobile ones; walls are made anew from the tank",
+    );
     Ok(Imported { text: lines.text(), notes: lines.notes })
 }
 
-/// Kernel, integrator, equation of state and their numbers.
-fn numerics(indat: &Indat, projection: bool, lines: &mut Lines, file: &str) -> Result<(), ThesisFileError> {
+/// Kernel, integrator, equation of state and their numbers; `plate`: with a body that is a plate.
+fn numerics(
+    indat: &Indat,
+    projection: bool,
+    plate: bool,
+    lines: &mut Lines,
+    file: &str,
+) -> Result<(), ThesisFileError> {
     let choose = |name: &str, words: &[(f64, &'static str)]| {
         let given = indat.get(name);
         let known = words.iter().find(|(value, _)| *value == given).map(|(_, word)| *word);
@@ -159,6 +183,7 @@ fn numerics(indat: &Indat, projection: bool, lines: &mut Lines, file: &str) -> R
     }
     let steps_density = matches!(integrator, "verlet" | "beeman");
     match walls {
+        given if plate => lines.note(format!("{given} walls are refused with a plate: extrapolated ones are written")),
         "dynamic" if steps_density => {
             lines.note(format!("iBC = 2 with {integrator}: dynamic walls are refused, extrapolated ones are written"));
         }
@@ -195,12 +220,14 @@ fn end_of(indat: &Indat, depth: f64, lines: &mut Lines) {
 
 /// The upright axis: y, or z where particles lie along z and not along y.
 fn upright_axis(particles: &[Particle]) -> usize {
-    let extent = |k: usize| {
-        let values = particles.iter().map(|particle| particle.position[k]);
-        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)]);
-        high - low
-    };
-    if extent(1) == 0.0 && extent(2) > 0.0 { 2 } else { 1 }
+    let height = |axis: usize| extent(particles, axis)[1] - extent(particles, axis)[0];
+    if height(1) == 0.0 && height(2) > 0.0 { 2 } else { 1 }
+}
+
+/// Smallest and largest coordinate along an axis [m].
+fn extent(particles: &[Particle], axis: usize) -> [f64; 2] {
+    let values = particles.iter().map(|particle| particle.position[axis]);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
 /// Tank and surface.
@@ -219,8 +246,7 @@ fn basin(indat: &Indat, fluid: &[Particle], upright: usize, lines: &mut Lines) {
     if moving > 0 {
         lines.note(format!("velocities of {moving} particles: no counterpart, water starts at rest"));
     }
-    let x = fluid.iter().map(|particle| particle.position[0]);
-    let [left, right] = x.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, r], x| [l.min(x), r.max(x)]);
+    let [left, right] = extent(fluid, 0);
     let wetted = right - left + dx;
     if wetted.is_finite() && wetted < FULL * width {
         lines.tank.push(format!("water_width = {wetted:?}"));

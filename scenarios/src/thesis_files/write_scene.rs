@@ -7,7 +7,7 @@ use sph_core::{DensityFilter, Integrator, Kernel, Turbulence, WallModel};
 use super::{Indat, Ipart, Particle};
 use crate::build::build;
 use crate::scene::Scene;
-use crate::scene::settings::{Lattice, WeaklyCompressibleFluid};
+use crate::scene::settings::{Lattice, Symmetry, WeaklyCompressibleFluid};
 
 /// Both files of a scene at its start, and what of the scene they cannot say.
 ///
@@ -34,9 +34,18 @@ pub fn files_of(scene: &Scene) -> Result<(Indat, Ipart, Vec<String>), CouplingEr
     // the body's rows stand first in the system, and behind the fixed ones in the file
     let mobile = walls.x.len() - fixed;
     let order = (mobile..walls.x.len()).chain(0..mobile);
-    let limit = order.map(|k| particle([walls.x[k], walls.y[k]], [walls.u[k], walls.v[k]], density));
+    let limit: Vec<Particle> =
+        order.map(|k| particle([walls.x[k], walls.y[k]], [walls.u[k], walls.v[k]], density)).collect();
     let water = (0..fluid.len()).map(|k| particle([fluid.x[k], fluid.y[k]], [fluid.u[k], fluid.v[k]], fluid.rho[k]));
-    let ipart = Ipart { particles: limit.chain(water).collect() };
+    let half = scene.symmetry == Symmetry::X;
+    let both_sides = |particles: Vec<Particle>| {
+        let images: Vec<Particle> = particles.iter().filter(|own| half && own.position[0] > 0.0).map(image).collect();
+        [particles, images].concat()
+    };
+    let (mobile_rows, fixed_rows) = (limit[fixed..].to_vec(), limit[..fixed].to_vec());
+    let [fixed_rows, mobile_rows, water] = [fixed_rows, mobile_rows, water.collect()].map(both_sides);
+    let [fixed, limit] = [fixed_rows.len(), fixed_rows.len() + mobile_rows.len()];
+    let ipart = Ipart { particles: [fixed_rows, mobile_rows, water].concat() };
     let kernel = match scene.water().kernel {
         Kernel::Gaussian => 1.0,
         Kernel::Quadratic => 2.0,
@@ -66,7 +75,7 @@ pub fn files_of(scene: &Scene) -> Result<(Indat, Ipart, Vec<String>), CouplingEr
         ("dz", spacing),
         ("h", scene.water().smoothing_ratio * spacing),
         ("NP", ipart.particles.len() as f64),
-        ("NB", walls.x.len() as f64),
+        ("NB", limit as f64),
         ("NBF", fixed as f64),
         ("ivar_dt", if scene.time.step.is_some() { 0.0 } else { 1.0 }),
         ("dt", scene.time.step.unwrap_or_default()),
@@ -88,6 +97,12 @@ pub fn files_of(scene: &Scene) -> Result<(Indat, Ipart, Vec<String>), CouplingEr
     }
     notes.push("time.end, gauges, references: no parameter".into());
     Ok((indat, ipart, notes))
+}
+
+/// The image of a particle of a half model at x = 0.
+fn image(particle: &Particle) -> Particle {
+    let Particle { position: [x, y, z], velocity: [u, v, w], state } = *particle;
+    Particle { position: [-x, y, z], velocity: [-u, v, w], state }
 }
 
 /// The numbers of the scheme.

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::RowAccessor;
 use scenarios::export::{ExportError, FrameFormat, export_frames};
 use scenarios::log::{IMAGE, LogReader};
 use scenarios::run::{RunOptions, run};
@@ -90,6 +92,27 @@ fn tables_hold_every_particle() {
     assert!(read.iter().zip(&pressures).all(|(a, b)| (*a as f32) == (*b as f32)));
     let times = fs::read_to_string(dir.join("csv/frames.csv")).expect("a table");
     assert_eq!(times.lines().count(), frames + 1);
+}
+
+#[test]
+fn parquet_holds_every_particle_of_every_frame() {
+    let folder = folder();
+    let dir = folder.path().join("run");
+    let (frames, pressures, _) = frame_of_log(&dir, 1);
+    export_frames(&dir, FrameFormat::Parquet).expect("files");
+    let file = fs::File::open(dir.join("parquet/fluid.parquet")).expect("a file");
+    let reader = SerializedFileReader::new(file).expect("Parquet");
+    assert_eq!(reader.num_row_groups(), frames);
+    let rows = reader.get_row_iter(None).expect("rows").map(|row| row.expect("a row"));
+    let read: Vec<f32> = rows
+        .filter(|row| row.get_long(0).expect("a frame") == 1)
+        .map(|row| {
+            let (name, value) = row.get_column_iter().nth(7).expect("a cell");
+            assert_eq!(name, "pressure_Pa");
+            value.to_string().parse().expect("a number")
+        })
+        .collect();
+    assert_eq!(read, pressures.iter().map(|pressure| *pressure as f32).collect::<Vec<_>>());
 }
 
 #[test]

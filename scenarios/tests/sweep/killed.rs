@@ -135,3 +135,23 @@ fn an_interrupted_sweep_continues() {
     let (_, status, _) = place.sweep(&["--status"]);
     assert_eq!((&status["waiting"], &status["coordinator"]), (&1.into(), &false.into()));
 }
+
+/// A point that was interrupted goes on from its checkpoint, to the bits that it has without a break.
+#[test]
+fn an_interrupted_point_goes_on_from_its_checkpoint() {
+    let one = SLOW.replace("[200, 210, 220, 230, 240, 250, 260, 270]", "[200]");
+    let (place, whole) = (Place::new(&one), Place::new(&one));
+    let mut coordinator = start(&place);
+    wait_until("the worker steps", || place.points_with("series.csv").len() == 1);
+    signal("-TERM", coordinator.id());
+    coordinator.wait().expect("a child");
+    let checkpoints = place.points_with("checkpoint.bin");
+    assert_eq!((checkpoints.len(), place.points_with("point.json").len()), (1, 0));
+    for sweep in [&place, &whole] {
+        assert_eq!(sweep.sweep(&[]).0, Some(0));
+    }
+    // a run from the start removes the checkpoint
+    assert_eq!(place.points_with("checkpoint.bin").len(), 1);
+    let series = |sweep: &Place| fs::read(sweep.points_with("point.json")[0].join("series.csv")).expect("a series");
+    assert!(series(&place) == series(&whole));
+}

@@ -1,0 +1,55 @@
+//! Frames as tables of all times: `fluid.parquet` and `walls.parquet`, a row group per frame.
+
+use std::io;
+use std::path::Path;
+
+use super::frame_writer::FrameWriter;
+use crate::data_table::{Cells, DataTable, ParquetFile};
+use crate::log::{LoggedFrame, Point};
+
+pub(super) struct ParquetWriter {
+    fluid: ParquetFile,
+    walls: ParquetFile,
+}
+
+impl ParquetWriter {
+    pub fn new(folder: &Path) -> io::Result<ParquetWriter> {
+        let file = |name: &str| ParquetFile::create(&folder.join(name));
+        Ok(ParquetWriter { fluid: file("fluid.parquet")?, walls: file("walls.parquet")? })
+    }
+}
+
+/// The columns of `csv/fluid_0000.csv`, after the frame and its time.
+fn table(number: usize, time: f64, points: impl Iterator<Item = Point>) -> DataTable {
+    let points: Vec<Point> = points.collect();
+    let mut table = DataTable::default();
+    table.wholes("frame", points.iter().map(|_| Some(number)));
+    table.numbers("time_s", points.iter().map(|_| Some(time)));
+    table.wholes("id", points.iter().map(|point| Some(point.id as usize)));
+    let columns: [(&str, fn(&Point) -> f64); 7] = [
+        ("x_m", |point| point.at[0]),
+        ("y_m", |point| point.at[1]),
+        ("vx_m_per_s", |point| point.velocity[0]),
+        ("vy_m_per_s", |point| point.velocity[1]),
+        ("pressure_Pa", |point| point.pressure),
+        ("density_kg_per_m3", |point| point.density),
+        ("spacing_m", |point| point.spacing),
+    ];
+    for (name, of) in columns {
+        // logged in single precision
+        table.push(name, Cells::Single(points.iter().map(|point| of(point) as f32).collect()));
+    }
+    table
+}
+
+impl FrameWriter for ParquetWriter {
+    fn frame(&mut self, number: usize, frame: &LoggedFrame) -> io::Result<()> {
+        self.fluid.append(&table(number, frame.time, frame.fluid()))?;
+        self.walls.append(&table(number, frame.time, frame.walls()))
+    }
+
+    fn finish(self: Box<Self>) -> io::Result<()> {
+        self.fluid.finish()?;
+        self.walls.finish()
+    }
+}
