@@ -26,19 +26,17 @@ fn table(number: usize, time: f64, points: impl Iterator<Item = Point>) -> DataT
     table.wholes("frame", points.iter().map(|_| Some(number)));
     table.numbers("time_s", points.iter().map(|_| Some(time)));
     table.wholes("id", points.iter().map(|point| Some(point.id as usize)));
-    let columns: [(&str, fn(&Point) -> f64); 7] = [
-        ("x_m", |point| point.at[0]),
-        ("y_m", |point| point.at[1]),
-        ("vx_m_per_s", |point| point.velocity[0]),
-        ("vy_m_per_s", |point| point.velocity[1]),
-        ("pressure_Pa", |point| point.pressure),
-        ("density_kg_per_m3", |point| point.density),
-        ("spacing_m", |point| point.spacing),
-    ];
-    for (name, of) in columns {
-        // logged in single precision
+    // logged in single precision
+    let mut column = |name: &str, of: fn(&Point) -> f64| {
         table.push(name, Cells::Single(points.iter().map(|point| of(point) as f32).collect()));
-    }
+    };
+    column("x_m", |point| point.at[0]);
+    column("y_m", |point| point.at[1]);
+    column("vx_m_per_s", |point| point.velocity[0]);
+    column("vy_m_per_s", |point| point.velocity[1]);
+    column("pressure_Pa", |point| point.pressure);
+    column("density_kg_per_m3", |point| point.density);
+    column("spacing_m", |point| point.spacing);
     table
 }
 

@@ -103,7 +103,8 @@ impl Cells {
         let mut cell = CELL.map(|share| share * widest);
         let extent = [hi[0] - lo[0], hi[1] - lo[1]];
         let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
-        while extent[0] / cell[0] * (extent[1] / cell[1]) > most {
+        // also for points on a line, of which the other extent is 0
+        while (extent[0] / cell[0]).max(1.0) * (extent[1] / cell[1]).max(1.0) > most {
             cell = cell.map(|side| 1.5 * side);
         }
         let [columns, rows] = [0, 1].map(|k| (extent[k] / cell[k]) as usize + 1);
@@ -260,14 +261,16 @@ mod tests {
 
     #[test]
     fn a_stray_point_does_not_cost_a_grid_of_empty_cells() {
-        let mut points: Vec<Point> =
-            (0..100).map(|k| Point { x: 0.001 * k as f64, y: 0.0, reach: 0.001, index: k }).collect();
-        points.push(Point { x: 1e6, y: 1e6, reach: 0.001, index: 100 });
-        let cells = Cells::build(&points);
-        let total: usize = cells.levels.iter().map(|l| l.start.len()).sum();
-        assert!(total < 10_000, "{total} cells");
-        let mut found = 0;
-        cells.for_each_within(1e6, 1e6, 0.001, |_| found += 1);
-        assert_eq!(found, 1);
+        for stray in [[1e6, 1e6], [1e30, 0.0], [0.0, -1e300]] {
+            let mut points: Vec<Point> =
+                (0..100).map(|k| Point { x: 0.001 * k as f64, y: 0.0, reach: 0.001, index: k }).collect();
+            points.push(Point { x: stray[0], y: stray[1], reach: 0.001, index: 100 });
+            let cells = Cells::build(&points);
+            let total: usize = cells.levels.iter().map(|l| l.start.len()).sum();
+            assert!(total < 10_000, "{total} cells");
+            let mut found = 0;
+            cells.for_each_within(stray[0], stray[1], 0.001, |_| found += 1);
+            assert_eq!(found, 1, "{stray:?}");
+        }
     }
 }

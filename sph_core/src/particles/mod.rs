@@ -16,6 +16,9 @@ use crate::state_bytes::{StateError, expect_count};
 
 pub use fields::{Fields, KernelMoments, SURFACE_LAMBDA, TENSIONLESS_KERNEL_SUM};
 
+/// A stored particle is refused farther from the water than this, in its extents [-].
+const FAR: f64 = 100.0;
+
 /// One fluid particle as a filler makes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seed {
@@ -109,6 +112,8 @@ impl Particles {
         }
         let is_finite = |k: &usize| [x, y, u, v, rho, mass, h, ax, ay].iter().all(|array| array[*k].is_finite());
         expect_count("particles with finite numbers", (0..n).filter(is_finite).count(), n)?;
+        let near = [(x, &like.x), (y, &like.y)].map(|(now, start)| within(now, start, FAR * like.extent()));
+        expect_count("particles within a hundred times the water's extent", near[0].min(near[1]), n)?;
         expect_count("identities", id.len(), n)?;
         expect_count("energies", energy.len(), if like.energy.is_empty() { 0 } else { n })?;
         for split in [refinement_level.len(), newly_split.len()].into_iter().filter(|&split| split > 0) {
@@ -119,6 +124,12 @@ impl Particles {
             known[i as usize] = true;
         }
         expect_count("different identities", known.iter().filter(|known| **known).count(), n)
+    }
+
+    /// Width and height of the box around the supports of all particles, together [m].
+    fn extent(&self) -> f64 {
+        let side = |[low, high]: [f64; 2]| (high - low).max(0.0);
+        side(ends(&self.x)) + side(ends(&self.y)) + 4.0 * ends(&self.h)[1].max(0.0)
     }
 
     /// Put particle `order[k]` at place k, in every array.
@@ -142,4 +153,15 @@ fn permute<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32], s
     scratch.resize(order.len(), T::default());
     parallel::gather_into(scratch, |k| array[order[k] as usize]);
     std::mem::swap(array, scratch);
+}
+
+/// Smallest and largest of some numbers.
+fn ends(values: &[f64]) -> [f64; 2] {
+    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| [low.min(value), high.max(value)])
+}
+
+/// How many of `now` lie within `far` of the span of `start`.
+fn within(now: &[f64], start: &[f64], far: f64) -> usize {
+    let [low, high] = ends(start);
+    now.iter().filter(|&&value| low - far <= value && value <= high + far).count()
 }
