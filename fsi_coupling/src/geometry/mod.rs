@@ -24,5 +24,6 @@ pub mod polyline;
 pub mod rows;
 pub mod sampling;
 pub mod shape;
+pub mod underside;
 pub mod vector;
 pub mod water_surface;

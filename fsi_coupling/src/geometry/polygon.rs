@@ -147,33 +147,6 @@ pub fn is_mirror_symmetric(outline: &[[f64; 2]]) -> bool {
     outline.iter().all(|p| outline.iter().any(|q| (p[0] + q[0]).abs() <= close && (p[1] - q[1]).abs() <= close))
 }
 
-/// Slope to the horizontal of the flattest edge that faces downwards [rad]; π/2 where none does.
-///
-/// Counter-clockwise, an edge faces downwards where it runs towards +x.
-pub fn flattest_downward_face(outline: &[[f64; 2]]) -> f64 {
-    edges(outline)
-        .filter(|(a, b)| b[0] > a[0])
-        .map(|(a, b)| (b[1] - a[1]).abs().atan2(b[0] - a[0]))
-        .fold(std::f64::consts::FRAC_PI_2, f64::min)
-}
-
-/// Radius of a bottom that straight sides make round [m]: length over turn of the sides within 30° of the horizontal. `None`
-/// where they do not reach 20° on both sides, or one turns by more than 15° from the last.
-pub fn radius_of_bottom(outline: &[[f64; 2]]) -> Option<f64> {
-    let [reach, far, turn] = [30.0_f64, 20.0, 15.0].map(|degrees| degrees.to_radians() * (1.0 + 1e-9));
-    let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);
-    let sides = edges(outline).map(|(a, b)| (slope(a, b), (b[0] - a[0]).hypot(b[1] - a[1])));
-    let mut sides: Vec<_> = sides.filter(|(slope, _)| slope.abs() <= reach).collect();
-    sides.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let ([first, .., last], length) = (sides.as_slice(), sides.iter().map(|side| side.1).sum::<f64>()) else {
-        return None;
-    };
-    let smooth = sides.windows(2).all(|pair| pair[1].0 - pair[0].0 <= turn);
-    // each side turns by half of the corners at its ends
-    let turned = (last.0 - first.0) * sides.len() as f64 / (sides.len() - 1) as f64;
-    (smooth && first.0 <= -far && last.0 >= far).then(|| length / turned)
-}
-
 /// The outline of a line of constant thickness: the line shifted to both sides by half of it, corners mitred.
 ///
 /// At a corner that turns by θ the mitre is 1/cos(θ/2) times longer than the half thickness.
@@ -219,22 +192,6 @@ mod tests {
         let a = 30.0_f64.to_radians();
         let tilted = RECTANGLE.map(|[x, y]| [x * a.cos() - y * a.sin(), x * a.sin() + y * a.cos()]);
         assert!((minimum_width(&tilted) - 1.0).abs() < 1e-14);
-        assert!((flattest_downward_face(&tilted) - a).abs() < 1e-14);
-    }
-
-    #[test]
-    fn a_polygon_of_many_sides_has_a_round_bottom_and_a_wedge_has_not() {
-        let circle = |sides: u32, roll: f64| -> Vec<[f64; 2]> {
-            let angle = |k| roll + std::f64::consts::TAU * f64::from(k) / f64::from(sides);
-            (0..sides).map(|k| [0.3 * angle(k).cos(), 0.3 * angle(k).sin()]).collect()
-        };
-        for (sides, roll) in [(24, 0.0), (32, 0.1), (64, 0.02)] {
-            let radius = radius_of_bottom(&circle(sides, roll)).expect("round");
-            assert!((radius / 0.3 - 1.0).abs() < 0.01, "{sides}: {radius}");
-        }
-        assert_eq!(radius_of_bottom(&circle(12, 0.0)), None);
-        assert_eq!(radius_of_bottom(&RECTANGLE), None);
-        assert_eq!(radius_of_bottom(&[[0.0, 0.0], [1.0, 0.2], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.2]]), None);
     }
 
     #[test]

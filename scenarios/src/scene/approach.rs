@@ -4,7 +4,8 @@ use fsi_coupling::RigidMotion;
 use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
-use super::impact::{Bottom, Entry};
+use super::bottom::Bottom;
+use super::impact::Entry;
 use super::settings::{Body, Motion, Scene};
 
 /// Height of a body that flies in above its place at t = 0 [spacings]: water meets it so much early.
@@ -24,7 +25,7 @@ const HIGHEST: f64 = 1000.0;
 pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravity: [f64; 2], spacing: f64) -> f64 {
     let gap = -body.draught() / spacing;
     let speed = -body.velocity[1];
-    if obstacle(body, solver).is_some()
+    if obstacle(body, entry.bottom, solver).is_some()
         || entry.final_draught < spacing // no force of such a run is resolved, and its approach may last long
         || speed <= 0.0
         || !(0.0..LEAST_GAP).contains(&gap)
@@ -46,10 +47,12 @@ pub(super) fn check_start(
     body: Option<&Body>,
     solver: Solver,
     gravity: [f64; 2],
+    density: f64,
     spacing: f64,
 ) -> Result<(), Problem> {
     require(start <= 0.0, "time.start", start, "at most 0 s")?;
-    let obstacle = body.map_or(Some("0 in a scene without a body"), |body| obstacle(body, solver));
+    let obstacle =
+        body.map_or(Some("0 in a scene without a body"), |body| obstacle(body, Bottom::of(body, density), solver));
     require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())?;
     let Some(body) = body.filter(|_| start < 0.0) else { return Ok(()) };
     let pull = pull_on(body, gravity)[1];
@@ -64,12 +67,12 @@ pub(super) fn check_start(
 }
 
 /// Why a body has no approach: what is expected of `time.start` instead.
-fn obstacle(body: &Body, solver: Solver) -> Option<&'static str> {
+fn obstacle(body: &Body, bottom: Bottom, solver: Solver) -> Option<&'static str> {
     let flies = matches!(body.motion, Motion::Free(_) | Motion::ConstantVelocity);
     match () {
         () if solver != Solver::WeaklyCompressible => Some("0 with this solver, whose bodies start on the water"),
         () if !flies => Some("0 with a body that is neither free nor at constant velocity"),
-        () if Bottom::of(body).is_flat() => Some("0 with a flat bottom, which meets the water all at once"),
+        () if bottom.is_flat() => Some("0 with a flat bottom, which meets the water all at once"),
         () if body.angular_velocity_deg_per_s != 0.0 => Some("0 with a body that turns at t = 0"),
         () => None,
     }

@@ -108,7 +108,7 @@ pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2], gravity: [f64
 
 #[cfg(test)]
 mod tests {
-    use super::super::impact::Bottom;
+    use super::super::bottom::Bottom;
     use super::*;
 
     fn wedge(deadrise_deg: f64, half_breadth: f64, final_draught: f64) -> Entry {

@@ -1,6 +1,7 @@
 //! What a gauge of a scene reads wrongly, told before the run.
 
-use super::impact::{Bottom, Entry};
+use super::bottom::Bottom;
+use super::impact::Entry;
 use super::settings::{Gauge, GaugeFrame, Scene};
 use fsi_coupling::settings::significant;
 

@@ -1,13 +1,11 @@
 //! What classical theory says of an impact before it is run: speeds, penetration, compressibility.
 
-use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::settings::{Body, Motion};
-use fsi_coupling::Shape;
 use fsi_coupling::geometry::polygon;
 
-/// Least deadrise that a flat or nearly flat face counts with [deg]: below it trapped air, absent here, takes over.
-pub const LEAST_DEADRISE_DEG: f64 = 4.0;
+use super::bottom::{Bottom, PEAK_MASS_RATIO};
+use super::settings::{Body, Motion};
 
 /// Why the peak force of a flat contact is refused (THEORY GE23).
 pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the \
@@ -16,103 +14,11 @@ pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at onc
 /// Least draught at a peak (THEORY GE19) [spacings].
 pub const LEAST_DRAUGHT: f64 = 6.0;
 
-/// Draught over radius at which the spray root of an arc sets the speed of sound [-].
-const ARC_DRAUGHT: f64 = 0.05;
-
 /// Steps of the penetration integral.
 const PENETRATION_STEPS: u32 = 1000;
 
-/// Mass of a falling wedge over the water's that moves with it, at the peak of its force (THEORY GE22) [-].
-const PEAK_MASS_RATIO: f64 = 5.0;
-
 /// Largest speed over the one at contact from which it counts [-]: less changes the share that compressibility takes by a tenth.
 const NOTABLE_GAIN: f64 = 1.05;
-
-/// A bottom as Wagner's theory sees it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Bottom {
-    /// Straight faces.
-    Wedge {
-        /// Tangent of the deadrise [-].
-        slope: f64,
-    },
-    /// An arc of a circle.
-    Arc {
-        /// Radius [m].
-        radius: f64,
-    },
-}
-
-impl Bottom {
-    /// The bottom of a body as it lies at t = 0: the radius of an arc, or of a polygon whose bottom is round; else the
-    /// flattest face that looks down, at least [`LEAST_DEADRISE_DEG`].
-    pub fn of(body: &Body) -> Bottom {
-        if let Shape::Arc { radius, .. } = body.shape {
-            return Bottom::Arc { radius };
-        }
-        let outline = body.placed_outline();
-        if let Some(radius) = polygon::radius_of_bottom(&outline) {
-            return Bottom::Arc { radius };
-        }
-        let least = LEAST_DEADRISE_DEG.to_radians();
-        Bottom::Wedge { slope: polygon::flattest_downward_face(&outline).clamp(least, FRAC_PI_2 - least).tan() }
-    }
-
-    /// True for faces of the least deadrise that is told apart from a flat one.
-    pub fn is_flat(self) -> bool {
-        matches!(self, Bottom::Wedge { slope } if slope <= LEAST_DEADRISE_DEG.to_radians().tan())
-    }
-
-    /// Added mass of the water under the wetted half width c [kg/m], (π/2) ρ c², over ρ, at draught D [m]: A/ρ D² or A/ρ D.
-    fn wetted_added_mass(self, draught: f64) -> f64 {
-        FRAC_PI_2 * self.wetted_half_width(draught).powi(2)
-    }
-
-    /// Speed of the spray root dc/dt [m/s] at entry speed V [m/s] (Wagner 1932).
-    ///
-    /// Wedge of deadrise β: U = π V/(2 tan β). Arc of radius R at draught D: U = V √(R/D), taken at D = 5 % of R.
-    /// Sharp for deadrise up to about 45°; at first contact of an arc U is infinite, which no speed of sound covers.
-    pub fn root_speed(self, entry_speed: f64) -> f64 {
-        match self {
-            Bottom::Wedge { slope } => FRAC_PI_2 * entry_speed / slope,
-            Bottom::Arc { .. } => entry_speed / ARC_DRAUGHT.sqrt(),
-        }
-    }
-
-    /// Half width of the wetted bottom c [m] at draught D [m], with the pile-up of water (Wagner 1932).
-    ///
-    /// Wedge: c = (π/2) D/tan β. Arc: c = 2 √(R D), for D up to about R/10.
-    pub fn wetted_half_width(self, draught: f64) -> f64 {
-        match self {
-            Bottom::Wedge { slope } => FRAC_PI_2 * draught / slope,
-            Bottom::Arc { radius } => 2.0 * (radius * draught).sqrt(),
-        }
-    }
-
-    /// Half width of the cut with the still water [m] at draught D [m] (von Karman 1929): D/tan β, √(2 R D).
-    pub fn still_half_width(self, draught: f64) -> f64 {
-        match self {
-            Bottom::Wedge { slope } => draught / slope,
-            Bottom::Arc { radius } => SQRT_2 * (radius * draught).sqrt(),
-        }
-    }
-
-    /// Draught [m] at which the spray root stands at half width c [m]: the inverse of [`Bottom::wetted_half_width`].
-    pub fn draught_at(self, wetted_half_width: f64) -> f64 {
-        match self {
-            Bottom::Wedge { slope } => wetted_half_width * slope / FRAC_PI_2,
-            Bottom::Arc { radius } => wetted_half_width.powi(2) / (4.0 * radius),
-        }
-    }
-
-    /// Slope of the wedge whose spray root is as fast as this bottom's at draught D [m]: tan β, or (π/2) √(D/R).
-    pub fn equivalent_slope(self, draught: f64) -> f64 {
-        match self {
-            Bottom::Wedge { slope } => slope,
-            Bottom::Arc { radius } => FRAC_PI_2 * (draught / radius).sqrt(),
-        }
-    }
-}
 
 /// A body's entry into water.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,7 +46,7 @@ impl Entry {
         let gravity = -gravity[1];
         let [min, max] = polygon::bounding_box(&body.placed_outline());
         let draught = -min[1];
-        let bottom = Bottom::of(body);
+        let bottom = Bottom::of(body, density);
         let half_breadth = 0.5 * (max[0] - min[0]);
         let initial_speed = -body.velocity[1];
         let falls = matches!(&body.motion, Motion::Free(freedom) if freedom.y()) && gravity > 0.0;
@@ -345,19 +251,6 @@ mod tests {
         assert!((compressibility_error(0.1, 1.0) - 0.043).abs() < 0.012);
         assert!((compressibility_error(0.05, 1.0) - 0.0118).abs() < 0.004);
         assert_eq!(compressibility_error(0.0, 20.0), 0.0);
-    }
-
-    #[test]
-    fn wagner_root_of_wedge_and_arc_is_the_rate_of_the_wetted_width() {
-        for bottom in [Bottom::Wedge { slope: 0.3 }, Bottom::Arc { radius: 2.0 }] {
-            let (draught, step) = (0.05 * 2.0, 1e-6);
-            let width = |d| bottom.wetted_half_width(d);
-            let rate = (width(draught + step) - width(draught - step)) / (2.0 * step);
-            assert!((bottom.root_speed(1.0) / rate - 1.0).abs() < 1e-8);
-            assert!((bottom.draught_at(width(draught)) / draught - 1.0).abs() < 1e-14);
-            let slope = bottom.equivalent_slope(draught);
-            assert!((FRAC_PI_2 / slope / rate - 1.0).abs() < 1e-8);
-        }
     }
 
     #[test]

@@ -8,8 +8,9 @@ use sph_core::{Dissipation, FluidSettings, Solver};
 
 use super::approach::{automatic_start, check_start};
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed, hydrostatic_sound};
+use super::bottom::Bottom;
 use super::draft::Draft;
-use super::impact::{Bottom, Entry};
+use super::impact::Entry;
 use super::legacy;
 use super::resolve_body::resolve_body;
 use super::settings::{
@@ -86,7 +87,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     }
     let model =
         draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
-    check_start(time.start, body.as_ref(), solver.kind(), gravity, spacing)?;
+    check_start(time.start, body.as_ref(), solver.kind(), gravity, density, spacing)?;
     if let (None, false, Some((body, entry))) = (start, model.is_theory(), body.as_ref().zip(entry.as_ref())) {
         draft.set("time.start", automatic_start(body, entry, solver.kind(), gravity, spacing));
     }

@@ -3,9 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND};
+use super::bottom::Bottom;
 use super::exchange::{light_body, light_panels};
 use super::force_limits::limit_of_forces;
-use super::impact::{Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
+use super::impact::{Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
