@@ -149,20 +149,26 @@ fn flexible(
         Shape::Polyline { points, .. } => Some(points.clone()),
         _ => None,
     };
-    let frame = match body.motion.moved(&start) {
-        Moved::ByLoads(freedom) => Frame::Free {
-            mass: freedom.mass,
-            // a frame that does not turn needs an inertia, which has no effect
-            inertia: freedom.inertia.unwrap_or(freedom.mass),
-            center_of_mass: body.center_of_mass,
-            free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
-        },
-        Moved::ByLaw(law) => Frame::Given(law),
+    let (frame, start) = match body.motion.moved(&start) {
+        Moved::ByLoads(freedom) => {
+            let frame = Frame::Free {
+                mass: freedom.mass,
+                // a frame that does not turn needs an inertia, which has no effect
+                inertia: freedom.inertia.unwrap_or(freedom.mass),
+                center_of_mass: body.center_of_mass,
+                free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
+            };
+            // the body's velocity is that of its centre of mass; its frame's origin moves with it
+            let lever_arm = body.center_of_mass.map(|c| -c);
+            let about = RigidMotion { position: [0.0; 2], ..start };
+            (frame, RigidMotion { velocity: about.point_velocity(lever_arm), ..start })
+        }
+        // its panels start with the law's velocity
+        Moved::ByLaw(law) => {
+            let begun = law(0.0);
+            (Frame::Given(law), begun)
+        }
     };
-    // the body's velocity is that of its centre of mass; its frame's origin moves with it
-    let lever_arm = body.center_of_mass.map(|c| -c);
-    let about = RigidMotion { position: [0.0; 2], ..start };
-    let start = RigidMotion { velocity: about.point_velocity(lever_arm), ..start };
     Ok(FlexibleBody::new(FlexibleSpec {
         name: body.name.clone(),
         outline,

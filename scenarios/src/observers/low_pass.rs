@@ -56,10 +56,14 @@ impl LowPass {
 }
 
 /// A curve through a low-pass of bandwidth `hertz` [Hz] forwards in time and then back, shape (n, 2) of times [s] and values: no
-/// delay, and −6 dB at the bandwidth (SAE J211-1, with 2.0775 times the channel frequency class). Times must not decrease.
+/// delay, and −6 dB at the bandwidth (SAE J211-1, with 2.0775 times the channel frequency class). Times must not decrease. Either pass
+/// starts at rest at the mean of its first 1/hertz seconds: a spike in the first row is filtered as any other.
 pub fn phaseless(curve: &[[f64; 2]], hertz: f64) -> Vec<[f64; 2]> {
     let pass = |points: &mut Vec<[f64; 2]>, sign: f64| {
         let mut filter = LowPass::new(hertz);
+        if let Some([start, _]) = points.first() {
+            filter.take(sign * start, mean_of_start(points, 1.0 / hertz));
+        }
         for [time, value] in points.iter_mut() {
             filter.take(sign * *time, *value);
             *value = filter.value();
@@ -71,6 +75,20 @@ pub fn phaseless(curve: &[[f64; 2]], hertz: f64) -> Vec<[f64; 2]> {
     pass(&mut points, -1.0);
     points.reverse();
     points
+}
+
+/// Mean of a curve over its first rows, up to a time after the first [s].
+fn mean_of_start(points: &[[f64; 2]], duration: f64) -> f64 {
+    let start = points.first().map_or(0.0, |row| row[0]);
+    let rows = points.windows(2).take_while(|pair| (pair[1][0] - start).abs() <= duration);
+    let integral = |(time, sum): (f64, f64), pair: &[[f64; 2]]| {
+        let step = (pair[1][0] - pair[0][0]).abs();
+        (time + step, sum + 0.5 * step * (pair[0][1] + pair[1][1]))
+    };
+    match rows.fold((0.0, 0.0), integral) {
+        (time, sum) if time > 0.0 => sum / time,
+        _ => points.first().map_or(0.0, |row| row[1]),
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{RunningIntegral, STANDARD_GRAVITY};
+use super::{RunningIntegral, STANDARD_GRAVITY, Verdict};
 use crate::observers::phaseless;
 
 /// Bandwidth of each of the two passes over the class [-].
@@ -17,11 +17,13 @@ pub struct FilteredAcceleration {
     pub peak_g: f64,
     /// When [s].
     pub time_s: f64,
+    /// What may be said of it: that of `results.peak_acceleration_g`.
+    pub verdict: Verdict,
 }
 
 impl FilteredAcceleration {
     /// Of the accelerations of every step [m/s²]; `None` without any.
-    pub(super) fn of(curve: &RunningIntegral<2>, cfc: f64) -> Option<FilteredAcceleration> {
+    pub(super) fn of(curve: &RunningIntegral<2>, cfc: f64, verdict: Verdict) -> Option<FilteredAcceleration> {
         let means = curve.step_means();
         let smooth = [0, 1].map(|axis| {
             let values: Vec<[f64; 2]> = means.iter().map(|(time, mean)| [*time, mean[axis]]).collect();
@@ -29,7 +31,7 @@ impl FilteredAcceleration {
         });
         let size = |k: usize| smooth[0][k][1].hypot(smooth[1][k][1]);
         let k = (0..means.len()).max_by(|a, b| size(*a).total_cmp(&size(*b)))?;
-        Some(FilteredAcceleration { cfc, peak_g: size(k) / STANDARD_GRAVITY, time_s: means[k].0 })
+        Some(FilteredAcceleration { cfc, peak_g: size(k) / STANDARD_GRAVITY, time_s: means[k].0, verdict })
     }
 }
 
@@ -48,9 +50,17 @@ mod tests {
             let spike = if (0.01..0.0101).contains(&time) { 5.0 } else { 0.0 };
             curve.take(time, [0.0, STANDARD_GRAVITY * (10.0 * pulse + spike)]);
         }
-        let found = FilteredAcceleration::of(&curve, 600.0).expect("a curve");
+        let found = FilteredAcceleration::of(&curve, 600.0, Verdict::Resolved).expect("a curve");
         assert!((found.peak_g - 10.0).abs() < 0.02 && (found.time_s - 0.03).abs() < 1e-4, "{found:?}");
-        let slow = FilteredAcceleration::of(&curve, 5.0).expect("a curve");
+        let slow = FilteredAcceleration::of(&curve, 5.0, Verdict::Resolved).expect("a curve");
         assert!(slow.peak_g < 6.0, "{slow:?}");
+        // the first row is a spike of one step
+        let mut hit = RunningIntegral::<2>::default();
+        for k in 0..3_000 {
+            let value = if k <= 1 { 60.0 } else { 1.0 };
+            hit.take(1e-5 * f64::from(k), [0.0, STANDARD_GRAVITY * value]);
+        }
+        let found = FilteredAcceleration::of(&hit, 180.0, Verdict::Resolved).expect("a curve");
+        assert!(found.peak_g < 1.5, "{found:?}");
     }
 }

@@ -3,10 +3,10 @@
 use fsi_coupling::{Body, Coupled, Motion};
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
-use super::Results;
 use super::filtered::FilteredAcceleration;
 use super::judge::{Curves, Judge};
 use super::running_integral::RunningIntegral;
+use super::{Results, Verdict};
 use crate::scene::{self, Scene};
 
 /// Gathers the curves of the results in every step.
@@ -47,9 +47,11 @@ impl ResultsObserver {
         }
     }
 
-    /// The largest acceleration through the filter of a channel frequency class [Hz]; `None` for a body that is not free.
-    pub fn filtered(&self, class: f64) -> Option<FilteredAcceleration> {
-        FilteredAcceleration::of(&self.curves.acceleration, class)
+    /// The largest acceleration through the filter of a channel frequency class [Hz], with the verdict of the unfiltered one; `None`
+    /// for a body that is not free.
+    pub fn filtered(&self, class: f64, results: &Results) -> Option<FilteredAcceleration> {
+        let verdict = results.peak_acceleration_g.map_or(Verdict::NoBand, |peak| peak.verdict);
+        FilteredAcceleration::of(&self.curves.acceleration, class, verdict)
     }
 
     /// The curves, as bytes.

@@ -243,7 +243,8 @@ impl Recorder {
         let exact = compare::similarity_of(scene);
         let similarity = self.similarity.as_ref().and_then(|window| window.result(exact.as_ref()));
         let (results, mut doubts) = self.results.results(scene, system);
-        let acceleration_filtered = scene.report.acceleration_cfc.and_then(|class| self.results.filtered(class));
+        let acceleration_filtered =
+            scene.report.acceleration_cfc.and_then(|class| self.results.filtered(class, &results));
         let unresolved = similarity.as_ref().and_then(|s| s.cp_max_unresolved.as_ref());
         doubts.extend(unresolved.map(|why| format!("similarity.cp_max: {why}")));
         let audit = Audit {

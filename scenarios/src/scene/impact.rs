@@ -41,14 +41,19 @@ pub struct Entry {
 
 impl Entry {
     /// The entry of `body` within `end` [s], under gravity [m/s²], shape (2), into water of density ρ [kg/m³].
-    /// `None` where the body neither moves down at t = 0 nor falls from above the surface, or is all under water.
+    /// `None` where the body neither moves down at t = 0 nor falls from above the surface, or is all under water. Of a table of
+    /// displacements from above the water, the largest downward speed counts.
     pub fn of(body: &Body, gravity: [f64; 2], density: f64, end: f64) -> Option<Entry> {
         let gravity = -gravity[1];
         let [min, max] = polygon::bounding_box(&body.placed_outline());
         let draught = -min[1];
         let bottom = Bottom::of(body, density);
         let half_breadth = 0.5 * (max[0] - min[0]);
-        let initial_speed = -body.velocity[1];
+        let table = match &body.motion {
+            Motion::Tabulated(table) if draught <= 0.0 => Some(table.descent(end)),
+            _ => None,
+        };
+        let initial_speed = table.map_or(-body.velocity[1], |descent| descent.speed);
         let falls = matches!(&body.motion, Motion::Free(freedom) if freedom.y()) && gravity > 0.0;
         let gap = (-draught).max(0.0);
         let speed = match falls {
@@ -64,7 +69,7 @@ impl Entry {
             bottom,
             half_breadth,
             speed,
-            final_draught: draught + speed * end,
+            final_draught: draught + table.map_or(speed * end, |descent| descent.depth),
             fastest: speed,
             attached_speed: speed,
             peak_draught: chines,

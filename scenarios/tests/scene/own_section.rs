@@ -5,7 +5,8 @@ use std::fs;
 use std::path::Path;
 
 use scenarios::report::section_picture;
-use scenarios::scene::{Loaded, Shape, load, panel_length};
+use scenarios::run::{RunOptions, run};
+use scenarios::scene::{Loaded, Shape, load, load_text, panel_length};
 
 const POINTS: &str = include_str!("../../../docs/src/guide/hull_section.csv");
 const GUIDE: &str = include_str!("../../../docs/src/guide/own-section.md");
@@ -91,4 +92,58 @@ fn a_motion_from_a_table_is_that_of_its_rows() {
     assert!(text.contains("motion = \"tabulated\"") && text.contains("breadth = 0.4"), "{text}");
     let again = scenarios::scene::load_text("again", &text, &[]).expect("the resolved scene loads");
     assert_eq!(again.scene, loaded.scene);
+}
+
+/// A float of 18 deg with a keel of 80 mm radius, drawn by so many chords to each side; `more` ends the table of the body.
+fn float(chords: u32, more: &str) -> String {
+    let slope = 18.0_f64.to_radians();
+    let arc = |k: u32| {
+        let angle = slope * f64::from(k) / f64::from(chords);
+        [0.08 * angle.sin(), 0.08 * (1.0 - angle.cos())]
+    };
+    let chine = [0.56, arc(chords)[1] + (0.56 - arc(chords)[0]) * slope.tan()];
+    let right: Vec<[f64; 2]> = (0..=chords).map(arc).chain([chine, [0.56, 0.5]]).collect();
+    let points: Vec<[f64; 2]> = right.iter().copied().chain(right[1..].iter().rev().map(|[x, y]| [-x, *y])).collect();
+    format!(
+        "name = \"float\"\nsymmetry = \"x\"\ntime = {{ end = 0.02 }}\nresolution = {{ spacing = 0.006 }}\n\
+         [body]\nshape = \"polygon\"\npoints = {points:?}\n{more}"
+    )
+}
+
+const FALLING: &str = "mass = 300.0\nfree = [\"y\"]\nvelocity = [0.0, -4.0]\n";
+
+/// Neither the speed of sound nor the warnings depend on how finely a small round keel is drawn.
+#[test]
+fn the_chords_of_a_small_round_keel_change_nothing() {
+    let of = |chords: u32| load_text("float", &float(chords, FALLING), &[]).expect("it loads");
+    let one = of(1);
+    assert!((250.0..800.0).contains(&one.scene.sound_speed()), "{}", one.scene.sound_speed());
+    for chords in [2, 3, 4, 8] {
+        let more = of(chords);
+        let ratio = more.scene.sound_speed() / one.scene.sound_speed();
+        assert!((ratio - 1.0).abs() < 0.01, "{chords} chords: {ratio}");
+        assert_eq!(more.warnings.len(), one.warnings.len(), "{chords} chords: {:?}", more.warnings);
+        assert!(!more.warnings.iter().any(|warning| warning.contains("meets it at once")), "{:?}", more.warnings);
+    }
+}
+
+/// A wide flat keel is no blunt one.
+#[test]
+fn a_flat_bottom_stays_flat() {
+    let flat = "name = \"flat\"\ntime = { end = 0.02 }\nresolution = { spacing = 0.006 }\n[body]\nshape = \"polygon\"\n\
+                points = [[-0.1, 0.0], [0.1, 0.0], [0.5, 0.2], [0.5, 0.4], [-0.5, 0.4], [-0.5, 0.2]]\n";
+    let loaded = load_text("flat", &format!("{flat}{FALLING}"), &[]).expect("it loads");
+    assert!(loaded.warnings.iter().any(|warning| warning.contains("meets it at once")), "{:?}", loaded.warnings);
+}
+
+/// Panels of a body that starts at the speed of its table start at that speed.
+#[test]
+fn a_given_motion_carries_its_panels() {
+    let more = "motion = \"tabulated\"\ndisplacements = [[0, 0, 0, 0], [0.01, 0, -0.04, 0], [0.02, 0, -0.07, 0]]\n\
+                [[body.panels]]\nfrom_point = 3\nto_point = 4\nthickness = \"4 mm\"\nmaterial = \"aluminium_2024_t3\"\n";
+    let scene = load_text("float", &float(2, more), &["time.end=0.001".to_string()]).expect("it loads").scene;
+    assert!(scene.sound_speed() > 250.0, "{}", scene.sound_speed());
+    let summary = run(&scene, &RunOptions::default()).expect("a run").summary;
+    assert!(summary.status.is_completed(), "{:?}", summary.message);
+    assert!(summary.results.panels["panel1"].peak_stress_Pa.value < 1e9);
 }

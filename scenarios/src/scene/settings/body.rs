@@ -91,6 +91,15 @@ pub struct Displacements {
     pub displacements: Vec<[f64; 4]>,
 }
 
+/// A motion downwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::scene) struct Descent {
+    /// Largest speed [m/s].
+    pub speed: f64,
+    /// Largest depth below the start [m].
+    pub depth: f64,
+}
+
 impl Displacements {
     /// Velocities x, y [m/s] and angle [deg/s] at a row: of the parabola through it and its neighbours, or of the line through two.
     fn velocities(&self, row: usize) -> [f64; 3] {
@@ -132,6 +141,14 @@ impl Displacements {
             u.hypot(v) + spin.to_radians().abs() * arm
         };
         (0..self.displacements.len()).map(speed).fold(0.0, f64::max)
+    }
+
+    /// How fast and how far it goes down within `end` [s].
+    pub(in crate::scene) fn descent(&self, end: f64) -> Descent {
+        let rows = || self.displacements.iter().enumerate().filter(|(_, row)| row[0] <= end);
+        let speed = rows().map(|(k, _)| -self.velocities(k)[1]).fold(0.0, f64::max);
+        let depth = rows().map(|(_, row)| -row[2]).fold(0.0, f64::max);
+        Descent { speed, depth }
     }
 
     /// What is wrong with the table, if anything is.
