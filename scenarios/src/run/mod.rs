@@ -14,6 +14,8 @@ use std::fs::{File, TryLockError};
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use fsi_coupling::CouplingError;
 use fsi_coupling::entry_theory::OutOfRange;
@@ -35,6 +37,9 @@ pub use summary::{Extremes, PanelEnvelope, PanelResult, Rupture};
 /// Files of a run, by the contract of the command line.
 pub const FILES: [&str; 6] =
     ["log.mcap", "series.csv", "summary.json", "scene.resolved.toml", "report.html", "checkpoint.bin"];
+
+/// Longest wait for a folder that another process holds.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// What a run is given besides its scene.
 #[derive(Default)]
@@ -175,9 +180,14 @@ struct Held {
 /// Hold a folder, so that no other process writes a run there. Where the system cannot lock folders, nothing is held.
 fn hold(dir: &Path) -> Result<Held, RunError> {
     let folder = File::open(dir).ok();
-    match folder.as_ref().map(File::try_lock) {
-        Some(Err(TryLockError::WouldBlock)) => Err(RunError::Held(dir.display().to_string())),
-        _ => Ok(Held { _folder: folder }),
+    let start = Instant::now();
+    loop {
+        match folder.as_ref().map(File::try_lock) {
+            // a process that was killed holds it until the system has taken it down
+            Some(Err(TryLockError::WouldBlock)) if start.elapsed() < PATIENCE => thread::sleep(PATIENCE / 100),
+            Some(Err(TryLockError::WouldBlock)) => return Err(RunError::Held(dir.display().to_string())),
+            _ => return Ok(Held { _folder: folder }),
+        }
     }
 }
 
