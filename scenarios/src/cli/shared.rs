@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 #[cfg(feature = "legacy")]
 use fsi_coupling::settings::Problem;
+use fsi_coupling::settings::convert;
 use serde::Serialize;
 
 use crate::run::RunError;
@@ -104,9 +105,24 @@ pub(super) struct SceneArgs {
 
 #[derive(Args, Clone)]
 pub(super) struct LiveArgs {
-    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS.
-    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true)]
+    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS; a port alone, as --live=9123, is one of this machine.
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true, value_parser = address)]
     pub live: Option<SocketAddr>,
+}
+
+/// The address of `--live`.
+fn address(text: &str) -> Result<SocketAddr, String> {
+    let port = text.strip_prefix("localhost").unwrap_or(text);
+    if let Ok(port) = port.strip_prefix(':').unwrap_or(port).parse::<u16>() {
+        return Ok(SocketAddr::from(([127, 0, 0, 1], port)));
+    }
+    text.parse().map_err(|_| "expected a port, or an address and a port: --live=9123, --live=0.0.0.0:9123".to_string())
+}
+
+/// A simulated time [s], with or without a unit.
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    let told = |why: String| format!("expected a time in seconds, or one with a unit such as 30ms: {why}");
+    text.trim().parse().or_else(|_| convert(text, "s").map_err(told))
 }
 
 /// Load a scene and refuse one that does not fit in memory.
