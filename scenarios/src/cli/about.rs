@@ -82,7 +82,9 @@ pub(super) struct CheckArgs {
 }
 
 pub(super) fn check(output: &Output, args: &CheckArgs) -> Result<u8, Stop> {
-    if let Some(path) = args.picture.as_ref().filter(|path| path.extension().is_none_or(|ending| ending != "svg")) {
+    if let Some(path) =
+        args.picture.as_ref().filter(|path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")))
+    {
         return Err(Stop::Input(format!(
             "--picture {}: expected a file that ends in .svg: the picture is an SVG",
             path.display()

@@ -135,7 +135,7 @@ pub fn main() -> ExitCode {
 /// What clap refuses, in its words, and tips; with `--json` as JSON too. Help and version are no errors.
 fn refused(mut error: clap::Error) -> ExitCode {
     let arguments: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
-    let (code, tips) = (error.exit_code(), tips(&mut error, &arguments));
+    let (code, tips) = (error.exit_code(), tips(&Cli::command(), &mut error, &arguments));
     if code != 0 && arguments.iter().any(|argument| argument == "--json") {
         let text = error.render().to_string();
         let text = text.trim_start_matches("error: ").split("\n\nUsage").next().unwrap_or_default().trim();

@@ -1,27 +1,26 @@
 //! Tips behind what the command line's parser refuses.
 
-use clap::CommandFactory;
+use clap::Command;
 use clap::error::{ContextKind, ContextValue};
 
-use super::Cli;
 use crate::scene;
 use crate::spelling::nearest;
 
 /// Most keys that a tip names.
 const MOST_KEYS: usize = 3;
 
-/// Tips for a refused command line, without the program's name; the parser's advice to pass options as values is taken away.
-pub(super) fn tips(error: &mut clap::Error, arguments: &[String]) -> Vec<String> {
+/// Tips for a refused command line of the program; the parser's advice to pass options as values is taken away.
+pub(super) fn tips(program: &Command, error: &mut clap::Error, arguments: &[String]) -> Vec<String> {
     if let Some(ContextValue::StyledStrs(mut told)) = error.remove(ContextKind::Suggested) {
         told.retain(|tip| !tip.to_string().starts_with("to pass "));
         if !told.is_empty() {
             error.insert(ContextKind::Suggested, ContextValue::StyledStrs(told));
         }
     }
-    let verb = near_verb(error).map(|verb| format!("did you mean `splashdown {verb}`?"));
+    let verb = near_verb(program, error).map(|verb| format!("did you mean `splashdown {verb}`?"));
     let argument = match error.get(ContextKind::InvalidArg) {
-        Some(ContextValue::String(given)) if takes_keys(arguments) => {
-            key_option(given, arguments).or_else(|| parted_set(given, arguments))
+        Some(ContextValue::String(given)) if takes_keys(program, arguments) => {
+            key_option(given, arguments).or_else(|| separate_value(given, arguments))
         }
         _ => None,
     };
@@ -29,20 +28,19 @@ pub(super) fn tips(error: &mut clap::Error, arguments: &[String]) -> Vec<String>
 }
 
 /// The command that a misspelt one, or a scene in its place, may mean.
-fn near_verb(error: &clap::Error) -> Option<String> {
+fn near_verb(program: &Command, error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return None };
     if scene::builtin().iter().any(|(name, _)| name == given) || given.ends_with(".toml") {
         return Some(format!("run {given}"));
     }
-    let verbs: Vec<String> = Cli::command().get_subcommands().map(|verb| verb.get_name().to_string()).collect();
+    let verbs: Vec<String> = program.get_subcommands().map(|verb| verb.get_name().to_string()).collect();
     let suggested = error.get(ContextKind::SuggestedSubcommand).is_some();
     nearest(given, verbs.iter().map(String::as_str)).filter(|_| !suggested).map(String::from)
 }
 
 /// True where the command has `--set`.
-fn takes_keys(arguments: &[String]) -> bool {
-    let command = Cli::command();
-    let verb = arguments.iter().find_map(|argument| command.find_subcommand(argument));
+fn takes_keys(program: &Command, arguments: &[String]) -> bool {
+    let verb = arguments.iter().find_map(|argument| program.find_subcommand(argument));
     verb.is_some_and(|verb| verb.get_arguments().any(|argument| argument.get_long() == Some("set")))
 }
 
@@ -61,7 +59,7 @@ fn key_option(given: &str, arguments: &[String]) -> Option<String> {
 }
 
 /// A value behind a space: `--set body.mass 200`.
-fn parted_set(given: &str, arguments: &[String]) -> Option<String> {
+fn separate_value(given: &str, arguments: &[String]) -> Option<String> {
     let at = arguments.windows(3).position(|w| w[0] == "--set" && !w[1].contains('=') && w[2] == given)?;
     let key = &arguments[at + 1];
     Some(format!("--set expects KEY=VALUE in one word: `--set {key}={given}`"))

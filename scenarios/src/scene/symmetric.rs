@@ -85,7 +85,7 @@ mod tests {
             (HULL[..3].iter().copied().chain([[0.0, 0.4]]).collect(), "half a section: all points have x >= 0"),
             (HULL[3..].iter().copied().chain([[0.0, 0.0], [0.0, 0.4]]).collect(), "all points have x <= 0"),
             (HULL.map(|[x, y]| [x + 0.25, y]).to_vec(), "symmetric about x = 0.25 m"),
-            ([&HULL[..4], &[[-0.5, 0.3]]].concat(), "[0.5, 0.2] has no counterpart at [-0.5, 0.2]"),
+            ([&HULL[..4], &[[-0.5, 0.3]]].concat(), "[-0.5, 0.3] has no counterpart at [0.5, 0.3]"),
         ] {
             let told = lopsided(&points).concat();
             assert!(told.contains(part), "{part}: {told}");

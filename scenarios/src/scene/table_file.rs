@@ -24,7 +24,7 @@ pub(super) struct NumberTable {
 /// What a table is told that has decimal commas where they cannot be told from commas between cells.
 const DECIMAL_COMMAS: &str = "; decimal commas? write a decimal point, or semicolons between the cells";
 
-/// A line whose cells, parted by its commas, are twice as many whole numbers as it may have numbers: `1,5,2,25`.
+/// A line whose cells, separated by its commas, are twice as many whole numbers as it may have numbers: `1,5,2,25`.
 fn may_be_halves(line: &str) -> bool {
     let digits = |cell: &str| !cell.is_empty() && cell.chars().all(|c| c.is_ascii_digit());
     let cells: Vec<&str> = line.split(',').map(str::trim).collect();
