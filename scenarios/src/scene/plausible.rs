@@ -20,8 +20,9 @@ pub(super) fn implausible(scene: &Scene, outline: Option<&OutlineReport>) -> Vec
     let mut warnings = Vec::new();
     if let Some(body) = &scene.body {
         if let Motion::Free(Freedom { mass, .. }) = body.motion {
-            warnings.extend(mean_density(scene, body, mass, outline));
-            warnings.extend(lighter_than_panels(scene, body, mass));
+            // one of both: they have the same causes
+            let doubtful = mean_density(scene, body, mass, outline);
+            warnings.extend(doubtful.or_else(|| lighter_than_panels(scene, body, mass)));
         }
         warnings.extend(outline.and_then(|file| half_section(scene, body, file)));
     }
@@ -49,7 +50,7 @@ fn mean_density(scene: &Scene, body: &Body, mass: f64, file: Option<&OutlineRepo
     if (POSSIBLE[0]..=POSSIBLE[1]).contains(&density) {
         return None;
     }
-    let fits = |factor: f64| (USUAL[0]..=USUAL[1]).contains(&(factor * density));
+    let fits = |factor: f64| (USUAL[0]..=USUAL[1]).contains(&(factor * mass / area));
     let tonnes = format!("the mass may be meant in t/m: body.mass = \"{mass} t/m\"");
     let millimetres = match file {
         Some(_) => "the points may be in mm: body.outline_unit = \"mm\"",

@@ -46,6 +46,9 @@ fn a_body_lighter_than_its_own_panels_is_told() {
     let of = |mass: &str| warnings(&format!("mass = {mass}\n{panel}"), "x [mm], y [mm]", &POINTS);
     assert_told(&of("0.3"), &["body.mass = 0.3 kg/m", "less than their 19.8", "\"0.3 t/m\""]);
     assert!(!of("300.0").iter().any(|warning| warning.contains("without its panels")));
+    let in_metres = warnings(&format!("mass = 300.0\n{panel}"), "x, y", &POINTS);
+    assert_told(&in_metres, &["mean density", "body.outline_unit = \"mm\""]);
+    assert!(!in_metres.iter().any(|warning| warning.contains("t/m")), "{in_metres:?}");
 }
 
 #[test]
