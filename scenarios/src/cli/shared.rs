@@ -181,3 +181,30 @@ impl From<RunError> for Stop {
         if error.is_input() { Stop::Input(error.to_string()) } else { Stop::Failed(error.to_string()) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_port_alone_is_one_of_this_machine() {
+        for (given, wanted) in [
+            ("9123", "127.0.0.1:9123"),
+            (":9123", "127.0.0.1:9123"),
+            ("localhost:9123", "127.0.0.1:9123"),
+            ("0.0.0.0:9000", "0.0.0.0:9000"),
+            ("[::1]:9000", "[::1]:9000"),
+        ] {
+            assert_eq!(address(given).map(|address| address.to_string()), Ok(wanted.to_string()));
+        }
+        for given in ["99999", "here", "127.0.0.1", ""] {
+            assert!(address(given).is_err_and(|why| why.contains("--live=9123")), "{given}");
+        }
+    }
+
+    #[test]
+    fn times_are_seconds_or_have_a_unit() {
+        assert_eq!([seconds("0.03"), seconds("30ms"), seconds("30 ms")], [Ok(0.03), Ok(0.03), Ok(0.03)]);
+        assert!(seconds("30 m").is_err() && seconds("soon").is_err());
+    }
+}
