@@ -135,7 +135,8 @@ fn name_and_sets(text: &str) -> (String, Vec<String>) {
 fn refused(place: &str, error: SceneError) -> Result<bool, String> {
     let text = error.to_string();
     let line = text.strip_prefix(place).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    let names = text.starts_with("--set ") || line || matches!(error, SceneError::Unknown { .. });
+    let names =
+        text.starts_with("--set ") || line || matches!(error, SceneError::Unknown { .. } | SceneError::Mistaken { .. });
     let expects = ["expected", "not valid TOML", "is missing", "neither"].iter().any(|word| text.contains(word));
     let drawn = format!("{:?}", miette::Report::new(error));
     match names && expects && !drawn.is_empty() {

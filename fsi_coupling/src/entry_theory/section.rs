@@ -2,11 +2,14 @@
 
 use super::model::{EntryModel, OutOfRange};
 use crate::Shape;
+use crate::settings::significant;
 
 /// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
 const LEAST_DEADRISE_DEG: f64 = 4.0;
 /// Deadrise of the plates by which a bottom goes on past its chines (Tassin, Korobkin & Cooker 2014) [deg].
 const CONTINUATION_DEG: f64 = 60.0;
+/// Depth of a dent over the breadth up to which a bottom counts as convex: points are rounded [-].
+const DENT: f64 = 1e-4;
 /// Corners of half an arc.
 const ARC_CORNERS: usize = 96;
 
@@ -28,9 +31,10 @@ impl Section {
         if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return Err(not_a_section("a bottom whose half breadth does not grow from keel to chine"));
         }
-        let slopes: Vec<f64> = corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect();
-        if slopes.windows(2).any(|w| w[1] < w[0] - 1e-9) || slopes[0] < 0.0 {
-            return Err(not_a_section("a bottom that is not convex"));
+        let corners = without_dents(corners)?;
+        let slopes = slopes_of(&corners);
+        if slopes[0] < 0.0 {
+            return Err(not_a_section("a bottom that falls beside its keel"));
         }
         Ok(Section { corners, slopes, smooth: false })
     }
@@ -83,7 +87,7 @@ impl Section {
         let [x0, _] = points[keel];
         let alike = |a: &[f64; 2], b: &[f64; 2]| (a[0] + b[0] - 2.0 * x0).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6;
         if right.len() != left.len() || !right.iter().zip(&left).all(|(a, b)| alike(a, b)) {
-            return Err(not_a_section("a section that is not symmetric about its keel"));
+            return Err(not_a_section("a section that is lopsided about its keel"));
         }
         Section::new(&right)?.steep_enough()
     }
@@ -204,7 +208,7 @@ impl EntryModel {
         match self {
             _ if !self.is_theory() => Ok(()),
             EntryModel::Similarity if section.deadrise_deg().is_none() => {
-                refuse("a bottom that is no wedge".into(), format!("wedges of 4 to {most} degrees"))
+                refuse("a curved or bent bottom".into(), format!("wedges of 4 to {most} degrees"))
             }
             EntryModel::Similarity if reach > section.half_breadth() => {
                 refuse("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into())
@@ -217,10 +221,76 @@ impl EntryModel {
     }
 }
 
+/// Slopes df/dx between corners [-].
+fn slopes_of(corners: &[[f64; 2]]) -> Vec<f64> {
+    corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect()
+}
+
+/// The corners of a convex bottom as they are; of one that is convex to the digits of its points, those of its convex hull.
+fn without_dents(corners: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, OutOfRange> {
+    if slopes_of(&corners).windows(2).all(|w| w[1] >= w[0] - 1e-9) {
+        return Ok(corners);
+    }
+    let mut hull: Vec<[f64; 2]> = Vec::new();
+    for corner in &corners {
+        while let [.., a, b] = hull[..]
+            && (b[0] - a[0]) * (corner[1] - a[1]) <= (corner[0] - a[0]) * (b[1] - a[1])
+        {
+            hull.pop();
+        }
+        hull.push(*corner);
+    }
+    let height = |x: f64| {
+        let k = hull.partition_point(|c| c[0] < x).clamp(1, hull.len() - 1);
+        let ([x0, y0], [x1, y1]) = (hull[k - 1], hull[k]);
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    };
+    let dents = corners.iter().map(|[x, y]| (*x, y - height(*x)));
+    let (x, deepest) = dents.fold((0.0, 0.0), |most, dent| if dent.1 > most.1 { dent } else { most });
+    match deepest > DENT * 2.0 * corners[corners.len() - 1][0] {
+        true => Err(not_a_section(&format!(
+            "one with a hollow {} m deep at {} m beside the keel",
+            significant(deepest),
+            significant(x)
+        ))),
+        false => Ok(hull),
+    }
+}
+
 fn not_a_section(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
-        range: "upright convex bottoms, symmetric, of a deadrise of 4° and more".into(),
+        range: "upright, symmetric, convex bottoms of a deadrise of 4° and more".into(),
         next: EntryModel::Wcsph,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A straight face of 0.5 m, its points rounded to a digit of `unit` [m].
+    fn rounded(unit: f64) -> Vec<[f64; 2]> {
+        let round = |value: f64| (value / unit).round() * unit;
+        (0..=37).map(|k| 0.5 * f64::from(k) / 37.0).map(|x| [round(x), round(0.364 * x)]).collect()
+    }
+
+    #[test]
+    fn a_face_with_rounded_points_is_convex() {
+        let corners = rounded(1e-5);
+        assert!(slopes_of(&corners).windows(2).any(|w| w[1] < w[0] - 1e-4));
+        let section = Section::new(&corners).expect("a convex bottom");
+        assert!(section.slopes.windows(2).all(|w| w[1] > w[0]));
+        for [x, y] in corners {
+            assert!((section.height(x) - y).abs() < 2e-5);
+        }
+        assert!((section.wagner_draught(0.3) - 0.3 * 0.364 * std::f64::consts::FRAC_2_PI).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_hollow_is_told_with_its_depth_and_place() {
+        let error = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect_err("a hollow").to_string();
+        assert!(error.contains("0.025 m deep at 0.2 m") && !error.contains("not a bottom that is not"), "{error}");
+        assert!(Section::new(&rounded(2e-3)).is_err());
     }
 }

@@ -175,6 +175,9 @@ pub fn convert(text: &str, wanted: &str) -> Result<f64, String> {
     if name.is_empty() {
         return Err("no unit behind the number".into());
     }
+    if let Some(digits) = name.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+        return Err(format!("a decimal point instead of the comma: \"{value}.{digits}\""));
+    }
     let unknown = |name: String| format!("the unit `{name}` is not known");
     let (given, wanted_unit) = (unit(name).map_err(unknown)?, unit(wanted).map_err(unknown)?);
     if given.dimensions != wanted_unit.dimensions {
@@ -288,6 +291,7 @@ mod tests {
             ("900 kg", "kg/m", "another quantity"),
             ("4 mm", "-", "another quantity"),
             ("4 furlong", "m", "`furlong` is not known"),
+            ("4,5 mm", "m", "a decimal point instead of the comma: \"4.5 mm\""),
             ("4", "m", "no unit"),
             ("4 m/", "m", "`/` is not known"),
             ("m", "m", "no number"),

@@ -82,6 +82,14 @@ pub(super) struct CheckArgs {
 }
 
 pub(super) fn check(output: &Output, args: &CheckArgs) -> Result<u8, Stop> {
+    if let Some(path) =
+        args.picture.as_ref().filter(|path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")))
+    {
+        return Err(Stop::Input(format!(
+            "--picture {}: expected a file that ends in .svg: the picture is an SVG",
+            path.display()
+        )));
+    }
     let loaded = load(&args.scene)?;
     let mut preflight = preflight(&loaded.scene, &loaded.warnings);
     preflight.outline = loaded.outline.clone();

@@ -19,10 +19,10 @@ pub(super) struct ExportArgs {
     /// Write the frames of the run in the folder to DIR/vtk, for ParaView.
     #[arg(long)]
     vtk: bool,
-    /// Write them to DIR/csv, as tables.
+    /// Write them to DIR/csv, as tables: particles per frame, frames.csv (times as in series.csv) and bodies.csv.
     #[arg(long)]
     csv: bool,
-    /// Write them to DIR/parquet, as one table of all frames.
+    /// Write them to DIR/parquet, as one table of all frames, and bodies.parquet.
     #[arg(long)]
     parquet: bool,
     /// Write the parameters of the scene to this file.
@@ -38,7 +38,7 @@ pub(super) struct ExportArgs {
 impl From<ExportError> for Stop {
     fn from(error: ExportError) -> Stop {
         match error {
-            ExportError::NoFrames(_) => Stop::Input(error.to_string()),
+            ExportError::NoFrames(_) | ExportError::NoScene(..) => Stop::Input(error.to_string()),
             ExportError::Write(..) => Stop::Failed(error.to_string()),
         }
     }

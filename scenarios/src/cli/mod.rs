@@ -14,18 +14,18 @@ mod shared;
 mod sweep;
 #[cfg(feature = "legacy")]
 mod thesis_files;
+mod tips;
 
 use std::process::ExitCode;
 
-use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
 use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
-use crate::spelling::nearest;
 use experiments::{convergence, stability, work_precision};
 use shared::{DONE, FAILED, INPUT, Output, Stop, complain, say, unsaid, was_said};
+use tips::tips;
 
 /// Threads for each core, at most: more only wait for each other.
 const MOST_THREADS: usize = 8;
@@ -96,7 +96,7 @@ enum Command {
 pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return refused(&error),
+        Err(error) => return refused(error),
     };
     trace(cli.output.quiet);
     let code = start(&cli).unwrap_or_else(|stop| {
@@ -132,28 +132,19 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// What clap refuses, in its words; with `--json` as JSON too. Help and version are no errors.
-fn refused(error: &clap::Error) -> ExitCode {
-    let code = error.exit_code();
-    if code != 0 && std::env::args().any(|argument| argument == "--json") {
+/// What clap refuses, in its words, and tips; with `--json` as JSON too. Help and version are no errors.
+fn refused(mut error: clap::Error) -> ExitCode {
+    let arguments: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
+    let (code, tips) = (error.exit_code(), tips(&Cli::command(), &mut error, &arguments));
+    if code != 0 && arguments.iter().any(|argument| argument == "--json") {
         let text = error.render().to_string();
         let text = text.trim_start_matches("error: ").split("\n\nUsage").next().unwrap_or_default().trim();
-        say(serde_json::json!({"error": Stop::Input(text.to_string()).to_json()}));
+        let told = [&[text.to_string()], tips.as_slice()].concat().join("; ");
+        say(serde_json::json!({"error": Stop::Input(told).to_json()}));
     }
     let _ = error.print();
-    near_verb(error).into_iter().for_each(|verb| complain(format_args!("  tip: did you mean `splashdown {verb}`?")));
+    tips.iter().for_each(|tip| complain(format_args!("  tip: {tip}")));
     ExitCode::from(u8::try_from(code).unwrap_or(INPUT))
-}
-
-/// The command that a misspelt one, or a scene in its place, may mean.
-fn near_verb(error: &clap::Error) -> Option<String> {
-    let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return None };
-    if crate::scene::builtin().iter().any(|(name, _)| name == given) || given.ends_with(".toml") {
-        return Some(format!("run {given}"));
-    }
-    let verbs: Vec<String> = Cli::command().get_subcommands().map(|verb| verb.get_name().to_string()).collect();
-    let suggested = error.get(ContextKind::SuggestedSubcommand).is_some();
-    nearest(given, verbs.iter().map(String::as_str)).filter(|_| !suggested).map(String::from)
 }
 
 /// Events of a run go to stderr. `SPLASHDOWN_LOG=debug` shows more than warnings; `MODULE=LEVEL,…` selects by module.

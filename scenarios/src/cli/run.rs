@@ -6,10 +6,10 @@ use clap::Args;
 
 use super::experiments::convergence;
 use super::progress::{interval, listen, live_at, step_to_end};
-use super::shared::{LiveArgs, Output, SceneArgs, Stop, load};
+use super::shared::{LiveArgs, Output, SceneArgs, Stop, load, seconds};
 use crate::error_bar::ErrorBars;
 use crate::run::summary::Summary;
-use crate::run::{Checkpoints, RunOptions, run};
+use crate::run::{Checkpoints, RunOptions, refuse_occupied, run};
 
 #[derive(Args)]
 pub(super) struct RunArgs {
@@ -27,7 +27,7 @@ pub(super) struct RunArgs {
     #[command(flatten)]
     live: LiveArgs,
     /// Write checkpoint.bin every so many seconds of simulated time, and at the end: `splashdown resume` continues from there.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "converge")]
+    #[arg(long, value_name = "SECONDS", conflicts_with = "converge", value_parser = seconds)]
     checkpoint_every: Option<f64>,
     /// Run at 4 and 2 times the spacing first, and extrapolate the main numbers, with error bars.
     #[arg(long)]
@@ -43,9 +43,10 @@ pub(super) fn run_scene(output: &Output, args: &RunArgs) -> Result<u8, Stop> {
     let given = SceneArgs { scene, sets };
     let every = interval(args.checkpoint_every)?;
     let loaded = load(&given)?;
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
+    refuse_occupied(&out, args.force)?;
     loaded.warnings.iter().for_each(|w| tracing::warn!("{w}"));
     listen()?;
-    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&loaded.scene.name));
     let coarser = match args.converge {
         true if loaded.scene.model.is_theory() => {
             let text = format!(

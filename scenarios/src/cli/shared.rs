@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 #[cfg(feature = "legacy")]
 use fsi_coupling::settings::Problem;
+use fsi_coupling::settings::convert;
 use serde::Serialize;
 
 use crate::run::RunError;
@@ -104,9 +105,24 @@ pub(super) struct SceneArgs {
 
 #[derive(Args, Clone)]
 pub(super) struct LiveArgs {
-    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS.
-    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true)]
+    /// Show the run to Foxglove or Lichtblick while it goes on, at ws://ADDRESS; a port alone, as --live=9123, is one of this machine.
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765", require_equals = true, value_parser = address)]
     pub live: Option<SocketAddr>,
+}
+
+/// The address of `--live`.
+fn address(text: &str) -> Result<SocketAddr, String> {
+    let port = text.strip_prefix("localhost").unwrap_or(text);
+    if let Ok(port) = port.strip_prefix(':').unwrap_or(port).parse::<u16>() {
+        return Ok(SocketAddr::from(([127, 0, 0, 1], port)));
+    }
+    text.parse().map_err(|_| "expected a port, or an address and a port: --live=9123, --live=0.0.0.0:9123".to_string())
+}
+
+/// A simulated time [s], with or without a unit.
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    let told = |why: String| format!("expected a time in seconds, or one with a unit such as 30ms: {why}");
+    text.trim().parse().or_else(|_| convert(text, "s").map_err(told))
 }
 
 /// Load a scene and refuse one that does not fit in memory.
@@ -163,5 +179,32 @@ impl From<SceneError> for Stop {
 impl From<RunError> for Stop {
     fn from(error: RunError) -> Stop {
         if error.is_input() { Stop::Input(error.to_string()) } else { Stop::Failed(error.to_string()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_port_alone_is_one_of_this_machine() {
+        for (given, wanted) in [
+            ("9123", "127.0.0.1:9123"),
+            (":9123", "127.0.0.1:9123"),
+            ("localhost:9123", "127.0.0.1:9123"),
+            ("0.0.0.0:9000", "0.0.0.0:9000"),
+            ("[::1]:9000", "[::1]:9000"),
+        ] {
+            assert_eq!(address(given).map(|address| address.to_string()), Ok(wanted.to_string()));
+        }
+        for given in ["99999", "here", "127.0.0.1", ""] {
+            assert!(address(given).is_err_and(|why| why.contains("--live=9123")), "{given}");
+        }
+    }
+
+    #[test]
+    fn times_are_seconds_or_have_a_unit() {
+        assert_eq!([seconds("0.03"), seconds("30ms"), seconds("30 ms")], [Ok(0.03), Ok(0.03), Ok(0.03)]);
+        assert!(seconds("30 m").is_err() && seconds("soon").is_err());
     }
 }

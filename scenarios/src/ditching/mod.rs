@@ -29,6 +29,7 @@ use crate::embedded::texts;
 use crate::run::{RunError, refuse_files, write};
 use crate::scene::SceneError;
 use crate::scene::draft::Draft;
+use crate::scene::mistaken_file::Expected;
 use crate::scene::source::Source;
 use landed::csv;
 use model::checked;
@@ -47,7 +48,7 @@ pub fn builtin() -> &'static [(&'static str, &'static str)] {
 
 /// Loads a built-in landing by its name, or a file by its path, with `--set` arguments applied in their order.
 pub fn load(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
-    loaded(&Source::find("landings", builtin(), name_or_path, sets, schema())?)
+    loaded(&Source::find(Expected::Landing, builtin(), name_or_path, sets, schema())?)
 }
 
 /// Loads a landing from its text; `name` stands for the file in messages. What the file leaves out is filled in.

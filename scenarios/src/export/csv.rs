@@ -1,9 +1,10 @@
-//! Frames as tables: `fluid_0000.csv`, `walls_0000.csv`, and `frames.csv` with their times.
+//! Frames as tables: `fluid_0000.csv`, `walls_0000.csv`, `frames.csv` with their times, and `bodies.csv`.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use super::bodies::BodyRows;
 use super::frame_writer::FrameWriter;
 use crate::log::{LoggedFrame, Point};
 
@@ -13,11 +14,12 @@ const COLUMNS: &str = "id,x_m,y_m,vx_m_per_s,vy_m_per_s,pressure_Pa,density_kg_p
 pub(super) struct CsvWriter {
     folder: PathBuf,
     times: Vec<f64>,
+    bodies: BodyRows,
 }
 
 impl CsvWriter {
     pub fn new(folder: &Path) -> CsvWriter {
-        CsvWriter { folder: folder.to_owned(), times: Vec::new() }
+        CsvWriter { folder: folder.to_owned(), times: Vec::new(), bodies: BodyRows::default() }
     }
 
     fn table(&self, name: &str, points: impl Iterator<Item = Point>) -> io::Result<()> {
@@ -34,12 +36,15 @@ impl CsvWriter {
 impl FrameWriter for CsvWriter {
     fn frame(&mut self, number: usize, frame: &LoggedFrame) -> io::Result<()> {
         self.times.push(frame.time);
+        self.bodies.take(number, frame);
         self.table(&format!("fluid_{number:04}.csv"), frame.fluid())?;
         self.table(&format!("walls_{number:04}.csv"), frame.walls())
     }
 
     fn finish(self: Box<Self>) -> io::Result<()> {
         let rows = self.times.iter().enumerate().map(|(number, time)| format!("{number},{time:.9e}\n"));
-        std::fs::write(self.folder.join("frames.csv"), format!("frame,time_s\n{}", rows.collect::<String>()))
+        let frames = format!("frame,time_s\n{}", rows.collect::<String>());
+        std::fs::write(self.folder.join("frames.csv"), frames)?;
+        std::fs::write(self.folder.join("bodies.csv"), self.bodies.table().to_csv())
     }
 }

@@ -1,8 +1,11 @@
 //! The frames of a run's log in formats of other programs: VTK for ParaView, CSV and Parquet for tables.
 //!
 //! A frame has the particles of the fluid and of the walls, with pressure, velocity, density, spacing and identity, and the outlines of
-//! the bodies. A new format is a file of this folder that implements `FrameWriter`.
+//! the bodies. Times are those of `series.csv`: the log counts from the start of the run, which may be before 0.
+//!
+//! A new format is a file of this folder that implements `FrameWriter`.
 
+mod bodies;
 mod csv;
 mod frame_writer;
 mod parquet;
@@ -11,6 +14,7 @@ mod vtk;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::bounded_text::read_text;
 use crate::log::LogReader;
 use frame_writer::FrameWriter;
 
@@ -42,6 +46,9 @@ pub enum ExportError {
     /// The folder holds no log with frames.
     #[error("{0}: expected the folder of a run, with frames in its log.mcap")]
     NoFrames(String),
+    /// The resolved scene beside the log, which has the start of time, is missing or damaged.
+    #[error("{0}: expected the scene of the run, which has the time at which its log starts: {1}")]
+    NoScene(String, String),
     /// A file cannot be written.
     #[error("cannot write {0}: {1}")]
     Write(String, #[source] io::Error),
@@ -50,7 +57,7 @@ pub enum ExportError {
 /// Writes the frames of the run in `dir` to the folder `dir/vtk`, `dir/csv` or `dir/parquet`, whose files of the same names are replaced.
 ///
 /// # Errors
-/// [`ExportError::NoFrames`], [`ExportError::Write`].
+/// [`ExportError::NoFrames`], [`ExportError::NoScene`], [`ExportError::Write`].
 pub fn export_frames(dir: &Path, format: FrameFormat) -> Result<Exported, ExportError> {
     let no_frames = || ExportError::NoFrames(dir.display().to_string());
     let mut log = LogReader::open(&dir.join("log.mcap")).ok_or_else(no_frames)?;
@@ -58,6 +65,7 @@ pub fn export_frames(dir: &Path, format: FrameFormat) -> Result<Exported, Export
     if count == 0 {
         return Err(no_frames());
     }
+    let start = start_of_run(dir)?;
     let folder = dir.join(match format {
         FrameFormat::Vtk => "vtk",
         FrameFormat::Csv => "csv",
@@ -72,10 +80,26 @@ pub fn export_frames(dir: &Path, format: FrameFormat) -> Result<Exported, Export
     };
     let mut frames = 0;
     for index in 0..count {
-        let Some(frame) = log.frame(index) else { continue };
+        let Some(mut frame) = log.frame(index) else { continue };
+        frame.time = time_of_run(frame.time, start);
         writer.frame(frames, &frame).map_err(wrong)?;
         frames += 1;
     }
     writer.finish().map_err(wrong)?;
     Ok(Exported { folder, frames, damaged: count - frames })
+}
+
+/// The time at which the run starts [s]: `time.start` of its resolved scene.
+fn start_of_run(dir: &Path) -> Result<f64, ExportError> {
+    let path = dir.join("scene.resolved.toml");
+    let wrong = |why: String| ExportError::NoScene(path.display().to_string(), why);
+    let text = read_text(&path).map_err(|why| wrong(why.to_string()))?;
+    let scene: toml::Table = text.parse().map_err(|why: toml::de::Error| wrong(why.message().to_string()))?;
+    let start = scene.get("time").and_then(|time| time.get("start"));
+    Ok(start.and_then(|start| start.as_float().or(start.as_integer().map(|whole| whole as f64))).unwrap_or(0.0))
+}
+
+/// A time of the log [s], whole nanoseconds since the start of the run, on the clock of the run.
+fn time_of_run(logged: f64, start: f64) -> f64 {
+    (1e9 * (logged + start)).round() / 1e9 + 0.0 // no -0
 }

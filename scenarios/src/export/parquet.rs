@@ -1,8 +1,9 @@
-//! Frames as tables of all times: `fluid.parquet` and `walls.parquet`, a row group per frame.
+//! Frames as tables of all times: `fluid.parquet` and `walls.parquet`, a row group per frame, and `bodies.parquet`.
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use super::bodies::BodyRows;
 use super::frame_writer::FrameWriter;
 use crate::data_table::{Cells, DataTable, ParquetFile};
 use crate::log::{LoggedFrame, Point};
@@ -10,12 +11,16 @@ use crate::log::{LoggedFrame, Point};
 pub(super) struct ParquetWriter {
     fluid: ParquetFile,
     walls: ParquetFile,
+    bodies: BodyRows,
+    bodies_file: PathBuf,
 }
 
 impl ParquetWriter {
     pub fn new(folder: &Path) -> io::Result<ParquetWriter> {
         let file = |name: &str| ParquetFile::create(&folder.join(name));
-        Ok(ParquetWriter { fluid: file("fluid.parquet")?, walls: file("walls.parquet")? })
+        let (fluid, walls) = (file("fluid.parquet")?, file("walls.parquet")?);
+        let bodies_file = folder.join("bodies.parquet");
+        Ok(ParquetWriter { fluid, walls, bodies: BodyRows::default(), bodies_file })
     }
 }
 
@@ -42,12 +47,14 @@ fn table(number: usize, time: f64, points: impl Iterator<Item = Point>) -> DataT
 
 impl FrameWriter for ParquetWriter {
     fn frame(&mut self, number: usize, frame: &LoggedFrame) -> io::Result<()> {
+        self.bodies.take(number, frame);
         self.fluid.append(&table(number, frame.time, frame.fluid()))?;
         self.walls.append(&table(number, frame.time, frame.walls()))
     }
 
     fn finish(self: Box<Self>) -> io::Result<()> {
         self.fluid.finish()?;
-        self.walls.finish()
+        self.walls.finish()?;
+        self.bodies.table().write_parquet(&self.bodies_file)
     }
 }

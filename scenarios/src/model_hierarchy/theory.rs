@@ -213,7 +213,7 @@ fn sample_times(scene: &Scene) -> Vec<f64> {
 /// The body of a scene that is nothing but a symmetric section going straight down into still water.
 fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), OutOfRange> {
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
-    scene.entry().ok_or_else(|| refuse("a body that does not enter the water"))?;
+    scene.entry().ok_or_else(|| refuse("one that stays where it is, or in the air"))?;
     let tank = &scene.tank;
     let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
     let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
@@ -221,7 +221,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
     let obstacles = [
         (lopsided, "a body that is tilted, turns or moves sideways"),
         (scene.gravity[0] != 0.0 || scene.gravity[1] > 0.0, "gravity that pulls sideways or up"),
-        (!still || tank.water_width < tank.width, "water that is not at rest"),
+        (!still || tank.water_width < tank.width, "water that moves"),
         (on_tank, "gauges on the tank"),
         (scene.observe != Observe::default(), "columns of the water, which [observe] asks for"),
         (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),

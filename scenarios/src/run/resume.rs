@@ -12,7 +12,7 @@ use crate::build;
 use crate::compare;
 use crate::follow::with_end;
 use crate::observers::LogObserver;
-use crate::scene::{MOST_ROWS, Scene};
+use crate::scene::{MOST_ROWS, Scene, all_warnings};
 
 /// Files that say how a run ended: none of a run that goes on.
 const OF_THE_END: [&str; 2] = ["summary.json", "report.html"];
@@ -24,6 +24,9 @@ pub struct Resumable {
     dir: PathBuf,
     until: Option<f64>,
     scene: Scene,
+    /// End of the run so far [s].
+    end_before: f64,
+    warnings: Vec<String>,
     checkpoint: Checkpoint,
 }
 
@@ -43,8 +46,15 @@ impl Resumable {
             warn!("the checkpoint is of splashdown {version}, this is {VERSION}: the bits may differ");
         }
         scene.choice.clone_from(&checkpoint.choice);
-        let scene = until.map_or_else(|| scene.clone(), |later| with_end(&scene, later));
-        Ok(Resumable { dir: dir.to_owned(), until, scene, checkpoint })
+        let (end_before, mut warnings) = (scene.time.end, checkpoint.warnings.clone());
+        if let Some(later) = until.filter(|later| later.is_finite() && *later > 0.0) {
+            let old = all_warnings(&scene);
+            scene = with_end(&scene, later);
+            // those that are not of the resolved scene stay
+            warnings.retain(|warning| !old.contains(warning));
+            warnings.extend(all_warnings(&scene));
+        }
+        Ok(Resumable { dir: dir.to_owned(), until, scene, end_before, warnings, checkpoint })
     }
 
     /// Its scene, with the end that it goes on to.
@@ -52,19 +62,24 @@ impl Resumable {
         &self.scene
     }
 
+    /// The end that it had so far [s].
+    pub fn end_before(&self) -> f64 {
+        self.end_before
+    }
+
     /// Interval of its checkpoints in simulated time [s].
     pub fn checkpoint_interval(&self) -> Option<f64> {
         self.checkpoint.every
     }
 
-    /// Warnings about its scene.
+    /// Warnings about its scene, with the end that it goes on to.
     pub fn warnings(&self) -> &[String] {
-        &self.checkpoint.warnings
+        &self.warnings
     }
 
     /// Continue it. Of the options the folder is its own; `force`, `without_log` have no effect. A run that is refused is left as it is.
     pub fn resume(self, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
-        let Resumable { dir, until, scene, checkpoint } = self;
+        let Resumable { dir, until, scene, checkpoint, .. } = self;
         let file = |name: &str| dir.join(name);
         let _held = hold(&dir)?;
         let refused = |error| CheckpointError::State(file(super::checkpoint::FILE), error);

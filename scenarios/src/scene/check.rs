@@ -7,6 +7,7 @@ use super::incompressible::check_projection_step;
 use super::legacy::{breakdown_cfl, hollow_walls};
 use super::references::check_reference;
 use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
+use super::symmetric::{check_symmetric, on_axis};
 use crate::observers::columns;
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
@@ -78,11 +79,6 @@ fn check_weight(scene: &Scene, exponent: f64) -> Result<(), Problem> {
     let (sound, limit, depth) = (scene.sound_speed(), significant(least), significant(depth));
     let expected = format_args!("at least {limit} m/s, which bears the weight of {depth} m of water");
     require(sound >= least, "fluid.sound_speed", significant(sound), expected)
-}
-
-/// A pair of numbers as a scene has it, of which the first is not 0.
-fn on_axis(holds: bool, key: &str, [x, y]: [f64; 2]) -> Result<(), Problem> {
-    require(holds, key, format_args!("[{x}, {y}]"), "[0, ...] with symmetry = \"x\"")
 }
 
 fn check_water(scene: &Scene) -> Result<(), Problem> {
@@ -236,20 +232,6 @@ fn check_thickness(scene: &Scene, thickness: f64) -> Result<(), Problem> {
         significant(thickness)
     );
     require(spacing <= largest, "resolution.spacing", spacing, expected)
-}
-
-fn check_symmetric(body: &Body) -> Result<(), Problem> {
-    for (key, value) in
-        [("body.angle_deg", body.angle_deg), ("body.angular_velocity_deg_per_s", body.angular_velocity_deg_per_s)]
-    {
-        require(value == 0.0, key, value, "0 with symmetry = \"x\"")?;
-    }
-    on_axis(body.velocity[0] == 0.0, "body.velocity", body.velocity)?;
-    on_axis(body.position[0] == 0.0, "body.position", body.position)?;
-    let (outline, centre) = (body.shape.outline(), body.center_of_mass);
-    let even = polygon::is_mirror_symmetric(&outline);
-    require(even, "body.points", "a lopsided body", "a body symmetric about x = 0 with symmetry = \"x\"")?;
-    on_axis(centre[0].abs() <= 1e-9 * polygon::perimeter(&outline), "body.center_of_mass", centre)
 }
 
 /// Each name starts columns of its own.

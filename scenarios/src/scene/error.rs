@@ -30,6 +30,19 @@ pub enum SceneError {
         /// What the system says.
         cause: io::Error,
     },
+    /// A folder, or a file of another kind.
+    #[error("`{path}` is {what}: expected {expected}")]
+    Mistaken {
+        /// The path.
+        path: String,
+        /// What it is.
+        what: &'static str,
+        /// What is expected.
+        expected: &'static str,
+        /// The command that takes it.
+        #[help]
+        help: String,
+    },
     /// A mistake in the file.
     #[error("{name}:{line}: {problem}")]
     File {
@@ -75,6 +88,10 @@ impl SceneError {
             SceneError::Unreadable { path, .. } => {
                 json!({"message": message, "file": path, "line": null, "key": null, "given": null,
                        "expected": "a file that can be read", "help": null})
+            }
+            SceneError::Mistaken { path, what, expected, help } => {
+                json!({"message": message, "file": path, "line": null, "key": null, "given": what,
+                       "expected": expected, "help": help})
             }
             SceneError::File { name, line, problem, help, .. } => {
                 let at = problem.line.as_ref();

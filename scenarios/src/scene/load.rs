@@ -8,6 +8,7 @@ use include_dir::{Dir, include_dir};
 use serde_json::Value;
 use sph_core::{FluidSettings, Solver};
 
+use super::as_written::as_written;
 use super::check::{check, check_step};
 use super::draft::Draft;
 use super::error::SceneError;
@@ -16,7 +17,9 @@ use super::gauge_warnings::gauge_warnings;
 use super::impact::Entry;
 use super::keel::keel_warnings;
 use super::legacy::refuse_absent;
+use super::mistaken_file::Expected;
 use super::outline::OutlineReport;
+use super::plausible::implausible;
 use super::prepare::prepare;
 use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
@@ -66,12 +69,12 @@ pub fn builtin() -> &'static [(&'static str, &'static str)] {
 
 /// Loads a built-in scene by its name, or a scene file by its path, with `--set` arguments applied in their order.
 pub fn load(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    loaded(Source::find("scenes", builtin(), name_or_path, sets, schema())?, Limits::Kept)
+    loaded(Source::find(Expected::Scene, builtin(), name_or_path, sets, schema())?, Limits::Kept)
 }
 
 /// As [`load`], but steps at which the scheme is known to break down are let through (THEORY WC16): for maps of where that is.
 pub fn load_beyond_limits(name_or_path: &str, sets: &[String]) -> Result<Loaded, SceneError> {
-    loaded(Source::find("scenes", builtin(), name_or_path, sets, schema())?, Limits::Ignored)
+    loaded(Source::find(Expected::Scene, builtin(), name_or_path, sets, schema())?, Limits::Ignored)
 }
 
 /// Loads a scene from its text; `name` stands for the file in messages.
@@ -88,19 +91,24 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
         let misspelt = schema().check(&written).err().filter(|first| first.sentence.starts_with("unknown key"));
         source.error(misspelt.unwrap_or(problem))
     })?;
-    let mut scene = checked(given.clone(), limits).map_err(|problem| source.error(problem))?;
+    let in_its_words = |problem| source.error(as_written(problem, &written, outline.as_ref()));
+    let mut scene = checked(given.clone(), limits).map_err(in_its_words)?;
     // what the program chose must be read again from the resolved scene
     let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));
     refuse_absurd_numbers("", &resolved).map_err(|problem| source.error(problem))?;
     let dropped = before(&source, &scene).and_then(|(before, key)| drop_references(&mut scene, before.as_ref(), &key));
-    let warnings = dropped
-        .into_iter()
-        .chain(ignored(&given, &scene))
-        .chain(warnings(&scene))
-        .chain(keel_warnings(&scene))
-        .chain(gauge_warnings(&scene))
-        .collect();
+    let warnings =
+        dropped.into_iter().chain(ignored(&given, &scene)).chain(warnings_about(&scene, outline.as_ref())).collect();
     Ok(Loaded { warnings, scene, outline, source })
+}
+
+/// Warnings about a resolved scene: what is doubtful in it, in plain words.
+pub fn all_warnings(scene: &Scene) -> Vec<String> {
+    warnings_about(scene, None)
+}
+
+fn warnings_about(scene: &Scene, outline: Option<&OutlineReport>) -> Vec<String> {
+    [implausible(scene, outline), warnings(scene), keel_warnings(scene), gauge_warnings(scene)].concat()
 }
 
 /// The scene without the `--set` keys that say what flows, where it can be read, and the first of these keys; `None` without any.

@@ -13,6 +13,7 @@
 //! ```
 
 mod approach;
+mod as_written;
 mod auto;
 mod bottom;
 mod check;
@@ -30,8 +31,10 @@ mod keel;
 mod legacy;
 mod library;
 mod load;
+pub(crate) mod mistaken_file;
 mod motion_file;
 mod outline;
+mod plausible;
 mod prepare;
 mod references;
 mod resolve;
@@ -39,6 +42,7 @@ mod resolve_body;
 pub mod settings;
 pub(crate) mod source;
 mod stations;
+mod symmetric;
 mod table_file;
 mod warnings;
 mod wet_period;
@@ -61,7 +65,7 @@ pub use impact::{
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;
 pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, WaterName, WaterProperties};
-pub use load::{Loaded, builtin, load, load_beyond_limits, load_text};
+pub use load::{Loaded, all_warnings, builtin, load, load_beyond_limits, load_text};
 pub use outline::OutlineReport;
 pub(crate) use resolve::MOST_ROWS;
 pub use settings::{

@@ -39,6 +39,7 @@ fn rows(text: &str) -> Result<Vec<[f64; 4]>, Fault> {
         return Err(Fault::new(last, format!("{} rows", table.rows.len()), "two rows at least"));
     }
     let head = |expected: &str| {
+        let expected = format!("{expected}{}", table.decimal_commas());
         Fault::new(table.header_line.max(1), format!("the columns {}", shortened(&table.names.join(", "))), expected)
     };
     let time = table.column(&TIMES).ok_or_else(|| head("a header that names a column of time, t or time"))?;

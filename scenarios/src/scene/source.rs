@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
 use super::error::SceneError;
+use super::mistaken_file::{Expected, refuse_folder, refuse_other_kind};
 use crate::bounded_text::read_text;
 use crate::spelling::nearest;
 
@@ -34,9 +35,9 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// A file by its path, or a built-in one by its name; `kind` is what it holds, in the plural.
+    /// A file by its path, or a built-in one by its name.
     pub fn find(
-        kind: &str,
+        expected: Expected,
         builtin: &[(&str, &str)],
         name_or_path: &str,
         sets: &[String],
@@ -45,11 +46,14 @@ impl Source {
         let path = name_or_path.to_string();
         let (name, text) = match builtin.iter().find(|(name, _)| *name == path) {
             Some((name, text)) => (format!("{name}.toml"), text.to_string()),
-            None => match read_text(&path) {
-                Ok(text) => (path, text),
+            None => match refuse_folder(&path, expected).map(|()| read_text(&path))? {
+                Ok(text) => {
+                    refuse_other_kind(&path, &text, expected)?;
+                    (path, text)
+                }
                 Err(cause) if cause.kind() == ErrorKind::NotFound => {
                     let names: Vec<&str> = builtin.iter().map(|(name, _)| *name).collect();
-                    let help = format!("built-in {kind}: {}", names.join(", "));
+                    let help = format!("built-in {}: {}", expected.plural(), names.join(", "));
                     let near = nearest(&path, names).map(String::from);
                     return Err(SceneError::Unknown { name: path, near, help });
                 }
@@ -82,9 +86,21 @@ impl Source {
 
     /// What the TOML parser has to say about the text.
     fn syntax_error(&self, error: &toml::de::Error) -> SceneError {
-        let sentence = format!("not valid TOML: {}", error.message());
+        let span = error.span().unwrap_or(0..0);
+        let hint = if self.has_decimal_comma(span.start) { "; a decimal comma? TOML has decimal points" } else { "" };
+        let sentence = format!("not valid TOML: {}{hint}", error.message());
         let problem = Problem { sentence, expected: "valid TOML".into(), ..Problem::default() };
-        self.error_at(error.span().unwrap_or(0..0), problem, None)
+        self.error_at(span, problem, None)
+    }
+
+    /// True where the line at a place is a key with a number that has a decimal comma.
+    fn has_decimal_comma(&self, at: usize) -> bool {
+        let line = 1 + self.text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
+        let value =
+            self.text.lines().nth(line - 1).and_then(|line| line.split_once('=')).map(|(_, value)| value.trim());
+        let parts = value.and_then(|value| value.split('#').next()?.trim().split_once(','));
+        let digits = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+        parts.is_some_and(|(whole, rest)| digits(whole.trim_start_matches(['-', '+'])) && digits(rest))
     }
 
     fn error_at(&self, span: Range<usize>, problem: Problem, help: Option<String>) -> SceneError {

@@ -17,6 +17,28 @@ pub(super) struct NumberTable {
     pub rows: Vec<(usize, Vec<f64>)>,
     /// Line of the header.
     pub header_line: usize,
+    /// True where each row could be numbers with decimal commas between commas.
+    pub halves: bool,
+}
+
+/// What a table is told that has decimal commas where they cannot be told from commas between cells.
+const DECIMAL_COMMAS: &str = "; decimal commas? write a decimal point, or semicolons between the cells";
+
+/// A line whose cells, separated by its commas, are twice as many whole numbers as it may have numbers: `1,5,2,25`.
+fn may_be_halves(line: &str) -> bool {
+    let digits = |cell: &str| !cell.is_empty() && cell.chars().all(|c| c.is_ascii_digit());
+    let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+    let whole = |cell: &&str| digits(cell.trim_start_matches(['-', '+']));
+    !line.contains(';') && cells.len() > 2 && cells.iter().all(whole)
+}
+
+/// Numbers with decimal commas between spaces: `1,5 2,25`.
+fn has_spaced_decimal_commas(line: &str) -> bool {
+    let words = line.split_whitespace().map(|word| word.replacen(',', ".", 1));
+    line.contains(',')
+        && !line.contains([';', '.'])
+        && words.clone().count() > 1
+        && words.clone().all(|word| number(&word).is_some())
 }
 
 /// Cells of a line. Beside semicolons a comma is a decimal mark.
@@ -69,20 +91,29 @@ impl NumberTable {
             }
             if let Some(wrong) = numbers.iter().position(Option::is_none) {
                 let cell = format!("`{}`", shortened(&given[wrong]));
-                return Err(Fault::new(k + 1, cell, "a finite number"));
+                let hint = if has_spaced_decimal_commas(line) { DECIMAL_COMMAS } else { "" };
+                return Err(Fault::new(k + 1, cell, format!("a finite number{hint}")));
             }
             if columns == 0 {
                 columns = given.len();
             }
             if given.len() != columns {
-                return Err(Fault::new(k + 1, format!("{} cells", given.len()), format!("{columns} cells, as above")));
+                let hint = if may_be_halves(line) { DECIMAL_COMMAS } else { "" };
+                let expected = format!("{columns} cells, as above{hint}");
+                return Err(Fault::new(k + 1, format!("{} cells", given.len()), expected));
             }
+            table.halves = may_be_halves(line) && (table.halves || table.rows.is_empty());
             table.rows.push((k + 1, numbers.into_iter().flatten().collect()));
             if table.rows.len() > MOST_ROWS {
                 return Err(Fault::new(k + 1, "another row", format!("at most {MOST_ROWS} rows")));
             }
         }
         Ok(table)
+    }
+
+    /// A hint where the table may have decimal commas, else nothing.
+    pub fn decimal_commas(&self) -> &'static str {
+        if self.halves { DECIMAL_COMMAS } else { "" }
     }
 
     /// Index of the column with one of these names, if the header has as many cells as the rows.
@@ -127,6 +158,12 @@ mod tests {
 
     #[test]
     fn a_wrong_line_is_told_with_its_number() {
+        for text in ["0,0\n1,5,2,25\n", "0,5,0,25\n1,5\n", "1,5 2,25\n3,5 4\n"] {
+            let fault = NumberTable::parse(text).expect_err(text);
+            assert!(fault.expected.contains("write a decimal point") || text.starts_with("0,5"), "{text}: {fault:?}");
+        }
+        assert!(NumberTable::parse("0,5,0,25\n1,5,2,25\n").is_ok_and(|table| !table.decimal_commas().is_empty()));
+        assert!(NumberTable::parse("0.5,0,25\n1,5,2\n").is_ok_and(|table| table.decimal_commas().is_empty()));
         for (text, line, given) in
             [("x,y\n1,2\n1,b\n", 3, "`b`"), ("1,2\n1,2,3\n", 2, "3 cells"), ("1,nan\n", 1, "`nan`")]
         {

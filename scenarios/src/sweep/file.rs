@@ -11,6 +11,7 @@ use super::error::SweepError;
 use super::toml_reader::{Entry, TomlReader};
 use crate::bounded_text::read_text;
 use crate::scene::SceneError;
+use crate::scene::mistaken_file::{Expected, refuse_other_kind};
 use crate::scene::source::segments;
 use crate::{ditching, scene};
 
@@ -50,8 +51,15 @@ impl SweepFile {
     /// The file cannot be read, or its first mistake.
     pub fn read(path: &Path) -> Result<SweepFile, SweepError> {
         let shown = path.display().to_string();
-        let text =
-            read_text(path).map_err(|e| SweepError::Input(format!("cannot read the sweep file {shown}: {e}")))?;
+        let text = read_text(path).map_err(|e| {
+            let scene = if scene::builtin().iter().any(|(name, _)| *name == shown) {
+                format!("; {shown} is a built-in scene: `splashdown run {shown}` runs it")
+            } else {
+                String::new()
+            };
+            SweepError::Input(format!("cannot read the sweep file {shown}: {e}{scene}"))
+        })?;
+        refuse_other_kind(&shown, &text, Expected::Sweep)?;
         let whole = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
         SweepFile::parse(&whole, &shown, &text)
     }

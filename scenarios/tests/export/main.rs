@@ -90,8 +90,51 @@ fn tables_hold_every_particle() {
     let read: Vec<f64> = read.collect();
     assert_eq!(read.len(), pressures.len());
     assert!(read.iter().zip(&pressures).all(|(a, b)| (*a as f32) == (*b as f32)));
-    let times = fs::read_to_string(dir.join("csv/frames.csv")).expect("a table");
-    assert_eq!(times.lines().count(), frames + 1);
+    assert_eq!(columns(&dir.join("csv/frames.csv"), &["frame"])[0].len(), frames);
+}
+
+/// Columns of a table of numbers.
+fn columns(path: &Path, names: &[&str]) -> Vec<Vec<f64>> {
+    let text = fs::read_to_string(path).expect("a table");
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &&str| {
+        let at = rows[0].iter().position(|head| head == name).unwrap_or_else(|| panic!("{name} in {:?}", rows[0]));
+        rows[1..].iter().map(|row| row[at].parse().expect("a number")).collect()
+    };
+    names.iter().map(column).collect()
+}
+
+/// The wedge touches the water at 0 and starts before: frames and bodies of every format have the times of `series.csv`.
+#[test]
+fn a_run_that_starts_before_0_is_exported_on_its_own_clock() {
+    let folder = folder();
+    let dir = folder.path().join("run");
+    for format in [FrameFormat::Vtk, FrameFormat::Csv, FrameFormat::Parquet] {
+        export_frames(&dir, format).expect("files");
+    }
+    let series = columns(&dir.join("series.csv"), &["time_s", "wedge.x_m", "wedge.y_m", "wedge.angle_deg"]);
+    let times = columns(&dir.join("csv/frames.csv"), &["time_s"]).remove(0);
+    let close = |a: f64, b: f64, most: f64| (a - b).abs() <= most;
+    let ends = [series[0][0], series[0][series[0].len() - 1]];
+    assert!(ends[0] < -1e-3, "{ends:?}");
+    assert!(close(times[0], ends[0], 2e-9) && close(times[times.len() - 1], ends[1], 2e-9), "{times:?}");
+    let bodies = columns(&dir.join("csv/bodies.csv"), &["time_s", "x_m", "y_m", "angle_deg"]);
+    assert_eq!(bodies[0], times);
+    for row in [0, times.len() - 1] {
+        let sampled = if row == 0 { 0 } else { series[0].len() - 1 };
+        assert!((1..4).all(|k| close(bodies[k][row], series[k][sampled], 1e-9)), "{row}: {bodies:?}");
+    }
+    let collection = fs::read_to_string(dir.join("vtk/fluid.pvd")).expect("a collection");
+    let step = collection.split("timestep=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a time");
+    assert_eq!(step.parse::<f64>().expect("a number"), times[0]);
+    let file = fs::File::open(dir.join("parquet/bodies.parquet")).expect("a file");
+    let rows = SerializedFileReader::new(file).expect("Parquet").get_row_iter(None).expect("rows").count();
+    assert_eq!(rows, times.len());
+    let file = fs::File::open(dir.join("parquet/fluid.parquet")).expect("a file");
+    let reader = SerializedFileReader::new(file).expect("Parquet");
+    let mut rows = reader.get_row_iter(None).expect("rows");
+    let first = rows.next().and_then(Result::ok).and_then(|row| row.get_double(1).ok()).expect("a time");
+    assert_eq!(first, times[0]);
 }
 
 #[test]
@@ -121,4 +164,13 @@ fn a_folder_without_frames_is_refused_by_name() {
     let error = export_frames(folder.path(), FrameFormat::Vtk).expect_err("no log");
     assert!(matches!(error, ExportError::NoFrames(_)));
     assert!(error.to_string().contains(&folder.path().display().to_string()));
+}
+
+#[test]
+fn a_log_without_its_scene_is_refused_because_its_clock_is_not_known() {
+    let folder = folder();
+    let dir = folder.path().join("run");
+    fs::remove_file(dir.join("scene.resolved.toml")).expect("a file");
+    let error = export_frames(&dir, FrameFormat::Csv).expect_err("no scene");
+    assert!(error.to_string().contains("scene.resolved.toml"), "{error}");
 }

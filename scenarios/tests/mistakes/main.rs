@@ -42,9 +42,17 @@ fn arguments(folder: &Path, kind: &str, given: &str) -> Vec<String> {
             data();
             scene(&with_outline().replace("FILE", from), "check")
         }
+        "outline_in_m" => {
+            data();
+            scene(&with_outline().replace(OUTLINE, &format!("outline = {from:?}\noutline_unit = \"m\"")), "check")
+        }
         "outline_key" => {
             fs::write(folder.join("a.csv"), "0,0\n1,0\n1,1\n").expect("a file");
             scene(&with_outline().replace(OUTLINE, given), "check")
+        }
+        "check" | "sweep" | "ditch" => {
+            data();
+            [kind, from].map(String::from).to_vec()
         }
         "motion" => {
             data();
@@ -70,7 +78,8 @@ fn faults(kind: &str, given: &str, words: &str) -> Vec<String> {
     require(error["message"].is_string(), format!("no message in {stdout}"));
     let placed = error["file"].is_string() && error["line"].is_u64();
     let keyed = error["key"].is_string() || error["message"].to_string().contains("not valid TOML");
-    require(["args", "set"].contains(&kind) || placed && keyed, format!("no file, line and key in {stdout}"));
+    let placeless = ["args", "set", "check", "sweep", "ditch"].contains(&kind);
+    require(placeless || placed && keyed, format!("no file, line and key in {stdout}"));
     let missing = words.split(" ;; ").filter(|word| !stdout.contains(word));
     faults.extend(missing.map(|word| format!("`{word}` is not in {stdout}")));
     faults
@@ -89,4 +98,49 @@ fn every_mistake_is_refused_in_words_that_help() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(count >= 200, "{count} mistakes");
+}
+
+/// The standard error of a command that is refused.
+fn refusal(folder: &Path, arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_splashdown")).args(arguments).current_dir(folder).output();
+    let output = output.expect("the program runs");
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {told}");
+    told
+}
+
+#[test]
+fn a_folder_is_told_for_what_it_holds() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (file, command) in [("scene.resolved.toml", "splashdown resume held"), ("sweep.json", "splashdown sweep held")]
+    {
+        let held = folder.path().join("held");
+        fs::create_dir_all(&held).expect("a folder");
+        fs::write(held.join(file), "").expect("a file");
+        for verb in ["run", "check"] {
+            let told = refusal(folder.path(), &[verb, "held"]);
+            assert!(told.contains("`held` is the folder of a") && told.contains(command), "{told}");
+        }
+    }
+}
+
+/// What stops a command comes before what is doubtful about its scene.
+#[test]
+fn a_folder_that_holds_a_run_is_refused_before_warnings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("held")).expect("a folder");
+    fs::write(folder.path().join("held/summary.json"), "{}").expect("a file");
+    let told = refusal(folder.path(), &["run", "wedge", "--set", "resolution.spacing=0.01", "--out", "held"]);
+    assert!(told.starts_with("error: held already holds a run") && !told.contains("WARN"), "{told}");
+}
+
+/// The parser's advice to pass an unknown option as a value is not repeated.
+#[test]
+fn a_key_as_an_option_gets_the_tip_to_set_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let told = refusal(folder.path(), &["run", "wedge", "--spacing", "0.01"]);
+    assert!(told.contains("tip: a key of the scene is set by `--set resolution.spacing=0.01`"), "{told}");
+    assert!(!told.contains("-- --spacing"), "{told}");
+    let told = refusal(folder.path(), &["run", "wedge", "--chekpoint-every", "1"]);
+    assert!(told.contains("--checkpoint-every"), "{told}");
 }

@@ -71,3 +71,26 @@ fn files_that_went_on_are_cut_back() {
     resumed(&parts, None);
     assert_same("dam_break", &whole, &parts);
 }
+
+/// A later end may need more water, or a finer one: what is doubtful then is told, and stands in the summary.
+#[test]
+fn warnings_are_those_of_the_later_end() {
+    let place = TempDir::new().expect("a folder");
+    let dir = place.path().join("run");
+    let scene = scene_of("wedge", &["resolution.spacing=0.02", "time.end=0.002", "compare=[]"]);
+    let checkpoints = Some(Checkpoints { every: Some(scene.time.end) });
+    let warnings = vec!["a warning of the command line".to_string()];
+    run(&scene, &RunOptions { out: Some(dir.clone()), checkpoints, warnings, ..RunOptions::default() }).expect("a run");
+    let told = |run: &Resumable| run.warnings().join("\n");
+    let later = Resumable::open(&dir, Some(0.02)).expect("a checkpoint");
+    assert!(told(&later).contains("the echo from the tank's walls"), "{}", told(&later));
+    assert!(told(&later).contains("a warning of the command line"), "{}", told(&later));
+    drop(later);
+    let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_splashdown"));
+    let output = program.arg("resume").arg(&dir).args(["--until", "4ms"]).output().expect("the program");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && stderr.contains("WARN"), "{stderr}");
+    let summary = fs::read_to_string(dir.join("summary.json")).expect("a summary");
+    let echo = "the echo from the tank's walls";
+    assert!(stderr.contains(echo) && summary.contains(echo), "{stderr}");
+}

@@ -3,6 +3,7 @@
 mod legacy;
 mod own_section;
 mod panels;
+mod plausible;
 mod projection;
 mod reference_page;
 mod refused;
@@ -133,8 +134,8 @@ fn a_scene_file_loads_by_its_path() {
     let loaded = load(path.to_str().expect("a printable path"), &[]).expect("the scene loads");
     assert_eq!(loaded.scene, drop_with(&[]));
     assert_eq!(loaded.source_name(), path.to_str().expect("a printable path"));
-    let unreadable = load(folder.path().to_str().expect("a printable path"), &[]).expect_err("a folder is no file");
-    assert!(matches!(unreadable, SceneError::Unreadable { .. }));
+    let mistaken = load(folder.path().to_str().expect("a printable path"), &[]).expect_err("a folder is no file");
+    assert!(matches!(mistaken, SceneError::Mistaken { .. }), "{mistaken}");
 }
 
 /// Defaults that depend on other keys, in words or formulas.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use scenarios::preflight::preflight;
 use scenarios::report::section_picture;
 use scenarios::run::{RunOptions, run};
 use scenarios::scene::{Loaded, Shape, load, load_text, panel_length};
@@ -77,6 +78,32 @@ fn the_guides_section_is_understood_in_every_format() {
     assert_eq!(panel(&turned), panel(&csv));
     let picture = section_picture(&csv.scene);
     assert!(picture.starts_with("<svg") && picture.contains("panel bottom") && picture.contains(">37</text>"));
+}
+
+/// Points rounded to 0.01 mm, as drawings have them, leave dents of that size in a convex bottom: theories hold all the same.
+#[test]
+fn a_convex_section_with_rounded_points_has_its_theories() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let face = |k: u32| {
+        let x = 550.0 * f64::from(k) / 60.0;
+        [x, 0.30 * x + 1e-5 * x * x].map(|value| (100.0 * value).round() / 100.0)
+    };
+    let side: Vec<[f64; 2]> = (1..=60).map(face).chain([[550.0, 400.0]]).collect();
+    let slope = |w: &[[f64; 2]]| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]);
+    let slopes: Vec<f64> = side[..60].windows(2).map(slope).collect();
+    assert!(slopes.windows(2).any(|w| w[1] < w[0] - 1e-4), "no dents");
+    let mirrored = side.iter().rev().map(|[x, y]| [-x, *y]);
+    let points: Vec<[f64; 2]> = [[0.0, 0.0]].into_iter().chain(side.iter().copied()).chain(mirrored).collect();
+    let text: String = points.iter().map(|[x, y]| format!("{x},{y}\n")).collect();
+    fs::write(folder.path().join("a.csv"), format!("x [mm],y [mm]\n{text}")).expect("a file");
+    let scene = "name = \"hull\"\nsymmetry = \"x\"\n[time]\nend = 0.02\n[resolution]\nspacing = 0.01\n[body]\nshape = \"polygon\"\n\
+                 outline = \"a.csv\"\nmass = 100.0\nfree = [\"y\"]\nvelocity = [0.0, -5.0]\n";
+    let path = folder.path().join("hull.toml");
+    fs::write(&path, scene).expect("a file");
+    let loaded = load(path.to_str().expect("a printable path"), &[]).expect("it loads");
+    let theories = preflight(&loaded.scene, &[]).theories;
+    let told: Vec<_> = theories.iter().filter_map(|theory| Some((theory.model, theory.obstacle.clone()?))).collect();
+    assert!(told.iter().all(|(model, _)| model.name() == "similarity"), "{told:?}");
 }
 
 #[test]

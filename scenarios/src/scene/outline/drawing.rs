@@ -18,6 +18,8 @@ pub(super) struct Drawing {
     pub pieces: Vec<Vec<Placed>>,
     /// Length of its unit [m], where the file says it.
     pub unit: Option<f64>,
+    /// Line of the header of a table that says it.
+    pub unit_line: Option<usize>,
     /// Format, in words.
     pub format: &'static str,
 }

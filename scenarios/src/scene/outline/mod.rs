@@ -111,6 +111,13 @@ fn read(file: &DataFile) -> Result<Drawing, Fault> {
 /// The points of a body, and what was understood of a file.
 fn understood(file: &DataFile, unit: Option<f64>, closed: bool) -> Result<(Vec<[f64; 2]>, Settled), Fault> {
     let drawing = read(file)?;
+    if let (Some(wanted), Some(stated), Some(line)) = (unit, drawing.unit, drawing.unit_line)
+        && (wanted - stated).abs() > 1e-9 * wanted
+    {
+        let [wanted, stated] = [wanted, stated].map(significant);
+        let expected = format!("that of {UNIT_KEY}, {wanted} m, or no {UNIT_KEY} beside such a header");
+        return Err(Fault::new(line, format!("a unit of {stated} m in the header"), expected));
+    }
     let (format, unit) = (drawing.format, unit.or(drawing.unit).unwrap_or(1.0));
     let line: Vec<Placed> = drawing.joined()?.into_iter().map(|(k, point)| (k, point.map(|x| x * unit))).collect();
     let in_file: Vec<[f64; 2]> = line.iter().map(|(_, point)| *point).collect();

@@ -14,7 +14,8 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
         _ if columns == 2 => [0, 1],
         _ => {
             let line = table.rows.first().map_or(1, |(line, _)| *line);
-            return Err(Fault::new(line, format!("{columns} columns"), "two columns, or a header that names x and y"));
+            let expected = format!("two columns, or a header that names x and y{}", table.decimal_commas());
+            return Err(Fault::new(line, format!("{columns} columns"), expected));
         }
     };
     let [unit, other] = [table.factor(x, "m")?, table.factor(y, "m")?];
@@ -29,7 +30,8 @@ pub(super) fn parse(text: &str, is_dat: bool) -> Result<Drawing, Fault> {
             points[..upper as usize].reverse();
         }
     }
-    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), format })
+    let unit_line = has_unit.then_some(table.header_line);
+    Ok(Drawing { pieces: vec![points], unit: has_unit.then_some(unit), unit_line, format })
 }
 
 /// The text with its first line that says something as a comment, unless it is of numbers.

@@ -24,7 +24,8 @@ pub struct Body {
     /// are merged.
     #[serde(default, skip_serializing)]
     pub outline: Option<String>,
-    /// Unit of the outline's file: m, cm, mm, in or ft. absent: that which the file states, else m.
+    /// Unit of the outline's file: m, cm, mm, in or ft. A table whose header states another one is refused. absent:
+    /// that which the file states, else m.
     #[serde(default, skip_serializing)]
     pub outline_unit: Option<String>,
     /// Table of the motion, motion = "tabulated", below the folder of the scene's file: a header of t and x, y, angle, or the velocities

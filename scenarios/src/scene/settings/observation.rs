@@ -30,9 +30,9 @@ pub struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub log_budget: Option<f64>,
-    /// Channel frequency class of the filter of the body's acceleration (SAE J211-1: a Butterworth low-pass of second order there and
-    /// back, -3 dB at 1.65 times the class), for acceleration_filtered in the summary and the curve in the report [Hz]. absent: the
-    /// curve is filtered at the cut-off of the peak acceleration.
+    /// Channel frequency class of the filter of the body's acceleration (60, 180, 600 or 1000 of SAE J211-1: a Butterworth low-pass of
+    /// second order there and back, -3 dB at 1.65 times the class), for acceleration_filtered in the summary and the curve in the report
+    /// [Hz]. absent: the curve is filtered at the cut-off of the peak acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub acceleration_cfc: Option<f64>,
