@@ -1,5 +1,7 @@
 //! Curves in one coordinate system.
 
+use super::colour::Rgb;
+
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
@@ -34,13 +36,27 @@ pub struct Curve {
     pub x: Vec<f64>,
     /// Ordinates, in the unit that [`Chart::y_label`] states.
     pub y: Vec<f64>,
+    /// Its colour; absent, it follows from its place among the curves.
+    pub colour: Option<Rgb>,
+    /// Thin and pale, as the samples behind their mean.
+    pub pale: bool,
 }
 
 impl Curve {
     /// A named curve through points (x, y).
     pub fn new(label: impl Into<String>, mark: Mark, points: impl IntoIterator<Item = [f64; 2]>) -> Curve {
         let (x, y) = points.into_iter().map(|[x, y]| (x, y)).unzip();
-        Curve { label: label.into(), mark, x, y }
+        Curve { label: label.into(), mark, x, y, colour: None, pale: false }
+    }
+
+    /// The same in a colour of its own.
+    pub fn coloured(self, colour: Rgb) -> Curve {
+        Curve { colour: Some(colour), ..self }
+    }
+
+    /// The same, thin and pale.
+    pub fn faded(self) -> Curve {
+        Curve { pale: true, ..self }
     }
 }
 

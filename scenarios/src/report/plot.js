@@ -87,7 +87,7 @@
     }
     const over = make('g', { 'pointer-events': 'none' }, svg);
     const cursor = make('path', { stroke: 'currentColor', 'stroke-opacity': 0.55, 'stroke-dasharray': '2 3', visibility: 'hidden' }, over);
-    const now = make('path', { stroke: '#d55e00', 'stroke-opacity': 0.9, visibility: 'hidden' }, over);
+    const now = make('path', { class: 'now', stroke: 'currentColor', 'stroke-opacity': 0.4, visibility: 'hidden' }, over);
     const box = make('rect', { y: top, height, fill: 'currentColor', 'fill-opacity': 0.1, visibility: 'hidden' }, over);
     const dots = curves.map(({ element }) => make('circle', { r: 3.6, fill: element.dataset.colour || 'none', visibility: 'hidden' }, over));
     const place = (event) => {
