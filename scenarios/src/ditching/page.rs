@@ -68,8 +68,7 @@ fn chart(landed: &Landed, title: &str, y_label: &str, columns: &[&str]) -> Chart
         mark: Mark::Line,
         x: time.clone(),
         y: landed.column(name).unwrap_or_default(),
-        colour: None,
-        pale: false,
+        ..Curve::default()
     };
     Chart {
         title: title.into(),

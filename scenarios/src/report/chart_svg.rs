@@ -22,12 +22,12 @@ const SAMPLE: f64 = 22.0;
 const GAP: f64 = 18.0;
 
 /// Colours, in the order of the curves, then from the start again. They are those of M. Okabe and K. Ito, *Color Universal Design*
-/// (2008), without yellow and black: they read on white and on black; then two of P. Tol's (2021), for charts with many curves.
+/// (2008), without yellow and black: they read on white and on black; then two more that do, for charts with many curves.
 const COLOURS: [&str; 9] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#808080", "#999933", "#aa4499"];
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#808080", "#8a63d2", "#b5487a"];
 
-/// Strength of a pale curve [-].
-const PALE: f64 = 0.4;
+/// Dashes, likewise; the first is a full line.
+const DASHES: [&str; 4] = ["", "6 4", "1.5 3.5", "10 3 2 3"];
 
 /// Markers, likewise; the first is a circle.
 const MARKERS: [&str; 5] = [
@@ -144,34 +144,45 @@ fn plot(axes: [&Axis; 2], curve: &Curve, points: &[[f64; 2]], index: usize) -> S
     let label = escape(&curve.label);
     if is_marked(curve.mark) || places.len() == 1 {
         // a line needs two points; a single one is a result too
-        let marks: String = places.iter().map(|at| marker(*at, curve.mark, index, &colour)).collect();
+        let marks: String = places.iter().map(|at| marker(*at, curve, index, &colour)).collect();
         return format!("<g class=\"curve\" data-label=\"{label}\" data-colour=\"{colour}\">{marks}</g>\n");
     }
-    let dashes = if curve.mark == Mark::Dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-    let (width, strength) = if curve.pale { (1.0, PALE) } else { (1.8, 1.0) };
+    let dashes = dashes(curve);
+    let [width, opacity] = if curve.paint.pale { ["1.1", " stroke-opacity=\"0.45\""] } else { ["1.8", ""] };
     let path: Vec<String> = places.iter().map(|[x, y]| format!("{x:.2} {y:.2}")).collect();
     let path = if path.is_empty() { String::new() } else { format!("M {}", path.join("L ")) };
     format!(
         "<path d=\"{path}\" class=\"curve\" data-label=\"{label}\" data-colour=\"{colour}\" stroke=\"{colour}\" \
-         stroke-width=\"{width}\" stroke-opacity=\"{strength}\" stroke-linejoin=\"round\"{dashes} />\n"
+         stroke-width=\"{width}\" stroke-linejoin=\"round\"{opacity}{dashes} />\n"
     )
 }
 
-/// The colour of a curve: its own, or that of its place.
+/// The colour of a curve.
 fn colour(curve: Option<&Curve>, index: usize) -> String {
-    let own = curve.and_then(|curve| curve.colour).map(hex);
-    own.unwrap_or_else(|| COLOURS[index % COLOURS.len()].to_string())
+    let own = curve.and_then(|curve| curve.paint.colour);
+    own.map_or_else(|| COLOURS[index % COLOURS.len()].to_string(), hex)
 }
 
-fn marker([x, y]: [f64; 2], mark: Mark, index: usize, colour: &str) -> String {
-    let paint = match mark {
-        Mark::Hollow => format!("fill=\"{colour}\" fill-opacity=\"0\" stroke=\"{colour}\" stroke-width=\"1.8\""),
+/// The dashes of a line, as an attribute.
+fn dashes(curve: &Curve) -> String {
+    let form = curve.paint.form.unwrap_or(usize::from(curve.mark == Mark::Dashed));
+    match DASHES[form % DASHES.len()] {
+        "" => String::new(),
+        lengths => format!(" stroke-dasharray=\"{lengths}\""),
+    }
+}
+
+fn marker([x, y]: [f64; 2], curve: &Curve, index: usize, colour: &str) -> String {
+    let paint = match curve.mark {
+        Mark::Hollow => format!("fill=\"{colour}\" fill-opacity=\"0\" stroke=\"{colour}\" stroke-width=\"1.4\""),
         _ => format!("fill=\"{colour}\""),
     };
     let place = format!("transform=\"translate({x:.2} {y:.2})\"");
-    match MARKERS[index % MARKERS.len()] {
+    match MARKERS[curve.paint.form.unwrap_or(index) % MARKERS.len()] {
         "" => format!("<circle r=\"3.4\" {place} {paint} />"),
-        _ if mark == Mark::Hollow => format!("<circle r=\"3.4\" {place} {paint} />"),
+        _ if curve.mark == Mark::Hollow && curve.paint.form.is_none() => {
+            format!("<circle r=\"3.4\" {place} {paint} />")
+        }
         shape => format!("<path d=\"{shape}\" {place} {paint} />"),
     }
 }
@@ -188,22 +199,19 @@ fn trend([x, y]: [&Axis; 2], ends: [[f64; 2]; 2], colour: &str) -> Option<String
 fn legend(chart: &Chart, left: f64, top: f64) -> (String, f64) {
     let (mut svg, mut x, mut y) = (String::new(), left, top);
     let named = |curve: &&(usize, &Curve)| !curve.1.label.is_empty();
-    let curves: Vec<(usize, &Curve)> = chart.curves.iter().enumerate().collect();
+    let entries = if chart.legend.is_empty() { &chart.curves } else { &chart.legend };
+    let curves: Vec<(usize, &Curve)> = entries.iter().enumerate().collect();
     for (index, curve) in curves.iter().filter(named) {
         let width = SAMPLE + 6.0 + LETTER * curve.label.chars().count() as f64 + GAP;
         if x > left && x + width > WIDTH {
             (x, y) = (left, y + LINE);
         }
         let (colour, middle) = (colour(Some(curve), *index), y - 4.0);
-        let strength = if curve.pale { PALE } else { 1.0 };
         svg += &match curve.mark {
-            mark @ (Mark::Points | Mark::Hollow) => marker([x + 0.5 * SAMPLE, middle], mark, *index, &colour),
-            mark => {
-                let dashes = if mark == Mark::Dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-                let end = x + SAMPLE;
-                format!(
-                    "<path d=\"M {x:.2} {middle:.2} H {end:.2}\" stroke=\"{colour}\" stroke-width=\"2\" stroke-opacity=\"{strength}\"{dashes} />"
-                )
+            Mark::Points | Mark::Hollow => marker([x + 0.5 * SAMPLE, middle], curve, *index, &colour),
+            _ => {
+                let (dashes, end) = (dashes(curve), x + SAMPLE);
+                format!("<path d=\"M {x:.2} {middle:.2} H {end:.2}\" stroke=\"{colour}\" stroke-width=\"2\"{dashes} />")
             }
         };
         svg += &text([x + SAMPLE + 6.0, y], "start", &curve.label);

@@ -28,7 +28,7 @@ fn envelopes(run: &RunFolder, name: &str, envelope: &Envelope) -> Vec<Figure> {
     let length = Unit::of("m", stations.last().copied().unwrap_or(0.0));
     let ours = [
         ("Stress of the outer fibres along", &envelope.stress_pa, "Pa"),
-        ("Bending moment along", &envelope.moment_n, "N"),
+        ("Bending moment along", &envelope.moment_n, "N m/m"),
         ("Shear force along", &envelope.shear_n_per_m, "N/m"),
         ("Normal force along", &envelope.normal_n_per_m, "N/m"),
     ];
@@ -54,7 +54,7 @@ fn envelopes(run: &RunFolder, name: &str, envelope: &Envelope) -> Vec<Figure> {
         ];
         if let Some(allowed) = allowable(run, name).filter(|_| si == "Pa") {
             let ends = [stations[0], stations[stations.len() - 1]].map(|s| length.scale * s);
-            for (label, sign) in [("allowable", 1.0), ("", -1.0)] {
+            for (label, sign) in [("allowable, tension", 1.0), ("allowable, compression", -1.0)] {
                 let line = ends.map(|s| [s, sign * unit.scale * allowed]);
                 curves.push(Curve::new(label, Mark::Dashed, line));
             }
@@ -84,7 +84,7 @@ fn extremes_table(run: &RunFolder, name: &str, panel: &Panel) -> Block {
     };
     extremes("Stress of the outer fibres", "Pa", &panel.stress_pa);
     extremes("Their strain", "-", &panel.strain);
-    extremes("Bending moment", "N", &panel.moment_n);
+    extremes("Bending moment", "N m/m", &panel.moment_n);
     extremes("Shear force", "N/m", &panel.shear_n_per_m);
     extremes("Normal force", "N/m", &panel.normal_n_per_m);
     if let Some(left) = panel.plastic_curvature_per_m.filter(|left| *left > 0.0) {
