@@ -26,6 +26,8 @@ const LEAST_SAMPLES: f64 = 3.0;
 const NEAR: f64 = 4.0;
 /// What columns of stress begin with.
 const STRESS: &str = "Largest stress";
+/// The dashes of references, other than those of theories.
+const DASH_AND_DOT: usize = 3;
 /// Colours of our curves (M. Okabe and K. Ito, *Color Universal Design*, 2008), of references, and of results and limits.
 const OURS: [Rgb; 6] = [[0, 114, 178], [230, 159, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [138, 99, 210]];
 const THEIRS: [Rgb; 4] = [[128, 128, 128], [138, 99, 210], [181, 72, 122], [153, 153, 51]];
@@ -123,7 +125,12 @@ fn figure(
                 let label = if group.columns.len() == 1 { "every sample" } else { label };
                 curves.insert(0, Curve { label: label.into(), ..own }.painted(Paint { pale: true, ..paint }));
                 results.extend(result.and_then(|result| mark(result, column, [&time, &unit], &mean)));
-                curves.push(mean.painted(paint));
+                let label = if group.columns.len() == 1 {
+                    mean.label.clone()
+                } else {
+                    format!("{}, {}", column.part, mean.label)
+                };
+                curves.push(Curve { label, ..mean }.painted(paint));
             }
             None => {
                 results.extend(result.and_then(|result| mark(result, column, [&time, &unit], &own)));
@@ -173,7 +180,8 @@ fn drawn_references(
             1 => THEIRS[curves.len() % THEIRS.len()],
             _ => OURS[k % OURS.len()],
         };
-        let paint = Paint { colour: Some(colour), ..Paint::default() };
+        let form = if mark == Mark::Dashed { DASH_AND_DOT } else { curves.len() };
+        let paint = Paint { colour: Some(colour), form: Some(form), pale: false };
         curves.push(Curve::new(references::name(&compare.reference), mark, points).painted(paint));
     }
     curves

@@ -93,7 +93,7 @@ pub(super) fn verdict_of(run: &RunFolder, name: &str, quantity: &Quantity) -> St
     let of_panel = name.rsplit_once('.').map(|(panel, _)| panel);
     match of_panel {
         Some(panel) if ["not_resolved", "acoustic"].contains(&quantity.verdict.as_str()) && !told(panel) => {
-            format!("{words}, as the force is not")
+            format!("{words}, as the force")
         }
         _ if run.is_interrupted() && quantity.time_s.is_none() => format!("up to {}, not complete", end(run)),
         _ if run.is_interrupted() => format!("{words}, so far"),
@@ -178,7 +178,8 @@ fn verdict(run: &RunFolder) -> Verdict {
             reasons.push(
                 "The run has no results: its curves and pictures end with the failure, and show how it came.".into(),
             );
-            ("failed", format!("Failed. {}", times_in_words(record.message.as_deref().unwrap_or_default())))
+            let message = times_in_words(record.message.as_deref().unwrap_or_default());
+            ("failed", format!("Failed. {}.", message.trim_end_matches('.')))
         }
         "interrupted" => {
             if run.path.join("checkpoint.bin").is_file() {

@@ -83,7 +83,7 @@ pub(crate) fn percent(share: f64) -> String {
 pub(crate) fn with_unit(value: f64, si: &str) -> String {
     let unit = Unit::of(si, value);
     let space = if unit.name == "-" || unit.name.is_empty() { "" } else { "\u{a0}" };
-    let name = if unit.name == "-" { "" } else { &unit.name };
+    let name = if unit.name == "-" { String::new() } else { unit.name.replace(' ', "\u{a0}") };
     format!("{}{space}{name}", digits(unit.scale * value))
 }
 

@@ -62,7 +62,7 @@ pub(super) fn section(run: &RunFolder) -> Vec<Block> {
         let mut cells = found.map_or_else(|| of_similarity(made), |asked| of_curve(run, asked, made));
         let within = made.error.zip(made.tolerance).map(|(error, tolerance)| error.abs() <= tolerance);
         let verdict = match (made.tolerance, within) {
-            (None, _) => "not judged",
+            (None, _) => "not\u{a0}judged",
             (Some(_), Some(true)) => "within",
             _ => "outside",
         };
@@ -134,7 +134,7 @@ fn of_curve(run: &RunFolder, asked: &Compare, made: &Comparison) -> Vec<String> 
     vec![
         in_full(&column),
         measure.into(),
-        format!("{} to {} {}", digits(unit.scale * from), digits(unit.scale * to), unit.name),
+        format!("{} to {}\u{a0}{}", digits(unit.scale * from), digits(unit.scale * to), unit.name),
         name(&made.reference),
         shown(made.ours),
         shown(made.theirs),

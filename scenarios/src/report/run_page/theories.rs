@@ -93,7 +93,7 @@ pub(super) fn model_in_words(name: &str) -> &str {
     EntryModel::ALL.into_iter().find(|model| model.name() == name).map_or(name, |model| in_words(model))
 }
 
-/// Range and measured error of every theory; one sentence where none holds, or where the same holds for all.
+/// Range and measured error of every theory; sentences where no error is known.
 pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
     let all = assess(scene, QuantityOfInterest::PeakForce);
     let obstacle_or_case = |a: &Assessment| {
@@ -101,11 +101,21 @@ pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
         a.obstacle.clone().or_else(case).unwrap_or("measured nowhere near this scene".into())
     };
     let why = scene.choice.iter().map(|why| Block::Text(format!("Model chosen: {why}.")));
-    let alike = all.first().map(obstacle_or_case);
-    let same = alike.filter(|first| all.iter().all(|a| a.measured.is_none() && obstacle_or_case(a) == *first));
-    let shown = match same {
-        Some(words) => Block::Text(format!("No theory of entry gives an error here. Each of them: {words}.")),
-        None => Block::Table(Table::of(
+    let shown = match all.iter().any(|a| a.measured.is_some()) {
+        false => {
+            let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
+            for a in &all {
+                let reason = obstacle_or_case(a);
+                match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                    Some((_, names)) => names.push(in_words(a.model)),
+                    None => reasons.push((reason, vec![in_words(a.model)])),
+                }
+            }
+            let each = |(reason, names): &(String, Vec<&str>)| format!("{}: {reason}.", names.join(", "));
+            let words = reasons.iter().map(each).collect::<Vec<_>>().join(" ");
+            Block::Text(format!("No theory of entry has a known error here. {words}"))
+        }
+        true => Block::Table(Table::of(
             "Theories of this entry",
             all,
             &[
