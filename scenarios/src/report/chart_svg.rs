@@ -13,7 +13,7 @@ const POINTS_PER_CURVE: usize = 1000;
 /// Height of a line [pixels].
 const LINE: f64 = 18.0;
 /// Width of a digit and of a letter, on average, with room for the larger ones of a phone [pixels].
-const DIGIT: f64 = 9.0;
+const DIGIT: f64 = 10.0;
 const LETTER: f64 = 7.8;
 /// Blank on the right, for half the last number of the x axis [pixels].
 const RIGHT: f64 = 20.0;

@@ -72,7 +72,7 @@
       const gone = xb[k] === 65535, part = gone ? 0 : share;
       const x = xlow + xs * (xa[k] + part * (xb[k] - xa[k])), y = ylow + ys * (ya[k] + part * (yb[k] - ya[k]));
       const paintAs = colour[Math.round(va[k] + part * (vb[k] - va[k]))];
-      const spacing = Math.max(data.metres[sizes[k]] * scale, 1), radius = 0.8 * spacing, size = data.metres[sizes[k]], above = size > 1.3 * head.size[0] && y > -size ? 0.56 * spacing : radius, r2 = radius * radius, s2 = 1 / (spacing * spacing);
+      const spacing = Math.max(data.metres[sizes[k]] * scale, 1), radius = 0.8 * spacing, size = data.metres[sizes[k]], above = size > 1.3 * head.size[0] && y > -0.7 * size ? 0.56 * spacing : radius, r2 = radius * radius, s2 = 1 / (spacing * spacing);
       const cy = (top - y) * scale;
       for (const side of sides) {
         const cx = (side * x - left) * scale;

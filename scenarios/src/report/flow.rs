@@ -105,6 +105,7 @@ fn draw_particles(canvas: &mut Canvas, frame: &FlowFrame, view: &FlowView, windo
     /// Coarse particles at the surface lie in a nearly still row: their discs are cut above, for a level surface.
     const COARSE: f64 = 1.3;
     const CUT: f64 = 0.56;
+    const TOP_ROW: f64 = -0.7;
     let finest = frame.size.iter().copied().filter(|s| *s > 0.0).fold(f32::INFINITY, f32::min);
     let [low, high] = proper_range(view.value);
     let (width, rows, samples) = canvas.samples_mut();
@@ -121,7 +122,7 @@ fn draw_particles(canvas: &mut Canvas, frame: &FlowFrame, view: &FlowView, windo
         // A particle smaller than a pixel still gets one.
         let spacing = (size * scale).max(SAMPLES as f64);
         let radius = RADIUS * spacing;
-        let at_surface = size > COARSE * f64::from(finest) && y > -size;
+        let at_surface = size > COARSE * f64::from(finest) && y > TOP_ROW * size;
         let above = if at_surface { CUT * spacing } else { radius };
         for side in window.sides {
             let [cx, cy] = window.pixel(*side, [x, y]).map(|v| v * SAMPLES as f64);

@@ -68,7 +68,9 @@ impl Group<'_> {
         let least = self.spacings.iter().copied().fold(f64::INFINITY, f64::min);
         let most = self.spacings.iter().copied().fold(0.0, f64::max);
         let names = named(&self.names);
-        format!("{names}: the draught there is {} to {} spacings; {cure}", digits(least), digits(most))
+        let (least, most) = (digits(least), digits(most));
+        let range = if least == most { least } else { format!("{least} to {most}") };
+        format!("{names}: the draught there is {range} spacings; {cure}")
     }
 }
 

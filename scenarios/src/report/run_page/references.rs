@@ -78,7 +78,8 @@ pub(super) fn section(run: &RunFolder) -> Vec<Block> {
     let head =
         ["quantity", "measure", "times compared", "reference", "ours", "theirs", "error", "tolerance", "verdict"];
     let table = Table::new("Errors against references", &head, rows);
-    [Block::Text(about.into()), Block::Table(table)].into_iter().chain(missing).collect()
+    let about = (!run.scene.compare.is_empty()).then(|| Block::Text(about.into()));
+    about.into_iter().chain([Block::Table(table)]).chain(missing).collect()
 }
 
 /// How the summary names a comparison.

@@ -199,11 +199,12 @@ pub(super) fn force_rules_section(s: &Record) -> Vec<Block> {
 pub(super) fn audit_section(run: &RunFolder) -> Vec<Block> {
     let s = &run.record;
     let Some(audit) = s.audit.as_ref().filter(|_| s.particles.fluid > 0) else { return Vec::new() };
-    let small = |value: f64, bound: f64| if value.abs() <= bound { "in bounds" } else { "out of bounds" };
+    let small =
+        |value: f64, bound: f64| if value.abs() <= bound { "in\u{a0}bounds" } else { "out\u{a0}of\u{a0}bounds" };
     let energy = |value: f64| match value {
         v if v > ENERGY[1] || v.is_nan() => "out of bounds: energy from nowhere",
         v if v < ENERGY[0] => "strong dissipation",
-        _ => "in bounds",
+        _ => "in\u{a0}bounds",
     };
     let mut rows = Vec::new();
     let mut add = |quantity: &str, value: Option<f64>, right: &str, mark: &dyn Fn(f64) -> &'static str| {
@@ -213,7 +214,7 @@ pub(super) fn audit_section(run: &RunFolder) -> Vec<Block> {
     add(
         "Energy: drift over the largest exchanged",
         audit.energy,
-        "−0.1 to 0 in a resolved flow, −0.3 in a coarse one (dissipated); at most 0.02 (gained)",
+        "−0.1 to 0 (resolved) or −0.3 (coarse), dissipated; at most 0.02 gained",
         &energy,
     );
     if run.scene.body.is_some() {
