@@ -31,7 +31,7 @@ const DASH_AND_DOT: usize = 3;
 /// Colours of our curves (M. Okabe and K. Ito, *Color Universal Design*, 2008), of references, and of results and limits.
 const OURS: [Rgb; 6] = [[0, 114, 178], [230, 159, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [138, 99, 210]];
 const THEIRS: [Rgb; 4] = [[128, 128, 128], [138, 99, 210], [181, 72, 122], [153, 153, 51]];
-const LIMIT: Rgb = [213, 94, 0];
+pub(super) const LIMIT: Rgb = [213, 94, 0];
 /// The order of the charts, by the beginning of their titles.
 const ORDER: [&str; 7] = [
     "Vertical force",
