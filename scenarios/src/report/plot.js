@@ -10,7 +10,8 @@
     const least = span / count, decade = Math.pow(10, Math.floor(Math.log10(least)));
     return ([1, 2, 2.5, 5].find((m) => m * decade >= least * (1 - 1e-9)) || 10) * decade;
   };
-  const minus = (text) => text.replace(/-/g, '\u2212');
+  const raised = (power) => [...power].map((c) => c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('');
+  const minus = (text) => text.replace(/\.?0*e\+?(-?\d+)/, (all, power) => `·10${raised(power)}`).replace(/^1·/, '').replace(/-/g, '\u2212');
   const tickLabel = (value, step) => {
     if (Math.abs(value) <= 1e-6 * step) return '0';
     let places = -Math.floor(Math.log10(step) + 1e-9);

@@ -1,5 +1,7 @@
 //! Numbers as an engineer writes them: a title in words, a unit with its prefix, three digits.
 
+use crate::report::ticks::powers;
+
 /// A unit to show numbers in.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Unit {
@@ -49,17 +51,8 @@ pub(crate) fn digits(value: f64) -> String {
             let sign = if text { "\u{2212}" } else { "" };
             format!("{sign}{}\u{202f}{:03}", whole / 1000, whole % 1000)
         }
-        _ => {
-            let mantissa = value / 10f64.powi(exponent);
-            minus(format!("{mantissa:.2}")) + "·10" + &exponent.to_string().chars().map(raised).collect::<String>()
-        }
+        _ => powers(&format!("{value:.2e}")),
     }
-}
-
-/// A digit or a minus sign as an exponent.
-fn raised(c: char) -> char {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize])
 }
 
 /// Five digits, for numbers with a narrow band; other magnitudes as [`digits`].
