@@ -7,8 +7,8 @@ fn a_run_that_breaks_down_has_no_results() {
     let out = folder.path().join("run");
     let sets = ["resolution.spacing=0.02", "coupling.scheme=weak", "body.panels.0.thickness=0.0003", "body.mass=1"];
     let sets = sets.iter().flat_map(|set| ["--set", set]);
-    let run = Command::new(env!("CARGO_BIN_EXE_splashdown")).args(["run", "flexible_wedge"]).args(sets);
-    let ended = run.arg("--out").arg(&out).output().expect("a run");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_splashdown"));
+    let ended = run.args(["run", "flexible_wedge"]).args(sets).arg("--out").arg(&out).output().expect("a run");
     let [said, error] = [ended.stdout, ended.stderr].map(|bytes| String::from_utf8(bytes).expect("text"));
     assert_eq!(ended.status.code(), Some(1), "{said}{error}");
     assert!(said.contains("failed at t = ") && said.contains("no results"), "{said}");
