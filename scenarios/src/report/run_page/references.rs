@@ -10,6 +10,8 @@ use crate::scene::{Compare, Norm};
 /// Kinds of references by words of their file names.
 const KINDS: [(&str, &str); 6] =
     [("exp", "experiment"), ("bem", "BEM"), ("sph", "SPH"), ("isph", "ISPH"), ("mps", "MPS"), ("pfem", "PFEM")];
+/// The column of the verdict.
+const VERDICT: usize = 6;
 /// A longer list of authors is cut [letters].
 const LONGEST: usize = 32;
 
@@ -66,7 +68,7 @@ pub(super) fn section(run: &RunFolder) -> Vec<Block> {
             (Some(_), Some(true)) => "within",
             _ => "outside",
         };
-        cells.push(verdict.into());
+        cells.insert(VERDICT, verdict.into());
         rows.push(cells);
     }
     let missing = run.record.not_compared.iter().map(|why| Block::Text(format!("Not compared: {why}.")));
@@ -76,7 +78,7 @@ pub(super) fn section(run: &RunFolder) -> Vec<Block> {
     let about = "Errors are ours minus theirs; rms differences have no sign. A largest sample is a single value of series.csv within the \
                  times compared: the peaks among the results are means, and a gauge's peak is the largest of every step of the run.";
     let head =
-        ["quantity", "measure", "times compared", "reference", "ours", "theirs", "error", "tolerance", "verdict"];
+        ["quantity", "measure", "ours", "theirs", "error", "tolerance", "verdict", "times compared", "reference"];
     let table = Table::new("Errors against references", &head, rows);
     let about = (!run.scene.compare.is_empty()).then(|| Block::Text(about.into()));
     about.into_iter().chain([Block::Table(table)]).chain(missing).collect()
@@ -135,12 +137,12 @@ fn of_curve(run: &RunFolder, asked: &Compare, made: &Comparison) -> Vec<String> 
     vec![
         in_full(&column),
         measure.into(),
-        format!("{} to {}\u{a0}{}", digits(unit.scale * from), digits(unit.scale * to), unit.name),
-        name(&made.reference),
         shown(made.ours),
         shown(made.theirs),
         error.map_or("–".into(), size),
         made.tolerance.map_or("–".into(), |tolerance| format!("± {}", size(tolerance))),
+        format!("{} to {}\u{a0}{}", digits(unit.scale * from), digits(unit.scale * to), unit.name),
+        name(&made.reference),
     ]
 }
 
@@ -150,12 +152,12 @@ fn of_similarity(made: &Comparison) -> Vec<String> {
     vec![
         in_words(&made.quantity),
         "mean".into(),
-        "last fifth of the run".into(),
-        "similarity solution".into(),
         number(made.ours),
         number(made.theirs),
         made.error.map_or("–".into(), percent),
         made.tolerance.map_or("–".into(), |tolerance| format!("± {}", percent(tolerance))),
+        "last fifth of the run".into(),
+        "similarity solution".into(),
     ]
 }
 
