@@ -110,7 +110,7 @@ fn a_theory_leaves_the_files_of_a_run() {
     assert!(place.text("out/scene.resolved.toml").contains("model = \"mlm\""));
     assert!(place.text("out/series.csv").starts_with("time_s,wedge.x_m,wedge.y_m,"));
     let page = place.text("out/report.html");
-    for model in ["von_karman", "wagner", "mlm"] {
+    for model in ["von Karman", "Wagner", "modified Logvinovich"] {
         assert!(page.contains(model), "no {model} in the report");
     }
     assert!(!place.read("out/log.mcap").is_empty());

@@ -88,10 +88,10 @@ pub(super) fn step_to_end(
     if output.json {
         say(summary.to_json());
     } else if !output.quiet {
-        say(in_words(&summary));
+        say(if summary.status == Status::Failed { without_results(&summary) } else { in_words(&summary) });
         say(format_args!("files in {}: open report.html", out.display()));
     }
-    if output.quiet {
+    if output.quiet && summary.status != Status::Failed {
         summary.doubts.iter().for_each(|doubt| complain(format_args!("warning: {doubt}")));
     }
     match summary.status {
@@ -119,6 +119,11 @@ fn result_in_words((name, quantity): &(String, Quantity)) -> String {
         .cutoff_hz
         .map_or(String::new(), |f| format!(", mean below {f:.0} Hz (single step: {})", significant(quantity.raw)));
     format!("  {name}: {}{band}{time}, {}{raw}", significant(quantity.value), quantity.verdict.name())
+}
+
+/// A run that broke down: what it computed before is no result.
+fn without_results(s: &Summary) -> String {
+    format!("{}: failed at t = {:.6} s, step {}: no results", s.scene, s.time_end_s, s.steps)
 }
 
 fn in_words(s: &Summary) -> String {

@@ -68,6 +68,7 @@ fn chart(landed: &Landed, title: &str, y_label: &str, columns: &[&str]) -> Chart
         mark: Mark::Line,
         x: time.clone(),
         y: landed.column(name).unwrap_or_default(),
+        ..Curve::default()
     };
     Chart {
         title: title.into(),
@@ -96,12 +97,12 @@ fn side_view(scene: &Scene, fuselage: &Fuselage, now: &LandingState) -> Chart {
     let (x, y): (Vec<f64>, Vec<f64>) = keel.map(ahead).unzip();
     let ends = vec![x[x.len() - 1], x[0]];
     let mut curves = vec![
-        Curve { label: "keel".into(), mark: Mark::Line, x, y },
-        Curve { label: "still water".into(), mark: Mark::Dashed, x: ends, y: vec![0.0, 0.0] },
+        Curve::new("keel", Mark::Line, x.into_iter().zip(y).map(|(x, y)| [x, y])),
+        Curve::new("still water", Mark::Dashed, ends.into_iter().map(|x| [x, 0.0])),
     ];
     let loaded = now.strips.iter().filter_map(|(s, f)| Some((s.entry?.at.lever_arm[0], 1e-5 * f / s.entry?.length)));
     let (x, y): (Vec<f64>, Vec<f64>) = loaded.unzip();
-    curves.push(Curve { label: "load of the keel [100 kN/m]".into(), mark: Mark::Line, x, y });
+    curves.push(Curve::new("load of the keel [100 kN/m]", Mark::Line, x.into_iter().zip(y).map(|(x, y)| [x, y])));
     Chart {
         title: format!("t = {:.3} s, pitch {:.1} degrees", now.time, now.attitude.place[2].to_degrees()),
         x_label: "ahead of the centre of mass [m]".into(),

@@ -1,6 +1,6 @@
 //! An axis of a chart: its range, its place on paper, its ticks.
 
-use super::ticks::{nice_step, proper_range, tick_label, ticks};
+use super::ticks::{nice_step, powers, proper_range, tick_label, ticks};
 
 /// An axis from `range` to `pixels`, which may run either way.
 #[derive(Clone, Copy, Debug)]
@@ -30,19 +30,14 @@ impl Axis {
         let [low, high] = self.range;
         if !self.logarithmic {
             let step = nice_step(high - low, count);
-            return ticks(self.range, step).map(|value| (value, minus(&tick_label(value, step)))).collect();
+            return ticks(self.range, step).map(|value| (value, powers(&tick_label(value, step)))).collect();
         }
         let multiples: &[f64] = if (high / low).log10() < 2.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let decades = low.log10().floor() as i32..=high.log10().ceil() as i32;
         let values = decades.flat_map(|k| multiples.iter().map(move |m| m * 10f64.powi(k)));
         let shown = values.filter(|v| *v >= low && *v <= high);
-        shown.map(|value| (value, minus(&tick_label(value, value)))).collect()
+        shown.map(|value| (value, powers(&tick_label(value, value)))).collect()
     }
-}
-
-/// A number with a minus sign of the width of its digits.
-fn minus(label: &str) -> String {
-    label.replace('-', "\u{2212}")
 }
 
 /// Least and greatest coordinate of all points, with a margin as a fraction of their distance. A

@@ -1,6 +1,6 @@
 //! An image of pixels: filled rectangles and polygons, smooth lines, supersampled, written as PNG.
 
-use super::colour::Rgb;
+use super::colour::{PAPER, Rgb};
 use std::ops::Range;
 
 /// Samples per pixel along each direction.
@@ -85,22 +85,25 @@ impl Canvas {
         }
     }
 
-    /// The image as PNG, each pixel the mean of its samples.
+    /// The image as PNG: each pixel the mean of its samples, transparent by the share of paper among them.
     pub fn to_png(&self) -> Vec<u8> {
         let (width, height) = (self.width / SAMPLES, self.height / SAMPLES);
-        let mut pixels = Vec::with_capacity(3 * width * height);
+        let mut pixels = Vec::with_capacity(4 * width * height);
         for rows in self.samples.chunks_exact(SAMPLES * self.width) {
             for x in 0..width {
+                let block = || (0..SAMPLES).flat_map(|j| &rows[j * self.width + x * SAMPLES..][..SAMPLES]);
+                let drawn = || block().filter(|sample| **sample != PAPER);
+                let count = drawn().count();
                 for k in 0..3 {
-                    let block = (0..SAMPLES).flat_map(|j| &rows[j * self.width + x * SAMPLES..][..SAMPLES]);
-                    let sum: usize = block.map(|sample| usize::from(sample[k])).sum();
-                    pixels.push(((sum + SAMPLES * SAMPLES / 2) / (SAMPLES * SAMPLES)) as u8);
+                    let sum: usize = drawn().map(|sample| usize::from(sample[k])).sum();
+                    pixels.push(((sum + count / 2) / count.max(1)) as u8);
                 }
+                pixels.push((255 * count / (SAMPLES * SAMPLES)) as u8);
             }
         }
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, width as u32, height as u32);
-        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_color(png::ColorType::Rgba);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::Fast);
         encoder

@@ -64,19 +64,22 @@
     const [xlow, ylow, xhigh, yhigh] = head.box, xs = (xhigh - xlow) / 65534, ys = (yhigh - ylow) / 65534;
     const [xa, xb, ya, yb, va, vb] = [data.x[low], data.x[high], data.y[low], data.y[high], data[value][low], data[value][high]];
     const sides = head.mirror ? [1, -1] : [1], sizes = data.size[low];
+    // discs end at the walls; those of coarse particles at the surface, a nearly still row, are cut above
+    const [wallLeft, wallRight, bottom] = [(head.tank[0] - left) * scale, (head.tank[1] - left) * scale, (top - head.tank[2]) * scale];
+    const [first, last, deepest] = [Math.max(Math.ceil(wallLeft - 0.5), 0), Math.min(Math.floor(wallRight - 0.5), width - 1), Math.min(Math.floor(bottom - 0.5), height - 1)];
     for (let k = 0; k !== count; k++) {
       if (xa[k] === 65535) continue;
       const gone = xb[k] === 65535, part = gone ? 0 : share;
       const x = xlow + xs * (xa[k] + part * (xb[k] - xa[k])), y = ylow + ys * (ya[k] + part * (yb[k] - ya[k]));
       const paintAs = colour[Math.round(va[k] + part * (vb[k] - va[k]))];
-      const spacing = Math.max(data.metres[sizes[k]] * scale, 1), radius = 0.8 * spacing, r2 = radius * radius, s2 = 1 / (spacing * spacing);
+      const spacing = Math.max(data.metres[sizes[k]] * scale, 1), radius = 0.8 * spacing, size = data.metres[sizes[k]], above = size > 1.3 * head.size[0] && y > -0.7 * size ? 0.56 * spacing : radius, r2 = radius * radius, s2 = 1 / (spacing * spacing);
       const cy = (top - y) * scale;
       for (const side of sides) {
         const cx = (side * x - left) * scale;
-        const r0 = Math.max(Math.ceil(cy - radius - 0.5), 0), r1 = Math.min(Math.floor(cy + radius - 0.5), height - 1);
+        const r0 = Math.max(Math.ceil(cy - above - 0.5), 0), r1 = Math.min(Math.floor(cy + radius - 0.5), deepest);
         for (let row = r0; row <= r1; row++) {
           const dy = row + 0.5 - cy, half = Math.sqrt(Math.max(r2 - dy * dy, 0));
-          const c0 = Math.max(Math.ceil(cx - half - 0.5), 0), c1 = Math.min(Math.floor(cx + half - 0.5), width - 1);
+          const c0 = Math.max(Math.ceil(cx - half - 0.5), first), c1 = Math.min(Math.floor(cx + half - 0.5), last);
           for (let column = c0, p = row * width + c0; column <= c1; column++, p++) {
             const dx = column + 0.5 - cx, distance = (dx * dx + dy * dy) * s2;
             if (near[p] > distance) { near[p] = distance; pixels[p] = paintAs; }
@@ -141,12 +144,14 @@
     ruler.style.width = `${bar / shape * 100}%`;
     ruler.firstElementChild.textContent = bar >= 1 ? `${bar} m` : `${Math.round(1e3 * bar)} mm`;
     scrub.value = at;
+    scrub.setAttribute('aria-valuetext', clock.textContent);
     player.dataset.at = at.toFixed(3);
     document.dispatchEvent(new CustomEvent('flowtime', { detail: time }));
   }
 
   function legend() {
-    const { label, ticks, top } = head.values[value];
+    const { label, ticks, top, beyond } = head.values[value];
+    player.querySelector('.ramp').classList.toggle('beyond', beyond);
     player.querySelector('.value').textContent = label;
     const marks = player.querySelector('.ticks');
     marks.replaceChildren();

@@ -102,6 +102,11 @@ fn draw_particles(canvas: &mut Canvas, frame: &FlowFrame, view: &FlowView, windo
     /// Discs of radius 0.71, half the diagonal of a cell, just cover a square lattice; a flow is
     /// less regular.
     const RADIUS: f64 = 0.8;
+    /// Coarse particles at the surface lie in a nearly still row: their discs are cut above, for a level surface.
+    const COARSE: f64 = 1.3;
+    const CUT: f64 = 0.56;
+    const TOP_ROW: f64 = -0.7;
+    let finest = frame.size.iter().copied().filter(|s| *s > 0.0).fold(f32::INFINITY, f32::min);
     let [low, high] = proper_range(view.value);
     let (width, rows, samples) = canvas.samples_mut();
     let scale = window.scale * SAMPLES as f64;
@@ -117,9 +122,11 @@ fn draw_particles(canvas: &mut Canvas, frame: &FlowFrame, view: &FlowView, windo
         // A particle smaller than a pixel still gets one.
         let spacing = (size * scale).max(SAMPLES as f64);
         let radius = RADIUS * spacing;
+        let at_surface = size > COARSE * f64::from(finest) && y > TOP_ROW * size;
+        let above = if at_surface { CUT * spacing } else { radius };
         for side in window.sides {
             let [cx, cy] = window.pixel(*side, [x, y]).map(|v| v * SAMPLES as f64);
-            for row in centres(cy - radius, cy + radius, rows) {
+            for row in centres(cy - above, cy + radius, rows) {
                 let dy = row as f64 + 0.5 - cy;
                 let half = (radius * radius - dy * dy).max(0.0).sqrt();
                 let columns = centres(cx - half, cx + half, width);

@@ -26,9 +26,11 @@ pub fn flow_svg(frame: &FlowFrame, view: &FlowView) -> String {
     let top = scale * window.height as f64;
     let png = STANDARD.encode(flow_png(frame, view));
     let (time, height) = (frame.time, top + LEGEND);
-    let legend = scale_bar(window.scale * scale, top) + &colour_bar(view, top);
+    let beyond = frame.value.iter().any(|value| f64::from(*value) > view.value[0].max(view.value[1]));
+    let legend = scale_bar(window.scale * scale, top) + &colour_bar(view, top, beyond);
+    let said = escape(&format!("{} at t = {time:.4} s, colours up to {:.3}", view.label, view.value[1]));
     format!(
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.1}" font-family="sans-serif" font-size="18" fill="currentColor" stroke-width="1.5">
+        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.1}" role="img" aria-label="{said}" font-family="sans-serif" font-size="18" fill="currentColor" stroke-width="1.5">
 <image href="data:image/png;base64,{png}" width="{WIDTH}" height="{top:.1}" />
 <text x="{MARGIN}" y="{:.1}">t = {time:.4} s</text>
 {legend}</svg>
@@ -51,8 +53,8 @@ fn scale_bar(scale: f64, top: f64) -> String {
     )
 }
 
-/// The colour map over the right half, with ticks at round values and the name of the value above.
-fn colour_bar(view: &FlowView, top: f64) -> String {
+/// The colour map over the right half, with ticks at round values and the name of the value above; an arrow where values go beyond.
+fn colour_bar(view: &FlowView, top: f64, beyond: bool) -> String {
     let ([left, right], [low, high]) = ([0.5 * WIDTH, WIDTH - 2.0 * MARGIN], proper_range(view.value));
     let (bar, foot, width) = (top + 34.0, top + 52.0, right - left);
     // pieces, for a gradient would need a name of its own in a page of many pictures; they overlap, so that no seam shows
@@ -76,6 +78,15 @@ fn colour_bar(view: &FlowView, top: f64) -> String {
         )
     };
     let marks: String = ticks([low, high], step).map(tick).collect();
-    let (label, y) = (escape(&view.label), top + 26.0);
-    format!("<text x=\"{left}\" y=\"{y:.1}\">{label}</text>\n{pieces}\n{marks}")
+    let (label, y, middle) = (escape(&view.label), top + 26.0, bar + 9.0);
+    let arrow = match beyond {
+        true => {
+            let (end, colour) = (right + 12.0, hex(viridis(1.0)));
+            format!(
+                "<path d=\"M {right:.1} {bar:.1} L {end:.1} {middle:.1} L {right:.1} {foot:.1} Z\" fill=\"{colour}\" />\n"
+            )
+        }
+        false => String::new(),
+    };
+    format!("<text x=\"{left}\" y=\"{y:.1}\">{label}</text>\n{pieces}\n{arrow}{marks}")
 }

@@ -21,7 +21,7 @@ mod table;
 mod ticks;
 
 pub use bar::{Bar, Part};
-pub use chart::{Chart, Curve, Mark, TrendLine};
+pub use chart::{Chart, Curve, Mark, Paint, TrendLine};
 pub use chart_svg::chart_svg;
 pub use colour::{Rgb, viridis};
 pub use flow::{FlowFrame, FlowView, flow_png};

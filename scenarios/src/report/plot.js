@@ -10,7 +10,8 @@
     const least = span / count, decade = Math.pow(10, Math.floor(Math.log10(least)));
     return ([1, 2, 2.5, 5].find((m) => m * decade >= least * (1 - 1e-9)) || 10) * decade;
   };
-  const minus = (text) => text.replace(/-/g, '\u2212');
+  const raised = (power) => [...power].map((c) => c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('');
+  const minus = (text) => text.replace(/\.?0*e\+?(-?\d+)/, (all, power) => `·10${raised(power)}`).replace(/^1·/, '').replace(/-/g, '\u2212');
   const tickLabel = (value, step) => {
     if (Math.abs(value) <= 1e-6 * step) return '0';
     let places = -Math.floor(Math.log10(step) + 1e-9);
@@ -87,7 +88,7 @@
     }
     const over = make('g', { 'pointer-events': 'none' }, svg);
     const cursor = make('path', { stroke: 'currentColor', 'stroke-opacity': 0.55, 'stroke-dasharray': '2 3', visibility: 'hidden' }, over);
-    const now = make('path', { stroke: '#d55e00', 'stroke-opacity': 0.9, visibility: 'hidden' }, over);
+    const now = make('path', { class: 'now', stroke: 'currentColor', 'stroke-opacity': 0.4, visibility: 'hidden' }, over);
     const box = make('rect', { y: top, height, fill: 'currentColor', 'fill-opacity': 0.1, visibility: 'hidden' }, over);
     const dots = curves.map(({ element }) => make('circle', { r: 3.6, fill: element.dataset.colour || 'none', visibility: 'hidden' }, over));
     const place = (event) => {

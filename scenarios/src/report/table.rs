@@ -13,6 +13,9 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
+/// A table of at most so many rows is printed on one page.
+const SHORT: usize = 16;
+
 /// The heading of a column and the text of an item's cell.
 pub type Column<T> = (&'static str, fn(&T) -> String);
 
@@ -68,7 +71,8 @@ pub(super) fn table_html(table: &Table, number: usize) -> String {
         _ => format!("<thead>\n{}</thead>\n", row("th", &table.head)),
     };
     let body: String = table.rows.iter().map(|cells| row("td", cells)).collect();
-    format!("<div class=\"table\"><table>\n{caption}{head}<tbody>\n{body}</tbody>\n</table></div>\n")
+    let class = if table.rows.len() <= SHORT { "table short" } else { "table" };
+    format!("<div class=\"{class}\"><table>\n{caption}{head}<tbody>\n{body}</tbody>\n</table></div>\n")
 }
 
 fn cell(row: &[String], column: usize) -> &str {
@@ -87,5 +91,7 @@ fn is_blank(cell: &str) -> bool {
 
 /// A number as people write it: sign, digits, exponent, perhaps a percent sign.
 fn is_number(cell: &str) -> bool {
-    cell.trim_end_matches(['%', ' ']).replace('−', "-").parse::<f64>().is_ok()
+    let digits = cell.trim_end_matches(['%', ' ']).trim_start_matches("± ").replace('−', "-").replace('\u{202f}', "");
+    let mantissa = digits.split_once("·10").map_or(digits.as_str(), |(mantissa, _)| mantissa);
+    mantissa.parse::<f64>().is_ok()
 }

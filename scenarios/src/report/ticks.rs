@@ -69,6 +69,18 @@ pub(super) fn tick_label(value: f64, step: f64) -> String {
     }
 }
 
+/// A number with an exponent as people write it: `1.25e-7` as 1.25·10⁻⁷.
+pub(super) fn powers(label: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    let minus = |text: &str| text.replace('-', "\u{2212}");
+    match label.split_once('e') {
+        Some(("1", power)) => format!("10{}", power.chars().map(raised).collect::<String>()),
+        Some((mantissa, power)) => format!("{}·10{}", minus(mantissa), power.chars().map(raised).collect::<String>()),
+        None => minus(label),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -93,6 +105,12 @@ mod tests {
         assert_eq!(tick_label(3e-7, 1e-7), "3e-7");
         assert_eq!(tick_label(1e-4, 2e-5), "1e-4");
         assert_eq!(tick_label(-1e-18, 0.1), "0");
+    }
+
+    #[test]
+    fn exponents_are_raised() {
+        let written = ["1.25e7", "1e-4", "-3e-7", "-0.5"].map(powers);
+        assert_eq!(written, ["1.25·10⁷", "10⁻⁴", "−3·10⁻⁷", "−0.5"]);
     }
 
     #[test]

@@ -33,11 +33,8 @@ impl Depth {
         if self.spacings() < LEAST_DRAUGHT {
             // where theory has it deeper, the run's peak is one of first contact
             let cure = (entry.peak_draught / LEAST_DRAUGHT).min(0.5 * self.spacing);
-            return Err(format!(
-                "the peak comes at a draught of {} spacings; {LEAST_DRAUGHT} are needed: {} m would do for resolution.spacing",
-                significant(self.spacings()),
-                significant(cure)
-            ));
+            let (deep, cure) = (significant(self.spacings()), advice(cure));
+            return Err(format!("the peak comes at a draught of {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"));
         }
         let at_one_spacing = FORCE_BAND[usize::from(self.incompressible)];
         self.within_widest(((at_one_spacing + self.thin_tip(entry)) / self.spacings()).max(LEAST_FORCE_BAND))
@@ -48,10 +45,9 @@ impl Depth {
         let round = matches!(entry.bottom, Bottom::Arc { .. });
         let least = if round { self.draught } else { self.draught.min(entry.peak_draught) };
         if least < LEAST_DRAUGHT * self.spacing {
-            let (deep, cure) = (significant(least / self.spacing), significant(least / LEAST_DRAUGHT));
+            let (deep, cure) = (significant(least / self.spacing), advice(least / LEAST_DRAUGHT));
             return Err(format!(
-                "the draught at the end or at the largest force is {deep} spacings; {LEAST_DRAUGHT} are needed: {cure} m would do for \
-                 resolution.spacing"
+                "the draught at the end or at the largest force is {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"
             ));
         }
         let at_one_spacing = IMPULSE_BAND[usize::from(round)];
@@ -84,6 +80,14 @@ impl Depth {
     }
 }
 
+/// The spacing that would do [m]; none does for a body that is not in the water.
+fn advice(spacing: f64) -> String {
+    match spacing > 0.0 {
+        true => format!(": {} m would do for resolution.spacing", significant(spacing)),
+        false => String::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,5 +117,6 @@ mod tests {
         // an oblique drop of 31 degrees at 9 spacings: 10.7 % below that at a third of its spacing
         assert!(at(0.45, true).force_share(&entry(31.0)).is_ok_and(|share| share > 0.107));
         assert!(at(0.2, false).impulse_share(&entry(30.0)).is_err_and(|why| why.contains("4 spacings")));
+        assert!(at(0.0, false).impulse_share(&entry(30.0)).is_err_and(|why| why.ends_with("6 are needed")));
     }
 }

@@ -2,6 +2,7 @@
 //! needs nothing else.
 
 mod charts;
+mod ending;
 mod page;
 mod pictures;
 mod xml;

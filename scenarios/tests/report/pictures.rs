@@ -14,8 +14,11 @@ impl Image {
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG header");
         let mut bytes = vec![0; reader.output_buffer_size().expect("a size that fits")];
         let info = reader.next_frame(&mut bytes).expect("a PNG image");
-        assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Rgb, png::BitDepth::Eight));
-        let pixels = bytes[..info.buffer_size()].chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+        assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Rgba, png::BitDepth::Eight));
+        // on white paper
+        let mix = |p: &[u8], k: usize| (u32::from(p[k]) * u32::from(p[3]) + 255 * (255 - u32::from(p[3]))) / 255;
+        let on_paper = |p: &[u8]| [0, 1, 2].map(|k| mix(p, k) as u8);
+        let pixels = bytes[..info.buffer_size()].chunks_exact(4).map(on_paper).collect();
         Self { width: info.width as usize, height: info.height as usize, pixels }
     }
 

@@ -46,8 +46,12 @@ pub(super) struct Flow {
     pub moments: Vec<Moment>,
     /// Index of the moment that stands for the run: that of the largest force.
     pub still: usize,
+    /// What is largest at that moment, in words, and when [s].
+    pub peak: Option<(&'static str, f64)>,
     /// Largest pressure [Pa] and speed [m/s] of the colours.
     pub top: [f64; 2],
+    /// Largest pressure [Pa] and speed [m/s] of a particle in these moments.
+    pub most: [f64; 2],
     /// Share of the particles that is shown, where some were left out.
     pub share: f64,
     /// The whole tank, and its height [m].
@@ -84,14 +88,14 @@ fn evenly(count: usize, most: usize, one_more: usize) -> Vec<usize> {
 impl Flow {
     /// The flow of a run; `None` without a log.
     pub fn read(run: &mut RunFolder) -> Option<Flow> {
-        let (scene, peak) = (&run.scene, peak_time(run));
+        let (scene, peak) = (&run.scene, peak(run));
         let log = run.log.as_mut()?;
         let times: Vec<f64> = log.times().iter().map(|t| t + scene.time.start).collect();
         let nearest = |time: f64| {
             let distance = |k: &usize| (times[*k] - time).abs();
             (0..times.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
         };
-        let at_peak = nearest(peak.unwrap_or(f64::INFINITY).min(times.last().copied().unwrap_or(0.0)));
+        let at_peak = nearest(peak.map_or(f64::INFINITY, |(_, time)| time).min(times.last().copied().unwrap_or(0.0)));
         let ends = [log.frame(0), log.frame(times.len() - 1)];
         let most = ends.iter().flatten().map(|f| computed(f).count()).max().unwrap_or(0).max(1);
         let frames = (RECORDS / most).clamp(FRAMES[1], FRAMES[0]);
@@ -116,20 +120,25 @@ impl Flow {
             moment.view = view;
         }
         let top = [largest(&moments, |p| p.pressure, 1.0), largest(&moments, |p| p.speed, 1e-3)];
+        let of_all = |of: fn(&Kept) -> f32| moments.iter().flat_map(|m| m.particles.iter().map(of)).fold(0.0, f32::max);
+        let most = [of_all(|p| p.pressure), of_all(|p| p.speed)].map(f64::from);
         let mirror = scene.symmetry == Symmetry::X;
-        Some(Flow { moments, still, top, share, whole: whole(scene, highest), mirror })
+        Some(Flow { moments, still, peak, top, most, share, whole: whole(scene, highest), mirror })
     }
 }
 
-/// When the force on the body, or else a pressure, is largest [s].
-fn peak_time(run: &RunFolder) -> Option<f64> {
+/// When the force on the body, or else a pressure, is largest [s]; nothing where the run failed.
+fn peak(run: &RunFolder) -> Option<(&'static str, f64)> {
+    if run.has_failed() {
+        return None;
+    }
     let results = &run.record.results;
-    let force = results.peak_force_N_per_m.as_ref().and_then(|force| force.time_s);
-    let pressure = || results.peak_pressure_Pa.as_ref().and_then(|pressure| pressure.time_s);
+    let force = results.peak_force_N_per_m.as_ref().and_then(|force| Some(("peak force", force.time_s?)));
+    let pressure = || results.peak_pressure_Pa.as_ref().and_then(|pressure| Some(("peak pressure", pressure.time_s?)));
     let sampled = || {
         let name = run.curves.columns.iter().find(|name| name.ends_with(".fy_N_per_m"))?;
         let points = run.curves.points(name, [1.0; 2]);
-        points.into_iter().max_by(|a, b| a[1].abs().total_cmp(&b[1].abs())).map(|p| p[0])
+        points.into_iter().max_by(|a, b| a[1].abs().total_cmp(&b[1].abs())).map(|p| ("largest force", p[0]))
     };
     force.or_else(pressure).or_else(sampled)
 }

@@ -84,6 +84,23 @@ impl RunFolder {
         if self.record.model.is_empty() { self.scene.model.name() } else { &self.record.model }
     }
 
+    /// True where the run broke down: what it computed is no result.
+    pub fn has_failed(&self) -> bool {
+        self.record.status == "failed"
+    }
+
+    /// True where the run was ended by its user.
+    pub fn is_interrupted(&self) -> bool {
+        self.record.status == "interrupted"
+    }
+
+    /// The gauge whose pressure is the peak pressure among the results.
+    pub fn gauge_of_peak(&self) -> Option<&String> {
+        let raw = self.record.results.peak_pressure_Pa.as_ref()?.raw?;
+        let is_it = |peak: f64| (peak - raw).abs() <= 1e-9 * raw.abs();
+        self.record.gauges.iter().find(|(_, gauge)| gauge.peak_pa.is_some_and(is_it)).map(|(name, _)| name)
+    }
+
     /// A short name: that of the folder.
     pub fn name(&self) -> String {
         self.path.file_name().map_or_else(|| self.scene.name.clone(), |name| name.to_string_lossy().into_owned())

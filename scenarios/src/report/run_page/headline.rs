@@ -1,9 +1,14 @@
 //! The head of the page: how the run ended, in its colour, and its results.
 
 use super::folder::RunFolder;
-use super::quantity::{Unit, digits, result, with_unit};
-use super::record::Quantity;
+use super::quantity::{Unit, digits, percent, result, with_unit};
+use super::record::{Comparison, Quantity};
+use super::theories::model_in_words;
+use super::{doubts, references};
 use crate::report::markup::escape;
+
+/// A band above this share of its value is coarse [-].
+const COARSE: f64 = 0.3;
 
 /// How a page is coloured by the way that the run ended.
 struct Verdict {
@@ -17,13 +22,17 @@ pub(super) fn lead(run: &RunFolder) -> String {
     let (scene, record) = (&run.scene, &run.record);
     let title = if scene.description.is_empty() { &scene.name } else { &scene.description };
     let Verdict { class, heading, reasons } = verdict(run);
-    let items: String = reasons.iter().map(|why| format!("<li>{}</li>", escape(why))).collect();
+    let items: String = reasons.iter().map(|why| format!("<li>{}</li>", doubts::html(why))).collect();
     let list = if items.is_empty() { String::new() } else { format!("<ul>{items}</ul>") };
     let version = if record.version.is_empty() { String::new() } else { format!(" · splashdown {}", record.version) };
+    let warned = match run.warnings.len() {
+        0 => String::new(),
+        count => format!(" <a href=\"#warnings\">{} about the scene</a>.", counted(count, "warning")),
+    };
     format!(
-        "<p class=\"eyebrow\">{} · model {}{}</p>\n<h1>{}</h1>\n<div class=\"status {class}\"><strong>{}</strong>{list}</div>\n{}",
+        "<p class=\"eyebrow\">{} · {}{}</p>\n<h1>{}</h1>\n<div class=\"status {class}\"><strong>{}</strong>{warned}{list}</div>\n{}",
         escape(&scene.name),
-        escape(run.model()),
+        escape(model_in_words(run.model())),
         escape(&version),
         escape(title),
         escape(&heading),
@@ -31,8 +40,13 @@ pub(super) fn lead(run: &RunFolder) -> String {
     )
 }
 
+/// So many of something.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 /// What a verdict of `summary.json` means, in words.
-pub(super) fn in_words(verdict: &str) -> &str {
+pub(crate) fn in_words(verdict: &str) -> &str {
     match verdict {
         "resolved" => "resolved",
         "acoustic" => "depends on the speed of sound",
@@ -41,13 +55,6 @@ pub(super) fn in_words(verdict: &str) -> &str {
         "beyond_allowable" => "beyond the allowable",
         other => other,
     }
-}
-
-/// A doubt with the names of its results in words.
-pub(super) fn doubt_in_words(doubt: &str) -> String {
-    let Some((names, why)) = doubt.split_once(": ") else { return doubt.to_string() };
-    let words: Vec<String> = names.split(", ").map(|name| result(name).0).collect();
-    format!("{}: {why}", words.join(", "))
 }
 
 /// A number with its band in its unit.
@@ -59,7 +66,56 @@ pub(super) fn with_band(quantity: &Quantity, si: &str) -> String {
     format!("{}{band}{name}", digits(unit.scale * value))
 }
 
-fn two_digits(value: f64) -> String {
+/// The band as a share of the value.
+fn share(quantity: &Quantity) -> Option<f64> {
+    let (band, value) = (quantity.band?, quantity.value?);
+    Some((band / value).abs()).filter(|share| share.is_finite())
+}
+
+/// A number with its band, also in percent.
+pub(super) fn with_share(quantity: &Quantity, si: &str) -> String {
+    let share = share(quantity).map_or(String::new(), |share| format!(" ({})", percent(share)));
+    with_band(quantity, si) + &share
+}
+
+/// The share of a resolved result's band, where it is so wide that the result is coarse.
+fn coarse(quantity: &Quantity) -> Option<f64> {
+    share(quantity).filter(|share| *share > COARSE && quantity.verdict == "resolved")
+}
+
+/// What may be said of a result, in words.
+pub(super) fn verdict_of(run: &RunFolder, name: &str, quantity: &Quantity) -> String {
+    let words = match coarse(quantity) {
+        Some(share) => format!("coarse, ± {}", percent(share)),
+        None => in_words(&quantity.verdict).to_string(),
+    };
+    let told = |panel: &str| run.record.doubts.iter().any(|doubt| doubt.starts_with(&format!("{panel}: ")));
+    let of_panel = name.rsplit_once('.').map(|(panel, _)| panel);
+    match of_panel {
+        Some(panel) if ["not_resolved", "acoustic"].contains(&quantity.verdict.as_str()) && !told(panel) => {
+            format!("{words}, as the force")
+        }
+        _ if run.is_interrupted() && quantity.time_s.is_none() => format!("up to {}, not complete", end(run)),
+        _ if run.is_interrupted() => format!("{words}, so far"),
+        _ => words,
+    }
+}
+
+/// When a run ended.
+fn end(run: &RunFolder) -> String {
+    run.record.time_end_s.map_or("–".into(), |time| with_unit(time, "s"))
+}
+
+/// A result's name in words, with its gauge.
+pub(super) fn title(run: &RunFolder, name: &str) -> (String, &'static str) {
+    let (words, si) = result(name);
+    match run.gauge_of_peak().filter(|_| name == "peak_pressure_Pa") {
+        Some(gauge) => (format!("{words} at {gauge}"), si),
+        None => (words, si),
+    }
+}
+
+pub(crate) fn two_digits(value: f64) -> String {
     let places = (1.0 - value.abs().max(1e-300).log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{value:.places$}")
 }
@@ -105,40 +161,120 @@ fn overstressed(run: &RunFolder) -> Vec<String> {
 fn verdict(run: &RunFolder) -> Verdict {
     let record = &run.record;
     let overstressed = overstressed(run);
-    let others = |doubts: &[String]| -> Vec<String> {
-        let other = |doubt: &&String| overstressed.is_empty() || !doubt.contains("times the allowable");
-        doubts.iter().filter(other).map(|doubt| doubt_in_words(doubt)).collect()
-    };
-    let mut reasons = others(&record.doubts);
-    reasons.extend(run.gaps.iter().cloned());
+    let other = |doubt: &&String| overstressed.is_empty() || !doubt.contains("times the allowable");
+    let kept: Vec<String> = record.doubts.iter().filter(other).cloned().collect();
+    // what a run computed before it broke down is no result to be doubted
+    let mut reasons = if run.has_failed() { Vec::new() } else { doubts::merged(&kept) };
     let (class, heading) = match record.status.as_str() {
-        "beyond_allowable" => ("failed", format!("Stress beyond the allowable: {}.", overstressed.join("; "))),
-        "completed" => ("completed", "Completed. Nothing speaks against the results.".to_string()),
+        "beyond_allowable" => {
+            let panels = record.results.panels.keys();
+            let material = panels.filter(|name| overstressed.iter().any(|told| told.starts_with(name.as_str())));
+            reasons.extend(material.filter_map(|name| doubts::of_material(run, name)));
+            ("failed", format!("Stress beyond the allowable: {}.", overstressed.join("; ")))
+        }
+        "completed" => completed(run, &mut reasons),
         "completed_with_doubts" => ("doubtful", "Completed with doubts.".to_string()),
-        "failed" => ("failed", format!("Failed. {}", record.message.as_deref().unwrap_or_default())),
+        "failed" => {
+            reasons.push(
+                "The run has no results: its curves and pictures end with the failure, and show how it came.".into(),
+            );
+            let message = times_in_words(record.message.as_deref().unwrap_or_default());
+            ("failed", format!("Failed. {}.", message.trim_end_matches('.')))
+        }
         "interrupted" => {
-            let time = record.time_end_s.map_or(String::new(), |time| format!(" at {}", with_unit(time, "s")));
-            ("doubtful", format!("Interrupted{time}. The results are those so far."))
+            if run.path.join("checkpoint.bin").is_file() {
+                reasons.push(format!("To go on: `splashdown resume {}`", run.path.display()));
+            }
+            ("doubtful", format!("Interrupted at {}. The results are those so far.", end(run)))
         }
         _ => ("doubtful", "Not finished.".to_string()),
     };
+    reasons.extend(study(run));
+    reasons.extend(run.gaps.iter().cloned());
     Verdict { class, heading, reasons }
 }
 
-/// A card for each result.
-fn cards(run: &RunFolder) -> String {
+/// Of a run that completed without doubts: what a reader should know nevertheless.
+fn completed(run: &RunFolder, reasons: &mut Vec<String>) -> (&'static str, String) {
     let named = named(run);
+    let mut parts = vec!["No doubts".to_string()];
+    let titles = |is: &dyn Fn(&Quantity) -> bool| -> Vec<String> {
+        named.iter().filter(|(_, q)| is(q)).map(|(name, _)| doubts::lower(&title(run, name).0)).collect()
+    };
+    let (wide, unknown) = (titles(&|q| coarse(q).is_some()), titles(&|q| q.verdict == "no_band"));
+    if !wide.is_empty() {
+        parts.push(format!("coarse, with bands above {}: {}", percent(COARSE), wide.join(", ")));
+    }
+    if !unknown.is_empty() {
+        parts.push(format!("no band is known for {}", unknown.join(", ")));
+    }
+    let outside = |c: &&Comparison| c.tolerance.zip(c.error).is_some_and(|(t, error)| error.abs() > t);
+    let outside = run.record.comparison.iter().filter(outside).count();
+    if outside > 0 {
+        reasons.push(format!(
+            "{} with references outside the tolerance: see Against references",
+            counted(outside, "comparison")
+        ));
+    }
+    let class = match () {
+        _ if parts.len() > 1 || outside > 0 || study(run).is_some() => "doubtful",
+        _ if !run.warnings.is_empty() => "noted",
+        _ => "completed",
+    };
+    (class, format!("Completed. {}.", parts.join("; ")))
+}
+
+/// That a convergence study did not converge.
+fn study(run: &RunFolder) -> Option<String> {
+    let bars = run.record.error_bars.iter();
+    let open =
+        bars.filter(|(_, bar)| bar.method.starts_with("convergence study") && bar.verdict.starts_with("not converged"));
+    let open: Vec<String> = open.map(|(path, _)| doubts::lower(&references::in_words(path))).collect();
+    (!open.is_empty()).then(|| {
+        format!(
+            "The convergence study did not converge for: {}. The bands of the results below follow from laws fitted to other runs, not \
+             from this study: see Error bars",
+            open.join(", ")
+        )
+    })
+}
+
+/// A message with its time as the page writes times.
+fn times_in_words(message: &str) -> String {
+    let time = |from: usize| {
+        let rest = message.get(from + 4..)?;
+        let (number, _) = rest.split_once(" s").filter(|(number, _)| !number.contains(' '))?;
+        Some((number.len() + 2, number.parse::<f64>().ok()?))
+    };
+    match message.find("t = ").and_then(|from| Some((from, time(from)?))) {
+        Some((from, (length, seconds))) => {
+            format!("{}t = {}{}", &message[..from], with_unit(seconds, "s"), &message[from + 4 + length..])
+        }
+        None => message.to_string(),
+    }
+}
+
+/// A card for each result; none where the run failed.
+fn cards(run: &RunFolder) -> String {
+    let named = if run.has_failed() { Vec::new() } else { named(run) };
     let reserve = |panel: &str| named.iter().find(|(name, _)| name == &format!("{panel}.reserve_factor"));
     let mut html = String::new();
     for (name, quantity) in named.iter().filter(|(name, _)| !name.ends_with(".reserve_factor")) {
         let Some(value) = quantity.value else { continue };
-        let (title, si) = result(name);
+        let (title, si) = title(run, name);
         let unit = Unit::of(si, value);
         let band = match quantity.band {
-            Some(band) => format!("± {} {}", two_digits(unit.scale * band), unit.name),
+            Some(band) => {
+                let share = share(quantity).map_or(String::new(), |share| format!(" ({})", percent(share)));
+                format!("± {} {}{share}", two_digits(unit.scale * band), unit.name)
+            }
             None => "no band".into(),
         };
-        let time = quantity.time_s.map_or("over the run".into(), |time| format!("at {}", with_unit(time, "s")));
+        let time = match quantity.time_s {
+            Some(time) => format!("at {}", with_unit(time, "s")),
+            None if run.is_interrupted() => format!("up to {}", end(run)),
+            None => "over the run".into(),
+        };
         let mut lines = vec![format!("{band}, {time}")];
         let panel = name.strip_suffix(".peak_stress_Pa").unwrap_or_default();
         if let Some((_, factor)) = reserve(panel) {
@@ -146,7 +282,7 @@ fn cards(run: &RunFolder) -> String {
             lines.push(format!("reserve factor {}{allowed}", digits(factor.value.unwrap_or(f64::NAN))));
         }
         let class = match quantity.verdict.as_str() {
-            "resolved" => "completed",
+            "resolved" if coarse(quantity).is_none() && !run.is_interrupted() => "completed",
             "beyond_allowable" => "failed",
             _ => "doubtful",
         };
@@ -156,8 +292,32 @@ fn cards(run: &RunFolder) -> String {
             escape(&title),
             digits(unit.scale * value),
             escape(&unit.name),
-            escape(in_words(&quantity.verdict))
+            escape(&verdict_of(run, name, quantity))
         );
     }
     if html.is_empty() { html } else { format!("<ul class=\"cards\">\n{html}</ul>\n") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_of_a_failure_is_written_as_other_times() {
+        let message = "particle 0 has density 1312.9 kg/m^3 at t = 8.359392e-4 s: too much";
+        assert_eq!(times_in_words(message), "particle 0 has density 1312.9 kg/m^3 at t = 0.836\u{a0}ms: too much");
+        assert_eq!(times_in_words("nothing at t = once"), "nothing at t = once");
+    }
+
+    #[test]
+    fn a_wide_band_is_coarse() {
+        let with = |band: f64| Quantity {
+            value: Some(-100.0),
+            band: Some(band),
+            verdict: "resolved".into(),
+            ..Quantity::default()
+        };
+        assert_eq!((coarse(&with(29.0)), coarse(&with(61.0))), (None, Some(0.61)));
+        assert_eq!(with_share(&with(61.0), "Pa"), "−100 ± 61 Pa (61 %)");
+    }
 }

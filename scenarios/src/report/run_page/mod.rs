@@ -3,6 +3,7 @@
 mod camera;
 mod charts;
 mod comparison;
+mod doubts;
 mod figures;
 mod flow;
 mod folder;
@@ -12,6 +13,7 @@ mod panels;
 mod player;
 mod quantity;
 mod record;
+mod references;
 mod structure;
 mod table;
 mod tables;
@@ -48,12 +50,12 @@ pub(crate) fn report(dir: &Path) -> Result<String, FolderError> {
         ("Curves", figure_blocks(&charts::figures(&run), HINT)),
         ("Structure", [figure_blocks(&structure::figures(&run), ""), structure::tables(&run)].concat()),
         ("Results in detail", [tables::results_section(&run), tables::gauge_section(record)].concat()),
-        ("Against references", tables::comparison_section(record)),
+        ("Against references", references::section(&run)),
         ("Error bars", tables::error_bars_section(record)),
         ("Moments", moments),
         ("Theories", run.scene.entry().map_or(Vec::new(), |_| theories::theories_section(&run.scene))),
-        ("Doubts and warnings", warnings(&run)),
-        ("Audit", tables::audit_section(record)),
+        ("Warnings", warnings(&run)),
+        ("Audit", tables::audit_section(&run)),
         ("Force by four rules", tables::force_rules_section(record)),
         ("How it was got", [tables::run_section(&run), tables::cost_section(record), again(dir)].concat()),
         ("Scene as run", vec![Block::Html(folded("scene.resolved.toml", &toml))]),
@@ -83,21 +85,15 @@ fn figure_blocks(figures: &[Figure], hint: &str) -> Vec<Block> {
     vec![Block::Html(format!("{hint}<div class=\"figures\">\n{inner}</div>\n"))]
 }
 
-/// Doubts, warnings before the run, and what is missing in the folder.
+/// Warnings before the run; doubts stand at the top of the page.
 fn warnings(run: &RunFolder) -> Vec<Block> {
-    let list = |heading: &str, items: &[String]| {
-        let lines: String = items.iter().map(|item| format!("<li>{}</li>", escape(item))).collect();
-        (!items.is_empty()).then(|| Block::Html(format!("<h3>{heading}</h3>\n<ul class=\"reasons\">{lines}</ul>\n")))
-    };
-    let doubts: Vec<String> = run.record.doubts.iter().map(|doubt| headline::doubt_in_words(doubt)).collect();
-    [
-        list("Doubts about the results", &doubts),
-        list("Warnings about the scene", &run.warnings),
-        list("Missing in the folder", &run.gaps),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    if run.warnings.is_empty() {
+        return Vec::new();
+    }
+    let lines: String = run.warnings.iter().map(|item| format!("<li>{}</li>", doubts::html(item))).collect();
+    vec![Block::Html(format!(
+        "<h3 id=\"warnings\">About the scene, before the run</h3>\n<ul class=\"reasons\">{lines}</ul>\n"
+    ))]
 }
 
 /// The command that repeats the run.

@@ -86,10 +86,10 @@ fn grid(scene: &Scene, flow: &Flow) -> [[f64; 2]; 2] {
 }
 
 fn head(scene: &Scene, flow: &Flow, [low, high]: [[f64; 2]; 2], size: [f64; 2], particles: usize) -> String {
-    let value = |label: &str, top: f64| {
+    let value = |label: &str, top: f64, most: f64| {
         let step = nice_step(top, 4);
         let ticks: Vec<_> = ticks([0.0, top], step).map(|v| json!([v, tick_label(v, step)])).collect();
-        json!({"label": label, "top": top, "ticks": ticks})
+        json!({"label": label, "top": top, "ticks": ticks, "beyond": most > top})
     };
     let camera = |m: &Moment| [m.view.middle[0], m.view.middle[1], m.view.width];
     let (tank, whole) = (&scene.tank, flow.whole);
@@ -112,8 +112,8 @@ fn head(scene: &Scene, flow: &Flow, [low, high]: [[f64; 2]; 2], size: [f64; 2], 
         "outlines": flow.moments.iter().map(|m| m.outlines.iter().map(Vec::len).collect::<Vec<_>>()).collect::<Vec<_>>(),
         "panels": flow.moments.iter().map(|m| &m.panels).collect::<Vec<_>>(),
         "values": {
-            "pressure": value("Pressure [kPa]", 1e-3 * flow.top[0]),
-            "speed": value("Speed [m/s]", flow.top[1]),
+            "pressure": value("Pressure [kPa]", 1e-3 * flow.top[0], 1e-3 * flow.most[0]),
+            "speed": value("Speed [m/s]", flow.top[1], flow.most[1]),
         },
         "colours": colours,
     })

@@ -17,7 +17,7 @@ const MOMENTS: usize = 4;
 /// Stops of the colour bar.
 const STOPS: usize = 16;
 
-/// The animation; what it shows without a script is the moment of the largest force.
+/// The animation; it begins, and stands without a script, at the moment of the largest force.
 pub(super) fn player(run: &mut RunFolder, flow: &Flow) -> String {
     let Packed { head, frames } = pack(&run.scene, flow);
     let time = flow.moments.get(flow.still).map_or(0.0, |m| m.time);
@@ -30,8 +30,20 @@ pub(super) fn player(run: &mut RunFolder, flow: &Flow) -> String {
     let shown = flow.moments.iter().any(|m| !m.particles.is_empty());
     let mirrored =
         if flow.mirror && shown { " Only x ≥ 0 was computed; the other half is its mirror image." } else { "" };
-    let caption =
-        format!("Largest force at {}: the picture without animation.{mirrored}{thinned}", with_unit(time, "s"));
+    let here = with_unit(time, "s");
+    let which = match flow.peak {
+        Some((what, at)) => format!("At first the frame at {here}, nearest to the {what} ({}).", with_unit(at, "s")),
+        None => format!("At first the last frame, at {here}."),
+    };
+    let beyond = match shown && flow.most[0] > flow.top[0] {
+        true => format!(
+            " The colours of pressure end at {}; the largest pressure of a particle in these frames is {}.",
+            with_unit(flow.top[0], "Pa"),
+            with_unit(flow.most[0], "Pa")
+        ),
+        false => String::new(),
+    };
+    let caption = format!("{which}{beyond}{mirrored}{thinned}");
     let stops: Vec<String> = (0..=STOPS).map(|k| colour::hex(colour::viridis(k as f64 / STOPS as f64))).collect();
     format!(
         include_str!("player.html"),

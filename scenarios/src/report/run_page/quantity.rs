@@ -1,5 +1,7 @@
 //! Numbers as an engineer writes them: a title in words, a unit with its prefix, three digits.
 
+use crate::report::ticks::powers;
+
 /// A unit to show numbers in.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Unit {
@@ -13,7 +15,7 @@ impl Unit {
     /// The unit for numbers up to `largest` in magnitude, in SI units of `si`.
     pub fn of(si: &str, largest: f64) -> Unit {
         let prefixes: &[(&str, f64)] = match si {
-            "N/m" | "Pa" | "N" | "J/m" | "N s/m" => &[("M", 1e-6), ("k", 1e-3), ("", 1.0)],
+            "N/m" | "Pa" | "Pa s" | "N" | "N m" | "N m/m" | "J/m" | "N s/m" => &[("M", 1e-6), ("k", 1e-3), ("", 1.0)],
             "s" => &[("", 1.0), ("m", 1e3)],
             "m" => &[("", 1.0), ("m", 1e3)],
             _ => &[("", 1.0)],
@@ -49,18 +51,32 @@ pub(crate) fn digits(value: f64) -> String {
             let sign = if text { "\u{2212}" } else { "" };
             format!("{sign}{}\u{202f}{:03}", whole / 1000, whole % 1000)
         }
-        _ => {
-            let (mantissa, power) = (value / 10f64.powi(exponent), minus(exponent.to_string()));
-            minus(format!("{mantissa:.2}")) + "·10^" + &power
-        }
+        _ => powers(&format!("{value:.2e}")),
     }
+}
+
+/// Five digits, for numbers with a narrow band; other magnitudes as [`digits`].
+pub(crate) fn five_digits(value: f64) -> String {
+    let exponent = value.abs().log10().floor();
+    match (-3.0..6.0).contains(&exponent) {
+        true => format!("{value:.*}", (4.0 - exponent).max(0.0) as usize).replace('-', "\u{2212}"),
+        false => digits(value),
+    }
+}
+
+/// A share with its sign, in percent.
+pub(crate) fn percent(share: f64) -> String {
+    let size = 100.0 * share.abs();
+    let places = if size < 0.095 { 2 } else { usize::from(size < 9.95) };
+    let text = format!("{:.places$} %", 100.0 * share);
+    text.replace('-', "\u{2212}").replacen("\u{2212}0.00 %", "0.00 %", 1)
 }
 
 /// A number of SI units `si` with its own prefix.
 pub(crate) fn with_unit(value: f64, si: &str) -> String {
     let unit = Unit::of(si, value);
     let space = if unit.name == "-" || unit.name.is_empty() { "" } else { "\u{a0}" };
-    let name = if unit.name == "-" { "" } else { &unit.name };
+    let name = if unit.name == "-" { String::new() } else { unit.name.replace(' ', "\u{a0}") };
     format!("{}{space}{name}", digits(unit.scale * value))
 }
 
@@ -96,7 +112,7 @@ pub(crate) struct Column {
 const OF_BODY: [(&str, &str, &str, f64); 10] = [
     ("fy_N_per_m", "Vertical force on", "N/m", 1.0),
     ("fx_N_per_m", "Horizontal force on", "N/m", 1.0),
-    ("moment_N", "Moment on", "N", 1.0),
+    ("moment_N", "Moment on", "N m/m", 1.0),
     ("ay_m_per_s2", "Vertical acceleration of", "g", 1.0 / 9.80665),
     ("ax_m_per_s2", "Horizontal acceleration of", "g", 1.0 / 9.80665),
     ("vy_m_per_s", "Vertical velocity of", "m/s", 1.0),
@@ -111,7 +127,7 @@ const OF_PANEL: [(&str, &str, &str); 6] = [
     ("deflection_m", "Deflection of", "m"),
     ("dx_m", "Displacement along x of", "m"),
     ("dy_m", "Displacement along y of", "m"),
-    ("moment_N", "Bending moment in", "N"),
+    ("moment_N", "Bending moment in", "N m/m"),
     ("strain_left", "Strain of the left face of", "-"),
     ("strain_right", "Strain of the right face of", "-"),
 ];
@@ -159,7 +175,13 @@ mod tests {
         assert_eq!(with_unit(0.014842, "s"), "14.8\u{a0}ms");
         assert_eq!(with_unit(2.914e8, "Pa"), "291\u{a0}MPa");
         assert_eq!(with_unit(0.85926, "-"), "0.859");
-        assert_eq!([digits(f64::NAN), digits(0.0), digits(1.234e-7)], ["–", "0", "1.23·10^−7"]);
+        assert_eq!([digits(f64::NAN), digits(0.0), digits(1.234e-7)], ["–", "0", "1.23·10⁻⁷"]);
+    }
+
+    #[test]
+    fn shares_and_long_numbers_are_written_alike() {
+        assert_eq!([0.4225, -0.0008, 0.153, -1e-9].map(percent), ["42 %", "−0.08 %", "15 %", "0.00 %"]);
+        assert_eq!([6.894_76, -13_292.5, 1.4e-15].map(five_digits), ["6.8948", "−13292", "1.40·10⁻¹⁵"]);
     }
 
     #[test]

@@ -1,14 +1,17 @@
 //! What the panels bear: extremes along each panel, and over all.
 
-use super::charts::{Figure, file_name};
+use super::charts::{Figure, LIMIT, file_name};
 use super::folder::RunFolder;
 use super::headline::allowable;
 use super::quantity::{Unit, digits, with_unit};
 use super::record::{Envelope, Extremes, Panel};
-use crate::report::{Block, Chart, Curve, Mark, Table, row};
+use crate::report::{Block, Chart, Curve, Mark, Paint, Rgb, Table, row};
 
 /// Reserve factors above this are drawn at it: there the panel bears next to nothing.
 const LARGEST_RESERVE: f64 = 20.0;
+
+/// Colour of the lower envelope, other than that of limits.
+const LOWER: Rgb = [0, 158, 115];
 
 /// Tables of all panels, and ruptures in words.
 pub(super) fn tables(run: &RunFolder) -> Vec<Block> {
@@ -28,7 +31,7 @@ fn envelopes(run: &RunFolder, name: &str, envelope: &Envelope) -> Vec<Figure> {
     let length = Unit::of("m", stations.last().copied().unwrap_or(0.0));
     let ours = [
         ("Stress of the outer fibres along", &envelope.stress_pa, "Pa"),
-        ("Bending moment along", &envelope.moment_n, "N"),
+        ("Bending moment along", &envelope.moment_n, "N m/m"),
         ("Shear force along", &envelope.shear_n_per_m, "N/m"),
         ("Normal force along", &envelope.normal_n_per_m, "N/m"),
     ];
@@ -48,15 +51,17 @@ fn envelopes(run: &RunFolder, name: &str, envelope: &Envelope) -> Vec<Figure> {
             let value = |(s, v): (&f64, &Extremes)| Some([length.scale * s, unit.scale * of(v)?]);
             stations.iter().zip(values).filter_map(value).collect::<Vec<_>>()
         };
+        let lower = Paint { colour: Some(LOWER), ..Paint::default() };
         let mut curves = vec![
             Curve::new("largest over the run", Mark::Line, at(|v| v.most)),
-            Curve::new("smallest over the run", Mark::Line, at(|v| v.least)),
+            Curve::new("smallest over the run", Mark::Line, at(|v| v.least)).painted(lower),
         ];
         if let Some(allowed) = allowable(run, name).filter(|_| si == "Pa") {
             let ends = [stations[0], stations[stations.len() - 1]].map(|s| length.scale * s);
-            for (label, sign) in [("allowable", 1.0), ("", -1.0)] {
+            for (label, sign) in [("allowable, tension", 1.0), ("allowable, compression", -1.0)] {
                 let line = ends.map(|s| [s, sign * unit.scale * allowed]);
-                curves.push(Curve::new(label, Mark::Dashed, line));
+                let paint = Paint { colour: Some(LIMIT), ..Paint::default() };
+                curves.push(Curve::new(label, Mark::Dashed, line).painted(paint));
             }
         }
         figures.push(figure(format!("{words} {name}"), &format!("[{}]", unit.name), curves));
@@ -84,7 +89,7 @@ fn extremes_table(run: &RunFolder, name: &str, panel: &Panel) -> Block {
     };
     extremes("Stress of the outer fibres", "Pa", &panel.stress_pa);
     extremes("Their strain", "-", &panel.strain);
-    extremes("Bending moment", "N", &panel.moment_n);
+    extremes("Bending moment", "N m/m", &panel.moment_n);
     extremes("Shear force", "N/m", &panel.shear_n_per_m);
     extremes("Normal force", "N/m", &panel.normal_n_per_m);
     if let Some(left) = panel.plastic_curvature_per_m.filter(|left| *left > 0.0) {

@@ -3,10 +3,15 @@
 use sph_core::Phase;
 
 use super::folder::RunFolder;
-use super::headline::{in_words, named, with_band};
-use super::quantity::{digits, result, with_unit};
-use super::record::{Comparison, Compressibility, Record};
+use super::headline::{named, title, verdict_of, with_share};
+use super::quantity::{digits, five_digits, percent, with_unit};
+use super::record::{Compressibility, Record};
+use super::references;
+use super::theories::model_in_words;
 use crate::report::{Bar, Block, Part, Table, row};
+
+/// Least and largest drift of the energy in bounds [-].
+const ENERGY: [f64; 2] = [-0.3, 0.02];
 
 /// A number with three digits; a dash where it is unknown.
 fn number(value: Option<f64>) -> String {
@@ -20,7 +25,7 @@ fn unit(value: Option<f64>, si: &str) -> String {
 
 pub(super) fn run_section(run: &RunFolder) -> Vec<Block> {
     let (scene, s) = (&run.scene, &run.record);
-    let mut rows = vec![row(&["Model", run.model()])];
+    let mut rows = vec![row(&["Model", model_in_words(run.model())])];
     let mut add = |quantity: &str, value: String| rows.push(row(&[quantity, &value]));
     if !scene.model.is_theory() {
         add("Fluid particles", s.particles.fluid.to_string());
@@ -73,19 +78,22 @@ fn compressibility_in_words(c: &Compressibility) -> String {
     }
 }
 
-/// Results as a table, with what the cards have no room for.
+/// Results as a table, with what the cards have no room for; nothing where the run failed.
 pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
-    let of_single_steps = "Peaks are means over the time in which the body falls three spacings. The last column is the largest value of \
-                           a single step.";
-    let rows = named(run).into_iter().map(|(name, q)| {
-        let (title, si) = result(&name);
+    if run.has_failed() {
+        return Vec::new();
+    }
+    let results = named(run);
+    let rows = results.iter().map(|(name, q)| {
+        let (title, si) = title(run, name);
         vec![
             title,
-            with_band(q, si),
+            with_share(q, si),
             unit(q.time_s, "s"),
             q.cutoff_hz.map_or("–".into(), |f| format!("{f:.0} Hz")),
-            in_words(&q.verdict).to_string(),
-            unit(q.raw, si),
+            verdict_of(run, name, q),
+            // an integral, and a stress, are not averaged
+            q.cutoff_hz.map_or("–".into(), |_| unit(q.raw, si)),
         ]
     });
     let mut rows: Vec<Vec<String>> = rows.collect();
@@ -100,8 +108,22 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
             "",
         ]));
     }
+    let averaged = results.iter().any(|(_, q)| q.cutoff_hz.is_some());
+    let of_what = match run.scene.entry() {
+        Some(_) => "the time in which the body falls three spacings",
+        None => "the time in which the fastest water passes three spacings",
+    };
+    let mut text = match averaged {
+        true => format!(
+            "Peaks of force, acceleration and pressure are means over {of_what}. The last column is the largest value of a single step."
+        ),
+        false => String::new(),
+    };
+    if results.iter().any(|(name, _)| name.ends_with(".peak_stress_Pa")) {
+        text += " A stress is the largest of every step, for a structure averages by itself.";
+    }
     let head = ["result", "value ± band", "at", "averaged below", "verdict", "single step"];
-    table_section(of_single_steps, Table::new("Results", &head, rows))
+    table_section(text.trim(), Table::new("Results", &head, rows))
 }
 
 pub(super) fn gauge_section(s: &Record) -> Vec<Block> {
@@ -111,64 +133,42 @@ pub(super) fn gauge_section(s: &Record) -> Vec<Block> {
             unit(g.peak_pa, "Pa"),
             unit(g.peak_time_s, "s"),
             unit(g.rise_time_s, "s"),
-            g.impulse_pa_s.map_or("–".into(), |v| format!("{} Pa s", digits(v))),
+            unit(g.impulse_pa_s, "Pa s"),
             unit(g.length_m, "m"),
             g.bandwidth_hz.map_or("–".into(), |f| format!("{f:.0} Hz")),
         ]
     });
-    let head = ["gauge", "peak", "at", "rise 10–90 %", "impulse", "length", "bandwidth"];
+    let head = ["gauge", "peak, single step", "at", "rise 10–90 %", "impulse", "length", "bandwidth"];
     table_section("", Table::new("Gauges", &head, rows.collect()))
-}
-
-/// Comparisons with references, and those that the run does not reach; nothing without any.
-pub(super) fn comparison_section(summary: &Record) -> Vec<Block> {
-    let verdict = |c: &Comparison| match (c.tolerance, c.error) {
-        (None, _) => "drawn only",
-        (Some(tolerance), Some(error)) if error.abs() <= tolerance => "within",
-        _ => "outside",
-    };
-    let rows = summary.comparison.iter().map(|c| {
-        vec![
-            c.reference.clone(),
-            c.quantity.clone(),
-            number(c.ours),
-            number(c.theirs),
-            c.error.map_or("–".into(), |e| format!("{e:.4}")),
-            c.tolerance.map_or(String::new(), |t| format!("{t:.3}")),
-            verdict(c).to_string(),
-        ]
-    });
-    let head = ["reference", "quantity", "ours", "theirs", "error", "tolerance", "verdict"];
-    let table = Table::new("Errors against references", &head, rows.collect());
-    let missing = summary.not_compared.iter().map(|why| Block::Text(format!("Not compared: {why}.")));
-    table_section("", table).into_iter().chain(missing).collect()
 }
 
 /// A text and the table that it explains; nothing where the table is empty.
 fn table_section(text: &str, table: Table) -> Vec<Block> {
-    if table.rows.is_empty() { Vec::new() } else { vec![Block::Text(text.into()), Block::Table(table)] }
+    let text = (!text.is_empty()).then(|| Block::Text(text.into()));
+    if table.rows.is_empty() { Vec::new() } else { text.into_iter().chain([Block::Table(table)]).collect() }
 }
 
 /// Main numbers with their bands; nothing without any.
 pub(super) fn error_bars_section(summary: &Record) -> Vec<Block> {
     let text = "Error bars of main numbers. The band is centred on the extrapolated value if a convergence study was made, else on \
-                the value of the run.";
-    let exact = |value: Option<f64>| value.map_or("–".into(), |v| format!("{v:.5e}"));
+                the value of the run. A band of the results above follows from laws fitted to other runs; one of a study, from this run at \
+                three spacings.";
+    let exact = |value: Option<f64>| value.map_or("–".into(), five_digits);
     let rows = summary.error_bars.iter().map(|(path, bar)| {
         let middle = bar.extrapolated.or(bar.value);
-        let share = bar.band.zip(middle).map(|(band, middle)| 100.0 * (band / middle).abs());
+        let share = bar.band.zip(middle).map(|(band, middle)| (band / middle).abs());
         vec![
-            path.clone(),
+            references::in_words(path),
             exact(bar.value),
             exact(bar.extrapolated),
-            bar.band.map_or("–".into(), |band| format!("{band:.2e}")),
-            share.map_or("–".into(), |share| format!("{share:.2}")),
+            bar.band.map_or("–".into(), digits),
+            share.map_or("–".into(), percent),
             bar.order.map_or("–".into(), |order| format!("{order:.2}")),
             bar.verdict.clone(),
             bar.method.clone(),
         ]
     });
-    let head = ["number", "value", "extrapolated", "band ±", "band [%]", "order", "verdict", "method"];
+    let head = ["number", "value", "extrapolated", "band ±", "of the value", "order", "verdict", "method"];
     table_section(text, Table::new("Error bars", &head, rows.collect()))
 }
 
@@ -185,7 +185,7 @@ pub(super) fn force_rules_section(s: &Record) -> Vec<Block> {
             unit(r.force_n_per_m[0], "N/m"),
             unit(r.force_n_per_m[1], "N/m"),
             unit(r.force_y_sd_n_per_m, "N/m"),
-            unit(r.moment_n, "N"),
+            unit(r.moment_n, "N m/m"),
             unit(r.impulse_n_s_per_m[1], "N s/m"),
             percent(r.force_difference),
             percent(r.impulse_difference),
@@ -196,22 +196,38 @@ pub(super) fn force_rules_section(s: &Record) -> Vec<Block> {
 }
 
 /// Conservation; nothing where the run has no particles.
-pub(super) fn audit_section(s: &Record) -> Vec<Block> {
+pub(super) fn audit_section(run: &RunFolder) -> Vec<Block> {
+    let s = &run.record;
     let Some(audit) = s.audit.as_ref().filter(|_| s.particles.fluid > 0) else { return Vec::new() };
-    let small = |value: Option<f64>| match value {
-        Some(v) if v != 0.0 && v.abs() < 1e-3 => format!("{v:.1e}").replace('-', "\u{2212}"),
-        other => number(other),
+    let small =
+        |value: f64, bound: f64| if value.abs() <= bound { "in\u{a0}bounds" } else { "out\u{a0}of\u{a0}bounds" };
+    let energy = |value: f64| match value {
+        v if v > ENERGY[1] || v.is_nan() => "out of bounds: energy from nowhere",
+        v if v < ENERGY[0] => "strong dissipation",
+        _ => "in\u{a0}bounds",
     };
-    let rows = [
-        ("Momentum: largest gap per step, relative", small(audit.momentum), "below 1e−9"),
-        ("Energy: drift over the largest exchanged (negative: dissipated)", small(audit.energy), "below 0.02"),
-        ("Work of the water that did not reach the body, relative", small(audit.work), "below 0.01"),
-        ("Work on an elastic body that its energies do not contain, relative", small(audit.structure), "below 0.01"),
-        ("Volume: relative change", small(audit.volume), "about 0.01 or less"),
-        ("Particles beyond a wall", audit.penetrated.to_string(), "0"),
-    ];
-    let rows = rows.map(|(quantity, value, right)| row(&[quantity, &value, right])).to_vec();
-    vec![Block::Table(Table::new("Conservation", &["quantity", "value", "right value"], rows))]
+    let mut rows = Vec::new();
+    let mut add = |quantity: &str, value: Option<f64>, right: &str, mark: &dyn Fn(f64) -> &'static str| {
+        rows.push(row(&[quantity, &number(value), right, value.map_or("not a number: out of bounds", mark)]));
+    };
+    add("Momentum: largest gap per step, relative", audit.momentum, "at most 10⁻⁹", &|v| small(v, 1e-9));
+    add(
+        "Energy: drift over the largest exchanged",
+        audit.energy,
+        "−0.1 to 0 (resolved) or −0.3 (coarse), dissipated; at most 0.02 gained",
+        &energy,
+    );
+    if run.scene.body.is_some() {
+        add("Work of the water that did not reach the body, relative", audit.work, "at most 0.01", &|v| small(v, 0.01));
+    }
+    if run.scene.body.as_ref().is_some_and(|body| !body.panels.is_empty()) {
+        let words = "Work on an elastic body that its energies do not contain, relative";
+        add(words, audit.structure, "at most 0.01", &|v| small(v, 0.01));
+    }
+    add("Volume: relative change", audit.volume, "at most about 0.01", &|v| small(v, 0.01));
+    let penetrated = audit.penetrated as f64;
+    add("Particles beyond a wall", Some(penetrated), "0", &|v| small(v, 0.0));
+    vec![Block::Table(Table::new("Conservation", &["quantity", "value", "right value", ""], rows))]
 }
 
 /// Wall time by part, in the order of a step.

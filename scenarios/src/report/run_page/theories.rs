@@ -2,9 +2,10 @@
 
 use fsi_coupling::entry_theory::EntryModel;
 
+use super::quantity::percent;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, Theory, assess};
 use crate::observers::columns;
-use crate::report::{Block, Curve, Mark, Table};
+use crate::report::{Block, Curve, Mark, Paint, Table};
 use crate::scene::Scene;
 
 /// Points of a pressure profile.
@@ -50,48 +51,81 @@ impl Theories {
         let known = |f: &&Followed| f.rows.iter().all(|row| row.get(k).is_some_and(|v| v.is_finite()));
         let points =
             |f: &Followed| f.rows.iter().map(|row| [scales[0] * row[0], scales[1] * row[k]]).collect::<Vec<_>>();
-        self.followed.iter().filter(known).map(|f| Curve::new(in_words(f.model), Mark::Dashed, points(f))).collect()
+        self.followed.iter().filter(known).map(|f| curve(f.model, points(f))).collect()
     }
 
-    /// Their pressure coefficients along the face, at their last moments.
+    /// Their pressure coefficients along the face, at their last moments, but for that of the similarity solution.
     pub fn profiles(&self) -> Vec<Curve> {
-        let curve = |Followed { model, theory, rows }: &Followed| {
+        let drawn = |Followed { model, theory, rows }: &Followed| {
             let last = theory.instants.len().checked_sub(1).filter(|last| *last < rows.len())?;
             theory.peak_pressure(last)?; // infinite, or none: not to be drawn
-            Some(Curve::new(in_words(*model), Mark::Dashed, theory.profile(last, PROFILE)))
+            Some(curve(*model, theory.profile(last, PROFILE)))
         };
-        self.followed.iter().filter_map(curve).collect()
+        self.followed.iter().filter(|f| f.model != EntryModel::Similarity).filter_map(drawn).collect()
     }
 }
 
-/// A theory's name as papers have it.
+/// A curve of a theory, in the colour that it has on every chart.
+pub(super) fn curve(model: EntryModel, points: Vec<[f64; 2]>) -> Curve {
+    let colour = match model {
+        EntryModel::VonKarman => [0, 158, 115],
+        EntryModel::Wagner => [204, 121, 167],
+        EntryModel::Mlm => [230, 159, 0],
+        _ => [86, 180, 233],
+    };
+    Curve::new(in_words(model), Mark::Dashed, points).painted(Paint { colour: Some(colour), ..Paint::default() })
+}
+
+/// A model's name as papers have it.
 fn in_words(model: EntryModel) -> &'static str {
     match model {
         EntryModel::VonKarman => "von Karman",
         EntryModel::Wagner => "Wagner",
         EntryModel::Mlm => "modified Logvinovich",
         EntryModel::Similarity => "similarity solution",
-        other => other.name(),
+        EntryModel::Wcsph => "weakly compressible SPH",
+        EntryModel::Incompressible => "incompressible SPH",
     }
 }
 
-/// Range and measured error of every theory.
+/// A model of `summary.json` in words.
+pub(super) fn model_in_words(name: &str) -> &str {
+    EntryModel::ALL.into_iter().find(|model| model.name() == name).map_or(name, |model| in_words(model))
+}
+
+/// Range and measured error of every theory; sentences where no error is known.
 pub(super) fn theories_section(scene: &Scene) -> Vec<Block> {
+    let all = assess(scene, QuantityOfInterest::PeakForce);
     let obstacle_or_case = |a: &Assessment| {
         let case = || a.measured.as_ref().map(|m| m.case.clone());
         a.obstacle.clone().or_else(case).unwrap_or("measured nowhere near this scene".into())
     };
-    let table = Table::of(
-        "Theories of this entry",
-        assess(scene, QuantityOfInterest::PeakForce),
-        &[
-            ("theory", |a| a.model.name().to_string()),
-            ("error of the largest force [%]", |a| {
-                a.measured.as_ref().map_or(String::new(), |m| format!("{:.2}", 100.0 * m.error))
-            }),
-            ("measured where, or why not", obstacle_or_case),
-        ],
-    );
     let why = scene.choice.iter().map(|why| Block::Text(format!("Model chosen: {why}.")));
-    why.chain([Block::Table(table)]).collect()
+    let shown = match all.iter().any(|a| a.measured.is_some()) {
+        false => {
+            let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
+            for a in &all {
+                let reason = obstacle_or_case(a);
+                match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                    Some((_, names)) => names.push(in_words(a.model)),
+                    None => reasons.push((reason, vec![in_words(a.model)])),
+                }
+            }
+            let each = |(reason, names): &(String, Vec<&str>)| format!("{}: {reason}.", names.join(", "));
+            let words = reasons.iter().map(each).collect::<Vec<_>>().join(" ");
+            Block::Text(format!("No theory of entry has a known error here. {words}"))
+        }
+        true => Block::Table(Table::of(
+            "Theories of this entry",
+            all,
+            &[
+                ("theory", |a| in_words(a.model).to_string()),
+                ("error of the largest force", |a| {
+                    a.measured.as_ref().map_or("not known".to_string(), |m| percent(m.error))
+                }),
+                ("measured where, or why not", obstacle_or_case),
+            ],
+        )),
+    };
+    why.chain([shown]).collect()
 }
