@@ -1,9 +1,12 @@
 //! Curves in one coordinate system.
 
+use super::colour::Rgb;
+
 /// How a curve is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mark {
     /// A full line.
+    #[default]
     Line,
     /// A dashed line.
     Dashed,
@@ -11,6 +14,17 @@ pub enum Mark {
     Points,
     /// The outline of a marker at each point, no line.
     Hollow,
+}
+
+/// How a curve is painted where its place in the chart does not decide it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Paint {
+    /// Its colour.
+    pub colour: Option<Rgb>,
+    /// Its dashes, 0 for a full line, or the shape of its markers, 0 for a circle.
+    pub form: Option<usize>,
+    /// Thin and pale, behind what matters.
+    pub pale: bool,
 }
 
 /// A thin straight line in the colour of a curve, such as a law fitted to it; it has no entry in the legend.
@@ -24,12 +38,14 @@ pub struct TrendLine {
 
 /// A sequence of points (x, y). If the two arrays differ in length, the longer one's surplus is
 /// left out; points with a non-finite coordinate are left out too.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Curve {
     /// Name in the legend; unnamed curves have no entry there.
     pub label: String,
     /// How it is drawn.
     pub mark: Mark,
+    /// How it is painted.
+    pub paint: Paint,
     /// Abscissae, in the unit that [`Chart::x_label`] states.
     pub x: Vec<f64>,
     /// Ordinates, in the unit that [`Chart::y_label`] states.
@@ -40,7 +56,12 @@ impl Curve {
     /// A named curve through points (x, y).
     pub fn new(label: impl Into<String>, mark: Mark, points: impl IntoIterator<Item = [f64; 2]>) -> Curve {
         let (x, y) = points.into_iter().map(|[x, y]| (x, y)).unzip();
-        Curve { label: label.into(), mark, x, y }
+        Curve { label: label.into(), mark, paint: Paint::default(), x, y }
+    }
+
+    /// The same curve, painted otherwise.
+    pub fn painted(self, paint: Paint) -> Curve {
+        Curve { paint, ..self }
     }
 }
 
@@ -55,6 +76,8 @@ pub struct Chart {
     pub y_label: String,
     /// The curves, first at the bottom.
     pub curves: Vec<Curve>,
+    /// Entries of the legend, which are curves without points; empty, the curves have an entry each.
+    pub legend: Vec<Curve>,
     /// Straight lines that belong to curves, drawn where the axes that follow from the curves show them.
     pub trends: Vec<TrendLine>,
     /// Ends of the x axis; absent, they follow from the curves.

@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, decades, extent};
 use super::chart::{Chart, Curve, Mark};
+use super::colour::hex;
 use super::decimate::decimate;
 use super::markup::escape;
 use super::ticks::proper_range;
@@ -19,9 +20,12 @@ const SAMPLE: f64 = 22.0;
 const GAP: f64 = 18.0;
 
 /// Colours, in the order of the curves, then from the start again. They are those of M. Okabe and K. Ito, *Color Universal Design*
-/// (2008), without yellow and black: they read on white and on black; then two of P. Tol's (2021), for charts with many curves.
+/// (2008), without yellow and black: they read on white and on black; then two more that do, for charts with many curves.
 const COLOURS: [&str; 9] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#808080", "#332288", "#882255"];
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#808080", "#8a63d2", "#b5487a"];
+
+/// Dashes, likewise; the first is a full line.
+const DASHES: [&str; 4] = ["", "6 4", "1.5 3.5", "10 3 2 3"];
 
 /// Markers, likewise; the first is a circle.
 const MARKERS: [&str; 5] = [
@@ -73,7 +77,8 @@ fn draw(chart: &Chart, title: &str) -> String {
     let height = bottom + 2.0 * LINE + 8.0 + legend_height;
     let area = [left, top, x.pixels[1] - left, PLOT_HEIGHT];
     let clip = format!("clip-{left:.0}-{top:.0}");
-    let trends = chart.trends.iter().filter_map(|t| trend([&x, &y], t.ends, COLOURS[t.curve % COLOURS.len()]));
+    let trends =
+        chart.trends.iter().filter_map(|t| trend([&x, &y], t.ends, &colour(chart.curves.get(t.curve), t.curve)));
     let plots =
         chart.curves.iter().zip(&curves).enumerate().map(|(k, (curve, points))| plot([&x, &y], curve, points, k));
     let data: String = trends.chain(plots).collect();
@@ -121,33 +126,51 @@ fn grid(x: &Axis, y: &Axis, [left, top, width, height]: [f64; 4]) -> String {
 
 /// A curve as a path, or a marker for each point.
 fn plot(axes: [&Axis; 2], curve: &Curve, points: &[[f64; 2]], index: usize) -> String {
-    let colour = COLOURS[index % COLOURS.len()];
+    let colour = colour(Some(curve), index);
     let places = decimate(points, POINTS_PER_CURVE).into_iter().map(|[x, y]| [axes[0].at(x), axes[1].at(y)]);
     let places: Vec<[f64; 2]> = places.collect();
     let label = escape(&curve.label);
     if is_marked(curve.mark) || places.len() == 1 {
         // a line needs two points; a single one is a result too
-        let marks: String = places.iter().map(|at| marker(*at, curve.mark, index, colour)).collect();
+        let marks: String = places.iter().map(|at| marker(*at, curve, index, &colour)).collect();
         return format!("<g class=\"curve\" data-label=\"{label}\" data-colour=\"{colour}\">{marks}</g>\n");
     }
-    let dashes = if curve.mark == Mark::Dashed { " stroke-dasharray=\"6 4\"" } else { "" };
+    let dashes = dashes(curve);
+    let [width, opacity] = if curve.paint.pale { ["1.1", " stroke-opacity=\"0.45\""] } else { ["1.8", ""] };
     let path: Vec<String> = places.iter().map(|[x, y]| format!("{x:.2} {y:.2}")).collect();
     let path = if path.is_empty() { String::new() } else { format!("M {}", path.join("L ")) };
     format!(
         "<path d=\"{path}\" class=\"curve\" data-label=\"{label}\" data-colour=\"{colour}\" stroke=\"{colour}\" \
-         stroke-width=\"1.8\" stroke-linejoin=\"round\"{dashes} />\n"
+         stroke-width=\"{width}\" stroke-linejoin=\"round\"{opacity}{dashes} />\n"
     )
 }
 
-fn marker([x, y]: [f64; 2], mark: Mark, index: usize, colour: &str) -> String {
-    let paint = match mark {
+/// The colour of a curve.
+fn colour(curve: Option<&Curve>, index: usize) -> String {
+    let own = curve.and_then(|curve| curve.paint.colour);
+    own.map_or_else(|| COLOURS[index % COLOURS.len()].to_string(), hex)
+}
+
+/// The dashes of a line, as an attribute.
+fn dashes(curve: &Curve) -> String {
+    let form = curve.paint.form.unwrap_or(usize::from(curve.mark == Mark::Dashed));
+    match DASHES[form % DASHES.len()] {
+        "" => String::new(),
+        lengths => format!(" stroke-dasharray=\"{lengths}\""),
+    }
+}
+
+fn marker([x, y]: [f64; 2], curve: &Curve, index: usize, colour: &str) -> String {
+    let paint = match curve.mark {
         Mark::Hollow => format!("fill=\"{colour}\" fill-opacity=\"0\" stroke=\"{colour}\" stroke-width=\"1.4\""),
         _ => format!("fill=\"{colour}\""),
     };
     let place = format!("transform=\"translate({x:.2} {y:.2})\"");
-    match MARKERS[index % MARKERS.len()] {
+    match MARKERS[curve.paint.form.unwrap_or(index) % MARKERS.len()] {
         "" => format!("<circle r=\"3.4\" {place} {paint} />"),
-        _ if mark == Mark::Hollow => format!("<circle r=\"3.4\" {place} {paint} />"),
+        _ if curve.mark == Mark::Hollow && curve.paint.form.is_none() => {
+            format!("<circle r=\"3.4\" {place} {paint} />")
+        }
         shape => format!("<path d=\"{shape}\" {place} {paint} />"),
     }
 }
@@ -164,18 +187,18 @@ fn trend([x, y]: [&Axis; 2], ends: [[f64; 2]; 2], colour: &str) -> Option<String
 fn legend(chart: &Chart, left: f64, top: f64) -> (String, f64) {
     let (mut svg, mut x, mut y) = (String::new(), left, top);
     let named = |curve: &&(usize, &Curve)| !curve.1.label.is_empty();
-    let curves: Vec<(usize, &Curve)> = chart.curves.iter().enumerate().collect();
+    let entries = if chart.legend.is_empty() { &chart.curves } else { &chart.legend };
+    let curves: Vec<(usize, &Curve)> = entries.iter().enumerate().collect();
     for (index, curve) in curves.iter().filter(named) {
         let width = SAMPLE + 6.0 + LEGEND_LETTER * curve.label.chars().count() as f64 + GAP;
         if x > left && x + width > WIDTH {
             (x, y) = (left, y + LINE);
         }
-        let (colour, middle) = (COLOURS[index % COLOURS.len()], y - 4.0);
+        let (colour, middle) = (colour(Some(curve), *index), y - 4.0);
         svg += &match curve.mark {
-            mark @ (Mark::Points | Mark::Hollow) => marker([x + 0.5 * SAMPLE, middle], mark, *index, colour),
-            mark => {
-                let dashes = if mark == Mark::Dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-                let end = x + SAMPLE;
+            Mark::Points | Mark::Hollow => marker([x + 0.5 * SAMPLE, middle], curve, *index, &colour),
+            _ => {
+                let (dashes, end) = (dashes(curve), x + SAMPLE);
                 format!("<path d=\"M {x:.2} {middle:.2} H {end:.2}\" stroke=\"{colour}\" stroke-width=\"2\"{dashes} />")
             }
         };

@@ -176,12 +176,13 @@ fn number(value: &Value) -> Option<Number> {
     let of = |key: &str| value.get(key).and_then(Value::as_f64);
     match value.as_f64() {
         Some(value) => Some(Number { value, band: None, verdict: None, time_s: None }),
-        None => Some(Number {
-            value: of("value")?,
-            band: of("band"),
-            verdict: value.get("verdict").and_then(Value::as_str).map(String::from),
-            time_s: of("time_s"),
-        }),
+        None => {
+            let band = of("band");
+            let verdict = value.get("verdict").and_then(Value::as_str);
+            // folders of older versions: no value is resolved without a band
+            let verdict = verdict.map(|own| if own == "resolved" && band.is_none() { "no_band" } else { own });
+            Some(Number { value: of("value")?, band, verdict: verdict.map(String::from), time_s: of("time_s") })
+        }
     }
 }
 

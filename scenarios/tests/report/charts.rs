@@ -3,7 +3,7 @@ use super::xml::assert_well_formed;
 use scenarios::report::{Chart, Curve, Mark, TrendLine, chart_svg};
 
 pub fn curve(mark: Mark, x: Vec<f64>, y: Vec<f64>) -> Curve {
-    Curve { label: format!("{mark:?}"), mark, x, y }
+    Curve { label: format!("{mark:?}"), mark, x, y, ..Curve::default() }
 }
 
 pub fn chart(curves: Vec<Curve>) -> Chart {

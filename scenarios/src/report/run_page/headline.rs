@@ -32,7 +32,7 @@ pub(super) fn lead(run: &RunFolder) -> String {
 }
 
 /// What a verdict of `summary.json` means, in words.
-pub(super) fn in_words(verdict: &str) -> &str {
+pub(crate) fn in_words(verdict: &str) -> &str {
     match verdict {
         "resolved" => "resolved",
         "acoustic" => "depends on the speed of sound",
@@ -59,7 +59,7 @@ pub(super) fn with_band(quantity: &Quantity, si: &str) -> String {
     format!("{}{band}{name}", digits(unit.scale * value))
 }
 
-fn two_digits(value: f64) -> String {
+pub(crate) fn two_digits(value: f64) -> String {
     let places = (1.0 - value.abs().max(1e-300).log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{value:.places$}")
 }
