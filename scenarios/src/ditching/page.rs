@@ -119,7 +119,7 @@ fn cards(landed: &Landed) -> Vec<Card> {
             &way.name,
             format!("in {}; from {first} to {last} m/s", at(landed, s.time_end_s)),
         ),
-        plain("Pitch", format!("{least} to {most}"), "°", format!("{touch}° at the first touch")),
+        plain("Largest pitch", most, "°", format!("{touch}° at the first touch, least {least}°")),
     ];
     largest(landed).into_iter().map(of_largest).chain(others).collect()
 }
@@ -130,10 +130,14 @@ fn loads_table(scene: &Scene, landed: &Landed) -> Table {
         let value = with_unit(l.peak.value, l.si);
         let of_weight = (l.si == "N").then(|| l.peak.value / (scene.aeroplane.mass * scene.water.gravity));
         let value = of_weight.map_or(value.clone(), |share| format!("{value}, {} times the weight", digits(share)));
-        row(&[l.title, &value, NO_BAND, &digits(time.scale * l.peak.time_s), &l.place])
+        row(&[l.title, &value, &digits(time.scale * l.peak.time_s), &l.place])
     };
-    let head = ["largest", "value", "band", &format!("time [{}]", time.name), "where"];
-    Table::new("Largest loads of the landing", &head, largest(landed).into_iter().map(line).collect())
+    let head = ["largest", "value", &format!("time [{}]", time.name), "where"];
+    Table::new(
+        "Largest loads of the landing; none has a known band",
+        &head,
+        largest(landed).into_iter().map(line).collect(),
+    )
 }
 
 fn stations_table(landed: &Landed) -> Table {
@@ -226,8 +230,9 @@ fn chart(landed: &Landed, (title, si, factor, columns): Of, peak: Option<&Peak>)
         let label = format!("largest: {} at {}", with_unit(peak.value, si), at(landed, peak.time_s));
         Curve::new(label, Mark::Hollow, [[time.scale * peak.time_s, scale * peak.value]])
     }));
+    let y_label = if unit.name == "-" { String::new() } else { format!("[{}]", unit.name) };
     Chart {
         x_range: Some([0.0, time.scale * landed.summary.time_end_s]),
-        ..Chart::new(title, format!("time [{}]", time.name), format!("[{}]", unit.name), curves)
+        ..Chart::new(title, format!("time [{}]", time.name), y_label, curves)
     }
 }

@@ -13,7 +13,7 @@ const POINTS: usize = 120;
 /// Blank round the fuselage, a share of its length [-].
 const ROOM: f64 = 0.03;
 
-/// A picture of the first touch, of the largest force, of the largest load of a metre of keel, and of the end.
+/// A picture of the first touch, of the largest force, of the largest load of a metre of keel, and of the last touch.
 pub(super) fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
     let (Ok(hull), moments, s) = (hull(scene), &landed.run.moments, &landed.summary) else {
         return Vec::new();
@@ -26,7 +26,7 @@ pub(super) fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
         ("First touch", 0.0),
         ("Largest force of the water", s.fz_n.time_s),
         ("Largest load of a metre of keel", s.line_load_n_per_m.time_s),
-        ("End", s.time_end_s),
+        ("Last touch", moments.iter().rfind(|m| m.wetted.is_some()).map_or(s.time_end_s, |m| m.time)),
     ];
     let mut chosen: Vec<(&str, &LandingState)> = Vec::new();
     for (name, moment) in wanted.into_iter().filter_map(|(name, time)| Some((name, nearest(time)?))) {

@@ -4,7 +4,7 @@ use super::collect::{Collected, Number, PointResult};
 use super::surfaces::surfaces;
 use super::table::{Worst, folder_of, worst};
 use super::trends::{charted, trends};
-use super::words::{Quantity, axis_label, axis_number, place_of};
+use super::words::{Quantity, axis_label, axis_number, inside, place_of};
 use crate::report::run_page::in_words;
 use crate::report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
 
@@ -69,6 +69,13 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
     });
     let message =
         |p: &PointResult| format!("point {}: {}: {}", p.number, p.status, p.message.as_deref().unwrap_or("-"));
+    let unresolved_at = |point: &&PointResult| {
+        let mut verdicts = point.numbers.values().filter_map(|number| number.verdict.as_deref());
+        verdicts.any(|verdict| verdict != "resolved")
+    };
+    let count = collected.completed().filter(unresolved_at).count();
+    let unresolved =
+        (count > 0).then(|| format!("{count} of {done} have results that are not resolved or have no band."));
     let messages = collected.failed().take(MOST_MESSAGES).map(message);
     let is_doubtful =
         |(case, _): &(&Worst<'_>, Quantity)| case.number.verdict.as_deref().is_some_and(|v| v != "resolved");
@@ -82,7 +89,7 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
         title: collected.name.clone(),
         tone,
         heading,
-        reasons: first.into_iter().chain(messages).collect(),
+        reasons: first.into_iter().chain(unresolved).chain(messages).collect(),
         cards: named.iter().take(MOST_CARDS).map(|(case, quantity)| card(collected, case, quantity)).collect(),
     }
 }
@@ -104,7 +111,7 @@ fn is_audit(case: &Worst<'_>) -> bool {
 fn title(case: &Worst<'_>, quantity: &Quantity) -> String {
     let scene = case.scene.as_ref().map_or(String::new(), |scene| format!(", {scene}"));
     let least = if case.quantity == "reserve_factor" { "Least" } else { "Largest" };
-    format!("{least}: {}{scene}", quantity.title)
+    format!("{least} {}{scene}", inside(&quantity.title))
 }
 
 /// What is said of a worst case that is not resolved.

@@ -5,7 +5,7 @@ use super::heat_map::{HeatMap, heat_map_svg};
 use super::response::Response;
 use super::table::plain;
 use super::trends::{charted, numeric_axes};
-use super::words::{Quantity, axis_label, axis_value};
+use super::words::{Quantity, axis_label, axis_value, inside};
 use crate::report::run_page::quantity::digits;
 use crate::report::{Block, Table};
 
@@ -101,7 +101,7 @@ fn map(
     let points = with_values.filter(|(place, _)| is_near(place)).map(|(place, value)| [place[i], place[j], *value]);
     let label = |k: usize| axis_label(collected, &collected.axes[axes[k]]);
     let others = (0..axes.len()).filter(|&k| k != i && k != j);
-    let others: Vec<String> = others.map(|k| axis_value(collected, axes[k], &middle[k].into())).collect();
+    let others: Vec<String> = others.map(|k| inside(&axis_value(collected, axes[k], &middle[k].into()))).collect();
     let at = if others.is_empty() { String::new() } else { format!(" at {}", others.join(", ")) };
     let svg = heat_map_svg(&HeatMap {
         x_label: label(i),

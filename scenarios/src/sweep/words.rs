@@ -170,9 +170,18 @@ pub(super) fn axis_value(collected: &Collected, axis: usize, value: &Value) -> S
     format!("{} {}{unit}", title(collected, axis), axis_number(value))
 }
 
+/// A title within a sentence: a word that is no abbreviation starts small.
+pub(super) fn inside(title: &str) -> String {
+    let mut letters = title.chars();
+    match (letters.next(), letters.clone().next()) {
+        (Some(first), Some(second)) if second.is_lowercase() => first.to_lowercase().chain(letters).collect(),
+        _ => title.into(),
+    }
+}
+
 /// The values of a point in words.
 pub(super) fn place_of(collected: &Collected, point: &PointResult) -> String {
-    let words = point.values.iter().enumerate().map(|(k, value)| axis_value(collected, k, value));
+    let words = point.values.iter().enumerate().map(|(k, value)| inside(&axis_value(collected, k, value)));
     words.collect::<Vec<_>>().join(", ")
 }
 
@@ -185,6 +194,7 @@ mod tests {
         let words = ["body.deadrise_deg", "body.velocity[1]", "body.mass", "body.panels[0].thickness", "model"];
         let expected = ["Deadrise", "Vertical velocity", "Mass", "Thickness, panels[0]", "Model"];
         assert_eq!(words.map(in_words), expected);
+        assert_eq!(["Peak force", "CFC"].map(inside), ["peak force", "CFC"]);
         let unit = |name: &str| known(name).map(|(title, si, _)| format!("{title} [{si}]"));
         assert_eq!(unit("peak_force_N_per_m").as_deref(), Some("Peak force [N/m]"));
         assert_eq!(unit("plate.peak_stress_Pa").as_deref(), Some("Peak stress in plate [Pa]"));

@@ -155,12 +155,17 @@ fn overlaid(runs: &[RunFolder], names: &[String], of: fn(&RunFolder) -> Vec<Figu
                 let part = if known_alone(figure) { "" } else { &curve.label };
                 let label = if part.is_empty() { name.clone() } else { format!("{name}: {part}") };
                 let pale = curve.paint.pale || curve.label == "every sample";
-                let paint = Paint { colour: Some(CATEGORIES[run % CATEGORIES.len()]), form: Some(form), pale };
-                form = if pale { 0 } else { form + 1 };
+                let paint = Paint {
+                    colour: Some(CATEGORIES[run % CATEGORIES.len()]),
+                    form: Some(if pale { 0 } else { form }),
+                    pale,
+                };
+                form += usize::from(!pale);
                 let points = curve.x.iter().zip(&curve.y).map(|(u, v)| [x * u, y * v]);
                 curves.push(Curve::new(label, Mark::Line, points).painted(paint));
             }
         }
+        curves.sort_by_key(|curve| !curve.paint.pale);
         let chart =
             Chart { curves, ..Chart::new(&first.chart.title, &first.chart.x_label, &first.chart.y_label, Vec::new()) };
         Figure { name: first.name.clone(), chart }
@@ -218,7 +223,9 @@ impl Differing {
             |k: usize, key: &String| keys[k].iter().find(|(own, _)| own == key).map_or("–", |(_, value)| value);
         let differs = |key: &&String| (1..runs.len()).any(|k| value(k, key) != value(0, key));
         let line = |key: &String| {
-            std::iter::once(key.clone()).chain((0..runs.len()).map(|k| value(k, key).to_string())).collect::<Vec<_>>()
+            std::iter::once(with_unit_of(key))
+                .chain((0..runs.len()).map(|k| value(k, key).to_string()))
+                .collect::<Vec<_>>()
         };
         let (given, derived): (Vec<_>, Vec<_>) = all.into_iter().filter(differs).partition(|key| is_given(key));
         let lines = |keys: Vec<&String>| keys.into_iter().map(line).collect();
@@ -227,7 +234,8 @@ impl Differing {
 
     /// The keys that were given, in a sentence.
     fn sentence(&self) -> String {
-        let mut keys: Vec<&str> = self.given.iter().take(MOST_NAMED).map(|line| line[0].as_str()).collect();
+        let mut keys: Vec<&str> =
+            self.given.iter().take(MOST_NAMED).map(|line| line[0].split(" [").next().unwrap_or_default()).collect();
         if self.given.len() > MOST_NAMED {
             keys.push("others");
         }
@@ -265,6 +273,12 @@ fn is_given(key: &str) -> bool {
     let is_word = default != "auto" && keyword.takes.contains(default);
     let is_value = default.starts_with('[') || default.parse::<f64>().is_ok() || ["true", "false"].contains(&default);
     !key.starts_with("compare") && (is_word || is_value || default.starts_with("required"))
+}
+
+/// A key with its unit.
+fn with_unit_of(key: &str) -> String {
+    let unit = schema().keyword(key).map_or("", |keyword| keyword.unit.as_str());
+    if unit.is_empty() || unit == "-" { key.into() } else { format!("{key} [{unit}]") }
 }
 
 /// A value with four digits.
