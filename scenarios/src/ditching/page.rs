@@ -1,6 +1,6 @@
 //! `report.html` of a landing: its largest loads, what they leave out, curves, side views.
 
-use super::landed::Landed;
+use super::landed::{Landed, StationLoad, seconds};
 use super::model::Scene;
 use super::side_views::side_views;
 use crate::report::run_page::folded;
@@ -27,16 +27,6 @@ pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     html_page(&format!("splashdown ditch: {}", scene.name), &lead_html(&lead(scene, landed)), &sections)
 }
 
-/// A time of the landing; its unit is the same on the whole page.
-pub(super) fn time_unit(landed: &Landed) -> Unit {
-    Unit::of("s", landed.summary.time_end_s)
-}
-
-pub(super) fn at(landed: &Landed, time_s: f64) -> String {
-    let unit = time_unit(landed);
-    format!("{}\u{a0}{}", digits(unit.scale * time_s), unit.name)
-}
-
 fn lead(scene: &Scene, landed: &Landed) -> Lead {
     let s = &landed.summary;
     let title = if scene.description.is_empty() { &scene.name } else { &scene.description };
@@ -45,7 +35,7 @@ fn lead(scene: &Scene, landed: &Landed) -> Lead {
         Status::Completed => {
             (Tone::Doubtful, "Completed. No load has a known band: compare variants by them.".into(), vec![])
         }
-        Status::Failed => (Tone::Failed, format!("Failed. {}", message()), vec![]),
+        Status::Failed => (Tone::Failed, format!("Failed: {}", message()), vec![]),
         _ => (
             Tone::Doubtful,
             "Completed with doubts. No load has a known band: compare variants by them.".into(),
@@ -93,7 +83,7 @@ fn cards(landed: &Landed) -> Vec<Card> {
         let unit = Unit::of(l.si, l.peak.value);
         let compared = (l.si == "g").then(|| (MEASURED.to_string(), None));
         let place = if l.place.contains("nose") { format!(", {}", l.place) } else { String::new() };
-        let lines = std::iter::once((format!("at {}{place}", at(landed, l.peak.time_s)), None)).chain(compared);
+        let lines = std::iter::once((format!("at {}{place}", seconds(l.peak.time_s)), None)).chain(compared);
         Card {
             title: l.title.into(),
             value: digits(unit.scale * l.peak.value),
@@ -117,7 +107,7 @@ fn cards(landed: &Landed) -> Vec<Card> {
             "Way on the water",
             digits(way.scale * s.run_length_m),
             &way.name,
-            format!("in {}; from {first} to {last} m/s", at(landed, s.time_end_s)),
+            format!("in {}; from {first} to {last} m/s", seconds(s.time_end_s)),
         ),
         plain("Largest pitch", most, "°", format!("{touch}° at the first touch, least {least}°")),
     ];
@@ -125,14 +115,13 @@ fn cards(landed: &Landed) -> Vec<Card> {
 }
 
 fn loads_table(scene: &Scene, landed: &Landed) -> Table {
-    let time = time_unit(landed);
     let line = |l: Largest<'_>| {
         let value = with_unit(l.peak.value, l.si);
         let of_weight = (l.si == "N").then(|| l.peak.value / (scene.aeroplane.mass * scene.water.gravity));
         let value = of_weight.map_or(value.clone(), |share| format!("{value}, {} times the weight", digits(share)));
-        row(&[l.title, &value, &digits(time.scale * l.peak.time_s), &l.place])
+        row(&[l.title, &value, &digits(l.peak.time_s), &l.place])
     };
-    let head = ["largest", "value", &format!("time [{}]", time.name), "where"];
+    let head = ["largest", "value", "time [s]", "where"];
     Table::new(
         "Largest loads of the landing; none has a known band",
         &head,
@@ -142,15 +131,14 @@ fn loads_table(scene: &Scene, landed: &Landed) -> Table {
 
 fn stations_table(landed: &Landed) -> Table {
     let s = &landed.summary;
-    let (time, unit) = (time_unit(landed), Unit::of("N/m", s.line_load_n_per_m.value));
+    let unit = Unit::of("N/m", s.line_load_n_per_m.value);
     let loaded = s.stations.iter().filter(|station| station.line_load_n_per_m.value > 0.0);
-    let line = |station: &super::StationLoad| {
+    let line = |station: &StationLoad| {
         let peak = &station.line_load_n_per_m;
-        let cells = [station.x_m, unit.scale * peak.value, time.scale * peak.time_s];
+        let cells = [station.x_m, unit.scale * peak.value, peak.time_s];
         cells.map(digits).to_vec()
     };
-    let head =
-        ["station, from the nose [m]", &format!("largest load [{}]", unit.name), &format!("time [{}]", time.name)];
+    let head = ["station, from the nose [m]", &format!("largest load [{}]", unit.name), "time [s]"];
     Table::new("Largest load of a metre of keel near each station", &head, loaded.map(line).collect())
 }
 
@@ -215,24 +203,21 @@ fn curves(scene: &Scene, landed: &Landed) -> Vec<Block> {
 }
 
 fn chart(landed: &Landed, (title, si, factor, columns): Of, peak: Option<&Peak>) -> Chart {
-    let time = time_unit(landed);
     let times = landed.column("time_s").unwrap_or_default();
     let values = |name: &str| landed.column(name).unwrap_or_default();
     let finite = columns.iter().flat_map(|(name, _)| values(name)).filter(|v| v.is_finite());
     let unit = Unit::of(si, finite.fold(0.0, |most: f64, v| most.max((factor * v).abs())));
     let scale = factor * unit.scale;
     let curve = |(name, label): &(&str, &str)| {
-        let points = times.iter().zip(values(name)).map(|(t, v)| [time.scale * t, scale * v]);
+        let points = times.iter().zip(values(name)).map(|(t, v)| [*t, scale * v]);
         Curve::new(*label, Mark::Line, points.collect::<Vec<_>>())
     };
     let mut curves: Vec<Curve> = columns.iter().map(curve).collect();
-    curves.extend(peak.filter(|peak| peak.value != 0.0).map(|peak| {
-        let label = format!("largest: {} at {}", with_unit(peak.value, si), at(landed, peak.time_s));
-        Curve::new(label, Mark::Hollow, [[time.scale * peak.time_s, scale * peak.value]])
+    let shown = landed.summary.status.is_completed();
+    curves.extend(peak.filter(|peak| shown && peak.value != 0.0).map(|peak| {
+        let label = format!("largest: {} at {}", with_unit(peak.value, si), seconds(peak.time_s));
+        Curve::new(label, Mark::Hollow, [[peak.time_s, scale * peak.value]])
     }));
     let y_label = if unit.name == "-" { String::new() } else { format!("[{}]", unit.name) };
-    Chart {
-        x_range: Some([0.0, time.scale * landed.summary.time_end_s]),
-        ..Chart::new(title, format!("time [{}]", time.name), y_label, curves)
-    }
+    Chart { x_range: Some([0.0, landed.summary.time_end_s]), ..Chart::new(title, "time [s]", y_label, curves) }
 }

@@ -2,9 +2,8 @@
 
 use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
 
-use super::landed::Landed;
+use super::landed::{Landed, seconds};
 use super::model::{Scene, hull};
-use super::page::at;
 use crate::report::run_page::quantity::{Unit, digits};
 use crate::report::{Block, LandingScales, LandingView, landing_view_svg};
 
@@ -36,7 +35,7 @@ pub(super) fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
     }
     let unit = Unit::of("N/m", s.line_load_n_per_m.value);
     let views = chosen.into_iter().map(|(name, now)| LandingView {
-        title: format!("{name}: {}, pitch {}°", at(landed, now.time), digits(now.attitude.place[2].to_degrees())),
+        title: format!("{name}: {}, pitch {}°", seconds(now.time), digits(now.attitude.place[2].to_degrees())),
         ..view(scene, hull.fuselage(), now, &unit)
     });
     let views: Vec<LandingView> = views.collect();

@@ -204,16 +204,18 @@ fn points(collected: &Collected) -> Vec<Block> {
     let quantities: Vec<(&str, Quantity)> =
         charted(collected).into_iter().map(|name| (name, Quantity::of(collected, name))).collect();
     let listed = || collected.points.iter().take(MOST_LISTED);
+    // statuses that are all the same stand above
+    let told = listed().any(|point| point.status != "completed");
     let rows = listed().map(|point| {
         let number = |(name, quantity): &(&str, Quantity)| {
             point.numbers.get(*name).map_or(DASH.into(), |number| marked(quantity, number))
         };
         let first = [point.number.to_string()];
-        let status = [point.status.replace('_', " ")];
+        let status = told.then(|| point.status.replace('_', " "));
         first.into_iter().chain(axes_of(point)).chain(status).chain(quantities.iter().map(number)).collect()
     });
     let labels = quantities.iter().map(|(_, quantity)| quantity.label());
-    let after: Vec<String> = ["status".to_string()].into_iter().chain(labels).collect();
+    let after: Vec<String> = told.then(|| "status".to_string()).into_iter().chain(labels).collect();
     let has = |verdict: &str| {
         let mut numbers = listed().flat_map(|point| point.numbers.values());
         numbers.any(|number| number.verdict.as_deref() == Some(verdict))
