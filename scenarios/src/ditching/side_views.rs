@@ -21,11 +21,12 @@ pub(super) fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
         let distance = |m: &&LandingState| (m.time - time).abs();
         moments.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
     };
+    let is_loaded = |m: &&LandingState| m.strips.iter().filter(|(strip, _)| strip.entry.is_some()).count() > 1;
     let wanted = [
         ("First touch", 0.0),
         ("Largest force of the water", s.fz_n.time_s),
         ("Largest load of a metre of keel", s.line_load_n_per_m.time_s),
-        ("Last touch", moments.iter().rfind(|m| m.wetted.is_some()).map_or(s.time_end_s, |m| m.time)),
+        ("Last touch", moments.iter().rfind(is_loaded).map_or(s.time_end_s, |m| m.time)),
     ];
     let mut chosen: Vec<(&str, &LandingState)> = Vec::new();
     for (name, moment) in wanted.into_iter().filter_map(|(name, time)| Some((name, nearest(time)?))) {

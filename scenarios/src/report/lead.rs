@@ -10,6 +10,9 @@ pub(crate) fn hint_html() -> String {
     format!("<p class=\"hint\">{READ_CURVES}</p>\n")
 }
 
+/// A value with a band above this share of it is coarse [-].
+pub(crate) const COARSE: f64 = 0.3;
+
 /// What a colour says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Tone {

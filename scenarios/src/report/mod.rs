@@ -33,7 +33,7 @@ pub use flow_figure::flow_svg;
 pub(crate) use html::page;
 pub use html::{Block, Report, Status, render};
 pub(crate) use landing_view::{LandingScales, LandingView, landing_view_svg};
-pub(crate) use lead::{Card, Lead, Tone, hint_html, lead_html};
+pub(crate) use lead::{COARSE, Card, Lead, Tone, hint_html, lead_html};
 pub(crate) use markup::escape;
 pub use section_picture::section_picture;
 pub use table::{Column, Table};

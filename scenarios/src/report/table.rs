@@ -92,6 +92,7 @@ fn is_blank(cell: &str) -> bool {
 
 /// A number as people write it: sign, digits, exponent, perhaps a band, a percent sign or a mark.
 fn is_number(cell: &str) -> bool {
-    let value = cell.split(" ± ").next().unwrap_or(cell).trim_end_matches(['%', ' ', '*', '~', '?', '!']);
-    value.replace('−', "-").replace('\u{202f}', "").parse::<f64>().is_ok()
+    let is_plain = |part: &str| part.trim().replace('−', "-").replace('\u{202f}', "").parse::<f64>().is_ok();
+    let number = cell.trim_end_matches(['%', ' ', '*', '~', '?', '!']);
+    number.split_once('±').map_or(is_plain(number), |(value, band)| is_plain(value) && is_plain(band))
 }

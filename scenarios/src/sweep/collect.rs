@@ -207,7 +207,12 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
             let place = station.get("x_m").map_or(String::new(), Value::to_string);
             named(station, &format!("station {place} m."))
         });
-        return [named(summary, ""), plain(summary, "", &OF_LANDING), loads.collect()].concat();
+        // no landing's load has a band
+        let without_band =
+            |(name, number): (String, Number)| (name, Number { verdict: Some("no_band".into()), ..number });
+        let loads: Vec<(String, Number)> = loads.map(without_band).collect();
+        let peaks: Vec<(String, Number)> = named(summary, "").into_iter().map(without_band).collect();
+        return [peaks, plain(summary, "", &OF_LANDING), loads].concat();
     };
     let mut numbers = named(results, "");
     for (name, panel) in results.get("panels").and_then(Value::as_object).into_iter().flatten() {

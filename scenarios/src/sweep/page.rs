@@ -4,7 +4,7 @@ use super::collect::{Collected, Number, PointResult};
 use super::surfaces::surfaces;
 use super::table::{Worst, folder_of, worst};
 use super::trends::{charted, trends};
-use super::words::{Quantity, axis_label, axis_number, inside, place_of};
+use super::words::{Quantity, axis_label, axis_number, inside, place_of, verdict};
 use crate::report::run_page::in_words;
 use crate::report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
 
@@ -19,7 +19,8 @@ const DASH: &str = "–";
 
 /// The page of a sweep.
 pub(super) fn page(collected: &Collected) -> String {
-    let cases = worst(collected);
+    // a place is no load
+    let cases: Vec<Worst<'_>> = worst(collected).into_iter().filter(|case| case.quantity != "line_load_at_m").collect();
     let mut sections = vec![("Worst cases", worst_cases(collected, &cases))];
     let charts = trends(collected);
     if !charts.is_empty() {
@@ -51,12 +52,7 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
     ];
     let wrong: Vec<String> =
         counts.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect();
-    let heading = match wrong.is_empty() {
-        true if all == 1 => "1 point: completed, without doubts.".to_string(),
-        true => format!("{all} points: all completed, none with doubts."),
-        false => format!("{all} points: {done} completed; {}.", wrong.join(", ")),
-    };
-    let named: Vec<(&Worst<'_>, Quantity)> = named(collected, cases).filter(|(case, _)| !is_audit(case)).collect();
+    let named: Vec<(&Worst<'_>, Quantity)> = named(collected, cases).filter(|(case, _)| !is_aside(case)).collect();
     let first = named.first().map(|(case, quantity)| {
         format!(
             "{}: {} at point {} ({}){}.",
@@ -78,11 +74,19 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
         (count > 0).then(|| format!("{count} of {done} have results that are not resolved or have no band."));
     let messages = collected.failed().take(MOST_MESSAGES).map(message);
     let is_doubtful =
-        |(case, _): &(&Worst<'_>, Quantity)| case.number.verdict.as_deref().is_some_and(|v| v != "resolved");
+        |(case, _): &(&Worst<'_>, Quantity)| verdict(case.number).is_some_and(|(tone, _)| tone != Tone::Good);
     let tone = match () {
         _ if failed > 0 || counts[1].0 > 0 => Tone::Failed,
         _ if !wrong.is_empty() || named.iter().any(is_doubtful) => Tone::Doubtful,
         _ => Tone::Good,
+    };
+    let heading = match wrong.is_empty() {
+        true if all == 1 => "1 point: completed, without doubts.".to_string(),
+        true if tone == Tone::Doubtful => {
+            format!("{all} points: all completed, but the worst cases are coarse, not resolved or without a band.")
+        }
+        true => format!("{all} points: all completed, none with doubts."),
+        false => format!("{all} points: {done} completed; {}.", wrong.join(", ")),
     };
     Lead {
         eyebrow: format!("splashdown sweep · {over}"),
@@ -103,8 +107,9 @@ fn name(case: &Worst<'_>) -> String {
     if case.place.is_empty() { case.quantity.into() } else { format!("{}.{}", case.place, case.quantity) }
 }
 
-fn is_audit(case: &Worst<'_>) -> bool {
-    case.quantity.starts_with("audit.")
+/// True for what stands in the table only: parts of the audit, stations of a landing.
+fn is_aside(case: &Worst<'_>) -> bool {
+    case.quantity.starts_with("audit.") || case.place.starts_with("station")
 }
 
 /// What is worst, with the scene where there are several.
@@ -131,16 +136,13 @@ fn card(collected: &Collected, case: &Worst<'_>, quantity: &Quantity) -> Card {
     if let Some((number, point)) = case.resolved {
         lines.push((format!("worst resolved: {} at point {}", quantity.whole(number), point.number), report_of(point)));
     }
-    let chip = number.verdict.as_deref().map(|verdict| {
-        let tone = match verdict {
-            "resolved" => Tone::Good,
-            "beyond_allowable" => Tone::Failed,
-            _ => Tone::Doubtful,
-        };
-        let share = number.band.filter(|_| number.value != 0.0).map(|band| 100.0 * (band / number.value).abs());
-        (tone, in_words(verdict).to_string() + &share.map_or(String::new(), |share| format!(", ± {share:.0} %")))
-    });
-    Card { title: title(case, quantity), value: quantity.value(number.value), unit: quantity.unit.clone(), lines, chip }
+    Card {
+        title: title(case, quantity),
+        value: quantity.value(number.value),
+        unit: quantity.unit.clone(),
+        lines,
+        chip: verdict(number),
+    }
 }
 
 /// The address of a point's report, from the folder of the sweep.
@@ -176,10 +178,10 @@ fn worst_cases(collected: &Collected, cases: &[Worst<'_>]) -> Vec<Block> {
     let others = cases.iter().any(|case| case.resolved.is_some());
     let rows = named(collected, cases).map(|(case, quantity)| {
         let scene = scenes.then(|| case.scene.clone().unwrap_or_default());
-        let verdict = case.number.verdict.as_deref().map_or(DASH, in_words);
+        let verdict = verdict(case.number).map_or(DASH.into(), |(_, words)| words);
         let resolved =
             case.resolved.map_or(DASH.into(), |(n, p)| format!("{} at point {}", quantity.whole(n), p.number));
-        let first = [quantity.title.clone(), quantity.whole(case.number), verdict.into()];
+        let first = [quantity.title.clone(), quantity.whole(case.number), verdict];
         let point = [case.point.number.to_string()];
         let cells = scene.into_iter().chain(first).chain(point).chain(axes_of(case.point));
         cells.chain(others.then_some(resolved)).collect()
@@ -193,7 +195,8 @@ fn worst_cases(collected: &Collected, cases: &[Worst<'_>]) -> Vec<Block> {
         rows: rows.collect(),
     };
     let links = cases.iter().map(|case| report_of(case.point)).collect();
-    let doubtful = cases.iter().any(|case| case.number.verdict.as_deref().is_some_and(|verdict| verdict != "resolved"));
+    let is_doubtful = |verdict: &str| !["resolved", "no_band"].contains(&verdict);
+    let doubtful = cases.iter().any(|case| case.number.verdict.as_deref().is_some_and(is_doubtful));
     let words = "A value that is not resolved may be too large or too small; the reports of the points say why.";
     let mut blocks = vec![Block::LinkedTable { table, column: before.len() - 1, links }];
     blocks.extend(doubtful.then(|| Block::Text(words.into())));

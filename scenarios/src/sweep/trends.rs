@@ -116,13 +116,14 @@ struct Spot<'a> {
     point: &'a PointResult,
 }
 
-/// The axes beside the one of a chart: that with most values for colours, the others for dashes.
+/// The axes beside the one of a chart: of those with few values the one with most for colours, the others for dashes.
 fn coded(axis: usize, points: &[&PointResult], axes: usize) -> [Levels; 2] {
     let count = |k: usize| Levels::of(vec![k], points).count();
-    let mut others: Vec<usize> = (0..axes).filter(|k| *k != axis && count(*k) > 1).collect();
-    others.sort_by_key(|k| (std::cmp::Reverse(count(*k)), *k));
-    let dashes = if others.is_empty() { Vec::new() } else { others.split_off(1) };
-    [others, dashes].map(|axes| Levels::of(axes, points))
+    let others: Vec<usize> = (0..axes).filter(|k| *k != axis && count(*k) > 1).collect();
+    let few = others.iter().copied().filter(|k| count(*k) <= MOST_COLOURS);
+    let coloured = few.min_by_key(|k| (std::cmp::Reverse(count(*k)), *k));
+    let dashed = others.into_iter().filter(|k| Some(*k) != coloured).collect();
+    [coloured.into_iter().collect(), dashed].map(|axes| Levels::of(axes, points))
 }
 
 fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
@@ -138,27 +139,31 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
     spots.sort_by(|a, b| a.x.total_cmp(&b.x));
     let points: Vec<&PointResult> = spots.iter().map(|spot| spot.point).collect();
     let [colours, dashes] = coded(axis, &points, collected.axes.len());
-    let lined = colours.count() <= MOST_COLOURS
-        && dashes.count() <= MOST_DASHES
-        && colours.count() * dashes.count() < spots.len();
+    let lined = dashes.count() <= MOST_DASHES && colours.count() * dashes.count() < spots.len();
     let mut groups: Vec<[usize; 2]> = Vec::new();
-    let group = |spot: &Spot<'_>| if lined { [colours.at(spot.point), dashes.at(spot.point)] } else { [0, 0] };
+    let group = |spot: &Spot<'_>| [colours.at(spot.point), if lined { dashes.at(spot.point) } else { 0 }];
     for spot in &spots {
         if !groups.contains(&group(spot)) {
             groups.push(group(spot));
         }
     }
     groups.sort_unstable();
-    let colour = |[level, _]: [usize; 2]| Some(if lined { colours.colour(level) } else { CATEGORIES[0] });
     let of = |own: [usize; 2], verdict: Option<&str>, mark: Mark, form: usize| {
         let own_spots = spots.iter().filter(|spot| group(spot) == own);
         let shown = own_spots.filter(|spot| verdict.is_none_or(|wanted| verdict_of(spot.number) == wanted));
         let points = shown.map(|spot| [spot.x, quantity.scale * spot.number.value]);
-        let labels = [(&colours, own[0]), (&dashes, own[1])].map(|(levels, k)| levels.label(collected, k));
-        let label = labels.into_iter().filter(|label| lined && !label.is_empty()).collect::<Vec<_>>().join(", ");
-        Curve::new(label, mark, points).painted(Paint { colour: colour(own), form: Some(form), pale: false })
+        let told = [(&colours, own[0]), (&dashes, own[1])].into_iter().take(if lined { 2 } else { 1 });
+        let labels = told.map(|(levels, k)| levels.label(collected, k)).filter(|label| !label.is_empty());
+        let label = labels.collect::<Vec<_>>().join(", ");
+        Curve::new(label, mark, points).painted(Paint {
+            colour: Some(colours.colour(own[0])),
+            form: Some(form),
+            pale: false,
+        })
     };
     let lines = groups.iter().filter(|_| lined).map(|own| of(*own, None, Mark::Line, own[1]));
+    // a line needs two points
+    let lines = lines.filter(|curve| curve.x.len() > 1);
     let marks = groups.iter().flat_map(|own| MARKS.map(|(verdict, mark, form)| of(*own, Some(verdict), mark, form)));
     let curves: Vec<Curve> = lines.chain(marks.filter(|curve| !curve.x.is_empty())).collect();
     let value = |spot: &Spot<'_>| quantity.scale * spot.number.value;
@@ -167,13 +172,16 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
     let band = |spot: &Spot<'_>| Some(quantity.scale.abs() * spot.number.band?);
     let trends = spots.iter().filter_map(|spot| {
         let half = band(spot)?.min(reach);
-        let curve = groups.iter().position(|own| *own == group(spot)).unwrap_or(0);
+        let colour = Some(colours.colour(group(spot)[0]));
+        let curve = curves.iter().position(|curve| curve.paint.colour == colour).unwrap_or(0);
         Some(TrendLine { curve, ends: [-half, half].map(|side| [spot.x, value(spot) + side]) })
     });
     let trends: Vec<TrendLine> = trends.collect();
     let ends = extent(trends.iter().flat_map(|trend| trend.ends.map(|[_, y]| y)).chain([low, high]));
     let cut = spots.iter().any(|spot| band(spot).is_some_and(|band| band > reach));
     let margin = 0.05 * (ends[1] - ends[0]);
+    let [first, last] = extent(spots.iter().map(|spot| spot.x));
+    let across = 0.03 * (last - first);
     let x_label = axis_label(collected, &collected.axes[axis]);
     let against = x_label.split(" [").next().unwrap_or(&x_label).to_lowercase();
     Some(Chart {
@@ -184,7 +192,8 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
         ),
         x_label,
         y_label: quantity.label(),
-        legend: legend(collected, lined.then_some([&colours, &dashes]), &spots),
+        legend: legend(collected, &colours, Some(&dashes).filter(|_| lined), &spots),
+        x_range: Some([first - across, last + across]),
         curves,
         y_range: (margin > 0.0).then(|| [ends[0] - margin, ends[1] + margin]),
         trends,
@@ -198,14 +207,15 @@ fn verdict_of(number: &Number) -> &str {
 }
 
 /// Entries for colours, for dashes, and for marks where not all points are resolved.
-fn legend(collected: &Collected, coded: Option<[&Levels; 2]>, spots: &[Spot<'_>]) -> Vec<Curve> {
+fn legend(collected: &Collected, colours: &Levels, dashes: Option<&Levels>, spots: &[Spot<'_>]) -> Vec<Curve> {
     let entry = |label: String, mark: Mark, colour: Rgb, form: usize| {
         Curve::new(label, mark, []).painted(Paint { colour: Some(colour), form: Some(form), pale: false })
     };
-    let mut entries = Vec::new();
-    if let Some([colours, dashes]) = coded {
-        let of = |levels: &Levels| if levels.axes.is_empty() { 0 } else { levels.count() };
-        entries.extend((0..of(colours)).map(|k| entry(colours.label(collected, k), Mark::Line, colours.colour(k), 0)));
+    let of = |levels: &Levels| if levels.axes.is_empty() { 0 } else { levels.count() };
+    let mark = if dashes.is_some() { Mark::Line } else { Mark::Points };
+    let coloured = (0..of(colours)).map(|k| entry(colours.label(collected, k), mark, colours.colour(k), 0));
+    let mut entries: Vec<Curve> = coloured.collect();
+    if let Some(dashes) = dashes {
         entries.extend((0..of(dashes)).map(|k| entry(dashes.label(collected, k), Mark::Line, GREY, k)));
     }
     let has = |verdict: &str| spots.iter().any(|spot| verdict_of(spot.number) == verdict);

@@ -7,7 +7,8 @@ use super::file::SCENE_AXIS;
 use super::plan::Axis;
 use super::table::plain;
 use crate::report::run_page::quantity::{Unit, column, digits, result};
-use crate::report::run_page::two_digits;
+use crate::report::run_page::{in_words as verdict_in_words, two_digits};
+use crate::report::{COARSE, Tone};
 use crate::scene::significant;
 
 /// A quantity in words, in a unit that suits its largest value.
@@ -90,7 +91,7 @@ impl Quantity {
 
     /// A value with its band.
     pub fn banded(&self, number: &Number) -> String {
-        let band = number.band.map_or(String::new(), |band| format!(" ± {}", two_digits(self.scale * band)));
+        let band = number.band.map_or(String::new(), |band| format!("\u{a0}±\u{a0}{}", two_digits(self.scale * band)));
         format!("{}{band}", self.value(number.value))
     }
 
@@ -99,6 +100,20 @@ impl Quantity {
         let space = if self.unit.is_empty() { "" } else { "\u{a0}" };
         format!("{}{space}{}", self.banded(number), self.unit)
     }
+}
+
+/// What may be said of a number, in words: one with a band above a share of it is coarse.
+pub(super) fn verdict(number: &Number) -> Option<(Tone, String)> {
+    let verdict = number.verdict.as_deref()?;
+    let share = number.band.map(|band| (band / number.value).abs()).filter(|share| share.is_finite());
+    let percent = share.map_or(String::new(), |share| format!(", ±\u{a0}{:.0}\u{a0}%", 100.0 * share));
+    let (tone, words) = match verdict {
+        "resolved" if share.is_some_and(|share| share > COARSE) => (Tone::Doubtful, "coarse"),
+        "resolved" => (Tone::Good, "resolved"),
+        "beyond_allowable" => (Tone::Failed, verdict_in_words(verdict)),
+        _ => (Tone::Doubtful, verdict_in_words(verdict)),
+    };
+    Some((tone, words.to_string() + &percent))
 }
 
 fn with_unit(title: &str, unit: &str) -> String {
@@ -210,7 +225,10 @@ mod tests {
     fn a_value_has_two_digits_of_its_band() {
         let force = Quantity { title: "Peak force".into(), unit: "kN/m".into(), scale: 1e-3 };
         let number = Number { value: 15330.8, band: Some(384.5), verdict: None, time_s: None };
-        assert_eq!(force.whole(&number), "15.3 ± 0.38\u{a0}kN/m");
+        assert_eq!(force.whole(&number), "15.3\u{a0}±\u{a0}0.38\u{a0}kN/m");
         assert_eq!(force.label(), "Peak force [kN/m]");
+        let with = |band: f64| Number { band: Some(band), verdict: Some("resolved".into()), ..number.clone() };
+        assert_eq!(verdict(&with(384.5)), Some((Tone::Good, "resolved, ±\u{a0}3\u{a0}%".into())));
+        assert_eq!(verdict(&with(1e4)), Some((Tone::Doubtful, "coarse, ±\u{a0}65\u{a0}%".into())));
     }
 }

@@ -123,6 +123,7 @@ fn a_point_that_fails_is_a_row() {
     assert!(rows[0][2].starts_with("completed") && rows[1][2] == "failed" && rows[1][3].contains("degrees"), "{table}");
     let worst = place.text("up/worst.csv");
     assert!(worst.contains("\nline_load_n_per_m,station 24.0 m,,"), "{worst}");
+    assert!(place.text("up/sweep.html").contains("no band known"), "no load of a landing has a band");
     let again = place.command(&["up.toml", "--out", "up", "--json"]).output().expect("the command starts");
     let said: serde_json::Value = serde_json::from_slice(&again.stdout).expect("JSON");
     assert_eq!((&said["run"], &said["failed"]), (&0.into(), &1.into()), "a failed run is an answer");

@@ -12,15 +12,13 @@ use super::record::Quantity;
 use super::{figure_blocks, folded, structure};
 use crate::report::flow_figure::flow_svg;
 use crate::report::html::page;
-use crate::report::lead::READ_CURVES;
+use crate::report::lead::{COARSE, READ_CURVES};
 use crate::report::markup::escape;
 use crate::report::{Block, CATEGORIES, Chart, Curve, Mark, Paint, Table, row};
 use crate::scene::{schema, significant};
 
 /// Width of the picture of a run [pixels].
 const PICTURE: u32 = 640;
-/// A value with a band above this share of it is coarse [-].
-const COARSE: f64 = 0.3;
 /// Most keys that the head of the page names.
 const MOST_NAMED: usize = 6;
 
@@ -101,7 +99,9 @@ fn results(runs: &[RunFolder], names: &[String]) -> Block {
                 cells.extend(row(if k == 0 { &["–"] } else { &["–", "–"] }));
                 continue;
             };
-            cells.push(format!("{}, {}", with_band(quantity, si), verdict(quantity)));
+            // a line breaks before the verdict only
+            let value = with_band(quantity, si).replace(' ', "\u{a0}");
+            cells.push(format!("{value}, {}", verdict(quantity)));
             cells.extend((k > 0).then(|| of(0).and_then(|first| ratio(quantity, first)).unwrap_or("–".into())));
         }
         rows.push(cells);
@@ -129,7 +129,8 @@ fn ratio(quantity: &Quantity, first: &Quantity) -> Option<String> {
     let (value, over) = (quantity.value?, first.value?);
     let ratio = Some(value / over).filter(|ratio| ratio.is_finite())?;
     let shares = quantity.band.zip(first.band).map(|(band, of_first)| (band / value).abs() + (of_first / over).abs());
-    let band = shares.map_or(", no band".into(), |shares| format!(" ± {}", two_digits(ratio.abs() * shares)));
+    let band =
+        shares.map_or(", no\u{a0}band".into(), |shares| format!("\u{a0}±\u{a0}{}", two_digits(ratio.abs() * shares)));
     Some(format!("{}{band}", digits(ratio)))
 }
 
@@ -322,8 +323,8 @@ mod tests {
             ..Quantity::default()
         };
         let (first, second) = (of(10.0, Some(1.0)), of(20.0, Some(1.0)));
-        assert_eq!(ratio(&second, &first).as_deref(), Some("2.00 ± 0.30"));
-        assert_eq!(ratio(&of(20.0, None), &first).as_deref(), Some("2.00, no band"));
+        assert_eq!(ratio(&second, &first).as_deref(), Some("2.00\u{a0}±\u{a0}0.30"));
+        assert_eq!(ratio(&of(20.0, None), &first).as_deref(), Some("2.00, no\u{a0}band"));
         assert_eq!(ratio(&first, &of(0.0, None)), None);
         assert_eq!([verdict(&second), verdict(&of(10.0, Some(6.1)))], ["resolved", "coarse, ± 61.0 %"]);
     }
