@@ -58,7 +58,7 @@ fn runs_are_compared_on_one_page() {
     let ended = place.run(&["report", "usual", "flatter", "--out", "both.html"]);
     assert_eq!(ended.code, Some(0), "{}", ended.message);
     let page = place.text("both.html");
-    for text in ["Comparison of 2 runs", "over usual", "body.deadrise_deg", "Vertical force on the wedge"] {
+    for text in ["Comparison of 2 runs", "/ usual", "body.deadrise_deg", "Vertical force on the wedge"] {
         assert!(page.contains(text), "{text} is missing");
     }
     assert!(!page.contains("time.end</td>"), "a key that is the same");

@@ -18,6 +18,7 @@ fn is_result(result: &Value) {
     }
     let verdict = result["verdict"].as_str().expect("a word");
     assert!(["resolved", "no_band", "acoustic", "not_resolved", "beyond_allowable"].contains(&verdict), "{verdict}");
+    assert!(verdict != "resolved" || result["band"].is_f64(), "resolved without a band: {result}");
 }
 
 #[test]
@@ -61,4 +62,13 @@ fn a_theory_has_results() {
     is_result(peak);
     assert_eq!((peak["value"].as_f64(), &summary["status"]), (peak["raw"].as_f64(), &"completed".into()));
     assert!(peak["band"].as_f64().is_some_and(|band| band > 0.0));
+    let far = ["--set", "body.deadrise_deg=40", "--set", "compare=[]", "--out", "far"];
+    place.run(&[&["run", "wedge", "--quiet", "--set", "model=mlm"][..], &far].concat());
+    let results = &place.summary("far")["results"];
+    for name in ["peak_force_N_per_m", "peak_acceleration_g", "impulse_N_s_per_m"] {
+        assert!(
+            results[name]["band"].is_null() && results[name]["verdict"] == "no_band",
+            "measured nowhere near: {results}"
+        );
+    }
 }

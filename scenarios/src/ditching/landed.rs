@@ -6,6 +6,7 @@ use fsi_coupling::entry_theory::ditching::{LandingEnd, LandingResult, LandingSta
 use serde::Serialize;
 
 use super::model::{Scene, hull, landing};
+use crate::report::run_page::quantity::digits;
 use crate::run::summary::{Peak, Status};
 
 /// A landing that was followed.
@@ -85,6 +86,11 @@ pub(super) fn csv(rows: &[Vec<f64>]) -> String {
         text += &(row.iter().map(cell).collect::<Vec<_>>().join(",") + "\n");
     }
     text
+}
+
+/// A time of a landing, in seconds on the whole page.
+pub(super) fn seconds(time_s: f64) -> String {
+    format!("{}\u{a0}s", digits(time_s))
 }
 
 /// The numbers of a landing.

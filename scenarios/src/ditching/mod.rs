@@ -16,6 +16,7 @@ mod landed;
 mod model;
 mod page;
 mod sections;
+mod side_views;
 
 use std::fs;
 use std::path::Path;

@@ -1,113 +1,223 @@
-//! `report.html` of a landing: numbers, curves, the fuselage on the water at a few moments.
+//! `report.html` of a landing: its largest loads, what they leave out, curves, side views.
 
-use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
+use super::landed::{Landed, StationLoad, seconds};
+use super::model::Scene;
+use super::side_views::side_views;
+use crate::report::run_page::folded;
+use crate::report::run_page::quantity::{Unit, digits, with_unit};
+use crate::report::{Block, Card, Chart, Curve, Lead, Mark, Table, Tone, hint_html, lead_html, page as html_page, row};
+use crate::run::summary::{Peak, Status};
 
-use super::landed::Landed;
-use super::model::{Scene, hull};
-use crate::report::run_page::page_status;
-use crate::report::{Block, Chart, Curve, Mark, Report, Table, render};
-
-/// Side views, as shares of the time to the end.
-const VIEWS: [f64; 4] = [0.0, 0.1, 0.25, 0.6];
-/// Points along the keel of a side view.
-const POINTS: usize = 120;
+/// What stands beside accelerations.
+const MEASURED: &str = "model tests of mercure: 3 to 4 times as much";
+const NO_BAND: &str = "no band known";
 
 /// The page of a landing.
 pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
+    let failed = landed.summary.status == Status::Failed;
+    let loads = if failed { "Largest values before the failure" } else { "Largest loads" };
+    let sections = [
+        (loads, vec![Block::Table(loads_table(scene, landed)), Block::Table(stations_table(landed))]),
+        ("What the loads leave out", vec![Block::Html(limits(scene))]),
+        ("Curves", [vec![Block::Html(hint_html())], curves(scene, landed)].concat()),
+        ("Side views", side_views(scene, landed)),
+        ("Landing as run", vec![Block::Html(folded("scene.resolved.toml", &scene.to_toml()))]),
+    ];
+    let sections: Vec<_> = sections.into_iter().map(|(heading, blocks)| (heading.to_string(), blocks)).collect();
+    html_page(&format!("splashdown ditch: {}", scene.name), &lead_html(&lead(scene, landed)), &sections)
+}
+
+fn lead(scene: &Scene, landed: &Landed) -> Lead {
     let s = &landed.summary;
-    let words = Block::Text(format!(
-        "{}\n\nSections by the model {} in planes of water across the way of flight (THEORY EN14–EN19). Suction where the keel \
-         curves up and away acts by the share {} of what the theory gives; it has no limit by cavitation or by air that comes in. \
-         Wing, engines and tail that touch the water bear nothing.",
-        s.to_text(),
-        s.model,
-        scene.water.suction
-    ));
-    let numbers = Table {
-        title: "Extremes".into(),
-        head: ["", "value", "time [s]"].map(String::from).to_vec(),
-        rows: [
-            ("upward acceleration [g]", s.az_g),
-            ("load factor [-]", s.load_factor),
-            ("deceleration [g]", s.deceleration_g),
-            ("force of the water upwards [N]", s.fz_n),
-            ("moment of the water, nose up [N m]", s.moment_nm),
-            ("load of a metre of keel [N/m]", s.line_load_n_per_m),
-        ]
-        .map(|(name, peak)| vec![name.into(), format!("{:.4}", peak.value), format!("{:.3}", peak.time_s)])
-        .to_vec(),
+    let title = if scene.description.is_empty() { &scene.name } else { &scene.description };
+    let message = || s.message.clone().unwrap_or_default();
+    let (tone, heading, reasons) = match s.status {
+        Status::Completed => {
+            (Tone::Doubtful, "Completed. No load has a known band: compare variants by them.".into(), vec![])
+        }
+        Status::Failed => (Tone::Failed, format!("Failed: {}", message()), vec![]),
+        _ => (
+            Tone::Doubtful,
+            "Completed with doubts. No load has a known band: compare variants by them.".into(),
+            vec![message()],
+        ),
     };
-    let curve = |title: &str, y_label: &str, columns: &[&str]| Block::Chart(chart(landed, title, y_label, columns));
-    let curves = vec![
-        curve("Load factor", "load factor [-]", &["load_factor"]),
-        curve("Accelerations of the centre of mass", "acceleration [m/s²]", &["az_m_per_s2", "ax_m_per_s2"]),
-        curve("Forces of the water, and lift", "force [N]", &["fz_N", "fx_N", "lift_N"]),
-        curve("Moment of the water about the centre of mass", "moment, nose up [N m]", &["moment_Nm"]),
-        curve("Pitch", "pitch [deg]", &["pitch_deg"]),
-        curve("Speeds", "speed [m/s]", &["u_m_per_s", "w_m_per_s"]),
-        curve("Wetted part of the keel", "from the nose [m]", &["wetted_from_m", "wetted_to_m"]),
-        curve("Largest load of a metre of keel", "load [N/m]", &["line_load_N_per_m"]),
-    ];
-    render(&Report {
-        title: format!("splashdown ditch: {}", scene.name),
-        subtitle: scene.description.clone(),
-        status: page_status(s.status, s.message.as_deref(), s.message.as_slice()),
-        sections: vec![
-            ("Landing".into(), vec![words, Block::Table(numbers)]),
-            ("Curves".into(), curves),
-            ("Side views".into(), side_views(scene, landed)),
-            ("Landing as run".into(), vec![Block::Code { title: "scene.resolved.toml".into(), text: scene.to_toml() }]),
-        ],
-    })
+    let cards = if s.status == Status::Failed { Vec::new() } else { cards(landed) };
+    let eyebrow = format!("{} · ditching by 2D+t, sections by {} · splashdown {}", s.scene, s.model, VERSION);
+    Lead { eyebrow, title: title.clone(), tone, heading, reasons, cards }
 }
 
-fn chart(landed: &Landed, title: &str, y_label: &str, columns: &[&str]) -> Chart {
-    let time = landed.column("time_s").unwrap_or_default();
-    let curve = |name: &&str| Curve {
-        label: name.to_string(),
-        mark: Mark::Line,
-        x: time.clone(),
-        y: landed.column(name).unwrap_or_default(),
-        ..Curve::default()
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// A largest value: what it is, the peak, its SI unit, where.
+struct Largest<'a> {
+    title: &'static str,
+    peak: &'a Peak,
+    si: &'static str,
+    place: String,
+}
+
+fn largest(landed: &Landed) -> Vec<Largest<'_>> {
+    let s = &landed.summary;
+    let new = |title, peak, si, place: &str| Largest { title, peak, si, place: place.into() };
+    let moment = if s.moment_nm.value < 0.0 { "nose down" } else { "nose up" };
+    let line = format!("{} from the nose", with_unit(s.line_load_at_m, "m"));
+    vec![
+        new("Upward acceleration", &s.az_g, "g", "centre of mass"),
+        new("Load factor", &s.load_factor, "-", "centre of mass"),
+        new("Deceleration", &s.deceleration_g, "g", "centre of mass"),
+        new("Force of the water, upwards", &s.fz_n, "N", "whole fuselage"),
+        new("Moment of the water", &s.moment_nm, "N m", moment),
+        new(
+            "Load of a metre of keel",
+            &s.line_load_n_per_m,
+            "N/m",
+            if s.line_load_at_m.is_finite() { &line } else { "–" },
+        ),
+    ]
+}
+
+fn cards(landed: &Landed) -> Vec<Card> {
+    let s = &landed.summary;
+    let of_largest = |l: Largest<'_>| {
+        let unit = Unit::of(l.si, l.peak.value);
+        let compared = (l.si == "g").then(|| (MEASURED.to_string(), None));
+        let place = if l.place.contains("nose") { format!(", {}", l.place) } else { String::new() };
+        let lines = std::iter::once((format!("at {}{place}", seconds(l.peak.time_s)), None)).chain(compared);
+        Card {
+            title: l.title.into(),
+            value: digits(unit.scale * l.peak.value),
+            unit: if unit.name == "-" { String::new() } else { unit.name },
+            lines: lines.collect(),
+            chip: Some((Tone::Doubtful, NO_BAND.into())),
+        }
     };
-    Chart {
+    let [first, last] = s.speed_m_per_s.map(digits);
+    let [touch, least, most] = s.pitch_deg.map(digits);
+    let plain = |title: &str, value: String, unit: &str, line: String| Card {
         title: title.into(),
-        x_label: "time [s]".into(),
-        y_label: y_label.into(),
-        curves: columns.iter().map(curve).collect(),
-        ..Chart::default()
-    }
-}
-
-fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
-    let (Ok(hull), moments) = (hull(scene), &landed.run.moments) else {
-        return Vec::new();
+        value,
+        unit: unit.into(),
+        lines: vec![(line, None)],
+        chip: None,
     };
-    let view = |share: f64| &moments[(share * (moments.len() - 1) as f64) as usize];
-    let views = VIEWS.map(|share| Block::Chart(side_view(scene, hull.fuselage(), view(share))));
-    views.into_iter().collect()
+    let way = Unit::of("m", s.run_length_m);
+    let others = [
+        plain(
+            "Way on the water",
+            digits(way.scale * s.run_length_m),
+            &way.name,
+            format!("in {}; from {first} to {last} m/s", seconds(s.time_end_s)),
+        ),
+        plain("Largest pitch", most, "°", format!("{touch}° at the first touch, least {least}°")),
+    ];
+    largest(landed).into_iter().map(of_largest).chain(others).collect()
 }
 
-/// The keel, and what a metre of it bears, from the centre of mass.
-fn side_view(scene: &Scene, fuselage: &Fuselage, now: &LandingState) -> Chart {
-    let [from, to] = fuselage.ends();
-    let places = (0..=POINTS).map(|k| from + (to - from) * k as f64 / POINTS as f64);
-    let keel = places.map(|x| now.attitude.of_point(scene.aeroplane.center_of_mass, [x, fuselage.keel(x).height]));
-    let ahead = |[x, z]: [f64; 2]| (x - now.attitude.place[0], z);
-    let (x, y): (Vec<f64>, Vec<f64>) = keel.map(ahead).unzip();
-    let ends = vec![x[x.len() - 1], x[0]];
-    let mut curves = vec![
-        Curve::new("keel", Mark::Line, x.into_iter().zip(y).map(|(x, y)| [x, y])),
-        Curve::new("still water", Mark::Dashed, ends.into_iter().map(|x| [x, 0.0])),
+fn loads_table(scene: &Scene, landed: &Landed) -> Table {
+    let line = |l: Largest<'_>| {
+        let value = with_unit(l.peak.value, l.si);
+        let of_weight = (l.si == "N").then(|| l.peak.value / (scene.aeroplane.mass * scene.water.gravity));
+        let value = of_weight.map_or(value.clone(), |share| format!("{value}, {} times the weight", digits(share)));
+        row(&[l.title, &value, &digits(l.peak.time_s), &l.place])
+    };
+    let head = ["largest", "value", "time [s]", "where"];
+    Table::new(
+        "Largest loads of the landing; none has a known band",
+        &head,
+        largest(landed).into_iter().map(line).collect(),
+    )
+}
+
+fn stations_table(landed: &Landed) -> Table {
+    let s = &landed.summary;
+    let unit = Unit::of("N/m", s.line_load_n_per_m.value);
+    let loaded = s.stations.iter().filter(|station| station.line_load_n_per_m.value > 0.0);
+    let line = |station: &StationLoad| {
+        let peak = &station.line_load_n_per_m;
+        let cells = [station.x_m, unit.scale * peak.value, peak.time_s];
+        cells.map(digits).to_vec()
+    };
+    let head = ["station, from the nose [m]", &format!("largest load [{}]", unit.name), "time [s]"];
+    Table::new("Largest load of a metre of keel near each station", &head, loaded.map(line).collect())
+}
+
+/// What the method does not have, as a list.
+fn limits(scene: &Scene) -> String {
+    let suction = format!(
+        "Suction where the keel curves up acts by the share {} of what the theory gives (water.suction). Cavitation and ventilation limit \
+         real suction; the result depends on it strongly: compute 0 and 1.",
+        digits(scene.water.suction)
+    );
+    let items = [
+        "Accelerations follow the trends of model tests with attitude, path and mass. For the built-in landing mercure they are a third to a \
+         quarter of the measured ones: compare variants by them, and do not take them for loads to design by.",
+        &suction,
+        "The sections are planes of calm water that the fuselage passes through (2D+t, THEORY EN14–EN19): no waves, no wind, no flow along \
+         the fuselage.",
+        "Only the bottom of the fuselage touches the water: wing, flaps, engines and tail bear nothing.",
     ];
-    let loaded = now.strips.iter().filter_map(|(s, f)| Some((s.entry?.at.lever_arm[0], 1e-5 * f / s.entry?.length)));
-    let (x, y): (Vec<f64>, Vec<f64>) = loaded.unzip();
-    curves.push(Curve::new("load of the keel [100 kN/m]", Mark::Line, x.into_iter().zip(y).map(|(x, y)| [x, y])));
-    Chart {
-        title: format!("t = {:.3} s, pitch {:.1} degrees", now.time, now.attitude.place[2].to_degrees()),
-        x_label: "ahead of the centre of mass [m]".into(),
-        y_label: "height [m]".into(),
-        curves,
-        ..Chart::default()
-    }
+    let items: String = items.iter().map(|item| format!("<li>{item}</li>\n")).collect();
+    format!("<ul class=\"reasons\">\n{items}</ul>\n")
+}
+
+/// A chart: title, SI unit, factor to it, columns with their names.
+type Of = (&'static str, &'static str, f64, &'static [(&'static str, &'static str)]);
+
+fn curves(scene: &Scene, landed: &Landed) -> Vec<Block> {
+    let g = 1.0 / scene.water.gravity;
+    let s = &landed.summary;
+    let charts: [(Of, Option<&Peak>); 8] = [
+        (("Load factor", "-", 1.0, &[("load_factor", "")]), Some(&s.load_factor)),
+        (
+            ("Acceleration of the centre of mass", "g", g, &[("az_m_per_s2", "upwards"), ("ax_m_per_s2", "forwards")]),
+            None,
+        ),
+        (
+            (
+                "Forces",
+                "N",
+                1.0,
+                &[("fz_N", "water, upwards"), ("fx_N", "water, forwards"), ("lift_N", "lift of the wing")],
+            ),
+            None,
+        ),
+        (
+            ("Moment of the water about the centre of mass, nose up", "N m", 1.0, &[("moment_Nm", "")]),
+            Some(&s.moment_nm),
+        ),
+        (("Pitch", "°", 1.0, &[("pitch_deg", "")]), None),
+        (("Speed of the centre of mass", "m/s", 1.0, &[("u_m_per_s", "forwards"), ("w_m_per_s", "upwards")]), None),
+        (
+            (
+                "Wetted part of the keel, from the nose",
+                "m",
+                1.0,
+                &[("wetted_from_m", "front end"), ("wetted_to_m", "rear end")],
+            ),
+            None,
+        ),
+        (("Largest load of a metre of keel", "N/m", 1.0, &[("line_load_N_per_m", "")]), Some(&s.line_load_n_per_m)),
+    ];
+    charts.into_iter().map(|(of, peak)| Block::Chart(chart(landed, of, peak))).collect()
+}
+
+fn chart(landed: &Landed, (title, si, factor, columns): Of, peak: Option<&Peak>) -> Chart {
+    let times = landed.column("time_s").unwrap_or_default();
+    let values = |name: &str| landed.column(name).unwrap_or_default();
+    let finite = columns.iter().flat_map(|(name, _)| values(name)).filter(|v| v.is_finite());
+    let unit = Unit::of(si, finite.fold(0.0, |most: f64, v| most.max((factor * v).abs())));
+    let scale = factor * unit.scale;
+    let curve = |(name, label): &(&str, &str)| {
+        let points = times.iter().zip(values(name)).map(|(t, v)| [*t, scale * v]);
+        Curve::new(*label, Mark::Line, points.collect::<Vec<_>>())
+    };
+    let mut curves: Vec<Curve> = columns.iter().map(curve).collect();
+    let shown = landed.summary.status.is_completed();
+    curves.extend(peak.filter(|peak| shown && peak.value != 0.0).map(|peak| {
+        let label = format!("largest: {} at {}", with_unit(peak.value, si), seconds(peak.time_s));
+        Curve::new(label, Mark::Hollow, [[peak.time_s, scale * peak.value]])
+    }));
+    let y_label = if unit.name == "-" { String::new() } else { format!("[{}]", unit.name) };
+    Chart { x_range: Some([0.0, landed.summary.time_end_s]), ..Chart::new(title, "time [s]", y_label, curves) }
 }

@@ -108,7 +108,8 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
         curves[1].take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
     }
     let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
-        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict: Verdict::Resolved })
+        let verdict = Verdict::Resolved;
+        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict }.with_known_band())
     };
     // an acceleration and an impulse are as good as the force
     let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));

@@ -4,7 +4,7 @@ use super::ticks::{nice_step, powers, proper_range, tick_label, ticks};
 
 /// An axis from `range` to `pixels`, which may run either way.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     /// Values at its ends.
     pub range: [f64; 2],
     /// Where its ends are on paper [pixels].

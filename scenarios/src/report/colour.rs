@@ -3,6 +3,10 @@
 /// An sRGB colour, one byte per channel.
 pub type Rgb = [u8; 3];
 
+/// Colours that tell categories apart, on white and on black (M. Okabe and K. Ito, *Color Universal Design*, 2008; one more).
+pub(crate) const CATEGORIES: [Rgb; 7] =
+    [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [230, 159, 0], [86, 180, 233], [138, 99, 210]];
+
 pub(super) const PAPER: Rgb = [255, 255, 255];
 pub(super) const INK: Rgb = [38, 42, 48];
 pub(super) const BODY: Rgb = [196, 200, 206];

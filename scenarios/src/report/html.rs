@@ -13,6 +13,15 @@ pub enum Block {
     Text(String),
     /// A table.
     Table(Table),
+    /// A wide table with links in one of its columns.
+    LinkedTable {
+        /// The table.
+        table: Table,
+        /// The column.
+        column: usize,
+        /// Where its cells lead, row by row.
+        links: Vec<Option<String>>,
+    },
     /// A chart; its title becomes the caption.
     Chart(Chart),
     /// A whole and its parts; its title becomes the caption.
@@ -70,7 +79,7 @@ pub fn render(report: &Report) -> String {
 }
 
 /// A page with `lead`, which is HTML, above its sections.
-pub(super) fn page(title: &str, lead: &str, sections: &[(String, Vec<Block>)]) -> String {
+pub(crate) fn page(title: &str, lead: &str, sections: &[(String, Vec<Block>)]) -> String {
     let mut numbers = Numbers::default();
     let section = |(number, (heading, blocks)): (usize, &(String, Vec<Block>))| {
         let (heading, content) = (escape(heading), content(blocks, &mut numbers));
@@ -119,7 +128,7 @@ fn header(report: &Report) -> String {
         Status::Completed => "<p class=\"status completed\">Completed</p>\n".to_owned(),
         Status::Doubtful(heading, doubts) => {
             let items: String = doubts.iter().map(|doubt| format!("<li>{}</li>", escape(doubt))).collect();
-            format!("<div class=\"status failed\"><strong>{}</strong><ul>{items}</ul></div>\n", escape(heading))
+            format!("<div class=\"status doubtful\"><strong>{}</strong><ul>{items}</ul></div>\n", escape(heading))
         }
         Status::Interrupted => "<p class=\"status interrupted\">Interrupted</p>\n".to_owned(),
         Status::Failed(why) => {
@@ -150,7 +159,11 @@ fn block(block: &Block, numbers: &mut Numbers) -> String {
         Block::Text(text) => paragraphs(text),
         Block::Table(table) => {
             numbers.tables += usize::from(!table.title.is_empty());
-            table_html(table, numbers.tables)
+            table_html(table, numbers.tables, None)
+        }
+        Block::LinkedTable { table, column, links } => {
+            numbers.tables += usize::from(!table.title.is_empty());
+            table_html(table, numbers.tables, Some((*column, links)))
         }
         Block::Chart(chart) => figure("chart", &untitled_svg(chart), &chart.title, numbers),
         Block::Bar(bar) => figure("bar", &bar_svg(bar), &bar.title, numbers),

@@ -119,7 +119,9 @@
         if (!near) return;
         dots[k].setAttribute('cx', px(found[0]));
         dots[k].setAttribute('cy', Math.min(Math.max(py(found[1]), top), top + height));
-        lines.push([element.dataset.colour, element.dataset.label, shown(back(found[1]))]);
+        const line = [element.dataset.colour, element.dataset.label, shown(back(found[1]))];
+        // a curve and its markers are one line
+        if (!lines.some((known) => known.join() === line.join())) lines.push(line);
       });
       cursor.setAttribute('d', `M ${px(x)} ${top} V ${top + height}`);
       cursor.setAttribute('visibility', 'visible');

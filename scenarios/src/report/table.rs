@@ -50,14 +50,17 @@ pub(crate) fn known(value: Option<f64>, digits: usize) -> String {
     value.map_or("–".into(), |v| format!("{v:.digits$}"))
 }
 
-/// The table in HTML; a table with a title is given `number` in its caption.
-pub(super) fn table_html(table: &Table, number: usize) -> String {
+/// The table in HTML; a table with a title is given `number` in its caption. With links, of a column and row by row, it is a wide one.
+pub(super) fn table_html(table: &Table, number: usize, links: Option<(usize, &Vec<Option<String>>)>) -> String {
     let columns = table.rows.iter().map(Vec::len).fold(table.head.len(), usize::max);
     let classes: Vec<_> =
         (0..columns).map(|column| if is_numeric(table, column) { " class=\"number\"" } else { "" }).collect();
-    let row = |tag: &str, row: &Vec<String>| {
+    let row = |tag: &str, row: &Vec<String>, link: Option<&String>| {
         let cells = classes.iter().enumerate().map(|(column, class)| {
-            let text = escape(cell(row, column));
+            let text = match link.filter(|_| links.is_some_and(|(linked, _)| linked == column)) {
+                Some(address) => format!("<a href=\"{}\">{}</a>", escape(address), escape(cell(row, column))),
+                None => escape(cell(row, column)),
+            };
             format!("<{tag}{class}>{text}</{tag}>")
         });
         format!("<tr>{}</tr>\n", cells.collect::<String>())
@@ -68,10 +71,15 @@ pub(super) fn table_html(table: &Table, number: usize) -> String {
     };
     let head = match table.head.as_slice() {
         [] => String::new(),
-        _ => format!("<thead>\n{}</thead>\n", row("th", &table.head)),
+        _ => format!("<thead>\n{}</thead>\n", row("th", &table.head, None)),
     };
-    let body: String = table.rows.iter().map(|cells| row("td", cells)).collect();
-    let class = if table.rows.len() <= SHORT { "table short" } else { "table" };
+    let link = |k: usize| links.and_then(|(_, links)| links.get(k)?.as_ref());
+    let body: String = table.rows.iter().enumerate().map(|(k, cells)| row("td", cells, link(k))).collect();
+    let class = match table.rows.len() <= SHORT {
+        _ if links.is_some() => "table wide",
+        true => "table short",
+        false => "table",
+    };
     format!("<div class=\"{class}\"><table>\n{caption}{head}<tbody>\n{body}</tbody>\n</table></div>\n")
 }
 
@@ -89,9 +97,13 @@ fn is_blank(cell: &str) -> bool {
     matches!(cell, "" | "-" | "–" | "—")
 }
 
-/// A number as people write it: sign, digits, exponent, perhaps a percent sign.
+/// A number as people write it: sign, digits, exponent, perhaps a band, a percent sign or a mark.
 fn is_number(cell: &str) -> bool {
-    let digits = cell.trim_end_matches(['%', ' ']).trim_start_matches("± ").replace('−', "-").replace('\u{202f}', "");
-    let mantissa = digits.split_once("·10").map_or(digits.as_str(), |(mantissa, _)| mantissa);
-    mantissa.parse::<f64>().is_ok()
+    let is_plain = |part: &str| {
+        let digits = part.trim().replace('−', "-").replace('\u{202f}', "");
+        let mantissa = digits.split_once("·10").map_or(digits.as_str(), |(mantissa, _)| mantissa);
+        mantissa.parse::<f64>().is_ok()
+    };
+    let number = cell.trim_end_matches(['%', ' ', '*', '~', '?', '!']).trim_start_matches("± ");
+    number.split_once('±').map_or(is_plain(number), |(value, band)| is_plain(value) && is_plain(band))
 }

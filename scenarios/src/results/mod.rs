@@ -75,7 +75,7 @@ pub struct Quantity {
 
 impl Quantity {
     /// The same: resolved only with a band.
-    fn with_known_band(self) -> Quantity {
+    pub(crate) fn with_known_band(self) -> Quantity {
         let unknown = self.verdict == Verdict::Resolved && self.band.is_none();
         Quantity { verdict: if unknown { Verdict::NoBand } else { self.verdict }, ..self }
     }

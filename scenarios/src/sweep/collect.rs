@@ -176,12 +176,13 @@ fn number(value: &Value) -> Option<Number> {
     let of = |key: &str| value.get(key).and_then(Value::as_f64);
     match value.as_f64() {
         Some(value) => Some(Number { value, band: None, verdict: None, time_s: None }),
-        None => Some(Number {
-            value: of("value")?,
-            band: of("band"),
-            verdict: value.get("verdict").and_then(Value::as_str).map(String::from),
-            time_s: of("time_s"),
-        }),
+        None => {
+            let band = of("band");
+            let verdict = value.get("verdict").and_then(Value::as_str);
+            // folders of older versions: no value is resolved without a band
+            let verdict = verdict.map(|own| if own == "resolved" && band.is_none() { "no_band" } else { own });
+            Some(Number { value: of("value")?, band, verdict: verdict.map(String::from), time_s: of("time_s") })
+        }
     }
 }
 
@@ -206,7 +207,12 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
             let place = station.get("x_m").map_or(String::new(), Value::to_string);
             named(station, &format!("station {place} m."))
         });
-        return [named(summary, ""), plain(summary, "", &OF_LANDING), loads.collect()].concat();
+        // no landing's load has a band
+        let without_band =
+            |(name, number): (String, Number)| (name, Number { verdict: Some("no_band".into()), ..number });
+        let loads: Vec<(String, Number)> = loads.map(without_band).collect();
+        let peaks: Vec<(String, Number)> = named(summary, "").into_iter().map(without_band).collect();
+        return [peaks, plain(summary, "", &OF_LANDING), loads].concat();
     };
     let mut numbers = named(results, "");
     for (name, panel) in results.get("panels").and_then(Value::as_object).into_iter().flatten() {

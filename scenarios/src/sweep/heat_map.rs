@@ -1,7 +1,7 @@
 //! A function of two variables as a field of colours, with the points that it was fitted to.
 
-use crate::report::{escape, viridis};
-use crate::scene::significant;
+use crate::report::run_page::quantity::digits;
+use crate::report::{Axis, escape, viridis};
 
 /// A field of colours.
 pub(super) struct HeatMap<'a> {
@@ -17,17 +17,24 @@ pub(super) struct HeatMap<'a> {
     pub value: &'a dyn Fn(f64, f64) -> f64,
     /// Points (x, y) with their own values.
     pub points: Vec<[f64; 3]>,
+    /// What the colours show, with its unit.
+    pub label: String,
 }
 
 const COLUMNS: usize = 32;
 const ROWS: usize = 24;
 const WIDTH: f64 = 620.0;
-const HEIGHT: f64 = 380.0;
+const HEIGHT: f64 = 396.0;
 /// The field: left, top, width, height.
-const FIELD: [f64; 4] = [90.0, 12.0, 410.0, 310.0];
+const FIELD: [f64; 4] = [90.0, 28.0, 410.0, 310.0];
 /// The bar of colours: left, width.
 const BAR: [f64; 2] = [524.0, 16.0];
-const TICKS: usize = 4;
+const TICKS: usize = 5;
+
+/// A range with room about a single value.
+fn proper([low, high]: [f64; 2]) -> [f64; 2] {
+    if high > low { [low, high] } else { [low - 0.5, low + 0.5] }
+}
 
 /// Draws the field as an SVG element.
 pub(super) fn heat_map_svg(map: &HeatMap<'_>) -> String {
@@ -46,8 +53,9 @@ pub(super) fn heat_map_svg(map: &HeatMap<'_>) -> String {
         format!("#{r:02x}{g:02x}{b:02x}")
     };
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\" \
-         fill=\"currentColor\" role=\"img\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"map\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\" \
+         fill=\"currentColor\" role=\"img\" aria-label=\"{}\">\n",
+        escape(&map.label)
     );
     let (cell_width, cell_height) = (width / COLUMNS as f64, height / ROWS as f64);
     for (k, value) in field.iter().enumerate() {
@@ -68,19 +76,25 @@ pub(super) fn heat_map_svg(map: &HeatMap<'_>) -> String {
             left + width * share(*x, map.x),
             top + height * (1.0 - share(*y, map.y)),
             colour(*value),
-            significant(*value)
+            digits(*value)
         );
     }
     let text = |x: f64, y: f64, anchor: &str, text: &str| {
         format!("<text x=\"{x:.2}\" y=\"{y:.2}\" text-anchor=\"{anchor}\">{}</text>\n", escape(text))
     };
-    for k in 0..=TICKS {
-        let share = k as f64 / TICKS as f64;
-        let y = top + height * (1.0 - share) + 4.0;
-        svg += &text(left + width * share, top + height + 18.0, "middle", &significant(between(map.x, share)));
-        svg += &text(left - 9.0, y, "end", &significant(between(map.y, share)));
-        svg += &text(BAR[0] + BAR[1] + 6.0, y, "start", &significant(low + span * share));
+    let axis = |range: [f64; 2], pixels: [f64; 2]| Axis { range: proper(range), pixels, logarithmic: false };
+    let (across, up) = (axis(map.x, [left, left + width]), axis(map.y, [top + height, top]));
+    for (value, label) in across.ticks(TICKS) {
+        svg += &text(across.at(value), top + height + 18.0, "middle", &label);
     }
+    for (value, label) in up.ticks(TICKS) {
+        svg += &text(left - 9.0, up.at(value) + 4.0, "end", &label);
+    }
+    let bar = axis([low, low + span], [top + height, top]);
+    for (value, label) in bar.ticks(TICKS) {
+        svg += &text(BAR[0] + BAR[1] + 6.0, bar.at(value) + 4.0, "start", &label);
+    }
+    svg += &text(WIDTH - 4.0, top - 12.0, "end", &map.label);
     const SHADES: usize = 50;
     for k in 0..SHADES {
         let step = height / SHADES as f64;
@@ -109,8 +123,16 @@ mod tests {
         let (x_label, y_label) = ("a [m]".to_string(), "b < c".to_string());
         let value = |x: f64, y: f64| x + y;
         let points = vec![[0.0, 0.0, 0.5], [1.0, 1.0, 2.0]];
-        let svg = heat_map_svg(&HeatMap { x_label, y_label, x: [0.0, 1.0], y: [0.0, 1.0], value: &value, points });
+        let label = "c [N]".to_string();
+        let svg =
+            heat_map_svg(&HeatMap { x_label, y_label, x: [0.0, 1.0], y: [0.0, 1.0], value: &value, points, label });
         assert_eq!((svg.matches("<circle").count(), svg.matches("<rect").count()), (2, COLUMNS * ROWS + 50));
-        assert!(svg.contains("a [m]") && svg.contains("b &lt; c") && !svg.contains("NaN"));
+        assert!(
+            svg.contains("a [m]")
+                && svg.contains(">c [N]</text>")
+                && svg.contains(">0.5</text>")
+                && svg.contains("b &lt; c")
+                && !svg.contains("NaN")
+        );
     }
 }

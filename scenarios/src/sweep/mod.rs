@@ -31,6 +31,7 @@ mod surfaces;
 mod table;
 mod toml_reader;
 mod trends;
+mod words;
 mod worker;
 
 pub use axes::Block;

@@ -2,112 +2,153 @@
 
 use super::collect::{Collected, Number, PointResult};
 use super::surfaces::surfaces;
-use super::table::{folder_of, plain, worst};
+use super::table::{Worst, folder_of, worst};
 use super::trends::{charted, trends};
-use crate::report::{Block, Report, Status, escape, render};
-use crate::scene::significant;
+use super::words::{Quantity, axis_label, axis_number, inside, place_of, verdict};
+use crate::report::run_page::in_words;
+use crate::report::{Block, Card, Lead, Table, Tone, hint_html, lead_html, page as html_page};
 
 /// Most points that the page lists; the rest is in `table.csv`.
 const MOST_LISTED: usize = 2000;
-/// Most messages below the heading.
+/// Most messages below the heading, and most cards.
 const MOST_MESSAGES: usize = 5;
-
-/// Status of a point with results that are doubtful.
-const DOUBTFUL: &str = "completed_with_doubts";
-
-/// The page of a sweep.
-pub(super) fn page(collected: &Collected) -> String {
-    let mut sections = vec![("Worst cases".to_string(), worst_cases(collected))];
-    let charts = trends(collected);
-    if !charts.is_empty() {
-        sections.push(("Trends".into(), charts));
-    }
-    let surfaces = surfaces(collected);
-    if !surfaces.is_empty() {
-        sections.push(("Response surfaces".into(), surfaces));
-    }
-    sections.push(("Points".into(), points(collected)));
-    if collected.failed().next().is_some() {
-        sections.push(("Failures".into(), failures(collected)));
-    }
-    render(&Report {
-        title: format!("splashdown sweep: {}", collected.name),
-        subtitle: subtitle(collected),
-        status: status(collected),
-        sections,
-    })
-}
-
-fn subtitle(collected: &Collected) -> String {
-    let axes: Vec<String> = collected.axes.iter().map(|axis| axis.label()).collect();
-    let over = if axes.is_empty() { "one point".into() } else { format!("over {}", axes.join(", ")) };
-    let seconds: f64 = collected.points.iter().filter_map(|p| Some(p.wall_time_s? * p.threads? as f64)).sum();
-    format!("{} points {over}; {} core-s", collected.points.len(), significant(seconds))
-}
-
-fn status(collected: &Collected) -> Status {
-    let (all, done, failed) = (collected.points.len(), collected.completed().count(), collected.failed().count());
-    let messages = collected.failed().take(MOST_MESSAGES);
-    let message =
-        |p: &PointResult| format!("point {}: {}: {}", p.number, p.status, p.message.as_deref().unwrap_or("-"));
-    match (failed, all - done - failed) {
-        (0, 0) => Status::Completed,
-        (0, left) => Status::Doubtful(format!("{left} of {all} points have no result yet"), Vec::new()),
-        (failed, 0) => Status::Doubtful(format!("{failed} of {all} points failed"), messages.map(message).collect()),
-        (failed, left) => {
-            let heading = format!("{failed} of {all} points failed, {left} have no result yet");
-            Status::Doubtful(heading, messages.map(message).collect())
-        }
-    }
-}
-
-/// A cell: its text, and the file that it leads to.
-struct Cell(String, Option<String>);
-
-fn text(text: impl Into<String>) -> Cell {
-    Cell(text.into(), None)
-}
-
-/// The number of a point, which leads to its report.
-fn link(point: &PointResult) -> Cell {
-    let report = point.id.as_deref().filter(|_| point.is_completed() || point.status == "failed");
-    Cell(point.number.to_string(), report.map(|id| format!("{}/report.html", folder_of(id))))
-}
-
-/// A number, perhaps with a band and a mark behind it.
-fn is_number(text: &str) -> bool {
-    text.split(' ').next().is_some_and(|word| word.parse::<f64>().is_ok())
-}
-
-/// A table whose cells may be links.
-fn linked_table(caption: &str, head: &[String], rows: Vec<Vec<Cell>>) -> Block {
-    let is_numeric = |k: usize| {
-        rows.iter().any(|row| is_number(&row[k].0)) && rows.iter().all(|row| is_number(&row[k].0) || row[k].0 == DASH)
-    };
-    let classes: Vec<&str> = (0..head.len()).map(|k| if is_numeric(k) { " class=\"number\"" } else { "" }).collect();
-    let cell = |(Cell(text, to), class): (&Cell, &&str)| match to {
-        Some(to) => format!("<td{class}><a href=\"{}\">{}</a></td>", escape(to), escape(text)),
-        None => format!("<td{class}>{}</td>", escape(text)),
-    };
-    let heading = |(text, class): (&String, &&str)| format!("<th{class}>{}</th>", escape(text));
-    let head: String = head.iter().zip(&classes).map(heading).collect();
-    let row = |row: &Vec<Cell>| format!("<tr>{}</tr>\n", row.iter().zip(&classes).map(cell).collect::<String>());
-    let body: String = rows.iter().map(row).collect();
-    let svg = format!(
-        "<div class=\"table\"><table>\n<thead>\n<tr>{head}</tr>\n</thead>\n<tbody>\n{body}</tbody>\n</table></div>"
-    );
-    Block::Drawing { svg, caption: caption.into() }
-}
+const MOST_CARDS: usize = 8;
 
 /// What stands where no number is known.
 const DASH: &str = "–";
 
-/// A number with four digits; with an exponent where it is very small or large.
-fn short(number: f64) -> String {
-    match number.abs() {
-        size if size > 0.0 && !(1e-4..1e7).contains(&size) => format!("{number:.3e}"),
-        _ => significant(number),
+/// The page of a sweep.
+pub(super) fn page(collected: &Collected) -> String {
+    // a place is no load
+    let cases: Vec<Worst<'_>> = worst(collected).into_iter().filter(|case| case.quantity != "line_load_at_m").collect();
+    let mut sections = vec![("Worst cases", worst_cases(collected, &cases))];
+    let charts = trends(collected);
+    if !charts.is_empty() {
+        sections.push(("Trends", [vec![Block::Html(hint_html())], charts].concat()));
     }
+    let surfaces = surfaces(collected);
+    if !surfaces.is_empty() {
+        sections.push(("Response surfaces", surfaces));
+    }
+    sections.push(("Points", points(collected)));
+    if collected.failed().next().is_some() {
+        sections.push(("Failures", failures(collected)));
+    }
+    let sections: Vec<_> = sections.into_iter().map(|(heading, blocks)| (heading.to_string(), blocks)).collect();
+    html_page(&format!("splashdown sweep: {}", collected.name), &lead_html(&lead(collected, &cases)), &sections)
+}
+
+fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
+    let axes: Vec<String> = collected.axes.iter().map(|axis| axis.key.clone()).collect();
+    let over = if axes.is_empty() { "one point".to_string() } else { axes.join(" × ") };
+    let all = collected.points.len();
+    let with_status = |status: &str| collected.points.iter().filter(|point| point.status == status).count();
+    let (done, failed) = (collected.completed().count(), collected.failed().count());
+    let counts = [
+        (with_status("completed_with_doubts"), "with doubts"),
+        (with_status("beyond_allowable"), "with a stress beyond the allowable"),
+        (failed, "failed"),
+        (all - done - failed, "without a result yet"),
+    ];
+    let wrong: Vec<String> =
+        counts.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect();
+    let named: Vec<(&Worst<'_>, Quantity)> = named(collected, cases).filter(|(case, _)| !is_aside(case)).collect();
+    let first = named.first().map(|(case, quantity)| {
+        format!(
+            "{}: {} at point {} ({}){}.",
+            title(case, quantity),
+            quantity.whole(case.number),
+            case.point.number,
+            place_of(collected, case.point),
+            unresolved(case, quantity).map_or(String::new(), |words| format!("; {words}"))
+        )
+    });
+    let message =
+        |p: &PointResult| format!("point {}: {}: {}", p.number, p.status, p.message.as_deref().unwrap_or("-"));
+    let unresolved_at = |point: &&PointResult| {
+        let mut verdicts = point.numbers.values().filter_map(|number| number.verdict.as_deref());
+        verdicts.any(|verdict| verdict != "resolved")
+    };
+    let count = collected.completed().filter(unresolved_at).count();
+    let unresolved =
+        (count > 0).then(|| format!("{count} of {done} have results that are not resolved or have no band."));
+    let messages = collected.failed().take(MOST_MESSAGES).map(message);
+    let is_doubtful =
+        |(case, _): &(&Worst<'_>, Quantity)| verdict(case.number).is_some_and(|(tone, _)| tone != Tone::Good);
+    let tone = match () {
+        _ if failed > 0 || counts[1].0 > 0 => Tone::Failed,
+        _ if !wrong.is_empty() || named.iter().any(is_doubtful) => Tone::Doubtful,
+        _ => Tone::Good,
+    };
+    let heading = match wrong.is_empty() {
+        true if all == 1 => "1 point: completed, without doubts.".to_string(),
+        true if tone == Tone::Doubtful => {
+            format!("{all} points: all completed, but the worst cases are coarse, not resolved or without a band.")
+        }
+        true => format!("{all} points: all completed, none with doubts."),
+        false => format!("{all} points: {done} completed; {}.", wrong.join(", ")),
+    };
+    Lead {
+        eyebrow: format!("splashdown sweep · {over}"),
+        title: collected.name.clone(),
+        tone,
+        heading,
+        reasons: first.into_iter().chain(unresolved).chain(messages).collect(),
+        cards: named.iter().take(MOST_CARDS).map(|(case, quantity)| card(collected, case, quantity)).collect(),
+    }
+}
+
+fn named<'a>(collected: &Collected, cases: &'a [Worst<'a>]) -> impl Iterator<Item = (&'a Worst<'a>, Quantity)> {
+    cases.iter().map(|case| (case, Quantity::of(collected, &name(case))))
+}
+
+/// The name of a worst case in the table.
+fn name(case: &Worst<'_>) -> String {
+    if case.place.is_empty() { case.quantity.into() } else { format!("{}.{}", case.place, case.quantity) }
+}
+
+/// True for what stands in the table only: parts of the audit, stations of a landing.
+fn is_aside(case: &Worst<'_>) -> bool {
+    case.quantity.starts_with("audit.") || case.place.starts_with("station")
+}
+
+/// What is worst, with the scene where there are several.
+fn title(case: &Worst<'_>, quantity: &Quantity) -> String {
+    let scene = case.scene.as_ref().map_or(String::new(), |scene| format!(", {scene}"));
+    let least = if case.quantity == "reserve_factor" { "Least" } else { "Largest" };
+    format!("{least} {}{scene}", inside(&quantity.title))
+}
+
+/// What is said of a worst case that is not resolved.
+fn unresolved(case: &Worst<'_>, quantity: &Quantity) -> Option<String> {
+    let verdict = case.number.verdict.as_deref().filter(|verdict| *verdict != "resolved")?;
+    let resolved = match case.resolved {
+        Some((number, point)) => format!("; worst resolved {} at point {}", quantity.whole(number), point.number),
+        None => String::new(),
+    };
+    Some(format!("{}{resolved}", in_words(verdict)))
+}
+
+fn card(collected: &Collected, case: &Worst<'_>, quantity: &Quantity) -> Card {
+    let number = case.number;
+    let place = format!("point {}: {}", case.point.number, place_of(collected, case.point));
+    let mut lines = vec![(place, report_of(case.point))];
+    if let Some((number, point)) = case.resolved {
+        lines.push((format!("worst resolved: {} at point {}", quantity.whole(number), point.number), report_of(point)));
+    }
+    Card {
+        title: title(case, quantity),
+        value: quantity.value(number.value),
+        unit: quantity.unit.clone(),
+        lines,
+        chip: verdict(number),
+    }
+}
+
+/// The address of a point's report, from the folder of the sweep.
+fn report_of(point: &PointResult) -> Option<String> {
+    let id = point.id.as_deref().filter(|_| point.is_completed() || point.status == "failed");
+    id.map(|id| format!("{}/report.html", folder_of(id)))
 }
 
 /// Marks of the verdicts, for the table of points.
@@ -115,63 +156,82 @@ const MARKS: [(&str, &str); 4] =
     [("acoustic", "~"), ("not_resolved", "?"), ("no_band", "*"), ("beyond_allowable", "!")];
 
 /// A number with its band and its mark.
-fn in_words(number: &Number) -> String {
+fn marked(quantity: &Quantity, number: &Number) -> String {
     let mark = MARKS.iter().find(|(verdict, _)| number.verdict.as_deref() == Some(verdict));
-    let band = number.band.map_or(String::new(), |band| format!(" ± {}", short(band)));
-    format!("{}{band}{}", short(number.value), mark.map_or(String::new(), |(_, mark)| format!(" {mark}")))
+    format!("{}{}", quantity.banded(number), mark.map_or(String::new(), |(_, mark)| format!(" {mark}")))
 }
 
-fn axes_of(point: &PointResult) -> impl Iterator<Item = Cell> {
-    point.values.iter().map(|value| match value.as_f64() {
-        Some(number) => text(short(number)),
-        None => text(plain(value)),
-    })
+fn axes_of(point: &PointResult) -> impl Iterator<Item = String> {
+    point.values.iter().map(axis_number)
 }
 
-fn head(collected: &Collected, before: &[&str], after: &[&str]) -> Vec<String> {
-    let words = |words: &[&str]| words.iter().map(|word| word.to_string()).collect::<Vec<_>>();
-    let axes = collected.axes.iter().map(|axis| axis.label()).collect();
-    [words(before), axes, words(after)].concat()
+fn head(collected: &Collected, before: &[String], after: &[String]) -> Vec<String> {
+    let axes: Vec<String> = collected.axes.iter().map(|axis| axis_label(collected, axis)).collect();
+    [before, &axes, after].concat()
 }
 
-fn worst_cases(collected: &Collected) -> Vec<Block> {
-    let cases = worst(collected);
+fn worst_cases(collected: &Collected, cases: &[Worst<'_>]) -> Vec<Block> {
     if cases.is_empty() {
         return vec![Block::Text("No point has results.".into())];
     }
-    let rows = cases.iter().map(|case| {
-        let place = case.scene.iter().map(String::as_str).chain([case.place]).filter(|word| !word.is_empty());
-        let band = case.number.band.map_or(DASH.into(), short);
-        let verdict = case.number.verdict.as_deref().unwrap_or(DASH).replace('_', " ");
-        let first = [text(place.collect::<Vec<_>>().join(", ")), text(case.quantity)];
-        let number = [text(short(case.number.value)), text(band), text(verdict), link(case.point)];
-        first.into_iter().chain(number).chain(axes_of(case.point)).collect()
+    let scenes = cases.iter().any(|case| case.scene.is_some());
+    let others = cases.iter().any(|case| case.resolved.is_some());
+    let rows = named(collected, cases).map(|(case, quantity)| {
+        let scene = scenes.then(|| case.scene.clone().unwrap_or_default());
+        let verdict = verdict(case.number).map_or(DASH.into(), |(_, words)| words);
+        let resolved =
+            case.resolved.map_or(DASH.into(), |(n, p)| format!("{} at point {}", quantity.whole(n), p.number));
+        let first = [quantity.title.clone(), quantity.whole(case.number), verdict];
+        let point = [case.point.number.to_string()];
+        let cells = scene.into_iter().chain(first).chain(point).chain(axes_of(case.point));
+        cells.chain(others.then_some(resolved)).collect()
     });
-    let head = head(collected, &["place", "quantity", "value", "band ±", "verdict", "point"], &[]);
-    let caption = "Worst case of each quantity: the largest magnitude, or the smallest reserve factor. A value that is not \
-                   resolved may be too large or too small.";
-    let doubtful = collected.points.iter().filter(|point| point.status == DOUBTFUL).count();
-    let all = collected.points.len();
-    let text = Block::Text(format!("{doubtful} of {all} points are completed with doubts: their reports say why."));
-    let table = linked_table(caption, &head, rows.collect());
-    (doubtful > 0).then_some(text).into_iter().chain([table]).collect()
+    let before = ["quantity", "worst", "verdict", "point"].into_iter();
+    let before: Vec<String> = scenes.then_some("scene").into_iter().chain(before).map(String::from).collect();
+    let after: Vec<String> = others.then(|| "worst resolved".to_string()).into_iter().collect();
+    let table = Table {
+        title: "Worst case of each quantity: the largest magnitude, or the smallest reserve factor. The point leads to its report.".into(),
+        head: head(collected, &before, &after),
+        rows: rows.collect(),
+    };
+    let links = cases.iter().map(|case| report_of(case.point)).collect();
+    let is_doubtful = |verdict: &str| !["resolved", "no_band"].contains(&verdict);
+    let doubtful = cases.iter().any(|case| case.number.verdict.as_deref().is_some_and(is_doubtful));
+    let words = "A value that is not resolved may be too large or too small; the reports of the points say why.";
+    let mut blocks = vec![Block::LinkedTable { table, column: before.len() - 1, links }];
+    blocks.extend(doubtful.then(|| Block::Text(words.into())));
+    blocks
 }
 
 fn points(collected: &Collected) -> Vec<Block> {
-    let names: Vec<&str> = charted(collected);
-    let rows = collected.points.iter().take(MOST_LISTED).map(|point| {
-        let numbers = names.iter().map(|name| text(point.numbers.get(*name).map_or(DASH.into(), in_words)));
-        let seconds = text(point.wall_time_s.map_or(DASH.into(), short));
-        let status = text(point.status.replace('_', " "));
-        [link(point)].into_iter().chain(axes_of(point)).chain([status]).chain(numbers).chain([seconds]).collect()
+    let quantities: Vec<(&str, Quantity)> =
+        charted(collected).into_iter().map(|name| (name, Quantity::of(collected, name))).collect();
+    let listed = || collected.points.iter().take(MOST_LISTED);
+    // statuses that are all the same stand above
+    let told = listed().any(|point| point.status != "completed");
+    let rows = listed().map(|point| {
+        let number = |(name, quantity): &(&str, Quantity)| {
+            point.numbers.get(*name).map_or(DASH.into(), |number| marked(quantity, number))
+        };
+        let first = [point.number.to_string()];
+        let status = told.then(|| point.status.replace('_', " "));
+        first.into_iter().chain(axes_of(point)).chain(status).chain(quantities.iter().map(number)).collect()
     });
-    let after: Vec<&str> = ["status"].into_iter().chain(names.iter().copied()).chain(["wall time [s]"]).collect();
-    let marks = MARKS.map(|(verdict, mark)| format!("{mark} {}", verdict.replace('_', " "))).join(", ");
-    let mut blocks = vec![linked_table(
-        &format!("Points; the number leads to the report. Values with band; marks: {marks}."),
-        &head(collected, &["point"], &after),
-        rows.collect(),
-    )];
+    let labels = quantities.iter().map(|(_, quantity)| quantity.label());
+    let after: Vec<String> = told.then(|| "status".to_string()).into_iter().chain(labels).collect();
+    let has = |verdict: &str| {
+        let mut numbers = listed().flat_map(|point| point.numbers.values());
+        numbers.any(|number| number.verdict.as_deref() == Some(verdict))
+    };
+    let marks = MARKS.iter().filter(|(verdict, _)| has(verdict));
+    let marks: Vec<String> = marks.map(|(verdict, mark)| format!("{mark} {}", in_words(verdict))).collect();
+    let marks = if marks.is_empty() { String::new() } else { format!(" Marks: {}.", marks.join(", ")) };
+    let table = Table {
+        title: format!("Points, with bands; the number leads to the report.{marks}"),
+        head: head(collected, &["point".into()], &after),
+        rows: rows.collect(),
+    };
+    let mut blocks = vec![Block::LinkedTable { table, column: 0, links: listed().map(report_of).collect() }];
     if collected.points.len() > MOST_LISTED {
         blocks.push(Block::Text(format!("The first {MOST_LISTED} points; table.csv has all.")));
     }
@@ -179,9 +239,15 @@ fn points(collected: &Collected) -> Vec<Block> {
 }
 
 fn failures(collected: &Collected) -> Vec<Block> {
-    let rows = collected.failed().take(MOST_LISTED).map(|point| {
-        let why = [text(point.status.clone()), text(point.message.clone().unwrap_or_default())];
-        [link(point)].into_iter().chain(axes_of(point)).chain(why).collect()
+    let listed = || collected.failed().take(MOST_LISTED);
+    let rows = listed().map(|point| {
+        let why = [point.status.clone(), point.message.clone().unwrap_or_default()];
+        std::iter::once(point.number.to_string()).chain(axes_of(point)).chain(why).collect()
     });
-    vec![linked_table("Points without results.", &head(collected, &["point"], &["status", "message"]), rows.collect())]
+    let table = Table {
+        title: "Points without results".into(),
+        head: head(collected, &["point".into()], &["status".into(), "message".into()]),
+        rows: rows.collect(),
+    };
+    vec![Block::LinkedTable { table, column: 0, links: listed().map(report_of).collect() }]
 }

@@ -5,8 +5,9 @@ use super::heat_map::{HeatMap, heat_map_svg};
 use super::response::Response;
 use super::table::plain;
 use super::trends::{charted, numeric_axes};
+use super::words::{Quantity, axis_label, axis_value, inside};
+use crate::report::run_page::quantity::digits;
 use crate::report::{Block, Table};
-use crate::scene::significant;
 
 /// Most pairs of axes that are drawn.
 const MOST_PAIRS: usize = 3;
@@ -24,26 +25,31 @@ pub(super) fn surfaces(collected: &Collected) -> Vec<Block> {
     let mut maps = Vec::new();
     let mut rows = Vec::new();
     for name in charted(collected) {
+        let quantity = Quantity::of(collected, name);
         for (group, points) in groups(collected, &axes).into_iter().take(MOST_GROUPS) {
-            let of =
-                |p: &&PointResult| Some((place(p, &axes)?, p.numbers.get(name)?.value)).filter(|(_, v)| v.is_finite());
+            let of = |p: &&PointResult| {
+                let value = quantity.scale * p.numbers.get(name)?.value;
+                Some((place(p, &axes)?, value)).filter(|(_, v)| v.is_finite())
+            };
             let (places, values): (Vec<Vec<f64>>, Vec<f64>) = points.iter().filter_map(of).unzip();
-            let title = if group.is_empty() { name.to_string() } else { format!("{name}, {group}") };
+            let with_group = |words: String| if group.is_empty() { words } else { format!("{words}, {group}") };
             let Some(surface) = Response::fit(&places, &values) else {
-                rows.push(vec![title, values.len().to_string(), "–".into(), "–".into(), "–".into(), "–".into()]);
+                let known = [with_group(quantity.label()), values.len().to_string()];
+                rows.push(known.into_iter().chain(std::iter::repeat_n("–".to_string(), 4)).collect());
                 continue;
             };
             let percent = if surface.span > 0.0 { 100.0 * surface.residual / surface.span } else { 0.0 };
             rows.push(vec![
-                title.clone(),
+                with_group(quantity.label()),
                 values.len().to_string(),
                 surface.coefficients().to_string(),
-                significant(surface.residual),
-                significant(surface.largest),
+                digits(surface.residual),
+                digits(surface.largest),
                 format!("{percent:.1}"),
             ]);
             let pairs = (0..axes.len()).flat_map(|i| (i + 1..axes.len()).map(move |j| [i, j])).take(MOST_PAIRS);
-            maps.extend(pairs.map(|pair| map(collected, &axes, pair, &title, &surface, &places, &values)));
+            let titled = Quantity { title: with_group(quantity.title.clone()), ..quantity.clone() };
+            maps.extend(pairs.map(|pair| map(collected, &axes, pair, &titled, &surface, &places, &values)));
         }
     }
     let head = ["quantity", "points", "coefficients", "residual (rms)", "largest residual", "rms / span [%]"];
@@ -78,7 +84,7 @@ fn map(
     collected: &Collected,
     axes: &[usize],
     [i, j]: [usize; 2],
-    title: &str,
+    quantity: &Quantity,
     surface: &Response,
     places: &[Vec<f64>],
     values: &[f64],
@@ -93,9 +99,9 @@ fn map(
         |place: &&Vec<f64>| (0..axes.len()).all(|k| k == i || k == j || surface.unit(k, place[k]).abs() <= NEAR);
     let with_values = places.iter().zip(values);
     let points = with_values.filter(|(place, _)| is_near(place)).map(|(place, value)| [place[i], place[j], *value]);
-    let label = |k: usize| collected.axes[axes[k]].label();
+    let label = |k: usize| axis_label(collected, &collected.axes[axes[k]]);
     let others = (0..axes.len()).filter(|&k| k != i && k != j);
-    let others: Vec<String> = others.map(|k| format!("{} = {}", label(k), significant(middle[k]))).collect();
+    let others: Vec<String> = others.map(|k| inside(&axis_value(collected, axes[k], &middle[k].into()))).collect();
     let at = if others.is_empty() { String::new() } else { format!(" at {}", others.join(", ")) };
     let svg = heat_map_svg(&HeatMap {
         x_label: label(i),
@@ -104,10 +110,14 @@ fn map(
         y: surface.ends(j),
         value: &value,
         points: points.collect(),
+        label: quantity.label(),
     });
-    let residual = significant(surface.residual);
+    let (title, residual) = (&quantity.title, digits(surface.residual));
+    let unit = &quantity.unit;
     Block::Drawing {
         svg,
-        caption: format!("{title}: quadratic surface{at}, residual {residual}. Circles: the points near it."),
+        caption: format!(
+            "{title}: quadratic surface{at}, rms residual {residual} {unit}. Circles: the points near it."
+        ),
     }
 }

@@ -61,6 +61,8 @@ pub(super) fn folder_of(id: &str) -> String {
     format!("points/{id}")
 }
 
+type Found<'a> = (&'a PointResult, &'a Number);
+
 /// The worst case of a quantity.
 pub(super) struct Worst<'a> {
     /// The quantity.
@@ -73,10 +75,12 @@ pub(super) struct Worst<'a> {
     pub number: &'a Number,
     /// The point that made it.
     pub point: &'a PointResult,
+    /// The worst of those that are resolved, where this one is not.
+    pub resolved: Option<(&'a Number, &'a PointResult)>,
 }
 
 /// The worst case of each quantity at each place, for each scene: the largest magnitude, or the smallest reserve factor.
-pub(super) fn worst(collected: &Collected) -> Vec<Worst<'_>> {
+pub(super) fn worst<'a>(collected: &'a Collected) -> Vec<Worst<'a>> {
     let scene_of = |point: &PointResult| collected.scene_axis().map(|k| plain(&point.values[k]));
     let mut scenes: Vec<Option<String>> = Vec::new();
     for scene in collected.completed().map(scene_of) {
@@ -97,10 +101,17 @@ pub(super) fn worst(collected: &Collected) -> Vec<Worst<'_>> {
         for scene in &scenes {
             let points = collected.completed().filter(|point| scene_of(point) == *scene);
             let numbers = points.filter_map(|point| Some((point, point.numbers.get(name)?)));
+            let numbers: Vec<Found<'a>> = numbers.collect();
             // of equals the first
-            let worst = numbers.reduce(|worst, next| if severity(next.1) > severity(worst.1) { next } else { worst });
-            let case = |(point, number)| Worst { quantity, place, scene: scene.clone(), number, point };
-            found.extend(worst.map(case));
+            let worse =
+                |worst: Found<'a>, next: Found<'a>| if severity(next.1) > severity(worst.1) { next } else { worst };
+            let is_resolved = |number: &Number| number.verdict.as_deref() == Some("resolved");
+            let resolved = numbers.iter().copied().filter(|(_, number)| is_resolved(number)).reduce(worse);
+            let case = |(point, number)| {
+                let resolved = resolved.filter(|_| !is_resolved(number)).map(|(point, number)| (number, point));
+                Worst { quantity, place, scene: scene.clone(), number, point, resolved }
+            };
+            found.extend(numbers.into_iter().reduce(worse).map(case));
         }
     }
     found

@@ -41,6 +41,16 @@ fn a_grid_gives_a_table_worst_cases_and_a_page() {
         assert!(page.contains(&format!("href=\"{report}\"")) && place.path("out").join(&report).exists(), "{report}");
     }
     assert!(page.contains("Response surfaces") && !page.contains("src=\"http"), "surfaces, no network");
+    for part in [
+        "6 points: all completed",
+        "Largest peak force",
+        "Peak force [kN/m]",
+        "Vertical velocity [m/s]",
+        "<b>Table 3.</b>",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("peak_force_N_per_m") && !page.contains("core-s"), "words, not keys");
 
     // the same numbers as `splashdown run`
     let run = std::process::Command::new(env!("CARGO_BIN_EXE_splashdown"))
@@ -51,6 +61,27 @@ fn a_grid_gives_a_table_worst_cases_and_a_page() {
         .expect("the command starts");
     let summary: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
     assert_eq!(summary["results"]["peak_force_N_per_m"]["value"].as_f64(), Some(force(&rows[0])));
+}
+
+/// A theory that was measured nowhere near a point has no band there: its results are not resolved, in the table and on the page.
+#[test]
+fn a_theory_without_a_band_is_marked() {
+    let place = Place::new(&DROPS.replace("wagner", "mlm").replace("[20, 30]", "[20, 40]"));
+    assert_eq!(place.sweep(&[]).0, Some(0));
+    let table = place.text("out/table.csv");
+    let (head, rows) = csv(&table);
+    let column = |name: &str| head.iter().position(|own| *own == name).expect("a column");
+    let (band, verdict) = (column("peak_force_N_per_m.band"), column("peak_force_N_per_m.verdict"));
+    for row in &rows {
+        assert_eq!(row[verdict], if row[band].is_empty() { "no_band" } else { "resolved" }, "{row:?}");
+    }
+    assert!(
+        rows[..3].iter().all(|row| row[verdict] == "resolved") && rows[3..].iter().all(|row| row[verdict] == "no_band")
+    );
+    let page = place.text("out/sweep.html");
+    assert!(
+        page.contains("3 of 6 have results that are not resolved or have no band") && page.contains("* no band known")
+    );
 }
 
 /// The same command runs nothing; a longer axis runs the new points only; `--force` runs all.
@@ -92,6 +123,7 @@ fn a_point_that_fails_is_a_row() {
     assert!(rows[0][2].starts_with("completed") && rows[1][2] == "failed" && rows[1][3].contains("degrees"), "{table}");
     let worst = place.text("up/worst.csv");
     assert!(worst.contains("\nline_load_n_per_m,station 24.0 m,,"), "{worst}");
+    assert!(place.text("up/sweep.html").contains("no band known"), "no load of a landing has a band");
     let again = place.command(&["up.toml", "--out", "up", "--json"]).output().expect("the command starts");
     let said: serde_json::Value = serde_json::from_slice(&again.stdout).expect("JSON");
     assert_eq!((&said["run"], &said["failed"]), (&0.into(), &1.into()), "a failed run is an answer");

@@ -11,7 +11,7 @@ mod headline;
 mod packed;
 mod panels;
 mod player;
-mod quantity;
+pub(crate) mod quantity;
 mod record;
 mod references;
 mod structure;
@@ -26,13 +26,13 @@ use flow::Flow;
 pub use folder::FolderError;
 use folder::RunFolder;
 
+use crate::report::Block;
 use crate::report::markup::escape;
-use crate::report::{Block, Status as PageStatus};
 use crate::report::{chart_svg::untitled_svg, html::page};
-use crate::run::summary::Status;
 
 pub(crate) use comparison::compare;
 pub(crate) use figures::{FigureError, write_figures};
+pub(crate) use headline::{in_words, two_digits};
 
 /// The page of the run in a folder.
 ///
@@ -109,19 +109,6 @@ fn again(dir: &Path) -> Vec<Block> {
 }
 
 /// A long text that opens on demand.
-fn folded(title: &str, text: &str) -> String {
+pub(crate) fn folded(title: &str, text: &str) -> String {
     format!("<details><summary>{}</summary><pre><code>{}</code></pre></details>\n", escape(title), escape(text))
-}
-
-/// How a run ended, for the head of a page that is not a run's.
-pub(crate) fn page_status(status: Status, message: Option<&str>, doubts: &[String]) -> PageStatus {
-    match status {
-        Status::Completed => PageStatus::Completed,
-        Status::CompletedWithDoubts => PageStatus::Doubtful("Completed with doubts.".into(), doubts.to_vec()),
-        Status::BeyondAllowable => {
-            PageStatus::Doubtful("Completed, beyond an allowable stress.".into(), doubts.to_vec())
-        }
-        Status::Failed => PageStatus::Failed(message.unwrap_or_default().to_string()),
-        Status::Interrupted => PageStatus::Interrupted,
-    }
 }
