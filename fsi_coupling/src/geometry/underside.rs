@@ -44,13 +44,30 @@ fn keel(outline: &[[f64; 2]]) -> f64 {
     0.5 * (low + high)
 }
 
-/// Slope to the horizontal of the flattest face that looks down [rad], of those that reach farther than `half_width` [m] from the
-/// lowest point; π/2 where there is none.
-pub fn flattest_face_beyond(outline: &[[f64; 2]], half_width: f64) -> f64 {
+/// Slope to the horizontal of the flattest face that looks down [rad], and half the width of the blunt part about the lowest point
+/// [m] that was left out: the flattest faces there, one after the other, as long as all are at most 2 `half_width` [m] wide. π/2
+/// where no face is left.
+pub fn flattest_face_beyond(outline: &[[f64; 2]], half_width: f64) -> (f64, f64) {
+    let mut sides = faces(outline);
+    sides.sort_by(|a, b| a.from[0].total_cmp(&b.from[0]));
     let keel = keel(outline);
-    let reaches = |face: &Face| (face.from[0] - keel).abs().max((face.to[0] - keel).abs()) > half_width;
-    let slopes = faces(outline).into_iter().filter(reaches).map(|face| face.slope().abs());
-    slopes.fold(std::f64::consts::FRAC_PI_2, f64::min)
+    let middle = sides.iter().position(|side| side.to[0] > keel).unwrap_or(sides.len());
+    let flatness = |k: usize| sides.get(k).map_or(f64::INFINITY, |side| side.slope().abs());
+    let width = |k: usize| sides[k].to[0] - sides[k].from[0];
+    // sides first..end are left out
+    let (mut first, mut end, mut blunt) = (middle, middle, 0.0);
+    loop {
+        let left = first.checked_sub(1).map_or(f64::INFINITY, flatness);
+        let next = if left < flatness(end) { first.checked_sub(1) } else { Some(end) };
+        let fits = |k: &usize| *k < sides.len() && blunt + width(*k) <= 2.0 * half_width * (1.0 + ROUNDING);
+        match next.filter(fits) {
+            Some(k) if k < first => (first, blunt) = (k, blunt + width(k)),
+            Some(k) => (end, blunt) = (k + 1, blunt + width(k)),
+            None => break,
+        }
+    }
+    let beyond = (0..first).chain(end..sides.len()).map(flatness);
+    (beyond.fold(std::f64::consts::FRAC_PI_2, f64::min), 0.5 * blunt)
 }
 
 /// Radius at the corner of two sides: their mean length over the turn [m].
@@ -89,7 +106,7 @@ pub fn radius_of_bottom(outline: &[[f64; 2]]) -> Option<f64> {
 pub struct RoundKeel {
     /// Its radius [m].
     pub radius: f64,
-    /// From the lowest point to where the bottom goes on straight, the farther side [m].
+    /// Half its width [m].
     pub half_width: f64,
 }
 
@@ -115,7 +132,7 @@ pub fn round_keel(outline: &[[f64; 2]]) -> Option<RoundKeel> {
         }
     }
     let arc = &sides[first..end];
-    let half_width = (keel - arc[0].from[0]).max(arc[arc.len() - 1].to[0] - keel);
+    let half_width = 0.5 * (arc[arc.len() - 1].to[0] - arc[0].from[0]);
     (arc.len() >= 3).then(|| RoundKeel { radius: radius_of(arc), half_width })
 }
 
@@ -143,8 +160,8 @@ mod tests {
     fn a_tilted_plate_has_its_slope() {
         let a = 30.0_f64.to_radians();
         let tilted = RECTANGLE.map(|[x, y]| [x * a.cos() - y * a.sin(), x * a.sin() + y * a.cos()]);
-        assert!((flattest_face_beyond(&tilted, 0.0) - a).abs() < 1e-14);
-        assert_eq!(flattest_face_beyond(&RECTANGLE, 1.9), 0.0);
+        assert!((flattest_face_beyond(&tilted, 0.0).0 - a).abs() < 1e-14);
+        assert_eq!(flattest_face_beyond(&RECTANGLE, 1.9), (0.0, 0.0));
     }
 
     #[test]
@@ -165,6 +182,20 @@ mod tests {
         }
     }
 
+    /// A plate under the keel is as wide when the body is rolled by less than its sides' slope.
+    #[test]
+    fn a_roll_does_not_widen_a_keel_plate() {
+        let tan = 20.0_f64.to_radians().tan();
+        let upright = [[0.018, 0.0], [0.3, 0.282 * tan], [0.3, 0.4], [-0.3, 0.4], [-0.3, 0.282 * tan], [-0.018, 0.0]];
+        for roll in [0.0_f64, 1.0, -2.0, 5.0] {
+            let (sin, cos) = roll.to_radians().sin_cos();
+            let outline: Vec<[f64; 2]> = upright.iter().map(|[x, y]| [x * cos - y * sin, x * sin + y * cos]).collect();
+            let (slope, blunt) = flattest_face_beyond(&outline, 0.0181);
+            assert!((slope.to_degrees() - 20.0 + roll.abs()).abs() < 1e-9, "{roll} deg: {}", slope.to_degrees());
+            assert!((blunt / 0.018 - cos).abs() < 1e-9, "{roll} deg: {blunt}");
+        }
+    }
+
     /// However many chords a rounded keel is drawn by, the bottom beside it is the same.
     #[test]
     fn a_rounded_keel_is_told_from_the_straight_sides_beside_it() {
@@ -176,9 +207,9 @@ mod tests {
                 let end = 0.08 * slope.to_radians().sin();
                 assert!((keel.radius / 0.08 - 1.0).abs() < 0.4, "{slope} deg, {chords} chords: {keel:?}");
                 assert!((keel.half_width / end - 1.0).abs() < 1e-9, "{slope} deg, {chords} chords: {keel:?}");
-                let beyond = flattest_face_beyond(&outline, 1.001 * end).to_degrees();
-                assert!((beyond - slope).abs() < 1e-9);
-                assert!(flattest_face_beyond(&outline, 0.0).to_degrees() < 0.6 * slope);
+                let (beyond, blunt) = flattest_face_beyond(&outline, 1.001 * end);
+                assert!((beyond.to_degrees() - slope).abs() < 1e-9 && (blunt / end - 1.0).abs() < 1e-9);
+                assert!(flattest_face_beyond(&outline, 0.0).0.to_degrees() < 0.6 * slope);
             }
         }
     }

@@ -67,6 +67,13 @@ pub(super) fn import(output: &Output, args: &ImportArgs) -> Result<u8, Stop> {
 
 pub(super) fn export(output: &Output, scene: &SceneArgs, indat_file: &Path, ipart_file: &Path) -> Result<u8, Stop> {
     let loaded = load(scene)?;
+    if loaded.scene.resolution.growth != 1.0 {
+        return Err(Stop::Input(format!(
+            "`resolution.growth` = {}: expected 1 for IPART, which has no masses: add --set resolution.growth=1, and a \
+             resolution.spacing that all the water can have",
+            loaded.scene.resolution.growth
+        )));
+    }
     let (indat, ipart, notes) = files_of(&loaded.scene).map_err(|error| Stop::Failed(error.to_string()))?;
     write(indat_file, &indat.to_text())?;
     write(ipart_file, &ipart.to_text())?;

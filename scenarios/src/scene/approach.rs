@@ -4,7 +4,6 @@ use fsi_coupling::RigidMotion;
 use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
-use super::bottom::Bottom;
 use super::impact::Entry;
 use super::settings::{Body, Motion, Scene};
 
@@ -25,7 +24,7 @@ const HIGHEST: f64 = 1000.0;
 pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravity: [f64; 2], spacing: f64) -> f64 {
     let gap = -body.draught() / spacing;
     let speed = -body.velocity[1];
-    if obstacle(body, entry.bottom, solver).is_some()
+    if obstacle(body, Some(entry), solver).is_some()
         || entry.final_draught < spacing // no force of such a run is resolved, and its approach may last long
         || speed <= 0.0
         || !(0.0..LEAST_GAP).contains(&gap)
@@ -44,17 +43,15 @@ pub(super) fn automatic_start(body: &Body, entry: &Entry, solver: Solver, gravit
 /// Refuses a start before t = 0 where a body cannot be carried back to it, or would not come down through the air from there.
 pub(super) fn check_start(
     start: f64,
-    body: Option<&Body>,
+    body: Option<(&Body, Option<&Entry>)>,
     solver: Solver,
     gravity: [f64; 2],
-    density: f64,
     spacing: f64,
 ) -> Result<(), Problem> {
     require(start <= 0.0, "time.start", start, "at most 0 s")?;
-    let obstacle =
-        body.map_or(Some("0 in a scene without a body"), |body| obstacle(body, Bottom::of(body, density), solver));
+    let obstacle = body.map_or(Some("0 in a scene without a body"), |(body, entry)| obstacle(body, entry, solver));
     require(start == 0.0 || obstacle.is_none(), "time.start", start, obstacle.unwrap_or_default())?;
-    let Some(body) = body.filter(|_| start < 0.0) else { return Ok(()) };
+    let Some((body, _)) = body.filter(|_| start < 0.0) else { return Ok(()) };
     let pull = pull_on(body, gravity)[1];
     let (speed, height) = (-body.velocity[1] - start * pull, start * (body.velocity[1] + 0.5 * start * pull));
     let gap = (height - body.draught()) / spacing + STANDOFF;
@@ -67,12 +64,12 @@ pub(super) fn check_start(
 }
 
 /// Why a body has no approach: what is expected of `time.start` instead.
-fn obstacle(body: &Body, bottom: Bottom, solver: Solver) -> Option<&'static str> {
+fn obstacle(body: &Body, entry: Option<&Entry>, solver: Solver) -> Option<&'static str> {
     let flies = matches!(body.motion, Motion::Free(_) | Motion::ConstantVelocity);
     match () {
         () if solver != Solver::WeaklyCompressible => Some("0 with this solver, whose bodies start on the water"),
         () if !flies => Some("0 with a body that is neither free nor at constant velocity"),
-        () if bottom.is_flat() => Some("0 with a flat bottom, which meets the water all at once"),
+        () if entry.is_some_and(Entry::is_flat) => Some("0 with a flat bottom, which meets the water all at once"),
         () if body.angular_velocity_deg_per_s != 0.0 => Some("0 with a body that turns at t = 0"),
         () => None,
     }

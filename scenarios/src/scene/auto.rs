@@ -54,7 +54,7 @@ pub fn hydrostatic_sound(gravity: [f64; 2], depth: f64) -> [f64; 2] {
 impl Scene {
     /// How the body meets the water; `None` where no body falls or moves down into it.
     pub fn entry(&self) -> Option<Entry> {
-        Entry::of(self.body.as_ref()?, self.gravity, self.water().density, self.time.end)
+        Entry::of(self.body.as_ref()?, self.gravity, self.water().density, self.time.end, self.resolution.spacing)
     }
 
     /// Fastest speed of the flow that is known before the run [m/s].

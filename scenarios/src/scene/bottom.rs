@@ -18,6 +18,8 @@ pub(super) const PEAK_MASS_RATIO: f64 = 5.0;
 
 /// Half width of a keel, over that of the water at the peak of the force, up to which it holds 2 % of the momentum (THEORY GE25) [-].
 const BLUNT: f64 = 0.15;
+/// Six times the share of the peak force that the impulse on a keel may have as its mean over three spacings (THEORY GE25) [-].
+const HAMMER: f64 = 1.2;
 
 /// A bottom as Wagner's theory sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,9 +37,9 @@ pub enum Bottom {
 }
 
 impl Bottom {
-    /// The bottom of a body as it lies at t = 0 in water of density ρ [kg/m³]: the radius of an arc, or of a polygon whose bottom or
-    /// keel is round; else the flattest face that looks down, at least [`LEAST_DEADRISE_DEG`]. A blunt keel does not count (GE25).
-    pub fn of(body: &Body, density: f64) -> Bottom {
+    /// The bottom of a body as it lies at t = 0: the radius of an arc, or of a polygon whose bottom or keel is round; else the
+    /// flattest face that looks down, at least [`LEAST_DEADRISE_DEG`]. A blunt keel does not count (GE25).
+    pub fn of(body: &Body, water: &Reach) -> Bottom {
         if let Shape::Arc { radius, .. } = body.shape {
             return Bottom::Arc { radius };
         }
@@ -45,13 +47,16 @@ impl Bottom {
         if let Some(radius) = underside::radius_of_bottom(&outline) {
             return Bottom::Arc { radius };
         }
-        let blunt = BLUNT * half_width_at_peak(body, density);
+        let least = LEAST_DEADRISE_DEG.to_radians();
+        let wedge = |slope: f64| Bottom::Wedge { slope: slope.clamp(least, FRAC_PI_2 - least).tan() };
+        let blunt_of = |slope: f64| water.blunt(body, wedge(slope));
+        let sharp = underside::flattest_face_beyond(&outline, BLUNT * water.half_width(body)).0;
+        // as wide as the keel of that bottom may be, where the run is long enough and the spacing not too fine
+        let blunt = blunt_of(sharp);
         if let Some(keel) = underside::round_keel(&outline).filter(|keel| keel.half_width > blunt) {
             return Bottom::Arc { radius: keel.radius };
         }
-        let least = LEAST_DEADRISE_DEG.to_radians();
-        let flattest = underside::flattest_face_beyond(&outline, blunt);
-        Bottom::Wedge { slope: flattest.clamp(least, FRAC_PI_2 - least).tan() }
+        wedge(underside::flattest_face_beyond(&outline, blunt).0)
     }
 
     /// True for faces of the least deadrise that is told apart from a flat one.
@@ -110,13 +115,35 @@ impl Bottom {
     }
 }
 
-/// GE25: half width [m] at which the water that moves with a body has a fifth of its mass, or its half breadth.
-fn half_width_at_peak(body: &Body, density: f64) -> f64 {
-    let [min, max] = polygon::bounding_box(&body.placed_outline());
-    let half_breadth = 0.5 * (max[0] - min[0]);
-    match &body.motion {
-        Motion::Free(freedom) => (2.0 * freedom.mass / (PEAK_MASS_RATIO * PI * density)).sqrt().min(half_breadth),
-        _ => half_breadth,
+/// The water that a body meets, and how far it goes into it within a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Density of the water [kg/m³].
+    pub density: f64,
+    /// Draught at the end that the body has at its speed at t = 0 [m]; infinite where it is not known.
+    pub draught: f64,
+    /// Finest spacing [m]; infinite where it is not known.
+    pub spacing: f64,
+}
+
+impl Reach {
+    /// Half width [m] at which the water that moves with a body has a fifth of its mass, or its half breadth.
+    fn half_width(&self, body: &Body) -> f64 {
+        let [min, max] = polygon::bounding_box(&body.placed_outline());
+        let half_breadth = 0.5 * (max[0] - min[0]);
+        match &body.motion {
+            Motion::Free(freedom) => {
+                (2.0 * freedom.mass / (PEAK_MASS_RATIO * PI * self.density)).sqrt().min(half_breadth)
+            }
+            _ => half_breadth,
+        }
+    }
+
+    /// GE25: largest half width of a keel that does not count [m], under the sides of a bottom.
+    fn blunt(&self, body: &Body, bottom: Bottom) -> f64 {
+        let peak = self.half_width(body).min(bottom.wetted_half_width(self.draught.max(0.0)));
+        let slope = bottom.equivalent_slope(self.draught);
+        (BLUNT * peak).min((HAMMER * self.spacing * peak / slope).sqrt())
     }
 }
 

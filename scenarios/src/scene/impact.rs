@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use fsi_coupling::geometry::polygon;
 
-use super::bottom::{Bottom, PEAK_MASS_RATIO};
+use super::bottom::{Bottom, PEAK_MASS_RATIO, Reach};
 use super::settings::{Body, Motion};
 
 /// Why the peak force of a flat contact is refused (THEORY GE23).
@@ -40,14 +40,14 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// The entry of `body` within `end` [s], under gravity [m/s²], shape (2), into water of density ρ [kg/m³].
+    /// The entry of `body` within `end` [s], under gravity [m/s²], shape (2), into water of density ρ [kg/m³], divided by `spacing` [m];
+    /// 0 and infinity where they are not known.
     /// `None` where the body neither moves down at t = 0 nor falls from above the surface, or is all under water. Of a table of
     /// displacements from above the water, the largest downward speed counts.
-    pub fn of(body: &Body, gravity: [f64; 2], density: f64, end: f64) -> Option<Entry> {
+    pub fn of(body: &Body, gravity: [f64; 2], density: f64, end: f64, spacing: f64) -> Option<Entry> {
         let gravity = -gravity[1];
         let [min, max] = polygon::bounding_box(&body.placed_outline());
         let draught = -min[1];
-        let bottom = Bottom::of(body, density);
         let half_breadth = 0.5 * (max[0] - min[0]);
         let table = match &body.motion {
             Motion::Tabulated(table) if draught <= 0.0 => Some(table.descent(end)),
@@ -60,6 +60,8 @@ impl Entry {
             true => (initial_speed.powi(2) + 2.0 * gravity * gap).sqrt(),
             false => initial_speed,
         };
+        let reached = if end > 0.0 { draught + speed * end } else { f64::INFINITY };
+        let bottom = Bottom::of(body, &Reach { density, draught: reached, spacing });
         let submerged = max[1] <= 0.0;
         if submerged || initial_speed < 0.0 || speed <= 0.0 {
             return None;

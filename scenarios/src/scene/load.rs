@@ -292,7 +292,8 @@ fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
     let Some(body) = resolve_body(&mut draft, Symmetry::None)? else { return Ok(None) };
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
-    let entry = Entry::of(&body, gravity, density, draft.get("time.end").unwrap_or(0.0));
+    let spacing = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);
+    let entry = Entry::of(&body, gravity, density, draft.get("time.end").unwrap_or(0.0), spacing);
     Ok(entry.map(|entry| (body, entry)))
 }
 

@@ -40,7 +40,8 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let time = resolve_time(draft)?;
     let body = resolve_body(draft, symmetry)?;
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
-    let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end));
+    let finest: f64 = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);
+    let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end, finest));
     let tank = match &entry {
         Some(_) => None,
         None => {
@@ -87,7 +88,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     }
     let model =
         draft.fill("model", if solver.is_incompressible() { EntryModel::Incompressible } else { EntryModel::Wcsph });
-    check_start(time.start, body.as_ref(), solver.kind(), gravity, density, spacing)?;
+    check_start(time.start, body.as_ref().map(|body| (body, entry.as_ref())), solver.kind(), gravity, spacing)?;
     if let (None, false, Some((body, entry))) = (start, model.is_theory(), body.as_ref().zip(entry.as_ref())) {
         draft.set("time.start", automatic_start(body, entry, solver.kind(), gravity, spacing));
     }

@@ -1,9 +1,11 @@
 //! A body from the mobile limit particles of IPART.
 
+use std::collections::BTreeMap;
+
 use super::Particle;
 
-/// Thickness of a body, in spacings, up to which it is a plate [-].
-const PLATE: f64 = 2.0;
+/// Thickness of a body, in spacings, below which it is a plate [-].
+const PLATE: f64 = 6.0;
 /// Distance from the line of its neighbours, in spacings, below which a vertex is left out [-].
 const STRAIGHT: f64 = 1e-6;
 
@@ -27,19 +29,19 @@ pub(super) fn body_of(mobile: &[Particle], upright: usize, origin: [f64; 2], dx:
         format!("{} mobile limit particles: the body; its outline runs through the outermost of them", mobile.len()),
         "mass, inertia and the body's motion have no parameter in INDAT: body.motion is to be chosen".into(),
     ];
-    let [from, to] = longest(&hull);
-    let thickness = width_across(&hull, from, to);
+    let line = middle_line(mobile.iter().map(at).collect(), longest(&hull), dx);
+    let is_plate = line.thickness < PLATE * dx && line.points.len() > 1;
     let mut lines = vec!["name = \"body\"".to_string()];
-    let is_plate = thickness < PLATE * dx;
+    let points = |of: &[[f64; 2]]| of.iter().map(|at| point(*at)).collect::<Vec<_>>().join(", ");
     if is_plate {
-        let plate = thickness.max(dx);
+        let thickness = line.thickness.max(dx);
         lines.push("shape = \"polyline\"".into());
-        lines.push(format!("points = [{}, {}]", point(from), point(to)));
-        lines.push(format!("thickness = {plate:?}"));
-        notes.push(format!("the body is a plate {plate} m thick between the ends of the mobile limit particles"));
+        lines.push(format!("points = [{}]", points(&line.points)));
+        lines.push(format!("thickness = {thickness:?}"));
+        notes.push(format!("the body is a plate {thickness} m thick along the mobile limit particles"));
     } else {
         lines.push("shape = \"polygon\"".into());
-        lines.push(format!("points = [{}]", hull.iter().map(|at| point(*at)).collect::<Vec<_>>().join(", ")));
+        lines.push(format!("points = [{}]", points(&hull)));
         notes.push("the body is the convex hull of the mobile limit particles".into());
     }
     lines.push("position = [0.0, 0.0]".into());
@@ -92,10 +94,37 @@ fn longest(hull: &[[f64; 2]]) -> [[f64; 2]; 2] {
     pairs.max_by(|p, q| distance(*p).total_cmp(&distance(*q))).unwrap_or_default()
 }
 
-/// Extent across the line between two points [m].
-fn width_across(hull: &[[f64; 2]], from: [f64; 2], to: [f64; 2]) -> f64 {
+/// A line through the middle of particles, and how far they lie apart across it [m].
+struct MiddleLine {
+    points: Vec<[f64; 2]>,
+    thickness: f64,
+}
+
+/// The means of the particles in slices of a spacing along `from`–`to`, without those on a straight line.
+fn middle_line(particles: Vec<[f64; 2]>, [from, to]: [[f64; 2]; 2], dx: f64) -> MiddleLine {
     let length = (to[0] - from[0]).hypot(to[1] - from[1]).max(f64::MIN_POSITIVE);
-    let sides = hull.iter().map(|at| cross(from, to, *at) / length);
-    let [low, high] = sides.fold([0.0_f64; 2], |[low, high], side| [low.min(side), high.max(side)]);
-    high - low
+    let along = |at: [f64; 2]| ((at[0] - from[0]) * (to[0] - from[0]) + (at[1] - from[1]) * (to[1] - from[1])) / length;
+    let mut slices: BTreeMap<i64, Vec<[f64; 2]>> = BTreeMap::new();
+    for at in particles {
+        slices.entry((along(at) / dx).round() as i64).or_default().push(at);
+    }
+    let across = |at: &[f64; 2]| cross(from, to, *at) / length;
+    let spread = |slice: &Vec<[f64; 2]>| {
+        let [low, high] =
+            slice.iter().map(across).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s), h.max(s)]);
+        high - low
+    };
+    let thickness = slices.values().map(spread).fold(0.0, f64::max);
+    let mean = |slice: &Vec<[f64; 2]>, axis: usize| slice.iter().map(|at| at[axis]).sum::<f64>() / slice.len() as f64;
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for slice in slices.values() {
+        let next = [mean(slice, 0), mean(slice, 1)];
+        if let [.., a, b] = points[..]
+            && cross(a, b, next).abs() <= STRAIGHT * dx * (next[0] - a[0]).hypot(next[1] - a[1])
+        {
+            points.pop();
+        }
+        points.push(next);
+    }
+    MiddleLine { points, thickness }
 }

@@ -8,6 +8,10 @@ const DURATION: f64 = 10.0;
 const GRAVITY: f64 = 9.81;
 /// Tilt below which a surface is level [deg].
 const LEVEL_DEG: f64 = 0.25;
+/// Distance of water from a wall that it stands at, in spacings [-].
+const AT_WALL: f64 = 6.0;
+/// Particles of a scene over those of the files from which it is told [-].
+const LARGER: f64 = 2.0;
 /// Share of the tank's width from which water fills it [-].
 const FULL: f64 = 0.95;
 
@@ -86,6 +90,11 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
         lines.top.push("solver = \"incompressible_thesis\"".into());
     }
     let upright = upright_axis(&ipart.particles);
+    let turned = mirrored(ipart, fixed as usize, limit as usize, indat.get("dx"));
+    if turned.is_some() {
+        lines.note("the water stands at the right wall: the scene is the mirror image, x to the left");
+    }
+    let ipart = turned.as_ref().unwrap_or(ipart);
     let (fixed, limit) = (fixed as usize, limit as usize);
     let [walls, mobile, fluid] = [&ipart.particles[..fixed], &ipart.particles[fixed..limit], &ipart.particles[limit..]];
     let body = (!mobile.is_empty()).then(|| {
@@ -97,6 +106,7 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
         let floor = if fluid.is_empty() { 0.0 } else { extent(fluid, upright)[0] - 0.5 * indat.get("dx") };
         body_of(mobile, upright, [middle, floor + indat.get("h_SWL")], indat.get("dx"))
     });
+    told_of_water(indat, fluid, upright, &mut lines);
     let plate = body.as_ref().is_some_and(|body| body.is_plate);
     numerics(indat, projection, plate, &mut lines, files[0])?;
     basin(indat, fluid, upright, &mut lines);
@@ -118,6 +128,40 @@ pub fn scene_of(name: &str, indat: &Indat, ipart: &Ipart, files: [&str; 2]) -> R
         "IPART: fixed limit particles are taken to stand first, then mobile ones; walls are made anew from the tank",
     );
     Ok(Imported { text: lines.text(), notes: lines.notes })
+}
+
+/// The files in a mirror, where the water stands at the right wall and not at the left one.
+fn mirrored(ipart: &Ipart, fixed: usize, limit: usize, dx: f64) -> Option<Ipart> {
+    let (walls, fluid) = (&ipart.particles[..fixed], &ipart.particles[limit..]);
+    let [[left, right], [low, high]] = [extent(walls, 0), extent(fluid, 0)];
+    let gaps = [low - left, right - high];
+    let at_right = gaps.iter().all(|gap| gap.is_finite()) && gaps[1] < AT_WALL * dx && gaps[0] >= AT_WALL * dx;
+    at_right.then(|| {
+        let turn = |particle: &Particle| {
+            let Particle { position: [x, y, z], velocity: [u, v, w], state } = *particle;
+            Particle { position: [left + right - x, y, z], velocity: [-u, v, w], state }
+        };
+        Ipart { particles: ipart.particles.iter().map(turn).collect() }
+    })
+}
+
+/// Notes of water that the scene does not have: above h_SWL, or away from the left wall; and of a scene much larger than the files.
+fn told_of_water(indat: &Indat, fluid: &[Particle], upright: usize, lines: &mut Lines) {
+    let [dx, depth, width] = ["dx", "h_SWL", "vlx"].map(|name| indat.get(name));
+    let [low, _] = extent(fluid, upright);
+    let above = fluid.iter().filter(|particle| particle.position[upright] > low + depth + dx).count();
+    if above > 0 {
+        lines.note(format!("{above} particles of water above h_SWL: left out, the scene has a tank's water at rest"));
+    }
+    let [left, right] = extent(fluid, 0);
+    let area = (right - left + dx).min(width) * depth;
+    let particles = area / (dx * dx);
+    if particles > LARGER * fluid.len() as f64 {
+        lines.note(format!(
+            "the scene has about {particles:.0} particles of water, the files {}: IPART of several sizes? set resolution.spacing",
+            fluid.len()
+        ));
+    }
 }
 
 /// Kernel, integrator, equation of state and their numbers; `plate`: with a body that is a plate.
@@ -249,7 +293,7 @@ fn basin(indat: &Indat, fluid: &[Particle], upright: usize, lines: &mut Lines) {
     let [left, right] = extent(fluid, 0);
     let wetted = right - left + dx;
     if wetted.is_finite() && wetted < FULL * width {
-        lines.tank.push(format!("water_width = {wetted:?}"));
+        lines.tank.push(format!("water_width = {:?}", (1e9 * wetted).round() / 1e9));
         lines.note("the water does not fill the tank: it stands at the left wall");
     } else if let Some(tilt) = tilt_deg(fluid, upright, dx).filter(|tilt| tilt.abs() > LEVEL_DEG) {
         lines.tank.push(format!("surface_tilt_deg = {tilt:.3}"));
