@@ -198,8 +198,8 @@ fn legend(chart: &Chart, left: f64, top: f64) -> (String, f64) {
         svg += &match curve.mark {
             Mark::Points | Mark::Hollow => marker([x + 0.5 * SAMPLE, middle], curve, *index, &colour),
             _ => {
-                let opacity = if curve.paint.pale { " stroke-opacity=\"0.45\"" } else { "" };
                 let (dashes, end) = (dashes(curve), x + SAMPLE);
+                let opacity = if curve.paint.pale { " stroke-opacity=\"0.45\"" } else { "" };
                 format!(
                     "<path d=\"M {x:.2} {middle:.2} H {end:.2}\" stroke=\"{colour}\" stroke-width=\"2\"{opacity}{dashes} />"
                 )

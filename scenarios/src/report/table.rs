@@ -92,7 +92,10 @@ fn is_blank(cell: &str) -> bool {
 
 /// A number as people write it: sign, digits, exponent, perhaps a band, a percent sign or a mark.
 fn is_number(cell: &str) -> bool {
-    let is_plain = |part: &str| part.trim().replace('−', "-").replace('\u{202f}', "").parse::<f64>().is_ok();
-    let number = cell.trim_end_matches(['%', ' ', '*', '~', '?', '!']);
+    let is_plain = |part: &str| {
+        let digits = part.trim().replace('−', "-").replace('\u{202f}', "");
+        digits.split("·10").next().is_some_and(|mantissa| mantissa.parse::<f64>().is_ok())
+    };
+    let number = cell.trim_end_matches(['%', ' ', '*', '~', '?', '!']).trim_start_matches("± ");
     number.split_once('±').map_or(is_plain(number), |(value, band)| is_plain(value) && is_plain(band))
 }

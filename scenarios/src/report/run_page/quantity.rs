@@ -13,7 +13,7 @@ impl Unit {
     /// The unit for numbers up to `largest` in magnitude, in SI units of `si`.
     pub fn of(si: &str, largest: f64) -> Unit {
         let prefixes: &[(&str, f64)] = match si {
-            "N/m" | "Pa" | "N" | "J/m" | "N s/m" | "N m" => &[("M", 1e-6), ("k", 1e-3), ("", 1.0)],
+            "N/m" | "Pa" | "Pa s" | "N" | "N m" | "N m/m" | "J/m" | "N s/m" => &[("M", 1e-6), ("k", 1e-3), ("", 1.0)],
             "s" => &[("", 1.0), ("m", 1e3)],
             "m" => &[("", 1.0), ("m", 1e3)],
             _ => &[("", 1.0)],
