@@ -1,7 +1,7 @@
 //! A free wedge twice: as a rigid body of a scene, and as the nodes of a host, in the same water.
 
 use fsi_coupling::RigidMotion;
-use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostNodes, Topology};
+use fsi_coupling::embed::{ElementScheme, FluidElement, FluidElementSpec, HostNodes, Topology};
 use fsi_coupling::{Coupled, Motion};
 
 use crate::systems::system;
@@ -79,6 +79,45 @@ pub fn total(forces: &[[f64; 3]]) -> [f64; 3] {
 pub fn element() -> (FluidElement, HostNodes) {
     let (topology, nodes) = wedge_of_nodes();
     (spec().size(&topology).expect("a sound element").build(&nodes).expect("water"), nodes)
+}
+
+/// Every solver of an element.
+pub fn schemes() -> [ElementScheme; 3] {
+    let ElementScheme::Incompressible { flow, projection } = ElementScheme::incompressible() else {
+        panic!("a projection")
+    };
+    let explicit = ElementScheme::IncompressibleExplicit { flow, projection };
+    [ElementScheme::default(), ElementScheme::incompressible(), explicit]
+}
+
+/// A box, half under water, whose nodes swing, and bend where they turn; rows of nodes along its bottom.
+pub fn swinging(rotations: bool, scheme: ElementScheme) -> (FluidElement, impl Fn(f64) -> HostNodes) {
+    let mut rest: Vec<[f64; 2]> = (0..=8).map(|k| [-0.4 + 0.1 * f64::from(k), -0.2]).collect();
+    rest.extend([[0.4, 0.2], [-0.4, 0.2]]);
+    let law = move |t: f64| {
+        let (sin, cos) = (40.0 * t).sin_cos();
+        // heave, and the bottom's first bending shape with its slope
+        let shape = |x: f64| (1.0 - (x / 0.4).powi(2)).powi(2);
+        let slope = |x: f64| -4.0 * x / 0.16 * (1.0 - (x / 0.4).powi(2));
+        let bottom = |at: &[f64; 2]| if at[1] < 0.0 { 1.0 } else { 0.0 };
+        let of = |at: &[f64; 2]| [0.02 * sin, 0.02 * (1.0 - cos) + 0.01 * sin * bottom(at) * shape(at[0])];
+        let rate = |at: &[f64; 2]| [0.8 * cos, 0.8 * sin + 0.4 * cos * bottom(at) * shape(at[0])];
+        let turn = |at: &[f64; 2], factor: f64| factor * bottom(at) * slope(at[0]);
+        let some = |factor: f64| {
+            if rotations { rest.iter().map(|at| turn(at, factor)).collect() } else { Vec::new() }
+        };
+        HostNodes {
+            position: rest.iter().map(|at| [at[0] + of(at)[0], at[1] + of(at)[1]]).collect(),
+            velocity: rest.iter().map(rate).collect(),
+            rotation: some(0.01 * sin),
+            spin: some(0.4 * cos),
+        }
+    };
+    let start = law(0.0);
+    let topology = Topology { rotations, ..Topology::of(start.position.clone()).closed(0..11) };
+    let spec = FluidElementSpec { scheme, fastest_speed: Some(12.0), ..FluidElementSpec::new(0.03, 1.0, 0.6) };
+    let spec = if scheme.projection().is_some() { spec } else { spec.with_sound_speed(40.0) };
+    (spec.size(&topology).expect("a sound element").build(&start).expect("water"), law)
 }
 
 /// Everything that a step of a host leaves behind, bit by bit.

@@ -1,41 +1,14 @@
 //! The embedding element: what the nodes get is what the water lost, steps come again, and a host's wedge is the scene's (THEORY
 //! CO29–CO32).
 
-use evidence::door::{MASS, bits, element, moved, placed, spec, total, wedge_of_the_scene};
+use evidence::door::{MASS, bits, element, moved, placed, schemes, spec, swinging, total, wedge_of_the_scene};
 use fsi_coupling::Motion;
-use fsi_coupling::embed::{FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Side, Topology};
+use fsi_coupling::embed::{
+    ElementScheme, FluidElement, FluidElementSpec, HostError, HostNodes, HostStep, Side, Topology,
+};
 use rayon::ThreadPoolBuilder;
 use sph_core::Domain;
 use sph_core::wcsph::{self, Wcsph};
-
-/// A box, half under water, whose nodes swing, and bend where they turn; rows of nodes along its bottom.
-fn swinging(rotations: bool) -> (FluidElement, impl Fn(f64) -> HostNodes) {
-    let mut rest: Vec<[f64; 2]> = (0..=8).map(|k| [-0.4 + 0.1 * f64::from(k), -0.2]).collect();
-    rest.extend([[0.4, 0.2], [-0.4, 0.2]]);
-    let law = move |t: f64| {
-        let (sin, cos) = (40.0 * t).sin_cos();
-        // heave, and the bottom's first bending shape with its slope
-        let shape = |x: f64| (1.0 - (x / 0.4).powi(2)).powi(2);
-        let slope = |x: f64| -4.0 * x / 0.16 * (1.0 - (x / 0.4).powi(2));
-        let bottom = |at: &[f64; 2]| if at[1] < 0.0 { 1.0 } else { 0.0 };
-        let of = |at: &[f64; 2]| [0.02 * sin, 0.02 * (1.0 - cos) + 0.01 * sin * bottom(at) * shape(at[0])];
-        let rate = |at: &[f64; 2]| [0.8 * cos, 0.8 * sin + 0.4 * cos * bottom(at) * shape(at[0])];
-        let turn = |at: &[f64; 2], factor: f64| factor * bottom(at) * slope(at[0]);
-        let some = |factor: f64| {
-            if rotations { rest.iter().map(|at| turn(at, factor)).collect() } else { Vec::new() }
-        };
-        HostNodes {
-            position: rest.iter().map(|at| [at[0] + of(at)[0], at[1] + of(at)[1]]).collect(),
-            velocity: rest.iter().map(rate).collect(),
-            rotation: some(0.01 * sin),
-            spin: some(0.4 * cos),
-        }
-    };
-    let start = law(0.0);
-    let topology = Topology { rotations, ..Topology::of(start.position.clone()).closed(0..11) };
-    let spec = FluidElementSpec::new(0.03, 1.0, 0.6).with_sound_speed(40.0);
-    (spec.size(&topology).expect("a sound element").build(&start).expect("water"), law)
-}
 
 /// Momentum that the water and the basin hold, and what gravity gave [N s/m].
 fn momentum(element: &FluidElement) -> [f64; 2] {
@@ -49,8 +22,8 @@ fn momentum(element: &FluidElement) -> [f64; 2] {
 /// basin's share, and what single particles' impulses gave.
 #[test]
 fn the_nodes_get_the_impulse_that_the_water_lost() {
-    for rotations in [false, true] {
-        let (mut element, law) = swinging(rotations);
+    for (scheme, rotations) in schemes().into_iter().flat_map(|scheme| [(scheme, false), (scheme, true)]) {
+        let (mut element, law) = swinging(rotations, scheme);
         let (mut forces, mut time) = (vec![[0.0; 3]; 11], 0.0);
         for times in [1.0, 7.5, 50.0, 50.0, 50.0] {
             let before = momentum(&element);
@@ -146,7 +119,13 @@ fn a_rejected_step_comes_again_to_the_same_bits() {
 /// The bytes of an element, restored in another one that is built alike, give the steps that it takes itself.
 #[test]
 fn an_element_continues_from_bytes_to_the_same_bits() {
-    let ((mut one, law), (mut other, _)) = (swinging(true), swinging(true));
+    for scheme in schemes() {
+        continues_from_bytes(scheme);
+    }
+}
+
+fn continues_from_bytes(scheme: ElementScheme) {
+    let ((mut one, law), (mut other, _)) = (swinging(true, scheme), swinging(true, scheme));
     let steps = |element: &mut FluidElement, from: u32| {
         let mut forces = vec![[0.0; 3]; 11];
         for k in from..from + 4 {
@@ -164,13 +143,36 @@ fn an_element_continues_from_bytes_to_the_same_bits() {
     other.restore_bytes(&stored).expect("its own bytes");
 }
 
+/// A step that is taken back comes again to the same bits by every solver, after a longer and after a shorter one.
+#[test]
+fn every_solver_repeats_a_step() {
+    for scheme in schemes() {
+        let (mut element, law) = swinging(true, scheme);
+        let mut forces = vec![[0.0; 3]; 11];
+        let mut step = |element: &mut FluidElement, dt: f64| {
+            let nodes = law(element.time() + dt);
+            element.contribute(HostStep { dt, nodes: &nodes }, &mut forces).expect("a step");
+            bits(element, &forces)
+        };
+        step(&mut element, 4e-3);
+        let mut never_tried = swinging(true, scheme).0;
+        step(&mut never_tried, 4e-3);
+        element.save();
+        for tried in [8e-3, 1e-3] {
+            step(&mut element, tried);
+            element.restore().expect("saved");
+        }
+        assert!(step(&mut element, 4e-3) == step(&mut never_tried, 4e-3), "{scheme:?}");
+    }
+}
+
 /// The same bits with one thread and with two.
 #[test]
 fn the_elements_bits_do_not_depend_on_threads() {
-    let with = |threads: usize| {
+    let with = |threads: usize, scheme: ElementScheme| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
         pool.install(|| {
-            let (mut element, law) = swinging(true);
+            let (mut element, law) = swinging(true, scheme);
             let mut forces = vec![[0.0; 3]; 11];
             for k in 1..=3 {
                 let step = HostStep { dt: 0.01, nodes: &law(0.01 * f64::from(k)) };
@@ -179,7 +181,9 @@ fn the_elements_bits_do_not_depend_on_threads() {
             bits(&element, &forces)
         })
     };
-    assert!(with(1) == with(2), "other bits with one thread and with two");
+    for scheme in schemes() {
+        assert!(with(1, scheme) == with(2, scheme), "other bits with one thread and with two: {scheme:?}");
+    }
 }
 
 /// A host's wedge in free fall, in steps of `times` the water's [-], each taken `tries` times with the force that the last
@@ -251,11 +255,12 @@ fn a_hosts_wedge_falls_like_the_scenes() {
     let domain = Domain { fastest_speed: spec().domain().fastest_speed, ..*system.fluid.domain() };
     assert_eq!(domain, spec().domain(), "what a scene calls defaults are the element's");
     let settings = system.fluid.scheme::<Wcsph>().expect("the default scheme").settings;
-    let cfl = spec().settings().courant_number().into();
+    let cfl = spec().scheme.courant_number().into();
+    let own = *spec().scheme.weakly_compressible().expect("the default scheme");
     assert_eq!(
         settings,
         // an element does not know the speed that bounds a scene's tension
-        wcsph::Settings { cfl, cavitation_pressure: Some(-1e9), ..spec().settings().scheme },
+        wcsph::Settings { cfl, cavitation_pressure: Some(-1e9), ..own },
         "what a scene calls defaults are the element's"
     );
     let (element, _) = element();
@@ -299,7 +304,7 @@ fn the_works_of_both_sides_agree() {
     assert!((given.work / work - 1.0).abs() < 1e-12);
     for rotations in [false, true] {
         let gap = |steps: u32| {
-            let (mut element, law) = swinging(rotations);
+            let (mut element, law) = swinging(rotations, ElementScheme::default());
             let (mut forces, mut gap, mut size) = (vec![[0.0; 3]; 11], 0.0, 0.0);
             let dt = 0.048 / f64::from(steps);
             for k in 0..steps {

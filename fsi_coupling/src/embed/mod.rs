@@ -65,6 +65,7 @@
 mod added_mass;
 mod body;
 mod element;
+mod element_scheme;
 mod error;
 mod node_map;
 mod nodes;
@@ -74,8 +75,9 @@ mod topology;
 
 pub use added_mass::AddedMass;
 pub use element::{Contribution, FluidElement, HostStep, Snapshot};
+pub use element_scheme::{ElementScheme, Integrator};
 pub use error::HostError;
 pub use nodes::HostNodes;
 pub use sized::SizedElement;
-pub use spec::{FluidElementSpec, Integrator, schema};
+pub use spec::{FluidElementSpec, schema};
 pub use topology::{Side, Topology, WetSurface};

@@ -1,6 +1,6 @@
 //! How large an element would be, before anything is allocated; and the step from there to the element.
 
-use sph_core::{Fluid, SchemeSettings, Seed};
+use sph_core::{Fluid, Seed};
 
 use super::added_mass::AddedMass;
 use super::body::{HostBody, Shared};
@@ -154,11 +154,9 @@ impl SizedElement {
         self.particles.iter().zip(BYTES).map(|(count, bytes)| *count as u64 * bytes).sum()
     }
 
-    /// The water's step at rest [s] (THEORY WC12).
+    /// The water's step at rest [s] (THEORY WC12, PR14).
     pub fn fluid_dt(&self) -> f64 {
-        let h = self.spec.water.smoothing_ratio * self.spec.spacing;
-        let acoustic = self.spec.settings().courant_number() * h / self.spec.speed_of_sound();
-        acoustic.min(0.125 * h * h / self.spec.water.kinematic_viscosity)
+        self.spec.step_at_rest()
     }
 
     /// The water's inertia against the host's, where the topology has masses.
@@ -223,7 +221,7 @@ impl SizedElement {
         }
         let mut seeds = Vec::with_capacity(self.particles[0]);
         self.for_each_seed(|seed| seeds.push(seed));
-        let fluid = Fluid::new(self.spec.domain(), &self.spec.settings(), &seeds);
+        let fluid = Fluid::new(self.spec.domain(), self.spec.settings().as_ref(), &seeds);
         drop(seeds);
         let shared = Shared::new(Path::resting(nodes));
         let map = NodeMap::new(&self.topology, nodes);

@@ -6,13 +6,16 @@ use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use sph_core::{Domain, FluidSettings, wcsph};
+use sph_core::{Domain, FluidSettings, SchemeSettings, wcsph};
 
+use super::element_scheme::{ElementScheme, Integrator};
 use super::error::HostError;
 use crate::settings::{Problem, Schema, require};
 
 /// Courant number at which the water's step breaks down (THEORY WC16) [-].
 const BREAKDOWN_CFL: f64 = 1.2;
+/// The key of the solver.
+const SOLVER: &str = "solver";
 
 /// The schema of a [`FluidElementSpec`]: its keys with units, ranges, defaults and meanings.
 pub fn schema() -> &'static Schema {
@@ -72,25 +75,11 @@ pub struct FluidElementSpec {
     pub water: FluidSettings,
     /// The scheme.
     #[serde(flatten)]
-    pub scheme: wcsph::Settings,
-    /// Time integration of the water: symplectic or predictor_corrector (THEORY WC11, LE2).
-    #[serde(default)]
-    pub integrator: Integrator,
+    pub scheme: ElementScheme,
     /// Steps of the water above which a step of the host is refused [-].
     #[serde(default = "usual::most_substeps")]
     #[schemars(range(min = 1.0, max = 1e9))]
     pub most_substeps: f64,
-}
-
-/// Time integration of an element's water.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Integrator {
-    /// Kick–drift–kick (WC11).
-    #[default]
-    Symplectic,
-    /// Monaghan's (1989), with the cargo feature `legacy` (LE2).
-    PredictorCorrector,
 }
 
 mod usual {
@@ -122,15 +111,20 @@ impl FluidElementSpec {
             gravity: usual::gravity(),
             fastest_speed: None,
             water: FluidSettings::default(),
-            scheme: wcsph::Settings::default(),
-            integrator: Integrator::default(),
+            scheme: ElementScheme::default(),
             most_substeps: usual::most_substeps(),
         }
     }
 
-    /// The same with a numerical speed of sound [m/s].
+    /// The same, weakly compressible with a numerical speed of sound [m/s].
     pub fn with_sound_speed(mut self, sound_speed: f64) -> FluidElementSpec {
-        self.scheme.sound_speed = sound_speed.into();
+        let scheme = self.scheme.weakly_compressible().copied().unwrap_or_default();
+        let integrator = match self.scheme {
+            ElementScheme::WeaklyCompressible { integrator, .. } => integrator,
+            _ => Integrator::default(),
+        };
+        let scheme = wcsph::Settings { sound_speed: sound_speed.into(), ..scheme };
+        self.scheme = ElementScheme::WeaklyCompressible { scheme, integrator };
         self
     }
 
@@ -146,7 +140,11 @@ impl FluidElementSpec {
     }
 
     fn from_table(given: &Value) -> Result<FluidElementSpec, Problem> {
-        let checked = schema().check(given)?;
+        let mut given = given.clone();
+        if let Some(keys) = given.as_object_mut() {
+            keys.entry(SOLVER).or_insert_with(|| "weakly_compressible".into());
+        }
+        let checked = schema().check(&given)?;
         let spec = FluidElementSpec::deserialize(&checked).map_err(|error| schema().missing("", &error))?;
         spec.refuse_combinations()?;
         Ok(spec)
@@ -159,20 +157,25 @@ impl FluidElementSpec {
     }
 
     fn refuse_combinations(&self) -> Result<(), Problem> {
-        if self.scheme.sound_speed.value().or(self.fastest_speed).is_none() {
+        let ElementScheme::WeaklyCompressible { scheme, integrator } = &self.scheme else {
+            let missing = || Problem::missing("fastest_speed", "a number above 0 [m/s]");
+            return self.fastest_speed.map(|_| ()).ok_or_else(missing);
+        };
+        if scheme.sound_speed.value().or(self.fastest_speed).is_none() {
             return Err(Problem::missing("fastest_speed", "a number above 0 [m/s], or sound_speed"));
         }
-        let there = cfg!(feature = "legacy") || self.integrator == Integrator::Symplectic;
+        let there = cfg!(feature = "legacy") || *integrator == Integrator::Symplectic;
         let expected = "symplectic: this program was built without the cargo feature `legacy`";
         require(there, "integrator", "predictor_corrector", expected)?;
-        let cfl = self.settings().courant_number();
+        let cfl = self.scheme.courant_number();
         let expected = format_args!("a number above 0 and below {BREAKDOWN_CFL}");
         require(cfl < BREAKDOWN_CFL, "cfl", cfl, expected)
     }
 
-    /// Speed of sound c₀ [m/s].
+    /// Speed of sound c₀ [m/s]; of a projection ten times `fastest_speed`, which no node may exceed.
     pub fn speed_of_sound(&self) -> f64 {
-        self.scheme.speed_of_sound(self.fastest_speed.unwrap_or(f64::NAN))
+        let fastest = self.fastest_speed.unwrap_or(f64::NAN);
+        self.scheme.weakly_compressible().map_or(10.0 * fastest, |scheme| scheme.speed_of_sound(fastest))
     }
 
     /// The water and the space it moves in.
@@ -186,21 +189,18 @@ impl FluidElementSpec {
     }
 
     /// The scheme's settings.
-    #[cfg(feature = "legacy")]
-    pub fn settings(&self) -> sph_core::legacy::Settings {
-        use sph_core::legacy::{Options, Settings};
-        let integrator = match self.integrator {
-            Integrator::Symplectic => sph_core::Integrator::Symplectic,
-            Integrator::PredictorCorrector => sph_core::Integrator::PredictorCorrector,
-        };
-        let scheme = wcsph::Settings { sound_speed: self.speed_of_sound().into(), ..self.scheme };
-        Settings { scheme, options: Options { integrator, water_depth: self.depth, ..Options::default() } }
+    pub fn settings(&self) -> Box<dyn SchemeSettings> {
+        self.scheme.settings(self.speed_of_sound(), self.depth)
     }
 
-    /// The scheme's settings.
-    #[cfg(not(feature = "legacy"))]
-    pub fn settings(&self) -> wcsph::Settings {
-        wcsph::Settings { sound_speed: self.speed_of_sound().into(), ..self.scheme }
+    /// The water's step at rest [s] (THEORY WC12, PR14).
+    pub(super) fn step_at_rest(&self) -> f64 {
+        let h = self.water.smoothing_ratio * self.spacing;
+        let own = match self.scheme.projection() {
+            None => self.scheme.courant_number() * h / self.speed_of_sound(),
+            Some(projection) => projection.step_at_rest(h, &self.domain()),
+        };
+        own.min(0.125 * h * h / self.water.kinematic_viscosity)
     }
 }
 
@@ -241,12 +241,30 @@ mod tests {
         let text = r#"{"spacing": 0.05, "reach": 2, "depth": 1.0, "fastest_speed": 4.5, "gravity": [0, -9.81],
             "kernel": "wendland_c4", "shifting": false, "kinematic_viscosity": 0.001, "wall_slip": "none"}"#;
         let spec: FluidElementSpec = serde_json::from_str(text).expect("a sound specification");
-        assert_eq!((spec.reach, spec.water.kernel, spec.scheme.shifting), (2.0, Kernel::WendlandC4, false));
+        let shifting = spec.scheme.weakly_compressible().expect("the usual solver").shifting;
+        assert_eq!((spec.reach, spec.water.kernel, shifting), (2.0, Kernel::WendlandC4, false));
         assert_eq!(spec.speed_of_sound(), 45.0);
         let written = serde_json::to_string(&spec).expect("numbers");
         assert_eq!(serde_json::from_str::<FluidElementSpec>(&written).expect("what was written"), spec);
         let wrong = serde_json::from_str::<FluidElementSpec>(r#"{"spacing": -1}"#).expect_err("refused").to_string();
         assert_eq!(wrong, "`spacing` = -1: expected a finite number above 0");
+    }
+
+    #[test]
+    fn a_projection_has_its_own_keys() {
+        let text = r#"{"spacing": 0.05, "reach": 2, "depth": 1.0, "fastest_speed": 4.5, "solver": "incompressible",
+            "ventilation": true, "projection": {"tolerance": 1e-5}}"#;
+        let spec: FluidElementSpec = serde_json::from_str(text).expect("a sound specification");
+        let settings = spec.scheme.projection().expect("a projection");
+        assert!(settings.flow.ventilation && settings.tolerance == 1e-5 && settings.flow.cfl == 0.4);
+        let written = serde_json::to_string(&spec).expect("numbers");
+        assert_eq!(serde_json::from_str::<FluidElementSpec>(&written).expect("what was written"), spec);
+        let said = |change: &str| {
+            let text = text.replace("\"ventilation\": true", change);
+            serde_json::from_str::<FluidElementSpec>(&text).expect_err("refused").to_string()
+        };
+        assert!(said("\"sound_speed\": 40").contains("`sound_speed`"), "{}", said("\"sound_speed\": 40"));
+        assert!(said("\"vetilation\": true").contains("such as `ventilation`"));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::walls::Walls;
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.05;
 /// Share of √(h/|g|) a step may take (Monaghan 1992).
-const FREE_FALL: f64 = 0.25;
+pub(super) const FREE_FALL: f64 = 0.25;
 /// Share of h²/ν a step may take (WC12; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
 /// A step is at most so many times the one before: pressures go with 1/Δt.

@@ -3,6 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::motion::FREE_FALL;
+use crate::Domain;
+
 /// How a step's pressures follow from the pressure equation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
@@ -92,6 +95,12 @@ impl Default for Settings {
 const LARGEST_COURANT_OF_ONE_ITERATION: f64 = 0.2;
 
 impl Settings {
+    /// PR14: the step of water at rest [s]; `h` is the least smoothing length [m].
+    pub fn step_at_rest(&self, h: f64, domain: &Domain) -> f64 {
+        let g = domain.gravity[0].hypot(domain.gravity[1]);
+        (self.courant_number() * h / domain.fastest_speed).min(FREE_FALL * (h / g).sqrt())
+    }
+
     /// PR14, PR16: Courant number of a step [-].
     pub fn courant_number(&self) -> f64 {
         match self.method {
