@@ -133,7 +133,15 @@ impl Found {
         let read = read_text(&path).map_err(|e| e.to_string());
         match read.and_then(|text| serde_json::from_str::<Value>(&text).map_err(|e| e.to_string())) {
             Ok(summary) if plan.tabulate.is_empty() => found.numbers = usual(&summary),
-            Ok(summary) => plan.tabulate.iter().for_each(|path| found.take(&summary, path)),
+            Ok(summary) => {
+                plan.tabulate.iter().for_each(|path| found.take(&summary, path));
+                if found.numbers.is_empty() && found.texts.is_empty() {
+                    found.outcome.status = "failed".into();
+                    let paths = plan.tabulate.join(", ");
+                    found.outcome.message =
+                        Some(format!("{} has nothing at {paths}, the paths of `tabulate`", path.display()));
+                }
+            }
             Err(why) => {
                 found.outcome.status = "failed".into();
                 found.outcome.message = Some(format!("{}: {why}", path.display()));

@@ -5,6 +5,8 @@ use crate::scene::data_file::{Fault, shortened};
 
 /// Curves that are not read; other entities, such as text, say nothing of the outline.
 const REFUSED: [&str; 5] = ["SPLINE", "ELLIPSE", "INSERT", "MLINE", "HELIX"];
+/// Larger radii have points that are no numbers.
+const LARGEST_RADIUS: f64 = 1e9;
 const EXPECTED: &str = "LINE, LWPOLYLINE, POLYLINE, ARC or CIRCLE";
 
 /// A code and its value, with the line of the value.
@@ -124,6 +126,9 @@ fn read(entity: &Entity, open: &mut Option<Open>, pieces: &mut Vec<Vec<Placed>>)
         "LINE" => pieces.push(vec![(line, entity.point(10)?), (line, entity.point(11)?)]),
         "ARC" | "CIRCLE" => {
             let (centre, radius) = (entity.point(10)?, entity.number(40, None)?);
+            if !(radius > 0.0 && radius <= LARGEST_RADIUS) {
+                return Err(Fault::new(line, format!("a radius of {radius:e}"), "a radius above 0 and up to 1e9"));
+            }
             let circle = entity.name == "CIRCLE";
             let [from, to] = [entity.number(50, circle.then_some(0.0))?, entity.number(51, circle.then_some(360.0))?];
             let to = from + (to - from).rem_euclid(360.0);
