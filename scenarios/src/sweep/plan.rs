@@ -121,7 +121,13 @@ impl Plan {
         if points.iter().all(|point| point.refused.is_some())
             && let Some(first) = mistakes.into_iter().flatten().next()
         {
-            return Err(first.into());
+            return Err(match first {
+                // a value of an axis or of [set]
+                SceneError::Set { argument, problem, .. } => {
+                    SweepError::Input(format!("{}: at the first point, {argument}: {problem}", file.path.display()))
+                }
+                other => other.into(),
+            });
         }
         let axes = keys.into_iter().map(|key| Axis { unit: unit(file.kind, &key), key }).collect();
         Ok(Plan {
