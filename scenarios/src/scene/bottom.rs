@@ -18,6 +18,8 @@ pub(super) const PEAK_MASS_RATIO: f64 = 5.0;
 
 /// Half width of a keel, over that of the water at the peak of the force, up to which it holds 2 % of the momentum (THEORY GE25) [-].
 const BLUNT: f64 = 0.15;
+/// The same of a keel that is round, without an impact of its own [-].
+const ROUND: f64 = 0.5;
 /// Six times the share of the peak force that the impulse on a keel may have as its mean over three spacings (THEORY GE25) [-].
 const HAMMER: f64 = 1.2;
 
@@ -37,8 +39,8 @@ pub enum Bottom {
 }
 
 impl Bottom {
-    /// The bottom of a body as it lies at t = 0: the radius of an arc, or of a polygon whose bottom or keel is round; else the
-    /// flattest face that looks down, at least [`LEAST_DEADRISE_DEG`]. A blunt keel does not count (GE25).
+    /// The bottom of a body as it lies at t = 0: the radius of an arc, or of a polygon whose bottom is round; else the flattest
+    /// face that looks down, at least [`LEAST_DEADRISE_DEG`]. A blunt or round keel does not count (GE25).
     pub fn of(body: &Body, water: &Reach) -> Bottom {
         if let Shape::Arc { radius, .. } = body.shape {
             return Bottom::Arc { radius };
@@ -49,14 +51,16 @@ impl Bottom {
         }
         let least = LEAST_DEADRISE_DEG.to_radians();
         let wedge = |slope: f64| Bottom::Wedge { slope: slope.clamp(least, FRAC_PI_2 - least).tan() };
-        let blunt_of = |slope: f64| water.blunt(body, wedge(slope));
-        let sharp = underside::flattest_face_beyond(&outline, BLUNT * water.half_width(body)).0;
-        // as wide as the keel of that bottom may be, where the run is long enough and the spacing not too fine
-        let blunt = blunt_of(sharp);
-        if let Some(keel) = underside::round_keel(&outline).filter(|keel| keel.half_width > blunt) {
-            return Bottom::Arc { radius: keel.radius };
+        let beyond = |half_width: f64| wedge(underside::flattest_face_beyond(&outline, half_width).0);
+        // a round keel has no impact of its own
+        if let Some(keel) = underside::round_keel(&outline) {
+            let sides = beyond(keel.half_width);
+            if keel.half_width <= ROUND * water.half_width_at_peak(body, sides) {
+                return sides;
+            }
         }
-        wedge(underside::flattest_face_beyond(&outline, blunt).0)
+        // as wide as the keel of a bottom may be, where the run is long enough and the spacing not too fine
+        beyond(water.blunt(body, beyond(BLUNT * water.half_width(body))))
     }
 
     /// True for faces of the least deadrise that is told apart from a flat one.
@@ -139,9 +143,14 @@ impl Reach {
         }
     }
 
-    /// GE25: largest half width of a keel that does not count [m], under the sides of a bottom.
+    /// The same, or the half width at the end of the run under a bottom [m].
+    fn half_width_at_peak(&self, body: &Body, bottom: Bottom) -> f64 {
+        self.half_width(body).min(bottom.wetted_half_width(self.draught.max(0.0)))
+    }
+
+    /// GE25: largest half width of a flat keel that does not count [m], under the sides of a bottom.
     fn blunt(&self, body: &Body, bottom: Bottom) -> f64 {
-        let peak = self.half_width(body).min(bottom.wetted_half_width(self.draught.max(0.0)));
+        let peak = self.half_width_at_peak(body, bottom);
         let slope = bottom.equivalent_slope(self.draught);
         (BLUNT * peak).min((HAMMER * self.spacing * peak / slope).sqrt())
     }
