@@ -5,10 +5,8 @@ use super::quantity::{Unit, digits, percent, result, with_unit};
 use super::record::{Comparison, Quantity};
 use super::theories::model_in_words;
 use super::{doubts, references};
+use crate::report::COARSE;
 use crate::report::markup::escape;
-
-/// A band above this share of its value is coarse [-].
-const COARSE: f64 = 0.3;
 
 /// How a page is coloured by the way that the run ended.
 struct Verdict {
