@@ -205,6 +205,16 @@ impl FluidElement {
         self.link.wet.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
+    /// Show water and walls to an observer that must not change what flows.
+    pub fn observe(&mut self, observe: impl FnOnce(&mut Coupled)) {
+        observe(&mut self.system);
+    }
+
+    /// Number of nodes.
+    pub fn node_count(&self) -> usize {
+        self.link.shared.open().path.end().len()
+    }
+
     /// Time of the water [s].
     pub fn time(&self) -> f64 {
         self.system.fluid.time()
