@@ -47,7 +47,7 @@ fn the_impulse_of_a_long_step_is_the_integral_of_the_force() {
             run.element().system().bodies().next().map(|body| body.momentum().external).expect("the host's surface")
         };
         (1..=10).for_each(|step| drop(stepped(&mut run, &start, f64::from(step) * DT, DT)));
-        let dt = 50.0 * run.fluid_dt().expect("a step");
+        let dt = 60.0 * run.fluid_dt().expect("a step");
         let before = external(&run);
         let mut forces = vec![[0.0; 3]; start.len()];
         let given = run
