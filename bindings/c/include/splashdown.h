@@ -106,6 +106,24 @@ typedef enum splashdown_status {
 } splashdown_status;
 
 /**
+ * What of the body the host moves. A function takes it as int32_t.
+ */
+typedef enum splashdown_interface {
+    /**
+     * One node at the reference point of a rigid body: x, y, angle; forces F_x, F_y, M about it.
+     */
+    SPLASHDOWN_BODY = 0,
+    /**
+     * The corners of the body's polygon, or the points of its polyline; straight between them.
+     */
+    SPLASHDOWN_NODES = 1,
+    /**
+     * The same with rotations: cubic between them, with moments.
+     */
+    SPLASHDOWN_TURNING_NODES = 2,
+} splashdown_interface;
+
+/**
  * Water under the body of a host.
  */
 typedef struct splashdown_element splashdown_element;
