@@ -24,7 +24,7 @@ contains
     character(len=*), intent(in) :: scene, settings(:)
     integer(c_int32_t), intent(in) :: interface_kind
     integer, intent(out) :: ierr
-    character(len=:), allocatable, intent(out) :: text
+    character(len=*), intent(inout) :: text
     call splashdown_open(scene, settings, interface_kind, e%scene, ierr, text)
   end subroutine
 
@@ -34,7 +34,7 @@ contains
     integer, intent(out) :: nodes, fluid, walls
     integer(c_int64_t), intent(out) :: bytes
     integer, intent(out) :: ierr
-    character(len=:), allocatable, intent(out) :: text
+    character(len=*), intent(inout) :: text
     type(splashdown_scene_sizes) :: sizes
     call splashdown_sizes(e%scene, sizes, ierr, text)
     nodes = 0
@@ -53,7 +53,7 @@ contains
     type(sph_element), intent(inout) :: e
     type(splashdown_host_nodes), intent(out) :: nodes
     integer, intent(out) :: ierr
-    character(len=:), allocatable, intent(out) :: text
+    character(len=*), intent(inout) :: text
     call splashdown_scene_nodes(e%scene, nodes, ierr, text)
     if (ierr == 0) call splashdown_build(e%scene, nodes, e%water, ierr, text)
   end subroutine
@@ -65,7 +65,7 @@ contains
     type(splashdown_host_nodes), intent(in) :: nodes
     real(c_double), intent(inout), contiguous :: forces(:, :)
     integer, intent(out) :: ierr
-    character(len=:), allocatable, intent(out) :: text
+    character(len=*), intent(inout) :: text
     call splashdown_contribute(e%water, dt, nodes, forces, stat=ierr, message=text)
   end subroutine
 end module

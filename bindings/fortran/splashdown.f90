@@ -3,8 +3,8 @@
 !> Four phases: splashdown_open, splashdown_sizes, splashdown_build, splashdown_contribute. Positions, velocities and forces
 !> are arrays (2, n), (2, n) and (3, n). Units are SI, angles are in radians, loads are per metre of span.
 !>
-!> Every procedure has the optional arguments stat (0: done, otherwise one of the constants SPLASHDOWN_INPUT, ...) and message (its text).
-!> Without stat an error stops the program with the text.
+!> Every procedure has the optional arguments stat (0: done, otherwise one of the constants SPLASHDOWN_INPUT, ...) and message, which
+!> gets the text of an error, cut to its length, as errmsg of the language does. Without stat an error stops the program with the text.
 module splashdown
   use, intrinsic :: iso_c_binding
   use splashdown_c
@@ -55,30 +55,25 @@ contains
   subroutine tell(status, stat, message, text)
     integer(c_int), intent(in) :: status
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     character(len=*), intent(in), optional :: text
     character(len=:), allocatable :: said
-    said = ""
-    if (status /= SPLASHDOWN_OK) then
-      if (present(text)) then
-        said = text
-      else
-        said = last_message()
-      end if
+    if (present(stat)) stat = status
+    if (status == SPLASHDOWN_OK) return
+    if (present(text)) then
+      said = text
+    else
+      said = last_message()
     end if
     if (present(message)) message = said
-    if (present(stat)) then
-      stat = status
-    else if (status /= SPLASHDOWN_OK) then
-      error stop "splashdown: "//said
-    end if
+    if (.not. present(stat)) error stop "splashdown: "//said
   end subroutine
 
   !> True, with stat and message, unless the arrays of nodes have one length and forces, where given, has (3, n).
   function uneven(nodes, stat, message, forces) result(wrong)
     type(splashdown_host_nodes), intent(in) :: nodes
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     real(c_double), intent(in), optional :: forces(:, :)
     logical :: wrong
     integer :: n
@@ -97,7 +92,7 @@ contains
   subroutine splashdown_set_threads(count, stat, message)
     integer, intent(in) :: count
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_set_threads(int(max(count, 0), c_size_t)), stat, message)
   end subroutine
 
@@ -108,7 +103,7 @@ contains
     integer(c_int32_t), intent(in) :: interface_kind
     type(splashdown_scene), intent(inout) :: opened
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     character(len=len(settings) + 1), target :: texts(size(settings))
     type(c_ptr) :: pointers(size(settings))
     integer :: k
@@ -125,7 +120,7 @@ contains
     type(splashdown_scene), intent(in) :: scene
     type(splashdown_scene_sizes), intent(inout) :: sizes
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_sizes(scene%handle, sizes), stat, message)
   end subroutine
 
@@ -134,7 +129,7 @@ contains
     type(splashdown_scene), intent(in) :: scene
     type(splashdown_host_nodes), intent(out) :: nodes
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     type(splashdown_scene_sizes) :: sizes
     integer(c_int) :: status
     status = c_sizes(scene%handle, sizes)
@@ -152,7 +147,7 @@ contains
     character(len=*), intent(in) :: folder
     logical, intent(in) :: replace
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_record(scene%handle, trim(folder)//c_null_char, merge(1_c_int32_t, 0_c_int32_t, replace)), stat, message)
   end subroutine
 
@@ -162,7 +157,7 @@ contains
     type(splashdown_host_nodes), intent(in) :: nodes
     type(splashdown_element), intent(inout) :: element
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     if (uneven(nodes, stat, message)) return
     call tell(c_build(scene%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
                       size(nodes%position, 2, c_size_t), element%handle), stat, message)
@@ -177,7 +172,7 @@ contains
     real(c_double), intent(inout), contiguous :: forces(:, :)
     type(splashdown_contribution), intent(inout), optional :: contribution
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     if (uneven(nodes, stat, message, forces)) return
     call tell(c_contribute(element%handle, dt, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
                            size(nodes%position, 2, c_size_t), forces, contribution), stat, message)
@@ -187,7 +182,7 @@ contains
   subroutine splashdown_save(element, stat, message)
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_save(element%handle), stat, message)
   end subroutine
 
@@ -195,7 +190,7 @@ contains
   subroutine splashdown_restore(element, stat, message)
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_restore(element%handle), stat, message)
   end subroutine
 
@@ -204,7 +199,7 @@ contains
     type(splashdown_element), intent(in) :: element
     type(splashdown_host_nodes), intent(inout) :: nodes
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     if (uneven(nodes, stat, message)) return
     call tell(c_nodes(element%handle, nodes%position, nodes%velocity, nodes%rotation, nodes%spin, &
                       size(nodes%position, 2, c_size_t)), stat, message)
@@ -215,7 +210,7 @@ contains
     type(splashdown_element), intent(in) :: element
     real(c_double), intent(inout), contiguous :: forces(:, :)
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_forces_now(element%handle, forces, size(forces, kind=c_size_t)/3), stat, message)
   end subroutine
 
@@ -224,7 +219,7 @@ contains
     type(splashdown_element), intent(in) :: element
     real(c_double), intent(inout) :: time
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_number(element%handle, time), stat, message)
   end subroutine
 
@@ -233,7 +228,7 @@ contains
     type(splashdown_element), intent(in) :: element
     real(c_double), intent(inout) :: dt
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_fluid_dt(element%handle, dt), stat, message)
   end subroutine
 
@@ -242,7 +237,7 @@ contains
     type(splashdown_element), intent(in) :: element
     integer(c_size_t), intent(inout) :: count
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_particle_count(element%handle, count), stat, message)
   end subroutine
 
@@ -251,7 +246,7 @@ contains
     type(splashdown_element), intent(in) :: element
     real(c_double), intent(inout), contiguous :: x(:), y(:), u(:), v(:), p(:), spacing(:)
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     integer(c_size_t) :: length
     length = min(size(x), size(y), size(u), size(v), size(p), size(spacing))
     call tell(c_particles(element%handle, x, y, u, v, p, spacing, length), stat, message)
@@ -262,7 +257,7 @@ contains
     type(splashdown_element), intent(in) :: element
     integer(c_int8_t), allocatable, intent(out) :: bytes(:)
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     integer(c_size_t) :: length
     integer(c_int) :: status
     length = 0
@@ -277,7 +272,7 @@ contains
     type(splashdown_element), intent(in) :: element
     integer(c_int8_t), intent(in), contiguous :: bytes(:)
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_state_read(element%handle, bytes, size(bytes, kind=c_size_t)), stat, message)
   end subroutine
 
@@ -285,7 +280,7 @@ contains
   subroutine splashdown_finish(element, stat, message)
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_finish(element%handle), stat, message)
   end subroutine
 
@@ -293,7 +288,7 @@ contains
   subroutine splashdown_free_element(element, stat, message)
     type(splashdown_element), intent(in) :: element
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_free_element(element%handle), stat, message)
   end subroutine
 
@@ -301,7 +296,7 @@ contains
   subroutine splashdown_free_scene(scene, stat, message)
     type(splashdown_scene), intent(in) :: scene
     integer, intent(out), optional :: stat
-    character(len=:), allocatable, intent(out), optional :: message
+    character(len=*), intent(inout), optional :: message
     call tell(c_free_scene(scene%handle), stat, message)
   end subroutine
 end module

@@ -14,12 +14,14 @@ module splashdown_c
       SPLASHDOWN_FILE = 9, SPLASHDOWN_BUSY = 10, SPLASHDOWN_NO_HANDLE = 11, SPLASHDOWN_PANIC = 12, &
       SPLASHDOWN_AFTER_PANIC = 13, SPLASHDOWN_THREADS = 14
 
-  !> Nodes; 1 if they have rotations; particles of water and walls; memory [bytes]; step of the water [s]; number of warnings.
+  !> Nodes; 1 if they have rotations; particles of water and walls; memory [bytes]; step of the water [s]; number of
+  !> warnings; time at the start [s].
   type, bind(c) :: splashdown_scene_sizes
     integer(c_size_t) :: nodes, rotations, fluid_particles, wall_particles
     integer(c_int64_t) :: bytes
     real(c_double) :: fluid_dt
     integer(c_size_t) :: warnings
+    real(c_double) :: start_time
   end type
 
   !> What the water did: steps; longest next step of the water and of the host [s]; energy [J/m] and impulse [N s/m] given to

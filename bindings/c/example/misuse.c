@@ -91,9 +91,13 @@ static void scenes(void)
     GIVES(SPLASHDOWN_LENGTH, "spins", splashdown_build(scene, at, v, NULL, at, n, &element));
     GIVES(SPLASHDOWN_LENGTH, "nodes", splashdown_build(scene, at, v, NULL, NULL, 0, &element));
     GIVES(SPLASHDOWN_LENGTH, "nodes", splashdown_build(scene, at, v, NULL, NULL, (size_t)-1, &element));
+    double good = at[2];
     at[2] = NAN;
-    GIVES(SPLASHDOWN_INPUT, "", splashdown_build(scene, at, v, NULL, NULL, n, &element));
+    GIVES(SPLASHDOWN_INPUT, "node", splashdown_build(scene, at, v, NULL, NULL, n, &element));
     TRUE(element == NULL);
+    at[2] = good;
+    OK(splashdown_build(scene, at, v, NULL, NULL, n, &element));
+    OK(splashdown_free_element(element));
     GIVES(SPLASHDOWN_NO_HANDLE, "consumed", splashdown_sizes(scene, &sizes));
     GIVES(SPLASHDOWN_NO_HANDLE, "consumed", splashdown_free_scene(scene));
     OK(splashdown_free_scene(NULL));

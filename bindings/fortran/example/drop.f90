@@ -55,7 +55,7 @@ contains
     real(c_double) :: force(3, 1), unused(3, 1), time
     integer(c_int64_t) :: bytes
     integer :: step, ierr, n, fluid, walls
-    character(len=:), allocatable :: text
+    character(len=1000) :: text
 
     call bor(e, "wedge", settings, SPLASHDOWN_BODY, ierr, text)
     call check(ierr, text)
@@ -101,6 +101,6 @@ contains
   subroutine check(ierr, text)
     integer, intent(in) :: ierr
     character(len=*), intent(in) :: text
-    if (ierr /= 0) error stop text
+    if (ierr /= 0) error stop trim(text)
   end subroutine
 end program
