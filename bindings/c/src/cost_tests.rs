@@ -44,7 +44,7 @@ unsafe impl GlobalAlloc for Counting {
 }
 
 /// The wedge with some 10 000 particles.
-const SETTINGS: [&str; 2] = ["resolution.spacing=0.01", "time.end=0.02"];
+const SETTINGS: [&str; 2] = ["resolution.spacing=0.0036", "time.end=0.02"];
 const DT: f64 = 1e-4;
 /// Most of a step's time that the border may take [-].
 const MOST: f64 = 0.02;
