@@ -96,6 +96,7 @@ program misuse
   call expect(SPLASHDOWN_OK, "")
   call splashdown_free_element(water, stat, text)
   call expect(SPLASHDOWN_NO_HANDLE, "freed")
+  deallocate (bytes, x, p)
   print "(a, i0, a)", "misuse in Fortran: ", asked, " answers as expected"
 
 contains
