@@ -82,6 +82,11 @@ int main(void)
 {
     struct fall alone[2] = {{.sink = 1.0}, {.sink = 1.5}}, together[2] = {{.sink = 1.0}, {.sink = 1.5}};
     pthread_t threads[2];
+    must(splashdown_set_threads(2));
+    if (splashdown_set_threads(2) != SPLASHDOWN_THREADS) {
+        fprintf(stderr, "the pool of threads is made once\n");
+        return 1;
+    }
     for (int k = 0; k < 2; ++k) {
         falls(&alone[k]);
     }
