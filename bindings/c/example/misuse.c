@@ -69,6 +69,7 @@ static void opening(void)
     GIVES(SPLASHDOWN_NULL, "scene", splashdown_open(NULL, NULL, 0, SPLASHDOWN_BODY, &scene));
     GIVES(SPLASHDOWN_NULL, "opened", splashdown_open("wedge", NULL, 0, SPLASHDOWN_BODY, NULL));
     GIVES(SPLASHDOWN_NULL, "settings", splashdown_open("wedge", NULL, 1, SPLASHDOWN_BODY, &scene));
+    GIVES(SPLASHDOWN_NULL, "settings", splashdown_open("wedge", NULL, (size_t)-1, SPLASHDOWN_BODY, &scene));
     GIVES(SPLASHDOWN_NULL, "settings[0]", splashdown_open("wedge", empty, 1, SPLASHDOWN_BODY, &scene));
     GIVES(SPLASHDOWN_NOT_UTF8, "settings[0]", splashdown_open("wedge", latin, 1, SPLASHDOWN_BODY, &scene));
     GIVES(SPLASHDOWN_NOT_UTF8, "byte 2", splashdown_open("we\xff", NULL, 0, SPLASHDOWN_BODY, &scene));
@@ -110,6 +111,9 @@ static void scenes(void)
     GIVES(SPLASHDOWN_NO_HANDLE, "consumed", splashdown_sizes(scene, &sizes));
     GIVES(SPLASHDOWN_NO_HANDLE, "consumed", splashdown_free_scene(scene));
     OK(splashdown_free_scene(NULL));
+    scene = opened(SPLASHDOWN_BODY);
+    GIVES(SPLASHDOWN_NO_HANDLE, "element", splashdown_save((splashdown_element *)(void *)scene));
+    OK(splashdown_free_scene(scene));
     OK(splashdown_free_scene(opened(SPLASHDOWN_TURNING_NODES)));
     free(at);
     free(v);

@@ -74,6 +74,9 @@ pub unsafe extern "C" fn splashdown_open(
         buffers::expect("opened", opened)?;
         // SAFETY: a text by the contract of the caller.
         let scene = unsafe { buffers::text("scene", scene)? };
+        if count > 0 {
+            buffers::expect("settings", settings)?;
+        }
         let mut given = vec![std::ptr::null(); count];
         if count > 0 {
             // SAFETY: `count` pointers by the contract of the caller.
@@ -162,7 +165,7 @@ pub unsafe extern "C" fn splashdown_warning(
     })
 }
 
-/// The nodes at t = 0, with the initial velocity of the scene: `n` nodes into arrays of the caller.
+/// The nodes at the start, with the motion that the scene gives them: `n` nodes into arrays of the caller.
 ///
 /// An array that is not wanted is NULL. Rotations [rad] and spins [rad/s] are NULL where nodes have none.
 ///
