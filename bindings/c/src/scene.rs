@@ -74,11 +74,10 @@ pub unsafe extern "C" fn splashdown_open(
         buffers::expect("opened", opened)?;
         // SAFETY: a text by the contract of the caller.
         let scene = unsafe { buffers::text("scene", scene)? };
+        let mut given = Vec::new();
         if count > 0 {
             buffers::expect("settings", settings)?;
-        }
-        let mut given = vec![std::ptr::null(); count];
-        if count > 0 {
+            given.resize(count, std::ptr::null());
             // SAFETY: `count` pointers by the contract of the caller.
             unsafe { buffers::read("settings", settings, &mut given)? };
         }
