@@ -84,7 +84,7 @@ impl Participant for Structure {
 }
 
 /// Both through all windows; times, velocities, and the iterations of each window. `accelerated`: by IQN-ILS, else by repetition.
-fn couple(sets: &[String], accelerated: bool) -> Result<(Vec<[f64; 2]>, Vec<usize>), HostedError> {
+pub fn couple(sets: &[String], accelerated: bool) -> Result<(Vec<[f64; 2]>, Vec<usize>), HostedError> {
     let scene = HostedScene::open("wedge", sets, Interface::Body)?;
     let nodes = scene.nodes().clone();
     let mut interface = vec![nodes.velocity[0][1]];

@@ -8,7 +8,7 @@ use super::exchange::{Exchanged, Shared};
 use super::frame::{HostFrame, MovingFrame};
 use super::node_map::{Ends, NodeMap};
 use super::nodes::HostNodes;
-use super::topology::{Topology, WetSurface};
+use super::topology::Topology;
 use crate::bodies::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
@@ -22,8 +22,6 @@ use crate::geometry::vector::{cross, rotate};
 
 /// A difference in time for accelerations, in steps of the water [-].
 const DIFFERENCE: f64 = 1e-3;
-/// Most straight pieces that the outline of a bent side is drawn with.
-const PIECES: f64 = 8.0;
 
 /// See the module's text.
 pub(super) struct HostBody {
@@ -69,7 +67,7 @@ impl HostBody {
         let map = NodeMap::new(topology, nodes);
         let frame = MovingFrame::new(topology, nodes, frame);
         let motion = frame.at(nodes);
-        let corners = if frame.is_rigid() { Vec::new() } else { corners(topology, &map, spacing) };
+        let corners = if frame.is_rigid() { Vec::new() } else { map.corners(topology, spacing) };
         let start = frame.at_start();
         let in_frame = |line: &Vec<[f64; 2]>| line.iter().map(|at| start.local(*at)).collect();
         let outline = Outline::deformed(rest.loops().iter().map(in_frame).collect()).unwrap_or_else(|| rest.clone());
@@ -157,30 +155,6 @@ impl HostBody {
         let rate = |k: usize| if moment > 0.0 { (after[k] - before[k]) / (2.0 * moment) } else { 0.0 };
         (now, [rate(0), rate(1)])
     }
-}
-
-/// Corners of the outline; a side between nodes that turn is divided at about `spacing` [m].
-fn corners(topology: &Topology, map: &NodeMap, spacing: f64) -> Vec<Vec<BeamAttachment>> {
-    let (mut corners, mut first) = (Vec::new(), 0);
-    for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
-        let (nodes, sides) = surface.counts();
-        let along = if matches!(surface, WetSurface::Plate { .. }) { 0..0 } else { first..first + sides };
-        let mut attachments = Vec::new();
-        for side in along.clone() {
-            let ends = [map.start_of(side, 0), map.start_of(side, 1)];
-            let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
-            let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
-            attachments.extend((0..pieces as usize).map(|k| NodeMap::on_side(side, k as f64 / pieces)));
-        }
-        if nodes > sides && !along.is_empty() {
-            attachments.push(NodeMap::on_side(first + sides - 1, 1.0));
-        }
-        let drawn = if along.is_empty() { 0 } else { nodes };
-        attachments.extend(corner_points[drawn..].iter().map(|at| map.attach(*at, [0.0; 2])));
-        corners.push(attachments);
-        first += sides;
-    }
-    corners
 }
 
 impl WettedBody for HostBody {
