@@ -34,6 +34,7 @@ pub mod follow;
 mod initial_fluid;
 pub mod log;
 pub mod model_hierarchy;
+pub mod nastran;
 pub mod numbers;
 pub mod observers;
 mod power_law;
