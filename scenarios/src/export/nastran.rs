@@ -23,6 +23,12 @@ impl PanelLoads<'_> {
         std::fs::write(file("_peak"), self.peak_cards())
     }
 
+    /// The last sample before any load, or the first one.
+    fn first_loaded(&self) -> usize {
+        let loaded = |loads: &Vec<[f64; 3]>| loads.as_flattened().iter().any(|value| *value != 0.0);
+        self.loads.iter().position(loaded).unwrap_or(0).saturating_sub(1)
+    }
+
     fn heading(&self, what: &str, lines: &[String]) -> String {
         let heading = self.model.heading(what);
         heading.iter().chain(lines).map(|line| comment(line)).collect()
@@ -30,21 +36,24 @@ impl PanelLoads<'_> {
 
     /// Forces and moments on the nodes over time: a table, an area and a load for each that is not zero throughout.
     fn time_cards(&self) -> String {
-        let set = self.model.base + OVER_TIME;
+        let (set, first) = (self.model.base + OVER_TIME, self.first_loaded());
+        let begin = self.times.get(first).copied().unwrap_or(0.0);
+        let times: Vec<f64> = self.times[first..].iter().map(|time| time - begin).collect();
+        let last = times.last().copied().unwrap_or(0.0);
         let mut text = self.heading(
             "loads over time",
             &[
                 format!(
                     "Case control: DLOAD = {set}. Forces of the water on the nodes, in the axes of the body's frame."
                 ),
-                format!("Samples from {} to {} s: end TSTEP there.", ends(&self.times)[0], ends(&self.times)[1]),
+                format!("Time 0 is t = {begin} s of the run. The last sample is at {last} s: end TSTEP there."),
                 "The body's acceleration (series.csv) acts on the structure besides.".into(),
             ],
         );
         let mut all = vec![Whole(set), Real(1.0)];
         for (k, name) in crate::observers::load_names(self.model.nodes.len()).iter().enumerate() {
             let (node, component) = (k / 3, [1, 2, 6][k % 3]);
-            let values: Vec<f64> = self.loads.iter().map(|loads| loads[node][k % 3]).collect();
+            let values: Vec<f64> = self.loads[first..].iter().map(|loads| loads[node][k % 3]).collect();
             if values.iter().all(|value| *value == 0.0) {
                 continue;
             }
@@ -53,7 +62,7 @@ impl PanelLoads<'_> {
             text += &written("TLOAD1", &[Whole(id), Whole(id), Blank, Word("LOAD".into()), Whole(id)]);
             text += &written("DAREA", &[Whole(id), Whole(self.model.grid(node)), Whole(component), Real(1.0)]);
             let head = std::iter::once(Whole(id)).chain((0..7).map(|_| Blank));
-            let points = self.times.iter().zip(values).flat_map(|(time, value)| [Real(*time), Real(value)]);
+            let points = times.iter().zip(values).flat_map(|(time, value)| [Real(*time), Real(value)]);
             let table: Vec<Value> = head.chain(points).chain([Word("ENDT".into())]).collect();
             text += &written("TABLED1", &table);
             all.extend([Real(1.0), Whole(id)]);
@@ -104,11 +113,6 @@ impl PanelLoads<'_> {
         }
         text
     }
-}
-
-/// First and last.
-fn ends(times: &[f64]) -> [f64; 2] {
-    [times.first(), times.last()].map(|time| time.copied().unwrap_or(0.0))
 }
 
 #[cfg(test)]

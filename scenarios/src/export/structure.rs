@@ -60,7 +60,7 @@ impl PanelModel<'_> {
 
     /// Distance of a node from the first one along the bars [m].
     pub fn along(&self, node: usize) -> f64 {
-        (0..node).map(|k| self.length(k)).sum()
+        (0..node).fold(0.0, |sum, k| sum + self.length(k))
     }
 
     /// Force to the left per length at a node [Pa], under the force on it [N/m]: the pressure of the water, of both sides where both are

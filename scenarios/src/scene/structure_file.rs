@@ -9,7 +9,7 @@ use super::data_file::{DataFile, Fault};
 use super::draft::Draft;
 use super::resolve_body::resolve_shape;
 use super::settings::{StructurePlane, StructureUnits, line, schema};
-use crate::nastran::chain::{Axes, Chain, ChainNode, Reading};
+use crate::nastran::chain::{Axes, Chain, ChainBar, ChainNode, Reading};
 use crate::nastran::model::BeamModel;
 use crate::nastran::{CardError, Held};
 
@@ -19,7 +19,8 @@ const REPLACED: [&str; 9] =
     ["material", "elements", "thickness", "youngs_modulus", "poissons_ratio", "density", "plane", "nodes", "bars"];
 /// Distance of a node from the body's line over the length of the chain, at most [-].
 const FARTHEST: f64 = 0.1;
-/// A corner of the body's line is the place of an end that is nearer to it than so many distances from the line.
+/// A corner of the body's line is the place of an end that is nearer to it than so many times its distance from the line, or that of
+/// its outer fibre.
 const AT_CORNER: f64 = 1.5;
 
 /// A file that a panel names.
@@ -148,9 +149,10 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 /// The place of an end on the body's line: a corner beside it, or the nearest place.
-fn place(line: &Polyline, at: [f64; 2]) -> [f64; 2] {
+fn place(line: &Polyline, at: [f64; 2], bar: &ChainBar) -> [f64; 2] {
     let (s, away) = line.nearest(at);
-    let reach = AT_CORNER * away + 1e-9 * line.length();
+    let fibre = bar.fibres.into_iter().map(f64::abs).fold(away, f64::max);
+    let reach = AT_CORNER * fibre + 1e-9 * line.length();
     let corner = line.points().iter().min_by(|a, b| distance(**a, at).total_cmp(&distance(**b, at)));
     corner.filter(|corner| distance(**corner, at) <= reach).copied().unwrap_or_else(|| line.at(s))
 }
@@ -164,8 +166,8 @@ fn write(table: &mut Map<String, Value>, line: &Polyline, chain: &Chain) -> Resu
     let mut fill = |name: &str, value: Value| {
         table.entry(name).or_insert(value);
     };
-    fill("from", json!(place(line, nodes[0])));
-    fill("to", json!(place(line, nodes[nodes.len() - 1])));
+    fill("from", json!(place(line, nodes[0], &chain.bars[0])));
+    fill("to", json!(place(line, nodes[chain.bars.len()], &chain.bars[chain.bars.len() - 1])));
     fill("nodes", json!(nodes));
     fill("bars", json!(bars.collect::<Vec<_>>()));
     if let Some(ends) = chain.ends {

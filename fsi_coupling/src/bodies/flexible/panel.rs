@@ -87,6 +87,9 @@ pub struct PanelSpec {
     pub watch: Vec<f64>,
 }
 
+/// A place is at the end of a bar from so near on [-].
+const AT_NODE: f64 = 1e-9;
+
 /// Nodes and bars of a panel that is not a plate of equal elements, from its start to its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelMesh {
@@ -108,6 +111,13 @@ pub struct PanelBar {
 }
 
 impl PanelMesh {
+    /// The bar and the share of it [-] at a share of the length; at a node the bar behind it.
+    fn place_at(&self, share: f64) -> (usize, f64) {
+        let axis = Polyline::open(self.nodes.clone());
+        let (bar, t) = axis.piece(share.clamp(0.0, 1.0) * axis.length());
+        if t > 1.0 - AT_NODE && bar + 1 < self.bars.len() { (bar + 1, 0.0) } else { (bar, t) }
+    }
+
     fn element(&self, k: usize) -> (Material, Section) {
         let PanelBar { youngs_modulus, density, section } = self.bars[k];
         (Material { youngs_modulus, poissons_ratio: 0.0, density }, Section::bar(section))
@@ -226,8 +236,7 @@ impl Panel {
     /// The element and the share of it [-] at a share of the panel's length.
     pub fn element_at(&self, share: f64) -> (usize, f64) {
         if let Some(mesh) = &self.spec.mesh {
-            let axis = Polyline::open(mesh.nodes.clone());
-            let (element, t) = axis.piece(share.clamp(0.0, 1.0) * axis.length());
+            let (element, t) = mesh.place_at(share);
             return (self.elements.start + element, t);
         }
         let along = share.clamp(0.0, 1.0) * self.spec.elements as f64;
