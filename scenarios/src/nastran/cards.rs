@@ -144,7 +144,7 @@ pub fn cards(text: &str) -> Result<Vec<Card>, CardError> {
             let name = name.trim_end_matches('*').to_ascii_uppercase();
             let named = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric());
             if !named || !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-                let given = format!("`{}`", super::chain::shown(line));
+                let given = format!("`{}`", shown(line));
                 return Err(CardError::new(number, given, "a card of bulk data, such as GRID or CBAR"));
             }
             let fields = fields.into_iter().map(|field| (field, number)).collect();
@@ -154,6 +154,11 @@ pub fn cards(text: &str) -> Result<Vec<Card>, CardError> {
     }
     unclosed(&open)?;
     Ok(cards)
+}
+
+/// Text that fits into a message.
+fn shown(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(40).collect()
 }
 
 /// A line as name, fields and mark.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::CardError;
+use super::axes::Axes;
 use super::model::{Bar, BeamModel, Grid, Isotropic, Orientation, Property};
 use super::supports::{Held, ends};
 
@@ -14,10 +15,6 @@ const IN_PLANE: f64 = 1e-6;
 const TWISTED: f64 = 1e-3;
 /// Shear factor of a rectangle [-], and how near one must be to it.
 const RECTANGLE: [f64; 2] = [5.0 / 6.0, 1e-3];
-
-/// The plane of a model: the axes of its coordinates that are x and y of the body's frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Axes(pub [usize; 2]);
 
 /// How to read a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,32 +70,6 @@ pub struct Chain {
     pub bars: Vec<ChainBar>,
     /// What holds its ends; `None` where the file has no constraints.
     pub ends: Option<[Held; 2]>,
-}
-
-/// Text that fits into a message.
-pub(super) fn shown(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(40).collect()
-}
-
-impl Axes {
-    /// The axis across the plane.
-    pub(super) fn normal(self) -> usize {
-        3 - self.0[0] - self.0[1]
-    }
-
-    /// Direction of first axis × second axis along the third: ±1.
-    fn sign(self) -> f64 {
-        if (self.0[1] + 3 - self.0[0]) % 3 == 1 { 1.0 } else { -1.0 }
-    }
-
-    fn of<T: Copy>(self, triple: [T; 3]) -> [T; 2] {
-        self.0.map(|axis| triple[axis])
-    }
-
-    /// Their names.
-    pub fn name(self) -> String {
-        self.0.map(|axis| ["x", "y", "z"][axis]).concat()
-    }
 }
 
 /// The bars of a grid point, and the walk along them.
@@ -318,5 +289,64 @@ fn first_plane(walk: &Walk, bar: &Bar, axes: Axes) -> Result<(usize, f64), CardE
             let given = format!("an orientation of CBAR {} oblique to the {} plane", bar.id, axes.name());
             Err(CardError::new(bar.line, given, "a vector in the plane or across it: bending in one plane"))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SI: [f64; 2] = [1.0, 1.0];
+
+    fn fibres(axes: [usize; 2], second: [f64; 3], orientation: &str, card: &str) -> [f64; 2] {
+        let [x, y, z] = second;
+        let text = format!(
+            "GRID,1,,0.,0.,0.\nGRID,2,,{x:?},{y:?},{z:?}\nGRID,3,,{:?},{:?},{:?}\nCBAR,1,1,{card},{orientation}\nCBAR,2,1,2,3,{orientation}\n\
+             PBAR,1,1,.1,1.-4,2.-4\n,.03,.03,-.01,-.01\nMAT1,1,7.+10,,.3,2700.\n",
+            2.0 * x,
+            2.0 * y,
+            2.0 * z
+        );
+        let model = BeamModel::read(&text).expect("a model");
+        let chain = Chain::of(&model, &Reading { axes: Axes(axes), units: SI, width: 1.0 }).expect("a chain");
+        chain.bars[0].fibres
+    }
+
+    /// Of a section with the flange 0.03 to one side and the foot 0.01 to the other: by orientation, plane and direction of the card.
+    #[test]
+    fn fibres_lie_on_the_side_that_the_orientation_says() {
+        let (left, right) = ([-0.01, 0.03], [-0.03, 0.01]);
+        let x = [1.0, 0.0, 0.0];
+        for (orientation, expected) in
+            [("0.,1.,0.", left), ("0.,-1.,0.", right), ("0.,0.,1.", right), ("0.,0.,-1.", left)]
+        {
+            assert_eq!(fibres([0, 1], x, orientation, "1,2"), expected, "{orientation}");
+        }
+        // the first direction is that of the vector, whichever way the bar runs; the second one turns with the bar
+        assert_eq!(fibres([0, 1], x, "0.,1.,0.", "2,1"), left);
+        assert_eq!(fibres([0, 1], x, "0.,0.,1.", "2,1"), left);
+        assert_eq!(fibres([0, 2], x, "0.,0.,1.", "1,2"), left);
+        assert_eq!(fibres([0, 2], x, "0.,1.,0.", "1,2"), left);
+        assert_eq!(fibres([1, 2], [0.0, 1.0, 0.0], "0.,0.,1.", "1,2"), left);
+        assert_eq!(fibres([1, 2], [0.0, 1.0, 0.0], "1.,0.,0.", "1,2"), right);
+    }
+
+    #[test]
+    fn units_and_width_scale_to_a_metre_of_span() {
+        let text = "GRID,1,,0.,0.,0.\nGRID,2,,100.,0.,0.\nGRID,3,,200.,0.,0.\nCBAR,1,1,1,2,0.,1.,0.\nCBAR,2,1,2,3,0.,1.,0.\n\
+                    PBAR,1,1,1500.,1125.,,,2.-6\nMAT1,1,70000.,,.3,2.7-9\n";
+        let model = BeamModel::read(text).expect("a model");
+        let chain =
+            Chain::of(&model, &Reading { axes: Axes([0, 1]), units: [1e-3, 1e3], width: 0.5 }).expect("a chain");
+        let bar = chain.bars[0];
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+        near(bar.youngs_modulus, 7e10);
+        near(bar.area, 3e-3);
+        near(bar.second_moment, 2.25e-9);
+        near(bar.density, 2700.0 + 2e-6 / 1500.0 * 1e12);
+        near(bar.fibres[1], 1.5e-3);
+        near(chain.nodes[2].at[0], 0.2);
+        assert_eq!(chain.clone().reversed().reversed(), chain);
+        assert_eq!(chain.ends, None);
     }
 }

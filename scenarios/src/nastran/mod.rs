@@ -3,6 +3,7 @@
 //! [`cards`] splits a text into cards and writes them, [`model`] is what cards of a beam model say, [`chain`] a line of bars in a plane
 //! with its properties per metre of span. Format: MSC Nastran Quick Reference Guide, bulk data entries.
 
+mod axes;
 pub mod cards;
 pub mod chain;
 mod field;
@@ -11,6 +12,7 @@ mod read;
 mod supports;
 mod write;
 
+pub use axes::Axes;
 pub use supports::Held;
 
 /// What is wrong with a line of a bulk data file.

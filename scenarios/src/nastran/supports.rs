@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::CardError;
-use super::chain::Axes;
+use super::axes::Axes;
 use super::model::BeamModel;
 
 /// What holds an end: along the first axis, along the second one, in rotation; and whether it slides along the bar.

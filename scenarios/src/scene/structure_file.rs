@@ -9,9 +9,9 @@ use super::data_file::{DataFile, Fault};
 use super::draft::Draft;
 use super::resolve_body::resolve_shape;
 use super::settings::{StructurePlane, StructureUnits, line, schema};
-use crate::nastran::chain::{Axes, Chain, ChainBar, ChainNode, Reading};
+use crate::nastran::chain::{Chain, ChainBar, ChainNode, Reading};
 use crate::nastran::model::BeamModel;
-use crate::nastran::{CardError, Held};
+use crate::nastran::{Axes, CardError, Held};
 
 const KIND: &str = "a Nastran bulk data file (.bdf, .dat, .nas)";
 /// Keys that the file stands for.
