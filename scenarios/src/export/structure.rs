@@ -110,7 +110,8 @@ impl PanelModel<'_> {
         };
         for k in 0..self.elements.len() {
             let property = self.property(k, &mut model);
-            let [x, y] = self.left(k);
+            // a direction: its last digits would follow those of the nodes
+            let [x, y] = self.left(k).map(|part| (1e6 * part).round() / 1e6 + 0.0);
             let released = |end: usize, last: bool| {
                 let slides = matches!(panel.ends[end], PanelEnd::Sliding | PanelEnd::Guided);
                 String::from(if last && slides { "1" } else { "" })

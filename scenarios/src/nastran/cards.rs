@@ -104,6 +104,8 @@ pub fn cards(text: &str) -> Result<Vec<Card>, CardError> {
     let mut cards: Vec<Card> = Vec::new();
     // the mark of a line that is to be continued, and its line
     let mut open: Option<(String, usize)> = None;
+    // fields of the lines of the card so far, empty ones included
+    let mut due_fields = 0;
     let unclosed = |open: &Option<(String, usize)>| match open {
         Some((mark, line)) => {
             let expected = format!("a next line that starts with {mark}, or nothing in the last field");
@@ -134,10 +136,8 @@ pub fn cards(text: &str) -> Result<Vec<Card>, CardError> {
             let Some(card) = cards.last_mut() else {
                 return Err(CardError::new(number, format!("`{name}`, a continuation"), "a card before it"));
             };
-            let per_line = PER_LINE[usize::from(large)];
-            while card.fields.len() % per_line != 0 {
-                card.fields.push((String::new(), number));
-            }
+            card.fields.resize(due_fields, (String::new(), number));
+            due_fields += PER_LINE[usize::from(large)];
             card.fields.extend(fields.into_iter().map(|field| (field, number)));
         } else {
             unclosed(&open)?;
@@ -148,6 +148,7 @@ pub fn cards(text: &str) -> Result<Vec<Card>, CardError> {
                 return Err(CardError::new(number, given, "a card of bulk data, such as GRID or CBAR"));
             }
             let fields = fields.into_iter().map(|field| (field, number)).collect();
+            due_fields = PER_LINE[usize::from(large)];
             cards.push(Card { name, line: number, fields });
         }
         open = (!mark.is_empty()).then_some((mark, number));
@@ -299,7 +300,7 @@ mod tests {
     fn what_is_no_card_is_refused_with_its_line() {
         for (text, line, part) in [
             (",1,2\n", 1, "a card before it"),
-            ("GRID,1\n= 5\n", 2, "a card of bulk data"),
+            ("GRID,1\n=\n", 2, "a card of bulk data"),
             ("GRID,1,2,3,4,5,6,7,8,+A\n", 1, "starts with +A"),
             ("PBAR,1,2,3,4,5,6,7,8,+A\nGRID,1\n", 1, "starts with +A"),
             ("PBAR,1,2,3,4,5,6,7,8,+A\n+B,1\n", 2, "starts with +A"),

@@ -102,7 +102,7 @@ mod tests {
             let text = large(value);
             assert!(text.len() <= LARGE, "{text}");
             let found = real(&text).unwrap_or_else(|| panic!("{text}"));
-            assert!((found / value - 1.0).abs() < 1e-11, "{value} {text}");
+            assert!((found / value - 1.0).abs() < 5e-11, "{value} {text}");
             assert_eq!(large(found), text);
         }
         for value in [0.0015, 70e9, 2700.0, 2.25e-9, 1.0 / 3.0, -0.25, 100.0] {
