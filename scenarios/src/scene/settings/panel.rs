@@ -37,15 +37,15 @@ pub struct Panel {
     pub structure_file: Option<String>,
     /// Plane of the coordinates of structure_file that is x, y of the body's frame.
     #[serde(default, skip_serializing)]
-    #[schemars(extend("x-when" = ".structure_file", "x-default" = "xy"))]
+    #[schemars(extend("x-when" = ".structure_file", "x-default" = "xy with structure_file"))]
     pub structure_plane: Option<StructurePlane>,
     /// Units of structure_file: metre, kilogram, second; or millimetre, tonne, second (N, MPa).
     #[serde(default, skip_serializing)]
-    #[schemars(extend("x-when" = ".structure_file", "x-default" = "m_kg_s"))]
+    #[schemars(extend("x-when" = ".structure_file", "x-default" = "m_kg_s with structure_file"))]
     pub structure_units: Option<StructureUnits>,
     /// Span that a bar of structure_file stands for, such as the pitch of frames [m].
     #[serde(default, skip_serializing)]
-    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = ".structure_file", "x-default" = 1))]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = ".structure_file", "x-default" = "1 with structure_file"))]
     pub structure_width: Option<f64>,
     /// Nodes x, y on the axis of its bars, body's frame, from its start to its end [m]. structure_file writes them. absent: a plate of
     /// equal elements.
