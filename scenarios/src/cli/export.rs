@@ -25,8 +25,7 @@ pub(super) struct ExportArgs {
     /// Write them to DIR/parquet, as one table of all frames, and bodies.parquet.
     #[arg(long)]
     parquet: bool,
-    /// Write the loads on the panels of the run to DIR/loads, as tables: pressure along each panel, forces on its nodes, extremes; of a
-    /// rigid body the pressure along its outline at each frame.
+    /// Write the loads on the panels of the run to DIR/loads, as tables: pressure along each panel, forces on its nodes, extremes.
     #[arg(long)]
     loads: bool,
     /// Write its panels and their loads to DIR/nastran, as Nastran bulk data: GRID, CBAR, PBAR, MAT1; loads over time; static loads.

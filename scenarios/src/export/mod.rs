@@ -11,7 +11,6 @@ mod csv;
 mod frame_writer;
 mod loads;
 mod nastran;
-mod outline;
 mod panels;
 mod parquet;
 mod structure;

@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::loads::PanelLoads;
-use super::outline::OutlinePressures;
 use super::structure::PanelModel;
 use super::{ExportError, time_of_run};
 use crate::bounded_text::read_text;
-use crate::log::{LogReader, read_samples};
+use crate::log::read_samples;
 use crate::observers::{LOADS, load_names};
-use crate::scene::{Body, Scene, load};
+use crate::scene::load;
 
 /// A form of the loads on panels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,14 +26,14 @@ pub enum PanelFormat {
 pub struct ExportedPanels {
     /// The folder of the files.
     pub folder: PathBuf,
-    /// Names of the panels; of the body where it has none.
+    /// Names of the panels.
     pub panels: Vec<String>,
-    /// Samples of each; of a rigid body frames.
+    /// Samples of each.
     pub samples: usize,
 }
 
 /// Writes the panels of the run in `dir` with their loads to the folder `dir/loads` or `dir/nastran`, whose files of the same names are
-/// replaced. Of a rigid body the tables have the pressure along its outline.
+/// replaced.
 ///
 /// # Errors
 /// [`ExportError::NoScene`], [`ExportError::NoLoads`], [`ExportError::Write`].
@@ -46,10 +45,7 @@ pub fn export_panels(dir: &Path, format: PanelFormat) -> Result<ExportedPanels, 
     let no_loads = |why: &str| ExportError::NoLoads(dir.display().to_string(), why.to_string());
     let models = PanelModel::of(&scene);
     if models.is_empty() {
-        return match (format, &scene.body) {
-            (PanelFormat::Tables, Some(body)) => export_outline(dir, &scene, body),
-            _ => Err(no_loads("its body has no panels")),
-        };
+        return Err(no_loads("its body has no panels, whose nodes have loads"));
     }
     let summary: Value =
         read_text(dir.join("summary.json")).ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
@@ -90,15 +86,4 @@ pub fn export_panels(dir: &Path, format: PanelFormat) -> Result<ExportedPanels, 
         folder,
         samples,
     })
-}
-
-/// Writes the pressure along the outline of a rigid body.
-fn export_outline(dir: &Path, scene: &Scene, body: &Body) -> Result<ExportedPanels, ExportError> {
-    let none = || ExportError::NoFrames(dir.display().to_string());
-    let mut log = LogReader::open(&dir.join("log.mcap")).ok_or_else(none)?;
-    let found = OutlinePressures::of(scene, body, &mut log).ok_or_else(none)?;
-    let folder = dir.join("loads");
-    let wrong = |error| ExportError::Write(folder.display().to_string(), error);
-    std::fs::create_dir_all(&folder).and_then(|()| found.write(&folder)).map_err(wrong)?;
-    Ok(ExportedPanels { panels: vec![body.name.clone()], samples: found.times.len(), folder })
 }
