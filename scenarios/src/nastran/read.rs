@@ -20,13 +20,22 @@ impl BeamModel {
         let comments = text.lines().map_while(|line| line.strip_prefix('$'));
         let heading = comments.map(|line| line.trim().to_string()).collect();
         let mut model = BeamModel { heading, lines: text.lines().count().max(1), ..BeamModel::default() };
+        let mut held = 0;
         for card in cards(text)? {
             match card.name.as_str() {
                 "GRID" => model.grids.push(grid(&card)?),
                 "CBAR" => model.bars.push(bar(&card)?),
                 "PBAR" => model.properties.push(property(&card)?),
                 "MAT1" => model.materials.push(isotropic(&card)?),
-                "SPC1" => model.constraints.push(constraint_of_list(&card)?),
+                "SPC1" => {
+                    let constraint = constraint_of_list(&card)?;
+                    held += constraint.grids.len();
+                    if held > MOST_HELD {
+                        let expected = format!("at most {MOST_HELD} in all");
+                        return Err(CardError::new(card.line, format!("{held} grid points of SPC1"), expected));
+                    }
+                    model.constraints.push(constraint);
+                }
                 "SPC" => model.constraints.extend(constraints_of_pairs(&card)?),
                 name if WITHOUT_EFFECT.contains(&name) => {}
                 name => {
@@ -152,15 +161,15 @@ fn isotropic(card: &Card) -> Result<Isotropic, CardError> {
     Ok(Isotropic { id, youngs_modulus, shear_modulus, density, allowable_stress, line: card.line })
 }
 
-/// Most grid points of a range.
-const LONGEST: i64 = 1_000_000;
+/// Most grid points of all constraints.
+const MOST_HELD: usize = 1_000_000;
 
 fn constraint_of_list(card: &Card) -> Result<Constraint, CardError> {
     let held = components(card, 1, "C")?.unwrap_or_default();
     let grids = match card.text(3).to_ascii_uppercase().as_str() {
         "THRU" => {
             let (first, last) = (card.id(2, "G1")?, card.id(4, "G2")?);
-            if first > last || last - first > LONGEST {
+            if first > last || last - first >= MOST_HELD as i64 {
                 return Err(card.wrong(4, "G2", "a grid point behind G1"));
             }
             (first..=last).collect()

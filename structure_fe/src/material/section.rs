@@ -170,3 +170,38 @@ impl Section {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3, density: 7850.0 };
+
+    #[test]
+    fn a_bar_with_the_properties_of_a_rectangle_is_one() {
+        let (rectangle, shear_modulus) = (Section::rectangular(0.02, 0.05), STEEL.youngs_modulus / 2.6);
+        let (area, second_moment) = (rectangle.area(), rectangle.second_moment());
+        let bar = Section::bar(BarSection { area, second_moment, shear_modulus, fibres: [-0.01, 0.01] });
+        assert!(bar.check(0).is_ok());
+        assert_eq!((bar.thickness(), bar.fibres()), (rectangle.thickness(), rectangle.fibres()));
+        assert_eq!(bar.bending_stiffness(&STEEL), rectangle.bending_stiffness(&STEEL));
+        assert_eq!(bar.axial_stiffness(&STEEL), rectangle.axial_stiffness(&STEEL));
+        assert_eq!(bar.mass_per_length(&STEEL), rectangle.mass_per_length(&STEEL));
+        let [bar, rectangle] = [bar, rectangle].map(|section| section.shear_stiffness(&STEEL, 5.0 / 6.0));
+        assert!((bar / rectangle - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_bar_without_depth_or_area_is_refused() {
+        let sound = BarSection { area: 1e-3, second_moment: 1e-8, shear_modulus: 8e10, fibres: [-0.01, 0.02] };
+        for wrong in [
+            BarSection { area: 0.0, ..sound },
+            BarSection { second_moment: -1e-8, ..sound },
+            BarSection { shear_modulus: f64::NAN, ..sound },
+            BarSection { fibres: [0.0, 0.0], ..sound },
+            BarSection { fibres: [0.01, 0.02], ..sound },
+        ] {
+            assert!(Section::bar(wrong).check(0).is_err(), "{wrong:?}");
+        }
+    }
+}
