@@ -87,7 +87,7 @@ pub struct PanelSpec {
     pub watch: Vec<f64>,
 }
 
-/// A place is at the end of a bar from so near on [-].
+/// A place is at a node from so near on [-].
 const AT_NODE: f64 = 1e-9;
 
 /// Nodes and bars of a panel that is not a plate of equal elements, from its start to its end.
@@ -111,11 +111,21 @@ pub struct PanelBar {
 }
 
 impl PanelMesh {
-    /// The bar and the share of it [-] at a share of the length; at a node the bar behind it.
-    fn place_at(&self, share: f64) -> (usize, f64) {
-        let axis = Polyline::open(self.nodes.clone());
-        let (bar, t) = axis.piece(share.clamp(0.0, 1.0) * axis.length());
-        if t > 1.0 - AT_NODE && bar + 1 < self.bars.len() { (bar + 1, 0.0) } else { (bar, t) }
+    /// Shares at its nodes of a part of a line [-], that of the nearest place.
+    fn shares(&self, line: &Polyline, [from, to]: [f64; 2]) -> Vec<f64> {
+        let length = line.part(from, to).length();
+        let mut before = 0.0;
+        let share = |(k, node): (usize, &[f64; 2])| {
+            let s = line.nearest(*node).0 - from;
+            let s = if line.is_closed() && s < 0.0 { s + line.length() } else { s };
+            before = match k {
+                0 => 0.0,
+                k if k == self.bars.len() => 1.0,
+                _ => (s / length).clamp(before, 1.0),
+            };
+            before
+        };
+        self.nodes.iter().enumerate().map(share).collect()
     }
 
     fn element(&self, k: usize) -> (Material, Section) {
@@ -166,6 +176,8 @@ pub(crate) struct Panel {
     pub elements: std::ops::Range<usize>,
     /// Its nodes.
     pub nodes: std::ops::Range<usize>,
+    /// Shares of its length at its nodes [-]; none with equal elements.
+    shares: Vec<f64>,
 }
 
 impl Panel {
@@ -188,7 +200,9 @@ impl Panel {
             let (material, section) = spec.mesh.as_ref().map_or_else(plate, |mesh| mesh.element(k));
             elements.push(Element { nodes: [first + k, first + k + 1], material, section });
         }
-        Panel { spec: spec.clone(), reach, elements: first_element..elements.len(), nodes: first..nodes.len() }
+        let shares = spec.mesh.as_ref().map_or(Vec::new(), |mesh| mesh.shares(line, reach));
+        let (elements, nodes) = (first_element..elements.len(), first..nodes.len());
+        Panel { spec: spec.clone(), reach, elements, nodes, shares }
     }
 
     /// Tie its ends to the frame's node in a model.
@@ -235,9 +249,11 @@ impl Panel {
 
     /// The element and the share of it [-] at a share of the panel's length.
     pub fn element_at(&self, share: f64) -> (usize, f64) {
-        if let Some(mesh) = &self.spec.mesh {
-            let (element, t) = mesh.place_at(share);
-            return (self.elements.start + element, t);
+        if !self.shares.is_empty() {
+            let k = self.shares.partition_point(|s| *s <= share + AT_NODE).clamp(1, self.elements.len()) - 1;
+            let [from, to] = [self.shares[k], self.shares[k + 1]];
+            let t = if to > from { ((share - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+            return (self.elements.start + k, t);
         }
         let along = share.clamp(0.0, 1.0) * self.spec.elements as f64;
         let element = (along.floor() as usize).min(self.spec.elements - 1);
