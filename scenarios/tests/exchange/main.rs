@@ -93,6 +93,28 @@ fn a_panel_that_comes_back_is_the_one_that_went() {
     assert_eq!(BeamModel::read(&first).expect("a model").written(), first);
 }
 
+/// A curved panel with a mirror at the keel, whose bars are not equally long.
+#[test]
+fn a_curved_panel_comes_back_too() {
+    let folder = TempDir::new().expect("a folder");
+    let (at, name) = (folder.path(), "fuselage_flexible");
+    let sets = ["--set", "resolution.spacing=0.04", "--set", "time.end=0.005", "--set", "compare=[]", "--quiet"];
+    splashdown(at, &[&["run", name, "--out", "plate"][..], &sets].concat());
+    splashdown(at, &["export", "plate", "--nastran", "--quiet"]);
+    fs::copy(at.join("plate/nastran/bottom.bdf"), at.join("bottom.bdf")).expect("a copy");
+    let scene = include_str!("../../scenes/fuselage_flexible.toml");
+    let (start, end) = (scene.find("from = ").expect("a panel"), scene.find("watch = ").expect("places"));
+    let text = format!("{}structure_file = \"bottom.bdf\"\n{}", &scene[..start], &scene[end..]);
+    fs::write(at.join("bars.toml"), text).expect("a scene");
+    same(&frequencies(at, name), &frequencies(at, "bars.toml"), 1e-9);
+    splashdown(at, &[&["run", "bars.toml", "--out", "bars"][..], &sets].concat());
+    assert!(read(at.join("bars/scene.resolved.toml")).contains("ends = [\"mirror\", \"clamped\"]"));
+    let [plate, bars] = ["plate", "bars"].map(|run| read(at.join(run).join("series.csv")));
+    for name in ["bottom.at0.deflection_m", "bottom.at50.deflection_m", "bottom.at50.moment_N", "section.fy_N_per_m"] {
+        same(&column(&plate, name), &column(&bars, name), 1e-3);
+    }
+}
+
 /// Loads on the nodes add up to the force on the body, of which one half is simulated; the pressures to the same.
 #[test]
 fn loads_on_nodes_add_up_to_the_force_on_the_body() {
