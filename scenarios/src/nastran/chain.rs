@@ -78,6 +78,9 @@ struct Walk<'a> {
     bars_at: BTreeMap<i64, Vec<usize>>,
 }
 
+/// Grid points in order, and bars with whether they run against it.
+type Order = (Vec<i64>, Vec<(usize, bool)>);
+
 impl Chain {
     /// The chain of all bars of a model.
     ///
@@ -169,8 +172,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Grid points in order, and bars with whether they run against it; from the end that comes first in the file.
-    fn order(&self, model: &BeamModel) -> Result<(Vec<i64>, Vec<(usize, bool)>), CardError> {
+    /// The order of the chain, from the end that comes first in the file.
+    fn order(&self, model: &BeamModel) -> Result<Order, CardError> {
         let ends = self.bars_at.iter().filter(|(_, bars)| bars.len() == 1).map(|(id, _)| *id);
         let Some(start) = ends.min_by_key(|id| self.grids[id].line) else {
             let line = model.bars[0].line;

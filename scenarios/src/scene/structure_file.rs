@@ -59,9 +59,9 @@ pub(super) fn files(given: &mut Value, scene_file: &str) -> Result<Vec<Structure
             let expected = "none beside structure_file, whose cards have it";
             return Err(Problem::new(&key(name), value, expected));
         }
-        let plane = option(table, "structure_plane", &key, "\"xy\", \"xz\" or \"yz\"")?.unwrap_or_default();
-        let units = option(table, "structure_units", &key, "\"m_kg_s\" or \"mm_t_s\"")?.unwrap_or_default();
-        let width = option(table, "structure_width", &key, "a number above 0")?.unwrap_or(1.0);
+        let plane = option(table, "structure_plane", key, "\"xy\", \"xz\" or \"yz\"")?.unwrap_or_default();
+        let units = option(table, "structure_units", key, "\"m_kg_s\" or \"mm_t_s\"")?.unwrap_or_default();
+        let width = option(table, "structure_width", key, "a number above 0")?.unwrap_or(1.0);
         require(width > 0.0, &key("structure_width"), width, "a number above 0")?;
         let axes = Axes(match plane {
             StructurePlane::Xy => [0, 1],
