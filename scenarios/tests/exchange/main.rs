@@ -98,7 +98,7 @@ fn a_panel_that_comes_back_is_the_one_that_went() {
 fn a_curved_panel_comes_back_too() {
     let folder = TempDir::new().expect("a folder");
     let (at, name) = (folder.path(), "fuselage_flexible");
-    let sets = ["--set", "resolution.spacing=0.04", "--set", "time.end=0.005", "--set", "compare=[]", "--quiet"];
+    let sets = ["--set", "resolution.spacing=0.02", "--set", "time.end=0.003", "--set", "compare=[]", "--quiet"];
     splashdown(at, &[&["run", name, "--out", "plate"][..], &sets].concat());
     splashdown(at, &["export", "plate", "--nastran", "--quiet"]);
     fs::copy(at.join("plate/nastran/bottom.bdf"), at.join("bottom.bdf")).expect("a copy");
