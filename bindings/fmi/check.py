@@ -1,4 +1,4 @@
-"""What `bindings/fmi/check` asks of the units in a folder, as an importer: body.fmu, nodes.fmu, turning_nodes.fmu of the wedge.
+"""What `bindings/fmi/check` asks of body.fmu, nodes.fmu and turning_nodes.fmu of the wedge in a folder, as an importer.
 
 `reference.txt` holds what the example `host_drop` prints: time, y, v, f_y of each step.
 """

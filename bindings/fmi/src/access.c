@@ -57,7 +57,8 @@ static fmi3Status check(const struct access *a, fmi3ValueReference reference)
         return fmi3Error;
     }
     const unsigned before = in(INSTANTIATED) | in(INITIALIZATION);
-    return a->writes ? expect_mode(instance, a->call, variable->causality == INPUT ? before | in(STEP) : before) : fmi3OK;
+    return a->writes ? expect_mode(instance, a->call, variable->causality == INPUT ? before | in(STEP) : before)
+                     : fmi3OK;
 }
 
 /* Takes the next variable in hand; false at the end, or with a status other than fmi3OK. */
@@ -117,7 +118,8 @@ fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference valueR
 fmi3Status fmi3GetUInt32(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
                          fmi3UInt32 values[], size_t nValues)
 {
-    struct access a = begin(instance, "fmi3GetUInt32", UINT32, false, valueReferences, nValueReferences, values, nValues);
+    struct access a =
+        begin(instance, "fmi3GetUInt32", UINT32, false, valueReferences, nValueReferences, values, nValues);
     while (next(&a)) {
         values[a.first] = (fmi3UInt32)*a.numbers;
     }
@@ -149,7 +151,8 @@ fmi3Status fmi3SetBoolean(fmi3Instance instance, const fmi3ValueReference valueR
 fmi3Status fmi3GetString(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
                          fmi3String values[], size_t nValues)
 {
-    struct access a = begin(instance, "fmi3GetString", STRING, false, valueReferences, nValueReferences, values, nValues);
+    struct access a =
+        begin(instance, "fmi3GetString", STRING, false, valueReferences, nValueReferences, values, nValues);
     while (next(&a)) {
         values[a.first] = *a.text;
     }
@@ -159,7 +162,8 @@ fmi3Status fmi3GetString(fmi3Instance instance, const fmi3ValueReference valueRe
 fmi3Status fmi3SetString(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
                          const fmi3String values[], size_t nValues)
 {
-    struct access a = begin(instance, "fmi3SetString", STRING, true, valueReferences, nValueReferences, values, nValues);
+    struct access a =
+        begin(instance, "fmi3SetString", STRING, true, valueReferences, nValueReferences, values, nValues);
     while (next(&a)) {
         char *text = copy_of(values[a.first]);
         if (text == NULL) {

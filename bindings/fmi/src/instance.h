@@ -27,8 +27,8 @@ struct instance {
     struct layout layout;
     double *numbers; /* values of all variables but texts, in the order of the layout */
     char *texts[TEXT_COUNT];
-    double *first; /* nodes of the scene at t = 0: positions, velocities, rotations, spins: 6 per node */
-    double *built; /* nodes that the element was built with, likewise */
+    double *first;  /* nodes of the scene at t = 0: positions, velocities, rotations, spins: 6 per node */
+    double *built;  /* nodes that the element was built with, likewise */
     double *forces; /* 3 per node */
     double *moved;  /* nodes at the end of the step, 6 per node */
 

@@ -6,9 +6,9 @@
 #include "instance.h"
 #include "water.h"
 
-/* A state is one block of bytes, which is also its serialised form: this head, the values of the variables, the nodes that the
-   element was built with, the text of the parameter `settings` with its zero, and the element. The folder of the parameter
-   `record` is of the instance, not of the state. */
+/* A state is one block of bytes, which is also its serialised form: this head, the values of the variables, the nodes
+   that the element was built with, the text of the parameter `settings` with its zero, and the element. The folder of
+   the parameter `record` is of the instance, not of the state. */
 struct head {
     char magic[8];
     uint64_t size; /* of the whole block [bytes] */
@@ -63,17 +63,21 @@ fmi3Status fmi3GetFMUState(fmi3Instance given, fmi3FMUState *FMUState)
     }
     size_t element = 0;
     if (instance->element != NULL) {
-        const fmi3Status status =
-            told(instance, "fmi3GetFMUState", splashdown_state_size(instance->element, &element));
+        const fmi3Status status = told(instance, "fmi3GetFMUState", splashdown_state_size(instance->element, &element));
         if (status != fmi3OK) {
             return status;
         }
     }
     const struct layout *layout = &instance->layout;
-    struct head head = {.version = splashdown_abi_version(), .mode = instance->mode, .start_time = instance->start_time,
-                        .time = instance->time, .stop_time = instance->stop_time,
-                        .stop_time_defined = instance->stop_time_defined, .nodes = layout->nodes,
-                        .numbers = layout->total, .settings = strlen(instance->texts[TEXT_SETTINGS]) + 1,
+    struct head head = {.version = splashdown_abi_version(),
+                        .mode = instance->mode,
+                        .start_time = instance->start_time,
+                        .time = instance->time,
+                        .stop_time = instance->stop_time,
+                        .stop_time_defined = instance->stop_time_defined,
+                        .nodes = layout->nodes,
+                        .numbers = layout->total,
+                        .settings = strlen(instance->texts[TEXT_SETTINGS]) + 1,
                         .element = element};
     head.size = size_of_block(&head);
     memcpy(head.magic, MAGIC, sizeof MAGIC);

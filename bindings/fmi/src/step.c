@@ -16,7 +16,8 @@ fmi3Status fmi3DoStep(fmi3Instance given, fmi3Float64 currentCommunicationPoint,
     if (status != fmi3OK) {
         return status;
     }
-    if (eventHandlingNeeded == NULL || terminateSimulation == NULL || earlyReturn == NULL || lastSuccessfulTime == NULL) {
+    if (eventHandlingNeeded == NULL || terminateSimulation == NULL || earlyReturn == NULL
+        || lastSuccessfulTime == NULL) {
         say(instance, fmi3Error, "fmi3DoStep: a pointer for a result is NULL");
         return fmi3Error;
     }

@@ -1,11 +1,11 @@
-/* Functions of the standard that a co-simulation unit without events, clocks and derivatives does not serve: each says so. */
+/* Functions of the standard that a unit without events, clocks and derivatives does not serve: each says so. */
 #include "instance.h"
 
 static fmi3Status refused(const struct instance *instance, const char *call)
 {
     if (instance != NULL) {
-        say(instance, fmi3Error, "%s is not supported: the unit is one of co-simulation, without events, clocks and derivatives",
-            call);
+        say(instance, fmi3Error,
+            "%s is not supported: the unit is one of co-simulation, without events, clocks and derivatives", call);
     }
     return fmi3Error;
 }
@@ -30,28 +30,25 @@ static fmi3Instance no_instance(fmi3LogMessageCallback logger, fmi3InstanceEnvir
     return NULL;
 }
 
-fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String instantiationToken, fmi3String
-                                          resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
-                                          fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback
-                                          logMessage)
+fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String instantiationToken,
+                                          fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
+                                          fmi3InstanceEnvironment instanceEnvironment,
+                                          fmi3LogMessageCallback logMessage)
 {
     return no_instance(logMessage, instanceEnvironment, "fmi3InstantiateModelExchange");
 }
 
-fmi3Instance fmi3InstantiateScheduledExecution(fmi3String instanceName, fmi3String instantiationToken, fmi3String
-                                               resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
-                                               fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback
-                                               logMessage, fmi3ClockUpdateCallback clockUpdate,
-                                               fmi3LockPreemptionCallback lockPreemption, fmi3UnlockPreemptionCallback
-                                               unlockPreemption)
+fmi3Instance fmi3InstantiateScheduledExecution(fmi3String instanceName, fmi3String instantiationToken,
+                                               fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
+                                               fmi3InstanceEnvironment instanceEnvironment,
+                                               fmi3LogMessageCallback logMessage, fmi3ClockUpdateCallback clockUpdate,
+                                               fmi3LockPreemptionCallback lockPreemption,
+                                               fmi3UnlockPreemptionCallback unlockPreemption)
 {
     return no_instance(logMessage, instanceEnvironment, "fmi3InstantiateScheduledExecution");
 }
 
-fmi3Status fmi3EnterEventMode(fmi3Instance instance)
-{
-    return refused(instance, "fmi3EnterEventMode");
-}
+fmi3Status fmi3EnterEventMode(fmi3Instance instance) { return refused(instance, "fmi3EnterEventMode"); }
 
 fmi3Status fmi3GetFloat32(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
                           fmi3Float32 values[], size_t nValues)
@@ -179,16 +176,16 @@ fmi3Status fmi3SetClock(fmi3Instance instance, const fmi3ValueReference valueRef
     return no_variable(instance, "fmi3SetClock", nValueReferences);
 }
 
-fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference valueReference, size_t*
-                                               nDependencies)
+fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference valueReference,
+                                               size_t *nDependencies)
 {
     return refused(instance, "fmi3GetNumberOfVariableDependencies");
 }
 
-fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference dependent, size_t
-                                       elementIndicesOfDependent[], fmi3ValueReference independents[], size_t
-                                       elementIndicesOfIndependents[], fmi3DependencyKind dependencyKinds[], size_t
-                                       nDependencies)
+fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference dependent,
+                                       size_t elementIndicesOfDependent[], fmi3ValueReference independents[],
+                                       size_t elementIndicesOfIndependents[], fmi3DependencyKind dependencyKinds[],
+                                       size_t nDependencies)
 {
     return refused(instance, "fmi3GetVariableDependencies");
 }
@@ -207,74 +204,65 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueRefere
     return refused(instance, "fmi3GetAdjointDerivative");
 }
 
-fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance)
-{
-    return refused(instance, "fmi3EnterConfigurationMode");
-}
+fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance) { return refused(instance, "fmi3EnterConfigurationMode"); }
 
-fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance)
-{
-    return refused(instance, "fmi3ExitConfigurationMode");
-}
+fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance) { return refused(instance, "fmi3ExitConfigurationMode"); }
 
-fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                  nValueReferences, fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[])
+fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                  size_t nValueReferences, fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[])
 {
     return refused(instance, "fmi3GetIntervalDecimal");
 }
 
-fmi3Status fmi3GetIntervalFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                   nValueReferences, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
+fmi3Status fmi3GetIntervalFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                   size_t nValueReferences, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
                                    fmi3IntervalQualifier qualifiers[])
 {
     return refused(instance, "fmi3GetIntervalFraction");
 }
 
-fmi3Status fmi3GetShiftDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                               nValueReferences, fmi3Float64 shifts[])
+fmi3Status fmi3GetShiftDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                               size_t nValueReferences, fmi3Float64 shifts[])
 {
     return refused(instance, "fmi3GetShiftDecimal");
 }
 
-fmi3Status fmi3GetShiftFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                nValueReferences, fmi3UInt64 counters[], fmi3UInt64 resolutions[])
+fmi3Status fmi3GetShiftFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                size_t nValueReferences, fmi3UInt64 counters[], fmi3UInt64 resolutions[])
 {
     return refused(instance, "fmi3GetShiftFraction");
 }
 
-fmi3Status fmi3SetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                  nValueReferences, const fmi3Float64 intervals[])
+fmi3Status fmi3SetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                  size_t nValueReferences, const fmi3Float64 intervals[])
 {
     return refused(instance, "fmi3SetIntervalDecimal");
 }
 
-fmi3Status fmi3SetIntervalFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                   nValueReferences, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
+fmi3Status fmi3SetIntervalFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                   size_t nValueReferences, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
 {
     return refused(instance, "fmi3SetIntervalFraction");
 }
 
-fmi3Status fmi3SetShiftDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                               nValueReferences, const fmi3Float64 shifts[])
+fmi3Status fmi3SetShiftDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                               size_t nValueReferences, const fmi3Float64 shifts[])
 {
     return refused(instance, "fmi3SetShiftDecimal");
 }
 
-fmi3Status fmi3SetShiftFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                nValueReferences, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
+fmi3Status fmi3SetShiftFraction(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                size_t nValueReferences, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
 {
     return refused(instance, "fmi3SetShiftFraction");
 }
 
-fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance)
-{
-    return refused(instance, "fmi3EvaluateDiscreteStates");
-}
+fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance) { return refused(instance, "fmi3EvaluateDiscreteStates"); }
 
-fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean* discreteStatesNeedUpdate, fmi3Boolean*
-                                    terminateSimulation, fmi3Boolean* nominalsOfContinuousStatesChanged, fmi3Boolean*
-                                    valuesOfContinuousStatesChanged, fmi3Boolean* nextEventTimeDefined, fmi3Float64*
-                                    nextEventTime)
+fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate,
+                                    fmi3Boolean *terminateSimulation, fmi3Boolean *nominalsOfContinuousStatesChanged,
+                                    fmi3Boolean *valuesOfContinuousStatesChanged, fmi3Boolean *nextEventTimeDefined,
+                                    fmi3Float64 *nextEventTime)
 {
     return refused(instance, "fmi3UpdateDiscreteStates");
 }
@@ -285,24 +273,20 @@ fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance)
 }
 
 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean noSetFMUStatePriorToCurrentPoint,
-                                       fmi3Boolean* enterEventMode, fmi3Boolean* terminateSimulation)
+                                       fmi3Boolean *enterEventMode, fmi3Boolean *terminateSimulation)
 {
     return refused(instance, "fmi3CompletedIntegratorStep");
 }
 
-fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time)
-{
-    return refused(instance, "fmi3SetTime");
-}
+fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time) { return refused(instance, "fmi3SetTime"); }
 
-fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64 continuousStates[], size_t
-                                   nContinuousStates)
+fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64 continuousStates[],
+                                   size_t nContinuousStates)
 {
     return refused(instance, "fmi3SetContinuousStates");
 }
 
-fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64 derivatives[], size_t
-                                             nContinuousStates)
+fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64 derivatives[], size_t nContinuousStates)
 {
     return refused(instance, "fmi3GetContinuousStateDerivatives");
 }
@@ -322,29 +306,27 @@ fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64 
     return refused(instance, "fmi3GetNominalsOfContinuousStates");
 }
 
-fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t* nEventIndicators)
+fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t *nEventIndicators)
 {
     return refused(instance, "fmi3GetNumberOfEventIndicators");
 }
 
-fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t* nContinuousStates)
+fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t *nContinuousStates)
 {
     return refused(instance, "fmi3GetNumberOfContinuousStates");
 }
 
-fmi3Status fmi3EnterStepMode(fmi3Instance instance)
-{
-    return refused(instance, "fmi3EnterStepMode");
-}
+fmi3Status fmi3EnterStepMode(fmi3Instance instance) { return refused(instance, "fmi3EnterStepMode"); }
 
-fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t
-                                    nValueReferences, const fmi3Int32 orders[], fmi3Float64 values[], size_t nValues)
+fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference valueReferences[],
+                                    size_t nValueReferences, const fmi3Int32 orders[], fmi3Float64 values[],
+                                    size_t nValues)
 {
     return refused(instance, "fmi3GetOutputDerivatives");
 }
 
-fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64
-                                      activationTime)
+fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference clockReference,
+                                      fmi3Float64 activationTime)
 {
     return refused(instance, "fmi3ActivateModelPartition");
 }

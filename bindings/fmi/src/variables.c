@@ -1,5 +1,5 @@
-/* The tables of the variables. Inputs hold at the end of the step that follows, outputs are of the step done; loads are per
-   metre of span. */
+/* The tables of the variables. Inputs hold at the end of the step that follows, outputs are of the step done; loads are
+   per metre of span. */
 #include <stdint.h>
 #include <string.h>
 
@@ -38,7 +38,7 @@ static const struct variable COMMON[] = {
     {"fluid_steps", FLUID_STEPS, UINT32, OUTPUT, 0, NULL, "Steps of the water within the step"},
     {"fluid_dt", FLUID_DT, FLOAT64, OUTPUT, 0, "s", "Longest step that the water can take next"},
     {"work", WORK, FLOAT64, OUTPUT, 0, "J/m", "Work of the water on the body within the step"},
-    {"penetration", PENETRATION, FLOAT64, OUTPUT, 0, "m", "Largest depth of a particle behind a surface, at the end of the step"},
+    {"penetration", PENETRATION, FLOAT64, OUTPUT, 0, "m", "Largest depth of a particle behind a surface"},
     {"spacing", SPACING, FLOAT64, PARAMETER, 0, "m", "Spacing of the particles; 0: that of the scene"},
     {"inputs_at_start", INPUTS_AT_START, BOOLEAN, PARAMETER, 0, NULL,
      "Inputs hold at the start of the step: the body moves on with its velocity"},

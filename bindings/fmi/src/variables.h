@@ -9,10 +9,22 @@
 
 /* What a variable is to the water. */
 enum role {
-    POSITION, VELOCITY, ROTATION, SPIN,        /* inputs */
-    FORCE, MOMENT, FORCE_NOW, MOMENT_NOW,      /* outputs */
-    FLUID_STEPS, FLUID_DT, WORK, PENETRATION,  /* outputs */
-    SPACING, INPUTS_AT_START, SETTINGS, RECORD /* parameters */
+    POSITION,
+    VELOCITY,
+    ROTATION,
+    SPIN, /* inputs */
+    FORCE,
+    MOMENT,
+    FORCE_NOW,
+    MOMENT_NOW, /* outputs */
+    FLUID_STEPS,
+    FLUID_DT,
+    WORK,
+    PENETRATION, /* outputs */
+    SPACING,
+    INPUTS_AT_START,
+    SETTINGS,
+    RECORD /* parameters */
 };
 
 enum type { FLOAT64, UINT32, BOOLEAN, STRING };

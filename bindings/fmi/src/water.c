@@ -107,8 +107,8 @@ static fmi3Status take_nodes(struct instance *instance)
         return fmi3Error;
     }
     if (size.nodes != instance->layout.nodes) {
-        say(instance, fmi3Error, "the parameter settings changes the number of nodes to %zu; the unit has %zu", size.nodes,
-            instance->layout.nodes);
+        say(instance, fmi3Error, "the parameter settings changes the number of nodes to %zu; the unit has %zu",
+            size.nodes, instance->layout.nodes);
         return fmi3Error;
     }
     const size_t n = size.nodes;
@@ -166,9 +166,8 @@ static void write_number(struct instance *instance, enum role role, double value
 fmi3Status read_outputs_now(struct instance *instance)
 {
     double dt;
-    fmi3Status status =
-        told(instance, "the forces now",
-             splashdown_forces_now(instance->element, instance->forces, instance->layout.nodes));
+    fmi3Status status = told(instance, "the forces now",
+                             splashdown_forces_now(instance->element, instance->forces, instance->layout.nodes));
     if (status == fmi3OK) {
         write_loads(instance, FORCE_NOW, MOMENT_NOW);
         status = told(instance, "the step of the water", splashdown_fluid_dt(instance->element, &dt));
@@ -204,8 +203,8 @@ fmi3Status build_element(struct instance *instance, double *start)
 fmi3Status begin_water(struct instance *instance)
 {
     const size_t count = 6 * instance->layout.nodes;
-    const bool asked = *instance->texts[TEXT_SETTINGS] != '\0'
-                       || instance->numbers[place_of(&instance->layout, SPACING)] != 0.0;
+    const bool asked =
+        *instance->texts[TEXT_SETTINGS] != '\0' || instance->numbers[place_of(&instance->layout, SPACING)] != 0.0;
     double *start = instance->moved, *before = instance->built;
     nodes_of_inputs(instance, start);
     if (asked || instance->scene == NULL) {
@@ -236,9 +235,10 @@ fmi3Status step_element(struct instance *instance, double dt)
         }
     }
     splashdown_contribution given;
-    const fmi3Status status = told(instance, "fmi3DoStep",
-                                   splashdown_contribute(instance->element, dt, to, to + 2 * n, rotations_of(instance, to),
-                                                         spins_of(instance, to), n, instance->forces, &given));
+    const fmi3Status status =
+        told(instance, "fmi3DoStep",
+             splashdown_contribute(instance->element, dt, to, to + 2 * n, rotations_of(instance, to),
+                                   spins_of(instance, to), n, instance->forces, &given));
     if (status != fmi3OK) {
         return status;
     }
