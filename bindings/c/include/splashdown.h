@@ -106,6 +106,24 @@ typedef enum splashdown_status {
 } splashdown_status;
 
 /**
+ * What of the body the host moves. A function takes it as int32_t.
+ */
+typedef enum splashdown_interface {
+    /**
+     * One node at the reference point of a rigid body: x, y, angle; forces F_x, F_y, M about it.
+     */
+    SPLASHDOWN_BODY = 0,
+    /**
+     * The corners of the body's polygon, or the points of its polyline; straight between them.
+     */
+    SPLASHDOWN_NODES = 1,
+    /**
+     * The same with rotations: cubic between them, with moments.
+     */
+    SPLASHDOWN_TURNING_NODES = 2,
+} splashdown_interface;
+
+/**
  * Water under the body of a host.
  */
 typedef struct splashdown_element splashdown_element;
@@ -147,6 +165,10 @@ typedef struct splashdown_scene_sizes {
      * Warnings about the scene, to be read by splashdown_warning.
      */
     size_t warnings;
+    /**
+     * Time at the start [s]: below zero where a body starts above the water.
+     */
+    double start_time;
 } splashdown_scene_sizes;
 
 /**
@@ -278,10 +300,11 @@ enum splashdown_status splashdown_record(struct splashdown_scene *scene,
                                          int32_t replace);
 
 /**
- * Build the water at t = 0 with the nodes where the host says; the only phase that allocates what grows with the water.
+ * Build the water at the start; the only phase that allocates what grows with the water.
  *
- * The scene is consumed, unless the status is SPLASHDOWN_NULL, SPLASHDOWN_LENGTH or SPLASHDOWN_BUSY. To free it afterwards does no
- * harm.
+ * The nodes stand where splashdown_scene_nodes has them; their velocities are what they start with.
+ *
+ * On SPLASHDOWN_OK the scene is consumed: its handle is gone. After an error it is as before.
  *
  * Memory: `positions` and `velocities` are NULL or of 2n values, `rotations` and `spins` NULL or of n values; `element` is NULL or points
  * to a handle.
@@ -307,7 +330,8 @@ enum splashdown_status splashdown_free_scene(struct splashdown_scene *scene);
  * [N/m] and M [N] of each node: their mean over the step, so that dt times them is the impulse. `contribution` is NULL if it is
  * not wanted.
  *
- * After SPLASHDOWN_STEP the element waits for splashdown_restore; after any other error nothing has changed.
+ * After SPLASHDOWN_STEP the element waits for splashdown_restore, after SPLASHDOWN_FILE the record of the run is not complete; after
+ * any other error nothing has changed.
  *
  * Memory: Arrays are NULL or of the lengths above; `contribution` is NULL or points to a structure.
  */
@@ -381,7 +405,7 @@ enum splashdown_status splashdown_free_element(struct splashdown_element *elemen
  *
  * Memory: `count` is NULL or points to a number.
  */
-enum splashdown_status splashdown_particle_count(struct splashdown_element *element, size_t *count);
+enum splashdown_status splashdown_particle_count(const struct splashdown_element *element, size_t *count);
 
 /**
  * The water's particles now, in the order of their identity, which is the same at every instant: positions x, y [m], velocities
@@ -420,7 +444,8 @@ enum splashdown_status splashdown_state_write(struct splashdown_element *element
 /**
  * Take a state of an element that was built of the same scene, settings, interface and nodes; the next step gives the same bits.
  *
- * `length` is that of the state. A state saved before is gone. After SPLASHDOWN_STATE the element has failed.
+ * `length` is that of the state. A state saved before is gone. After SPLASHDOWN_STATE the element has failed. A
+ * run that is recorded takes no state: SPLASHDOWN_INPUT.
  *
  * Memory: `buffer` is NULL or points to `length` readable bytes.
  */

@@ -91,7 +91,7 @@ pub(crate) unsafe fn text(name: &str, text: *const c_char) -> Result<String, Fai
 /// `buffer` is NULL or points to `length` writable bytes.
 pub(crate) unsafe fn write_cut(text: &str, buffer: *mut c_char, length: usize) -> usize {
     if !buffer.is_null() && length > 0 {
-        let fits = text.floor_char_boundary(length - 1);
+        let fits = (0..length).rev().find(|&bytes| text.is_char_boundary(bytes)).unwrap_or(0);
         // SAFETY: `fits` and the zero after it are within `length`.
         unsafe {
             std::ptr::copy_nonoverlapping(text.as_ptr(), buffer.cast(), fits);

@@ -1,7 +1,7 @@
 //! Phase four: the element at work.
 
 use fsi_coupling::embed::{HostNodes, Snapshot};
-use scenarios::host::{HostedError, HostedRun};
+use scenarios::host::HostedRun;
 
 use crate::buffers;
 use crate::handles::Handles;
@@ -40,7 +40,6 @@ pub(crate) struct Element {
     run: HostedRun,
     nodes: HostNodes,
     forces: Vec<[f64; 3]>,
-    failed: bool,
     snapshot: Option<Snapshot>,
     bytes: Option<Vec<u8>>,
 }
@@ -49,7 +48,7 @@ impl Element {
     /// Of a run with `nodes` at t = 0.
     pub fn new(run: HostedRun, nodes: HostNodes) -> Element {
         let forces = vec![[0.0; 3]; nodes.len()];
-        Element { run, nodes, forces, failed: false, snapshot: None, bytes: None }
+        Element { run, nodes, forces, snapshot: None, bytes: None }
     }
 
     /// The run, to be changed: what was kept of its state is dropped.
@@ -58,14 +57,9 @@ impl Element {
         &mut self.run
     }
 
-    /// Note whether a call that changed the run has broken it or made it good again.
-    pub fn ended<R>(&mut self, done: Result<R, HostedError>) -> Result<R, Failure> {
-        let done = done.map_err(Failure::from);
-        match &done {
-            Ok(_) => self.failed = false,
-            Err(failure) => self.failed |= failure.breaks_the_run(),
-        }
-        done
+    /// Number of the water's particles now.
+    pub fn particle_count(&self) -> usize {
+        self.run.particle_count()
     }
 
     /// The picture of the present state.
@@ -94,7 +88,8 @@ impl Element {
 /// [N/m] and M [N] of each node: their mean over the step, so that dt times them is the impulse. `contribution` is NULL if it is
 /// not wanted.
 ///
-/// After SPLASHDOWN_STEP the element waits for splashdown_restore; after any other error nothing has changed.
+/// After SPLASHDOWN_STEP the element waits for splashdown_restore, after SPLASHDOWN_FILE the record of the run is not complete; after
+/// any other error nothing has changed.
 ///
 /// Memory: Arrays are NULL or of the lengths above; `contribution` is NULL or points to a structure.
 #[unsafe(no_mangle)]
@@ -118,8 +113,7 @@ pub unsafe extern "C" fn splashdown_contribute(
             // SAFETY: of the lengths by the contract of the caller.
             unsafe { buffers::read_nodes([positions, velocities, rotations, spins], n, &mut element.nodes)? };
             (element.snapshot, element.bytes) = (None, None);
-            let done = element.run.contribute(dt, &element.nodes, &mut element.forces);
-            let given = element.ended(done)?;
+            let given = element.run.contribute(dt, &element.nodes, &mut element.forces)?;
             let said = splashdown_contribution {
                 fluid_steps: u64::from(given.fluid_steps),
                 fluid_dt: given.fluid_dt,
@@ -144,12 +138,12 @@ pub unsafe extern "C" fn splashdown_contribute(
 pub extern "C" fn splashdown_save(element: *mut splashdown_element) -> splashdown_status {
     guarded(|| {
         ELEMENTS.with(element, |element| {
-            if element.failed {
-                let message = "save: the element has failed, expected splashdown_restore of a saved state first";
+            if let Some(why) = element.run.failure() {
+                let message =
+                    format!("save: the element failed ({why}), expected splashdown_restore of a saved state first");
                 return Err(Failure::new(SPLASHDOWN_FAILED, message));
             }
-            element.run.save();
-            Ok(())
+            Ok(element.run.save()?)
         })
     })
 }
@@ -157,12 +151,7 @@ pub extern "C" fn splashdown_save(element: *mut splashdown_element) -> splashdow
 /// Return to the state last saved, as often as needed. A step redone from there gives the same bits.
 #[unsafe(no_mangle)]
 pub extern "C" fn splashdown_restore(element: *mut splashdown_element) -> splashdown_status {
-    guarded(|| {
-        ELEMENTS.with(element, |element| {
-            let done = element.run().restore();
-            element.ended(done)
-        })
-    })
+    guarded(|| ELEMENTS.with(element, |element| Ok(element.run().restore()?)))
 }
 
 /// The nodes now, as the water sees them: `n` nodes into arrays of the caller, as of splashdown_scene_nodes.

@@ -120,7 +120,11 @@ mod tests {
     #[test]
     fn a_handle_is_busy_within_a_call_and_can_only_be_freed_after_a_panic() {
         let handle: *mut u8 = NUMBERS.add(5);
-        let add = |k: i32| guarded(|| NUMBERS.with(handle, |n| Ok(*n += k)));
+        let change = |n: &mut i32, k: i32| {
+            *n += k;
+            Ok(())
+        };
+        let add = |k: i32| guarded(|| NUMBERS.with(handle, |n| change(n, k)));
         assert_eq!(add(2), SPLASHDOWN_OK);
         let within = NUMBERS.with(handle, |n| {
             assert_eq!((*n, add(1)), (7, SPLASHDOWN_BUSY));

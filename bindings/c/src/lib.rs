@@ -18,3 +18,6 @@ mod scene;
 mod element;
 mod particles;
 mod state;
+
+#[cfg(test)]
+mod cost_tests;

@@ -9,14 +9,13 @@ use crate::status::{guarded, splashdown_status};
 /// Memory: `count` is NULL or points to a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn splashdown_particle_count(
-    element: *mut splashdown_element,
+    element: *const splashdown_element,
     count: *mut usize,
 ) -> splashdown_status {
     guarded(|| {
         ELEMENTS.with(element, |element| {
-            let found = element.snapshot().position.len();
             // SAFETY: a number by the contract of the caller.
-            unsafe { buffers::write_one("count", found, count) }
+            unsafe { buffers::write_one("count", element.particle_count(), count) }
         })
     })
 }

@@ -3,7 +3,6 @@
 use std::ffi::c_char;
 use std::path::PathBuf;
 
-use fsi_coupling::embed::HostNodes;
 use scenarios::host::{HostedScene, Interface};
 
 use crate::buffers;
@@ -49,6 +48,8 @@ pub struct splashdown_scene_sizes {
     pub fluid_dt: f64,
     /// Warnings about the scene, to be read by splashdown_warning.
     pub warnings: usize,
+    /// Time at the start [s]: below zero where a body starts above the water.
+    pub start_time: f64,
 }
 
 static SCENES: Handles<HostedScene> = Handles::new("scene");
@@ -117,6 +118,7 @@ pub unsafe extern "C" fn splashdown_sizes(
                 bytes: scene.bytes(),
                 fluid_dt: scene.fluid_dt(),
                 warnings: scene.warnings().len(),
+                start_time: scene.time(),
             };
             // SAFETY: a structure by the contract of the caller.
             unsafe { buffers::write_one("sizes", found, sizes) }
@@ -202,10 +204,11 @@ pub unsafe extern "C" fn splashdown_record(
     })
 }
 
-/// Build the water at t = 0 with the nodes where the host says; the only phase that allocates what grows with the water.
+/// Build the water at the start; the only phase that allocates what grows with the water.
 ///
-/// The scene is consumed, unless the status is SPLASHDOWN_NULL, SPLASHDOWN_LENGTH or SPLASHDOWN_BUSY. To free it afterwards does no
-/// harm.
+/// The nodes stand where splashdown_scene_nodes has them; their velocities are what they start with.
+///
+/// On SPLASHDOWN_OK the scene is consumed: its handle is gone. After an error it is as before.
 ///
 /// Memory: `positions` and `velocities` are NULL or of 2n values, `rotations` and `spins` NULL or of n values; `element` is NULL or points
 /// to a handle.
@@ -223,11 +226,13 @@ pub unsafe extern "C" fn splashdown_build(
         buffers::expect("element", element)?;
         let built = SCENES.with_slot(scene, |slot| {
             let gone = || Failure::new(SPLASHDOWN_NO_HANDLE, "scene: given a handle that was consumed");
-            let mut nodes: HostNodes = slot.as_ref().ok_or_else(gone)?.nodes().clone();
+            let scene = slot.as_ref().ok_or_else(gone)?;
+            let mut nodes = scene.nodes().clone();
             // SAFETY: of the lengths by the contract of the caller.
             unsafe { buffers::read_nodes([positions, velocities, rotations, spins], n, &mut nodes)? };
-            let scene = slot.take().ok_or_else(gone)?;
-            Ok(Element::new(scene.build(&nodes)?, nodes))
+            let run = scene.clone().build(&nodes)?;
+            *slot = None;
+            Ok(Element::new(run, nodes))
         })?;
         // SAFETY: checked above.
         unsafe { buffers::write_one("element", ELEMENTS.add(built), element) }

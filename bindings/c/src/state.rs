@@ -40,7 +40,8 @@ pub unsafe extern "C" fn splashdown_state_write(
 
 /// Take a state of an element that was built of the same scene, settings, interface and nodes; the next step gives the same bits.
 ///
-/// `length` is that of the state. A state saved before is gone. After SPLASHDOWN_STATE the element has failed.
+/// `length` is that of the state. A state saved before is gone. After SPLASHDOWN_STATE the element has failed. A
+/// run that is recorded takes no state: SPLASHDOWN_INPUT.
 ///
 /// Memory: `buffer` is NULL or points to `length` readable bytes.
 #[unsafe(no_mangle)]
@@ -55,8 +56,7 @@ pub unsafe extern "C" fn splashdown_state_read(
             let mut bytes = vec![0; length];
             // SAFETY: `length` bytes by the contract of the caller.
             unsafe { buffers::read("buffer", buffer, &mut bytes)? };
-            let done = element.run().restore_bytes(&bytes);
-            element.ended(done)
+            Ok(element.run().restore_bytes(&bytes)?)
         })
     })
 }

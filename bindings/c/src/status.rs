@@ -59,11 +59,6 @@ impl Failure {
     pub fn new(status: splashdown_status, message: impl Into<String>) -> Failure {
         Failure { status, message: message.into() }
     }
-
-    /// True if the state of the run is lost.
-    pub fn breaks_the_run(&self) -> bool {
-        matches!(self.status, SPLASHDOWN_STEP | SPLASHDOWN_STATE)
-    }
 }
 
 impl From<HostedError> for Failure {
