@@ -142,15 +142,15 @@ def check_drop(unit, reference):
 def check_states(unit, lines):
     """A state goes on in a second instance, that was built and one that was not, and again in the first."""
     first = unit.instance()
-    drop = Drop(first).advance(10)
+    drop = Drop(first).advance(45)
     state = first.fmu.getFMUState()
     stored = first.fmu.serializeFMUState(state)
     there = drop.y, drop.v, drop.force
     for into in (unit.instance(), unit.instance(initialised=False), first):
         into.fmu.setFMUState(into.fmu.deserializeFMUState(stored))
-        drop.k, (drop.y, drop.v, drop.force), drop.lines = 10, there, []
+        drop.k, (drop.y, drop.v, drop.force), drop.lines = 45, there, []
         drop.advance(15, into)
-        assert drop.lines == lines[10:25], "a state goes on to other bits"
+        assert drop.lines == lines[45:60], "a state goes on to other bits"
     broken = bytearray(stored)
     for place in (0, 10, 100, len(broken) // 2):
         broken[place] ^= 0xFF
@@ -163,14 +163,14 @@ def check_two(unit, lines):
     """Two instances in turn, one of them started later, give the bits of one alone."""
     drops = [Drop(unit.instance()), Drop(unit.instance())]
     drops[0].advance(3)
-    for _ in range(12):
+    for _ in range(50):
         for drop in drops:
             drop.advance(1)
-    assert drops[0].lines == lines[:15] and drops[1].lines == lines[:12]
+    assert drops[0].lines == lines[:53] and drops[1].lines == lines[:50]
     drops[1].instance.fmu.reset()
     drops[1].instance.fmu.enterInitializationMode()
     drops[1].instance.fmu.exitInitializationMode()
-    assert Drop(drops[1].instance).advance(5).lines == lines[:5], "reset"
+    assert Drop(drops[1].instance).advance(40).lines == lines[:40], "reset"
     for drop in drops:
         drop.instance.close()
     print("instances: two in turn, one reset, to the bits of one alone")
@@ -178,11 +178,11 @@ def check_two(unit, lines):
 
 def check_nodes(body, unit, turning):
     """The nodes of a rigid section give the force of the body."""
-    count = unit.start["position"].split().__len__() // 2
+    count = len(unit.start["position"].split()) // 2
     start = numpy.array(unit.start["position"].split(), float).reshape(count, 2)
     instances = [body.instance(), unit.instance(), turning.instance()]
     y0, v = instances[0].get("y"), instances[0].get("vy")
-    for k in range(10):
+    for k in range(60):
         fall = (k + 1) * DT * v
         instances[0].set("y", y0 + fall)
         for instance in instances[1:]:
@@ -190,6 +190,7 @@ def check_nodes(body, unit, turning):
         for instance in instances:
             instance.step(k * DT)
     expected = instances[0].get("fy")
+    assert expected > 1e3
     for instance in instances[1:]:
         found = instance.get("force", 2 * count).reshape(count, 2)[:, 1].sum()
         assert abs(found - expected) <= 1e-6 * abs(expected), (found, expected)
@@ -214,18 +215,18 @@ def check_misuse(unit):
     one.set("settings", "")
     one.fmu.exitInitializationMode()
     refused(one, lambda: one.set("settings", ""), ERROR, "not allowed in the state Step Mode")
-    drop = Drop(one).advance(5)
+    drop = Drop(one).advance(40)
     state = one.fmu.getFMUState()
     refused(one, lambda: one.step(0.1), ERROR, "the communication point is")
-    refused(one, lambda: one.step(5 * DT, -DT), DISCARD, "expected a number above 0")
-    refused(one, lambda: one.step(5 * DT, math.nan), DISCARD, "expected a number above 0")
+    refused(one, lambda: one.step(40 * DT, -DT), DISCARD, "expected a number above 0")
+    refused(one, lambda: one.step(40 * DT, math.nan), DISCARD, "expected a number above 0")
     for wrong in (math.nan, math.inf, 1e9):
         one.set("y", wrong)
-        refused(one, lambda: one.step(5 * DT), DISCARD, "")
-    lines = drop.advance(5).lines[5:]
+        refused(one, lambda: one.step(40 * DT), DISCARD, "")
+    lines = drop.advance(5).lines[40:]
     one.fmu.setFMUState(state)
     again = Drop(one)
-    again.k, again.force = 5, drop.lines[4][2]
+    again.k, again.force = 40, drop.lines[39][2]
     assert again.advance(5).lines == lines, "refused calls change nothing"
     for call in ("fmi3Terminate", "fmi3Reset", "fmi3ExitInitializationMode"):
         assert getattr(one.fmu.dll, call)(None) == ERROR
@@ -242,27 +243,60 @@ def check_misuse(unit):
     print("misuse: refused with messages, the run unchanged")
 
 
-def check_table(unit, folder):
-    """fmpy moves the body by an input table, as at the start of each step, and the run is recorded."""
+def check_table(unit):
+    """fmpy moves the body by an input table, as at the start of each step."""
     y0, v = float(unit.start["y"]), float(unit.start["vy"])
-    at = numpy.arange(21) * DT
-    table = numpy.zeros(21, dtype=[("time", float)] + [(name, float) for name in ("x", "y", "vx", "vy", "angle", "spin")])
+    at = numpy.arange(61) * DT
+    table = numpy.zeros(61, dtype=[(name, float) for name in ("time", "x", "y", "vx", "vy", "angle", "spin")])
     table["time"], table["y"], table["vy"] = at, y0 + v * at, v
-    values = {"inputs_at_start": True, "spacing": 0.02, "record": str(folder / "recorded")}
-    result = simulate_fmu(
-        unit.file, stop_time=20 * DT, output_interval=DT, start_values=values, input=table, output=["fy", "fluid_steps"]
-    )
-    by_hand, forces = unit.instance(spacing=0.02), []
-    for k in range(20):
+    values = {"inputs_at_start": True, "spacing": 0.01}
+    with contextlib.redirect_stdout(io.StringIO()):
+        result = simulate_fmu(
+            unit.file, stop_time=60 * DT, output_interval=DT, start_values=values, input=table, output=["fy", "fluid_steps"]
+        )
+    by_hand, forces = unit.instance(), []
+    for k in range(60):
         by_hand.set("y", y0 + v * (k + 1) * DT)
         by_hand.step(k * DT)
         forces.append(by_hand.get("fy"))
     by_hand.close()
-    worst = max(abs(a - b) for a, b in zip(result["fy"][1:], forces)) / max(map(abs, forces))
-    assert worst <= 1e-6, f"the table differs by {worst:.2e}"
-    summary = json.loads((folder / "recorded/summary.json").read_text())
-    assert (folder / "recorded/report.html").exists() and summary, "no record"
-    print(f"table: fmpy's simulation within {worst:.1e} of single steps, recorded")
+    worst = max(abs(a - b) for a, b in zip(result["fy"][1:], forces)) / max(forces)
+    assert worst <= 1e-6 and max(forces) > 1e4 and min(result["fluid_steps"][1:]) > 0, f"the table differs by {worst:.2e}"
+    print(f"table: fmpy's simulation within {worst:.1e} of single steps")
+
+
+def check_record(unit, lines, folder):
+    """A drop with rejected steps is recorded; the parameters may change the scene."""
+    recorded = unit.instance(record=str(folder / "recorded"))
+    drop = Drop(recorded).advance(40)
+    for _ in range(5):
+        state = recorded.fmu.getFMUState()
+        recorded.set("vy", 0.0)
+        recorded.step(drop.k * DT)
+        recorded.fmu.setFMUState(state)
+        recorded.fmu.freeFMUState(state)
+        drop.advance(5)
+    assert drop.lines == lines[:65]
+    recorded.close()
+    json.loads((folder / "recorded/summary.json").read_text())
+    series = numpy.genfromtxt(folder / "recorded/series.csv", delimiter=",", names=True)
+    assert (numpy.diff(series["time_s"]) > 0).all() and (folder / "recorded/report.html").exists()
+    again = unit.instance(initialised=False, record=str(folder / "recorded"))
+    again.fmu.enterInitializationMode()
+    refused(again, again.fmu.exitInitializationMode, ERROR, "recorded")
+    again.fmu.freeInstance()
+    coarse = unit.instance(spacing=0.02, settings="body.velocity=[0,-5]")
+    assert coarse.get("fluid_dt") > 1.5 * recorded_dt(unit) and abs(coarse.get("vy") + 5.0) < 0.1
+    coarse.close()
+    print(f"record: {len(series)} rows of a run with rejected steps")
+
+
+def recorded_dt(unit):
+    """Step of the water at the start [s]."""
+    instance = unit.instance()
+    found = instance.get("fluid_dt")
+    instance.close()
+    return found
 
 
 def main():
@@ -275,7 +309,8 @@ def main():
     check_two(body, lines)
     check_nodes(body, nodes, turning)
     check_misuse(body)
-    check_table(body, folder)
+    check_table(body)
+    check_record(body, lines, folder)
     print("fmi: passed")
 
 

@@ -19,19 +19,6 @@ struct access {
     char **text;
 };
 
-static struct access begin(fmi3Instance given, const char *call, enum type type, bool writes,
-                           const fmi3ValueReference *references, size_t nReferences, const void *values, size_t nValues)
-{
-    struct access a = {given, call, type, writes, references, nReferences, nValues, fmi3OK, 0, 0, NULL, NULL};
-    if (given == NULL) {
-        a.status = fmi3Error;
-    } else if ((references == NULL && nReferences > 0) || (values == NULL && nValues > 0)) {
-        say(given, fmi3Error, "%s: an array is NULL", call);
-        a.status = fmi3Error;
-    }
-    return a;
-}
-
 /* fmi3OK, or a message, for the variable with an index of the layout. */
 static fmi3Status check(const struct access *a, fmi3ValueReference reference)
 {
@@ -91,6 +78,24 @@ static bool next(struct access *a)
     }
     a->values_left -= a->size;
     return true;
+}
+
+/* A call with its arguments, all of which are checked before the first is read or written. */
+static struct access begin(fmi3Instance given, const char *call, enum type type, bool writes,
+                           const fmi3ValueReference *references, size_t nReferences, const void *values, size_t nValues)
+{
+    struct access a = {given, call, type, writes, references, nReferences, nValues, fmi3OK, 0, 0, NULL, NULL};
+    if (given == NULL) {
+        a.status = fmi3Error;
+    } else if ((references == NULL && nReferences > 0) || (values == NULL && nValues > 0)) {
+        say(given, fmi3Error, "%s: an array is NULL", call);
+        a.status = fmi3Error;
+    }
+    struct access trial = a;
+    while (next(&trial)) {
+    }
+    a.status = trial.status;
+    return a;
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,

@@ -199,11 +199,10 @@ fmi3Status fmi3ExitInitializationMode(fmi3Instance given)
     if (status == fmi3OK) {
         status = begin_water(instance);
     }
-    if (status != fmi3OK) {
-        return fmi3Error;
+    if (status == fmi3OK) {
+        instance->mode = STEP;
     }
-    instance->mode = STEP;
-    return fmi3OK;
+    return status;
 }
 
 fmi3Status fmi3Terminate(fmi3Instance given)
@@ -229,7 +228,7 @@ fmi3Status fmi3Reset(fmi3Instance given)
     instance->numbers[place_of(&instance->layout, SPACING)] = 0.0;
     const fmi3Status status = open_scene(instance);
     set_start_values(instance);
-    return status == fmi3OK ? fmi3OK : fmi3Error;
+    return status;
 }
 
 const char *fmi3GetVersion(void) { return fmi3Version; }

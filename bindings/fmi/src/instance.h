@@ -35,6 +35,8 @@ struct instance {
     splashdown_scene *scene; /* sized; taken by the element */
     splashdown_element *element;
     double start_time, time; /* of the importer, at the start and now [s] */
+    double water_start;      /* time of the water when it was built: 0 at contact [s] */
+    uint64_t saved;          /* number of the state that the element saved last, or 0 */
     bool stop_time_defined;
     double stop_time;
 };

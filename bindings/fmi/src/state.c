@@ -1,4 +1,5 @@
 /* The state of an instance, to return to it or to go on from it in another instance. */
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,9 +17,14 @@ struct head {
     uint32_t version, mode;
     double start_time, time, stop_time;
     uint64_t stop_time_defined, nodes, numbers, settings, element; /* the last two in bytes */
+    uint64_t saved; /* number of the state that the element saved with it, or 0 */
 };
 
 static const char MAGIC[8] = "sd-state";
+
+/* Of states saved by elements in this process. A run with records returns only to the state that its element saved
+   last: its files return with it. */
+static atomic_uint_least64_t saved_states;
 
 /* Parts of a block; NULL where the block holds none. */
 struct parts {
@@ -68,6 +74,13 @@ fmi3Status fmi3GetFMUState(fmi3Instance given, fmi3FMUState *FMUState)
             return status;
         }
     }
+    if (instance->element != NULL && *instance->texts[TEXT_RECORD] != '\0') {
+        const fmi3Status status = told(instance, "fmi3GetFMUState", splashdown_save(instance->element));
+        if (status != fmi3OK) {
+            return status;
+        }
+        instance->saved = atomic_fetch_add(&saved_states, 1) + 1;
+    }
     const struct layout *layout = &instance->layout;
     struct head head = {.version = splashdown_abi_version(),
                         .mode = instance->mode,
@@ -78,7 +91,8 @@ fmi3Status fmi3GetFMUState(fmi3Instance given, fmi3FMUState *FMUState)
                         .nodes = layout->nodes,
                         .numbers = layout->total,
                         .settings = strlen(instance->texts[TEXT_SETTINGS]) + 1,
-                        .element = element};
+                        .element = element,
+                        .saved = instance->saved};
     head.size = size_of_block(&head);
     memcpy(head.magic, MAGIC, sizeof MAGIC);
     strncpy(head.token, instance->token, sizeof head.token - 1);
@@ -154,11 +168,13 @@ fmi3Status fmi3SetFMUState(fmi3Instance given, fmi3FMUState FMUState)
             memcpy(instance->numbers, parts.numbers, 8 * instance->layout.total);
         }
     }
-    if (status == fmi3OK && parts.head.element > 0) {
+    if (kept && parts.head.saved > 0 && parts.head.saved == instance->saved) {
+        status = told(instance, "fmi3SetFMUState", splashdown_restore(instance->element));
+    } else if (status == fmi3OK && parts.head.element > 0) {
         status = told(instance, "fmi3SetFMUState",
                       splashdown_state_read(instance->element, parts.element, parts.head.element));
     }
-    return status == fmi3OK || status == fmi3Fatal ? status : fmi3Error;
+    return status;
 }
 
 fmi3Status fmi3FreeFMUState(fmi3Instance given, fmi3FMUState *FMUState)
@@ -211,7 +227,9 @@ fmi3Status fmi3DeserializeFMUState(fmi3Instance given, const fmi3Byte serialized
         say(instance, fmi3Error, "fmi3DeserializeFMUState: no memory for %zu bytes", size);
         return fmi3Error;
     }
+    parts.head.saved = 0;
+    memcpy(block, serializedState, size);
     free(*FMUState);
-    *FMUState = memcpy(block, serializedState, size);
+    *FMUState = memcpy(block, &parts.head, sizeof parts.head);
     return fmi3OK;
 }

@@ -33,9 +33,9 @@ fmi3Status fmi3DoStep(fmi3Instance given, fmi3Float64 currentCommunicationPoint,
     if (status != fmi3OK) {
         return status;
     }
-    if (!(fabs(t - (instance->start_time + water)) <= ROUNDING * dt)) {
-        say(instance, fmi3Error, "fmi3DoStep: the communication point is %.17g s, the water is at %.17g s", t,
-            instance->start_time + water);
+    water += instance->start_time - instance->water_start;
+    if (!(fabs(t - water) <= ROUNDING * dt)) {
+        say(instance, fmi3Error, "fmi3DoStep: the communication point is %.17g s, the water is at %.17g s", t, water);
         return fmi3Error;
     }
     if (instance->stop_time_defined && t + dt > instance->stop_time + ROUNDING * dt) {

@@ -11,21 +11,22 @@ static const struct part {
     size_t first, columns;
 } PARTS[] = {{POSITION, 0, 2}, {VELOCITY, 2, 2}, {ROTATION, 4, 1}, {SPIN, 5, 1}};
 
+/* The message of the library's last error in this thread. */
+static fmi3Status tell(const struct instance *instance, fmi3Status status, const char *call)
+{
+    char text[4096] = "no message";
+    splashdown_message(text, sizeof text);
+    say(instance, status, "%s: %s", call, text);
+    return status;
+}
+
 fmi3Status told(const struct instance *instance, const char *call, splashdown_status status)
 {
     if (status == SPLASHDOWN_OK) {
         return fmi3OK;
     }
-    char text[4096] = "no message";
-    splashdown_message(text, sizeof text);
-    fmi3Status result = fmi3Error;
-    if (status == SPLASHDOWN_INPUT) {
-        result = fmi3Discard;
-    } else if (status == SPLASHDOWN_PANIC || status == SPLASHDOWN_AFTER_PANIC) {
-        result = fmi3Fatal;
-    }
-    say(instance, result, "%s: %s", call, text);
-    return result;
+    const bool panic = status == SPLASHDOWN_PANIC || status == SPLASHDOWN_AFTER_PANIC;
+    return tell(instance, panic ? fmi3Fatal : fmi3Error, call);
 }
 
 void nodes_of_inputs(const struct instance *instance, double *nodes)
@@ -195,6 +196,9 @@ fmi3Status build_element(struct instance *instance, double *start)
     instance->scene = NULL;
     if (status == fmi3OK) {
         memmove(instance->built, start, 6 * n * sizeof *start);
+        status = told(instance, "the time", splashdown_time(instance->element, &instance->water_start));
+    }
+    if (status == fmi3OK) {
         status = read_outputs_now(instance);
     }
     return status;
@@ -235,10 +239,13 @@ fmi3Status step_element(struct instance *instance, double dt)
         }
     }
     splashdown_contribution given;
-    const fmi3Status status =
-        told(instance, "fmi3DoStep",
-             splashdown_contribute(instance->element, dt, to, to + 2 * n, rotations_of(instance, to),
-                                   spins_of(instance, to), n, instance->forces, &given));
+    const splashdown_status done =
+        splashdown_contribute(instance->element, dt, to, to + 2 * n, rotations_of(instance, to), spins_of(instance, to),
+                              n, instance->forces, &given);
+    if (done == SPLASHDOWN_INPUT) {
+        return tell(instance, fmi3Discard, "fmi3DoStep"); /* nothing has changed */
+    }
+    const fmi3Status status = told(instance, "fmi3DoStep", done);
     if (status != fmi3OK) {
         return status;
     }
@@ -262,4 +269,5 @@ void drop_water(struct instance *instance)
     splashdown_free_element(instance->element);
     instance->scene = NULL;
     instance->element = NULL;
+    instance->saved = 0;
 }
