@@ -1,12 +1,17 @@
-/* Every wrong use of the interface gives its status and a message, writes nothing, and ends no process. */
+/* Every wrong use of the interface gives its status and a message, writes nothing, and ends no process.
+ *
+ *     misuse [FOLDER]      with a folder, runs are recorded there too
+ */
 #include <math.h>
 #include <splashdown.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *settings[] = {"resolution.spacing=0.02", "time.end=0.02"};
+enum { SETTINGS = 4 };
+static const char *settings[SETTINGS] = {"resolution.spacing=0.02", "tank.width=1.6", "tank.depth=0.6", "time.end=0.02"};
 static int asked;
+static double start_time; /* of the scene last built, s */
 
 /* `call` must give `status`, and a message with `part` in it. */
 static void gives(int line, splashdown_status found, splashdown_status expected, const char *part)
@@ -27,7 +32,7 @@ static void gives(int line, splashdown_status found, splashdown_status expected,
 static splashdown_scene *opened(int interface_kind)
 {
     splashdown_scene *scene = NULL;
-    OK(splashdown_open("wedge", settings, 2, interface_kind, &scene));
+    OK(splashdown_open("wedge", settings, SETTINGS, interface_kind, &scene));
     return scene;
 }
 
@@ -36,6 +41,10 @@ static splashdown_element *built(double at[2], double v[2])
     splashdown_scene *scene = opened(SPLASHDOWN_BODY);
     splashdown_element *element = NULL;
     double angle, spin;
+    splashdown_scene_sizes sizes;
+    OK(splashdown_sizes(scene, &sizes));
+    TRUE(sizes.nodes == 1 && sizes.rotations == 1);
+    start_time = sizes.start_time;
     OK(splashdown_scene_nodes(scene, at, v, &angle, &spin, 1));
     OK(splashdown_build(scene, at, v, &angle, &spin, 1, &element));
     return element;
@@ -64,7 +73,7 @@ static void opening(void)
     GIVES(SPLASHDOWN_NOT_UTF8, "settings[0]", splashdown_open("wedge", latin, 1, SPLASHDOWN_BODY, &scene));
     GIVES(SPLASHDOWN_NOT_UTF8, "byte 2", splashdown_open("we\xff", NULL, 0, SPLASHDOWN_BODY, &scene));
     GIVES(SPLASHDOWN_INPUT, "spacin", splashdown_open("wedge", unknown, 1, SPLASHDOWN_BODY, &scene));
-    GIVES(SPLASHDOWN_INPUT, "SPLASHDOWN_NODES (1)", splashdown_open("wedge", settings, 2, 77, &scene));
+    GIVES(SPLASHDOWN_INPUT, "SPLASHDOWN_NODES (1)", splashdown_open("wedge", settings, SETTINGS, 77, &scene));
     TRUE(scene == NULL);
 }
 
@@ -137,7 +146,7 @@ static void steps(void)
     TRUE(force[0] == 7.0 && force[1] == 7.0 && force[2] == 7.0);
     GIVES(SPLASHDOWN_NULL, "time", splashdown_time(element, NULL));
     OK(splashdown_time(element, &time));
-    TRUE(time == 0.0);
+    TRUE(time == start_time);
     at[1] += dt * v[1];
     OK(splashdown_contribute(element, dt, at, v, &angle, &spin, 1, force, &said));
     TRUE(said.fluid_steps >= 1 && fabs(said.impulse[1] - dt * force[1]) <= 1e-12 * fabs(said.impulse[1]));
@@ -192,13 +201,71 @@ static void buffers(void)
     free(state);
 }
 
-int main(void)
+/* A body that meets the floor of the tank breaks the run; a saved state makes it good again. */
+static void broken(void)
+{
+    double at[2], v[2], angle = 0.0, spin = 0.0, force[3], good[2];
+    splashdown_element *element = built(at, v);
+    OK(splashdown_save(element));
+    memcpy(good, at, sizeof good);
+    v[1] = -25.0;
+    splashdown_status status = SPLASHDOWN_OK;
+    for (int step = 0; step < 400 && status == SPLASHDOWN_OK; ++step) {
+        at[1] += 2e-4 * v[1];
+        status = splashdown_contribute(element, 2e-4, at, v, &angle, &spin, 1, force, NULL);
+    }
+    GIVES(SPLASHDOWN_STEP, "in the step from t =", status);
+    GIVES(SPLASHDOWN_FAILED, "", splashdown_contribute(element, 2e-4, at, v, &angle, &spin, 1, force, NULL));
+    GIVES(SPLASHDOWN_FAILED, "save", splashdown_save(element));
+    OK(splashdown_restore(element));
+    v[1] = 0.0;
+    OK(splashdown_contribute(element, 2e-4, good, v, &angle, &spin, 1, force, NULL));
+    OK(splashdown_free_element(element));
+}
+
+static void records(const char *folder)
+{
+    double at[2], v[2], angle, spin, force[3];
+    unsigned char state[8] = {0};
+    splashdown_scene *scene = opened(SPLASHDOWN_BODY);
+    splashdown_element *element = NULL;
+    GIVES(SPLASHDOWN_NULL, "folder", splashdown_record(scene, NULL, 0));
+    GIVES(SPLASHDOWN_NOT_UTF8, "folder", splashdown_record(scene, "\xe9", 0));
+    OK(splashdown_record(scene, folder, 0));
+    OK(splashdown_scene_nodes(scene, at, v, &angle, &spin, 1));
+    OK(splashdown_build(scene, at, v, &angle, &spin, 1, &element));
+    for (int step = 0; step < 5; ++step) {
+        at[1] += 1e-4 * v[1];
+        OK(splashdown_contribute(element, 1e-4, at, v, &angle, &spin, 1, force, NULL));
+    }
+    GIVES(SPLASHDOWN_INPUT, "records", splashdown_state_read(element, state, sizeof state));
+    OK(splashdown_finish(element));
+    GIVES(SPLASHDOWN_NO_HANDLE, "consumed", splashdown_finish(element));
+
+    scene = opened(SPLASHDOWN_BODY);
+    OK(splashdown_scene_nodes(scene, at, v, &angle, &spin, 1));
+    OK(splashdown_record(scene, folder, 0));
+    GIVES(SPLASHDOWN_INPUT, "", splashdown_build(scene, at, v, &angle, &spin, 1, &element)); /* it holds a run */
+    OK(splashdown_record(scene, folder, 1));
+    OK(splashdown_build(scene, at, v, &angle, &spin, 1, &element));
+    OK(splashdown_finish(element));
+    scene = opened(SPLASHDOWN_BODY);
+    OK(splashdown_record(scene, "/dev/null/run", 0));
+    GIVES(SPLASHDOWN_FILE, "/dev/null/run", splashdown_build(scene, at, v, &angle, &spin, 1, &element));
+    OK(splashdown_free_scene(scene));
+}
+
+int main(int count, char **arguments)
 {
     messages();
     opening();
     scenes();
     steps();
     buffers();
+    broken();
+    if (count > 1) {
+        records(arguments[1]);
+    }
     printf("misuse: %d answers as expected\n", asked);
     return 0;
 }

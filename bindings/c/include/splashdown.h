@@ -210,6 +210,17 @@ extern "C" {
 #endif // __cplusplus
 
 /**
+ * The text of the last error of the calling thread, UTF-8, ended by a zero; empty if there was none.
+ *
+ * Returns the bytes that the whole text needs with its zero. A shorter buffer gets the beginning of the text, ended by a zero;
+ * NULL or a length of 0 gets nothing. A call that succeeds leaves the text as it is.
+ *
+ * Memory: `buffer` is NULL or points to `length` writable bytes.
+ */
+size_t splashdown_message(char *buffer,
+                          size_t length);
+
+/**
  * Version of the interface in the library at run time; compare it with SPLASHDOWN_ABI_VERSION of the header.
  */
 uint32_t splashdown_abi_version(void);
@@ -225,17 +236,6 @@ const char *splashdown_version(void);
  * Call it once, before the first scene is opened. Results do not depend on the number.
  */
 enum splashdown_status splashdown_set_threads(size_t count);
-
-/**
- * The text of the last error of the calling thread, UTF-8, ended by a zero; empty if there was none.
- *
- * Returns the bytes that the whole text needs with its zero. A shorter buffer gets the beginning of the text, ended by a zero;
- * NULL or a length of 0 gets nothing. A call that succeeds leaves the text as it is.
- *
- * Memory: `buffer` is NULL or points to `length` writable bytes.
- */
-size_t splashdown_message(char *buffer,
-                          size_t length);
 
 /**
  * Open a scene: specify the water and the body.

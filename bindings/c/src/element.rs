@@ -3,10 +3,11 @@
 use fsi_coupling::embed::{HostNodes, Snapshot};
 use scenarios::host::HostedRun;
 
+use crate::border::guarded;
 use crate::buffers;
 use crate::handles::Handles;
 use crate::status::splashdown_status::SPLASHDOWN_FAILED;
-use crate::status::{Failure, guarded, splashdown_status};
+use crate::status::{Failure, splashdown_status};
 
 /// Water under the body of a host.
 pub struct splashdown_element {

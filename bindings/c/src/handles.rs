@@ -112,7 +112,7 @@ impl<T> Handles<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::status::guarded;
+    use crate::border::guarded;
     use crate::status::splashdown_status::{SPLASHDOWN_OK, SPLASHDOWN_PANIC};
 
     static NUMBERS: Handles<i32> = Handles::new("number");

@@ -8,6 +8,7 @@
 // Their documentation is that of the header, which states under "Memory" what pointers must point to.
 #![allow(clippy::missing_safety_doc)]
 
+mod border;
 mod buffers;
 mod handles;
 mod library;

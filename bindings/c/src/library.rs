@@ -2,8 +2,9 @@
 
 use std::ffi::c_char;
 
+use crate::border::guarded;
 use crate::status::splashdown_status::SPLASHDOWN_THREADS;
-use crate::status::{Failure, guarded, splashdown_status};
+use crate::status::{Failure, splashdown_status};
 
 /// Version of this interface. It grows when a program compiled against an earlier header would no longer work.
 pub const SPLASHDOWN_ABI_VERSION: u32 = 1;

@@ -1,8 +1,9 @@
 //! The particles of the water, to be drawn or stored by the host.
 
+use crate::border::guarded;
 use crate::buffers;
 use crate::element::{ELEMENTS, splashdown_element};
-use crate::status::{guarded, splashdown_status};
+use crate::status::splashdown_status;
 
 /// Number of the water's particles now.
 ///

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 
 use scenarios::host::{HostedScene, Interface};
 
+use crate::border::guarded;
 use crate::buffers;
 use crate::element::{ELEMENTS, Element, splashdown_element};
 use crate::handles::Handles;
 use crate::status::splashdown_status::{SPLASHDOWN_INPUT, SPLASHDOWN_NO_HANDLE};
-use crate::status::{Failure, guarded, splashdown_status};
+use crate::status::{Failure, splashdown_status};
 
 /// What of the body the host moves. A function takes it as int32_t.
 #[repr(C)]

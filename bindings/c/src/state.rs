@@ -1,8 +1,9 @@
 //! The state of an element as bytes, to continue in another process.
 
+use crate::border::guarded;
 use crate::buffers;
 use crate::element::{ELEMENTS, splashdown_element};
-use crate::status::{guarded, splashdown_status};
+use crate::status::splashdown_status;
 
 /// Bytes of the present state. They are kept until splashdown_state_write has written them, or the state has changed.
 ///

@@ -37,6 +37,7 @@ struct instance {
     double start_time, time; /* of the importer, at the start and now [s] */
     double water_start;      /* time of the water when it was built: 0 at contact [s] */
     uint64_t saved;          /* number of the state that the element saved last, or 0 */
+    bool failed;    /* the step before, and no state was set since */
     bool stop_time_defined;
     double stop_time;
 };

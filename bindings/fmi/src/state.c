@@ -174,6 +174,7 @@ fmi3Status fmi3SetFMUState(fmi3Instance given, fmi3FMUState FMUState)
         status = told(instance, "fmi3SetFMUState",
                       splashdown_state_read(instance->element, parts.element, parts.head.element));
     }
+    instance->failed = status != fmi3OK;
     return status;
 }
 

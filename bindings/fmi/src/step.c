@@ -28,6 +28,10 @@ fmi3Status fmi3DoStep(fmi3Instance given, fmi3Float64 currentCommunicationPoint,
         say(instance, fmi3Discard, "fmi3DoStep: a step of %g s, expected a number above 0", dt);
         return fmi3Discard;
     }
+    if (instance->failed) {
+        say(instance, fmi3Error, "fmi3DoStep: the step before failed; set a state from before it");
+        return fmi3Error;
+    }
     double water;
     status = told(instance, "fmi3DoStep", splashdown_time(instance->element, &water));
     if (status != fmi3OK) {
@@ -44,6 +48,7 @@ fmi3Status fmi3DoStep(fmi3Instance given, fmi3Float64 currentCommunicationPoint,
         return fmi3Error;
     }
     status = step_element(instance, dt);
+    instance->failed = status > fmi3Discard;
     if (status == fmi3OK) {
         instance->time = *lastSuccessfulTime = t + dt;
     }

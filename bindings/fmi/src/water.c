@@ -270,4 +270,5 @@ void drop_water(struct instance *instance)
     instance->scene = NULL;
     instance->element = NULL;
     instance->saved = 0;
+    instance->failed = false;
 }

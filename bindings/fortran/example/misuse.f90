@@ -13,7 +13,7 @@ program misuse
   type(sph_element) :: e
   integer(c_int8_t), allocatable :: bytes(:)
   real(c_double), allocatable :: x(:), p(:)
-  real(c_double) :: force(3, 1), twice(3, 1), time, dt
+  real(c_double) :: force(3, 1), twice(3, 1), time, start, dt
   integer(c_size_t) :: count
   integer :: stat, asked
   character(len=1000) :: text
@@ -35,6 +35,9 @@ program misuse
 
   call splashdown_open("wedge", settings, SPLASHDOWN_BODY, scene, stat, text)
   call expect(SPLASHDOWN_OK, "")
+  call splashdown_sizes(scene, sizes, stat, text)
+  call expect(SPLASHDOWN_OK, "")
+  start = sizes%start_time
   call splashdown_scene_nodes(scene, nodes, stat, text)
   call expect(SPLASHDOWN_OK, "")
   call splashdown_build(scene, wrong, water, stat, text)
@@ -80,7 +83,7 @@ program misuse
   if (any(abs(wrong%position - nodes%position) > 0.0_c_double)) error stop "the nodes are elsewhere"
   call splashdown_time(water, time)
   call splashdown_fluid_dt(water, dt)
-  if (time <= 0.0_c_double .or. dt <= 0.0_c_double) error stop "time and step are positive"
+  if (time <= start .or. dt <= 0.0_c_double) error stop "time goes on by positive steps"
   call splashdown_particle_count(water, count)
   allocate (x(count), p(count - 1))
   call splashdown_particles(water, x, x, x, x, p, x, stat, text)
@@ -93,6 +96,7 @@ program misuse
   call expect(SPLASHDOWN_OK, "")
   call splashdown_free_element(water, stat, text)
   call expect(SPLASHDOWN_NO_HANDLE, "freed")
+  deallocate (bytes, x, p)
   print "(a, i0, a)", "misuse in Fortran: ", asked, " answers as expected"
 
 contains
