@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import sys
+import threading
 import time
 
 import numpy
@@ -160,7 +161,7 @@ def check_states(unit, lines):
 
 
 def check_two(unit, lines):
-    """Two instances in turn, one of them started later, give the bits of one alone."""
+    """Two instances in turn, one of them started later, and two in threads of their own, give the bits of one alone."""
     drops = [Drop(unit.instance()), Drop(unit.instance())]
     drops[0].advance(3)
     for _ in range(50):
@@ -173,7 +174,14 @@ def check_two(unit, lines):
     assert Drop(drops[1].instance).advance(40).lines == lines[:40], "reset"
     for drop in drops:
         drop.instance.close()
-    print("instances: two in turn, one reset, to the bits of one alone")
+    drops = [Drop(unit.instance()) for _ in range(2)]
+    threads = [threading.Thread(target=drop.advance, args=[60]) for drop in drops]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(drop.lines == lines[:60] for drop in drops), "threads"
+    print("instances: two in turn, one reset, two in threads, to the bits of one alone")
 
 
 def check_nodes(body, unit, turning):
