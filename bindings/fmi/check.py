@@ -3,7 +3,6 @@
 `reference.txt` holds what the example `host_drop` prints: time, y, v, f_y of each step.
 """
 import contextlib
-import ctypes
 import io
 import json
 import math
