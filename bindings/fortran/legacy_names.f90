@@ -48,7 +48,7 @@ contains
     bytes = sizes%bytes
   end subroutine
 
-  !> The water at t = 0; nodes are allocated here and filled with their places and velocities.
+  !> The water at the start; nodes are allocated here and filled with their places and velocities.
   subroutine gest(e, nodes, ierr, text)
     type(sph_element), intent(inout) :: e
     type(splashdown_host_nodes), intent(out) :: nodes

@@ -124,7 +124,7 @@ contains
     call tell(c_sizes(scene%handle, sizes), stat, message)
   end subroutine
 
-  !> The nodes at t = 0, allocated here, with the initial velocity of the scene.
+  !> The nodes at the start, allocated here, with the motion that the scene gives them.
   subroutine splashdown_scene_nodes(scene, nodes, stat, message)
     type(splashdown_scene), intent(in) :: scene
     type(splashdown_host_nodes), intent(out) :: nodes
@@ -151,7 +151,7 @@ contains
     call tell(c_record(scene%handle, trim(folder)//c_null_char, merge(1_c_int32_t, 0_c_int32_t, replace)), stat, message)
   end subroutine
 
-  !> Build the water at t = 0. The scene is consumed, as the header says.
+  !> Build the water at the start, around nodes that stand where splashdown_scene_nodes has them. The scene is consumed.
   subroutine splashdown_build(scene, nodes, element, stat, message)
     type(splashdown_scene), intent(in) :: scene
     type(splashdown_host_nodes), intent(in) :: nodes

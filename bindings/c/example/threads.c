@@ -1,4 +1,6 @@
-/* Two elements on two threads give the same bits as alone; of two threads with one element, one is refused. */
+/* Two elements on two threads give the same bits as alone; of two threads with one element, one is refused; an element that one
+ * thread frees is gone for the other.
+ */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <sched.h>
@@ -78,10 +80,41 @@ static void *shares(void *given)
     return NULL;
 }
 
+/* Frees the element as soon as no other call runs. */
+static void *frees(void *given)
+{
+    struct shared *shared = given;
+    while (splashdown_free_element(shared->element) == SPLASHDOWN_BUSY) {
+        sched_yield();
+    }
+    return NULL;
+}
+
+/* Steps until the element is gone. */
+static void *outlives(void *given)
+{
+    struct shared *shared = given;
+    const double angle = 0.0, spin = 0.0;
+    double force[3];
+    splashdown_status status;
+    do {
+        status = splashdown_contribute(shared->element, 1e-4, shared->at, shared->v, &angle, &spin, 1, force, NULL);
+    } while (status == SPLASHDOWN_OK || status == SPLASHDOWN_BUSY);
+    if (status != SPLASHDOWN_NO_HANDLE) {
+        must(status);
+    }
+    return NULL;
+}
+
 int main(void)
 {
     struct fall alone[2] = {{.sink = 1.0}, {.sink = 1.5}}, together[2] = {{.sink = 1.0}, {.sink = 1.5}};
     pthread_t threads[2];
+    must(splashdown_set_threads(2));
+    if (splashdown_set_threads(2) != SPLASHDOWN_THREADS) {
+        fprintf(stderr, "the pool of threads is made once\n");
+        return 1;
+    }
     for (int k = 0; k < 2; ++k) {
         falls(&alone[k]);
     }
@@ -108,7 +141,11 @@ int main(void)
         pthread_join(threads[k], NULL);
     }
     must(splashdown_time(shared.element, &time));
-    must(splashdown_free_element(shared.element));
+    pthread_create(&threads[0], NULL, outlives, &shared);
+    pthread_create(&threads[1], NULL, frees, &shared);
+    for (int k = 0; k < 2; ++k) {
+        pthread_join(threads[k], NULL);
+    }
     int steps = (int)((time - start) / 1e-4 + 0.5), done = atomic_load(&shared.done), refused = atomic_load(&shared.refused);
     if (steps != done) {
         fprintf(stderr, "one element on two threads: %d calls done, but %d steps\n", done, steps);

@@ -5,7 +5,7 @@
  *
  *     splashdown_open        specify: a scene, built in or of a file, with settings
  *     splashdown_sizes       size: nodes, particles, bytes, step; nothing that grows with the water is allocated yet
- *     splashdown_build       build: the water at t = 0; the scene becomes an element
+ *     splashdown_build       build: the water at the start; the scene becomes an element
  *     splashdown_contribute  contribute: one step of the host; the forces on its nodes
  *
  * Units are SI, angles are in radians, loads are per metre of span. Positive angles and moments are counter-clockwise.
@@ -14,7 +14,7 @@
  * F_x, F_y, M of each node. Every array is the caller's, with its length given. A length that does not fit gives
  * SPLASHDOWN_LENGTH. A call that fails writes to no array and to no structure.
  *
- * Errors: every call gives a status, 0 for success. splashdown_message gives the text of the last error of the
+ * Errors: every call that can fail gives a status, 0 for success. splashdown_message gives the text of the last error of the
  * calling thread. No call ends the process: an internal error gives SPLASHDOWN_PANIC, and later calls with that
  * handle give SPLASHDOWN_AFTER_PANIC until it is freed.
  *
@@ -275,7 +275,7 @@ enum splashdown_status splashdown_warning(const struct splashdown_scene *scene,
                                           size_t *needed);
 
 /**
- * The nodes at t = 0, with the initial velocity of the scene: `n` nodes into arrays of the caller.
+ * The nodes at the start, with the motion that the scene gives them: `n` nodes into arrays of the caller.
  *
  * An array that is not wanted is NULL. Rotations [rad] and spins [rad/s] are NULL where nodes have none.
  *

@@ -100,7 +100,7 @@ impl<T> Handles<T> {
 
     fn gone(&self) -> Failure {
         let kind = self.kind;
-        let message = format!("{kind}: given a handle that is none of a {kind}, or was freed or consumed");
+        let message = format!("{kind}: given a handle that was freed or consumed, or is of something else");
         Failure::new(SPLASHDOWN_NO_HANDLE, message)
     }
 

@@ -74,8 +74,10 @@ pub unsafe extern "C" fn splashdown_open(
         buffers::expect("opened", opened)?;
         // SAFETY: a text by the contract of the caller.
         let scene = unsafe { buffers::text("scene", scene)? };
-        let mut given = vec![std::ptr::null(); count];
+        let mut given = Vec::new();
         if count > 0 {
+            buffers::expect("settings", settings)?;
+            given.resize(count, std::ptr::null());
             // SAFETY: `count` pointers by the contract of the caller.
             unsafe { buffers::read("settings", settings, &mut given)? };
         }
@@ -162,7 +164,7 @@ pub unsafe extern "C" fn splashdown_warning(
     })
 }
 
-/// The nodes at t = 0, with the initial velocity of the scene: `n` nodes into arrays of the caller.
+/// The nodes at the start, with the motion that the scene gives them: `n` nodes into arrays of the caller.
 ///
 /// An array that is not wanted is NULL. Rotations [rad] and spins [rad/s] are NULL where nodes have none.
 ///

@@ -12,7 +12,7 @@ program misuse
   type(splashdown_scene_sizes) :: sizes
   type(sph_element) :: e
   integer(c_int8_t), allocatable :: bytes(:)
-  real(c_double), allocatable :: x(:), p(:)
+  real(c_double), allocatable :: a(:, :), p(:)
   real(c_double) :: force(3, 1), twice(3, 1), time, start, dt
   integer(c_size_t) :: count
   integer :: stat, asked
@@ -85,18 +85,17 @@ program misuse
   call splashdown_fluid_dt(water, dt)
   if (time <= start .or. dt <= 0.0_c_double) error stop "time goes on by positive steps"
   call splashdown_particle_count(water, count)
-  allocate (x(count), p(count - 1))
-  call splashdown_particles(water, x, x, x, x, p, x, stat, text)
+  allocate (a(count, 6), p(count - 1))
+  call splashdown_particles(water, a(:, 1), a(:, 2), a(:, 3), a(:, 4), p, a(:, 6), stat, text)
   call expect(SPLASHDOWN_LENGTH, "particles")
-  deallocate (p)
-  allocate (p(count))
-  call splashdown_particles(water, x, x, x, x, p, x, stat, text)
+  call splashdown_particles(water, a(:, 1), a(:, 2), a(:, 3), a(:, 4), a(:, 5), a(:, 6), stat, text)
   call expect(SPLASHDOWN_OK, "")
+  if (any(abs(a(:, 6)) <= 0.0_c_double)) error stop "particles have spacings"
   call splashdown_free_element(water, stat, text)
   call expect(SPLASHDOWN_OK, "")
   call splashdown_free_element(water, stat, text)
   call expect(SPLASHDOWN_NO_HANDLE, "freed")
-  deallocate (bytes, x, p)
+  deallocate (bytes, a, p)
   print "(a, i0, a)", "misuse in Fortran: ", asked, " answers as expected"
 
 contains
