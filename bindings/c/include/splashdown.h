@@ -291,13 +291,12 @@ enum splashdown_status splashdown_scene_nodes(const struct splashdown_scene *sce
 /**
  * Record the run in `folder`: log.mcap, series.csv, summary.json and report.html as of `splashdown run`.
  *
- * `replace` is 1 to replace a run that is there, 0 to refuse the folder. The report is written by splashdown_finish.
+ * `replace` is 1 to replace a run that is there, 0 to refuse the folder. What was recorded after
+ * splashdown_save is discarded by splashdown_restore; the report is written by splashdown_finish.
  *
  * Memory: `folder` is NULL or a text ended by a zero.
  */
-enum splashdown_status splashdown_record(struct splashdown_scene *scene,
-                                         const char *folder,
-                                         int32_t replace);
+enum splashdown_status splashdown_record(struct splashdown_scene *scene, const char *folder, int32_t replace);
 
 /**
  * Build the water at the start; the only phase that allocates what grows with the water.

@@ -188,7 +188,8 @@ pub unsafe extern "C" fn splashdown_scene_nodes(
 
 /// Record the run in `folder`: log.mcap, series.csv, summary.json and report.html as of `splashdown run`.
 ///
-/// `replace` is 1 to replace a run that is there, 0 to refuse the folder. The report is written by splashdown_finish.
+/// `replace` is 1 to replace a run that is there, 0 to refuse the folder. What was recorded after
+/// splashdown_save is discarded by splashdown_restore; the report is written by splashdown_finish.
 ///
 /// Memory: `folder` is NULL or a text ended by a zero.
 #[unsafe(no_mangle)]
