@@ -38,6 +38,25 @@ fn a_state_as_bytes_continues_to_the_same_bits() {
     }
 }
 
+/// Of a half model both halves of the nodes get forces, each the image of the other.
+#[test]
+fn forces_of_a_half_model_are_images() {
+    for case in [CASES[0], CASES[1], CASES[3], CASES[6]] {
+        let (mut run, start) = case.build(&[]);
+        let forces =
+            (1..=20).map(|step| stepped(&mut run, &start, f64::from(step) * DT, DT)).next_back().expect("a step");
+        assert!(forces.iter().any(|force| force[1] > 100.0), "{case:?}: {forces:?}");
+        for (at, force) in start.position.iter().zip(&forces) {
+            let image = start.position.iter().position(|other| (other[0] + at[0]).hypot(other[1] - at[1]) < 1e-9);
+            let other = forces[image.expect("a node of the other half")];
+            assert!(
+                [force[0] + other[0], force[1] - other[1], force[2] + other[2]] == [0.0; 3],
+                "{case:?}: {forces:?}"
+            );
+        }
+    }
+}
+
 /// A step of the host of fifty steps of the water: the impulse on the nodes is what the surface got of the water, to rounding.
 #[test]
 fn the_impulse_of_a_long_step_is_the_integral_of_the_force() {
