@@ -53,8 +53,13 @@ pub fn scene(py: Python<'_>, error: &SceneError) -> PyErr {
 /// A run that cannot start, or cannot keep its results.
 pub fn run(error: &RunError) -> PyErr {
     match error {
-        RunError::Write(..) => PyOSError::new_err(error.to_string()),
+        RunError::Write(..) => file(error),
         _ if error.is_input() => input(error),
         _ => step(error),
     }
+}
+
+/// A file that cannot be written.
+pub fn file(text: impl ToString) -> PyErr {
+    PyOSError::new_err(text.to_string())
 }

@@ -13,6 +13,9 @@ use crate::call::Guarded;
 use crate::errors;
 use crate::settings::text;
 
+/// Water, walls and bodies of a frame.
+type Shown<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, Bound<'py, PyDict>);
+
 /// The frames of a run's log.
 #[pyclass(frozen, module = "splashdown._core")]
 pub struct Log {
@@ -40,7 +43,7 @@ impl Log {
     }
 
     /// Frame `index`: the particles of the water, those of the walls, and the bodies.
-    fn frame<'py>(&self, py: Python<'py>, index: usize) -> PyResult<[Bound<'py, PyDict>; 3]> {
+    fn frame<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Shown<'py>> {
         let mut reader = self.reader.open()?;
         let count = reader.times().len();
         if index >= count {
@@ -50,7 +53,7 @@ impl Log {
         let frame = py.detach(|| log.frame(index));
         let frame =
             frame.ok_or_else(|| errors::input(format!("{}: frame {index} of its log is damaged", self.folder)))?;
-        Ok([points(py, frame.fluid())?, points(py, frame.walls())?, bodies(py, &frame)?])
+        Ok((points(py, frame.fluid())?, points(py, frame.walls())?, bodies(py, &frame)?))
     }
 }
 

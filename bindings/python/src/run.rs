@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use scenarios::run::summary::Status;
 use scenarios::run::{Checkpoints, Outcome, RunOptions, run};
+use scenarios::scene::Scene;
 use sph_core::parallel;
 
 use crate::call::interruptible;
@@ -19,7 +20,7 @@ use crate::{arrays, errors};
 const MOST_THREADS: usize = 8;
 
 /// Columns of the series: name and values.
-type Columns<'py> = Vec<(String, Bound<'py, PyArray1<f64>>)>;
+pub type Columns<'py> = Vec<(String, Bound<'py, PyArray1<f64>>)>;
 
 /// Run a scene; returns the text of summary.json, the resolved scene as TOML, and the columns of the series.
 #[pyfunction]
@@ -46,16 +47,21 @@ pub fn run_scene<'py>(
         let run = || run(&loaded.scene, &options);
         threads.map_or_else(run, |threads| parallel::on_threads(threads, run))
     })?;
-    let Outcome { summary, series } = ended.map_err(|error| errors::run(&error))?;
-    if summary.status == Status::Interrupted {
+    let outcome = ended.map_err(|error| errors::run(&error))?;
+    if outcome.summary.status == Status::Interrupted {
         return Err(PyKeyboardInterrupt::new_err(()));
     }
+    told(py, &outcome, &loaded.scene)
+}
+
+/// Summary, scene and series of a run.
+pub fn told<'py>(py: Python<'py>, outcome: &Outcome, scene: &Scene) -> PyResult<(String, String, Columns<'py>)> {
     let mut columns = Vec::new();
-    for name in series.columns() {
-        let column = series.column(name).unwrap_or_default();
+    for name in outcome.series.columns() {
+        let column = outcome.series.column(name).unwrap_or_default();
         columns.push((name.clone(), arrays::values(py, column)?));
     }
-    Ok((summary.to_json(), loaded.scene.to_toml(), columns))
+    Ok((outcome.summary.to_json(), scene.to_toml(), columns))
 }
 
 fn refuse_threads(threads: Option<usize>) -> PyResult<()> {

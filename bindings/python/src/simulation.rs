@@ -100,7 +100,6 @@ impl Simulation {
         }
         let fixed = dt.or(self.scene.time.step);
         let ended = py.detach(|| state.step(fixed, f64::INFINITY));
-        py.check_signals()?;
         state.ended(ended)
     }
 
