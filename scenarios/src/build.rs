@@ -1,5 +1,6 @@
 //! From a scene to a fluid, walls and bodies that stand ready to step.
 
+use fsi_coupling::geometry::error::OutlineError;
 use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{
     Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
@@ -15,11 +16,21 @@ use crate::scene::{self, Motion, Moved, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at the start of its run: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
+    let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows(scene))).transpose()?;
+    build_around(scene, body)
+}
+
+/// Rows of the boundary particles of a scene.
+pub(crate) fn rows(scene: &Scene) -> WallRows {
+    WallRows::of(scene.solver.scheme(scene.tank.depth).wall_layout(&domain(scene)), scene.resolution.spacing)
+}
+
+/// Fluid and walls of a scene, with a body that stands where the scene has its own at the start.
+pub(crate) fn build_around(scene: &Scene, body: Option<Box<dyn Body>>) -> Result<Coupled, CouplingError> {
     let (domain, settings, layout) = (domain(scene), scene.solver.scheme(scene.tank.depth), layout(scene));
     let (pattern, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
-    let rows = WallRows::of(pattern, scene.resolution.spacing);
+    let rows = rows(scene);
     let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
-    let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows)).transpose()?;
     let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
     let bodies = body.into_iter().chain([tank]).collect();
     let placed = PlacedBodies::new(bodies, pattern, ratio, scene.resolution.spacing)?;
@@ -67,6 +78,38 @@ const STANDS: f64 = 0.5;
 /// True for a plate whose faces' rows do not fit between them (THEORY WA9).
 fn is_thin(body: &scene::Body, rows: &WallRows) -> bool {
     matches!(&body.shape, Shape::Polyline { points, thickness } if Plate::new(points, *thickness).is_thin(rows))
+}
+
+/// The outline of a scene's body in space at the start, with the roots of a plate that stands on walls.
+pub(crate) fn outline_at_start(
+    scene: &Scene,
+    body: &scene::Body,
+    start: &RigidMotion,
+) -> Result<Outline, OutlineError> {
+    let placed = |points: &[[f64; 2]]| points.iter().map(|at| start.point(*at)).collect::<Vec<_>>();
+    match &body.shape {
+        Shape::Polyline { points, thickness } => {
+            let shape = Shape::Polyline { points: placed(points), thickness: *thickness };
+            Ok(Outline::of(&shape)?.rooted(roots(scene, body, &rows(scene))))
+        }
+        shape => Outline::polygon(&placed(&shape.outline())),
+    }
+}
+
+/// The motion of a body's frame at the start: its velocity is that of the frame's origin.
+pub(crate) fn frame_at_start(scene: &Scene, body: &scene::Body) -> RigidMotion {
+    let start = scene.motion_at_start(body);
+    match body.motion.moved(&start) {
+        Moved::ByLoads(_) => about_origin(body, start),
+        Moved::ByLaw(law) => law(0.0),
+    }
+}
+
+/// A motion whose velocity is that of the centre of mass, with the velocity of the frame's origin.
+fn about_origin(body: &scene::Body, start: RigidMotion) -> RigidMotion {
+    let lever_arm = body.center_of_mass.map(|c| -c);
+    let about = RigidMotion { position: [0.0; 2], ..start };
+    RigidMotion { velocity: about.point_velocity(lever_arm), ..start }
 }
 
 /// WA10: how far a fixed plate goes on into the tank's walls that its middle line's ends stand on [m].
@@ -158,10 +201,7 @@ fn flexible(
                 center_of_mass: body.center_of_mass,
                 free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
             };
-            // the body's velocity is that of its centre of mass; its frame's origin moves with it
-            let lever_arm = body.center_of_mass.map(|c| -c);
-            let about = RigidMotion { position: [0.0; 2], ..start };
-            (frame, RigidMotion { velocity: about.point_velocity(lever_arm), ..start })
+            (frame, about_origin(body, start))
         }
         // its panels start with the law's velocity
         Moved::ByLaw(law) => {

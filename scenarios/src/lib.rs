@@ -3,7 +3,7 @@
 //! [`scene`] reads a scene, [`build`] makes fluid and bodies of it, [`run`] steps them while [`observers`] sample,
 //! [`compare`] judges against [`reference`] data, [`report`] writes the page. [`model_hierarchy`] runs a scene by a
 //! theory, [`experiments`] makes and judges many runs, [`sweep`] runs a scene at many points in processes of their own, [`ditching`]
-//! lands aeroplanes by their sections, [`bench`] measures the speed on this machine. [`cli`] parses arguments and prints.
+//! lands aeroplanes by their sections, [`bench`] measures the speed on this machine, [`host`] lets another program move a scene's body. [`cli`] parses arguments and prints.
 //!
 //! Run a scene and read its summary, here by a theory (a run with particles differs in the model only):
 //!
@@ -31,6 +31,7 @@ pub mod error_bar;
 pub mod experiments;
 pub mod export;
 pub mod follow;
+pub mod host;
 mod initial_fluid;
 pub mod log;
 pub mod model_hierarchy;

@@ -116,7 +116,7 @@ fn cost_of_step(solver: Solver) -> f64 {
 }
 
 /// Step at the start [s].
-fn step(scene: &Scene) -> f64 {
+pub(crate) fn step(scene: &Scene) -> f64 {
     let h = scene.water().smoothing_ratio * scene.resolution.spacing;
     let fastest = match scene.solver.is_incompressible() {
         true => scene.projection_speed(),

@@ -26,15 +26,14 @@ impl AddedMass {
         if topology.masses.iter().sum::<f64>() <= 0.0 {
             return None;
         }
-        let corners: Vec<[f64; 2]> = topology.sides().iter().flatten().map(|node| topology.nodes[*node]).collect();
+        let corners: Vec<[f64; 2]> = topology.sides().iter().flatten().map(|end| end.at).collect();
         let [low, high] = bounding_box(&corners);
         let breadth = (high[0] - low[0]).max(high[1] - low[1]);
         let mut wet = vec![0.0; topology.nodes.len()];
         for [a, b] in topology.sides() {
-            let (p, q) = (topology.nodes[a], topology.nodes[b]);
-            let half = 0.5 * (q[0] - p[0]).hypot(q[1] - p[1]);
-            wet[a] += half;
-            wet[b] += half;
+            let half = 0.5 * (b.at[0] - a.at[0]).hypot(b.at[1] - a.at[1]);
+            wet[a.node] += half;
+            wet[b.node] += half;
         }
         let of = |mass: f64, length: f64, node: Option<usize>| {
             let row = 0.5 * spec.water.density * spec.spacing * length / mass;

@@ -5,17 +5,23 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use serde::{Deserialize, Serialize};
 
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
+use sph_core::walls::Resultant;
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
+use super::frame::{HostFrame, MovingFrame};
 use super::node_map::{Ends, NodeMap};
-use super::nodes::Path;
-use super::topology::Topology;
+use super::nodes::{HostNodes, Path};
+use super::topology::{Topology, WetSurface};
 use crate::bodies::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
+use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
+use crate::geometry::plate::Plate;
+use crate::geometry::plate_sampling::boundary_particles;
 use crate::geometry::rows::WallRows;
+use crate::geometry::vector::{cross, rotate};
 
 /// A difference in time for accelerations, in steps of the water [-].
 const DIFFERENCE: f64 = 1e-3;
@@ -76,44 +82,77 @@ impl Shared {
 
 /// See the module's text.
 pub(super) struct HostBody {
+    name: String,
     map: NodeMap,
     /// At t = 0.
     rest: Outline,
+    frame: MovingFrame,
+    /// The frame now.
+    motion: RigidMotion,
+    /// In the frame.
     outline: Outline,
+    /// Corners of the outline, where the surface is not rigid.
     corners: Vec<Vec<BeamAttachment>>,
+    /// Only the part x > 0 is simulated.
+    half: bool,
     attachments: Vec<BeamAttachment>,
+    /// Images of the attachments of a half.
+    images: Vec<BeamAttachment>,
+    plate: Option<Plate>,
+    midline: Vec<BeamAttachment>,
     shared: Shared,
     checkpoint: Option<(Exchanged, Outline)>,
 }
 
+/// What a surface of a host is, besides its topology.
+pub(super) struct SurfaceParts {
+    pub name: String,
+    /// What the topology encloses at t = 0.
+    pub rest: Outline,
+    pub frame: HostFrame,
+    /// Length that divides the outline of bent sides [m].
+    pub spacing: f64,
+    /// Only the part x > 0 is simulated.
+    pub half: bool,
+}
+
 impl HostBody {
-    /// Of a topology that has been checked, which encloses `rest`; `spacing` [m] divides the outline of bent sides.
-    pub fn new(topology: &Topology, rest: Outline, map: NodeMap, spacing: f64, shared: Shared) -> HostBody {
-        let (mut corners, mut first) = (Vec::new(), 0);
-        for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
-            let (nodes, sides) = surface.counts();
-            let mut attachments = Vec::new();
-            for side in first..first + sides {
-                let ends = [map.start_of(side, 0), map.start_of(side, 1)];
-                let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
-                let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
-                attachments.extend((0..pieces as usize).map(|k| NodeMap::on_side(side, k as f64 / pieces)));
-            }
-            if nodes > sides {
-                attachments.push(NodeMap::on_side(first + sides - 1, 1.0));
-            }
-            attachments.extend(corner_points[nodes..].iter().map(|at| map.attach(*at, [0.0; 2])));
-            corners.push(attachments);
-            first += sides;
+    /// Of a topology that has been checked; `nodes` are those at t = 0.
+    pub fn new(topology: &Topology, nodes: &HostNodes, parts: SurfaceParts, shared: Shared) -> HostBody {
+        let SurfaceParts { name, rest, frame, spacing, half } = parts;
+        let map = NodeMap::new(topology, nodes);
+        let frame = MovingFrame::new(topology, nodes, frame);
+        let motion = frame.at(nodes);
+        let corners = if frame.is_rigid() { Vec::new() } else { corners(topology, &map, spacing) };
+        let start = frame.at_start();
+        let in_frame = |line: &Vec<[f64; 2]>| line.iter().map(|at| start.local(*at)).collect();
+        let outline = Outline::deformed(rest.loops().iter().map(in_frame).collect()).unwrap_or_else(|| rest.clone());
+        let (attachments, images, midline, plate) = (Vec::new(), Vec::new(), Vec::new(), None);
+        HostBody {
+            name,
+            map,
+            rest,
+            frame,
+            motion,
+            outline,
+            corners,
+            half,
+            attachments,
+            images,
+            plate,
+            midline,
+            shared,
+            checkpoint: None,
         }
-        let (outline, attachments) = (rest.clone(), Vec::new());
-        HostBody { map, rest, outline, corners, attachments, shared, checkpoint: None }
     }
 
-    /// Add the loads of forces on the boundary particles, mean (0) or now (1).
+    /// The loads of forces on the boundary particles, mean (0) or now (1), and of their images.
     fn loads(&self, pushed: &[[[f64; 2]; 2]], which: usize, ends: &Ends) -> Vec<[f64; 3]> {
         let mut loads = vec![[0.0; 3]; self.shared.open().impulse.len()];
-        self.map.add_loads(self.attachments.iter().zip(pushed.iter().map(|force| force[which])), ends, &mut loads);
+        let forces = pushed.iter().map(|force| force[which]);
+        self.map.add_loads(self.attachments.iter().zip(forces.clone()), ends, &mut loads);
+        let mirrored = forces.map(|[fx, fy]| [-fx, fy]);
+        self.map.add_loads(self.images.iter().zip(mirrored), ends, &mut loads);
         loads
     }
 
@@ -126,22 +165,87 @@ impl HostBody {
         let nodes = self.shared.open().path.at(elapsed);
         self.map.ends(&nodes)
     }
+
+    /// Length of time for differences about a moment of the host's step [s].
+    fn difference(&self, ahead: f64) -> f64 {
+        DIFFERENCE * if ahead > 0.0 { ahead } else { self.shared.open().path.duration() }
+    }
+
+    /// Frame and outline where the nodes are now.
+    fn follow(&mut self, ends: &Ends) -> Result<(), BodyError> {
+        let nodes = {
+            let shared = self.shared.open();
+            shared.path.at(shared.elapsed)
+        };
+        self.motion = self.frame.at(&nodes);
+        if !self.corners.is_empty() {
+            let place = |attachment: &BeamAttachment| self.motion.local(self.map.place(attachment, ends).at);
+            let parts: Vec<Vec<[f64; 2]>> = self.corners.iter().map(|part| part.iter().map(place).collect()).collect();
+            self.outline = Outline::compound(&parts)?;
+        }
+        Ok(())
+    }
+
+    fn follow_restored(&mut self, outline: Outline) {
+        self.outline = outline;
+        let shared = self.shared.open();
+        self.motion = self.frame.at(&shared.path.at(shared.elapsed));
+    }
+
+    /// Velocity and acceleration of a point of the surface.
+    fn point_motion(&self, attachment: &BeamAttachment) -> ([f64; 2], [f64; 2]) {
+        let (elapsed, moment) = (self.elapsed(), self.difference(0.0));
+        let velocity = |elapsed: f64| self.map.velocity(attachment, &self.ends(elapsed));
+        let [before, now, after] = [-moment, 0.0, moment].map(|ahead| velocity(elapsed + ahead));
+        let rate = |k: usize| if moment > 0.0 { (after[k] - before[k]) / (2.0 * moment) } else { 0.0 };
+        (now, [rate(0), rate(1)])
+    }
+}
+
+/// Corners of the outline; a side between nodes that turn is divided at about `spacing` [m].
+fn corners(topology: &Topology, map: &NodeMap, spacing: f64) -> Vec<Vec<BeamAttachment>> {
+    let (mut corners, mut first) = (Vec::new(), 0);
+    for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
+        let (nodes, sides) = surface.counts();
+        let along = if matches!(surface, WetSurface::Plate { .. }) { 0..0 } else { first..first + sides };
+        let mut attachments = Vec::new();
+        for side in along.clone() {
+            let ends = [map.start_of(side, 0), map.start_of(side, 1)];
+            let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+            let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
+            attachments.extend((0..pieces as usize).map(|k| NodeMap::on_side(side, k as f64 / pieces)));
+        }
+        if nodes > sides && !along.is_empty() {
+            attachments.push(NodeMap::on_side(first + sides - 1, 1.0));
+        }
+        let drawn = if along.is_empty() { 0 } else { nodes };
+        attachments.extend(corner_points[drawn..].iter().map(|at| map.attach(*at, [0.0; 2])));
+        corners.push(attachments);
+        first += sides;
+    }
+    corners
+}
+
+/// The image of a point or a direction in x = 0.
+fn image([x, y]: [f64; 2]) -> [f64; 2] {
+    [-x, y]
 }
 
 impl WettedBody for HostBody {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
-        let points = crate::geometry::sampling::sample(&self.rest, rows, false);
+        let (points, plate) = boundary_particles(&self.rest, rows, self.half);
         self.attachments = points.iter().map(|p| self.map.attach(p.at, p.normal)).collect();
+        let images = points.iter().filter(|_| self.half);
+        self.images = images.map(|p| self.map.attach(image(p.at), image(p.normal))).collect();
+        self.midline = plate.iter().flat_map(|plate| self.map.along(&plate.line(), rows.spacing)).collect();
+        self.plate = plate;
         Ok(points)
     }
 
     fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
-        let (elapsed, duration) = {
-            let shared = self.shared.open();
-            (shared.elapsed, shared.path.duration())
-        };
+        let elapsed = self.elapsed();
         let (now, then) = (self.ends(elapsed), self.ends(elapsed + ahead));
-        let moment = DIFFERENCE * if ahead > 0.0 { ahead } else { duration };
+        let moment = self.difference(ahead);
         let about = [self.ends(elapsed + ahead - moment), self.ends(elapsed + ahead + moment)];
         for (k, attachment) in self.attachments.iter().enumerate() {
             let place = self.map.place(attachment, &then);
@@ -160,7 +264,14 @@ impl WettedBody for HostBody {
                 [0.0; 2]
             };
         }
-        Vec::new()
+        let placed = |ends: &Ends| self.midline.iter().map(|point| self.map.place(point, ends).at).collect();
+        let midline = |plate: &Plate| PlateMidline {
+            points: placed(&then),
+            start: placed(&now),
+            half_thickness: 0.5 * plate.thickness,
+            own_image: self.half,
+        };
+        self.plate.iter().map(midline).collect()
     }
 
     fn load(&mut self, force: WallForces<'_>) {
@@ -182,6 +293,7 @@ impl WettedBody for HostBody {
         };
         let (before, middle, after) = (self.ends(elapsed), self.ends(elapsed + 0.5 * dt), self.ends(elapsed + dt));
         let (mean, now) = (self.loads(&pushed, 0, &middle), self.loads(&pushed, 1, &after));
+        let halves = if self.half { 2.0 } else { 1.0 };
         let work: f64 = self
             .attachments
             .iter()
@@ -191,12 +303,6 @@ impl WettedBody for HostBody {
                 mean[0] * (to[0] - from[0]) + mean[1] * (to[1] - from[1])
             })
             .sum(); // CO31
-        let parts: Vec<Vec<[f64; 2]>> = self
-            .corners
-            .iter()
-            .map(|part| part.iter().map(|attachment| self.map.place(attachment, &after).at).collect())
-            .collect();
-        self.outline = Outline::compound(&parts)?;
         let mut shared = self.shared.open();
         for (impulse, mean) in shared.impulse.iter_mut().zip(&mean) {
             (0..3).for_each(|k| impulse[k] += dt * mean[k]);
@@ -204,10 +310,11 @@ impl WettedBody for HostBody {
         for mean in &mean {
             (0..2).for_each(|k| shared.external[k] -= dt * mean[k]);
         }
-        shared.work += work;
+        shared.work += halves * work;
         (shared.now, shared.pushed) = (now, pushed);
         shared.elapsed += dt;
-        Ok(())
+        drop(shared);
+        self.follow(&after)
     }
 
     fn checkpoint(&mut self) {
@@ -217,7 +324,7 @@ impl WettedBody for HostBody {
     fn restore(&mut self) {
         if let Some((exchanged, outline)) = &self.checkpoint {
             *self.shared.open() = exchanged.clone();
-            self.outline = outline.clone();
+            self.follow_restored(outline.clone());
         }
     }
 
@@ -230,53 +337,73 @@ impl WettedBody for HostBody {
         let (exchanged, loops): (Exchanged, Vec<Vec<[f64; 2]>>) = decode(BODY, bytes)?;
         exchanged.check(&self.shared.open(), self.attachments.len())?;
         let not_finite = || StateError::Unreadable(BODY, "its outline is not finite".into());
-        self.outline = Outline::deformed(loops).ok_or_else(not_finite)?;
+        let outline = Outline::deformed(loops).ok_or_else(not_finite)?;
         *self.shared.open() = exchanged;
+        self.follow_restored(outline);
         Ok(())
     }
 }
 
 impl Contact for HostBody {
     fn signed_distance(&self, at: [f64; 2]) -> f64 {
-        self.outline.signed_distance(at)
+        self.outline.signed_distance(self.motion.local(at))
     }
 
     fn surface(&self, at: [f64; 2]) -> SurfacePoint {
-        let (found, normal) = self.outline.nearest(at);
+        let (found, normal) = self.outline.nearest(self.motion.local(at));
+        let (found, normal) = (self.motion.point(found), rotate(normal, self.motion.angle));
         let ends = self.ends(self.elapsed());
         let attachment = self.map.attach_now(found, &ends);
         SurfacePoint { at: found, normal, velocity: self.map.velocity(&attachment, &ends) }
     }
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {
-        let (at, impulse) = contact.resultant();
         let ends = self.ends(self.elapsed());
-        let attachment = self.map.attach_now(at, &ends);
-        let velocity = self.map.velocity(&attachment, &ends);
         let mut shared = self.shared.open();
-        self.map.add_loads([(&attachment, impulse)], &ends, &mut shared.impulse);
-        for k in 0..2 {
-            shared.external[k] -= impulse[k];
-            shared.work += impulse[k] * velocity[k];
+        let mirrored = contact.mirrored.then_some((image(contact.at), image(contact.impulse)));
+        for (at, impulse) in [(contact.at, contact.impulse)].into_iter().chain(mirrored) {
+            let attachment = self.map.attach_now(at, &ends);
+            let velocity = self.map.velocity(&attachment, &ends);
+            self.map.add_loads([(&attachment, impulse)], &ends, &mut shared.impulse);
+            for k in 0..2 {
+                shared.external[k] -= impulse[k];
+                shared.work += impulse[k] * velocity[k];
+            }
         }
     }
 }
 
 impl Inspect for HostBody {
     fn name(&self) -> &str {
-        "host"
+        &self.name
     }
 
-    /// The force of the water; the frame is space itself, in which the outline moves.
+    /// The frame's, and the force of the water.
     fn motion(&self) -> Option<Motion> {
+        let moment = self.difference(0.0);
         let shared = self.shared.open();
-        let mut total = Motion::default();
         let position = shared.path.at(shared.elapsed).position;
+        let about = self.motion.position;
+        let mut load = Resultant::default();
         for (at, [fx, fy, moment]) in position.iter().zip(&shared.now) {
-            total.force = [total.force[0] + fx, total.force[1] + fy];
-            total.moment += moment + at[0] * fy - at[1] * fx;
+            load.force = [load.force[0] + fx, load.force[1] + fy];
+            load.moment += moment + cross([at[0] - about[0], at[1] - about[1]], [*fx, *fy]);
         }
-        Some(total)
+        let velocity = |elapsed: f64| self.frame.at(&shared.path.at(elapsed)).velocity;
+        let [before, after] = [-moment, moment].map(|ahead| velocity(shared.elapsed + ahead));
+        let rate = |k: usize| if moment > 0.0 { (after[k] - before[k]) / (2.0 * moment) } else { 0.0 };
+        Some(Motion::new(&RigidMotion { acceleration: [rate(0), rate(1)], ..self.motion }, load))
+    }
+
+    fn material_point(&self, at: [f64; 2]) -> Option<(SurfacePoint, [f64; 2])> {
+        if self.frame.is_rigid() {
+            return None;
+        }
+        let rest = self.frame.at_start().point(at);
+        let attachment = self.map.attach(rest, self.rest.nearest(rest).1);
+        let place = self.map.place(&attachment, &self.ends(self.elapsed()));
+        let (velocity, acceleration) = self.point_motion(&attachment);
+        Some((SurfacePoint { at: place.at, normal: place.normal, velocity }, acceleration))
     }
 
     fn outline(&self) -> Option<&Outline> {
@@ -299,7 +426,6 @@ impl Inspect for HostBody {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::embed::{HostNodes, Topology};
 
     /// A contact impulse acts on the nodes next to it, its reaction is an external impulse; a restored state has neither.
     #[test]
@@ -309,9 +435,10 @@ mod tests {
         let mut nodes = HostNodes::at_rest(corners);
         nodes.velocity.fill([0.5, -2.0]);
         let shared = Shared::new(Path::resting(&nodes));
-        let map = NodeMap::new(&topology, &nodes);
         let rest = topology.outline().expect("a square");
-        let mut body = HostBody::new(&topology, rest, map, 0.1, shared.clone());
+        let frame = HostFrame::default();
+        let parts = SurfaceParts { name: "square".into(), rest, frame, spacing: 0.1, half: false };
+        let mut body = HostBody::new(&topology, &nodes, parts, shared.clone());
         body.checkpoint();
         body.apply_impulse(&ContactImpulse { at: [0.25, 0.0], impulse: [3.0, 4.0], mirrored: false });
         let impulse = shared.open().impulse.clone();

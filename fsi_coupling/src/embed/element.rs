@@ -4,11 +4,9 @@ use serde::{Deserialize, Serialize};
 use sph_core::{Breakdown, StateError};
 
 use super::added_mass::AddedMass;
-use super::body::Shared;
 use super::error::HostError;
 use super::nodes::HostNodes;
-use super::spec::FluidElementSpec;
-use super::topology::Topology;
+use super::surface::HostLink;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::error::CouplingError;
 use crate::coupling::penetration::Penetration;
@@ -65,41 +63,30 @@ pub struct Snapshot {
     pub force: Vec<[f64; 3]>,
 }
 
+/// Limits of an element's steps.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementLimits {
+    /// Speed that no wet node may exceed [m/s].
+    pub sound_speed: f64,
+    /// Steps of the water above which a step of the host is refused [-].
+    pub most_substeps: f64,
+    /// The water's inertia against the host's, where its masses are known.
+    pub added_mass: Option<AddedMass>,
+}
+
 /// A region of water that pushes a host's nodes.
 pub struct FluidElement {
     system: Coupled,
-    shared: Shared,
-    wet: Vec<usize>,
-    rotations: bool,
-    sound_speed: f64,
-    most_substeps: f64,
-    added_mass: Option<AddedMass>,
+    link: HostLink,
+    limits: ElementLimits,
     broken: Option<String>,
     saved: bool,
 }
 
 impl FluidElement {
-    pub(super) fn new(
-        system: Coupled,
-        shared: Shared,
-        topology: &Topology,
-        spec: &FluidElementSpec,
-        added_mass: Option<AddedMass>,
-    ) -> FluidElement {
-        let mut wet: Vec<usize> = topology.sides().into_iter().flatten().collect();
-        wet.sort_unstable();
-        wet.dedup();
-        FluidElement {
-            system,
-            shared,
-            wet,
-            rotations: topology.rotations,
-            sound_speed: spec.speed_of_sound(),
-            most_substeps: spec.most_substeps,
-            added_mass,
-            broken: None,
-            saved: false,
-        }
+    /// Of a system whose first body is a host's surface, and the surface's other end.
+    pub fn of(system: Coupled, link: HostLink, limits: ElementLimits) -> FluidElement {
+        FluidElement { system, link, limits, broken: None, saved: false }
     }
 
     /// The water goes through one step of the host with the nodes, which move smoothly to where `step` says, in as many equal
@@ -108,24 +95,34 @@ impl FluidElement {
     ///
     /// A refused input changes nothing. A step that fails leaves the element to be looked at or restored.
     pub fn contribute(&mut self, step: HostStep<'_>, nodal_forces: &mut [[f64; 3]]) -> Result<Contribution, HostError> {
+        self.contribute_observed(step, nodal_forces, |_| ())
+    }
+
+    /// As [`FluidElement::contribute`]; `observe` is called after each step of the water, and must not change what flows.
+    pub fn contribute_observed(
+        &mut self,
+        step: HostStep<'_>,
+        nodal_forces: &mut [[f64; 3]],
+        mut observe: impl FnMut(&mut Coupled),
+    ) -> Result<Contribution, HostError> {
         self.refuse(step, nodal_forces.len())?;
         let start = self.time();
         let work = {
-            let mut shared = self.shared.open();
+            let mut shared = self.link.shared.open();
             shared.path = shared.path.onward(step.nodes, step.dt);
             shared.elapsed = 0.0;
             shared.impulse.fill([0.0; 3]);
             shared.work
         };
         let mut fluid_steps = 0;
-        let ended = self.sub_cycle(step.dt, &mut fluid_steps).and_then(|()| self.system.stable_dt());
+        let ended = self.sub_cycle(step.dt, &mut fluid_steps, &mut observe).and_then(|()| self.system.stable_dt());
         let fluid_dt = ended.map_err(|cause| {
             let error = HostError::Step { node: self.nearest_node(&cause), cause, start, fluid_steps };
             self.broken = Some(error.to_string());
             error
         })?;
         let (done, wet) = {
-            let shared = self.shared.open();
+            let shared = self.link.shared.open();
             for (force, impulse) in nodal_forces.iter_mut().zip(&shared.impulse) {
                 *force = impulse.map(|j| j / step.dt);
             }
@@ -135,20 +132,26 @@ impl FluidElement {
         for force in nodal_forces.iter() {
             (0..2).for_each(|k| impulse[k] += step.dt * force[k]);
         }
-        let host_dt = self.added_mass.filter(|_| wet).map_or(f64::INFINITY, |a| a.host_dt);
+        let host_dt = self.limits.added_mass.filter(|_| wet).map_or(f64::INFINITY, |a| a.host_dt);
         Ok(Contribution { fluid_steps, fluid_dt, host_dt, work: done, impulse, penetration: self.system.penetration() })
     }
 
     /// Equal steps of the water, as few as are stable: the rest of the host's step is divided anew before each.
-    fn sub_cycle(&mut self, dt: f64, fluid_steps: &mut u32) -> Result<(), CouplingError> {
+    fn sub_cycle(
+        &mut self,
+        dt: f64,
+        fluid_steps: &mut u32,
+        observe: &mut impl FnMut(&mut Coupled),
+    ) -> Result<(), CouplingError> {
         loop {
-            let rest = dt - self.shared.open().elapsed;
+            let rest = dt - self.link.shared.open().elapsed;
             if rest <= ROUNDING * dt {
                 return Ok(());
             }
             let parts = (rest / self.system.stable_dt()? - ROUNDING).ceil().max(1.0);
-            self.system.step(rest / parts)?;
+            self.system.step_or_shorter(rest / parts)?;
             *fluid_steps += 1;
+            observe(&mut self.system);
         }
     }
 
@@ -161,25 +164,26 @@ impl FluidElement {
         if !(step.dt > 0.0 && step.dt.is_finite()) {
             return duration("a number above 0".into());
         }
-        let end = self.shared.open().path.end().clone();
-        step.nodes.check(end.len(), self.rotations, time + step.dt)?;
+        let end = self.link.shared.open().path.end().clone();
+        step.nodes.check(end.len(), self.link.rotations, time + step.dt)?;
+        self.link.pairs.check(step.nodes, time + step.dt)?;
         if forces != end.len() {
             return Err(HostError::Length { array: "nodal forces", given: forces, expected: end.len() });
         }
-        let longest = self.most_substeps * self.system.stable_dt().unwrap_or(f64::MAX);
+        let longest = self.limits.most_substeps * self.system.stable_dt().unwrap_or(f64::MAX);
         if step.dt > longest {
             return duration(format!(
                 "at most {longest:.3e} s: most_substeps = {} steps of the water",
-                self.most_substeps
+                self.limits.most_substeps
             ));
         }
-        for &node in &self.wet {
+        for &node in &self.link.wet {
             let (from, to, v) = (end.position[node], step.nodes.position[node], step.nodes.velocity[node]);
             let mean = (to[0] - from[0]).hypot(to[1] - from[1]) / step.dt;
             for (quantity, speed) in [("mean speed", mean), ("speed", v[0].hypot(v[1]))] {
-                if speed > self.sound_speed {
+                if speed > self.limits.sound_speed {
                     let given = format!("{speed:.6e} m/s");
-                    let expected = format!("at most the speed of sound, {} m/s", self.sound_speed);
+                    let expected = format!("at most the speed of sound, {} m/s", self.limits.sound_speed);
                     return Err(HostError::Node { node, quantity, given, expected, time: time + step.dt });
                 }
             }
@@ -198,7 +202,17 @@ impl FluidElement {
         };
         let position = self.nodes().position;
         let distance = |node: &usize| (position[*node][0] - at[0]).hypot(position[*node][1] - at[1]);
-        self.wet.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        self.link.wet.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// Show water and walls to an observer that must not change what flows.
+    pub fn observe(&mut self, observe: impl FnOnce(&mut Coupled)) {
+        observe(&mut self.system);
+    }
+
+    /// Number of nodes.
+    pub fn node_count(&self) -> usize {
+        self.link.shared.open().path.end().len()
     }
 
     /// Time of the water [s].
@@ -208,7 +222,7 @@ impl FluidElement {
 
     /// Where the nodes are now, as the water sees them.
     pub fn nodes(&self) -> HostNodes {
-        let shared = self.shared.open();
+        let shared = self.link.shared.open();
         if shared.elapsed >= shared.path.duration() {
             shared.path.end().clone()
         } else {
@@ -218,7 +232,7 @@ impl FluidElement {
 
     /// Forces of the water on the nodes at this very moment, to predict the next step with.
     pub fn forces_now(&self) -> Vec<[f64; 3]> {
-        self.shared.open().now.clone()
+        self.link.shared.open().now.clone()
     }
 
     /// Longest step that the water could take next [s].
@@ -260,9 +274,19 @@ impl FluidElement {
         Ok(restored?)
     }
 
+    /// Why it failed; `None` of an element that can be stepped.
+    pub fn failure(&self) -> Option<&str> {
+        self.broken.as_deref()
+    }
+
     /// Water and walls inside, to be looked at: the nodes' surface is body 0, the basin body 1.
     pub fn system(&self) -> &Coupled {
         &self.system
+    }
+
+    /// Water and walls, without the element.
+    pub fn into_system(self) -> Coupled {
+        self.system
     }
 
     /// A picture of the present state.
@@ -271,14 +295,17 @@ impl FluidElement {
             (self.system.fluid.particles(), self.system.fluid.fields(), self.system.fluid.domain().fluid.density);
         let mut order: Vec<usize> = (0..p.len()).collect();
         order.sort_unstable_by_key(|k| p.id[*k]);
-        let outline = self.system.bodies().next().and_then(|body| body.outline());
+        let body = self.system.bodies().next().and_then(|body| body.motion().zip(body.outline()));
+        let surface = body.map_or(Vec::new(), |(motion, outline)| {
+            outline.loops().iter().map(|line| line.iter().map(|at| motion.point(*at)).collect()).collect()
+        });
         Snapshot {
             time: self.time(),
             position: order.iter().map(|&k| [p.x[k], p.y[k]]).collect(),
             velocity: order.iter().map(|&k| [p.u[k], p.v[k]]).collect(),
             pressure: order.iter().map(|&k| d.pressure[k]).collect(),
             spacing: order.iter().map(|&k| (p.mass[k] / rho0).sqrt()).collect(),
-            surface: outline.map_or(Vec::new(), |outline| outline.loops().to_vec()),
+            surface,
             nodes: self.nodes(),
             force: self.forces_now(),
         }

@@ -2,18 +2,20 @@
 //! (THEORY CO13, CO30).
 
 use super::nodes::HostNodes;
-use super::topology::Topology;
+use super::topology::{Anchor, Topology};
 use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
-use crate::geometry::vector::cross;
+use crate::geometry::vector::{cross, rotate};
 
-/// The sides of the wet surfaces. Each has two ends of its own, which move as its nodes do and turn as the nodes, or,
-/// where these have no rotations, as the side itself (CO30).
+/// The sides of the wet surfaces. Each has two ends of its own, which nodes carry: an end moves and turns with its node, or, where
+/// nodes have no rotations, turns as the side itself (CO30).
 #[derive(Clone, Debug)]
 pub(super) struct NodeMap {
     ends: BeamSurface,
-    sides: Vec<[usize; 2]>,
+    sides: Vec<[Anchor; 2]>,
     /// Positions and rotations of the ends at t = 0.
     start: Vec<[f64; 3]>,
+    /// From the nodes to the ends at t = 0 [m]; zero for sides from node to node.
+    arms: Vec<[f64; 2]>,
     rotations: bool,
 }
 
@@ -28,16 +30,29 @@ impl NodeMap {
     pub fn new(topology: &Topology, nodes: &HostNodes) -> NodeMap {
         let sides = topology.sides();
         let angle = |node: usize| nodes.rotation.get(node).copied().unwrap_or(0.0);
-        let start: Vec<[f64; 3]> =
-            sides.iter().flatten().map(|&n| [topology.nodes[n][0], topology.nodes[n][1], angle(n)]).collect();
+        let start: Vec<[f64; 3]> = sides.iter().flatten().map(|end| [end.at[0], end.at[1], angle(end.node)]).collect();
+        let arm = |end: &Anchor| [0, 1].map(|k| end.at[k] - topology.nodes[end.node][k]);
+        let arms = sides.iter().flatten().map(arm).collect();
         let elements = (0..sides.len()).map(|side| [2 * side, 2 * side + 1]).collect();
         let ends = BeamSurface::new(start.iter().map(|[x, y, _]| [*x, *y]).collect(), elements);
-        NodeMap { ends, sides, start, rotations: topology.rotations }
+        NodeMap { ends, sides, start, arms, rotations: topology.rotations }
     }
 
     /// The attachment of a point at t = 0.
     pub fn attach(&self, at: [f64; 2], normal: [f64; 2]) -> BeamAttachment {
         self.ends.attach(at, normal)
+    }
+
+    /// Attachments of the corners of a line at t = 0 [m]; where nodes turn, its sides are divided at about `spacing` [m].
+    pub fn along(&self, line: &[[f64; 2]], spacing: f64) -> Vec<BeamAttachment> {
+        let mut points = Vec::new();
+        for pair in line.windows(2) {
+            let way = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+            let pieces = if self.rotations { (way[0].hypot(way[1]) / spacing).ceil().max(1.0) } else { 1.0 };
+            points.extend((0..pieces as usize).map(|k| [0, 1].map(|i| pair[0][i] + way[i] * k as f64 / pieces)));
+        }
+        points.extend(line.last());
+        points.into_iter().map(|at| self.attach(at, [0.0; 2])).collect()
     }
 
     /// A place of side `side`, a share `t` of it from its first node.
@@ -62,21 +77,31 @@ impl NodeMap {
     pub fn ends(&self, nodes: &HostNodes) -> Ends {
         let (mut q, mut rate) = (Vec::with_capacity(self.start.len()), Vec::with_capacity(self.start.len()));
         for (side, pair) in self.sides.iter().enumerate() {
-            let [a, b] = pair.map(|node| nodes.position[node]);
-            let [va, vb] = pair.map(|node| nodes.velocity[node]);
+            let turned = |end: usize, node: usize| match self.rotations {
+                true => rotate(self.arms[2 * side + end], nodes.rotation[node] - self.start[2 * side + end][2]),
+                false => [0.0; 2],
+            };
+            let arms = [turned(0, pair[0].node), turned(1, pair[1].node)];
+            let spin = |node: usize| nodes.spin.get(node).copied().unwrap_or(0.0);
+            let at = |k: usize| [0, 1].map(|axis| nodes.position[pair[k].node][axis] + arms[k][axis]);
+            let velocity = |k: usize| {
+                let (v, spin) = (nodes.velocity[pair[k].node], spin(pair[k].node));
+                [v[0] - spin * arms[k][1], v[1] + spin * arms[k][0]]
+            };
+            let (ends, rates) = ([at(0), at(1)], [velocity(0), velocity(1)]);
+            let way = [0, 1].map(|k| ends[1][k] - ends[0][k]);
             let starts = [self.start[2 * side], self.start[2 * side + 1]];
-            let way = [b[0] - a[0], b[1] - a[1]];
             let rest = [starts[1][0] - starts[0][0], starts[1][1] - starts[0][1]];
             let turn = cross(rest, way).atan2(rest[0] * way[0] + rest[1] * way[1]);
-            let spin = cross(way, [vb[0] - va[0], vb[1] - va[1]]) / (way[0] * way[0] + way[1] * way[1]);
-            for (start, node) in starts.iter().zip(*pair) {
-                let (at, v) = (nodes.position[node], nodes.velocity[node]);
-                let [turn, spin] = match self.rotations {
-                    true => [nodes.rotation[node] - start[2], nodes.spin[node]],
-                    false => [turn, spin],
+            let apart = [0, 1].map(|k| rates[1][k] - rates[0][k]);
+            let turning = cross(way, apart) / (way[0] * way[0] + way[1] * way[1]);
+            for (k, start) in starts.iter().enumerate() {
+                let [turn, turning] = match self.rotations {
+                    true => [nodes.rotation[pair[k].node] - start[2], spin(pair[k].node)],
+                    false => [turn, turning],
                 };
-                q.push([at[0] - start[0], at[1] - start[1], turn]);
-                rate.push([v[0], v[1], spin]);
+                q.push([ends[k][0] - start[0], ends[k][1] - start[1], turn]);
+                rate.push([rates[k][0], rates[k][1], turning]);
             }
         }
         Ends { q, rate }
@@ -105,11 +130,14 @@ impl NodeMap {
         }
         for (side, pair) in self.sides.iter().enumerate() {
             let couple = if self.rotations { [0.0; 2] } else { self.couple(side, &ends.q, &on_ends) };
-            for ((end, node), sign) in [2 * side, 2 * side + 1].into_iter().zip(*pair).zip([1.0, -1.0]) {
+            for ((end, anchor), sign) in [2 * side, 2 * side + 1].into_iter().zip(*pair).zip([1.0, -1.0]) {
                 let [fx, fy, moment] = on_ends[end];
-                loads[node][0] += fx + sign * couple[0];
-                loads[node][1] += fy + sign * couple[1];
-                loads[node][2] += if self.rotations { moment } else { 0.0 };
+                let load = &mut loads[anchor.node];
+                load[0] += fx + sign * couple[0];
+                load[1] += fy + sign * couple[1];
+                if self.rotations {
+                    load[2] += moment + cross(rotate(self.arms[end], ends.q[end][2]), [fx, fy]);
+                }
             }
         }
     }
@@ -148,10 +176,36 @@ mod tests {
         (map, nodes, points.to_vec())
     }
 
+    /// A node that carries a triangle; places on and beside it.
+    fn carrying() -> (NodeMap, HostNodes, Vec<BeamAttachment>) {
+        let rest = vec![[0.3, 0.1]];
+        let topology = Topology::of(rest.clone()).turning().carried(0, vec![[0.0, 0.0], [1.0, 0.2], [0.4, 0.9]]);
+        let map = NodeMap::new(&topology, &HostNodes::at_rest(rest).with_rotations());
+        let points = [[0.4, 0.1], [0.9, 0.3], [0.1, 0.4]].map(|at| map.attach(at, [0.6, 0.8]));
+        let nodes = HostNodes {
+            position: vec![[0.7, -0.4]],
+            velocity: vec![[0.5, -1.0]],
+            rotation: vec![1.1],
+            spin: vec![-2.0],
+        };
+        (map, nodes, points.to_vec())
+    }
+
+    /// What a node carries moves rigidly.
+    #[test]
+    fn a_carried_line_is_rigid() {
+        let (map, nodes, _) = carrying();
+        let ends = map.ends(&nodes);
+        for at in [[0.4, 0.1], [0.9, 0.3], [0.1, 0.4], [1.3, 0.0]] {
+            let turned = rotate([at[0] - 0.3, at[1] - 0.1], 1.1);
+            let found = map.place(&map.attach(at, [0.0; 2]), &ends).at;
+            assert!((found[0] - 0.7 - turned[0]).hypot(found[1] + 0.4 - turned[1]) < 1e-14, "{found:?}");
+        }
+    }
+
     #[test]
     fn velocities_are_the_places_derivatives() {
-        for rotations in [false, true] {
-            let (map, nodes, points) = moving(rotations);
+        for (map, nodes, points) in [moving(false), moving(true), carrying()] {
             let ahead = |dt: f64| {
                 let mut n = nodes.clone();
                 n.position.iter_mut().zip(&nodes.velocity).for_each(|(x, v)| *x = [x[0] + dt * v[0], x[1] + dt * v[1]]);
@@ -162,7 +216,7 @@ mod tests {
                 let (after, before) = (map.place(point, &ahead(1e-6)).at, map.place(point, &ahead(-1e-6)).at);
                 let v = map.velocity(point, &ahead(0.0));
                 for k in 0..2 {
-                    assert!(((after[k] - before[k]) / 2e-6 - v[k]).abs() < 1e-8, "{rotations}: {v:?}");
+                    assert!(((after[k] - before[k]) / 2e-6 - v[k]).abs() < 1e-8, "{v:?}");
                 }
             }
         }
@@ -171,11 +225,10 @@ mod tests {
     /// Power, force and moment are the same on both sides of the interface.
     #[test]
     fn what_the_nodes_get_is_what_the_surface_got() {
-        for rotations in [false, true] {
-            let (map, nodes, points) = moving(rotations);
+        for (map, nodes, points) in [moving(false), moving(true), carrying()] {
             let ends = map.ends(&nodes);
             let force = |k: usize| [3.0 - k as f64, 0.5 + k as f64];
-            let mut loads = vec![[0.0; 3]; 3];
+            let mut loads = vec![[0.0; 3]; nodes.len()];
             map.add_loads(points.iter().enumerate().map(|(k, point)| (point, force(k))), &ends, &mut loads);
             let mut residual = [0.0; 4];
             for (k, point) in points.iter().enumerate() {
@@ -188,9 +241,9 @@ mod tests {
                 let spin = nodes.spin.get(node).copied().unwrap_or(0.0);
                 let of = [*fx, *fy, m + at[0] * fy - at[1] * fx, fx * v[0] + fy * v[1] + m * spin];
                 (0..4).for_each(|i| residual[i] -= of[i]);
-                assert!(rotations || *m == 0.0);
+                assert!(map.rotations || *m == 0.0);
             }
-            assert!(residual.iter().all(|l| l.abs() < 1e-12), "{rotations}: {residual:?}");
+            assert!(residual.iter().all(|l| l.abs() < 1e-12), "{residual:?}");
         }
     }
 }

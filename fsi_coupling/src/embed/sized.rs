@@ -3,19 +3,20 @@
 use sph_core::{Fluid, Seed};
 
 use super::added_mass::AddedMass;
-use super::body::{HostBody, Shared};
-use super::element::FluidElement;
+use super::element::{ElementLimits, FluidElement};
 use super::error::HostError;
-use super::node_map::NodeMap;
-use super::nodes::{HostNodes, Path};
+use super::frame::HostFrame;
+use super::nodes::HostNodes;
 use super::spec::FluidElementSpec;
-use super::topology::{Topology, WetSurface};
+use super::surface::{HostSurface, HostSurfaceSpec};
+use super::topology::{Anchor, Topology, WetSurface};
 use crate::bodies::body::{Body, WettedBody};
 use crate::bodies::tank::Tank;
 use crate::coupling::coupled::Coupled;
 use crate::coupling::scheme::Scheme;
 use crate::geometry::layout::{Basin, Cell, Layout};
 use crate::geometry::outline::Outline;
+use crate::geometry::plate_sampling::boundary_particles;
 use crate::geometry::polygon::{bounding_box, thinnest_web};
 use crate::geometry::rows::WallRows;
 use crate::settings::Problem;
@@ -29,6 +30,9 @@ const MOST_PARTICLES: f64 = 1e9;
 /// the breadth [-]; and their least [spacings].
 const FINE: [f64; 2] = [1.6, 0.5];
 const LEAST_FINE: [f64; 2] = [10.0, 4.0];
+
+/// Least distance of a cell's middle from a thin plate [half cells].
+const BESIDE_PLATE: f64 = 0.5;
 
 /// An element that has been sized, and can be built.
 #[derive(Clone)]
@@ -47,7 +51,7 @@ impl FluidElementSpec {
     /// Numbers of particles and bytes, the stable step, and warnings: pure, and allocates nothing that grows with the water.
     pub fn size(self, topology: &Topology) -> Result<SizedElement, HostError> {
         self.check()?;
-        let rows = WallRows::of(self.settings().wall_layout(&self.domain()), self.spacing);
+        let rows = self.rows();
         topology.check(rows.reach())?;
         let outline = topology.outline()?;
         refuse_thin(topology, &outline, rows.reach())?;
@@ -66,11 +70,15 @@ impl FluidElementSpec {
         };
         let mut fluid = 0;
         sized.for_each_seed(|_| fluid += 1);
-        let body = crate::geometry::sampling::sample(&sized.outline, &rows, false).len();
+        let body = boundary_particles(&sized.outline, &rows, false).0.len();
         let tank = sized.tank().sample(&rows).map_err(HostError::Shape)?.len();
         sized.particles = [fluid, body + tank];
         sized.warnings = sized.find_warnings();
         Ok(sized)
+    }
+
+    fn rows(&self) -> WallRows {
+        WallRows::of(self.settings().wall_layout(&self.domain()), self.spacing)
     }
 
     fn walls(&self, outline: &Outline) -> [f64; 2] {
@@ -104,16 +112,13 @@ impl FluidElementSpec {
     /// Wet nodes stand within the walls and above the floor.
     fn refuse_outside(&self, topology: &Topology, x: [f64; 2]) -> Result<(), HostError> {
         let floor = self.still_water - self.depth;
-        let outside = |node: &&usize| {
-            let at = topology.nodes[**node];
-            at[0] <= x[0] || at[0] >= x[1] || at[1] <= floor
-        };
+        let outside = |Anchor { at, .. }: &&Anchor| at[0] <= x[0] || at[0] >= x[1] || at[1] <= floor;
         let sides = topology.sides();
         match sides.as_flattened().iter().find(outside) {
             None => Ok(()),
-            Some(node) => Err(HostError::Topology {
+            Some(Anchor { node, at }) => Err(HostError::Topology {
                 place: format!("node {node}"),
-                given: format!("{:?} m", topology.nodes[*node]),
+                given: format!("{at:?} m"),
                 expected: format!("x between the walls at {} and {} m, y above the floor at {floor} m", x[0], x[1]),
             }),
         }
@@ -124,7 +129,9 @@ impl FluidElementSpec {
 fn refuse_thin(topology: &Topology, outline: &Outline, rows: f64) -> Result<(), HostError> {
     for (k, (surface, corners)) in topology.surfaces.iter().zip(outline.loops()).enumerate() {
         let thickness = thinnest_web(corners);
-        if matches!(surface, WetSurface::Closed(_)) && thickness < 2.0 * rows * (1.0 - 1e-9) {
+        if matches!(surface, WetSurface::Closed(_) | WetSurface::Carried { .. })
+            && thickness < 2.0 * rows * (1.0 - 1e-9)
+        {
             return Err(HostError::Topology {
                 place: format!("surface {k}"),
                 given: format!("{thickness:.4} m thick where it is thinnest"),
@@ -192,10 +199,12 @@ impl SizedElement {
     fn for_each_seed(&self, mut make: impl FnMut(Seed)) {
         let [low, high] = extent(&self.outline);
         let weight = self.spec.water.density * self.spec.gravity[1];
+        let share =
+            if self.outline.plate().is_some_and(|plate| plate.is_thin(&self.spec.rows())) { BESIDE_PLATE } else { 1.0 };
         let clear = |cell: &Cell| {
             let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
             let near = (0..2).all(|k| cell.at[k] > low[k] - room && cell.at[k] < high[k] + room);
-            !near || self.outline.signed_distance(cell.at) >= room
+            !near || self.outline.signed_distance(cell.at) >= share * room
         };
         self.layout.for_each(|cell| {
             if clear(&cell) {
@@ -208,27 +217,25 @@ impl SizedElement {
     /// The water at t = 0, at rest; the only phase that allocates. `nodes` are where the topology said; their velocities
     /// and rotations are what they start with.
     pub fn build(self, nodes: &HostNodes) -> Result<FluidElement, HostError> {
-        let (count, size) = (self.topology.nodes.len(), self.x[1] - self.x[0]);
-        nodes.check(count, self.topology.rotations, 0.0)?;
-        let moved = |k: &usize| {
-            let (a, b) = (nodes.position[*k], self.topology.nodes[*k]);
-            (a[0] - b[0]).hypot(a[1] - b[1]) > 1e-9 * size
-        };
-        if let Some(node) = (0..count).find(moved) {
-            let (given, expected) =
-                (format!("{:?} m", nodes.position[node]), format!("{:?} m", self.topology.nodes[node]));
-            return Err(HostError::Node { node, quantity: "position", given, expected, time: 0.0 });
-        }
         let mut seeds = Vec::with_capacity(self.particles[0]);
         self.for_each_seed(|seed| seeds.push(seed));
         let fluid = Fluid::new(self.spec.domain(), self.spec.settings().as_ref(), &seeds);
         drop(seeds);
-        let shared = Shared::new(Path::resting(nodes));
-        let map = NodeMap::new(&self.topology, nodes);
-        let body = HostBody::new(&self.topology, self.outline.clone(), map, self.spec.spacing, shared.clone());
-        let bodies: Vec<Box<dyn Body>> = vec![Box::new(body), Box::new(self.tank())];
+        let spec = HostSurfaceSpec {
+            name: "host".into(),
+            frame: HostFrame::default(),
+            outline: Some(self.outline.clone()),
+            half: false,
+        };
+        let (body, link) = HostSurface::new(&self.topology, nodes, &self.spec.rows(), spec)?.into_body();
+        let bodies: Vec<Box<dyn Body>> = vec![body, Box::new(self.tank())];
         let system = Coupled::new(fluid, bodies, Scheme::Weak, self.spec.spacing).map_err(HostError::Build)?;
-        Ok(FluidElement::new(system, shared, &self.topology, &self.spec, self.added_mass))
+        let limits = ElementLimits {
+            sound_speed: self.spec.speed_of_sound(),
+            most_substeps: self.spec.most_substeps,
+            added_mass: self.added_mass,
+        };
+        Ok(FluidElement::of(system, link, limits))
     }
 }
 

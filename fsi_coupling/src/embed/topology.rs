@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::HostError;
 use crate::geometry::outline::Outline;
 use crate::geometry::polygon::normal;
+use crate::geometry::shape::Shape;
 
 /// A side of a chain of nodes, as one walks along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,20 +32,55 @@ pub enum WetSurface {
         /// How deep what lies behind it is [m]: three spacings at least with the default kernel. No water must come there.
         backing: f64,
     },
+    /// A plate with water on both sides, whose middle line goes through the nodes (THEORY WA8).
+    Plate {
+        /// Nodes of the middle line in order.
+        nodes: Vec<usize>,
+        /// Thickness, half of it on each side of the line [m].
+        thickness: f64,
+    },
+    /// A closed line that one node carries rigidly, in either sense; the water is outside. Nodes must have rotations.
+    Carried {
+        /// The node.
+        node: usize,
+        /// Corners of the line at t = 0 [m].
+        corners: Vec<[f64; 2]>,
+    },
+}
+
+/// An end of a side: a point at t = 0 [m] that a node carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Anchor {
+    pub node: usize,
+    pub at: [f64; 2],
 }
 
 impl WetSurface {
     fn nodes(&self) -> &[usize] {
         match self {
-            WetSurface::Closed(nodes) | WetSurface::Open { nodes, .. } => nodes,
+            WetSurface::Closed(nodes) | WetSurface::Open { nodes, .. } | WetSurface::Plate { nodes, .. } => nodes,
+            WetSurface::Carried { node, .. } => std::slice::from_ref(node),
         }
     }
 
-    /// Numbers of its nodes and of its sides.
+    fn is_closed(&self) -> bool {
+        matches!(self, WetSurface::Closed(_) | WetSurface::Carried { .. })
+    }
+
+    /// Numbers of the points that its sides join, and of its sides.
     pub(super) fn counts(&self) -> (usize, usize) {
         match self {
+            WetSurface::Carried { corners, .. } => (corners.len(), corners.len()),
             WetSurface::Closed(nodes) => (nodes.len(), nodes.len()),
-            WetSurface::Open { nodes, .. } => (nodes.len(), nodes.len() - 1),
+            WetSurface::Open { nodes, .. } | WetSurface::Plate { nodes, .. } => (nodes.len(), nodes.len() - 1),
+        }
+    }
+
+    /// The points at t = 0 that its sides join, in order.
+    fn anchors(&self, positions: &[[f64; 2]]) -> Vec<Anchor> {
+        match self {
+            WetSurface::Carried { node, corners } => corners.iter().map(|at| Anchor { node: *node, at: *at }).collect(),
+            _ => self.nodes().iter().map(|&node| Anchor { node, at: positions[node] }).collect(),
         }
     }
 }
@@ -83,6 +119,18 @@ impl Topology {
         self
     }
 
+    /// With a plate through nodes, of a thickness [m].
+    pub fn plate(mut self, nodes: impl IntoIterator<Item = usize>, thickness: f64) -> Topology {
+        self.surfaces.push(WetSurface::Plate { nodes: nodes.into_iter().collect(), thickness });
+        self
+    }
+
+    /// With a closed line of corners [m] that a node carries.
+    pub fn carried(mut self, node: usize, corners: Vec<[f64; 2]>) -> Topology {
+        self.surfaces.push(WetSurface::Carried { node, corners });
+        self
+    }
+
     /// With rotations.
     pub fn turning(self) -> Topology {
         Topology { rotations: true, ..self }
@@ -93,30 +141,48 @@ impl Topology {
         Topology { masses, ..self }
     }
 
-    /// Pairs of nodes that a side of a surface joins.
-    pub(super) fn sides(&self) -> Vec<[usize; 2]> {
+    /// Ends of the sides of all surfaces.
+    pub(super) fn sides(&self) -> Vec<[Anchor; 2]> {
         let mut sides = Vec::new();
         for surface in &self.surfaces {
-            let nodes = surface.nodes();
-            sides.extend(nodes.windows(2).map(|pair| [pair[0], pair[1]]));
-            if let (WetSurface::Closed(_), [first, .., last]) = (surface, nodes) {
+            let anchors = surface.anchors(&self.nodes);
+            sides.extend(anchors.windows(2).map(|pair| [pair[0], pair[1]]));
+            if let (true, [first, .., last]) = (surface.is_closed(), &anchors[..]) {
                 sides.push([*last, *first]);
             }
         }
         sides
     }
 
-    /// What the surfaces enclose at t = 0: a chain together with its backing.
-    pub(super) fn outline(&self) -> Result<Outline, HostError> {
-        Outline::compound(&self.loops()).map_err(|error| HostError::Shape(error.into()))
+    /// Nodes of the surfaces, each once.
+    pub(super) fn wet_nodes(&self) -> Vec<usize> {
+        let mut wet: Vec<usize> = self.surfaces.iter().flat_map(|surface| surface.nodes()).copied().collect();
+        wet.sort_unstable();
+        wet.dedup();
+        wet
     }
 
-    /// Corners of what each surface encloses at t = 0 [m]; the first are its nodes.
+    /// What the surfaces enclose at t = 0: a chain together with its backing.
+    pub(super) fn outline(&self) -> Result<Outline, HostError> {
+        let outline = match &self.surfaces[..] {
+            [WetSurface::Plate { nodes, thickness }] => {
+                let points = nodes.iter().map(|node| self.nodes[*node]).collect();
+                Outline::of(&Shape::Polyline { points, thickness: *thickness })
+            }
+            _ => Outline::compound(&self.loops()),
+        };
+        outline.map_err(|error| HostError::Shape(error.into()))
+    }
+
+    /// Corners of what each surface encloses at t = 0 [m].
     pub(super) fn loops(&self) -> Vec<Vec<[f64; 2]>> {
         let of = |surface: &WetSurface| {
-            let line: Vec<[f64; 2]> = surface.nodes().iter().map(|node| self.nodes[*node]).collect();
+            let line: Vec<[f64; 2]> = surface.anchors(&self.nodes).iter().map(|anchor| anchor.at).collect();
             match surface {
-                WetSurface::Closed(_) => line,
+                WetSurface::Closed(_) | WetSurface::Carried { .. } => line,
+                WetSurface::Plate { thickness, .. } => {
+                    Shape::Polyline { points: line, thickness: *thickness }.outline()
+                }
                 WetSurface::Open { water, backing, .. } => {
                     let depth = if *water == Side::Left { *backing } else { -backing };
                     let back: Vec<[f64; 2]> = (0..line.len()).rev().map(|k| behind(&line, k, depth)).collect();
@@ -150,9 +216,12 @@ impl Topology {
         for (k, surface) in self.surfaces.iter().enumerate() {
             let (nodes, refuse) =
                 (surface.nodes(), |holds, given, why| require(holds, format!("surface {k}"), given, why));
-            let least = if matches!(surface, WetSurface::Closed(_)) { 3 } else { 2 };
-            let enough = nodes.len() >= least;
-            refuse(enough, format!("{} nodes", nodes.len()), format!("{least} nodes at least"))?;
+            let least = if surface.is_closed() { 3 } else { 2 };
+            let (points, of) = match surface {
+                WetSurface::Carried { corners, .. } => (corners.len(), "corners"),
+                _ => (nodes.len(), "nodes"),
+            };
+            refuse(points >= least, format!("{points} {of}"), format!("{least} {of} at least"))?;
             for (i, node) in nodes.iter().enumerate() {
                 refuse(*node < count, format!("node {node}"), format!("a number below {count}"))?;
                 refuse(!nodes[..i].contains(node), format!("node {node} twice"), "each node once".into())?;
@@ -161,11 +230,30 @@ impl Topology {
                 let deep = *backing >= rows * (1.0 - 1e-9) && backing.is_finite();
                 refuse(deep, format!("a backing of {backing} m"), format!("{rows} m at least"))?;
             }
+            if let WetSurface::Plate { thickness, .. } = surface {
+                let thick = *thickness > 0.0 && thickness.is_finite();
+                refuse(thick, format!("a thickness of {thickness} m"), "a finite number above 0 m".into())?;
+                let alone = self.surfaces.len() == 1;
+                refuse(alone, "a plate beside other surfaces".into(), "a plate as the only surface".into())?;
+            }
+            if let WetSurface::Carried { corners, .. } = surface {
+                let finite = corners.iter().flatten().all(|c| c.is_finite());
+                refuse(finite, "corners that are not finite".into(), "finite numbers".into())?;
+                refuse(
+                    self.rotations,
+                    "nodes without rotations".into(),
+                    "rotations: a node turns what it carries".into(),
+                )?;
+            }
         }
         self.sides().into_iter().try_for_each(|[a, b]| {
-            let (p, q) = (self.nodes[a], self.nodes[b]);
+            let (p, q) = (a.at, b.at);
             let long = (q[0] - p[0]).hypot(q[1] - p[1]) > 0.0;
-            require(long, format!("nodes {a} and {b}"), format!("both at {p:?} m"), "a side that has a length".into())
+            let place = match a.node == b.node {
+                true => format!("corners of node {}", a.node),
+                false => format!("nodes {} and {}", a.node, b.node),
+            };
+            require(long, place, format!("both at {p:?} m"), "a side that has a length".into())
         })
     }
 }

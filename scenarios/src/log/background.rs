@@ -25,6 +25,7 @@ const AROUND: usize = 256;
 /// next call returns the error.
 pub struct BackgroundLog {
     samples: Vec<Sample>,
+    held: Option<Held>,
     batches: Option<SyncSender<Batch>>,
     thread: Option<JoinHandle<Result<Logged, LogError>>>,
     path: PathBuf,
@@ -39,6 +40,13 @@ pub struct Logged {
     pub frames: u64,
     /// Frames that the budget had no room for.
     pub left_out: u64,
+}
+
+/// What may still be discarded.
+#[derive(Default)]
+struct Held {
+    samples: Vec<Sample>,
+    batches: Vec<Batch>,
 }
 
 /// Samples, and what comes after them and takes them to the file.
@@ -102,13 +110,14 @@ impl BackgroundLog {
         let (batches, received) = sync_channel(WAITING);
         let thread = thread::Builder::new().name("log".into()).spawn(move || writer.write_all(&received));
         let thread = thread.map_err(|source| LogError::Create(path.clone(), source))?;
-        Ok(Self { samples: Vec::new(), batches: Some(batches), thread: Some(thread), path })
+        Ok(Self { samples: Vec::new(), held: None, batches: Some(batches), thread: Some(thread), path })
     }
 
     /// As [`LogWriter::sample`].
     pub fn sample(&mut self, time: f64, channel: &str, values: &[(&str, f64)]) -> Result<(), LogError> {
         let values = values.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
-        self.samples.push(Sample { time, channel: channel.to_owned(), values });
+        let sample = Sample { time, channel: channel.to_owned(), values };
+        self.held.as_mut().map_or(&mut self.samples, |held| &mut held.samples).push(sample);
         if self.thread.as_ref().is_none_or(JoinHandle::is_finished) { Err(self.failure()) } else { Ok(()) }
     }
 
@@ -120,6 +129,31 @@ impl BackgroundLog {
     /// As [`LogWriter::note`].
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), LogError> {
         self.submit(Then::Note { time, level, text: text.to_owned() })
+    }
+
+    /// From here on keeps in memory what it is given, until the next call of `hold` or `release` accepts it or `discard` forgets it.
+    pub fn hold(&mut self) -> Result<(), LogError> {
+        self.release()?;
+        self.held = Some(Held::default());
+        Ok(())
+    }
+
+    /// Forgets what was held, and holds on.
+    pub fn discard(&mut self) {
+        if let Some(held) = &mut self.held {
+            *held = Held::default();
+        }
+    }
+
+    /// Accepts what was held.
+    pub fn release(&mut self) -> Result<(), LogError> {
+        let Some(Held { samples, batches }) = self.held.take() else { return Ok(()) };
+        for batch in batches {
+            self.samples.extend(batch.samples);
+            self.submit(batch.then)?;
+        }
+        self.samples.extend(samples);
+        Ok(())
     }
 
     /// Waits for the disk; what a later process needs to continue from here.
@@ -135,6 +169,7 @@ impl BackgroundLog {
 
     /// Waits for the disk and completes the file.
     pub fn finish(mut self) -> Result<Logged, LogError> {
+        self.release()?;
         self.submit(Then::Nothing)?;
         self.end().unwrap_or(Err(LogError::Ended(self.path.clone())))
     }

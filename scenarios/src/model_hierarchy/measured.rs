@@ -85,7 +85,7 @@ fn followed(name: &str, model: EntryModel) -> Option<(Scene, Series)> {
     let scene = scene::load(name, &[]).ok()?.scene;
     let (theory, _) = Theory::while_in_range(&scene, model).ok()?;
     let mut series = Series::new(&scene, None).ok()?;
-    theory.rows(&scene).into_iter().try_for_each(|row| series.push(row)).ok()?;
+    theory.rows(&scene).into_iter().for_each(|row| series.push(row));
     Some((scene, series))
 }
 

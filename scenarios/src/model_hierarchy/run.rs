@@ -29,9 +29,7 @@ pub(crate) fn run(
     let body = scene.body.as_ref().expect("a theory has a body");
     let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
     let mut series = Series::new(scene, file("series.csv").as_deref())?;
-    for row in theory.rows(scene) {
-        series.push(row)?;
-    }
+    theory.rows(scene).into_iter().for_each(|row| series.push(row));
     series.flush()?;
     let log = file("log.mcap").filter(|_| !options.without_log);
     let log = log.map(|path| write_log(scene, body, &theory, &path)).transpose()?;

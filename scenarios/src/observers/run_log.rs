@@ -37,6 +37,16 @@ impl LogObserver {
         Ok(self.writer.stored()?)
     }
 
+    /// Hold back what comes, as [`BackgroundLog::hold`].
+    pub fn hold(&mut self) -> Result<(), ObserveError> {
+        Ok(self.writer.hold()?)
+    }
+
+    /// Forget what was held back.
+    pub fn discard(&mut self) {
+        self.writer.discard();
+    }
+
     /// Write a note.
     pub fn note(&mut self, time: f64, level: Level, text: &str) -> Result<(), ObserveError> {
         Ok(self.writer.note(self.view.time(time), level, text)?)

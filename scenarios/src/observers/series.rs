@@ -23,6 +23,10 @@ pub struct Series {
     rows: Vec<Vec<f64>>,
     readers: Vec<Reader>,
     file: Option<(String, BufWriter<File>)>,
+    /// Rows that the file has.
+    written: usize,
+    /// Rows that it may have, where later ones may still be taken back.
+    accepted: Option<usize>,
 }
 
 impl Series {
@@ -31,7 +35,7 @@ impl Series {
         let columns = columns(scene);
         let file = path.map(|path| create(path, &columns)).transpose()?;
         let readers = SOURCES.iter().map(|source| (source.reader)(scene)).collect();
-        Ok(Series { columns, rows: Vec::new(), readers, file })
+        Ok(Series { columns, rows: Vec::new(), readers, file, written: 0, accepted: None })
     }
 
     /// The rows, in the order of the columns.
@@ -41,20 +45,30 @@ impl Series {
 
     /// Take rows, and write them to `path` if one is given.
     pub fn restore(&mut self, rows: Vec<Vec<f64>>, path: Option<&Path>) -> Result<(), ObserveError> {
-        self.rows = Vec::new();
+        (self.rows, self.written) = (rows, 0);
         self.file = path.map(|path| create(path, &self.columns)).transpose()?;
-        rows.into_iter().try_for_each(|row| self.push(row))?;
         self.flush()
     }
 
     /// Take a row, in the order of the columns.
-    pub fn push(&mut self, row: Vec<f64>) -> Result<(), ObserveError> {
-        if let Some((path, file)) = &mut self.file {
-            let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
-            writeln!(file, "{}", text.join(",")).map_err(|source| ObserveError::Io(path.clone(), source))?;
-        }
+    pub fn push(&mut self, row: Vec<f64>) {
         self.rows.push(row);
-        Ok(())
+    }
+
+    /// Rows from here on may be taken back; the file has them once the next call accepts them.
+    pub fn hold(&mut self) -> Result<(), ObserveError> {
+        self.accepted = Some(self.rows.len());
+        self.flush()
+    }
+
+    /// Take back the rows since `hold`.
+    pub fn discard(&mut self) {
+        self.rows.truncate(self.accepted.unwrap_or(self.rows.len()));
+    }
+
+    /// Accept all rows.
+    pub fn release(&mut self) {
+        self.accepted = None;
     }
 
     /// Names of the columns; the first is `time_s`.
@@ -106,12 +120,17 @@ impl Series {
         Some(Water { volume_start_m2: first, volume_drift: drift(mean), volume_drift_worst: worst })
     }
 
-    /// See that all rows are in the file.
+    /// See that all accepted rows are in the file.
     pub fn flush(&mut self) -> Result<(), ObserveError> {
-        match &mut self.file {
-            Some((path, file)) => file.flush().map_err(|source| ObserveError::Io(path.clone(), source)),
-            None => Ok(()),
+        let Some((path, file)) = &mut self.file else { return Ok(()) };
+        let wrong = |source| ObserveError::Io(path.clone(), source);
+        let until = self.accepted.unwrap_or(self.rows.len());
+        for row in &self.rows[self.written.min(until)..until] {
+            let text: Vec<String> = row.iter().map(|v| format!("{v:.9e}")).collect();
+            writeln!(file, "{}", text.join(",")).map_err(wrong)?;
         }
+        self.written = until;
+        file.flush().map_err(wrong)
     }
 }
 
@@ -119,7 +138,7 @@ impl Observer for Series {
     fn observe(&mut self, frame: &Frame<'_>) -> Result<(), ObserveError> {
         let mut row = vec![frame.time()];
         row.extend(self.readers.iter_mut().flat_map(|read| read(frame)));
-        self.push(row)?;
+        self.push(row);
         if frame.particles {
             self.flush()?;
         }

@@ -61,7 +61,7 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
 }
 
 /// A run between two steps.
-pub(super) struct Run<'a> {
+pub(crate) struct Run<'a> {
     pub scene: &'a Scene,
     pub options: &'a RunOptions<'a>,
     /// Folder for the files.
@@ -93,14 +93,25 @@ impl Run<'_> {
             }
             Ok::<_, RunError>((ended, checkpoint))
         })?;
-        let Run { scene, options, dir, references, mut system, mut recorder, volume, .. } = self;
         let (status, message) = match ended {
             Ok(status) => (status, None),
             Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
         };
+        let dir = self.dir;
+        let outcome = self.conclude(status, message, start)?;
+        if let Some((dir, bytes)) = dir.zip(checkpoint) {
+            write_checkpoint(dir, &bytes)?;
+        }
+        Ok(outcome)
+    }
+
+    /// Complete the log of a run that took its last step, and write summary and report.
+    pub(crate) fn conclude(self, status: Status, message: Option<String>, start: Instant) -> Result<Outcome, RunError> {
+        let Run { scene, options, dir, references, mut system, mut recorder, volume, .. } = self;
         if status != Status::Completed {
             recorder.record_stop(&system, status, message.as_deref())?;
         }
+        recorder.series.release();
         system.fluid.timers_mut().begin(Phase::Log);
         let logged = recorder.log.take().map(LogObserver::finish).transpose()?;
         system.fluid.timers_mut().end();
@@ -112,11 +123,7 @@ impl Run<'_> {
             summary.error_bars =
                 options.error_bars.map_or_else(|| charted::error_bars(scene, &summary), |of| of(&summary));
         }
-        let outcome = keep(Outcome { summary, series: recorder.series }, dir, options)?;
-        if let Some((dir, bytes)) = dir.zip(checkpoint) {
-            write_checkpoint(dir, &bytes)?;
-        }
-        Ok(outcome)
+        keep(Outcome { summary, series: recorder.series }, dir, options)
     }
 }
 
@@ -130,7 +137,7 @@ pub(super) fn start_live(scene: &Scene, options: &RunOptions<'_>) -> Result<Opti
 }
 
 /// Hold and empty the folder, and write the resolved scene into it.
-fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<Held>, RunError> {
+pub(crate) fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<Held>, RunError> {
     let Some(dir) = &options.out else { return Ok(None) };
     let held = prepare(dir)?;
     write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
@@ -209,18 +216,11 @@ impl Run<'_> {
         self.observing(Recorder::observe)
     }
 
-    /// The time of `observe` counts as that of the observers and of the log.
     fn observing<T>(
         &mut self,
         observe: impl FnOnce(&mut Recorder, &Coupled) -> Result<T, ObserveError>,
     ) -> Result<T, ObserveError> {
-        let Run { system, recorder, .. } = self;
-        let outer = system.fluid.timers_mut().begin(Phase::Observers);
-        let seen = observe(recorder, system)?;
-        recorder.show(system)?;
-        system.fluid.timers_mut().hand_over(Phase::Log, recorder.time_of_log());
-        system.fluid.timers_mut().resume(outer);
-        Ok(seen)
+        self.recorder.timed(&mut self.system, observe)
     }
 
     /// The checkpoint of a run that stops: of an interrupted one it is written at once. That of the end is returned, to be written once

@@ -29,6 +29,10 @@ use crate::report::run_page::FolderError;
 use checkpoint::CheckpointError;
 use summary::Summary;
 
+pub(crate) use driver::{Run, start_folder};
+pub(crate) use recorder::{Observed, Recorder};
+pub(crate) use recorder_state::Mark;
+
 pub use driver::run;
 pub use particle_order::ParticleOrder;
 pub use resume::Resumable;
@@ -173,7 +177,7 @@ fn prepare(dir: &Path) -> Result<Held, RunError> {
 }
 
 /// The lock on a folder, as long as the value lives; the system frees it when the process ends.
-struct Held {
+pub(crate) struct Held {
     _folder: Option<File>,
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use fsi_coupling::{Coupled, Energy};
-use sph_core::{Fluid, Solver, projection};
+use sph_core::{Fluid, Phase, Solver, projection};
 use tracing::warn;
 
 use super::RunError;
@@ -110,6 +110,20 @@ impl Recorder {
         Ok(if particles { Observed::Frame } else { Observed::Sample })
     }
 
+    /// Observe, and show the state to viewers; the time counts as that of the observers and of the log.
+    pub fn timed<T>(
+        &mut self,
+        system: &mut Coupled,
+        observe: impl FnOnce(&mut Recorder, &Coupled) -> Result<T, ObserveError>,
+    ) -> Result<T, ObserveError> {
+        let outer = system.fluid.timers_mut().begin(Phase::Observers);
+        let seen = observe(self, system)?;
+        self.show(system)?;
+        system.fluid.timers_mut().hand_over(Phase::Log, self.time_of_log());
+        system.fluid.timers_mut().resume(outer);
+        Ok(seen)
+    }
+
     /// The last sample of a run and its frame, where they were not due of themselves.
     pub fn complete(&mut self, system: &Coupled, seen: Observed) -> Result<(), ObserveError> {
         match seen {
@@ -174,7 +188,7 @@ impl Recorder {
     }
 
     /// Wall time of the log since the last call.
-    pub fn time_of_log(&mut self) -> Duration {
+    fn time_of_log(&mut self) -> Duration {
         std::mem::take(&mut self.time_of_log)
     }
 

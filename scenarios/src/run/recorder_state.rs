@@ -7,7 +7,7 @@ use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::recorder::Recorder;
 use super::summary::Peak;
-use crate::observers::{History, ObserveError};
+use crate::observers::{History, LogObserver, ObserveError};
 
 /// All observers but the log.
 #[derive(Serialize, Deserialize)]
@@ -26,9 +26,32 @@ struct Stored {
     crossing_reported: bool,
 }
 
+/// What the observers hold but rows and log, at a moment to which a host may return.
+pub(crate) struct Mark(Vec<u8>);
+
 impl Recorder {
+    /// Accept what was observed so far, and hold back from the files what comes: `discard` returns to this moment.
+    pub fn hold(&mut self) -> Result<Mark, ObserveError> {
+        self.series.hold()?;
+        self.log.as_mut().map_or(Ok(()), LogObserver::hold)?;
+        Ok(Mark(self.encoded(Vec::new())))
+    }
+
+    /// Return to a moment that was marked.
+    pub fn discard(&mut self, mark: &Mark) -> Result<(), StateError> {
+        self.series.discard();
+        if let Some(log) = &mut self.log {
+            log.discard();
+        }
+        self.restore_bytes(&mark.0).map(|_| ())
+    }
+
     /// All that the observers hold but the log.
     pub fn to_bytes(&self) -> Vec<u8> {
+        self.encoded(self.series.rows().to_vec())
+    }
+
+    fn encoded(&self, rows: Vec<Vec<f64>>) -> Vec<u8> {
         let extreme = |(name, peak): &(String, Peak)| (name.clone(), peak.value, peak.time_s);
         encode(&Stored {
             gauges: self.gauges.to_bytes(),
@@ -36,7 +59,7 @@ impl Recorder {
             similarity: self.similarity.as_ref().map(|window| window.to_bytes()),
             force_rules: self.force_rules.as_ref().map(|rules| rules.to_bytes()),
             history: self.history.clone(),
-            rows: self.series.rows().to_vec(),
+            rows,
             extremes: self.extremes.iter().map(extreme).collect(),
             due: [self.next_sample, self.next_frame],
             reported_until: self.reported_until,

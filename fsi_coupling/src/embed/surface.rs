@@ -1,0 +1,125 @@
+//! A host's surface as a body of a system that is built elsewhere, such as that of a scene; and the other end of it.
+
+use super::body::{HostBody, Shared, SurfaceParts};
+use super::error::HostError;
+use super::frame::HostFrame;
+use super::nodes::{HostNodes, Path};
+use super::topology::Topology;
+use crate::bodies::body::Body;
+use crate::geometry::outline::Outline;
+use crate::geometry::rows::WallRows;
+
+/// Farthest that nodes may stand from where the topology has them, and pairs of nodes from each other's images [spacings].
+const PLACED: f64 = 1e-6;
+
+/// The nodes of a host, ready to become a body.
+pub struct HostSurface {
+    body: HostBody,
+    link: HostLink,
+}
+
+/// What an element keeps of its surface, once the body stands in the water.
+pub struct HostLink {
+    pub(super) shared: Shared,
+    pub(super) wet: Vec<usize>,
+    pub(super) rotations: bool,
+    pub(super) pairs: Pairs,
+}
+
+/// What a surface is called, and where it is.
+#[derive(Clone)]
+pub struct HostSurfaceSpec {
+    /// Name in output columns.
+    pub name: String,
+    /// Its frame at t = 0.
+    pub frame: HostFrame,
+    /// What it encloses at t = 0, if that is more than the topology says, such as a plate that stands on walls.
+    pub outline: Option<Outline>,
+    /// Only the part x > 0 is simulated; the nodes of both halves are the host's, and move symmetrically.
+    pub half: bool,
+}
+
+impl HostSurface {
+    /// Of a topology and of nodes that stand where it says; `rows` are those of the boundary particles.
+    ///
+    /// # Errors
+    /// A surface that is none, nodes elsewhere, or nodes without an image in x = 0 where a half is simulated.
+    pub fn new(
+        topology: &Topology,
+        nodes: &HostNodes,
+        rows: &WallRows,
+        spec: HostSurfaceSpec,
+    ) -> Result<HostSurface, HostError> {
+        topology.check(rows.reach())?;
+        let HostSurfaceSpec { name, frame, outline, half } = spec;
+        let count = topology.nodes.len();
+        nodes.check(count, topology.rotations, 0.0)?;
+        let tolerance = PLACED * rows.spacing;
+        let moved = |k: &usize| {
+            let (a, b) = (nodes.position[*k], topology.nodes[*k]);
+            (a[0] - b[0]).hypot(a[1] - b[1]) > tolerance
+        };
+        if let Some(node) = (0..count).find(moved) {
+            let (given, expected) = (format!("{:?} m", nodes.position[node]), format!("{:?} m", topology.nodes[node]));
+            return Err(HostError::Node { node, quantity: "position", given, expected, time: 0.0 });
+        }
+        let wet = topology.wet_nodes();
+        let pairs = if half { Pairs::of(topology, &wet, tolerance)? } else { Pairs::default() };
+        let rest = outline.map_or_else(|| topology.outline(), Ok)?;
+        let shared = Shared::new(Path::resting(nodes));
+        let parts = SurfaceParts { name, rest, frame, spacing: rows.spacing, half };
+        let body = HostBody::new(topology, nodes, parts, shared.clone());
+        Ok(HostSurface { body, link: HostLink { shared, wet, rotations: topology.rotations, pairs } })
+    }
+
+    /// The body, and the element's end.
+    pub fn into_body(self) -> (Box<dyn Body>, HostLink) {
+        (Box::new(self.body), self.link)
+    }
+}
+
+/// Pairs of wet nodes that are images of each other in x = 0; a node on it is its own image.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pairs {
+    pairs: Vec<[usize; 2]>,
+    tolerance: f64,
+}
+
+impl Pairs {
+    fn of(topology: &Topology, wet: &[usize], tolerance: f64) -> Result<Pairs, HostError> {
+        let at = |node: usize| topology.nodes[node];
+        let image = |node: usize| {
+            let apart = |other: &usize| (at(node)[0] + at(*other)[0]).hypot(at(node)[1] - at(*other)[1]);
+            wet.iter().copied().find(|other| apart(other) <= tolerance)
+        };
+        let pair = |&node: &usize| match image(node) {
+            Some(other) => Ok([node, other]),
+            None => Err(HostError::Topology {
+                place: format!("node {node}"),
+                given: format!("{:?} m without an image in x = 0", at(node)),
+                expected: "nodes of both halves: only one half of the water is simulated".into(),
+            }),
+        };
+        let pairs = wet.iter().map(pair).collect::<Result<Vec<_>, _>>()?;
+        Ok(Pairs { pairs: pairs.into_iter().filter(|[a, b]| a <= b).collect(), tolerance })
+    }
+
+    /// An error unless the nodes are images of each other.
+    pub fn check(&self, nodes: &HostNodes, time: f64) -> Result<(), HostError> {
+        for &[node, other] in &self.pairs {
+            let (a, b) = (nodes.position[node], nodes.position[other]);
+            if (a[0] + b[0]).hypot(a[1] - b[1]) > self.tolerance {
+                let (given, expected) =
+                    (format!("{a:?} m"), format!("the image of node {other}, {:?} m", [-b[0], b[1]]));
+                return Err(HostError::Node { node, quantity: "position", given, expected, time });
+            }
+            let turned = nodes.rotation.get(node).zip(nodes.rotation.get(other)).filter(|_| node == other);
+            if let Some((angle, _)) = turned.filter(|(angle, _)| angle.abs() > self.tolerance) {
+                let (given, expected) =
+                    (format!("{angle} rad"), "0 rad: only one half of the water is simulated".into());
+                return Err(HostError::Node { node, quantity: "rotation", given, expected, time });
+            }
+        }
+        Ok(())
+    }
+}

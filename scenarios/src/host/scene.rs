@@ -1,0 +1,159 @@
+//! A scene whose body a host will move: its nodes and its size are known, its water is not there yet.
+
+use std::path::PathBuf;
+
+use fsi_coupling::embed::{ElementLimits, FluidElement, HostFrame, HostNodes, HostSurface, HostSurfaceSpec, Topology};
+use fsi_coupling::{BodyError, RigidMotion};
+
+use super::error::HostedError;
+use super::interface::Interface;
+use super::records::Records;
+use super::run::HostedRun;
+use crate::build::{build_around, frame_at_start, outline_at_start, rows};
+use crate::preflight;
+use crate::scene::{self, Body, Loaded, Scene, Symmetry, memory_estimate, particle_estimate};
+
+/// Steps of the water above which a step of the host is refused [-].
+const MOST_SUBSTEPS: f64 = 100_000.0;
+
+/// A scene that is ready to be built around the nodes of a host.
+#[derive(Clone)]
+pub struct HostedScene {
+    scene: Scene,
+    body: Body,
+    start: RigidMotion,
+    interface: Interface,
+    topology: Topology,
+    nodes: HostNodes,
+    warnings: Vec<String>,
+    records: Option<(PathBuf, bool)>,
+}
+
+impl HostedScene {
+    /// A built-in scene by its name, or a scene file by its path, with settings such as `resolution.spacing=0.01` in their order. A scene
+    /// whose model is left to the program is run with particles.
+    ///
+    /// # Errors
+    /// A scene that cannot be read or run, or whose body no host can move: without a body, with panels, by a theory.
+    pub fn open(scene: &str, settings: &[String], interface: Interface) -> Result<HostedScene, HostedError> {
+        let loaded = scene::load(scene, settings)?;
+        if !(loaded.scene.model.is_theory() && loaded.scene.choice.is_some()) {
+            return HostedScene::of(loaded, interface);
+        }
+        let particles = [settings, &["model=wcsph".to_string()]].concat();
+        HostedScene::of(scene::load(scene, &particles)?, interface)
+    }
+
+    /// A scene from its text; `name` stands for the file in messages.
+    ///
+    /// # Errors
+    /// As [`HostedScene::open`].
+    pub fn from_text(
+        name: &str,
+        text: &str,
+        settings: &[String],
+        interface: Interface,
+    ) -> Result<HostedScene, HostedError> {
+        HostedScene::of(scene::load_text(name, text, settings)?, interface)
+    }
+
+    fn of(loaded: Loaded, interface: Interface) -> Result<HostedScene, HostedError> {
+        let Loaded { scene, warnings, .. } = loaded;
+        let unfit = |given: &str, expected: &str| {
+            let (given, expected) = (given.to_string(), expected.to_string());
+            HostedError::Unfit { scene: scene.name.clone(), given, expected }
+        };
+        if scene.model.is_theory() {
+            let given = format!("model = \"{}\" has no particles", scene.model.name());
+            return Err(unfit(&given, "model = \"wcsph\" or \"incompressible\""));
+        }
+        let Some(body) = scene.body.clone() else {
+            return Err(unfit("no body", "a table [body] with the shape that the host moves"));
+        };
+        if !body.panels.is_empty() {
+            return Err(unfit(
+                "body.panels",
+                "a body without panels: the structure is the host's, whose nodes are the corners of the outline",
+            ));
+        }
+        let start = frame_at_start(&scene, &body);
+        let (topology, nodes) = interface.nodes(&body, &start);
+        Ok(HostedScene { scene, body, start, interface, topology, nodes, warnings, records: None })
+    }
+
+    /// The same with log, curves, summary and report in a folder; `replace` a run that it holds.
+    pub fn recording(self, folder: PathBuf, replace: bool) -> HostedScene {
+        HostedScene { records: Some((folder, replace)), ..self }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// What of the body the host moves.
+    pub fn interface(&self) -> Interface {
+        self.interface
+    }
+
+    /// The nodes at the start, with the motion that the scene expects.
+    pub fn nodes(&self) -> &HostNodes {
+        &self.nodes
+    }
+
+    /// Time at the start [s]: below zero where a body starts above the water.
+    pub fn time(&self) -> f64 {
+        self.scene.time.start
+    }
+
+    /// Particles of water at the start.
+    pub fn fluid_particles(&self) -> usize {
+        crate::build::layout(&self.scene).count()
+    }
+
+    /// Boundary particles, estimated.
+    pub fn wall_particles(&self) -> usize {
+        particle_estimate(&self.scene).1 as usize
+    }
+
+    /// Memory, estimated [bytes].
+    pub fn bytes(&self) -> u64 {
+        memory_estimate(&self.scene)
+    }
+
+    /// The water's step at the start [s].
+    pub fn fluid_dt(&self) -> f64 {
+        preflight::step(&self.scene)
+    }
+
+    /// Warnings about the scene.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// The water around the nodes, which stand where [`HostedScene::nodes`] says; their velocities are what they start with.
+    ///
+    /// # Errors
+    /// Nodes elsewhere, water that cannot be built, files that cannot be written.
+    pub fn build(self, nodes: &HostNodes) -> Result<HostedRun, HostedError> {
+        let HostedScene { scene, body, start, interface, topology, mut warnings, records, .. } = self;
+        let rest = outline_at_start(&scene, &body, &start).map_err(BodyError::from)?;
+        let spec = HostSurfaceSpec {
+            name: body.name.clone(),
+            frame: HostFrame { position: start.position, angle: start.angle },
+            outline: Some(rest),
+            half: scene.symmetry == Symmetry::X,
+        };
+        let (hosted, link) = HostSurface::new(&topology, nodes, &rows(&scene), spec)?.into_body();
+        let system = build_around(&scene, Some(hosted))?;
+        let sound_speed =
+            if scene.solver.is_incompressible() { 10.0 * scene.projection_speed() } else { scene.sound_speed() };
+        warnings.push(format!(
+            "a host program moved the body by the interface `{}`: the scene's own motion is what was expected of it",
+            interface.name()
+        ));
+        let records = records.map(|(folder, replace)| Records::start(scene, folder, replace, warnings, &system));
+        let limits = ElementLimits { sound_speed, most_substeps: MOST_SUBSTEPS, added_mass: None };
+        HostedRun::new(FluidElement::of(system, link, limits), records.transpose()?)
+    }
+}
