@@ -1,14 +1,15 @@
 """The compiled half of the package."""
 
 import os
-from typing import Any, final
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from splashdown._types import BodyMotion, BodyShape, LoggedParticles, Particles
+from splashdown._run import Run
+from splashdown._types import BodyMotion, BodyShape, LoggedParticles, Nodes, Particles, Sizes, Snapshot
 
-__all__ = ["InputError", "Log", "Simulation", "StepError", "__version__", "check", "execute", "run_scene", "scenes", "toml_to_json"]
+__all__ = ["Contribution", "Host", "InputError", "Log", "Simulation", "StepError", "__version__", "check", "execute", "run_scene", "scenes", "toml_to_json"]
 
 __version__: str
 
@@ -68,3 +69,61 @@ class Simulation:
     def restore(self) -> None: ...
     def to_bytes(self) -> bytes: ...
     def restore_bytes(self, bytes: bytes) -> None: ...
+
+@final
+class Contribution:
+    @property
+    def fluid_steps(self) -> int: ...
+    @property
+    def fluid_dt(self) -> float: ...
+    @property
+    def host_dt(self) -> float: ...
+    @property
+    def work(self) -> float: ...
+    @property
+    def impulse(self) -> tuple[float, float]: ...
+    @property
+    def penetrated(self) -> int: ...
+
+@final
+class Host:
+    def __new__(
+        cls,
+        scene: _Path,
+        interface: Literal["body", "nodes", "turning_nodes"] = "body",
+        set: dict[str, Any] | None = None,
+        out: _Path | None = None,
+        *,
+        force: bool = False,
+        velocity: _Numbers | None = None,
+        spin: _Numbers | None = None,
+    ) -> Host: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def time(self) -> float: ...
+    @property
+    def fluid_dt(self) -> float: ...
+    @property
+    def sizes(self) -> Sizes: ...
+    @property
+    def scene(self) -> str: ...
+    @property
+    def nodes(self) -> Nodes: ...
+    @property
+    def forces_now(self) -> _Numbers: ...
+    def contribute(
+        self,
+        dt: float,
+        position: _Numbers,
+        velocity: _Numbers,
+        rotation: _Numbers | None = None,
+        spin: _Numbers | None = None,
+        out: _Numbers | None = None,
+    ) -> tuple[_Numbers, Contribution]: ...
+    def snapshot(self) -> Snapshot: ...
+    def save(self) -> None: ...
+    def restore(self) -> None: ...
+    def to_bytes(self) -> bytes: ...
+    def restore_bytes(self, bytes: bytes) -> None: ...
+    def finish(self) -> Run | None: ...

@@ -177,13 +177,19 @@ def run(
     summary, scene_text, columns = run_scene(
         scene, None if set is None else dict(set), out=out, threads=threads, force=force
     )
-    folder = None if out is None else pathlib.Path(out)
-    ended = Run(folder, json.loads(summary), scene_text, dict(columns))
-    if ended.status == "failed":
-        error = StepError(ended.summary.get("message", "the run failed"))
-        error.run = ended
+    run = ended(out, summary, scene_text, columns)
+    if run.status == "failed":
+        error = StepError(run.summary.get("message", "the run failed"))
+        error.run = run
         raise error
-    return ended
+    return run
+
+
+def ended(
+    folder: str | os.PathLike[str] | None, summary: str, scene: str, series: list[tuple[str, NDArray[np.float64]]]
+) -> Run:
+    """The run of a summary in JSON, a scene in TOML, and the columns of its series."""
+    return Run(None if folder is None else pathlib.Path(folder), json.loads(summary), scene, dict(series))
 
 
 def open(folder: str | os.PathLike[str]) -> Run:

@@ -52,6 +52,40 @@ class BodyMotion(TypedDict):
     """Of the water about the reference point, per metre of span [N]."""
 
 
+class Nodes(TypedDict):
+    """Nodes of a host; arrays of the caller's own."""
+
+    position: NDArray[np.float64]
+    """(n, 2) [m]."""
+    velocity: NDArray[np.float64]
+    """(n, 2) [m/s]."""
+    rotation: NDArray[np.float64]
+    """(n), or empty where nodes have no rotations [rad]."""
+    spin: NDArray[np.float64]
+    """(n), or empty [rad/s]."""
+
+
+class Sizes(TypedDict):
+    """Sizes of a host's water."""
+
+    fluid_particles: int
+    wall_particles: int
+    bytes: int
+
+
+class Snapshot(TypedDict):
+    """The water around a host's nodes at one instant, particles in the order of their identity."""
+
+    time: float
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    pressure: NDArray[np.float64]
+    spacing: NDArray[np.float64]
+    surface: list[NDArray[np.float64]]
+    nodes: Nodes
+    force: NDArray[np.float64]
+
+
 class BodyShape(TypedDict):
     """A body in a frame."""
 

@@ -8,6 +8,8 @@ mod call;
 mod command;
 mod errors;
 mod folder;
+mod host;
+mod host_arrays;
 mod run;
 mod settings;
 mod simulation;
@@ -23,6 +25,8 @@ mod _core {
     use crate::errors::{InputError, StepError};
     #[pymodule_export]
     use crate::folder::{Log, toml_to_json};
+    #[pymodule_export]
+    use crate::host::{Contribution, Host};
     #[pymodule_export]
     use crate::run::run_scene;
     #[pymodule_export]

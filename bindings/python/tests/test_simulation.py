@@ -27,10 +27,12 @@ def test_arrays_stay_as_they_were(drop: dict[str, Any]) -> None:
     simulation.step()
     assert np.array_equal(first["position"], copy)
     assert not np.array_equal(simulation.particles["velocity"], first["velocity"])
-    shapes = {name: array.shape for name, array in simulation.particles.items()}
+    particles: dict[str, Any] = dict(simulation.particles)
+    shapes = {name: array.shape for name, array in particles.items()}
     count = len(copy)
     assert shapes == {name: (count, 2)[: 1 + (name in ("position", "velocity"))] for name in shapes}
-    for array in simulation.walls.values():
+    walls: dict[str, Any] = dict(simulation.walls)
+    for array in walls.values():
         assert not array.flags.writeable and array.flags.c_contiguous
         with pytest.raises(ValueError):
             array[0] = 0.0
