@@ -3,9 +3,9 @@
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
-use std::sync::{Mutex, MutexGuard, TryLockError};
-use std::thread;
+use std::sync::{Mutex, MutexGuard, OnceLock, TryLockError};
 use std::time::Duration;
+use std::{process, thread};
 
 use pyo3::prelude::*;
 
@@ -13,6 +13,21 @@ use crate::errors;
 
 /// Interval at which a long call looks for Ctrl-C.
 pub const POLL: Duration = Duration::from_millis(50);
+
+/// The process that computed first: its threads are not in a process that is forked from it.
+static PROCESS: OnceLock<u32> = OnceLock::new();
+
+/// An error in a process that was forked from one that has computed: it would wait for threads that it does not have.
+pub fn refuse_fork() -> PyResult<()> {
+    let (own, first) = (process::id(), *PROCESS.get_or_init(process::id));
+    match own == first {
+        true => Ok(()),
+        false => Err(errors::step(format!(
+            "process {own} was forked from process {first}, whose threads it does not have: expected \
+             multiprocessing.get_context(\"spawn\")"
+        ))),
+    }
+}
 
 /// A state that one call at a time may use. No call waits for another, so that none waits for ever.
 pub struct Guarded<T>(Mutex<T>);
@@ -25,6 +40,7 @@ impl<T> Guarded<T> {
 
     /// The state for this call.
     pub fn open(&self) -> PyResult<MutexGuard<'_, T>> {
+        refuse_fork()?;
         self.0.try_lock().map_err(|error| match error {
             TryLockError::WouldBlock => {
                 errors::step("another thread is in a call of this object: expected one call at a time")
@@ -37,6 +53,7 @@ impl<T> Guarded<T> {
 /// Do `work` on a thread of its own, without the interpreter's lock. Ctrl-C sets the flag that `work` is given, and is raised once
 /// `work` has ended.
 pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+    refuse_fork()?;
     let stop = AtomicBool::new(false);
     py.detach(|| {
         thread::scope(|scope| {

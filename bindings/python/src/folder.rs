@@ -9,7 +9,7 @@ use scenarios::export::{start_of_run, time_of_run};
 use scenarios::log::{LogReader, LoggedFrame, Point};
 
 use crate::arrays::{self, Particles};
-use crate::call::Guarded;
+use crate::call::{Guarded, refuse_fork};
 use crate::errors;
 use crate::settings::text;
 
@@ -29,6 +29,7 @@ impl Log {
     /// The log in the folder of a run, as many frames as are whole.
     #[new]
     fn new(py: Python<'_>, folder: PathBuf) -> PyResult<Log> {
+        refuse_fork()?;
         let name = text(&folder)?.to_string();
         let opened = py.detach(|| LogReader::open(&folder.join("log.mcap")));
         let missing = || errors::input(format!("{name}: expected the folder of a run, with frames in its log.mcap"));

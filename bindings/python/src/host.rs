@@ -10,7 +10,7 @@ use scenarios::cli::available_memory;
 use scenarios::host::{ErrorKind, HostedError, HostedRun, HostedScene, Interface};
 use scenarios::scene::Scene;
 
-use crate::call::Guarded;
+use crate::call::{Guarded, refuse_fork};
 use crate::host_arrays::{check_forces, read_nodes, read_start, write_forces};
 use crate::run::told;
 use crate::settings::{assignments, text};
@@ -119,6 +119,7 @@ impl Host {
         velocity: Option<&Bound<'_, PyAny>>,
         spin: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Host> {
+        refuse_fork()?;
         let sets = assignments(set)?;
         let interface = interface.parse::<Interface>().map_err(|error| hosted(py, error))?;
         let name = text(&scene)?;

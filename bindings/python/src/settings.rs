@@ -7,6 +7,7 @@ use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
 use scenarios::cli::available_memory;
 use scenarios::scene::{self, Loaded};
 
+use crate::call::refuse_fork;
 use crate::errors;
 
 /// Settings as the command line's `--set` has them, `key=value`.
@@ -52,6 +53,7 @@ pub fn text(path: &PathBuf) -> PyResult<&str> {
 
 /// A scene by its name or path, resolved; one that does not fit in memory is refused.
 pub fn load(py: Python<'_>, scene: &PathBuf, sets: &[String]) -> PyResult<Loaded> {
+    refuse_fork()?;
     let name = text(scene)?;
     let fitting = |loaded: Loaded| loaded.fits_in_memory(available_memory()).map(|()| loaded);
     let loaded = py.detach(|| scene::load(name, sets).and_then(fitting));
