@@ -1,16 +1,13 @@
 //! The host's nodes as a wetted body: their motion is given, their loads are collected (THEORY CO29–CO31).
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-
-use serde::{Deserialize, Serialize};
-
-use sph_core::state_bytes::{StateError, decode, encode, expect_count};
+use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
+use super::exchange::{Exchanged, Shared};
 use super::frame::{HostFrame, MovingFrame};
 use super::node_map::{Ends, NodeMap};
-use super::nodes::{HostNodes, Path};
+use super::nodes::HostNodes;
 use super::topology::{Topology, WetSurface};
 use crate::bodies::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, WettedBody};
@@ -27,58 +24,6 @@ use crate::geometry::vector::{cross, rotate};
 const DIFFERENCE: f64 = 1e-3;
 /// Most straight pieces that the outline of a bent side is drawn with.
 const PIECES: f64 = 8.0;
-
-/// What the element and the body inside its [`Coupled`](crate::Coupled) share: the way of the nodes goes in, what the water
-/// gave them comes out.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Exchanged {
-    /// How the nodes move in this step of the host.
-    pub path: Path,
-    /// Time since its start [s].
-    pub elapsed: f64,
-    /// Impulses on the nodes since its start, `[nodes][J_x, J_y, L]` [N s/m, N s/m, N s].
-    pub impulse: Vec<[f64; 3]>,
-    /// Forces on the nodes now [N/m, N/m, N].
-    pub now: Vec<[f64; 3]>,
-    /// Work done on the nodes since the start of the run [J/m].
-    pub work: f64,
-    /// Impulse given to the system from outside since the start of the run [N s/m].
-    external: [f64; 2],
-    /// Mean forces of the step just taken on the boundary particles, and forces now [N/m].
-    pushed: Vec<[[f64; 2]; 2]>,
-}
-
-impl Exchanged {
-    /// An error unless there are as many nodes as in `like`, and `particles` of the boundary, or none.
-    fn check(&self, like: &Exchanged, particles: usize) -> Result<(), StateError> {
-        expect_count("nodes with an impulse", self.impulse.len(), like.impulse.len())?;
-        expect_count("nodes with a force", self.now.len(), like.now.len())?;
-        self.path.check_like(&like.path)?;
-        match self.pushed.len() {
-            0 => Ok(()),
-            found => expect_count("boundary particles", found, particles),
-        }
-    }
-}
-
-/// One exchange, held at both ends.
-#[derive(Clone)]
-pub(super) struct Shared(Arc<Mutex<Exchanged>>);
-
-impl Shared {
-    /// Before the first step.
-    pub fn new(path: Path) -> Shared {
-        let none = vec![[0.0; 3]; path.end().len()];
-        let (impulse, now) = (none.clone(), none);
-        let (elapsed, work, external, pushed) = (0.0, 0.0, [0.0; 2], Vec::new());
-        Shared(Arc::new(Mutex::new(Exchanged { path, elapsed, impulse, now, work, external, pushed })))
-    }
-
-    /// To be read and written; one end at a time.
-    pub fn open(&self) -> MutexGuard<'_, Exchanged> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
 
 /// See the module's text.
 pub(super) struct HostBody {
@@ -426,6 +371,7 @@ impl Inspect for HostBody {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::embed::nodes::Path;
 
     /// A contact impulse acts on the nodes next to it, its reaction is an external impulse; a restored state has neither.
     #[test]

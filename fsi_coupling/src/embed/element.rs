@@ -70,6 +70,8 @@ pub struct ElementLimits {
     pub sound_speed: f64,
     /// Steps of the water above which a step of the host is refused [-].
     pub most_substeps: f64,
+    /// Longest step of the water, beside what is stable [s]; infinite where that alone decides.
+    pub longest_fluid_step: f64,
     /// The water's inertia against the host's, where its masses are known.
     pub added_mass: Option<AddedMass>,
 }
@@ -148,7 +150,8 @@ impl FluidElement {
             if rest <= ROUNDING * dt {
                 return Ok(());
             }
-            let parts = (rest / self.system.stable_dt()? - ROUNDING).ceil().max(1.0);
+            let longest = self.system.stable_dt()?.min(self.limits.longest_fluid_step);
+            let parts = (rest / longest - ROUNDING).ceil().max(1.0);
             self.system.step_or_shorter(rest / parts)?;
             *fluid_steps += 1;
             observe(&mut self.system);

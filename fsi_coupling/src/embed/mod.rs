@@ -67,6 +67,7 @@ mod body;
 mod element;
 mod element_scheme;
 mod error;
+mod exchange;
 mod frame;
 mod node_map;
 mod nodes;

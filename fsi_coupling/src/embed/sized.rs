@@ -233,6 +233,7 @@ impl SizedElement {
         let limits = ElementLimits {
             sound_speed: self.spec.speed_of_sound(),
             most_substeps: self.spec.most_substeps,
+            longest_fluid_step: f64::INFINITY,
             added_mass: self.added_mass,
         };
         Ok(FluidElement::of(system, link, limits))

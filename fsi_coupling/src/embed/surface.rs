@@ -1,7 +1,8 @@
 //! A host's surface as a body of a system that is built elsewhere, such as that of a scene; and the other end of it.
 
-use super::body::{HostBody, Shared, SurfaceParts};
+use super::body::{HostBody, SurfaceParts};
 use super::error::HostError;
+use super::exchange::Shared;
 use super::frame::HostFrame;
 use super::nodes::{HostNodes, Path};
 use super::topology::Topology;

@@ -41,8 +41,13 @@ pub enum HostedError {
         expected: String,
     },
     /// No interface has this name.
-    #[error("interface `{0}`: expected one of {names}", names = super::Interface::NAMES.join(", "))]
-    Interface(String),
+    #[error("interface `{given}`: expected one of {expected}")]
+    Interface {
+        /// What was given.
+        given: String,
+        /// The names there are.
+        expected: String,
+    },
     /// The element refused a call, or failed.
     #[error(transparent)]
     Element(#[from] HostError),
@@ -58,9 +63,10 @@ impl HostedError {
     /// What kind of error it is.
     pub fn kind(&self) -> ErrorKind {
         match self {
-            HostedError::Scene(_) | HostedError::Unfit { .. } | HostedError::Interface(_) | HostedError::Recorded => {
-                ErrorKind::Input
-            }
+            HostedError::Scene(_)
+            | HostedError::Unfit { .. }
+            | HostedError::Interface { .. }
+            | HostedError::Recorded => ErrorKind::Input,
             HostedError::Records(error) if error.is_input() => ErrorKind::Input,
             HostedError::Records(_) => ErrorKind::File,
             HostedError::Element(error) => match error {

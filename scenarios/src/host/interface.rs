@@ -67,6 +67,7 @@ impl FromStr for Interface {
 
     fn from_str(name: &str) -> Result<Interface, HostedError> {
         let all = [Interface::Body, Interface::Nodes, Interface::TurningNodes];
-        all.into_iter().find(|one| one.name() == name).ok_or_else(|| HostedError::Interface(name.to_string()))
+        let unknown = || HostedError::Interface { given: name.to_string(), expected: Interface::NAMES.join(", ") };
+        all.into_iter().find(|one| one.name() == name).ok_or_else(unknown)
     }
 }

@@ -12,7 +12,7 @@ use crate::run::summary::Status;
 use crate::run::{Held, Mark, Observed, Outcome, Recorder, Run, RunError, RunOptions, refuse_occupied, start_folder};
 use crate::scene::Scene;
 
-/// The records of a run. From the first saved state on, what was observed since the last one can be taken back; the files have it once
+/// The records of a run. From the first saved state on, what was observed since the last one can be discarded; the files have it once
 /// the next state is saved, or at the end.
 pub(super) struct Records {
     scene: Scene,

@@ -152,8 +152,10 @@ impl HostedScene {
             "a host program moved the body by the interface `{}`: the scene's own motion is what was expected of it",
             interface.name()
         ));
+        let longest_fluid_step = scene.time.step.unwrap_or(f64::INFINITY);
         let records = records.map(|(folder, replace)| Records::start(scene, folder, replace, warnings, &system));
-        let limits = ElementLimits { sound_speed, most_substeps: MOST_SUBSTEPS, added_mass: None };
+        let most_substeps = MOST_SUBSTEPS;
+        let limits = ElementLimits { sound_speed, most_substeps, longest_fluid_step, added_mass: None };
         HostedRun::new(FluidElement::of(system, link, limits), records.transpose()?)
     }
 }

@@ -175,6 +175,11 @@ impl BackgroundLog {
     }
 
     fn submit(&mut self, then: Then) -> Result<(), LogError> {
+        if let Some(held) = &mut self.held {
+            let samples = std::mem::take(&mut held.samples);
+            held.batches.push(Batch { samples, then });
+            return Ok(());
+        }
         let batch = Batch { samples: std::mem::take(&mut self.samples), then };
         match self.batches.as_ref().map(|batches| batches.send(batch)) {
             Some(Ok(())) => Ok(()),

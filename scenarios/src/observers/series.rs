@@ -25,7 +25,7 @@ pub struct Series {
     file: Option<(String, BufWriter<File>)>,
     /// Rows that the file has.
     written: usize,
-    /// Rows that it may have, where later ones may still be taken back.
+    /// Rows that it may have, where later ones may still be discarded.
     accepted: Option<usize>,
 }
 
@@ -55,13 +55,13 @@ impl Series {
         self.rows.push(row);
     }
 
-    /// Rows from here on may be taken back; the file has them once the next call accepts them.
+    /// Rows from here on may be discarded; the file has them once the next call accepts them.
     pub fn hold(&mut self) -> Result<(), ObserveError> {
         self.accepted = Some(self.rows.len());
         self.flush()
     }
 
-    /// Take back the rows since `hold`.
+    /// Forget the rows since `hold`.
     pub fn discard(&mut self) {
         self.rows.truncate(self.accepted.unwrap_or(self.rows.len()));
     }

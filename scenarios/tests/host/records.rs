@@ -1,0 +1,80 @@
+//! Records of a hosted run: those of a run without rejected steps, and those of a failed one.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use super::*;
+
+const DT: f64 = 2e-4;
+/// Numbers of a summary that depend on the machine.
+const VOLATILE: [&str; 4] = ["wall_time_s", "particle_updates_per_s", "threads", "phases"];
+
+fn summary(dir: &Path) -> Value {
+    let text = fs::read_to_string(dir.join("summary.json")).expect("a summary");
+    let mut summary: Value = serde_json::from_str(&text).expect("JSON");
+    let table = summary.as_object_mut().expect("a table");
+    VOLATILE.iter().for_each(|key| drop(table.remove(*key)));
+    table.remove("log");
+    summary
+}
+
+fn recorded(case: Case, dir: &Path, tries: bool) {
+    let scene = case.open(&["time.sample_every=2e-4", "time.frame_every=1e-3"]).recording(dir.to_owned(), false);
+    let start = scene.nodes().clone();
+    let mut run = scene.build(&start).expect("water");
+    for step in 1..=20 {
+        run.save().expect("records");
+        if tries && step % 3 == 0 {
+            stepped(&mut run, &start, f64::from(step + 2) * DT, 3.0 * DT);
+            run.restore().expect("a saved state");
+        }
+        stepped(&mut run, &start, f64::from(step) * DT, DT);
+    }
+    assert!(run.finish().expect("a report").expect("records").summary.status.is_completed());
+}
+
+#[test]
+fn rejected_steps_are_not_in_the_records() {
+    for case in [CASES[0], CASES[3], CASES[8]] {
+        let folder = TempDir::new().expect("a folder");
+        let (a, b) = (folder.path().join("a"), folder.path().join("b"));
+        recorded(case, &a, false);
+        recorded(case, &b, true);
+        let read = |dir: &Path, name: &str| fs::read(dir.join(name)).expect("a file");
+        assert!(read(&a, "series.csv") == read(&b, "series.csv"), "{case:?}, {}", "series.csv");
+        assert!(read(&a, "log.mcap") == read(&b, "log.mcap"), "{case:?}, {}", "log.mcap");
+        assert_eq!(summary(&a), summary(&b), "{case:?}");
+        assert!(read(&a, "report.html").len() > 50_000);
+        let rows = String::from_utf8(read(&a, "series.csv")).expect("text").lines().count();
+        assert!(rows >= 20, "{case:?}: {rows} rows");
+        assert!(summary(&a)["warnings"].to_string().contains("a host program moved the body"));
+    }
+}
+
+/// A step that breaks the water, or that moves a body faster than sound would allow, leaves a readable record.
+#[test]
+fn a_failed_run_has_a_summary_that_tells_why() {
+    let folder = TempDir::new().expect("a folder");
+    let dir = folder.path().join("failed");
+    let scene = CASES[0].open(&[]).recording(dir.clone(), false);
+    let start = scene.nodes().clone();
+    let mut run = scene.build(&start).expect("water");
+    stepped(&mut run, &start, DT, DT);
+    let mut forces = [[0.0; 3]];
+    let mut nodes = moved(&start, DT);
+    let broken = (0..400).find_map(|_| {
+        nodes.position[0][1] -= 5e-3;
+        nodes.velocity[0][1] = -25.0;
+        run.contribute(DT, &nodes, &mut forces).err()
+    });
+    let error = broken.expect("the body meets the floor");
+    assert_eq!(error.kind(), scenarios::host::ErrorKind::Step, "{error}");
+    assert_eq!(run.contribute(DT, &nodes, &mut forces).unwrap_err().kind(), scenarios::host::ErrorKind::Failed);
+    run.finish().expect("records");
+    let summary = summary(&dir);
+    assert_eq!(summary["status"], "failed");
+    assert!(error.to_string().contains(summary["message"].as_str().expect("why")) || summary["message"].is_string());
+}
