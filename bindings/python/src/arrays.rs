@@ -49,7 +49,7 @@ impl Particles {
     }
 
     /// As arrays by name.
-    pub fn to_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    pub fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let dict = PyDict::new(py);
         dict.set_item("position", pairs(py, self.position)?)?;
         dict.set_item("velocity", pairs(py, self.velocity)?)?;

@@ -70,7 +70,7 @@ fn points<'py>(py: Python<'py>, points: impl Iterator<Item = Point>) -> PyResult
         ids.push(point.id);
         images.push(point.is_image());
     }
-    let dict = particles.to_dict(py)?;
+    let dict = particles.into_dict(py)?;
     dict.set_item("id", arrays::values(py, ids)?)?;
     dict.set_item("image", arrays::values(py, images)?)?;
     Ok(dict)

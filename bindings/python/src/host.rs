@@ -85,8 +85,10 @@ fn ended() -> PyErr {
 }
 
 fn hosted(py: Python<'_>, error: HostedError) -> PyErr {
+    if let HostedError::Scene(error) = &error {
+        return errors::scene(py, error);
+    }
     match error.kind() {
-        _ if let HostedError::Scene(error) = &error => errors::scene(py, error),
         ErrorKind::Input | ErrorKind::State => errors::input(error),
         ErrorKind::Step | ErrorKind::Failed | ErrorKind::NothingSaved => errors::step(error),
         ErrorKind::File => errors::file(error),

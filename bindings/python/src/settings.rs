@@ -1,6 +1,6 @@
 //! A scene as Python names it: a name or a path, and settings by key.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
@@ -47,12 +47,12 @@ fn literal(value: &Bound<'_, PyAny>) -> Result<String, &'static str> {
 }
 
 /// A path as text.
-pub fn text(path: &PathBuf) -> PyResult<&str> {
+pub fn text(path: &Path) -> PyResult<&str> {
     path.to_str().ok_or_else(|| errors::input(format!("{}: expected a path in UTF-8", path.display())))
 }
 
 /// A scene by its name or path, resolved; one that does not fit in memory is refused.
-pub fn load(py: Python<'_>, scene: &PathBuf, sets: &[String]) -> PyResult<Loaded> {
+pub fn load(py: Python<'_>, scene: &Path, sets: &[String]) -> PyResult<Loaded> {
     refuse_fork()?;
     let name = text(scene)?;
     let fitting = |loaded: Loaded| loaded.fits_in_memory(available_memory()).map(|()| loaded);

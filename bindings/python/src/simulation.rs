@@ -49,10 +49,18 @@ impl State {
         }
     }
 
-    /// One step: of `dt` [s], or of the scene's own or the stable one, shorter where `end` [s] is near.
-    fn step(&mut self, fixed: Option<f64>, end: f64) -> Result<f64, CouplingError> {
+    /// One step: of `fixed` [s], or the stable one.
+    fn step(&mut self, fixed: Option<f64>) -> Result<f64, CouplingError> {
         let dt = fixed.map_or_else(|| self.system.stable_dt(), Ok)?;
-        self.system.step_or_shorter(dt.min(end - self.system.fluid.time()))
+        self.system.step_or_shorter(dt)
+    }
+
+    /// One of as few equal steps as lead to `end` [s], none of them longer than that of `step`.
+    fn step_towards(&mut self, fixed: Option<f64>, end: f64) -> Result<f64, CouplingError> {
+        let longest = fixed.map_or_else(|| self.system.stable_dt(), Ok)?;
+        let rest = end - self.system.fluid.time();
+        let parts = (rest / longest - ROUNDING).ceil().max(1.0);
+        self.system.step_or_shorter(rest / parts)
     }
 
     /// The result of a step; a simulation that failed is not stepped on.
@@ -99,11 +107,12 @@ impl Simulation {
             }
         }
         let fixed = dt.or(self.scene.time.step);
-        let ended = py.detach(|| state.step(fixed, f64::INFINITY));
+        let ended = py.detach(|| state.step(fixed));
         state.ended(ended)
     }
 
-    /// Steps until `time` [s], the last one shorter to end there; returns how many. Ctrl-C ends it after a step.
+    /// Steps until `time` [s], each a little shorter than stable, so that the last one ends there; returns how many. Ctrl-C ends it after a
+    /// step.
     fn run_until(&self, py: Python<'_>, time: f64) -> PyResult<u64> {
         let mut state = self.state.open()?;
         let state = state.sound()?;
@@ -116,7 +125,7 @@ impl Simulation {
         let called = interruptible(py, |stop| {
             let rounding = ROUNDING * time.abs();
             while outcome.is_ok() && state.system.fluid.time() < time - rounding && !stop.load(Ordering::Relaxed) {
-                outcome = state.step(fixed, time).map(|_| ());
+                outcome = state.step_towards(fixed, time).map(|_| ());
             }
         });
         state.ended(outcome)?;
@@ -158,7 +167,7 @@ impl Simulation {
         if let Some(known) = &state.particles {
             return known.bind(py).copy();
         }
-        let made = particles(&state.system).to_dict(py)?;
+        let made = particles(&state.system).into_dict(py)?;
         state.particles = Some(made.copy()?.unbind());
         Ok(made)
     }
@@ -166,7 +175,7 @@ impl Simulation {
     /// The walls' particles now, those of bodies and tank, as particles has the water's.
     #[getter]
     fn walls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        walls(&self.state.open()?.system).to_dict(py)
+        walls(&self.state.open()?.system).into_dict(py)
     }
 
     /// The moving bodies by name: a dict each with position [m], angle [rad], velocity [m/s], angular_velocity [rad/s], acceleration

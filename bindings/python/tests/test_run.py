@@ -159,3 +159,9 @@ def test_ctrl_c_ends_a_run_and_keeps_its_checkpoint(tmp_path: pathlib.Path) -> N
         process.send_signal(signal.SIGINT)
         said, _ = process.communicate(timeout=30)
     assert said.strip() == "interrupted" and (out / "checkpoint.bin").is_file()
+
+
+def test_a_scene_that_does_not_fit_in_memory_is_refused() -> None:
+    for make in (splashdown.run, splashdown.Simulation, splashdown.Host):
+        with pytest.raises(splashdown.InputError, match="memory"):
+            make("wedge", set={"resolution.spacing": 2e-6})
