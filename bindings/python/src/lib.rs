@@ -32,9 +32,14 @@ mod _core {
     #[pymodule_export]
     use crate::simulation::Simulation;
 
-    /// Sets the version of the program.
+    /// Sets the version of the program, and the attributes of exceptions that have none of their own.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        let py = module.py();
+        for key in crate::errors::SCENE_KEYS {
+            py.get_type::<crate::errors::InputError>().setattr(key, py.None())?;
+        }
+        py.get_type::<crate::errors::StepError>().setattr("run", py.None())?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 import time
 from typing import Any
 
@@ -25,6 +26,33 @@ def test_a_run_has_summary_series_and_scene(drop: dict[str, Any]) -> None:
     assert abs(run.audit["momentum"]) < 1e-10 and run.panels == {}
     with pytest.raises(splashdown.InputError, match="out=FOLDER"):
         run.frames
+
+
+def test_panels_have_results() -> None:
+    run = splashdown.run("elastic_gate", set={"time.end": 0.002})
+    assert list(run.panels) == ["gate"] and "gate" in run.scene["body"]["panels"][0]["name"]
+
+
+def test_a_run_that_breaks_down_keeps_what_it_computed() -> None:
+    with pytest.raises(splashdown.StepError, match="wedge") as told:
+        splashdown.run("wedge", set={"resolution.spacing": 0.02, "tank.depth": 0.1, "time.end": 0.1})
+    assert told.value.run.status == "failed" and len(told.value.run.series["time_s"]) > 5
+    assert str(told.value) == told.value.run.summary["message"]
+
+
+def test_other_threads_go_on_during_a_run() -> None:
+    ended, counted = threading.Event(), [0]
+
+    def count() -> None:
+        while not ended.wait(0.001):
+            counted[0] += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    splashdown.run("wedge", set={"resolution.spacing": 0.01, "time.end": 0.01})
+    ended.set()
+    thread.join()
+    assert counted[0] > 20
 
 
 def test_threads_do_not_change_a_bit(drop: dict[str, Any]) -> None:

@@ -75,16 +75,22 @@ def test_a_step_is_positive_and_stable(drop: dict[str, Any], dt: float) -> None:
 
 
 def test_a_theory_has_no_steps() -> None:
-    with pytest.raises(splashdown.InputError, match="no steps"):
+    with pytest.raises(splashdown.InputError, match="no steps") as told:
         splashdown.Simulation("wedge", set={"model": "wagner"})
+    assert told.value.key is None and told.value.file is None
 
 
 def test_a_step_that_fails_says_where() -> None:
-    simulation = splashdown.Simulation("wedge", set={"resolution.spacing": 0.02, "tank.depth": 0.2, "time.end": 2.0})
-    with pytest.raises(splashdown.StepError, match="t = "):
-        simulation.run_until(2.0)
+    simulation = splashdown.Simulation("wedge", set={"resolution.spacing": 0.02, "tank.depth": 0.1, "time.end": 0.1})
+    simulation.run_until(0.005)
+    simulation.save()
+    with pytest.raises(splashdown.StepError, match="t = ") as told:
+        simulation.run_until(0.1)
+    assert told.value.run is None
     with pytest.raises(splashdown.StepError, match="restore"):
         simulation.step()
+    simulation.restore()
+    assert simulation.step() > 0
 
 
 def test_two_threads_never_wait_for_each_other(drop: dict[str, Any]) -> None:
