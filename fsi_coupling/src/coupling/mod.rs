@@ -10,7 +10,7 @@ pub mod error;
 pub mod force_rules;
 pub mod penetration;
 pub mod placed_bodies;
-mod quasi_newton;
+pub mod quasi_newton;
 pub mod scheme;
 pub mod stability_estimate;
 

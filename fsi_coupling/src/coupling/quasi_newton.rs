@@ -11,9 +11,24 @@ const INDEPENDENT: f64 = 1e-3;
 /// Columns of CO9 that are kept: per unknown, and at most.
 const MEMORY: [usize; 2] = [2, 40];
 
-/// The history of an iteration; it is kept from step to step.
+/// The interface quasi-Newton method IQN-ILS: it finds the unknowns x of an interface for which the residual r(x), outcome minus x, is
+/// zero. Its history is kept from step to step. A program that couples a host's structure with the water outside of both uses it as the
+/// coupling scheme inside does.
+///
+/// ```
+/// use fsi_coupling::QuasiNewton;
+///
+/// // outcome of the two programs, one after the other: repeating it diverges
+/// let outcome = |x: f64| 2.0 - 3.0 * x;
+/// let (mut method, mut x) = (QuasiNewton::default(), 0.0);
+/// method.begin_step();
+/// for _ in 0..5 {
+///     x = method.next(&[x], &[outcome(x) - x])[0];
+/// }
+/// assert!((x - 0.5_f64).abs() < 1e-12);
+/// ```
 #[derive(Clone, Default, Serialize, Deserialize)]
-pub(super) struct QuasiNewton {
+pub struct QuasiNewton {
     columns: VecDeque<Column>,
     /// Unknowns and residuals of the iteration before, in the same step.
     last: Option<[Vec<f64>; 2]>,

@@ -8,7 +8,7 @@ use super::exchange::{Exchanged, Shared};
 use super::frame::{HostFrame, MovingFrame};
 use super::node_map::{Ends, NodeMap};
 use super::nodes::HostNodes;
-use super::topology::{Topology, WetSurface};
+use super::topology::Topology;
 use crate::bodies::beam_surface::BeamAttachment;
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
@@ -22,8 +22,6 @@ use crate::geometry::vector::{cross, rotate};
 
 /// A difference in time for accelerations, in steps of the water [-].
 const DIFFERENCE: f64 = 1e-3;
-/// Most straight pieces that the outline of a bent side is drawn with.
-const PIECES: f64 = 8.0;
 
 /// See the module's text.
 pub(super) struct HostBody {
@@ -41,8 +39,9 @@ pub(super) struct HostBody {
     /// Only the part x > 0 is simulated.
     half: bool,
     attachments: Vec<BeamAttachment>,
-    /// Images of the attachments of a half.
-    images: Vec<BeamAttachment>,
+    node_count: usize,
+    /// The image of each node in x = 0, where a half is simulated; else empty.
+    images: Vec<usize>,
     plate: Option<Plate>,
     midline: Vec<BeamAttachment>,
     shared: Shared,
@@ -57,22 +56,22 @@ pub(super) struct SurfaceParts {
     pub frame: HostFrame,
     /// Length that divides the outline of bent sides [m].
     pub spacing: f64,
-    /// Only the part x > 0 is simulated.
-    pub half: bool,
+    /// The image of each node in x = 0, where only the part x > 0 is simulated; else empty.
+    pub images: Vec<usize>,
 }
 
 impl HostBody {
     /// Of a topology that has been checked; `nodes` are those at t = 0.
     pub fn new(topology: &Topology, nodes: &HostNodes, parts: SurfaceParts, shared: Shared) -> HostBody {
-        let SurfaceParts { name, rest, frame, spacing, half } = parts;
+        let SurfaceParts { name, rest, frame, spacing, images } = parts;
         let map = NodeMap::new(topology, nodes);
         let frame = MovingFrame::new(topology, nodes, frame);
         let motion = frame.at(nodes);
-        let corners = if frame.is_rigid() { Vec::new() } else { corners(topology, &map, spacing) };
+        let corners = if frame.is_rigid() { Vec::new() } else { map.corners(topology, spacing) };
         let start = frame.at_start();
         let in_frame = |line: &Vec<[f64; 2]>| line.iter().map(|at| start.local(*at)).collect();
         let outline = Outline::deformed(rest.loops().iter().map(in_frame).collect()).unwrap_or_else(|| rest.clone());
-        let (attachments, images, midline, plate) = (Vec::new(), Vec::new(), Vec::new(), None);
+        let (attachments, midline, plate, half) = (Vec::new(), Vec::new(), None, !images.is_empty());
         HostBody {
             name,
             map,
@@ -83,6 +82,7 @@ impl HostBody {
             corners,
             half,
             attachments,
+            node_count: topology.nodes.len(),
             images,
             plate,
             midline,
@@ -93,12 +93,22 @@ impl HostBody {
 
     /// The loads of forces on the boundary particles, mean (0) or now (1), and of their images.
     fn loads(&self, pushed: &[[[f64; 2]; 2]], which: usize, ends: &Ends) -> Vec<[f64; 3]> {
-        let mut loads = vec![[0.0; 3]; self.shared.open().impulse.len()];
-        let forces = pushed.iter().map(|force| force[which]);
-        self.map.add_loads(self.attachments.iter().zip(forces.clone()), ends, &mut loads);
-        let mirrored = forces.map(|[fx, fy]| [-fx, fy]);
-        self.map.add_loads(self.images.iter().zip(mirrored), ends, &mut loads);
-        loads
+        self.loads_of(self.attachments.iter().zip(pushed.iter().map(|force| force[which])), ends)
+    }
+
+    /// The loads of forces at points, and of the images of these forces where a half is simulated.
+    fn loads_of<'a>(&self, forces: impl Iterator<Item = (&'a BeamAttachment, [f64; 2])>, ends: &Ends) -> Vec<[f64; 3]> {
+        let mut loads = vec![[0.0; 3]; self.node_count];
+        self.map.add_loads(forces, ends, &mut loads);
+        let image = |node: &usize| loads[*node];
+        match self.images.is_empty() {
+            true => loads,
+            false => loads
+                .iter()
+                .zip(self.images.iter().map(image))
+                .map(|(own, [fx, fy, m])| [own[0] - fx, own[1] + fy, own[2] - m])
+                .collect(),
+        }
     }
 
     /// Time since the start of the host's step [s].
@@ -147,41 +157,10 @@ impl HostBody {
     }
 }
 
-/// Corners of the outline; a side between nodes that turn is divided at about `spacing` [m].
-fn corners(topology: &Topology, map: &NodeMap, spacing: f64) -> Vec<Vec<BeamAttachment>> {
-    let (mut corners, mut first) = (Vec::new(), 0);
-    for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
-        let (nodes, sides) = surface.counts();
-        let along = if matches!(surface, WetSurface::Plate { .. }) { 0..0 } else { first..first + sides };
-        let mut attachments = Vec::new();
-        for side in along.clone() {
-            let ends = [map.start_of(side, 0), map.start_of(side, 1)];
-            let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
-            let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
-            attachments.extend((0..pieces as usize).map(|k| NodeMap::on_side(side, k as f64 / pieces)));
-        }
-        if nodes > sides && !along.is_empty() {
-            attachments.push(NodeMap::on_side(first + sides - 1, 1.0));
-        }
-        let drawn = if along.is_empty() { 0 } else { nodes };
-        attachments.extend(corner_points[drawn..].iter().map(|at| map.attach(*at, [0.0; 2])));
-        corners.push(attachments);
-        first += sides;
-    }
-    corners
-}
-
-/// The image of a point or a direction in x = 0.
-fn image([x, y]: [f64; 2]) -> [f64; 2] {
-    [-x, y]
-}
-
 impl WettedBody for HostBody {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
         let (points, plate) = boundary_particles(&self.rest, rows, self.half);
         self.attachments = points.iter().map(|p| self.map.attach(p.at, p.normal)).collect();
-        let images = points.iter().filter(|_| self.half);
-        self.images = images.map(|p| self.map.attach(image(p.at), image(p.normal))).collect();
         self.midline = plate.iter().flat_map(|plate| self.map.along(&plate.line(), rows.spacing)).collect();
         self.plate = plate;
         Ok(points)
@@ -304,17 +283,17 @@ impl Contact for HostBody {
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {
         let ends = self.ends(self.elapsed());
+        let attachment = self.map.attach_now(contact.at, &ends);
+        let (velocity, impulse) = (self.map.velocity(&attachment, &ends), contact.impulse);
+        let loads = self.loads_of([(&attachment, impulse)].into_iter(), &ends);
         let mut shared = self.shared.open();
-        let mirrored = contact.mirrored.then_some((image(contact.at), image(contact.impulse)));
-        for (at, impulse) in [(contact.at, contact.impulse)].into_iter().chain(mirrored) {
-            let attachment = self.map.attach_now(at, &ends);
-            let velocity = self.map.velocity(&attachment, &ends);
-            self.map.add_loads([(&attachment, impulse)], &ends, &mut shared.impulse);
-            for k in 0..2 {
-                shared.external[k] -= impulse[k];
-                shared.work += impulse[k] * velocity[k];
-            }
+        for (sum, load) in shared.impulse.iter_mut().zip(&loads) {
+            (0..3).for_each(|k| sum[k] += load[k]);
         }
+        let total = contact.resultant().1;
+        (0..2).for_each(|k| shared.external[k] -= total[k]);
+        let halves = if contact.mirrored { 2.0 } else { 1.0 };
+        shared.work += halves * (impulse[0] * velocity[0] + impulse[1] * velocity[1]);
     }
 }
 
@@ -383,7 +362,7 @@ mod tests {
         let shared = Shared::new(Path::resting(&nodes));
         let rest = topology.outline().expect("a square");
         let frame = HostFrame::default();
-        let parts = SurfaceParts { name: "square".into(), rest, frame, spacing: 0.1, half: false };
+        let parts = SurfaceParts { name: "square".into(), rest, frame, spacing: 0.1, images: Vec::new() };
         let mut body = HostBody::new(&topology, &nodes, parts, shared.clone());
         body.checkpoint();
         body.apply_impulse(&ContactImpulse { at: [0.25, 0.0], impulse: [3.0, 4.0], mirrored: false });

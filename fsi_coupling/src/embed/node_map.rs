@@ -2,9 +2,12 @@
 //! (THEORY CO13, CO30).
 
 use super::nodes::HostNodes;
-use super::topology::{Anchor, Topology};
+use super::topology::{Anchor, Topology, WetSurface};
 use crate::bodies::beam_surface::{BeamAttachment, BeamSurface, Place};
 use crate::geometry::vector::{cross, rotate};
+
+/// Most straight pieces that the outline of a bent side is drawn with.
+const PIECES: f64 = 8.0;
 
 /// The sides of the wet surfaces. Each has two ends of its own, which nodes carry: an end moves and turns with its node, or, where
 /// nodes have no rotations, turns as the side itself (CO30).
@@ -68,9 +71,33 @@ impl NodeMap {
     }
 
     /// Where the first (0) or second (1) end of a side is at t = 0 [m].
-    pub fn start_of(&self, side: usize, end: usize) -> [f64; 2] {
+    fn start_of(&self, side: usize, end: usize) -> [f64; 2] {
         let [x, y, _] = self.start[2 * side + end];
         [x, y]
+    }
+
+    /// Corners of the outline; a side between nodes that turn is divided at about `spacing` [m].
+    pub fn corners(&self, topology: &Topology, spacing: f64) -> Vec<Vec<BeamAttachment>> {
+        let (mut corners, mut first) = (Vec::new(), 0);
+        for (surface, corner_points) in topology.surfaces.iter().zip(topology.loops()) {
+            let (nodes, sides) = surface.counts();
+            let along = if matches!(surface, WetSurface::Plate { .. }) { 0..0 } else { first..first + sides };
+            let mut attachments = Vec::new();
+            for side in along.clone() {
+                let ends = [self.start_of(side, 0), self.start_of(side, 1)];
+                let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+                let pieces = if topology.rotations { (length / spacing).ceil().clamp(1.0, PIECES) } else { 1.0 };
+                attachments.extend((0..pieces as usize).map(|k| NodeMap::on_side(side, k as f64 / pieces)));
+            }
+            if nodes > sides && !along.is_empty() {
+                attachments.push(NodeMap::on_side(first + sides - 1, 1.0));
+            }
+            let drawn = if along.is_empty() { 0 } else { nodes };
+            attachments.extend(corner_points[drawn..].iter().map(|at| self.attach(*at, [0.0; 2])));
+            corners.push(attachments);
+            first += sides;
+        }
+        corners
     }
 
     /// The ends' motion when the nodes move like this.

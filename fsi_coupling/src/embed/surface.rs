@@ -68,7 +68,8 @@ impl HostSurface {
         let pairs = if half { Pairs::of(topology, &wet, tolerance)? } else { Pairs::default() };
         let rest = outline.map_or_else(|| topology.outline(), Ok)?;
         let shared = Shared::new(Path::resting(nodes));
-        let parts = SurfaceParts { name, rest, frame, spacing: rows.spacing, half };
+        let images = if half { pairs.images(count) } else { Vec::new() };
+        let parts = SurfaceParts { name, rest, frame, spacing: rows.spacing, images };
         let body = HostBody::new(topology, nodes, parts, shared.clone());
         Ok(HostSurface { body, link: HostLink { shared, wet, rotations: topology.rotations, pairs } })
     }
@@ -103,6 +104,15 @@ impl Pairs {
         };
         let pairs = wet.iter().map(pair).collect::<Result<Vec<_>, _>>()?;
         Ok(Pairs { pairs: pairs.into_iter().filter(|[a, b]| a <= b).collect(), tolerance })
+    }
+
+    /// The image of each of `count` nodes; a dry node is its own.
+    fn images(&self, count: usize) -> Vec<usize> {
+        let mut images: Vec<usize> = (0..count).collect();
+        for &[node, other] in &self.pairs {
+            (images[node], images[other]) = (other, node);
+        }
+        images
     }
 
     /// An error unless the nodes are images of each other.

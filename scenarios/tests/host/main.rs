@@ -2,6 +2,7 @@
 //! steps, records, and input that is refused; for every solver and every kind of surface.
 
 mod bits;
+mod partitioned;
 mod records;
 mod refused;
 mod same_as_scene;
