@@ -35,6 +35,7 @@ pub mod host;
 mod initial_fluid;
 pub mod log;
 pub mod model_hierarchy;
+pub mod nastran;
 pub mod numbers;
 pub mod observers;
 mod power_law;

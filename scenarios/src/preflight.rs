@@ -16,10 +16,12 @@ use sph_core::Solver;
 use crate::build::layout;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
-    CouplingScheme, ExchangeRatio, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error, longest_step,
-    memory_estimate, panel_exchanges, panel_length, particle_estimate,
+    Body, CouplingScheme, ExchangeRatio, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error, line,
+    longest_step, memory_estimate, panel_exchanges, panel_length, particle_estimate,
 };
 use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::natural_frequencies;
+use fsi_coupling::settings::significant;
 
 /// Cost of a particle and step on one core, search and walls included [s]; an order of magnitude.
 const COST: f64 = 0.7e-6;
@@ -98,6 +100,8 @@ pub struct PanelExchange {
     /// Its estimate; absent where water is incompressible.
     #[serde(flatten)]
     pub exchange: Option<fsi_coupling::PanelExchange>,
+    /// Its lowest natural frequencies in air, its ends held at rest [Hz]; empty for a mesh too large to find them quickly.
+    pub natural_frequencies_hz: Vec<f64>,
 }
 
 /// Estimated cost of a scene's particles [core-seconds].
@@ -167,6 +171,7 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
                 elements: panel.elements,
                 element_spacings: length(panel) / panel.elements as f64 / scene.resolution.spacing,
                 exchange: sound.map(|_| exchange),
+                natural_frequencies_hz: dry_frequencies(scene, panel),
             })
             .collect(),
         model: scene.model.name(),
@@ -175,6 +180,19 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
         outline: None,
         warnings: warnings.to_vec(),
     }
+}
+
+/// Frequencies of a panel that are told.
+const FREQUENCIES: usize = 3;
+/// Elements up to which they are found: the time grows with the cube.
+const MOST_ELEMENTS: usize = 200;
+
+/// The lowest natural frequencies of a panel in air [Hz].
+fn dry_frequencies(scene: &Scene, panel: &Panel) -> Vec<f64> {
+    let body = scene.body.as_ref().filter(|_| panel.elements <= MOST_ELEMENTS);
+    // a panel without modes cannot be built, which the build reports
+    let of = |body: &Body| natural_frequencies(&line(&body.shape), &panel.spec(), FREQUENCIES).ok();
+    body.and_then(of).unwrap_or_default()
 }
 
 /// A theory in a line.
@@ -238,8 +256,12 @@ impl Preflight {
     }
 
     fn exchange_with(&self, panel: &PanelExchange) -> String {
-        let PanelExchange { name, exchange, length_m, elements, element_spacings } = panel;
-        let size = format!("{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings");
+        let PanelExchange { name, exchange, length_m, elements, element_spacings, natural_frequencies_hz } = panel;
+        let mut size = format!("{name:<12} {length_m:.4} m, {elements} elements of {element_spacings:.2} spacings");
+        if !natural_frequencies_hz.is_empty() {
+            let all: Vec<String> = natural_frequencies_hz.iter().map(|f| significant(*f).to_string()).collect();
+            size += &format!("\n{:<12} natural frequencies in air {} Hz", "", all.join(", "));
+        }
         let Some(fsi_coupling::PanelExchange { added_mass, acoustic, spectral_radius }) = *exchange else {
             return size;
         };

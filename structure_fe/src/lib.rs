@@ -94,7 +94,7 @@ pub use dynamics::{Dynamics, EffectiveInertia, EndEnvelope, Envelope, Integratio
 pub use element::{Damping, SectionForces, Theory};
 pub use error::Error;
 pub use field::Dof;
-pub use material::{Material, Plasticity, Section};
+pub use material::{BarSection, Material, Plasticity, Section};
 pub use model::{Beam, Break, Connector, Element, Loads, Rupture, Supports};
 pub use modes::{AddedMass, Mode, natural_modes, wet_modes};
 pub use statics::{NonlinearStatics, PathPoint, StaticSolution, Statics};

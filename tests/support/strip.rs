@@ -43,6 +43,7 @@ fn strip(ratio: f64) -> FlexibleBody {
         name: "strip".into(),
         span: [[LENGTH, 0.0], [0.0; 2]],
         elements: ELEMENTS,
+        mesh: None,
         thickness: THICKNESS,
         plane: Plane::Strain,
         material,

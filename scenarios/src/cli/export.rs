@@ -1,4 +1,4 @@
-//! `splashdown export`: the frames of a run, or a scene as the files of the solver of 2010.
+//! `splashdown export`: the frames of a run, its panels with their loads, or a scene as the files of the solver of 2010.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use super::shared::{DONE, Output, SceneArgs, Stop, say};
 #[cfg(feature = "legacy")]
 use super::thesis_files;
-use crate::export::{ExportError, FrameFormat, export_frames};
+use crate::export::{ExportError, FrameFormat, PanelFormat, export_frames, export_panels};
 
 #[derive(Args)]
 pub(super) struct ExportArgs {
@@ -25,9 +25,15 @@ pub(super) struct ExportArgs {
     /// Write them to DIR/parquet, as one table of all frames, and bodies.parquet.
     #[arg(long)]
     parquet: bool,
+    /// Write the loads on the panels of the run to DIR/loads, as tables: pressure along each panel, forces on its nodes, extremes.
+    #[arg(long)]
+    loads: bool,
+    /// Write its panels and their loads to DIR/nastran, as Nastran bulk data: GRID, CBAR, PBAR, MAT1; loads over time; static loads.
+    #[arg(long)]
+    nastran: bool,
     /// Write the parameters of the scene to this file.
     #[cfg(feature = "legacy")]
-    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv", "parquet"])]
+    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv", "parquet", "loads", "nastran"])]
     indat: Option<PathBuf>,
     /// Write its particles at the start to this file.
     #[cfg(feature = "legacy")]
@@ -38,7 +44,9 @@ pub(super) struct ExportArgs {
 impl From<ExportError> for Stop {
     fn from(error: ExportError) -> Stop {
         match error {
-            ExportError::NoFrames(_) | ExportError::NoScene(..) => Stop::Input(error.to_string()),
+            ExportError::NoFrames(_) | ExportError::NoScene(..) | ExportError::NoLoads(..) => {
+                Stop::Input(error.to_string())
+            }
             ExportError::Write(..) => Stop::Failed(error.to_string()),
         }
     }
@@ -51,13 +59,14 @@ pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
     }
     let asked = [(args.vtk, FrameFormat::Vtk), (args.csv, FrameFormat::Csv), (args.parquet, FrameFormat::Parquet)];
     let formats: Vec<FrameFormat> = asked.into_iter().filter(|(asked, _)| *asked).map(|(_, format)| format).collect();
-    if formats.is_empty() {
-        return Err(Stop::Input(
-            "export: expected --vtk, --csv or --parquet with the folder of a run, or --indat and --ipart".into(),
-        ));
+    let asked = [(args.loads, PanelFormat::Tables), (args.nastran, PanelFormat::Nastran)];
+    let panels: Vec<PanelFormat> = asked.into_iter().filter(|(asked, _)| *asked).map(|(_, format)| format).collect();
+    if formats.is_empty() && panels.is_empty() {
+        let expected = "--vtk, --csv, --parquet, --loads or --nastran with the folder of a run, or --indat and --ipart";
+        return Err(Stop::Input(format!("export: expected {expected}")));
     }
     if let Some(set) = args.target.sets.first() {
-        return Err(Stop::Input(format!("--set {set}: expected none: the frames of a run are exported as they are")));
+        return Err(Stop::Input(format!("--set {set}: expected none: a run is exported as it is")));
     }
     let mut written = Vec::new();
     for format in formats {
@@ -70,6 +79,15 @@ pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
             say(format_args!("{} frames in {folder}", exported.frames));
         }
         written.push(serde_json::json!({ "folder": folder, "frames": exported.frames, "damaged": exported.damaged }));
+    }
+    for format in panels {
+        let exported = export_panels(Path::new(&args.target.scene), format)?;
+        let folder = exported.folder.display().to_string();
+        if !output.quiet && !output.json {
+            say(format_args!("{} with {} samples in {folder}", exported.panels.join(", "), exported.samples));
+        }
+        let (panels, samples) = (exported.panels, exported.samples);
+        written.push(serde_json::json!({ "folder": folder, "panels": panels, "samples": samples }));
     }
     if output.json {
         say(serde_json::json!({ "exported": written }));

@@ -1,4 +1,5 @@
-//! The frames of a run's log in formats of other programs: VTK for ParaView, CSV and Parquet for tables.
+//! The frames of a run's log in formats of other programs: VTK for ParaView, CSV and Parquet for tables; and its panels with their loads,
+//! as tables and as Nastran bulk data.
 //!
 //! A frame has the particles of the fluid and of the walls, with pressure, velocity, density, spacing and identity, and the outlines of
 //! the bodies. Times are those of `series.csv`: the log counts from the start of the run, which may be before 0.
@@ -8,7 +9,11 @@
 mod bodies;
 mod csv;
 mod frame_writer;
+mod loads;
+mod nastran;
+mod panels;
 mod parquet;
+mod structure;
 mod vtk;
 
 use std::io;
@@ -17,6 +22,7 @@ use std::path::{Path, PathBuf};
 use crate::bounded_text::read_text;
 use crate::log::LogReader;
 use frame_writer::FrameWriter;
+pub use panels::{ExportedPanels, PanelFormat, export_panels};
 
 /// A format of frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +55,9 @@ pub enum ExportError {
     /// The resolved scene beside the log, which has the start of time, is missing or damaged.
     #[error("{0}: expected the scene of the run, which has the time at which its log starts: {1}")]
     NoScene(String, String),
+    /// The run has no panels, or its log no loads on them.
+    #[error("{0}: expected the folder of a run with loads on panels: {1}")]
+    NoLoads(String, String),
     /// A file cannot be written.
     #[error("cannot write {0}: {1}")]
     Write(String, #[source] io::Error),

@@ -38,6 +38,7 @@ mod error;
 mod frame;
 mod live;
 mod reader;
+mod samples;
 mod stored;
 mod writer;
 
@@ -49,5 +50,6 @@ pub use foxglove::messages::log::Level;
 pub use frame::{BodyView, Frame, IMAGE, Point};
 pub use live::LiveView;
 pub use reader::{LogReader, LoggedBody, LoggedFrame};
+pub use samples::{Samples, read_samples};
 pub use stored::StoredLog;
 pub use writer::{LogMetadata, LogWriter};

@@ -14,7 +14,7 @@ use mcap::records::{ChunkHeader, Record};
 use super::frame::{POINT_SIZE, Point, unpack};
 
 /// Bytes before the first record.
-const MAGIC: u64 = 8;
+pub(super) const MAGIC: u64 = 8;
 /// Kinds of records that matter here (MCAP specification, opcodes).
 const CHUNK: u8 = 0x06;
 const MESSAGE_INDEX: u8 = 0x07;
@@ -71,10 +71,10 @@ impl LoggedFrame {
     }
 }
 
-struct Chunk {
-    header: ChunkHeader,
+pub(super) struct Chunk {
+    pub header: ChunkHeader,
     /// Where its data begins in the file [bytes].
-    data: u64,
+    pub data: u64,
     channels: Vec<u16>,
 }
 
@@ -160,7 +160,7 @@ impl LogReader {
 }
 
 /// The whole chunks of a file.
-fn chunks(file: &mut BufReader<File>) -> std::io::Result<Vec<Chunk>> {
+pub(super) fn chunks(file: &mut BufReader<File>) -> std::io::Result<Vec<Chunk>> {
     let end = file.get_ref().metadata()?.len();
     let (mut at, mut chunks) = (MAGIC, Vec::<Chunk>::new());
     while at + 9 <= end {

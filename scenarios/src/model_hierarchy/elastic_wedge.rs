@@ -49,6 +49,9 @@ impl Faces {
         if panel.yield_stress.is_some() || panel.rupture_strain.is_some() {
             return Err(refuse("a panel that may yield or break"));
         }
+        if panel.bars.is_some() {
+            return Err(refuse("a panel of bars"));
+        }
         if panel.end_springs().iter().any(EndSpring::acts) {
             return Err(refuse("springs or dampers at an end"));
         }

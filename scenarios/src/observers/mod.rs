@@ -32,6 +32,7 @@ pub use history::{History, Rest, WorstPenetration};
 pub use low_pass::{LowPass, phaseless};
 pub(crate) use run_log::create_log;
 pub use run_log::{LiveObserver, LogObserver};
+pub(crate) use run_view::{LOADS, load_names};
 pub use series::Series;
 pub(crate) use similarity::FROM as SIMILARITY_FROM;
 pub use similarity::{SimilarityResult, SimilarityWindow};

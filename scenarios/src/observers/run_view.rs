@@ -9,10 +9,21 @@ use super::columns::{body_values, panel_values};
 use crate::log::{self, BodyView, LogError, Point};
 use crate::scene::Scene;
 
+/// Start of the channels of the loads on panels' nodes, before the panel's name.
+pub(crate) const LOADS: &str = "loads";
+
+/// Names of the fluid's loads on so many nodes, in the axes of the body's frame.
+pub(crate) fn load_names(nodes: usize) -> Vec<String> {
+    let of = |node: usize| ["fx_N_per_m", "fy_N_per_m", "m_N"].map(|unit| format!("node{node}.{unit}"));
+    (1..=nodes).flat_map(of).collect()
+}
+
 /// Names and the start of time of what is shown.
 pub(super) struct RunView {
     start: f64,
     panels: Vec<(String, Vec<String>)>,
+    /// Names of the loads on each panel's nodes.
+    loads: Vec<Vec<String>>,
     gauges: Vec<String>,
 }
 
@@ -20,9 +31,10 @@ impl RunView {
     /// Of a scene.
     pub fn new(scene: &Scene) -> RunView {
         let panels = scene.body.iter().flat_map(|body| &body.panels);
+        let loads = panels.clone().map(|panel| load_names(panel.elements + 1)).collect();
         let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        RunView { start: scene.time.start, panels, gauges }
+        RunView { start: scene.time.start, panels, loads, gauges }
     }
 
     /// Time since the start of the run [s].
@@ -40,11 +52,13 @@ impl RunView {
         for body in system.bodies() {
             let Some(m) = body.motion() else { continue };
             take(&format!("body/{}", body.name()), &body_values(&m))?;
-            for ((name, columns), panel) in self.panels.iter().zip(body.panels()) {
+            for (((name, columns), loads), panel) in self.panels.iter().zip(&self.loads).zip(body.panels()) {
                 // names without the panel's own
                 let units = columns.iter().map(|column| &column[name.len() + 1..]);
                 let values: Vec<(&str, f64)> = units.zip(panel_values(&panel)).collect();
                 take(&format!("panel/{name}"), &values)?;
+                let loads = loads.iter().map(String::as_str).zip(panel.load.as_flattened().iter().copied());
+                take(&format!("{LOADS}/{name}"), &loads.collect::<Vec<_>>())?;
             }
         }
         if !self.gauges.is_empty() {

@@ -73,6 +73,7 @@ mod tests {
         PanelState {
             name: "plate".into(),
             watched: Vec::new(),
+            load: Vec::new(),
             stress: 1e6,
             worst,
             stations: Vec::new(),

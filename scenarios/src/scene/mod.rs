@@ -42,6 +42,7 @@ mod resolve_body;
 pub mod settings;
 pub(crate) mod source;
 mod stations;
+mod structure_file;
 mod symmetric;
 mod table_file;
 mod warnings;
@@ -68,6 +69,7 @@ pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, Wate
 pub use load::{Loaded, all_warnings, builtin, load, load_beyond_limits, load_text};
 pub use outline::OutlineReport;
 pub(crate) use resolve::MOST_ROWS;
+pub(crate) use settings::line;
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Moved, Norm, Observe,
     Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,

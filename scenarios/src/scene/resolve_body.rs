@@ -2,7 +2,7 @@
 
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require, significant};
-use fsi_coupling::{PanelEnd, Shape};
+use fsi_coupling::{PanelEnd, Plane, Shape};
 
 use super::draft::Draft;
 use super::settings::{Axis, Body, Motion, Panel, Symmetry, TheoryName, line, placed};
@@ -39,7 +39,7 @@ pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Opti
     Ok(Some(body))
 }
 
-fn resolve_shape(draft: &mut Draft) -> Result<Shape, Problem> {
+pub(super) fn resolve_shape(draft: &mut Draft) -> Result<Shape, Problem> {
     let has_sides = draft.get("body.shape").is_some_and(|shape: String| shape == "wedge" || shape == "arc");
     if let (true, Some(breadth)) = (has_sides, draft.get::<f64>("body.breadth")) {
         draft.fill("body.side_height", SIDE_OVER_BREADTH * breadth);
@@ -146,6 +146,7 @@ fn fill_panels(draft: &mut Draft, shape: &Shape) -> Result<(), Problem> {
     for i in 0..draft.count("body.panels") {
         let key = |name: &str| format!("body.panels[{i}].{name}");
         draft.fill(&key("name"), format!("panel{}", i + 1));
+        fill_from_bars(draft, shape, key)?;
         if let (Some(from), Some(to)) = (draft.get(&key("from")), draft.get(&key("to"))) {
             draft.fill(&key("elements"), enough_elements(shape, [from, to], spacing));
         }
@@ -155,6 +156,59 @@ fn fill_panels(draft: &mut Draft, shape: &Shape) -> Result<(), Problem> {
         draft.read::<Panel>(&format!("body.panels[{i}]"))?;
     }
     Ok(())
+}
+
+/// What a panel of bars leaves to the program: its place on the line, and the plate with the mean stiffness and mass of its bars.
+fn fill_from_bars(draft: &mut Draft, shape: &Shape, key: impl Fn(&str) -> String) -> Result<(), Problem> {
+    let (nodes, bars) = (draft.get::<Vec<[f64; 2]>>(&key("nodes")), draft.get::<Vec<[f64; 7]>>(&key("bars")));
+    let Some((nodes, bars)) = nodes.zip(bars) else { return Ok(()) };
+    let (count, expected) = (bars.len(), format_args!("2 to 2000 bars, one less than the {} nodes", nodes.len()));
+    require(
+        (2..=2000).contains(&count) && nodes.len() == count + 1,
+        &key("bars"),
+        format_args!("{count} bars"),
+        expected,
+    )?;
+    for (k, bar) in bars.iter().enumerate() {
+        let sound = bar[..5].iter().all(|value| *value > 0.0) && bar[5] <= 0.0 && bar[6] >= 0.0 && bar[5] < bar[6];
+        let expected =
+            "numbers above 0, then the distance of the right fibre, at most 0, and of the left one, at least 0";
+        require(sound, &format!("{}[{k}]", key("bars")), format_args!("{bar:?}"), expected)?;
+        let [a, b] = [nodes[k], nodes[k + 1]];
+        require(
+            a != b,
+            &format!("{}[{}]", key("nodes"), k + 1),
+            format_args!("{b:?}"),
+            "another place than the node before",
+        )?;
+    }
+    let lengths: Vec<f64> = nodes.windows(2).map(|n| (n[1][0] - n[0][0]).hypot(n[1][1] - n[0][1])).collect();
+    let whole: f64 = lengths.iter().sum();
+    let mean = |of: fn(&[f64; 7]) -> f64| bars.iter().zip(&lengths).map(|(bar, l)| l * of(bar)).sum::<f64>() / whole;
+    let [axial, bending, mass] =
+        [mean(|bar| bar[0] * bar[3]), mean(|bar| bar[0] * bar[4]), mean(|bar| bar[2] * bar[3])];
+    let thickness = (12.0 * bending / axial).sqrt();
+    let line = line(shape);
+    for (name, at) in [("from", nodes[0]), ("to", nodes[count])] {
+        draft.fill(&key(name), line.at(line.nearest(at).0));
+    }
+    draft.fill(&key("elements"), count);
+    require(
+        draft.get(&key("elements")) == Some(count),
+        &key("elements"),
+        draft.get(&key("elements")).unwrap_or(0),
+        format_args!("{count}, as many as bars"),
+    )?;
+    draft.fill(&key("thickness"), thickness);
+    draft.fill(&key("youngs_modulus"), axial / thickness);
+    draft.fill(&key("density"), mass / thickness);
+    let plane = draft.fill(&key("plane"), Plane::Stress);
+    require(
+        plane == Plane::Stress,
+        &key("plane"),
+        "\"strain\"",
+        "\"stress\" with bars, whose moduli are those of the bars",
+    )
 }
 
 /// Elements between two points of a body's line, at a particle spacing [m].

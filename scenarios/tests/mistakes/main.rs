@@ -12,6 +12,7 @@ use serde_json::Value;
 const MISTAKES: &str = include_str!("mistakes.tsv");
 const SCENE: &str = include_str!("scene.toml");
 const LANDING: &str = include_str!("../../ditching/mercure.toml");
+const STRUCTURE: &str = include_str!("structure.bdf");
 const OUTLINE: &str = "outline = \"FILE\"";
 
 /// The scene with its points in a file, without panels and gauges.
@@ -19,6 +20,13 @@ fn with_outline() -> String {
     let line = SCENE.lines().find(|line| line.starts_with("points =")).expect("a line of points");
     let text = SCENE.replace(line, OUTLINE);
     text[..text.find("[[body.panels]]").expect("a panel")].to_string()
+}
+
+/// The scene with other keys of its panel than its place, thickness and material.
+fn with_structure(keys: &str) -> String {
+    let start = SCENE.find("from_point").expect("a panel");
+    let end = SCENE.find("[[gauges]]").expect("a gauge");
+    format!("{}{keys}\n\n{}", &SCENE[..start], &SCENE[end..])
 }
 
 /// Writes the files of a mistake into a folder; the arguments of the command.
@@ -58,6 +66,14 @@ fn arguments(folder: &Path, kind: &str, given: &str) -> Vec<String> {
             data();
             let moved = "mass = 80.0\nfree = [\"y\"]\nvelocity = [0.0, -4.0]";
             scene(&SCENE.replace(moved, "motion_file = \"m.csv\""), "check")
+        }
+        "structure" => {
+            fs::write(folder.join("s.bdf"), edited(STRUCTURE)).expect("a file");
+            scene(&with_structure("structure_file = \"s.bdf\""), "check")
+        }
+        "structure_key" => {
+            fs::write(folder.join("s.bdf"), STRUCTURE).expect("a file");
+            scene(&with_structure(given), "check")
         }
         other => panic!("{other} is no kind of mistake"),
     }

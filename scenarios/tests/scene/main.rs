@@ -139,7 +139,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 18] = [
+const DEFAULTS_IN_WORDS: [&str; 21] = [
     "-density (V^2/2 + g L) for a free wedge from the air; else absent",
     "false; true if incompressible with a body",
     "true; false in a tank of water without a body",
@@ -155,6 +155,9 @@ const DEFAULTS_IN_WORDS: [&str; 18] = [
     "panel1, ...",
     "24, none shorter than 2 spacings, at least 8",
     "yield_stress",
+    "xy with structure_file",
+    "m_kg_s with structure_file",
+    "1 with structure_file",
     "weak; added_mass with body.panels, and for free bodies with solver = incompressible",
     "wcsph; the solver's where there is one",
     "true where it is possible, for a rigid body and an automatic fine zone; else false",

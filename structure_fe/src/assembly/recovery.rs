@@ -51,7 +51,7 @@ impl System {
         let mut strains = Vec::with_capacity(2 * forces.len());
         for ((index, (nodes, element)), forces) in self.beam.constants().enumerate().zip(forces) {
             let Element { material, section, .. } = &self.beam.elements()[index];
-            let half = 0.5 * section.thickness();
+            let [right, left] = section.fibres();
             let plastic = element
                 .plastic
                 .as_ref()
@@ -59,7 +59,7 @@ impl System {
             for (end, SectionForces { normal, moment, .. }) in forces.into_iter().enumerate() {
                 let curvature = plastic.map_or(moment / section.bending_stiffness(material), |ends| ends[end]);
                 let mean = normal / section.axial_stiffness(material);
-                strains.push([mean + half * curvature, mean - half * curvature]);
+                strains.push([mean - right * curvature, mean - left * curvature]);
             }
         }
         strains

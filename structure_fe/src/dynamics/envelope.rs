@@ -81,8 +81,7 @@ impl Envelope {
             end.normal.include(normal, time);
             end.shear.include(shear, time);
             end.moment.include(moment, time);
-            let half = 0.5 * element.section.thickness();
-            for eta in [-half, half] {
+            for eta in element.section.fibres() {
                 end.fibre_stress.include(forces.fibre_stress(&element.section, eta), time);
             }
         }

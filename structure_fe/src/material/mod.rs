@@ -18,4 +18,4 @@ mod section;
 
 pub use plasticity::Plasticity;
 pub(crate) use plasticity::{Flow, PlasticBending};
-pub use section::{Material, Section};
+pub use section::{BarSection, Material, Section};

@@ -1,6 +1,7 @@
-//! The material, isotropic and linearly elastic; and the cross-section: a rectangle, free to contract sideways or held in plane strain (THEORY BE2).
+//! The material, isotropic and linearly elastic; and the cross-section: a rectangle, free to contract sideways or held in plane strain (THEORY BE2),
+//! or a bar of any profile by its properties.
 
-use crate::error::{Error, positive};
+use crate::error::{Error, not_negative, positive};
 use serde::{Deserialize, Serialize};
 
 /// An isotropic, linearly elastic material. [`Beam`](crate::Beam) checks its values.
@@ -27,7 +28,7 @@ impl Material {
     }
 }
 
-/// A solid rectangular cross-section. [`Beam`](crate::Beam) checks its values.
+/// A cross-section. [`Beam`](crate::Beam) checks its values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Section(Profile);
@@ -39,6 +40,23 @@ enum Profile {
     Rectangular { thickness: f64, width: f64 },
     /// No strain across the plane.
     Strip { thickness: f64 },
+    /// Any profile, free to contract sideways.
+    Bar(BarSection),
+}
+
+/// Properties of the cross-section of a bar, which bends in a plane of symmetry of its profile.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BarSection {
+    /// Area A \[m^2\].
+    pub area: f64,
+    /// Second moment of area I for bending in the plane \[m^4\].
+    pub second_moment: f64,
+    /// Shear modulus G \[Pa\]; only Timoshenko's theory uses it.
+    pub shear_modulus: f64,
+    /// Distances of the outer fibres from the axis, to the left of it: of the right one, zero or negative, and of the left one, zero or
+    /// positive \[m\].
+    pub fibres: [f64; 2],
 }
 
 impl Section {
@@ -58,28 +76,46 @@ impl Section {
         Self(Profile::Strip { thickness })
     }
 
-    /// Thickness h in the plane \[m\].
-    pub fn thickness(&self) -> f64 {
-        let (Profile::Rectangular { thickness, .. } | Profile::Strip { thickness }) = self.0;
-        thickness
+    /// A bar of any profile, with modulus E. Forces of such a model are those of what its properties stand for: the whole bar, or a metre
+    /// of span of a stiffened plate.
+    pub fn bar(properties: BarSection) -> Self {
+        Self(Profile::Bar(properties))
     }
 
-    /// Width b across the plane \[m\]; 1 m for a strip.
-    pub fn width(&self) -> f64 {
+    /// Depth between the outer fibres in the plane, of a rectangle its thickness h \[m\].
+    pub fn thickness(&self) -> f64 {
         match self.0 {
-            Profile::Rectangular { width, .. } => width,
-            Profile::Strip { .. } => 1.0,
+            Profile::Rectangular { thickness, .. } | Profile::Strip { thickness } => thickness,
+            Profile::Bar(BarSection { fibres: [right, left], .. }) => left - right,
         }
     }
 
-    /// Area A = b h \[m^2\].
-    pub fn area(&self) -> f64 {
-        self.width() * self.thickness()
+    /// Distances of the outer fibres to the left of the axis: of the right one and of the left one, -h/2 and h/2 of a rectangle \[m\].
+    pub fn fibres(&self) -> [f64; 2] {
+        match self.0 {
+            Profile::Rectangular { thickness, .. } | Profile::Strip { thickness } => {
+                [-0.5 * thickness, 0.5 * thickness]
+            }
+            Profile::Bar(BarSection { fibres, .. }) => fibres,
+        }
     }
 
-    /// Second moment of area I = b h^3/12 \[m^4\].
+    /// Area A, of a rectangle b h \[m^2\].
+    pub fn area(&self) -> f64 {
+        match self.0 {
+            Profile::Rectangular { thickness, width } => width * thickness,
+            Profile::Strip { thickness } => thickness,
+            Profile::Bar(BarSection { area, .. }) => area,
+        }
+    }
+
+    /// Second moment of area I, of a rectangle b h^3/12 \[m^4\].
     pub fn second_moment(&self) -> f64 {
-        self.width() * self.thickness().powi(3) / 12.0
+        match self.0 {
+            Profile::Rectangular { thickness, width } => width * thickness.powi(3) / 12.0,
+            Profile::Strip { thickness } => thickness.powi(3) / 12.0,
+            Profile::Bar(BarSection { second_moment, .. }) => second_moment,
+        }
     }
 
     /// Axial stiffness E A, of a strip E h/(1 - nu^2) times its width of one metre \[N\].
@@ -92,9 +128,13 @@ impl Section {
         self.modulus(material) * self.second_moment()
     }
 
-    /// Shear stiffness kappa G A with G = E/(2 (1 + nu)) and the `shear_correction` kappa \[N\].
+    /// Shear stiffness kappa G A with G = E/(2 (1 + nu)), of a bar its own G, and the `shear_correction` kappa \[N\].
     pub fn shear_stiffness(&self, material: &Material, shear_correction: f64) -> f64 {
-        shear_correction * material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio)) * self.area()
+        let shear_modulus = match self.0 {
+            Profile::Bar(BarSection { shear_modulus, .. }) => shear_modulus,
+            _ => material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio)),
+        };
+        shear_correction * shear_modulus * self.area()
     }
 
     /// Mass per length rho A \[kg/m\].
@@ -104,14 +144,64 @@ impl Section {
 
     fn modulus(&self, material: &Material) -> f64 {
         match self.0 {
-            Profile::Rectangular { .. } => material.youngs_modulus,
+            Profile::Rectangular { .. } | Profile::Bar(_) => material.youngs_modulus,
             Profile::Strip { .. } => material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)),
         }
     }
 
     pub(crate) fn check(&self, element: usize) -> Result<(), Error> {
-        positive("thickness [m]", "element", element, self.thickness())?;
-        positive("width [m]", "element", element, self.width())?;
+        match self.0 {
+            Profile::Bar(BarSection { area, second_moment, shear_modulus, fibres: [right, left] }) => {
+                positive("area [m^2]", "element", element, area)?;
+                positive("second moment of area [m^4]", "element", element, second_moment)?;
+                positive("shear modulus [Pa]", "element", element, shear_modulus)?;
+                not_negative("distance of the right fibre [m]", -right)?;
+                not_negative("distance of the left fibre [m]", left)?;
+                positive("depth between the outer fibres [m]", "element", element, left - right)?;
+            }
+            Profile::Rectangular { thickness, width } => {
+                positive("thickness [m]", "element", element, thickness)?;
+                positive("width [m]", "element", element, width)?;
+            }
+            Profile::Strip { thickness } => {
+                positive("thickness [m]", "element", element, thickness)?;
+            }
+        }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3, density: 7850.0 };
+
+    #[test]
+    fn a_bar_with_the_properties_of_a_rectangle_is_one() {
+        let (rectangle, shear_modulus) = (Section::rectangular(0.02, 0.05), STEEL.youngs_modulus / 2.6);
+        let (area, second_moment) = (rectangle.area(), rectangle.second_moment());
+        let bar = Section::bar(BarSection { area, second_moment, shear_modulus, fibres: [-0.01, 0.01] });
+        assert!(bar.check(0).is_ok());
+        assert_eq!((bar.thickness(), bar.fibres()), (rectangle.thickness(), rectangle.fibres()));
+        assert_eq!(bar.bending_stiffness(&STEEL), rectangle.bending_stiffness(&STEEL));
+        assert_eq!(bar.axial_stiffness(&STEEL), rectangle.axial_stiffness(&STEEL));
+        assert_eq!(bar.mass_per_length(&STEEL), rectangle.mass_per_length(&STEEL));
+        let [bar, rectangle] = [bar, rectangle].map(|section| section.shear_stiffness(&STEEL, 5.0 / 6.0));
+        assert!((bar / rectangle - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_bar_without_depth_or_area_is_refused() {
+        let sound = BarSection { area: 1e-3, second_moment: 1e-8, shear_modulus: 8e10, fibres: [-0.01, 0.02] };
+        for wrong in [
+            BarSection { area: 0.0, ..sound },
+            BarSection { second_moment: -1e-8, ..sound },
+            BarSection { shear_modulus: f64::NAN, ..sound },
+            BarSection { fibres: [0.0, 0.0], ..sound },
+            BarSection { fibres: [0.01, 0.02], ..sound },
+        ] {
+            assert!(Section::bar(wrong).check(0).is_err(), "{wrong:?}");
+        }
     }
 }

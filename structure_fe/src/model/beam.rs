@@ -227,10 +227,11 @@ impl Beam {
                 let (analysis, feature, item) = ("Timoshenko's theory", "plasticity", "element");
                 return Err(Error::Unsupported { analysis, feature, item, index, instead: "Theory::EulerBernoulli" });
             }
+            let farthest = section.fibres().into_iter().map(f64::abs).fold(0.0, f64::max);
             constants.plastic = Some(PlasticBending {
                 stiffness: section.bending_stiffness(material),
                 hardening: plasticity.hardening_modulus * section.second_moment(),
-                yield_moment: plasticity.yield_stress * section.second_moment() * 2.0 / section.thickness(),
+                yield_moment: plasticity.yield_stress * section.second_moment() / farthest,
                 length,
             });
         }

@@ -360,7 +360,7 @@ impl Inspect for FlexibleBody {
     fn panels(&self) -> Vec<PanelState> {
         let (model, state, frame) = (&self.model, &self.state, self.frame());
         let parts = (&model.dynamics, &model.map);
-        model.panels.iter().map(|panel| state_of(panel, parts, &state.nodes, &frame, &state.envelope)).collect()
+        model.panels.iter().map(|panel| state_of(panel, parts, state, &frame)).collect()
     }
 
     fn material_point(&self, at: [f64; 2]) -> Option<(SurfacePoint, [f64; 2])> {

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{
-    Beam, Connector, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory,
+    BarSection, Beam, Connector, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory,
 };
 
 use crate::geometry::polyline::Polyline;
@@ -63,6 +63,8 @@ pub struct PanelSpec {
     pub span: [[f64; 2]; 2],
     /// Number of elements.
     pub elements: usize,
+    /// Its own mesh, with as many bars as elements; `None` is a plate of equal elements.
+    pub mesh: Option<PanelMesh>,
     /// Thickness [m]. Along an outline the water is on its outside, and the middle line half of it further in.
     pub thickness: f64,
     /// Plane strain or plane stress.
@@ -85,10 +87,64 @@ pub struct PanelSpec {
     pub watch: Vec<f64>,
 }
 
+/// A place is at a node from so near on [-].
+const AT_NODE: f64 = 1e-9;
+
+/// Nodes and bars of a panel that is not a plate of equal elements, from its start to its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanelMesh {
+    /// Nodes [m, body's frame], on the bars' axis.
+    pub nodes: Vec<[f64; 2]>,
+    /// The bars between them.
+    pub bars: Vec<PanelBar>,
+}
+
+/// A bar of a panel's mesh; its section has the properties of a metre of span.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PanelBar {
+    /// Young's modulus [Pa].
+    pub youngs_modulus: f64,
+    /// Mass over length and area, what is not structure included [kg/m³].
+    pub density: f64,
+    /// Cross-section, of a metre of span.
+    pub section: BarSection,
+}
+
+impl PanelMesh {
+    /// Shares at its nodes of a part of a line [-], that of the nearest place.
+    fn shares(&self, line: &Polyline, [from, to]: [f64; 2]) -> Vec<f64> {
+        let length = line.part(from, to).length();
+        let mut before = 0.0;
+        let share = |(k, node): (usize, &[f64; 2])| {
+            let s = line.nearest(*node).0 - from;
+            let s = if line.is_closed() && s < 0.0 { s + line.length() } else { s };
+            before = match k {
+                0 => 0.0,
+                k if k == self.bars.len() => 1.0,
+                _ => (s / length).clamp(before, 1.0),
+            };
+            before
+        };
+        self.nodes.iter().enumerate().map(share).collect()
+    }
+
+    fn element(&self, k: usize) -> (Material, Section) {
+        let PanelBar { youngs_modulus, density, section } = self.bars[k];
+        (Material { youngs_modulus, poissons_ratio: 0.0, density }, Section::bar(section))
+    }
+}
+
 impl PanelSpec {
     /// Its cross-section, one metre wide.
     pub fn section(&self) -> Section {
         self.plane.section(self.thickness)
+    }
+
+    /// Its nodes [m, body's frame] and elements along a body's line.
+    pub fn elements_along(&self, line: &Polyline) -> (Vec<[f64; 2]>, Vec<Element>) {
+        let (mut nodes, mut elements) = (Vec::new(), Vec::new());
+        Panel::along(line, self, &mut nodes, &mut elements);
+        (nodes, elements)
     }
 }
 
@@ -120,6 +176,8 @@ pub(crate) struct Panel {
     pub elements: std::ops::Range<usize>,
     /// Its nodes.
     pub nodes: std::ops::Range<usize>,
+    /// Shares of its length at its nodes [-]; none with equal elements.
+    shares: Vec<f64>,
 }
 
 impl Panel {
@@ -129,16 +187,22 @@ impl Panel {
         let part = line.part(reach[0], reach[1]);
         let inwards = if line.is_closed() { 0.5 * spec.thickness } else { 0.0 };
         let (first, first_element) = (nodes.len(), elements.len());
-        for k in 0..=spec.elements {
-            let s = part.length() * k as f64 / spec.elements as f64;
-            let (at, left) = (part.at(s), part.left(s));
-            nodes.push([0, 1].map(|i| at[i] + inwards * left[i]));
+        match &spec.mesh {
+            Some(mesh) => nodes.extend(&mesh.nodes),
+            None => nodes.extend((0..=spec.elements).map(|k| {
+                let s = part.length() * k as f64 / spec.elements as f64;
+                let (at, left) = (part.at(s), part.left(s));
+                [0, 1].map(|i| at[i] + inwards * left[i])
+            })),
         }
         for k in 0..spec.elements {
-            let (nodes, section) = ([first + k, first + k + 1], spec.section());
-            elements.push(Element { nodes, material: spec.material, section });
+            let plate = || (spec.material, spec.section());
+            let (material, section) = spec.mesh.as_ref().map_or_else(plate, |mesh| mesh.element(k));
+            elements.push(Element { nodes: [first + k, first + k + 1], material, section });
         }
-        Panel { spec: spec.clone(), reach, elements: first_element..elements.len(), nodes: first..nodes.len() }
+        let shares = spec.mesh.as_ref().map_or(Vec::new(), |mesh| mesh.shares(line, reach));
+        let (elements, nodes) = (first_element..elements.len(), first..nodes.len());
+        Panel { spec: spec.clone(), reach, elements, nodes, shares }
     }
 
     /// Tie its ends to the frame's node in a model.
@@ -183,8 +247,14 @@ impl Panel {
         Ok(beam)
     }
 
-    /// The element and the share of it [-] at a share of the panel.
+    /// The element and the share of it [-] at a share of the panel's length.
     pub fn element_at(&self, share: f64) -> (usize, f64) {
+        if !self.shares.is_empty() {
+            let k = self.shares.partition_point(|s| *s <= share + AT_NODE).clamp(1, self.elements.len()) - 1;
+            let [from, to] = [self.shares[k], self.shares[k + 1]];
+            let t = if to > from { ((share - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+            return (self.elements.start + k, t);
+        }
         let along = share.clamp(0.0, 1.0) * self.spec.elements as f64;
         let element = (along.floor() as usize).min(self.spec.elements - 1);
         (self.elements.start + element, along - element as f64)
@@ -194,9 +264,9 @@ impl Panel {
     pub fn stress(&self, beam: &Beam, sections: &[SectionForces]) -> f64 {
         let of = |element: usize| {
             let section = beam.elements()[element].section;
-            let half = 0.5 * section.thickness();
+            let [right, left] = section.fibres();
             let ends = &sections[2 * element..2 * element + 2];
-            ends.iter().flat_map(move |end| [half, -half].map(|eta| end.fibre_stress(&section, eta)))
+            ends.iter().flat_map(move |end| [left, right].map(|eta| end.fibre_stress(&section, eta)))
         };
         self.elements
             .clone()

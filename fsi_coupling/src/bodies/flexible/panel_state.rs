@@ -3,6 +3,7 @@
 use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, Range, SectionForces, State};
 
 use crate::bodies::flexible::panel::Panel;
+use crate::bodies::flexible::state::FlexibleState;
 use crate::bodies::flexible::surface_map::SurfaceMap;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::vector::rotate;
@@ -29,6 +30,8 @@ pub struct PanelState {
     pub name: String,
     /// At the places that are watched.
     pub watched: Vec<Watched>,
+    /// Load of the fluid on its nodes, in the axes of the rigid frame `[F_x, F_y, M]` [N/m, N/m, N].
+    pub load: Vec<[f64; 3]>,
     /// Largest stress along it in an outer fibre at an element's end, by magnitude [Pa].
     pub stress: f64,
     /// What it has borne so far.
@@ -79,10 +82,10 @@ pub struct Worst {
 pub(crate) fn state_of(
     panel: &Panel,
     (dynamics, map): (&Dynamics, &SurfaceMap),
-    nodes: &State,
+    state: &FlexibleState,
     frame: &RigidMotion,
-    envelope: &Envelope,
 ) -> PanelState {
+    let FlexibleState { nodes, envelope, .. } = state;
     let (sections, strains) = (dynamics.section_forces(nodes), dynamics.fibre_strains(nodes));
     let still = vec![[0.0; 3]; nodes.displacement.len()];
     let watched = panel.spec.watch.iter().map(|&share| {
@@ -106,12 +109,19 @@ pub(crate) fn state_of(
     PanelState {
         name: panel.spec.name.clone(),
         watched: watched.collect(),
+        load: state.now[panel.nodes.clone()].iter().map(|load| in_frame(load, frame.angle)).collect(),
         stress: panel.stress(dynamics.beam(), &sections),
         worst: worst(panel, nodes, envelope),
         stations: stations(panel, dynamics, envelope),
         allowable_stress: panel.spec.allowable_stress,
         ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
     }
+}
+
+/// A load in the axes of a frame at an angle.
+fn in_frame([x, y, moment]: &[f64; 3], angle: f64) -> [f64; 3] {
+    let [x, y] = rotate([*x, *y], -angle);
+    [x, y, *moment]
 }
 
 fn worst(panel: &Panel, nodes: &State, envelope: &Envelope) -> Worst {

@@ -1,4 +1,4 @@
-//! The first wet period of a panel, known before the run (THEORY CO33).
+//! Natural frequencies of a panel in air, and its first wet period, known before the run (THEORY CO33).
 
 use std::f64::consts::TAU;
 
@@ -23,13 +23,8 @@ pub fn first_wet_period(
     spec: &PanelSpec,
     (faces, density): (f64, f64),
 ) -> Result<f64, structure_fe::Error> {
-    let (mut nodes, mut elements, mut supports) = (Vec::new(), Vec::new(), Supports::default());
-    let spec = PanelSpec { elements: spec.elements.min(ELEMENTS), rupture_strain: None, ..spec.clone() };
-    let panel = Panel::along(line, &spec, &mut nodes, &mut elements);
-    let beam = panel.formulate(Beam::new(nodes, elements)?)?;
-    let (beam, frame) = beam.with_rigid_body(spec.span[0], 0.0, 0.0)?;
-    supports.clamp(frame);
-    panel.hold(frame, &beam, &mut supports);
+    let spec = PanelSpec { elements: spec.elements.min(ELEMENTS), mesh: None, ..spec.clone() };
+    let (panel, beam, supports) = held(line, &spec)?;
     let omega = natural_modes(&beam, &supports, 1)?[0].angular_frequency;
     let section = spec.section();
     let (stiffness, mass) = (section.bending_stiffness(&spec.material), section.mass_per_length(&spec.material));
@@ -38,6 +33,25 @@ pub fn first_wet_period(
     let wave_number =
         if sprung { of_mode.max(RIGID / line.part(panel.reach[0], panel.reach[1]).length()) } else { of_mode };
     Ok(TAU / omega * (1.0 + faces * density / (wave_number * mass)).sqrt())
+}
+
+/// The lowest natural frequencies in air of a panel along a body's line, its ends held by a frame at rest, with its own elements [Hz].
+pub fn natural_frequencies(line: &Polyline, spec: &PanelSpec, count: usize) -> Result<Vec<f64>, structure_fe::Error> {
+    let (_, beam, supports) = held(line, spec)?;
+    let modes = natural_modes(&beam, &supports, count)?;
+    Ok(modes.iter().map(|mode| mode.angular_frequency / TAU).collect())
+}
+
+/// The elements of a panel, and its supports on a frame at rest.
+fn held(line: &Polyline, spec: &PanelSpec) -> Result<(Panel, Beam, Supports), structure_fe::Error> {
+    let (mut nodes, mut elements, mut supports) = (Vec::new(), Vec::new(), Supports::default());
+    let spec = PanelSpec { rupture_strain: None, ..spec.clone() };
+    let panel = Panel::along(line, &spec, &mut nodes, &mut elements);
+    let beam = panel.formulate(Beam::new(nodes, elements)?)?;
+    let (beam, frame) = beam.with_rigid_body(spec.span[0], 0.0, 0.0)?;
+    supports.clamp(frame);
+    panel.hold(frame, &beam, &mut supports);
+    Ok((panel, beam, supports))
 }
 
 #[cfg(test)]
@@ -57,6 +71,7 @@ mod tests {
             name: "plate".into(),
             span: [[0.0, 0.0], [0.5, 0.0]],
             elements: 10,
+            mesh: None,
             thickness: 0.05,
             plane: Plane::Strain,
             material: Material { youngs_modulus: 1e13, poissons_ratio: 0.0, density: 2700.0 },
@@ -96,6 +111,7 @@ mod tests {
                     name: "plate".into(),
                     span: [[0.0, 0.0], [0.8, 0.0]],
                     elements: 100,
+                    mesh: None,
                     thickness: 0.01,
                     plane,
                     material,

@@ -278,7 +278,7 @@ pub(in crate::scene) fn placed(outline: Vec<[f64; 2]>, origin: [f64; 2], angle_d
 }
 
 /// The line that a body's panels lie along [m, body's frame].
-pub(in crate::scene) fn line(shape: &Shape) -> Polyline {
+pub(crate) fn line(shape: &Shape) -> Polyline {
     match shape {
         Shape::Polyline { points, .. } => Polyline::open(points.clone()),
         _ => Polyline::closed(&shape.outline()),

@@ -16,12 +16,13 @@ use fsi_coupling::settings::Schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub(crate) use body::line;
+pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
-pub(super) use body::{line, placed};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
-pub use panel::{Panel, TheoryName};
+pub use panel::{Panel, StructurePlane, StructureUnits, TheoryName};
 pub use tank::{Block, Tank};
 
 use fsi_coupling::{Iteration, Scheme};

@@ -1,9 +1,9 @@
 //! A flexible panel of a body.
 
-use fsi_coupling::{EndSpring, PanelEnd, PanelSpec, Plane};
+use fsi_coupling::{EndSpring, PanelBar, PanelEnd, PanelMesh, PanelSpec, Plane};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use structure_fe::{Material, Plasticity, Theory};
+use structure_fe::{BarSection, Material, Plasticity, Theory};
 
 use crate::scene::library::MaterialName;
 
@@ -30,6 +30,33 @@ pub struct Panel {
     /// = timoshenko without yield_stress. `splashdown keywords material` lists the numbers.
     #[serde(default, skip_serializing)]
     pub material: Option<MaterialName>,
+    /// Nastran bulk data file (.bdf, .dat, .nas) with a chain of CBAR, which become its elements, in place of elements, thickness,
+    /// youngs_modulus, poissons_ratio, density and plane; SPC1 at its ends say `ends` where they are absent. Coordinates are those of the
+    /// body's frame.
+    #[serde(default, skip_serializing)]
+    pub structure_file: Option<String>,
+    /// Plane of the coordinates of structure_file that is x, y of the body's frame.
+    #[serde(default, skip_serializing)]
+    #[schemars(extend("x-when" = ".structure_file", "x-default" = "xy with structure_file"))]
+    pub structure_plane: Option<StructurePlane>,
+    /// Units of structure_file: metre, kilogram, second; or millimetre, tonne, second (N, MPa).
+    #[serde(default, skip_serializing)]
+    #[schemars(extend("x-when" = ".structure_file", "x-default" = "m_kg_s with structure_file"))]
+    pub structure_units: Option<StructureUnits>,
+    /// Span that a bar of structure_file stands for, such as the pitch of frames [m].
+    #[serde(default, skip_serializing)]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-when" = ".structure_file", "x-default" = "1 with structure_file"))]
+    pub structure_width: Option<f64>,
+    /// Nodes x, y on the axis of its bars, body's frame, from its start to its end [m]. structure_file writes them. absent: a plate of
+    /// equal elements.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-when" = ".bars"))]
+    pub nodes: Option<Vec<[f64; 2]>>,
+    /// Bars between the nodes, of a metre of span: Young's modulus, shear modulus, density, area, second moment of area, outer fibres
+    /// right (below 0) and left of the axis [Pa, Pa, kg/m³, m²/m, m⁴/m, m, m]. absent: a plate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-when" = ".nodes"))]
+    pub bars: Option<Vec<[f64; 7]>>,
     /// Number of beam elements. Light, soft panels may break down where elements are much shorter than 1.5 spacings.
     #[schemars(range(min = 2, max = 2000), extend("x-default" = "24, none shorter than 2 spacings, at least 8"))]
     pub elements: usize,
@@ -85,6 +112,30 @@ pub struct Panel {
     pub allowable_stress: Option<f64>,
 }
 
+/// Planes of a model.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StructurePlane {
+    /// x and y.
+    #[default]
+    Xy,
+    /// x and z.
+    Xz,
+    /// y and z.
+    Yz,
+}
+
+/// Units of a model.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StructureUnits {
+    /// Metre, kilogram, second: N, Pa.
+    #[default]
+    MKgS,
+    /// Millimetre, tonne, second: N, MPa.
+    MmTS,
+}
+
 /// Beam theories.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -110,6 +161,7 @@ impl Panel {
             name: self.name.clone(),
             span: [self.from, self.to],
             elements: self.elements,
+            mesh: self.mesh(),
             thickness: self.thickness,
             plane: self.plane,
             material: self.material(),
@@ -124,6 +176,17 @@ impl Panel {
             rupture_strain: self.rupture_strain,
             allowable_stress: self.allowable_stress,
         }
+    }
+
+    /// Its own nodes and bars.
+    fn mesh(&self) -> Option<PanelMesh> {
+        let (nodes, bars) = self.nodes.as_ref().zip(self.bars.as_ref())?;
+        let bar = |&[youngs_modulus, shear_modulus, density, area, second_moment, right, left]: &[f64; 7]| PanelBar {
+            youngs_modulus,
+            density,
+            section: BarSection { area, second_moment, shear_modulus, fibres: [right, left] },
+        };
+        Some(PanelMesh { nodes: nodes.clone(), bars: bars.iter().map(bar).collect() })
     }
 
     /// What connects its ends to the rest of the body besides their supports.
