@@ -2,7 +2,7 @@
 import pathlib
 import re
 
-CRATES = ["sph_core", "structure_fe", "fsi_coupling", "scenarios", "bindings/c"]
+CRATES = ["sph_core", "structure_fe", "fsi_coupling", "scenarios", "bindings/c", "bindings/python"]
 
 _TOKEN = re.compile(
     r"""(?P<comment>//[^\n]*|/\*.*?\*/)"""

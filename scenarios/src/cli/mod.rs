@@ -16,6 +16,8 @@ mod sweep;
 mod thesis_files;
 mod tips;
 
+use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -24,6 +26,7 @@ use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
 use experiments::{convergence, stability, work_precision};
+pub use shared::available_memory;
 use shared::{DONE, FAILED, INPUT, Output, Stop, complain, say, unsaid, was_said};
 use tips::tips;
 
@@ -94,12 +97,19 @@ enum Command {
 
 /// Entry point of the binary.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let program: Vec<OsString> = std::env::current_exe().into_iter().map(PathBuf::into_os_string).collect();
+    ExitCode::from(execute(&std::env::args_os().collect::<Vec<_>>(), &program))
+}
+
+/// The command with these arguments, of which the first is a name for the program, and its exit code. `program` starts it as a process
+/// of its own: the points of a sweep are such processes.
+pub fn execute(arguments: &[OsString], program: &[OsString]) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(error) => return refused(error),
+        Err(error) => return refused(error, arguments),
     };
     trace(cli.output.quiet);
-    let code = start(&cli).unwrap_or_else(|stop| {
+    let code = start(&cli, program).unwrap_or_else(|stop| {
         if cli.output.json && !was_said() {
             say(serde_json::json!({"error": stop.to_json()}));
         }
@@ -126,15 +136,15 @@ pub fn main() -> ExitCode {
     match unsaid().filter(|_| code == DONE) {
         Some(why) => {
             complain(format_args!("error: cannot write to stdout: {why}"));
-            ExitCode::from(FAILED)
+            FAILED
         }
-        None => ExitCode::from(code),
+        None => code,
     }
 }
 
 /// What clap refuses, in its words, and tips; with `--json` as JSON too. Help and version are no errors.
-fn refused(mut error: clap::Error) -> ExitCode {
-    let arguments: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
+fn refused(mut error: clap::Error, arguments: &[OsString]) -> u8 {
+    let arguments: Vec<String> = arguments.iter().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
     let (code, tips) = (error.exit_code(), tips(&Cli::command(), &mut error, &arguments));
     if code != 0 && arguments.iter().any(|argument| argument == "--json") {
         let text = error.render().to_string();
@@ -144,7 +154,7 @@ fn refused(mut error: clap::Error) -> ExitCode {
     }
     let _ = error.print();
     tips.iter().for_each(|tip| complain(format_args!("  tip: {tip}")));
-    ExitCode::from(u8::try_from(code).unwrap_or(INPUT))
+    u8::try_from(code).unwrap_or(INPUT)
 }
 
 /// Events of a run go to stderr. `SPLASHDOWN_LOG=debug` shows more than warnings; `MODULE=LEVEL,…` selects by module.
@@ -152,10 +162,10 @@ fn trace(quiet: bool) {
     let default = Targets::new().with_default(if quiet { LevelFilter::ERROR } else { LevelFilter::WARN });
     let asked = std::env::var("SPLASHDOWN_LOG").ok().and_then(|filter| filter.parse::<Targets>().ok());
     let lines = tracing_subscriber::fmt::layer().with_writer(std::io::stderr).without_time().with_target(false);
-    tracing_subscriber::registry().with(asked.unwrap_or(default)).with(lines).init();
+    tracing_subscriber::registry().with(asked.unwrap_or(default)).with(lines).try_init().unwrap_or_default(); // a second command of one process has the first one's
 }
 
-fn start(cli: &Cli) -> Result<u8, Stop> {
+fn start(cli: &Cli, program: &[OsString]) -> Result<u8, Stop> {
     if let Some(n) = cli.threads {
         let most = MOST_THREADS * std::thread::available_parallelism().map_or(1, usize::from);
         if n == 0 || n > most {
@@ -175,7 +185,7 @@ fn start(cli: &Cli) -> Result<u8, Stop> {
         Command::Study(args) => convergence::run_study(output, args),
         Command::Chart(args) => work_precision::run_charts(output, args),
         Command::Stability(args) => stability::run_maps(output, args),
-        Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads),
+        Command::Sweep(args) => sweep::run_sweep(output, args, cli.threads, program),
         Command::Ditch(args) => ditch::run_ditch(output, args),
         Command::Bench(args) => bench::run_bench(output, args),
         Command::Report(args) => report::make_report(output, args),

@@ -133,7 +133,7 @@ pub(super) fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
 }
 
 /// Memory that the system can still give [bytes]; all of it where the system does not tell.
-pub(super) fn available_memory() -> u64 {
+pub fn available_memory() -> u64 {
     let mut system = sysinfo::System::new();
     system.refresh_memory_specifics(sysinfo::MemoryRefreshKind::nothing().with_ram());
     match system.available_memory() {

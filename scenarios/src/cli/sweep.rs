@@ -3,6 +3,7 @@
 mod point;
 mod report;
 
+use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -17,7 +18,9 @@ use point::{IMPATIENT, INTERRUPTED_CODE};
 
 use crate::sweep::engines::Engine;
 use crate::sweep::pool::Pool;
-use crate::sweep::{Collected, Outcome, Plan, Progress, State, SweepError, SweepFile, SweepFolder, write_results};
+use crate::sweep::{
+    Collected, Outcome, Plan, Program, Progress, State, SweepError, SweepFile, SweepFolder, write_results,
+};
 
 /// Interval between lines of progress where no bar is drawn.
 const LINE_EVERY: Duration = Duration::from_secs(5);
@@ -70,7 +73,12 @@ impl From<SweepError> for Stop {
     }
 }
 
-pub(super) fn run_sweep(output: &Output, args: &SweepArgs, threads: Option<usize>) -> Result<u8, Stop> {
+pub(super) fn run_sweep(
+    output: &Output,
+    args: &SweepArgs,
+    threads: Option<usize>,
+    program: &[OsString],
+) -> Result<u8, Stop> {
     if let Some(id) = &args.point {
         return point::run(&args.sweep, id);
     }
@@ -93,8 +101,7 @@ pub(super) fn run_sweep(output: &Output, args: &SweepArgs, threads: Option<usize
     let plan = Plan::of(&SweepFile::read(&file)?, jobs)?;
     folder.write("sweep.json", &(to_json(&plan) + "\n"))?;
     let left = points_left(&plan, &folder, args.force)?;
-    let program = std::env::current_exe().map_err(|e| Stop::Failed(format!("cannot find this program: {e}")))?;
-    let engine = Engine { folder: &folder, program: &program, jobs, threads };
+    let engine = Engine { folder: &folder, program: Program::of(program)?, jobs, threads };
     let (start, distinct) = (Instant::now(), plan.distinct().len());
     output.progress(format_args!(
         "{} points, {} different ones, {} to run: {jobs} at a time, {threads} threads each",
@@ -196,7 +203,7 @@ fn run_local(output: &Output, engine: &Engine<'_>, left: &[&str]) -> Result<bool
     let lines = Lines::new(output, left.len());
     let pool = Pool {
         folder: engine.folder,
-        program: engine.program.to_path_buf(),
+        program: engine.program.clone(),
         jobs: engine.jobs,
         threads: engine.threads,
         stop: &STOPPED,

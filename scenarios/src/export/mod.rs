@@ -99,7 +99,7 @@ pub fn export_frames(dir: &Path, format: FrameFormat) -> Result<Exported, Export
 }
 
 /// The time at which the run starts [s]: `time.start` of its resolved scene.
-fn start_of_run(dir: &Path) -> Result<f64, ExportError> {
+pub fn start_of_run(dir: &Path) -> Result<f64, ExportError> {
     let path = dir.join("scene.resolved.toml");
     let wrong = |why: String| ExportError::NoScene(path.display().to_string(), why);
     let text = read_text(&path).map_err(|why| wrong(why.to_string()))?;
@@ -109,6 +109,6 @@ fn start_of_run(dir: &Path) -> Result<f64, ExportError> {
 }
 
 /// A time of the log [s], whole nanoseconds since the start of the run, on the clock of the run.
-fn time_of_run(logged: f64, start: f64) -> f64 {
+pub fn time_of_run(logged: f64, start: f64) -> f64 {
     (1e9 * (logged + start)).round() / 1e9 + 0.0 // no -0
 }

@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 
 use super::error::SweepError;
 use super::folder::{KILLED, Outcome, SweepFolder, json};
+use super::program::Program;
 
 /// Version of the PyPI package that the driver was written for.
 const PACKAGE: &str = "hyperqueue==0.27.0";
@@ -18,7 +19,7 @@ pub struct Engine<'a> {
     /// The sweep.
     pub folder: &'a SweepFolder,
     /// This program.
-    pub program: &'a Path,
+    pub program: Program,
     /// Processes at the same time.
     pub jobs: usize,
     /// Threads of each.
@@ -41,9 +42,9 @@ impl Engine<'_> {
         }
         let path = self.folder_path()?;
         let command = |id: &&str| {
-            let words = [self.program.to_string_lossy(), "sweep".into(), path.to_string_lossy(), "--point".into()];
+            let own = ["sweep".into(), path.to_string_lossy().into_owned(), "--point".into()];
             let threads = self.threads.to_string();
-            let words = words.into_iter().map(String::from);
+            let words = self.program.words().into_iter().chain(own);
             words.chain([id.to_string(), "--threads".into(), threads, "--quiet".into()]).collect::<Vec<_>>()
         };
         let commands: Vec<Vec<String>> = ids.iter().map(command).collect();
@@ -88,7 +89,7 @@ impl Engine<'_> {
             folder = path.display(),
             points = ids.len(),
             per_task = per_task,
-            program = quoted(self.program),
+            program = self.program.words().iter().map(|word| quoted(Path::new(word))).collect::<Vec<_>>().join(" "),
             quoted_folder = quoted(&path),
             ids = quoted(&path.join("ids.txt")),
         );

@@ -2,14 +2,14 @@
 
 use std::fs::{self, File};
 use std::io::Write;
-use std::path::PathBuf;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 use std::{io, thread};
 
 use super::error::SweepError;
 use super::folder::{KILLED, Outcome, PointFolder, State, SweepFolder};
+use super::program::Program;
 
 /// A point whose process dies so often has failed.
 const ATTEMPTS: usize = 2;
@@ -23,7 +23,7 @@ pub struct Pool<'a> {
     /// The sweep.
     pub folder: &'a SweepFolder,
     /// This program.
-    pub program: PathBuf,
+    pub program: Program,
     /// Processes at the same time.
     pub jobs: usize,
     /// Threads of each.
@@ -94,7 +94,7 @@ impl Pool<'_> {
     fn process(&self, id: &str, point: &PointFolder) -> Result<ExitStatus, SweepError> {
         let path = point.file("stderr.txt");
         let stderr = File::create(&path).map_err(|e| SweepError::write(&path, e))?;
-        let mut command = Command::new(&self.program);
+        let mut command = self.program.command();
         command.arg("sweep").arg(self.folder.path()).args([
             "--point",
             id,
@@ -103,7 +103,7 @@ impl Pool<'_> {
             "--quiet",
         ]);
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(stderr);
-        let program = self.program.display();
+        let program = &self.program;
         let mut child = command.spawn().map_err(|e| SweepError::Failed(format!("cannot start {program}: {e}")))?;
         let ended = self.wait(&mut child).map_err(|e| SweepError::Failed(format!("cannot wait for {program}: {e}")))?;
         if fs::metadata(&path).is_ok_and(|file| file.len() == 0) {
