@@ -9,6 +9,7 @@ use crate::settings::Problem;
 /// Bad input, or a step that failed. Nothing of the element has changed when a step's input is refused; after
 /// [`HostError::Step`] the element waits for `restore`.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum HostError {
     /// A key of the specification.
     #[error("{0}")]

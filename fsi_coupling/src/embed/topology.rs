@@ -20,6 +20,7 @@ pub enum Side {
 /// A wet surface through nodes, by their numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum WetSurface {
     /// A closed line, in either sense; the water is outside.
     Closed(Vec<usize>),

@@ -26,6 +26,7 @@ pub enum ErrorKind {
 
 /// What goes wrong between a host and its water.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum HostedError {
     /// The scene cannot be run.
     #[error(transparent)]
