@@ -19,7 +19,7 @@
 //! let mut nodes = scene.nodes().clone();
 //! let mut water = scene.build(&nodes)?;
 //! let (mass, dt, mut forces) = (100.0, 2e-4, [[0.0; 3]; 1]);
-//! for _ in 0..10 {
+//! while water.time() < 0.002 {
 //!     let before = nodes.velocity[0][1];
 //!     nodes.velocity[0][1] += dt * (forces[0][1] / mass - 9.81);
 //!     nodes.position[0][1] += dt * 0.5 * (before + nodes.velocity[0][1]);
