@@ -173,7 +173,7 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
         free: [freedom.x(), freedom.y(), freedom.inertia.is_some()],
         position: start.position,
         angle: start.angle,
-        velocity: start.velocity,
+        velocity: about_origin(body, start).velocity,
         angular_velocity: start.angular_velocity,
         gravity: scene.gravity,
         half,

@@ -183,7 +183,17 @@ impl FluidElement {
         for &node in &self.link.wet {
             let (from, to, v) = (end.position[node], step.nodes.position[node], step.nodes.velocity[node]);
             let mean = (to[0] - from[0]).hypot(to[1] - from[1]) / step.dt;
-            for (quantity, speed) in [("mean speed", mean), ("speed", v[0].hypot(v[1]))] {
+            let arm = self.link.arms[node];
+            let turned = |values: &[f64]| values.get(node).copied().unwrap_or(0.0);
+            let turn = (turned(&step.nodes.rotation) - turned(&end.rotation)).abs() / step.dt;
+            let spin = turned(&step.nodes.spin).abs();
+            let speeds = [
+                ("mean speed", mean),
+                ("speed", v[0].hypot(v[1])),
+                ("mean speed of turning at the outline", arm * turn),
+                ("speed of turning at the outline", arm * spin),
+            ];
+            for (quantity, speed) in speeds {
                 if speed > self.limits.sound_speed {
                     let given = format!("{speed:.6e} m/s");
                     let expected = format!("at most the speed of sound, {} m/s", self.limits.sound_speed);

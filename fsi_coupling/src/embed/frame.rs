@@ -3,10 +3,10 @@
 use super::nodes::HostNodes;
 use super::topology::{Topology, WetSurface};
 use crate::bodies::rigid_motion::RigidMotion;
-use crate::geometry::vector::rotate;
+use crate::geometry::vector::{cross, dot, rotate};
 
 /// The frame of a host's surface at t = 0. A surface that one node carries has a frame that moves rigidly with the node; any other
-/// has one that moves with the mean displacement of its wet nodes and does not turn.
+/// has the rigid motion that fits its wet nodes best (least squares about their mean).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HostFrame {
     /// Position of its origin [m].
@@ -22,6 +22,8 @@ pub(super) struct MovingFrame {
     wet: Vec<usize>,
     /// Mean position of the wet nodes at t = 0, or that of the node that carries all [m].
     about: [f64; 2],
+    /// From there to each wet node at t = 0 [m].
+    arms: Vec<[f64; 2]>,
     /// The node that carries all, with its rotation at t = 0 [rad].
     carrier: Option<(usize, f64)>,
 }
@@ -37,7 +39,8 @@ impl MovingFrame {
             _ => None,
         };
         let about = mean(&topology.nodes, &wet);
-        MovingFrame { start, wet, about, carrier }
+        let arms = wet.iter().map(|&node| [0, 1].map(|k| topology.nodes[node][k] - about[k])).collect();
+        MovingFrame { start, wet, about, arms, carrier }
     }
 
     /// True where the surface is rigid in its frame.
@@ -52,11 +55,11 @@ impl MovingFrame {
 
     /// Where the frame is and how it moves, but for its acceleration, when the nodes move like this.
     pub fn at(&self, nodes: &HostNodes) -> RigidMotion {
+        let (about, v) = (mean(&nodes.position, &self.wet), mean(&nodes.velocity, &self.wet));
         let (turn, spin) = match self.carrier {
             Some((node, before)) => (nodes.rotation[node] - before, nodes.spin[node]),
-            None => (0.0, 0.0),
+            None => self.best_turn(nodes, about, v),
         };
-        let (about, v) = (mean(&nodes.position, &self.wet), mean(&nodes.velocity, &self.wet));
         let arm = rotate([0, 1].map(|k| self.start.position[k] - self.about[k]), turn);
         RigidMotion {
             position: [about[0] + arm[0], about[1] + arm[1]],
@@ -65,6 +68,20 @@ impl MovingFrame {
             angular_velocity: spin,
             ..RigidMotion::default()
         }
+    }
+
+    /// Rotation [rad] and angular velocity [rad/s] of the rigid motion that fits the wet nodes best.
+    fn best_turn(&self, nodes: &HostNodes, about: [f64; 2], velocity: [f64; 2]) -> (f64, f64) {
+        let (mut along, mut across, mut swing, mut size) = (0.0, 0.0, 0.0, 0.0);
+        for (&node, arm) in self.wet.iter().zip(&self.arms) {
+            let r = [0, 1].map(|k| nodes.position[node][k] - about[k]);
+            let v = [0, 1].map(|k| nodes.velocity[node][k] - velocity[k]);
+            along += dot(*arm, r);
+            across += cross(*arm, r);
+            swing += cross(r, v);
+            size += dot(r, r);
+        }
+        (across.atan2(along), swing / size)
     }
 }
 
@@ -97,9 +114,15 @@ mod tests {
         assert!((found.position[0] - 1.0).hypot(found.position[1] - 2.25) < 1e-15);
         assert!((found.velocity[0] + 0.5).hypot(found.velocity[1] + 3.0) < 1e-15);
 
+        // the same turn of the corners themselves, and one of them a little off
+        let turned = |at: &[f64; 2]| [1.0 - at[1], 2.0 + at[0] - 0.25];
+        let mut moved = HostNodes::at_rest(corners.iter().map(turned).collect());
+        moved.velocity = corners.iter().map(|at| [-2.0 * at[0] + 0.5, -3.0 - 2.0 * at[1]]).collect();
         let frame = MovingFrame::new(&Topology::of(corners.clone()).closed(0..3), &HostNodes::at_rest(corners), start);
-        let moved = HostNodes::at_rest(vec![[0.0, 0.3], [1.0, 0.3], [0.0, 1.3]]);
         let found = frame.at(&moved);
-        assert!(!frame.is_rigid() && found.angle == 0.2 && (found.position[1] - 0.3).abs() < 1e-15);
+        assert!(!frame.is_rigid() && (found.angle - 0.2 - quarter).abs() < 1e-15);
+        assert!((found.position[0] - 1.0).hypot(found.position[1] - 2.25) < 1e-15);
+        assert!((found.angular_velocity - 2.0).abs() < 1e-14);
+        assert!((found.velocity[0] + 0.5).hypot(found.velocity[1] + 3.0) < 1e-14, "{found:?}");
     }
 }

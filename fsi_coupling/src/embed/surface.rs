@@ -13,6 +13,9 @@ use crate::geometry::rows::WallRows;
 /// Farthest that nodes may stand from where the topology has them, and pairs of nodes from each other's images [spacings].
 const PLACED: f64 = 1e-6;
 
+/// Farthest that velocities and rotations of nodes may be from those of each other's images [-]: rounding of the host's sums.
+const SYMMETRIC: f64 = 1e-6;
+
 /// The nodes of a host, ready to become a body.
 pub struct HostSurface {
     body: HostBody,
@@ -23,6 +26,8 @@ pub struct HostSurface {
 pub struct HostLink {
     pub(super) shared: Shared,
     pub(super) wet: Vec<usize>,
+    /// The farthest point that each node carries [m].
+    pub(super) arms: Vec<f64>,
     pub(super) rotations: bool,
     pub(super) pairs: Pairs,
 }
@@ -66,12 +71,14 @@ impl HostSurface {
         }
         let wet = topology.wet_nodes();
         let pairs = if half { Pairs::of(topology, &wet, tolerance)? } else { Pairs::default() };
+        pairs.check(nodes, 0.0)?;
+        let arms = topology.arms();
         let rest = outline.map_or_else(|| topology.outline(), Ok)?;
         let shared = Shared::new(Path::resting(nodes));
         let images = if half { pairs.images(count) } else { Vec::new() };
         let parts = SurfaceParts { name, rest, frame, spacing: rows.spacing, images };
         let body = HostBody::new(topology, nodes, parts, shared.clone());
-        Ok(HostSurface { body, link: HostLink { shared, wet, rotations: topology.rotations, pairs } })
+        Ok(HostSurface { body, link: HostLink { shared, wet, arms, rotations: topology.rotations, pairs } })
     }
 
     /// The body, and the element's end.
@@ -115,20 +122,34 @@ impl Pairs {
         images
     }
 
-    /// An error unless the nodes are images of each other.
+    /// An error unless the nodes are images of each other, and so is their motion.
     pub fn check(&self, nodes: &HostNodes, time: f64) -> Result<(), HostError> {
         for &[node, other] in &self.pairs {
-            let (a, b) = (nodes.position[node], nodes.position[other]);
-            if (a[0] + b[0]).hypot(a[1] - b[1]) > self.tolerance {
-                let (given, expected) =
-                    (format!("{a:?} m"), format!("the image of node {other}, {:?} m", [-b[0], b[1]]));
-                return Err(HostError::Node { node, quantity: "position", given, expected, time });
+            let turns = |values: &[f64]| [node, other].map(|k| values.get(k).copied().unwrap_or(0.0));
+            let pairs = [
+                ("position", nodes.position[node], nodes.position[other], self.tolerance),
+                ("velocity", nodes.velocity[node], nodes.velocity[other], SYMMETRIC),
+            ];
+            let expected = || match node == other {
+                true => "0 in x: symmetry = \"x\", and only one half of the water is simulated".to_string(),
+                false => format!("the image in x = 0 of node {other}: only one half of the water is simulated"),
+            };
+            for (quantity, a, b, tolerance) in pairs {
+                if (a[0] + b[0]).hypot(a[1] - b[1]) > tolerance * (1.0 + a[0].hypot(a[1])) {
+                    return Err(HostError::Node {
+                        node,
+                        quantity,
+                        given: format!("{a:?}"),
+                        expected: expected(),
+                        time,
+                    });
+                }
             }
-            let turned = nodes.rotation.get(node).zip(nodes.rotation.get(other)).filter(|_| node == other);
-            if let Some((angle, _)) = turned.filter(|(angle, _)| angle.abs() > self.tolerance) {
-                let (given, expected) =
-                    (format!("{angle} rad"), "0 rad: only one half of the water is simulated".into());
-                return Err(HostError::Node { node, quantity: "rotation", given, expected, time });
+            for (quantity, [a, b]) in [("rotation", turns(&nodes.rotation)), ("angular velocity", turns(&nodes.spin))] {
+                if (a + b).abs() > SYMMETRIC * (1.0 + a.abs()) {
+                    let expected = format!("the opposite of node {other}: only one half of the water is simulated");
+                    return Err(HostError::Node { node, quantity, given: format!("{a}"), expected, time });
+                }
             }
         }
         Ok(())

@@ -163,6 +163,15 @@ impl Topology {
         wet
     }
 
+    /// The farthest point that each node carries rigidly [m]; 0 where surfaces go through the node.
+    pub(super) fn arms(&self) -> Vec<f64> {
+        let mut arms = vec![0.0_f64; self.nodes.len()];
+        for Anchor { node, at } in self.sides().into_iter().flatten() {
+            arms[node] = arms[node].max((at[0] - self.nodes[node][0]).hypot(at[1] - self.nodes[node][1]));
+        }
+        arms
+    }
+
     /// What the surfaces enclose at t = 0: a chain together with its backing.
     pub(super) fn outline(&self) -> Result<Outline, HostError> {
         let outline = match &self.surfaces[..] {

@@ -6,23 +6,27 @@ use std::time::Instant;
 use fsi_coupling::Coupled;
 
 use super::error::HostedError;
-use crate::compare::{self, ReferenceCurve};
+use super::interface::Interface;
 use crate::observers::ObserveError;
 use crate::run::summary::Status;
-use crate::run::{Held, Mark, Observed, Outcome, Recorder, Run, RunError, RunOptions, refuse_occupied, start_folder};
+use crate::run::{Held, Mark, Observed, Outcome, Recorder, Run, RunOptions, refuse_occupied, start_folder};
 use crate::scene::Scene;
+
+/// Largest share by which the speed at contact may differ from the expected one [-].
+const MOST_UNEXPECTED: f64 = 0.1;
 
 /// The records of a run. From the first saved state on, what was observed since the last one can be discarded; the files have it once
 /// the next state is saved, or at the end.
 pub(super) struct Records {
     scene: Scene,
     options: RunOptions<'static>,
-    references: Vec<ReferenceCurve>,
     recorder: Recorder,
     volume: f64,
     start: Instant,
     seen: Observed,
-    mark: Option<(Mark, Observed)>,
+    /// Speed downwards at the first force of the water [m/s].
+    contact_speed: Option<f64>,
+    mark: Option<(Mark, Observed, Option<f64>)>,
     /// The first observation that failed.
     failed: Option<ObserveError>,
     _held: Option<Held>,
@@ -31,28 +35,35 @@ pub(super) struct Records {
 impl Records {
     /// Take the folder and write the resolved scene.
     pub fn start(
-        scene: Scene,
+        mut scene: Scene,
+        interface: Interface,
         folder: PathBuf,
         replace: bool,
         warnings: Vec<String>,
         system: &Coupled,
     ) -> Result<Records, HostedError> {
-        let references = scene.compare.iter().map(compare::curve).collect::<Result<Vec<_>, _>>();
-        let references = references.map_err(RunError::from)?;
+        // they are of the scene's own motion
+        scene.compare.clear();
+        scene.similarity = None;
         refuse_occupied(&folder, replace)?;
         let (series, log) = (folder.join("series.csv"), folder.join("log.mcap"));
-        let options = RunOptions { out: Some(folder), force: replace, warnings, ..RunOptions::default() };
+        let host = Some(interface.name());
+        let options = RunOptions { out: Some(folder), force: replace, host, warnings, ..RunOptions::default() };
         let held = start_folder(&scene, &options)?;
         let recorder = Recorder::new(&scene, Some(&series), Some(&log), system)?;
         let (volume, start, seen) = (system.fluid.volume(), Instant::now(), Observed::Nothing);
-        let (mark, failed) = (None, None);
-        Ok(Records { scene, options, references, recorder, volume, start, seen, mark, failed, _held: held })
+        let (contact_speed, mark, failed) = (None, None, None);
+        Ok(Records { scene, options, recorder, volume, start, seen, contact_speed, mark, failed, _held: held })
     }
 
     /// Observe a step of the water; an error waits for `check`.
     pub fn observe(&mut self, system: &mut Coupled) {
         if self.failed.is_some() {
             return;
+        }
+        if self.contact_speed.is_none() {
+            let motion = system.bodies().find_map(|body| body.motion()).filter(|motion| motion.force[1] > 0.0);
+            self.contact_speed = motion.map(|motion| -motion.velocity[1]);
         }
         match self.recorder.timed(system, Recorder::observe) {
             Ok(seen) => self.seen = seen,
@@ -67,23 +78,25 @@ impl Records {
 
     /// Accept what was observed: `discard` returns to this moment.
     pub fn hold(&mut self) -> Result<(), HostedError> {
-        self.mark = Some((self.recorder.hold()?, self.seen));
+        self.mark = Some((self.recorder.hold()?, self.seen, self.contact_speed));
         Ok(())
     }
 
     /// Return to the moment of the last `hold`.
     pub fn discard(&mut self) -> Result<(), HostedError> {
-        if let Some((mark, seen)) = &self.mark {
+        if let Some((mark, seen, contact_speed)) = &self.mark {
             let state = |error| HostedError::Element(fsi_coupling::embed::HostError::State(error));
             self.recorder.discard(mark).map_err(state)?;
-            self.seen = *seen;
+            (self.seen, self.contact_speed) = (*seen, *contact_speed);
         }
         Ok(())
     }
 
     /// The end: the last sample, summary and report. `failure`: why the last step failed.
     pub fn finish(self, system: Coupled, failure: Option<String>) -> Result<Outcome, HostedError> {
-        let Records { scene, options, references, mut recorder, volume, start, seen, _held, .. } = self;
+        let Records { scene, options, mut recorder, volume, start, seen, contact_speed, _held, .. } = self;
+        recorder.host_doubt = unexpected(&scene, contact_speed);
+        let references = Vec::new();
         let status = if failure.is_some() { Status::Failed } else { Status::Completed };
         if status == Status::Completed {
             recorder.complete(&system, seen)?;
@@ -92,4 +105,15 @@ impl Records {
         let run = Run { scene, options, dir, references, system, recorder, volume, wall: 0.0, resumed: false };
         Ok(run.conclude(status, failure, start)?)
     }
+}
+
+/// A doubt where the body met the water at another speed than the scene expects.
+fn unexpected(scene: &Scene, contact_speed: Option<f64>) -> Option<String> {
+    let (found, expected) = (contact_speed?, scene.entry()?.speed);
+    ((found - expected).abs() > MOST_UNEXPECTED * expected).then(|| {
+        format!(
+            "the host's body met the water at {found:.3} m/s, the scene expects {expected:.3} m/s: filters, bands and verdicts are those of \
+             the expected motion; set `body.velocity` to what the host does"
+        )
+    })
 }

@@ -1,6 +1,7 @@
 //! A run that a host steps.
 
-use fsi_coupling::embed::{Contribution, FluidElement, HostNodes, HostStep, Snapshot};
+use fsi_coupling::embed::{Contribution, FluidElement, HostError, HostNodes, HostStep, Snapshot};
+use sph_core::StateError;
 
 use super::error::HostedError;
 use super::records::Records;
@@ -9,12 +10,21 @@ use crate::run::Outcome;
 /// The water of a scene around the nodes of a host. Two runs are independent of each other; each may move between threads.
 pub struct HostedRun {
     element: FluidElement,
+    /// Of the scene and the interface.
+    fingerprint: u32,
     records: Option<Records>,
 }
 
+/// Name of a state in messages.
+const STATE: &str = "a state of a hosted run";
+
 impl HostedRun {
-    pub(super) fn new(element: FluidElement, records: Option<Records>) -> Result<HostedRun, HostedError> {
-        let mut run = HostedRun { element, records };
+    pub(super) fn new(
+        element: FluidElement,
+        fingerprint: u32,
+        records: Option<Records>,
+    ) -> Result<HostedRun, HostedError> {
+        let mut run = HostedRun { element, fingerprint, records };
         if let Some(records) = &mut run.records {
             run.element.observe(|system| records.observe(system));
             records.check()?;
@@ -34,7 +44,7 @@ impl HostedRun {
         nodes: &HostNodes,
         forces: &mut [[f64; 3]],
     ) -> Result<Contribution, HostedError> {
-        let HostedRun { element, records } = self;
+        let HostedRun { element, records, .. } = self;
         let step = HostStep { dt, nodes };
         let Some(records) = records else { return Ok(element.contribute(step, forces)?) };
         let done = element.contribute_observed(step, forces, |system| records.observe(system))?;
@@ -64,12 +74,17 @@ impl HostedRun {
         self.records.as_mut().map_or(Ok(()), Records::discard)
     }
 
-    /// The present state as bytes, to continue in another process.
+    /// The present state as bytes, to continue in another process: fingerprint of scene and interface, content, checksum. Two equal states
+    /// may differ in bytes, since the time spent is in them.
     ///
     /// # Errors
     /// A run that failed has no state.
     pub fn to_bytes(&self) -> Result<Vec<u8>, HostedError> {
-        Ok(self.element.to_bytes()?)
+        let mut bytes = self.fingerprint.to_le_bytes().to_vec();
+        bytes.extend(self.element.to_bytes()?);
+        let checksum = crc32fast::hash(&bytes);
+        bytes.extend(checksum.to_le_bytes());
+        Ok(bytes)
     }
 
     /// Take such a state, of the same scene, settings and interface: the next step gives the same bits.
@@ -79,7 +94,33 @@ impl HostedRun {
     pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), HostedError> {
         match self.records {
             Some(_) => Err(HostedError::Recorded),
-            None => Ok(self.element.restore_bytes(bytes)?),
+            None => match self.content(bytes) {
+                Ok(content) => Ok(self.element.restore_bytes(content)?),
+                Err(refused) => {
+                    // the element fails as it does for any bytes that are not its own
+                    self.element.restore_bytes(&[]).err();
+                    Err(refused)
+                }
+            },
+        }
+    }
+
+    /// What a state holds for the element; an error where it is damaged, or of another scene.
+    fn content<'a>(&self, bytes: &'a [u8]) -> Result<&'a [u8], HostedError> {
+        let refused = |why: String| HostedError::Element(HostError::State(StateError::Unreadable(STATE, why)));
+        let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |number, byte| number << 8 | u32::from(*byte));
+        let parts =
+            bytes.split_last_chunk::<4>().and_then(|(body, sum)| Some((body.split_first_chunk::<4>()?, body, sum)));
+        let whole = parts.filter(|(_, body, sum)| crc32fast::hash(body) == number(&sum[..]));
+        let Some(((fingerprint, content), ..)) = whole else {
+            return Err(refused(format!(
+                "given {} bytes that are damaged, expected them as they were written",
+                bytes.len()
+            )));
+        };
+        match number(&fingerprint[..]) == self.fingerprint {
+            true => Ok(content),
+            false => Err(refused("given another scene, setting or interface, expected those of this run".into())),
         }
     }
 
@@ -136,7 +177,7 @@ impl HostedRun {
     /// # Errors
     /// Files that cannot be written.
     pub fn finish(self) -> Result<Option<Outcome>, HostedError> {
-        let HostedRun { element, records } = self;
+        let HostedRun { element, records, .. } = self;
         let failure = element.failure().map(str::to_string);
         records.map(|records| records.finish(element.into_system(), failure)).transpose()
     }

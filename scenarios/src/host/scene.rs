@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use fsi_coupling::embed::{ElementLimits, FluidElement, HostFrame, HostNodes, HostSurface, HostSurfaceSpec, Topology};
+use fsi_coupling::embed::{
+    ElementLimits, FluidElement, HostError, HostFrame, HostNodes, HostSurface, HostSurfaceSpec, Topology,
+};
 use fsi_coupling::{BodyError, RigidMotion};
 
 use super::error::HostedError;
@@ -11,6 +13,7 @@ use super::records::Records;
 use super::run::HostedRun;
 use crate::build::{build_around, frame_at_start, outline_at_start, rows};
 use crate::preflight;
+use crate::run::checkpoint::fingerprint;
 use crate::scene::{self, Body, Loaded, Scene, Symmetry, memory_estimate, particle_estimate};
 
 /// Steps of the water above which a step of the host is refused [-].
@@ -144,18 +147,32 @@ impl HostedScene {
             outline: Some(rest),
             half: scene.symmetry == Symmetry::X,
         };
-        let (hosted, link) = HostSurface::new(&topology, nodes, &rows(&scene), spec)?.into_body();
-        let system = build_around(&scene, Some(hosted))?;
         let sound_speed =
             if scene.solver.is_incompressible() { 10.0 * scene.projection_speed() } else { scene.sound_speed() };
+        refuse_fast(nodes, sound_speed)?;
+        let (hosted, link) = HostSurface::new(&topology, nodes, &rows(&scene), spec)?.into_body();
+        let system = build_around(&scene, Some(hosted))?;
+        let fingerprint = fingerprint(&scene) ^ crc32fast::hash(interface.name().as_bytes());
         warnings.push(format!(
             "a host program moved the body by the interface `{}`: the scene's own motion is what was expected of it",
             interface.name()
         ));
         let longest_fluid_step = scene.time.step.unwrap_or(f64::INFINITY);
-        let records = records.map(|(folder, replace)| Records::start(scene, folder, replace, warnings, &system));
+        let records =
+            records.map(|(folder, replace)| Records::start(scene, interface, folder, replace, warnings, &system));
         let most_substeps = MOST_SUBSTEPS;
         let limits = ElementLimits { sound_speed, most_substeps, longest_fluid_step, added_mass: None };
-        HostedRun::new(FluidElement::of(system, link, limits), records.transpose()?)
+        HostedRun::new(FluidElement::of(system, link, limits), fingerprint, records.transpose()?)
     }
+}
+
+/// An error for a node that is faster than sound at the start.
+fn refuse_fast(nodes: &HostNodes, sound_speed: f64) -> Result<(), HostedError> {
+    let speed = |v: &[f64; 2]| v[0].hypot(v[1]);
+    let fast = nodes.velocity.iter().position(|v| speed(v) > sound_speed);
+    fast.map_or(Ok(()), |node| {
+        let given = format!("{:.6e} m/s", speed(&nodes.velocity[node]));
+        let expected = format!("at most the speed of sound, {sound_speed} m/s");
+        Err(HostError::Node { node, quantity: "speed", given, expected, time: 0.0 }.into())
+    })
 }

@@ -44,6 +44,7 @@ pub(crate) fn run(
         scene: scene.name.clone(),
         model: scene.model.name(),
         choice: scene.choice.clone(),
+        host: None,
         version: env!("CARGO_PKG_VERSION"),
         steps: theory.instants.len() as u64,
         time_end_s: end,

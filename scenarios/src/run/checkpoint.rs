@@ -122,7 +122,7 @@ pub(super) struct Checkpoint {
 }
 
 /// CRC-32 of a scene, whatever its end.
-pub(super) fn fingerprint(scene: &Scene) -> u32 {
+pub(crate) fn fingerprint(scene: &Scene) -> u32 {
     let share = Follower::of(scene).map(|follower| follower.share());
     let mut scene = scene.clone();
     scene.time.end = 0.0;

@@ -147,6 +147,7 @@ pub(crate) fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<Op
 /// Write summary and report.
 fn keep(mut outcome: Outcome, dir: Option<&Path>, options: &RunOptions<'_>) -> Result<Outcome, RunError> {
     outcome.summary.warnings = options.warnings.clone();
+    outcome.summary.host = options.host;
     if let Some(dir) = dir {
         write(&dir.join("summary.json"), &outcome.summary.to_json())?;
         write(&dir.join("report.html"), &run_page::report(dir)?)?;

@@ -68,6 +68,8 @@ pub struct RunOptions<'a> {
     pub most_steps: Option<u64>,
     /// Called with (time [s], steps) when the stepping begins and about ten times per second.
     pub progress: Option<&'a (dyn Fn(f64, u64) + Sync)>,
+    /// The interface by which a host program moves the body.
+    pub host: Option<&'static str>,
     /// Warnings about the scene, for summary and report.
     pub warnings: Vec<String>,
     /// Source of the error bars: a convergence study; stored charts if absent.

@@ -59,6 +59,8 @@ pub(crate) struct Recorder {
     time_of_log: Duration,
     pub(super) reported_until: f64,
     pub(super) crossing_reported: bool,
+    /// Where a host moved the body otherwise than the scene expects.
+    pub host_doubt: Option<String>,
 }
 
 impl Recorder {
@@ -86,6 +88,7 @@ impl Recorder {
             time_of_log: Duration::ZERO,
             reported_until: f64::NEG_INFINITY,
             crossing_reported: false,
+            host_doubt: None,
         })
     }
 
@@ -273,6 +276,7 @@ impl Recorder {
         };
         let results = results.with_work_lost(audit.loses_work());
         doubts.extend(audit.doubts());
+        doubts.extend(self.host_doubt.clone());
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
@@ -308,6 +312,7 @@ impl Recorder {
             warnings: Vec::new(),
             model: model(scene.solver.kind()),
             choice: scene.choice.clone(),
+            host: None,
             version: env!("CARGO_PKG_VERSION"),
             particles: Particles { fluid: fluid.particles().len(), wall: system.walls.len() },
             steps: fluid.steps(),

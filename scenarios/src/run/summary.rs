@@ -176,6 +176,9 @@ pub struct Summary {
     /// Why this model was chosen, for `model = "auto"`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<String>,
+    /// The interface by which a host program moved the body; absent where the scene's motion did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub host: Option<&'static str>,
     /// Version of the program.
     pub version: &'static str,
     /// Numbers of particles.

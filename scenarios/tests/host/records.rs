@@ -78,3 +78,26 @@ fn a_failed_run_has_a_summary_that_tells_why() {
     assert_eq!(summary["status"], "failed");
     assert!(error.to_string().contains(summary["message"].as_str().expect("why")) || summary["message"].is_string());
 }
+
+/// What the host did is told, and what the scene would have done is not in the page.
+#[test]
+fn a_hosted_report_is_about_the_hosts_motion() {
+    let folder = TempDir::new().expect("a folder");
+    let (slow, expected) = (folder.path().join("slow"), folder.path().join("expected"));
+    for (dir, share) in [(&slow, 0.3), (&expected, 1.0)] {
+        let scene = CASES[0].open(&[]).recording(dir.clone(), false);
+        let mut start = scene.nodes().clone();
+        start.velocity[0][1] *= share;
+        let mut run = scene.build(&start).expect("water");
+        (1..=100).for_each(|step| drop(stepped(&mut run, &start, f64::from(step) * DT, DT)));
+        run.finish().expect("records");
+        let (summary, page) = (summary(dir), fs::read_to_string(dir.join("report.html")).expect("a page"));
+        assert_eq!(summary["host"], "body");
+        assert_eq!(summary["comparison"].as_array().map(Vec::len), Some(0));
+        for absent in ["To repeat this run", "von Karman", "Wagner"] {
+            assert!(!page.contains(absent), "{absent}");
+        }
+        let doubted = summary["doubts"].to_string().contains("met the water at");
+        assert_eq!(doubted, share < 1.0, "{}", summary["doubts"]);
+    }
+}

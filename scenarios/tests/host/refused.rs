@@ -55,7 +55,7 @@ fn steps_that_are_refused_change_nothing() {
     refuse(dt, &with(&|n| n.position.truncate(2)), &mut forces, "positions of 2 values");
     refuse(dt, &with(&|n| n.rotation = vec![0.0; 5]), &mut forces, "rotations");
     let lean = |n: &mut HostNodes| n.position.iter_mut().for_each(|at| at[0] += 1e-4);
-    refuse(dt, &with(&lean), &mut forces, "the image of node");
+    refuse(dt, &with(&lean), &mut forces, "the image in x = 0 of node");
     refuse(dt, &good, &mut [[7.0; 3]; 2], "nodal forces of 2 values");
     assert_eq!(run.restore().unwrap_err().kind(), ErrorKind::NothingSaved);
     let error = run.restore_bytes(&before[..20]).unwrap_err();
@@ -72,4 +72,60 @@ fn nodes_that_stand_elsewhere_are_refused() {
     nodes.position[1][1] += 0.01;
     let error = scene.build(&nodes).err().expect("refused");
     assert!(error.to_string().contains("node 1") && error.kind() == ErrorKind::Input, "{error}");
+}
+
+/// Of a half model nodes move as each other's images, in every quantity; a body does not leave the plane.
+#[test]
+fn motions_that_are_not_symmetric_are_refused_in_a_half_model() {
+    let dt = 1e-4;
+    let said = |case: Case, change: &dyn Fn(&mut HostNodes)| {
+        let (mut run, start) = case.build(&[]);
+        let mut nodes = moved(&start, dt);
+        change(&mut nodes);
+        let error = run.contribute(dt, &nodes, &mut vec![[0.0; 3]; start.len()]).expect_err("refused");
+        assert_eq!(error.kind(), ErrorKind::Input, "{error}");
+        assert!(error.to_string().contains("only one half of the water is simulated"), "{error}");
+        let scene = case.open(&[]);
+        let mut nodes = scene.nodes().clone();
+        change(&mut nodes);
+        assert_eq!(scene.build(&nodes).err().expect("refused").kind(), ErrorKind::Input);
+    };
+    said(CASES[0], &|n| n.velocity[0][0] = 2.0);
+    said(CASES[0], &|n| n.spin[0] = 2.0);
+    said(CASES[0], &|n| n.rotation[0] = 0.01);
+    said(CASES[1], &|n| n.velocity[0][1] += 0.5);
+    let turning = Case { interface: Interface::TurningNodes, ..CASES[1] };
+    said(turning, &|n| n.rotation[0] = 0.3);
+    said(turning, &|n| n.spin[0] = 3.0);
+}
+
+#[test]
+fn speeds_beyond_sound_are_refused_at_the_start_and_at_the_outline() {
+    let scene = CASES[5].open(&[]);
+    let mut nodes = scene.nodes().clone();
+    nodes.velocity[0][1] = -1e4;
+    assert!(scene.build(&nodes).err().expect("refused").to_string().contains("speed of sound"));
+    let (mut run, start) = CASES[5].build(&[]);
+    let mut nodes = moved(&start, 1e-4);
+    nodes.spin[0] = 1e6;
+    let error = run.contribute(1e-4, &nodes, &mut [[0.0; 3]]).expect_err("refused");
+    assert!(error.kind() == ErrorKind::Input && error.to_string().contains("turning at the outline"), "{error}");
+}
+
+/// A state of another water, or with a byte changed anywhere, is refused.
+#[test]
+fn states_that_are_damaged_or_of_another_scene_are_refused() {
+    let (run, _) = CASES[0].build(&[]);
+    let bytes = run.to_bytes().expect("a state");
+    let (mut other, _) = CASES[0].build(&["fluid.density=1025"]);
+    let error = other.restore_bytes(&bytes).expect_err("refused");
+    assert!(error.kind() == ErrorKind::State && error.to_string().contains("another scene"), "{error}");
+    let (mut run, _) = CASES[0].build(&[]);
+    for place in (0..bytes.len()).step_by(bytes.len() / 97) {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 0x10;
+        let error = run.restore_bytes(&damaged).expect_err("refused");
+        assert_eq!(error.kind(), ErrorKind::State, "{place}: {error}");
+    }
+    run.restore_bytes(&bytes).expect("its own bytes");
 }

@@ -40,3 +40,32 @@ fn at_constant_velocity_the_force_is_the_scenes() {
         }
     }
 }
+
+/// A body that turns in the air about its centre of mass, which is not the frame's origin: the scene's own run and the host start alike,
+/// and the centre of mass stays where it was.
+#[test]
+fn a_turning_body_starts_with_the_velocity_of_its_centre_of_mass() {
+    let sets = ["symmetry=none", "gravity=[0.0, 0.0]", "body.position=[0.0, 0.3]", "body.velocity=[0.0, 0.0]"];
+    let free = ["body.free=[\"x\", \"y\", \"angle\"]", "body.inertia=5", "body.angular_velocity_deg_per_s=400"];
+    let sets: Vec<String> = [&SMALL[..], &sets, &free, &["tank.height=1.6", "fluid.sound_speed=60"]]
+        .concat()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let scene = scene::load("wedge", &sets).expect("a scene").scene;
+    let series = run(&scene, &RunOptions::default()).expect("a run").series;
+    let column = |name: &str| series.column(name).expect("a column");
+    let (x, y, angle) = (column("wedge.x_m"), column("wedge.y_m"), column("wedge.angle_deg"));
+    let arm = scene.body.as_ref().expect("a body").center_of_mass;
+    let center = |k: usize| {
+        let (sin, cos) = angle[k].to_radians().sin_cos();
+        [x[k] + cos * arm[0] - sin * arm[1], y[k] + sin * arm[0] + cos * arm[1]]
+    };
+    let (first, last) = (center(0), center(x.len() - 1));
+    assert!((angle[x.len() - 1] - angle[0]).abs() > 3.0 && arm[1] > 0.05);
+    assert!((first[0] - last[0]).hypot(first[1] - last[1]) < 1e-9, "{first:?} {last:?}");
+    let hosted = HostedScene::open("wedge", &sets, Interface::Body).expect("a scene");
+    let expected = [column("wedge.vx_m_per_s")[0], column("wedge.vy_m_per_s")[0]];
+    let found = hosted.nodes().velocity[0];
+    assert!((found[0] - expected[0]).hypot(found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+}

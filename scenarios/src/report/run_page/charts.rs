@@ -59,7 +59,7 @@ struct Group {
 
 /// The charts of a run, in their order.
 pub(crate) fn figures(run: &RunFolder) -> Vec<Figure> {
-    let theories = Theories::beside(&run.scene);
+    let theories = if run.record.host.is_some() { Theories::none() } else { Theories::beside(&run.scene) };
     let references: Vec<Option<ReferenceCurve>> = run.scene.compare.iter().map(|c| compare::curve(c).ok()).collect();
     let mut figures: Vec<Figure> =
         groups(run).iter().filter_map(|group| figure(run, group, &theories, &references)).collect();

@@ -46,6 +46,10 @@ pub(crate) fn report(dir: &Path) -> Result<String, FolderError> {
     let moments = flow.as_ref().map_or(Vec::new(), |flow| player::moments(&mut run, flow));
     let record = &run.record;
     let toml = std::fs::read_to_string(dir.join("scene.resolved.toml")).unwrap_or_default();
+    // a host's motion is not the scene's: neither theories of the scene nor its command say anything about the run
+    let hosted = record.host.is_some();
+    let theories = run.scene.entry().filter(|_| !hosted);
+    let repeat = if hosted { Vec::new() } else { again(dir) };
     let sections = [
         ("Curves", figure_blocks(&charts::figures(&run), HINT)),
         ("Structure", [figure_blocks(&structure::figures(&run), ""), structure::tables(&run)].concat()),
@@ -53,11 +57,11 @@ pub(crate) fn report(dir: &Path) -> Result<String, FolderError> {
         ("Against references", references::section(&run)),
         ("Error bars", tables::error_bars_section(record)),
         ("Moments", moments),
-        ("Theories", run.scene.entry().map_or(Vec::new(), |_| theories::theories_section(&run.scene))),
+        ("Theories", theories.map_or(Vec::new(), |_| theories::theories_section(&run.scene))),
         ("Warnings", warnings(&run)),
         ("Audit", tables::audit_section(&run)),
         ("Force by four rules", tables::force_rules_section(record)),
-        ("How it was got", [tables::run_section(&run), tables::cost_section(record), again(dir)].concat()),
+        ("How it was got", [tables::run_section(&run), tables::cost_section(record), repeat].concat()),
         ("Scene as run", vec![Block::Html(folded("scene.resolved.toml", &toml))]),
     ];
     let shown = sections.into_iter().filter(|(_, blocks)| !blocks.is_empty());

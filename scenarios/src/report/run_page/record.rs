@@ -18,6 +18,7 @@ pub(crate) struct Record {
     pub warnings: Vec<String>,
     pub model: String,
     pub choice: Option<String>,
+    pub host: Option<String>,
     pub version: String,
     pub particles: Particles,
     pub steps: u64,

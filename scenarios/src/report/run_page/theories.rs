@@ -45,6 +45,11 @@ impl Theories {
         Theories { followed, columns: columns(scene) }
     }
 
+    /// No theory.
+    pub fn none() -> Theories {
+        Theories { followed: Vec::new(), columns: Vec::new() }
+    }
+
     /// Their values of a column of the series; times and values by their scales.
     pub fn curves(&self, column: &str, scales: [f64; 2]) -> Vec<Curve> {
         let Some(k) = self.columns.iter().position(|c| c == column) else { return Vec::new() };
