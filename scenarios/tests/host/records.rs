@@ -97,6 +97,7 @@ fn a_hosted_report_is_about_the_hosts_motion() {
         for absent in ["To repeat this run", "von Karman", "Wagner"] {
             assert!(!page.contains(absent), "{absent}");
         }
+        assert!(page.contains("moved by a host program"));
         let doubted = summary["doubts"].to_string().contains("met the water at");
         assert_eq!(doubted, share < 1.0, "{}", summary["doubts"]);
     }

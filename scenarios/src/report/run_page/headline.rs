@@ -23,12 +23,13 @@ pub(super) fn lead(run: &RunFolder) -> String {
     let items: String = reasons.iter().map(|why| format!("<li>{}</li>", doubts::html(why))).collect();
     let list = if items.is_empty() { String::new() } else { format!("<ul>{items}</ul>") };
     let version = if record.version.is_empty() { String::new() } else { format!(" · splashdown {}", record.version) };
+    let host = record.host.as_ref().map_or("", |_| " · moved by a host program");
     let warned = match run.warnings.len() {
         0 => String::new(),
         count => format!(" <a href=\"#warnings\">{} about the scene</a>.", counted(count, "warning")),
     };
     format!(
-        "<p class=\"eyebrow\">{} · {}{}</p>\n<h1>{}</h1>\n<div class=\"status {class}\"><strong>{}</strong>{warned}{list}</div>\n{}",
+        "<p class=\"eyebrow\">{} · {}{host}{}</p>\n<h1>{}</h1>\n<div class=\"status {class}\"><strong>{}</strong>{warned}{list}</div>\n{}",
         escape(&scene.name),
         escape(model_in_words(run.model())),
         escape(&version),
