@@ -3,8 +3,8 @@
 use fsi_coupling::geometry::error::OutlineError;
 use fsi_coupling::geometry::layout::{Basin, Layout};
 use fsi_coupling::{
-    Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, Outline, PlacedBodies, Plate, PrescribedBody,
-    RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
+    Body, Coupled, CouplingError, FlexibleBody, FlexibleSpec, Frame, ModalBody, ModalSpec, Outline, PlacedBodies,
+    Plate, PrescribedBody, RigidBody2d, RigidMotion, RigidSpec, Shape, Tank, WallRows,
 };
 use sph_core::neighbours::images::Mirror;
 use sph_core::{Domain, Fluid};
@@ -12,7 +12,7 @@ use structure_fe::Damping;
 
 use crate::follow::Follower;
 use crate::initial_fluid::initial_fluid;
-use crate::scene::{self, Motion, Moved, PanelEnd, Scene, Symmetry};
+use crate::scene::{self, Modes, Motion, Moved, PanelEnd, Scene, Symmetry};
 
 /// Fluid, walls and bodies of a scene at the start of its run: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
@@ -158,6 +158,10 @@ fn rigid_or_prescribed(scene: &Scene, body: &scene::Body, rows: &WallRows) -> Re
         let flexible = flexible(scene, body, outline, start)?.with_longest_step(scene::longest_step(scene));
         return Ok(Box::new(flexible.starting_at(clock)));
     }
+    if let Some(modal) = &body.modal {
+        let bending = with_modes(scene, body, modal, outline, start)?.with_longest_step(scene::longest_step(scene));
+        return Ok(Box::new(bending.starting_at(clock)));
+    }
     let freedom = match body.motion.moved(&start) {
         Moved::ByLoads(freedom) => freedom,
         Moved::ByLaw(law) => {
@@ -188,11 +192,54 @@ fn flexible(
     outline: Outline,
     start: RigidMotion,
 ) -> Result<FlexibleBody, CouplingError> {
-    let middle = match &body.shape {
+    let (frame, start) = frame(body, start);
+    Ok(FlexibleBody::new(FlexibleSpec {
+        name: body.name.clone(),
+        outline,
+        middle: middle(body),
+        panels: body.panels.iter().map(|panel| panel.spec()).collect(),
+        frame,
+        start,
+        gravity: scene.gravity,
+        damping: Damping { mass: body.damping[0], stiffness: body.damping[1] },
+        half: scene.symmetry == Symmetry::X,
+    })?)
+}
+
+/// A body whose structure is given by its modes.
+fn with_modes(
+    scene: &Scene,
+    body: &scene::Body,
+    modal: &Modes,
+    outline: Outline,
+    start: RigidMotion,
+) -> Result<ModalBody, CouplingError> {
+    let (frame, start) = frame(body, start);
+    Ok(ModalBody::new(ModalSpec {
+        name: body.name.clone(),
+        outline,
+        middle: middle(body),
+        nodes: modal.nodes.clone(),
+        masses: modal.all_masses(),
+        modes: modal.surface_modes(),
+        frame,
+        start,
+        gravity: scene.gravity,
+        half: scene.symmetry == Symmetry::X,
+    })?)
+}
+
+/// The middle line of a body that is a thin wall.
+fn middle(body: &scene::Body) -> Option<Vec<[f64; 2]>> {
+    match &body.shape {
         Shape::Polyline { points, .. } => Some(points.clone()),
         _ => None,
-    };
-    let (frame, start) = match body.motion.moved(&start) {
+    }
+}
+
+/// The rigid part of a body that bends, and the motion of its origin at the start.
+fn frame(body: &scene::Body, start: RigidMotion) -> (Frame, RigidMotion) {
+    match body.motion.moved(&start) {
         Moved::ByLoads(freedom) => {
             let frame = Frame::Free {
                 mass: freedom.mass,
@@ -203,21 +250,10 @@ fn flexible(
             };
             (frame, about_origin(body, start))
         }
-        // its panels start with the law's velocity
+        // what bends starts with the law's velocity
         Moved::ByLaw(law) => {
             let begun = law(0.0);
             (Frame::Given(law), begun)
         }
-    };
-    Ok(FlexibleBody::new(FlexibleSpec {
-        name: body.name.clone(),
-        outline,
-        middle,
-        panels: body.panels.iter().map(|panel| panel.spec()).collect(),
-        frame,
-        start,
-        gravity: scene.gravity,
-        damping: Damping { mass: body.damping[0], stiffness: body.damping[1] },
-        half: scene.symmetry == Symmetry::X,
-    })?)
+    }
 }

@@ -105,7 +105,7 @@ impl WedgeEntry {
         let upright =
             matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
         let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
-        (upright && body.panels.is_empty()).then(|| WedgeEntry {
+        (upright && !body.bends()).then(|| WedgeEntry {
             kind: Kind {
                 falls,
                 solver: scene.solver.name().into(),

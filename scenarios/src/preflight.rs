@@ -16,8 +16,8 @@ use sph_core::Solver;
 use crate::build::layout;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
-    Body, CouplingScheme, ExchangeRatio, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error, line,
-    longest_step, memory_estimate, panel_exchanges, panel_length, particle_estimate,
+    Body, CouplingScheme, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error,
+    line, longest_step, memory_estimate, panel_exchanges, panel_length, particle_estimate,
 };
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::natural_frequencies;
@@ -71,6 +71,9 @@ pub struct Preflight {
     pub added_mass_ratios: Option<[f64; 3]>,
     /// Stability of an explicit coupling with each panel (THEORY CO12).
     pub panels: Vec<PanelExchange>,
+    /// A structure by its modes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub modes: Option<ModesBrief>,
     /// The model that runs the scene.
     pub model: &'static str,
     /// The reason, where the model was chosen automatically.
@@ -174,11 +177,39 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
                 natural_frequencies_hz: dry_frequencies(scene, panel),
             })
             .collect(),
+        modes: scene.body.as_ref().and_then(|body| body.modal.as_ref()).map(ModesBrief::of),
         model: scene.model.name(),
         choice: scene.choice.clone(),
         theories: scene.entry().map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
         outline: None,
         warnings: warnings.to_vec(),
+    }
+}
+
+/// A structure by its modes, before the run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ModesBrief {
+    /// Nodes.
+    pub nodes: usize,
+    /// Natural frequencies in air [Hz].
+    pub natural_frequencies_hz: Vec<f64>,
+    /// Mass of its nodes [kg/m].
+    pub mass_kg_per_m: f64,
+}
+
+impl ModesBrief {
+    fn of(modal: &Modes) -> ModesBrief {
+        ModesBrief {
+            nodes: modal.nodes.len(),
+            natural_frequencies_hz: modal.modes.iter().map(|mode| mode.frequency).collect(),
+            mass_kg_per_m: modal.masses.iter().sum(),
+        }
+    }
+
+    fn to_text(&self) -> String {
+        let all: Vec<String> = self.natural_frequencies_hz.iter().map(|f| significant(*f)).collect();
+        let (nodes, mass) = (self.nodes, significant(self.mass_kg_per_m));
+        format!("modes        {} Hz in air, at {nodes} nodes with {mass} kg/m", all.join(", "))
     }
 }
 
@@ -241,6 +272,7 @@ impl Preflight {
         }
         lines.extend(self.exchange());
         lines.extend(self.panels.iter().map(|panel| self.exchange_with(panel)));
+        lines.extend(self.modes.iter().map(ModesBrief::to_text));
         lines.extend(self.warnings.iter().map(|w| format!("warning      {w}")));
         lines.join("\n")
     }

@@ -85,6 +85,7 @@ mod error;
 mod field;
 mod linear_algebra;
 pub mod material;
+pub mod modal;
 pub mod model;
 pub mod modes;
 pub mod statics;

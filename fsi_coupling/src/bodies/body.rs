@@ -7,6 +7,7 @@ use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoin
 
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel_state::PanelState;
+use crate::bodies::modal::state::ModesState;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
@@ -93,6 +94,11 @@ pub trait Inspect {
     /// State of the panels of a flexible body.
     fn panels(&self) -> Vec<PanelState> {
         Vec::new()
+    }
+
+    /// Modes of a body that bends in them.
+    fn modes(&self) -> Option<ModesState> {
+        None
     }
 
     /// A point of the undeformed surface [m, body's frame] where it is now, and its acceleration [m/s²]; `None` for a rigid body.

@@ -1,4 +1,4 @@
-//! Bodies in the water: the contract ([`body`]), and a rigid body, a body with prescribed motion, a flexible body and a tank.
+//! Bodies in the water: the contract ([`body`]), and a rigid body, a body with prescribed motion, a flexible body, a body with modes and a tank.
 //!
 //! ```
 //! use fsi_coupling::{Inspect, Outline, RigidBody2d, RigidSpec, Shape, WettedBody};
@@ -31,6 +31,7 @@ pub mod beam_surface;
 pub mod body;
 pub mod error;
 pub mod flexible;
+pub mod modal;
 pub mod prescribed;
 pub mod rigid;
 pub mod rigid_interface;

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use super::shared::{DONE, Output, SceneArgs, Stop, say};
 #[cfg(feature = "legacy")]
 use super::thesis_files;
-use crate::export::{ExportError, FrameFormat, PanelFormat, export_frames, export_panels};
+use crate::export::{ExportError, FrameFormat, PanelFormat, export_frames, export_modes, export_panels};
 
 #[derive(Args)]
 pub(super) struct ExportArgs {
@@ -31,9 +31,12 @@ pub(super) struct ExportArgs {
     /// Write its panels and their loads to DIR/nastran, as Nastran bulk data: GRID, CBAR, PBAR, MAT1; loads over time; static loads.
     #[arg(long)]
     nastran: bool,
+    /// Write the COUNT lowest natural modes of its panels to DIR/modes, as body.modes_file reads them.
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100))]
+    modes: Option<u32>,
     /// Write the parameters of the scene to this file.
     #[cfg(feature = "legacy")]
-    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv", "parquet", "loads", "nastran"])]
+    #[arg(long, value_name = "FILE", requires = "ipart", conflicts_with_all = ["vtk", "csv", "parquet", "loads", "nastran", "modes"])]
     indat: Option<PathBuf>,
     /// Write its particles at the start to this file.
     #[cfg(feature = "legacy")]
@@ -61,8 +64,9 @@ pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
     let formats: Vec<FrameFormat> = asked.into_iter().filter(|(asked, _)| *asked).map(|(_, format)| format).collect();
     let asked = [(args.loads, PanelFormat::Tables), (args.nastran, PanelFormat::Nastran)];
     let panels: Vec<PanelFormat> = asked.into_iter().filter(|(asked, _)| *asked).map(|(_, format)| format).collect();
-    if formats.is_empty() && panels.is_empty() {
-        let expected = "--vtk, --csv, --parquet, --loads or --nastran with the folder of a run, or --indat and --ipart";
+    if formats.is_empty() && panels.is_empty() && args.modes.is_none() {
+        let expected =
+            "--vtk, --csv, --parquet, --loads, --nastran or --modes with the folder of a run, or --indat and --ipart";
         return Err(Stop::Input(format!("export: expected {expected}")));
     }
     if let Some(set) = args.target.sets.first() {
@@ -88,6 +92,14 @@ pub(super) fn export(output: &Output, args: &ExportArgs) -> Result<u8, Stop> {
         }
         let (panels, samples) = (exported.panels, exported.samples);
         written.push(serde_json::json!({ "folder": folder, "panels": panels, "samples": samples }));
+    }
+    if let Some(count) = args.modes {
+        let exported = export_modes(Path::new(&args.target.scene), count as usize)?;
+        let folder = exported.folder.display().to_string();
+        if !output.quiet && !output.json {
+            say(format_args!("modes of {} in {folder}", exported.panels.join(", ")));
+        }
+        written.push(serde_json::json!({ "folder": folder, "panels": exported.panels }));
     }
     if output.json {
         say(serde_json::json!({ "exported": written }));

@@ -10,6 +10,7 @@ mod bodies;
 mod csv;
 mod frame_writer;
 mod loads;
+mod modes;
 mod nastran;
 mod panels;
 mod parquet;
@@ -22,6 +23,7 @@ use std::path::{Path, PathBuf};
 use crate::bounded_text::read_text;
 use crate::log::LogReader;
 use frame_writer::FrameWriter;
+pub use modes::export_modes;
 pub use panels::{ExportedPanels, PanelFormat, export_panels};
 
 /// A format of frames.
@@ -61,6 +63,11 @@ pub enum ExportError {
     /// A file cannot be written.
     #[error("cannot write {0}: {1}")]
     Write(String, #[source] io::Error),
+}
+
+/// A run without what is to be exported of its panels.
+fn loads_missing(dir: &Path, why: &str) -> ExportError {
+    ExportError::NoLoads(dir.display().to_string(), why.to_string())
 }
 
 /// Writes the frames of the run in `dir` to the folder `dir/vtk`, `dir/csv` or `dir/parquet`, whose files of the same names are replaced.

@@ -6,11 +6,11 @@ use serde_json::Value;
 
 use super::loads::PanelLoads;
 use super::structure::PanelModel;
-use super::{ExportError, time_of_run};
+use super::{ExportError, loads_missing, time_of_run};
 use crate::bounded_text::read_text;
 use crate::log::read_samples;
 use crate::observers::{LOADS, load_names};
-use crate::scene::load;
+use crate::scene::{Scene, load};
 
 /// A form of the loads on panels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,11 +38,8 @@ pub struct ExportedPanels {
 /// # Errors
 /// [`ExportError::NoScene`], [`ExportError::NoLoads`], [`ExportError::Write`].
 pub fn export_panels(dir: &Path, format: PanelFormat) -> Result<ExportedPanels, ExportError> {
-    let path = dir.join("scene.resolved.toml");
-    let no_scene = |why: String| ExportError::NoScene(path.display().to_string(), why);
-    read_text(&path).map_err(|why| no_scene(why.to_string()))?;
-    let scene = load(&path.to_string_lossy(), &[]).map_err(|why| no_scene(why.to_string()))?.scene;
-    let no_loads = |why: &str| ExportError::NoLoads(dir.display().to_string(), why.to_string());
+    let scene = scene_of(dir)?;
+    let no_loads = |why: &str| loads_missing(dir, why);
     let models = PanelModel::of(&scene);
     if models.is_empty() {
         return Err(no_loads("its body has no panels, whose nodes have loads"));
@@ -86,4 +83,12 @@ pub fn export_panels(dir: &Path, format: PanelFormat) -> Result<ExportedPanels, 
         folder,
         samples,
     })
+}
+
+/// The scene of the run in a folder.
+pub(super) fn scene_of(dir: &Path) -> Result<Scene, ExportError> {
+    let path = dir.join("scene.resolved.toml");
+    let no_scene = |why: String| ExportError::NoScene(path.display().to_string(), why);
+    read_text(&path).map_err(|why| no_scene(why.to_string()))?;
+    Ok(load(&path.to_string_lossy(), &[]).map_err(|why| no_scene(why.to_string()))?.scene)
 }

@@ -73,10 +73,10 @@ impl HostedScene {
         let Some(body) = scene.body.clone() else {
             return Err(unfit("no body", "a table [body] with the shape that the host moves"));
         };
-        if !body.panels.is_empty() {
+        if body.bends() {
             return Err(unfit(
-                "body.panels",
-                "a body without panels: the structure is the host's, whose nodes are the corners of the outline",
+                if body.panels.is_empty() { "body.modal" } else { "body.panels" },
+                "a body without panels and modes: the structure is the host's, whose nodes are the corners of the outline",
             ));
         }
         let start = frame_at_start(&scene, &body);

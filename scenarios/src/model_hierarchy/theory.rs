@@ -43,7 +43,7 @@ impl Theory {
         let (body, section, motion) = symmetric_entry(scene)?;
         let loads = Loads::new(model, &section)?;
         let density = scene.water().density;
-        if !body.panels.is_empty() {
+        if body.bends() {
             return bending(scene, model, body, loads);
         }
         let (instants, end) = {

@@ -5,9 +5,9 @@ use sph_core::parallel;
 use sph_core::particles::totals::Totals;
 
 use super::Frame;
-use super::columns::{body_values, panel_values};
+use super::columns::{body_values, modal_values, panel_values};
 use crate::log::{self, BodyView, LogError, Point};
-use crate::scene::Scene;
+use crate::scene::{MODES, Scene};
 
 /// Start of the channels of the loads on panels' nodes, before the panel's name.
 pub(crate) const LOADS: &str = "loads";
@@ -24,6 +24,8 @@ pub(super) struct RunView {
     panels: Vec<(String, Vec<String>)>,
     /// Names of the loads on each panel's nodes.
     loads: Vec<Vec<String>>,
+    /// Columns of a structure by its modes.
+    modes: Vec<String>,
     gauges: Vec<String>,
 }
 
@@ -34,7 +36,9 @@ impl RunView {
         let loads = panels.clone().map(|panel| load_names(panel.elements + 1)).collect();
         let panels = panels.map(|panel| (panel.name.clone(), panel.columns())).collect();
         let gauges = scene.gauges.iter().map(|g| format!("{}.p_Pa", g.name)).collect();
-        RunView { start: scene.time.start, panels, loads, gauges }
+        let modal = scene.body.iter().flat_map(|body| &body.modal);
+        let modes = modal.flat_map(|modal| modal.columns()).collect();
+        RunView { start: scene.time.start, panels, loads, modes, gauges }
     }
 
     /// Time since the start of the run [s].
@@ -59,6 +63,11 @@ impl RunView {
                 take(&format!("panel/{name}"), &values)?;
                 let loads = loads.iter().map(String::as_str).zip(panel.load.as_flattened().iter().copied());
                 take(&format!("{LOADS}/{name}"), &loads.collect::<Vec<_>>())?;
+            }
+            if let Some(modes) = body.modes() {
+                let units = self.modes.iter().map(|column| &column[MODES.len() + 1..]);
+                let values: Vec<(&str, f64)> = units.zip(modal_values(&modes)).collect();
+                take(MODES, &values)?;
             }
         }
         if !self.gauges.is_empty() {

@@ -4,10 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use fsi_coupling::PanelState;
-
 use super::bands::{Depth, LEAST_FORCE_BAND};
-use super::panel::panel_results;
+use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
@@ -109,7 +107,7 @@ impl Judge {
     }
 
     /// The results, and doubts about them in sentences.
-    pub fn results(&self, curves: &Curves, panels: &[PanelState]) -> (Results, Vec<String>) {
+    pub fn results(&self, curves: &Curves, panels: &[StressPeak]) -> (Results, Vec<String>) {
         let mut doubts = Doubts::default();
         let mut keep = |name: &str, (quantity, why): (Quantity, Option<String>)| {
             doubts.add(name, why);

@@ -5,6 +5,7 @@ use sph_core::state_bytes::{StateError, decode, encode, expect_count};
 
 use super::filtered::FilteredAcceleration;
 use super::judge::{Curves, Judge};
+use super::panel::StressPeak;
 use super::running_integral::RunningIntegral;
 use super::{Results, Verdict};
 use crate::scene::{self, Scene};
@@ -20,7 +21,8 @@ impl ResultsObserver {
     pub fn new(scene: &Scene) -> ResultsObserver {
         let free = scene.body.as_ref().is_some_and(|body| matches!(body.motion, scene::Motion::Free(_)));
         let pressures = vec![RunningIntegral::default(); scene.gauges.len()];
-        let panels = scene.body.as_ref().map_or(0, |body| body.panels.len());
+        let modal = |body: &scene::Body| body.modal.as_ref().is_some_and(scene::Modes::with_stress);
+        let panels = scene.body.as_ref().map_or(0, |body| body.panels.len() + usize::from(modal(body)));
         let stresses = vec![RunningIntegral::default(); panels];
         ResultsObserver { curves: Curves { pressures, stresses, ..Curves::default() }, free }
     }
@@ -42,8 +44,10 @@ impl ResultsObserver {
             self.curves.acceleration.take(time, motion.acceleration);
         }
         self.curves.draught.extend(draught(body, &motion).map(|draught| [time, draught]));
-        for (curve, panel) in self.curves.stresses.iter_mut().zip(body.panels()) {
-            curve.take(time, [panel.stress]);
+        let stresses = body.panels().into_iter().map(|panel| panel.stress);
+        let stresses = stresses.chain(body.modes().map(|modes| modes.largest_stress()));
+        for (curve, stress) in self.curves.stresses.iter_mut().zip(stresses) {
+            curve.take(time, [stress]);
         }
     }
 
@@ -70,7 +74,9 @@ impl ResultsObserver {
 
     /// The results so far, and doubts about them.
     pub fn results(&self, scene: &Scene, system: &Coupled) -> (Results, Vec<String>) {
-        let panels: Vec<_> = system.bodies().flat_map(|body| body.panels()).collect();
+        let panels = system.bodies().flat_map(|body| body.panels());
+        let modes = system.bodies().filter_map(|body| StressPeak::of_modes(&body.modes()?));
+        let panels: Vec<StressPeak> = panels.map(|panel| StressPeak::from(&panel)).chain(modes).collect();
         Judge::new(scene).results(&self.curves, &panels)
     }
 }

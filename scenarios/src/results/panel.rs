@@ -1,33 +1,59 @@
 //! Judges the results of panels (THEORY GE19).
 
-use fsi_coupling::PanelState;
+use fsi_coupling::{ModesState, PanelState};
 
 use super::{PanelResults, Quantity, Verdict};
-use crate::scene::significant;
+use crate::scene::{MODES, significant};
 
 /// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
 const STRESS_BAND: f64 = 1.3;
 /// Largest ratio of a peak of stress to the largest mean over the time of GE18 [-].
 const LARGEST_PEAK: f64 = 1.5;
 
+/// The largest stress of a panel, or of a structure by its modes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct StressPeak {
+    /// Of the panel; `modes`.
+    pub name: String,
+    /// Its magnitude [Pa].
+    pub value: f64,
+    /// Its time [s].
+    pub time: f64,
+    /// Allowable stress over it [-].
+    pub reserve_factor: Option<f64>,
+}
+
+impl From<&PanelState> for StressPeak {
+    fn from(panel: &PanelState) -> StressPeak {
+        let stress = panel.worst.stress;
+        let [value, time] = match -stress.least > stress.most {
+            true => [-stress.least, stress.time_of_least],
+            false => [stress.most, stress.time_of_most],
+        };
+        StressPeak { name: panel.name.clone(), value, time, reserve_factor: panel.worst.reserve_factor }
+    }
+}
+
+impl StressPeak {
+    /// Of a structure whose modes tell stresses.
+    pub fn of_modes(modes: &ModesState) -> Option<StressPeak> {
+        let largest = modes.extremes.stress.iter().max_by(|a, b| a[0].abs().total_cmp(&b[0].abs()));
+        let [value, time] = *largest?;
+        Some(StressPeak { name: MODES.into(), value: value.abs(), time, reserve_factor: None })
+    }
+}
+
 /// Results of a panel under a load; a structure averages by itself, and its stress is nearly as good as the force.
 ///
 /// `mean`: largest mean of its stress over the time of GE18 [Pa]; what the peak has above it is as short as the noise of the force.
 /// `resonates`: why it vibrates with the water's sound, where it does.
 pub(super) fn panel_results(
-    panel: &PanelState,
+    &StressPeak { value, time, reserve_factor: reserve, .. }: &StressPeak,
     force: Option<Quantity>,
     mean: Option<f64>,
     resonates: Option<&str>,
 ) -> (PanelResults, Option<String>) {
-    let worst = &panel.worst;
-    let stress = worst.stress;
-    let [value, time] = match -stress.least > stress.most {
-        true => [-stress.least, stress.time_of_least],
-        false => [stress.most, stress.time_of_most],
-    };
     let excess = mean.filter(|mean| *mean > 0.0).map_or(0.0, |mean| (value / mean - 1.0).max(0.0));
-    let reserve = worst.reserve_factor;
     let load = force.map(|force| force.verdict).filter(|verdict| *verdict != Verdict::Resolved);
     let (verdict, doubt) = match (reserve, load) {
         (Some(reserve), _) if reserve < 1.0 => {
@@ -55,31 +81,10 @@ pub(super) fn panel_results(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use structure_fe::Range;
 
     /// A panel that bore a stress of 6 MPa.
-    fn panel() -> PanelState {
-        let none = Range { least: 0.0, time_of_least: 0.0, most: 0.0, time_of_most: 0.0 };
-        let stress = Range { most: 6e6, time_of_most: 0.016, ..none };
-        let worst = fsi_coupling::Worst {
-            normal: none,
-            shear: none,
-            moment: none,
-            stress,
-            strain: none,
-            reserve_factor: None,
-            plastic_curvature: 0.0,
-        };
-        PanelState {
-            name: "plate".into(),
-            watched: Vec::new(),
-            load: Vec::new(),
-            stress: 1e6,
-            worst,
-            stations: Vec::new(),
-            allowable_stress: None,
-            ruptures: Vec::new(),
-        }
+    fn panel() -> StressPeak {
+        StressPeak { name: "plate".into(), value: 6e6, time: 0.016, reserve_factor: None }
     }
 
     /// A burst of force of 3 ms rang a panel at 28 degrees: 6.4 MPa, and 5 MPa with half the spacing.

@@ -3,6 +3,7 @@
 mod audit;
 pub mod checkpoint;
 mod driver;
+mod modes;
 mod panel;
 mod particle_order;
 mod recorder;

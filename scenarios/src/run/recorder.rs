@@ -8,6 +8,7 @@ use sph_core::{Fluid, Phase, Solver, projection};
 use tracing::warn;
 
 use super::RunError;
+use super::modes::ModesResult;
 use super::particle_order::particle_order;
 use super::summary::{
     Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Status, Summary, phase_times,
@@ -346,6 +347,10 @@ impl Recorder {
             not_compared,
             error_bars: ErrorBars::new(),
             panels: system.bodies().flat_map(|b| b.panels()).map(|p| (p.name.clone(), PanelResult::from(&p))).collect(),
+            modes: scene.body.as_ref().and_then(|body| body.modal.as_ref()).and_then(|modal| {
+                let state = system.bodies().find_map(|body| body.modes())?;
+                Some(ModesResult::new(modal, &state))
+            }),
             gauges,
             projection: projection(fluid),
         }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use sph_core::{Phase, Timers};
 
 pub use super::audit::Audit;
+pub use super::modes::ModesResult;
 pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
@@ -236,6 +237,9 @@ pub struct Summary {
     /// Results of the body's panels, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub panels: BTreeMap<String, PanelResult>,
+    /// Results of a structure by its modes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub modes: Option<ModesResult>,
     /// Gauges, by name.
     pub gauges: BTreeMap<String, GaugeResult>,
     /// The pressure solves; absent where an equation of state gives the pressure.

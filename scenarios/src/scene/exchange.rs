@@ -42,7 +42,9 @@ fn inertia(scene: &Scene, freedom: &Freedom) -> [Option<f64>; 3] {
     let halves = if whole { 1.0 } else { 2.0 };
     let body = scene.body.iter();
     let of_panels: f64 = body.flat_map(|b| b.panels.iter().map(|p| p.density * p.thickness * panel_length(b, p))).sum();
-    let mass = freedom.mass + halves * of_panels;
+    let modal = scene.body.iter().flat_map(|body| &body.modal);
+    let of_modes: f64 = modal.flat_map(|modal| &modal.masses).sum();
+    let mass = freedom.mass + halves * (of_panels + of_modes);
     let x = (freedom.x() && whole).then_some(mass);
     [x, freedom.y().then_some(mass), freedom.inertia.filter(|_| whole)]
 }

@@ -57,7 +57,7 @@ pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
 /// A body that moves with the water, told of it once a step.
 fn one_exchange(scene: &Scene) -> Option<String> {
     let body = scene.body.as_ref()?;
-    let moved = !body.panels.is_empty() || matches!(body.motion, Motion::Free(_));
+    let moved = body.bends() || matches!(body.motion, Motion::Free(_));
     let (name, holds) = match scene.solver.kind() {
         Solver::Incompressible => ("incompressible", "\"added_mass\" holds at any mass"),
         solver => (solver.name(), "\"iqn_ils\" repeats the step until both agree"),

@@ -153,7 +153,7 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     let draft = draft_of(&given)?;
     if given.get("model").and_then(Value::as_str) == Some("auto") {
         let want: QuantityOfInterest = draft.get("want").unwrap_or_default();
-        let bends = draft.count("body.panels") > 0;
+        let bends = draft.count("body.panels") > 0 || draft.is_given("body.modal");
         let expected = "something else without body.panels: nothing bends";
         require(want != QuantityOfInterest::Strain || bends, "want", "\"strain\"", expected)?;
         return Auto { want, within: draft.get("within").unwrap_or(USUAL_TOLERANCE), limits }.settle(given);

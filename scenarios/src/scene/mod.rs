@@ -32,6 +32,7 @@ mod legacy;
 mod library;
 mod load;
 pub(crate) mod mistaken_file;
+mod modes_file;
 mod motion_file;
 mod outline;
 mod plausible;
@@ -39,6 +40,7 @@ mod prepare;
 mod references;
 mod resolve;
 mod resolve_body;
+mod resolve_modes;
 pub mod settings;
 pub(crate) mod source;
 mod stations;
@@ -69,12 +71,12 @@ pub use library::{MATERIALS, MaterialName, MaterialProperties, WATER_TABLE, Wate
 pub use load::{Loaded, all_warnings, builtin, load, load_beyond_limits, load_text};
 pub use outline::OutlineReport;
 pub(crate) use resolve::MOST_ROWS;
-pub(crate) use settings::line;
 pub use settings::{
-    Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Motion, Moved, Norm, Observe,
-    Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity, SolverSettings, Symmetry, Tank,
-    TheoryName, Time, panel_length, panel_line, schema,
+    Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
+    NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
+    SolverSettings, Symmetry, Tank, TheoryName, Time, panel_length, panel_line, schema,
 };
+pub(crate) use settings::{MODES, line};
 pub use source::apply_set;
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;

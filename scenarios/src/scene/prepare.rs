@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::outline::OutlineReport;
 use super::references::settle_references;
-use super::{library, motion_file, outline, stations, structure_file};
+use super::{library, modes_file, motion_file, outline, stations, structure_file};
 
 /// Replaces names of files, materials and numbered points by their values; what was understood of an outline.
 pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Option<OutlineReport>, Problem> {
@@ -13,6 +13,7 @@ pub(super) fn prepare(given: &mut Value, scene_file: &str) -> Result<Option<Outl
     let structures = structure_file::files(given, scene_file)?;
     library::settle(given);
     motion_file::settle(given, scene_file)?;
+    modes_file::settle(given, scene_file)?;
     let from_file = outline::settle(given, scene_file)?;
     let written = if from_file.is_some() { None } else { stations::written(given) };
     stations::settle(given, from_file.as_ref().map(|settled| &settled.stations).or(written.as_ref()))?;

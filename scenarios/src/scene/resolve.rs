@@ -205,7 +205,7 @@ fn resolve_fluid(
 /// its mass.
 fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, body: Option<&Body>) -> Result<(), Problem> {
     use CouplingScheme::{AddedMass, Weak};
-    let bends = body.is_some_and(|body| !body.panels.is_empty());
+    let bends = body.is_some_and(Body::bends);
     let moves_freely = body.is_some_and(|body| matches!(body.motion, Motion::Free(_)));
     let is_light = bends || solver.kind() == Solver::Incompressible && moves_freely;
     let solves_both = matches!(solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
@@ -261,7 +261,7 @@ fn resolve_resolution(
         }
         _ => of_options,
     };
-    let rigid = body.is_some_and(|body| body.panels.is_empty());
+    let rigid = body.is_some_and(|body| !body.bends());
     let follow = asked.unwrap_or(obstacle.is_none() && automatic && rigid);
     require(!follow || obstacle.is_none(), "resolution.follow", true, obstacle.unwrap_or_default())?;
     draft.set("resolution.follow", follow);

@@ -5,6 +5,7 @@ use fsi_coupling::settings::{Problem, require, significant};
 use fsi_coupling::{PanelEnd, Plane, Shape};
 
 use super::draft::Draft;
+use super::resolve_modes::check_modes;
 use super::settings::{Axis, Body, Motion, Panel, Symmetry, TheoryName, line, placed};
 use super::source::word;
 
@@ -36,6 +37,11 @@ pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Opti
         check_panel(panel, &body.shape, symmetry, |name| format!("body.panels[{i}].{name}"))?;
     }
     check_overlaps(&body)?;
+    if let Some(modal) = &body.modal {
+        let expected = "no body.panels beside body.modal: one or the other is the structure";
+        require(body.panels.is_empty(), "body.panels", format_args!("{} panels", body.panels.len()), expected)?;
+        check_modes(modal, &body.shape, symmetry)?;
+    }
     Ok(Some(body))
 }
 

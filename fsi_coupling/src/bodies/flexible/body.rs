@@ -10,39 +10,25 @@ use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut}
 
 use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
-use crate::bodies::flexible::deformed_outline::DeformedOutline;
 use crate::bodies::flexible::interface::FlexibleInterface;
 use crate::bodies::flexible::model::{FlexibleSpec, Frame, Model};
 use crate::bodies::flexible::panel_state::{PanelState, state_of};
 use crate::bodies::flexible::state::{FlexibleState, power};
-use crate::bodies::flexible::surface_map::Attachment;
 use crate::bodies::prescribed::Law;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
-use crate::geometry::plate::Plate;
-use crate::geometry::plate_sampling::boundary_particles;
 use crate::geometry::rows::WallRows;
-use crate::geometry::vector::rotate;
 
 /// A rigid frame with panels that bend. The load of a step is the mean force of the fluid, mapped to the nodes by the transpose of the
 /// map that places the boundary particles; the structure's step changes momentum by exactly that (THEORY BE20).
 pub struct FlexibleBody {
     name: String,
     model: Model,
-    rest: Outline,
-    half: bool,
     law: Option<Law>,
     free: [bool; 3],
-    /// Attachments of the boundary particles.
-    attachments: Vec<Attachment>,
-    /// Set where the body is sampled as a thin plate, with the attachments of its midline (THEORY WA8, WA9).
-    plate: Option<Plate>,
-    midline: Vec<Attachment>,
-    deformed: DeformedOutline,
     gravity: [f64; 2],
     weight: Vec<[f64; 3]>,
-    outline: Outline,
     state: FlexibleState,
     checkpoint: Option<(FlexibleState, Outline)>,
     /// Longest step that resolves its vibration [s].
@@ -53,7 +39,7 @@ impl FlexibleBody {
     /// The body at the start, its panels undeformed, under its own weight alone.
     pub fn new(spec: FlexibleSpec) -> Result<FlexibleBody, BodyError> {
         let (mut model, mut nodes) = Model::new(&spec)?;
-        let FlexibleSpec { name, outline, frame, gravity, half, .. } = spec;
+        let FlexibleSpec { name, frame, gravity, .. } = spec;
         let weight = model.dynamics.gravity_load(gravity);
         let (law, free) = match frame {
             Frame::Given(law) => (Some(law), [false; 3]),
@@ -63,27 +49,9 @@ impl FlexibleBody {
             model.prescribe(&law(0.0)).map_err(|error| BodyError::structure(&name, &error))?;
         }
         model.dynamics.equilibrate(&mut nodes, &weight).map_err(|error| BodyError::structure(&name, &error))?;
-        let deformed = DeformedOutline::new(&outline, &model, half);
         let state = FlexibleState::new(nodes, Envelope::new(model.dynamics.beam()));
-        let rest = outline.clone();
-        Ok(FlexibleBody {
-            name,
-            model,
-            rest,
-            half,
-            law,
-            free,
-            attachments: Vec::new(),
-            plate: None,
-            midline: Vec::new(),
-            deformed,
-            gravity,
-            weight,
-            outline,
-            state,
-            checkpoint: None,
-            longest_step: f64::INFINITY,
-        })
+        let longest_step = f64::INFINITY;
+        Ok(FlexibleBody { name, model, law, free, gravity, weight, state, checkpoint: None, longest_step })
     }
 
     /// The same, with a clock that starts at `time` [s]: the law of its frame begins then.
@@ -135,10 +103,7 @@ impl FlexibleBody {
 
     /// Loads on the nodes of an impulse [N s/m] at a place of the surface in space [m].
     fn loads_of(&self, at: [f64; 2], impulse: [f64; 2]) -> Vec<[f64; 3]> {
-        let mut loads = vec![[0.0; 3]; self.weight.len()];
-        let (found, q) = (self.frame().local(at), &self.state.nodes.displacement);
-        self.deformed.add_load(&self.model.map, &self.outline, found, q, impulse, &mut loads);
-        loads
+        self.model.surface.loads_of(at, impulse, &self.frame(), &self.state.nodes.displacement)
     }
 
     /// Velocities of the nodes under impulses within a step of `dt` [s] (BE23); zero where the equations have no solution.
@@ -157,59 +122,27 @@ impl FlexibleBody {
 
     /// Update the outline to the present displacements.
     fn update_outline(&mut self) -> Result<(), BodyError> {
-        let frame = self.frame();
-        let nodes = &self.state.nodes;
-        let placed = self.deformed.outline(&self.model.map, &nodes.displacement, &frame);
-        let not_finite = || BodyError::NotFinite { name: self.name.clone(), time: nodes.time };
-        self.outline = placed.ok_or_else(not_finite)?;
-        Ok(())
+        let (frame, nodes) = (self.frame(), &self.state.nodes);
+        match self.model.surface.update_outline(&frame, &nodes.displacement) {
+            true => Ok(()),
+            false => Err(BodyError::NotFinite { name: self.name.clone(), time: nodes.time }),
+        }
     }
 
     /// Sum over both halves where one is simulated: twice along y, nothing along x.
     fn both(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        if self.half { [0.0, 2.0 * y] } else { [x, y] }
+        if self.model.surface.half { [0.0, 2.0 * y] } else { [x, y] }
     }
 }
 
 impl WettedBody for FlexibleBody {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
-        let mut points;
-        (points, self.plate) = boundary_particles(&self.rest, rows, self.half);
-        self.midline = self.plate.iter().flat_map(|plate| self.model.divided(&plate.line())).collect();
-        let start = self.model.start;
-        self.attachments.clear();
-        for point in &mut points {
-            let foot = [0, 1].map(|k| point.at[k] + point.depth * point.normal[k]);
-            self.attachments.push(self.model.attachment(foot, point.at, point.normal));
-            (point.at, point.normal) = (start.point(point.at), rotate(point.normal, start.angle));
-        }
-        Ok(points)
+        Ok(self.model.surface.sample(rows))
     }
 
     fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
-        let State { displacement: now, velocity, acceleration, .. } = &self.state.nodes;
-        let then = self.ahead(ahead);
-        let map = &self.model.map;
-        for (k, attachment) in self.attachments.iter().enumerate() {
-            let from = self.state.predicted_positions.get(k).copied().unwrap_or_else(|| map.place(attachment, now).at);
-            let to = map.place(attachment, &then);
-            [out.x[k], out.y[k]] = to.at;
-            [out.nx[k], out.ny[k]] = to.normal;
-            [out.u[k], out.v[k]] = if ahead > 0.0 {
-                [0, 1].map(|axis| (to.at[axis] - from[axis]) / ahead)
-            } else {
-                map.velocity(attachment, now, velocity)
-            };
-            [out.ax[k], out.ay[k]] = map.acceleration(attachment, &then, velocity, acceleration);
-        }
-        let placed = |q: &[[f64; 3]]| self.midline.iter().map(|point| map.place(point, q).at).collect();
-        let midline = |plate: &Plate| PlateMidline {
-            points: placed(&then),
-            start: placed(now),
-            half_thickness: 0.5 * plate.thickness,
-            own_image: self.half,
-        };
-        self.plate.iter().map(midline).collect()
+        let (now, then) = ((&self.state.nodes).into(), self.ahead(ahead));
+        self.model.surface.kinematics(now, &then, &self.state.predicted_positions, ahead, out)
     }
 
     fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn InterfaceDynamics>>, BodyError> {
@@ -217,25 +150,19 @@ impl WettedBody for FlexibleBody {
         let each = now.velocity.iter().zip(&now.acceleration);
         let velocity = each.map(|(v, a)| [0, 1, 2].map(|k| v[k] + ahead * a[k])).collect();
         let then = State { displacement: self.ahead(ahead), velocity, ..now.clone() };
-        let (dynamics, attached) = (&mut self.model.dynamics, (&self.model.map, &self.attachments[..]));
+        let Model { dynamics, surface, .. } = &mut self.model;
+        let attached = (&surface.layout.map, &surface.attachments[..]);
         let interface = FlexibleInterface::new(&self.name, dynamics, attached, (now, &then), &self.weight, ahead)?;
         Ok(Some(Box::new(interface)))
     }
 
     fn load(&mut self, force: WallForces<'_>) {
-        let (m, map) = (&mut self.state, &self.model.map);
+        let m = &mut self.state;
         m.mean.fill([0.0; 3]);
         m.now.fill([0.0; 3]);
-        m.force = [0.0; 3];
         m.predicted_positions.clear();
         m.predicted_positions.extend(force.x.iter().zip(force.y).map(|(x, y)| [*x, *y]));
-        for (k, attachment) in self.attachments.iter().enumerate() {
-            let (q, now) = (&m.nodes.displacement, [force.fx[k], force.fy[k]]);
-            map.add_load(attachment, q, [force.mean_fx[k], force.mean_fy[k]], &mut m.mean);
-            map.add_load(attachment, q, now, &mut m.now);
-            let moment = force.x[k] * now[1] - force.y[k] * now[0];
-            m.force = [m.force[0] + now[0], m.force[1] + now[1], m.force[2] + moment];
-        }
+        m.force = self.model.surface.add_loads(&force, &m.nodes.displacement, &mut m.mean, &mut m.now);
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
@@ -278,12 +205,12 @@ impl WettedBody for FlexibleBody {
     }
 
     fn checkpoint(&mut self) {
-        self.checkpoint = Some((self.state.clone(), self.outline.clone()));
+        self.checkpoint = Some((self.state.clone(), self.model.surface.outline.clone()));
     }
 
     fn restore(&mut self) {
         if let Some((state, outline)) = &self.checkpoint {
-            (self.state, self.outline) = (state.clone(), outline.clone());
+            (self.state, self.model.surface.outline) = (state.clone(), outline.clone());
             // adopting cannot fail: the model had this state before
             let _ = self.model.dynamics.apply_ruptures(&self.state.nodes);
             self.update_model();
@@ -291,15 +218,15 @@ impl WettedBody for FlexibleBody {
     }
 
     fn to_bytes(&self) -> Vec<u8> {
-        encode(&(&self.state, self.outline.loops()))
+        encode(&(&self.state, self.model.surface.outline.loops()))
     }
 
     fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
         const BODY: &str = "a flexible body";
         let (state, loops): (FlexibleState, Vec<Vec<[f64; 2]>>) = decode(BODY, bytes)?;
-        state.check(&self.state, self.attachments.len())?;
+        state.check(&self.state, self.model.surface.attachments.len())?;
         let wrong = |cause: &dyn Display| StateError::Unreadable(BODY, cause.to_string());
-        self.outline = Outline::deformed(loops).ok_or_else(|| wrong(&"its outline is not finite"))?;
+        self.model.surface.outline = Outline::deformed(loops).ok_or_else(|| wrong(&"its outline is not finite"))?;
         self.state = state;
         let nodes = &self.state.nodes;
         self.model.dynamics.apply_ruptures(nodes).map_err(|error| wrong(&error))?;
@@ -311,16 +238,14 @@ impl WettedBody for FlexibleBody {
 
 impl Contact for FlexibleBody {
     fn signed_distance(&self, at: [f64; 2]) -> f64 {
-        self.outline.signed_distance(self.frame().local(at))
+        self.model.surface.signed_distance(at, &self.frame())
     }
 
     fn surface(&self, at: [f64; 2]) -> SurfacePoint {
-        let (frame, nodes) = (self.frame(), &self.state.nodes);
-        let (found, normal) = self.outline.nearest(frame.local(at));
+        let nodes = &self.state.nodes;
         let each = nodes.velocity.iter().zip(&self.state.impulse_velocities);
-        let rate: Vec<[f64; 3]> = each.map(|(v, s)| [0, 1, 2].map(|k| v[k] + s[k])).collect();
-        let velocity = self.deformed.velocity(&self.model.map, &self.outline, found, (&nodes.displacement, &rate));
-        SurfacePoint { at: frame.point(found), normal: rotate(normal, frame.angle), velocity }
+        let velocity: Vec<[f64; 3]> = each.map(|(v, s)| [0, 1, 2].map(|k| v[k] + s[k])).collect();
+        self.model.surface.nearest(at, &self.frame(), &nodes.displacement, &velocity)
     }
 
     fn inverse_effective_mass(&mut self, at: [f64; 2], normal: [f64; 2], dt: f64) -> f64 {
@@ -348,32 +273,23 @@ impl Inspect for FlexibleBody {
     fn motion(&self) -> Option<Motion> {
         let (frame, [fx, fy, about]) = (self.frame(), self.state.force);
         let force = self.both([fx, fy]);
-        let moment = if self.half { 0.0 } else { about };
+        let moment = if self.model.surface.half { 0.0 } else { about };
         let moment = moment - frame.position[0] * force[1] + frame.position[1] * force[0];
         Some(Motion::new(&frame, Resultant { force, moment }))
     }
 
     fn outline(&self) -> Option<&Outline> {
-        Some(&self.outline)
+        Some(&self.model.surface.outline)
     }
 
     fn panels(&self) -> Vec<PanelState> {
         let (model, state, frame) = (&self.model, &self.state, self.frame());
-        let parts = (&model.dynamics, &model.map);
+        let parts = (&model.dynamics, &model.surface.layout.map);
         model.panels.iter().map(|panel| state_of(panel, parts, state, &frame)).collect()
     }
 
     fn material_point(&self, at: [f64; 2]) -> Option<(SurfacePoint, [f64; 2])> {
-        let (_, normal) = self.rest.nearest(at);
-        let (map, attachment) = (&self.model.map, self.model.attachment(at, at, normal));
-        let State { displacement, velocity, acceleration, .. } = &self.state.nodes;
-        let place = map.place(&attachment, displacement);
-        let surface = SurfacePoint {
-            at: place.at,
-            normal: place.normal,
-            velocity: map.velocity(&attachment, displacement, velocity),
-        };
-        Some((surface, map.acceleration(&attachment, displacement, velocity, acceleration)))
+        Some(self.model.surface.material_point(at, (&self.state.nodes).into()))
     }
 
     fn energy(&self) -> Energy {

@@ -1,6 +1,6 @@
 //! The deformed outline of a flexible body, for contact, pictures and the count of penetrating particles.
 
-use crate::bodies::flexible::model::Model;
+use crate::bodies::flexible::surface_layout::SurfaceLayout;
 use crate::bodies::flexible::surface_map::{Attachment, Nodal, SurfaceMap};
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
@@ -19,14 +19,12 @@ pub(crate) struct DeformedOutline {
 
 impl DeformedOutline {
     /// Of an outline [m, body's frame]; with `half` its left half is the mirror image of the right one.
-    pub fn new(outline: &Outline, model: &Model, half: bool) -> DeformedOutline {
-        let element = (0..model.panels.iter().map(|p| p.elements.len()).sum::<usize>())
-            .map(|e| model.map.surface.length(e))
-            .fold(f64::INFINITY, f64::min);
+    pub fn new(outline: &Outline, layout: &SurfaceLayout, half: bool) -> DeformedOutline {
+        let element = layout.shortest();
         let corner = |at: [f64; 2]| {
             let image = half && at[0] < 0.0;
             let at = if image { [-at[0], at[1]] } else { at };
-            Corner { attachment: model.attachment(at, at, [0.0; 2]), image }
+            Corner { attachment: layout.attachment(at, at, [0.0; 2]), image }
         };
         let divided = |corners: &Vec<[f64; 2]>| {
             let n = corners.len();

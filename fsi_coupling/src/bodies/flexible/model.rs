@@ -4,8 +4,10 @@ use structure_fe::{Beam, Damping, Dof, Dynamics, Integration, State, SupportMoti
 
 use crate::bodies::beam_surface::BeamSurface;
 use crate::bodies::error::BodyError;
+use crate::bodies::flexible::bending_surface::BendingSurface;
 use crate::bodies::flexible::panel::{Panel, PanelSpec};
-use crate::bodies::flexible::surface_map::{Attachment, SurfaceMap};
+use crate::bodies::flexible::surface_layout::{Span, SurfaceLayout};
+use crate::bodies::flexible::surface_map::SurfaceMap;
 use crate::bodies::prescribed::Law;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::geometry::outline::Outline;
@@ -58,12 +60,8 @@ const SPECTRAL_RADIUS: f64 = 0.8;
 /// The finite elements of a flexible body, and what lies where on them.
 pub(crate) struct Model {
     pub dynamics: Dynamics,
-    pub map: SurfaceMap,
+    pub surface: BendingSurface,
     pub panels: Vec<Panel>,
-    /// The line that the panels lie along [m, body's frame].
-    pub line: Polyline,
-    /// The start: of the body's frame, whose places `start.point` puts in the tank's.
-    pub start: RigidMotion,
     /// Structure that is simulated, over the whole [-].
     pub share: f64,
 }
@@ -109,73 +107,35 @@ impl Model {
         let reference = dynamics.beam().nodes()[frame];
         let surface = BeamSurface::new(dynamics.beam().nodes().to_vec(), ends);
         let map = SurfaceMap { surface, frame, reference };
-        Ok((Model { dynamics, map, panels, line, start: spec.start, share }, state))
+        let span = |panel: &Panel| Span { reach: panel.reach, elements: panel.elements.clone() };
+        let layout = SurfaceLayout { map, line, spans: panels.iter().map(span).collect(), start: spec.start };
+        let surface = BendingSurface::new(layout, spec.outline.clone(), spec.half);
+        Ok((Model { dynamics, surface, panels, share }, state))
     }
 
     /// Update the position of the frame's node: it moves when a panel breaks off a free frame.
     pub fn update_reference(&mut self) {
-        self.map.reference = self.dynamics.beam().nodes()[self.map.frame];
-    }
-
-    /// Attachment of a point [m] with its normal [-], in the body's frame; a point below the surface moves with its foot on the
-    /// surface.
-    pub fn attachment(&self, foot: [f64; 2], at: [f64; 2], normal: [f64; 2]) -> Attachment {
-        let (s, _) = self.line.nearest(foot);
-        let (at, normal) = (self.start.point(at), rotate(normal, self.start.angle));
-        match self.panels.iter().find(|panel| self.line.between(s, panel.reach)) {
-            Some(panel) => Attachment::Beam(self.map.surface.attach_among(panel.elements.clone(), at, normal)),
-            None => self.map.on_frame(at, normal),
-        }
-    }
-
-    /// Attachments of an open line [m, body's frame], with additional points that show the panels' bending.
-    pub fn divided(&self, line: &[[f64; 2]]) -> Vec<Attachment> {
-        let polyline = Polyline::open(line.to_vec());
-        let lengths = self.panels.iter().flat_map(|p| p.elements.clone()).map(|e| self.map.surface.length(e));
-        let step = lengths.fold(polyline.length(), f64::min);
-        let mut stops: Vec<f64> = line.iter().map(|p| polyline.nearest(*p).0).collect();
-        let parts = (polyline.length() / step).ceil() as usize;
-        stops.extend((0..=parts).map(|k| polyline.length() * k as f64 / parts as f64));
-        stops.sort_by(f64::total_cmp);
-        stops.dedup_by(|a, b| (*a - *b).abs() < 1e-6 * polyline.length());
-        stops.iter().map(|s| polyline.at(*s)).map(|at| self.attachment(at, at, [0.0; 2])).collect()
+        let map = &mut self.surface.layout.map;
+        map.reference = self.dynamics.beam().nodes()[map.frame];
     }
 
     /// Motion of the body's frame, about its origin.
     pub fn frame(&self, state: &State) -> RigidMotion {
-        let node = self.map.frame;
-        let ([x, y, turn], [u, v, angular_velocity], [ax, ay, angular_acceleration]) =
-            (state.displacement[node], state.velocity[node], state.acceleration[node]);
-        let position = [self.map.reference[0] + x, self.map.reference[1] + y];
-        let about_node = RigidMotion {
-            position,
-            angle: turn,
-            velocity: [u, v],
-            angular_velocity,
-            acceleration: [ax, ay],
-            angular_acceleration,
-        };
-        let lever_arm = [0, 1].map(|k| self.start.position[k] - self.map.reference[k]);
-        RigidMotion {
-            position: about_node.point(lever_arm),
-            angle: self.start.angle + turn,
-            velocity: about_node.point_velocity(lever_arm),
-            acceleration: about_node.point_acceleration(lever_arm),
-            ..about_node
-        }
+        self.surface.layout.frame(&state.displacement, &state.velocity, &state.acceleration)
     }
 
     /// Motion of the frame's node where the body's frame moves as prescribed: displacement, velocity, acceleration.
     pub fn node_of(&self, prescribed: &RigidMotion) -> [[f64; 3]; 3] {
-        let r = [0, 1].map(|k| self.map.reference[k] - self.start.position[k]);
-        let lever_arm = rotate(r, -self.start.angle);
+        let SurfaceLayout { map: SurfaceMap { reference, .. }, start, .. } = &self.surface.layout;
+        let r = [0, 1].map(|k| reference[k] - start.position[k]);
+        let lever_arm = rotate(r, -start.angle);
         let ([x, y], v, a) = (
             prescribed.point(lever_arm),
             prescribed.point_velocity(lever_arm),
             prescribed.point_acceleration(lever_arm),
         );
         [
-            [x - self.map.reference[0], y - self.map.reference[1], prescribed.angle - self.start.angle],
+            [x - reference[0], y - reference[1], prescribed.angle - start.angle],
             [v[0], v[1], prescribed.angular_velocity],
             [a[0], a[1], prescribed.angular_acceleration],
         ]
@@ -187,7 +147,7 @@ impl Model {
         for (k, dof) in [Dof::U, Dof::W, Dof::Theta].into_iter().enumerate() {
             let motion =
                 SupportMotion { displacement: displacement[k], velocity: velocity[k], acceleration: acceleration[k] };
-            self.dynamics.prescribe(self.map.frame, dof, motion)?;
+            self.dynamics.prescribe(self.surface.layout.map.frame, dof, motion)?;
         }
         Ok(())
     }

@@ -43,7 +43,7 @@ pub fn natural_frequencies(line: &Polyline, spec: &PanelSpec, count: usize) -> R
 }
 
 /// The elements of a panel, and its supports on a frame at rest.
-fn held(line: &Polyline, spec: &PanelSpec) -> Result<(Panel, Beam, Supports), structure_fe::Error> {
+pub(crate) fn held(line: &Polyline, spec: &PanelSpec) -> Result<(Panel, Beam, Supports), structure_fe::Error> {
     let (mut nodes, mut elements, mut supports) = (Vec::new(), Vec::new(), Supports::default());
     let spec = PanelSpec { rupture_strain: None, ..spec.clone() };
     let panel = Panel::along(line, &spec, &mut nodes, &mut elements);

@@ -1,6 +1,6 @@
 //! Columns of a body and of its panels.
 
-use fsi_coupling::{Motion, PanelState};
+use fsi_coupling::{ModesState, Motion, PanelState};
 
 use super::source::Source;
 use crate::observers::Frame;
@@ -28,7 +28,8 @@ pub(super) const SOURCE: Source = Source { names, reader: |_| Box::new(read) };
 fn names(scene: &Scene) -> Vec<String> {
     let body = |b: &crate::scene::Body| {
         let own = BODY.iter().map(|(column, _)| format!("{}.{column}", b.name));
-        own.chain(b.panels.iter().flat_map(|panel| panel.columns())).collect::<Vec<_>>()
+        let bends = b.panels.iter().flat_map(|panel| panel.columns());
+        own.chain(bends).chain(b.modal.iter().flat_map(|modal| modal.columns())).collect::<Vec<_>>()
     };
     scene.body.iter().flat_map(body).collect()
 }
@@ -41,6 +42,7 @@ fn read(frame: &Frame<'_>) -> Vec<f64> {
                 .map(|(_, value)| value)
                 .into_iter()
                 .chain(b.panels().iter().flat_map(panel_values).collect::<Vec<_>>())
+                .chain(b.modes().iter().flat_map(modal_values).collect::<Vec<_>>())
         })
         .collect()
 }
@@ -57,4 +59,11 @@ pub(in crate::observers) fn panel_values(panel: &PanelState) -> Vec<f64> {
         .iter()
         .flat_map(|w| [w.displacement[0], w.displacement[1], w.deflection, w.section.moment, w.strain[0], w.strain[1]]);
     watched.chain([panel.stress]).collect()
+}
+
+/// Values of the columns of a structure by its modes, in the order of [`crate::scene::Modes::columns`].
+pub(in crate::observers) fn modal_values(modes: &ModesState) -> Vec<f64> {
+    let displacement = modes.displacement.iter().map(|[u, v]| u.hypot(*v)).fold(0.0, f64::max);
+    let stress = (!modes.stress.is_empty()).then(|| modes.largest_stress());
+    modes.amplitude.iter().copied().chain([displacement]).chain(stress).collect()
 }

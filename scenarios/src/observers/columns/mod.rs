@@ -11,7 +11,7 @@ use super::gauges;
 use crate::scene::Scene;
 
 pub use body::body_values;
-pub(super) use body::panel_values;
+pub(super) use body::{modal_values, panel_values};
 pub(super) use source::{Reader, Source};
 pub(super) use volume::VOLUME;
 pub use volume::Water;

@@ -220,7 +220,7 @@ pub(super) fn audit_section(run: &RunFolder) -> Vec<Block> {
     if run.scene.body.is_some() {
         add("Work of the water that did not reach the body, relative", audit.work, "at most 0.01", &|v| small(v, 0.01));
     }
-    if run.scene.body.as_ref().is_some_and(|body| !body.panels.is_empty()) {
+    if run.scene.body.as_ref().is_some_and(|body| body.bends()) {
         let words = "Work on an elastic body that its energies do not contain, relative";
         add(words, audit.structure, "at most 0.01", &|v| small(v, 0.01));
     }

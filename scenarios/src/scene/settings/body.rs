@@ -8,6 +8,7 @@ use fsi_coupling::{PrescribedBody, RigidMotion, Shape};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::modes::Modes;
 use super::panel::Panel;
 
 /// A body: rigid but for its panels.
@@ -58,6 +59,13 @@ pub struct Body {
     /// The flexible parts of its surface.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub panels: Vec<Panel>,
+    /// File of the natural modes of its structure (.toml), below the folder of the scene's file: width, nodes, masses, [[modes]] as in
+    /// body.modal; frequencies, masses and shapes of any finite-element program.
+    #[serde(default, skip_serializing)]
+    pub modes_file: Option<String>,
+    /// Its structure by natural modes, in place of panels. absent: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub modal: Option<Modes>,
 }
 
 /// How a body moves.
@@ -181,7 +189,7 @@ pub struct Oscillation {
 /// Inertia and free directions of a free body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Freedom {
-    /// Mass of the whole body, also with symmetry; without its panels, which add theirs [kg/m].
+    /// Mass of the whole body, also with symmetry; without its panels and body.modal.masses, which add theirs [kg/m].
     #[schemars(extend("exclusiveMinimum" = 0, "x-ignored-elsewhere" = true))]
     pub mass: f64,
     /// Directions in which a free body can move.
@@ -300,6 +308,11 @@ pub fn panel_line(body: &Body, panel: &Panel) -> Vec<[f64; 2]> {
 }
 
 impl Body {
+    /// Whether a part of its surface bends.
+    pub fn bends(&self) -> bool {
+        !self.panels.is_empty() || self.modal.is_some()
+    }
+
     /// Outline at t = 0 in the tank's frame [m], shape (n, 2), counter-clockwise.
     pub fn placed_outline(&self) -> Vec<[f64; 2]> {
         placed(self.shape.outline(), self.position, self.angle_deg)

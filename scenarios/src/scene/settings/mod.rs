@@ -5,6 +5,7 @@
 
 mod body;
 mod fluid;
+mod modes;
 mod observation;
 mod panel;
 mod tank;
@@ -21,6 +22,8 @@ pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
+pub(crate) use modes::MODES;
+pub use modes::{Modes, NaturalMode};
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
 pub use panel::{Panel, StructurePlane, StructureUnits, TheoryName};
 pub use tank::{Block, Tank};

@@ -1,0 +1,92 @@
+//! What a body with modes is made of.
+
+use structure_fe::modal::{Frame as ModalFrame, ModalMode, ModalStructure};
+
+use crate::bodies::beam_surface::BeamSurface;
+use crate::bodies::error::BodyError;
+use crate::bodies::flexible::bending_surface::BendingSurface;
+use crate::bodies::flexible::model::Frame;
+use crate::bodies::flexible::surface_layout::{Span, SurfaceLayout};
+use crate::bodies::flexible::surface_map::SurfaceMap;
+use crate::bodies::rigid_motion::RigidMotion;
+use crate::geometry::outline::Outline;
+use crate::geometry::polyline::Polyline;
+
+/// A body with modes, to be built; everything per metre of span, in the body's own frame.
+pub struct ModalSpec {
+    /// Name, as in output columns.
+    pub name: String,
+    /// Outline [m].
+    pub outline: Outline,
+    /// Middle line of a body that is a thin wall [m]; the nodes lie along it. Without one they lie along the outline.
+    pub middle: Option<Vec<[f64; 2]>>,
+    /// Nodes along that line, in its order [m]. Between the first and the last one the surface bends.
+    pub nodes: Vec<[f64; 2]>,
+    /// Masses that move with the nodes [kg/m].
+    pub masses: Vec<f64>,
+    /// The modes, with shapes at the nodes; at least one.
+    pub modes: Vec<SurfaceMode>,
+    /// The rigid rest.
+    pub frame: Frame,
+    /// Motion of the frame's origin at the start.
+    pub start: RigidMotion,
+    /// Gravity [m/s²].
+    pub gravity: [f64; 2],
+    /// Simulate the half x > 0 of a symmetric body; nodes, their masses and the generalised masses are then of that half, the
+    /// frame's mass of the whole.
+    pub half: bool,
+}
+
+/// A mode, and the stress that it causes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceMode {
+    /// Frequency, generalised mass, damping, shape.
+    pub mode: ModalMode,
+    /// Stress at the nodes at unit amplitude [Pa/m]; empty where it is not known.
+    pub stress: Vec<f64>,
+}
+
+/// The equations of a body with modes, and its surface.
+pub(crate) struct ModalModel {
+    pub structure: ModalStructure,
+    pub surface: BendingSurface,
+    /// Places of the nodes at the start, the frame last: `[x, y, turn]` [m, m, rad].
+    pub rest: Vec<[f64; 3]>,
+    /// Stress of each mode at the nodes at unit amplitude [Pa/m].
+    pub stress: Vec<Vec<f64>>,
+    /// Structure that is simulated, over the whole [-].
+    pub share: f64,
+}
+
+impl ModalModel {
+    pub fn new(spec: &ModalSpec) -> Result<ModalModel, BodyError> {
+        let share = if spec.half { 0.5 } else { 1.0 };
+        let frame = match &spec.frame {
+            Frame::Given(_) => ModalFrame { mass: 0.0, inertia: 0.0, center_of_mass: [0.0; 2], held: [true; 3] },
+            Frame::Free { mass, inertia, center_of_mass, free } => ModalFrame {
+                mass: share * mass,
+                inertia: share * inertia,
+                center_of_mass: *center_of_mass,
+                held: free.map(|free| !free),
+            },
+        };
+        let modes = spec.modes.iter().map(|mode| mode.mode.clone()).collect();
+        let structure = ModalStructure::new(frame, spec.nodes.clone(), spec.masses.clone(), modes)
+            .map_err(|error| BodyError::structure(&spec.name, &error))?;
+        let RigidMotion { position, angle, .. } = spec.start;
+        let rest = structure.places(&structure.at_rest(position, angle));
+        let line = match &spec.middle {
+            Some(middle) => Polyline::open(middle.clone()),
+            None => Polyline::closed(&spec.outline.loops()[0]),
+        };
+        let last = spec.nodes.len() - 1;
+        let reach = [spec.nodes[0], spec.nodes[last]].map(|end| line.nearest(end).0);
+        let beams =
+            BeamSurface::new(rest.iter().map(|[x, y, _]| [*x, *y]).collect(), (0..last).map(|k| [k, k + 1]).collect());
+        let map = SurfaceMap { surface: beams, frame: last + 1, reference: position };
+        let layout = SurfaceLayout { map, line, spans: vec![Span { reach, elements: 0..last }], start: spec.start };
+        let surface = BendingSurface::new(layout, spec.outline.clone(), spec.half);
+        let stress = spec.modes.iter().map(|mode| mode.stress.clone()).collect();
+        Ok(ModalModel { structure, surface, rest, stress, share })
+    }
+}
