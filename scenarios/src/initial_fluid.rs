@@ -7,9 +7,6 @@ use sph_core::{Domain, Seed};
 
 use crate::scene::Scene;
 
-/// Least distance of a cell's middle from a thin plate [half cells]: a plate in the middle between two rows of cells displaces none.
-const BESIDE_PLATE: f64 = 0.5;
-
 /// Water at rest under its own weight, level or not (THEORY WC19), and a block of it in the air (WC18), without the water that the body
 /// displaces; packed around the body where the scene asks for it (WC20). `thin`: the body is a thin plate.
 pub(crate) fn initial_fluid(
@@ -21,11 +18,7 @@ pub(crate) fn initial_fluid(
 ) -> Vec<Seed> {
     let body = placed.bodies().next().filter(|_| scene.body.is_some());
     let weight = scene.water().density * scene.gravity[1];
-    let share = if thin { BESIDE_PLATE } else { 1.0 };
-    let is_free = |cell: &Cell| {
-        let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
-        body.is_none_or(|body| body.signed_distance(cell.at) >= share * room)
-    };
+    let is_free = |cell: &Cell| body.is_none_or(|body| body.signed_distance(cell.at) >= cell.clearance(thin));
     let surface = scene.tank.surface();
     let level = |x: f64| surface.as_ref().map_or(0.0, |surface| surface.mean(x, x));
     // cells with the height of the surface above them

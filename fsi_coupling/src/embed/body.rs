@@ -151,10 +151,14 @@ impl HostBody {
     fn point_motion(&self, attachment: &BeamAttachment) -> ([f64; 2], [f64; 2]) {
         let (elapsed, moment) = (self.elapsed(), self.difference(0.0));
         let velocity = |elapsed: f64| self.map.velocity(attachment, &self.ends(elapsed));
-        let [before, now, after] = [-moment, 0.0, moment].map(|ahead| velocity(elapsed + ahead));
-        let rate = |k: usize| if moment > 0.0 { (after[k] - before[k]) / (2.0 * moment) } else { 0.0 };
-        (now, [rate(0), rate(1)])
+        let about = [-moment, moment].map(|ahead| velocity(elapsed + ahead));
+        (velocity(elapsed), rate(about, moment))
     }
+}
+
+/// Acceleration from the velocities `moment` [s] before and after [m/s²]; none without a difference in time.
+fn rate([before, after]: [[f64; 2]; 2], moment: f64) -> [f64; 2] {
+    [0, 1].map(|k| if moment > 0.0 { (after[k] - before[k]) / (2.0 * moment) } else { 0.0 })
 }
 
 impl WettedBody for HostBody {
@@ -181,12 +185,7 @@ impl WettedBody for HostBody {
             } else {
                 self.map.velocity(attachment, &now)
             };
-            [out.ax[k], out.ay[k]] = if moment > 0.0 {
-                let [before, after] = [0, 1].map(|k| self.map.velocity(attachment, &about[k]));
-                [0, 1].map(|axis| (after[axis] - before[axis]) / (2.0 * moment))
-            } else {
-                [0.0; 2]
-            };
+            [out.ax[k], out.ay[k]] = rate([0, 1].map(|k| self.map.velocity(attachment, &about[k])), moment);
         }
         let placed = |ends: &Ends| self.midline.iter().map(|point| self.map.place(point, ends).at).collect();
         let midline = |plate: &Plate| PlateMidline {
@@ -314,9 +313,8 @@ impl Inspect for HostBody {
             load.moment += moment + cross([at[0] - about[0], at[1] - about[1]], [*fx, *fy]);
         }
         let velocity = |elapsed: f64| self.frame.at(&shared.path.at(elapsed)).velocity;
-        let [before, after] = [-moment, moment].map(|ahead| velocity(shared.elapsed + ahead));
-        let rate = |k: usize| if moment > 0.0 { (after[k] - before[k]) / (2.0 * moment) } else { 0.0 };
-        Some(Motion::new(&RigidMotion { acceleration: [rate(0), rate(1)], ..self.motion }, load))
+        let acceleration = rate([-moment, moment].map(|ahead| velocity(shared.elapsed + ahead)), moment);
+        Some(Motion::new(&RigidMotion { acceleration, ..self.motion }, load))
     }
 
     fn material_point(&self, at: [f64; 2]) -> Option<(SurfacePoint, [f64; 2])> {

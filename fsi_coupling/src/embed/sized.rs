@@ -31,9 +31,6 @@ const MOST_PARTICLES: f64 = 1e9;
 const FINE: [f64; 2] = [1.6, 0.5];
 const LEAST_FINE: [f64; 2] = [10.0, 4.0];
 
-/// Least distance of a cell's middle from a thin plate [half cells].
-const BESIDE_PLATE: f64 = 0.5;
-
 /// An element that has been sized, and can be built.
 #[derive(Clone)]
 pub struct SizedElement {
@@ -199,12 +196,11 @@ impl SizedElement {
     fn for_each_seed(&self, mut make: impl FnMut(Seed)) {
         let [low, high] = extent(&self.outline);
         let weight = self.spec.water.density * self.spec.gravity[1];
-        let share =
-            if self.outline.plate().is_some_and(|plate| plate.is_thin(&self.spec.rows())) { BESIDE_PLATE } else { 1.0 };
+        let thin = self.outline.plate().is_some_and(|plate| plate.is_thin(&self.spec.rows()));
         let clear = |cell: &Cell| {
-            let room = 0.5 * cell.area().sqrt() * (1.0 - 1e-6);
-            let near = (0..2).all(|k| cell.at[k] > low[k] - room && cell.at[k] < high[k] + room);
-            !near || self.outline.signed_distance(cell.at) >= share * room
+            let least = cell.clearance(thin);
+            let near = (0..2).all(|k| cell.at[k] > low[k] - least && cell.at[k] < high[k] + least);
+            !near || self.outline.signed_distance(cell.at) >= least
         };
         self.layout.for_each(|cell| {
             if clear(&cell) {

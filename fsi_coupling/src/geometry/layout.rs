@@ -33,6 +33,9 @@ pub enum Lattice {
     Staggered,
 }
 
+/// Least distance of a cell's middle from a thin plate [half cells].
+const BESIDE_PLATE: f64 = 0.5;
+
 /// One cell of the layout: a particle to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
@@ -46,6 +49,13 @@ impl Cell {
     /// Area [m²].
     pub fn area(&self) -> f64 {
         self.size[0] * self.size[1]
+    }
+
+    /// Least distance of the middle from a body's surface [m], if the cell is to be water. From a thin plate it is shorter: a plate in the
+    /// middle between two rows of cells displaces none.
+    pub fn clearance(&self, thin_plate: bool) -> f64 {
+        let half = 0.5 * self.area().sqrt() * (1.0 - 1e-6);
+        if thin_plate { BESIDE_PLATE * half } else { half }
     }
 }
 

@@ -108,17 +108,16 @@ impl HostedRun {
     /// What a state holds for the element; an error where it is damaged, or of another scene.
     fn content<'a>(&self, bytes: &'a [u8]) -> Result<&'a [u8], HostedError> {
         let refused = |why: String| HostedError::Element(HostError::State(StateError::Unreadable(STATE, why)));
-        let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |number, byte| number << 8 | u32::from(*byte));
         let parts =
             bytes.split_last_chunk::<4>().and_then(|(body, sum)| Some((body.split_first_chunk::<4>()?, body, sum)));
-        let whole = parts.filter(|(_, body, sum)| crc32fast::hash(body) == number(&sum[..]));
+        let whole = parts.filter(|(_, body, sum)| crc32fast::hash(body) == u32::from_le_bytes(**sum));
         let Some(((fingerprint, content), ..)) = whole else {
             return Err(refused(format!(
                 "given {} bytes that are damaged, expected them as they were written",
                 bytes.len()
             )));
         };
-        match number(&fingerprint[..]) == self.fingerprint {
+        match u32::from_le_bytes(*fingerprint) == self.fingerprint {
             true => Ok(content),
             false => Err(refused("given another scene, setting or interface, expected those of this run".into())),
         }

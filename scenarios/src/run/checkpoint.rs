@@ -166,20 +166,20 @@ impl Checkpoint {
             }
             None => Err(short(found - rest.len() + n)),
         };
-        let format = number(take(4)?) as u32;
+        let format = u32::from_le_bytes(array(take(4)?));
         let length = take(1)?[0];
         let by = text(take(usize::from(length))?);
         if format != FORMAT {
             return Err(CheckpointError::Format { path, found: format, by });
         }
-        let fingerprint = number(take(4)?) as u32;
-        let content = number(take(8)?);
+        let fingerprint = u32::from_le_bytes(array(take(4)?));
+        let content = u64::from_le_bytes(array(take(8)?));
         let expected = ((found - rest.len()) as u64).saturating_add(content).saturating_add(4);
         if expected != found as u64 {
             return Err(CheckpointError::Length { path, found, expected });
         }
         let (body, sum) = bytes.split_at(found - 4);
-        let (sum, of_body) = (number(sum) as u32, crc32fast::hash(body));
+        let (sum, of_body) = (u32::from_le_bytes(array(sum)), crc32fast::hash(body));
         if sum != of_body {
             return Err(CheckpointError::Damaged { path, found: sum, expected: of_body });
         }
@@ -189,9 +189,9 @@ impl Checkpoint {
     }
 }
 
-/// A little-endian number of at most eight bytes.
-fn number(bytes: &[u8]) -> u64 {
-    bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+/// The first N bytes.
+fn array<const N: usize>(bytes: &[u8]) -> [u8; N] {
+    std::array::from_fn(|k| bytes[k])
 }
 
 /// Write `bytes` to a file of a folder in place of the one that is there, whole or not at all.
