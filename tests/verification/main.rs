@@ -25,6 +25,7 @@ mod hydroelastic;
 mod integrators;
 mod keel;
 mod kernel_sums;
+mod modal;
 mod options;
 mod projection_bodies;
 mod quoted_peaks;

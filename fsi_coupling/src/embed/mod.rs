@@ -77,7 +77,7 @@ mod surface;
 mod topology;
 
 pub use added_mass::AddedMass;
-pub use element::{Contribution, ElementLimits, FluidElement, HostStep, Snapshot};
+pub use element::{Contribution, ElementLimits, FluidElement, HostStep, Snapshot, shortest_step};
 pub use element_scheme::{ElementScheme, Integrator};
 pub use error::HostError;
 pub use frame::HostFrame;

@@ -3,7 +3,7 @@
 use sph_core::{Fluid, Seed};
 
 use super::added_mass::AddedMass;
-use super::element::{ElementLimits, FluidElement};
+use super::element::{ElementLimits, FluidElement, shortest_step};
 use super::error::HostError;
 use super::frame::HostFrame;
 use super::nodes::HostNodes;
@@ -230,6 +230,7 @@ impl SizedElement {
             sound_speed: self.spec.speed_of_sound(),
             most_substeps: self.spec.most_substeps,
             longest_fluid_step: f64::INFINITY,
+            shortest_step: shortest_step(self.spec.scheme.projection().is_some(), self.fluid_dt()),
             added_mass: self.added_mass,
         };
         Ok(FluidElement::of(system, link, limits))

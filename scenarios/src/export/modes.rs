@@ -8,7 +8,7 @@ use structure_fe::Damping;
 use super::panels::{ExportedPanels, scene_of};
 use super::structure::PanelModel;
 use super::{ExportError, loads_missing};
-use crate::scene::{Modes, NaturalMode, line};
+use crate::scene::{MILLIMETRE, Modes, NaturalMode, line};
 
 /// Writes the `count` lowest modes of each panel of the run in `dir` to `dir/modes/NAME.toml`, which is replaced.
 ///
@@ -33,12 +33,13 @@ pub fn export_modes(dir: &Path, count: usize) -> Result<ExportedPanels, ExportEr
             mass: m.mode.mass,
             damping_ratio: m.mode.damping_ratio,
             shape: m.mode.shape.clone(),
-            stress: m.stress.clone(),
+            stress: m.stress.iter().map(|stress| MILLIMETRE * stress).collect(),
         };
         let modes = found.modes.iter().map(mode).collect();
         let modes = Modes { nodes: found.nodes, masses: found.masses, modes };
         let mut text: String = model.heading("natural modes in air").iter().map(|line| format!("# {line}\n")).collect();
-        text += "# Of a metre of span; shapes with a largest displacement of 1, stress of the wet fibre at 1 m.\n";
+        text +=
+            "# Of a metre of span; shapes with a largest displacement of 1, stress of the wet fibre at 1 mm [Pa].\n";
         text += &toml::to_string(&modes).expect("modes have a TOML form");
         std::fs::write(folder.join(format!("{name}.toml")), text).map_err(wrong)?;
         panels.push(name.clone());

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use fsi_coupling::embed::{
-    ElementLimits, FluidElement, HostError, HostFrame, HostNodes, HostSurface, HostSurfaceSpec, Topology,
+    ElementLimits, FluidElement, HostError, HostFrame, HostNodes, HostSurface, HostSurfaceSpec, Topology, shortest_step,
 };
 use fsi_coupling::{BodyError, RigidMotion};
 
@@ -147,8 +147,8 @@ impl HostedScene {
             outline: Some(rest),
             half: scene.symmetry == Symmetry::X,
         };
-        let sound_speed =
-            if scene.solver.is_incompressible() { 10.0 * scene.projection_speed() } else { scene.sound_speed() };
+        let incompressible = scene.solver.is_incompressible();
+        let sound_speed = if incompressible { 10.0 * scene.projection_speed() } else { scene.sound_speed() };
         refuse_fast(nodes, sound_speed)?;
         let (hosted, link) = HostSurface::new(&topology, nodes, &rows(&scene), spec)?.into_body();
         let system = build_around(&scene, Some(hosted))?;
@@ -161,7 +161,9 @@ impl HostedScene {
         let records =
             records.map(|(folder, replace)| Records::start(scene, interface, folder, replace, warnings, &system));
         let most_substeps = MOST_SUBSTEPS;
-        let limits = ElementLimits { sound_speed, most_substeps, longest_fluid_step, added_mass: None };
+        let own = system.stable_dt()?.min(longest_fluid_step);
+        let shortest_step = shortest_step(incompressible, own);
+        let limits = ElementLimits { sound_speed, most_substeps, longest_fluid_step, shortest_step, added_mass: None };
         HostedRun::new(FluidElement::of(system, link, limits), fingerprint, records.transpose()?)
     }
 }

@@ -76,7 +76,7 @@ pub use settings::{
     NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
     SolverSettings, Symmetry, Tank, TheoryName, Time, panel_length, panel_line, schema,
 };
-pub(crate) use settings::{MODES, line};
+pub(crate) use settings::{MILLIMETRE, MODES, line};
 pub use source::apply_set;
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;

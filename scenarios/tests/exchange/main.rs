@@ -24,6 +24,8 @@ fn json(folder: &Path, arguments: &[&str]) -> Value {
 const SHORT: [&str; 6] =
     ["--set", "resolution.spacing=0.02", "--set", "time.end=0.006", "--set", "time.sample_every=0.0002"];
 
+const THICK: &str = "body.panels[0].thickness=0.012";
+
 /// A short run of a scene into `run`.
 fn run(folder: &Path, scene: &str, out: &str) {
     splashdown(folder, &[&["run", scene, "--out", out, "--quiet"][..], &SHORT].concat());
@@ -150,6 +152,62 @@ fn loads_on_nodes_add_up_to_the_force_on_the_body() {
         assert_eq!(largest, most(&column(&pressure, name)));
     }
     assert!(column(&stations, "stress_most_Pa").into_iter().all(|stress| stress > 0.0));
+}
+
+/// A wedge that falls on a plate of 12 mm, and on its modes from a file: the same force, motion and stress.
+#[test]
+fn a_panel_comes_back_as_its_modes() {
+    let folder = TempDir::new().expect("a folder");
+    let at = folder.path();
+    splashdown(at, &[&["run", "flexible_wedge", "--out", "plate", "--quiet", "--set", THICK][..], &SHORT].concat());
+    splashdown(at, &["export", "plate", "--modes", "30"]);
+    let written = read(at.join("plate/modes/plate.toml"));
+    fs::write(at.join("modes.toml"), &written).expect("a copy");
+    let scene = include_str!("../../scenes/flexible_wedge.toml");
+    let body = &scene[..scene.find("[[body.panels]]").expect("a panel")];
+    fs::write(at.join("modal.toml"), format!("{body}modes_file = \"modes.toml\"\n")).expect("a scene");
+    let told = json(at, &[&["check", "modal.toml"][..], &SHORT].concat());
+    let first = told["modes"]["natural_frequencies_hz"][0].as_f64().expect("a frequency");
+    assert!(written.contains(&format!("frequency = {first:?}")), "{first}");
+    run(at, "modal.toml", "modal");
+    let [plate, modal] = ["plate", "modal"].map(|run| read(at.join(run).join("series.csv")));
+    let [plate, modal] = [plate, modal].map(|table| column(&table, "wedge.vy_m_per_s"));
+    let rows = plate.len().min(modal.len());
+    same(&plate[..rows], &modal[..rows], 1e-3);
+    let peak = |run: &str, name: &str| {
+        let summary: Value = serde_json::from_str(&read(at.join(run).join("summary.json"))).expect("a summary");
+        summary["results"]["panels"][name]["peak_stress_Pa"]["value"].as_f64().expect("a stress")
+    };
+    let [plate, modes] = [peak("plate", "plate"), peak("modal", "modes")];
+    assert!((modes / plate - 1.0).abs() < 0.02, "{modes} Pa of modes, {plate} Pa of the plate");
+    splashdown(at, &["resume", "modal", "--until", "0.0065"]);
+}
+
+/// Places that are watched on a curved panel stay where they were, at any spacing.
+#[test]
+fn a_curved_panel_is_watched_where_it_was() {
+    for spacing in ["0.03", "0.025"] {
+        let folder = TempDir::new().expect("a folder");
+        let at = folder.path();
+        let spacing = format!("resolution.spacing={spacing}");
+        let sets = ["--quiet", "--set", &spacing, "--set", "time.end=0.004", "--set", "time.sample_every=0.0002"];
+        splashdown(at, &[&["run", "fuselage_flexible", "--out", "own"][..], &sets].concat());
+        splashdown(at, &["export", "own", "--nastran"]);
+        let scene = include_str!("../../scenes/fuselage_flexible.toml");
+        let panel = &scene[scene.find("[[body.panels]]").expect("a panel")..];
+        let name = panel.lines().find_map(|line| line.strip_prefix("name = ")).expect("a name").trim_matches('"');
+        fs::copy(at.join(format!("own/nastran/{name}.bdf")), at.join("panel.bdf")).expect("a copy");
+        let kept =
+            |line: &&str| ["[[body", "name", "watch", "from", "to", "ends"].iter().any(|key| line.starts_with(key));
+        let keys: Vec<&str> = panel.lines().filter(kept).collect();
+        let head = &scene[..scene.len() - panel.len()];
+        let text = format!("{head}{}\nstructure_file = \"panel.bdf\"\n", keys.join("\n"));
+        fs::write(at.join("bars.toml"), text).expect("a scene");
+        splashdown(at, &[&["run", "bars.toml", "--out", "bars"][..], &sets].concat());
+        let [own, bars] = ["own", "bars"].map(|run| read(at.join(run).join("series.csv")));
+        let watched = format!("{name}.at50.deflection_m");
+        same(&column(&own, &watched), &column(&bars, &watched), 1e-3);
+    }
 }
 
 /// A model in millimetres and tonnes, in another plane, against the order of the line, bars for half a metre: the same frequencies.

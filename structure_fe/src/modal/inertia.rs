@@ -2,7 +2,7 @@
 
 use faer::Mat;
 
-use super::{Frame, ModalMode, ModalState, ModalStructure, turned};
+use super::mode::{Frame, ModalMode, ModalState, turned};
 
 /// Sums over the masses of frame and nodes, in the frame's axes; p × r is p_x r_y − p_y r_x.
 #[derive(Clone, Debug)]
@@ -69,52 +69,50 @@ impl ShapeIntegrals {
             .sum::<f64>();
         self.second_moment + of_modes
     }
-}
 
-impl ModalStructure {
     /// BE28: mass matrix of x, y, rotation and amplitudes.
-    pub(super) fn mass_matrix(&self, state: &ModalState) -> Mat<f64> {
-        let (n, sums, angle) = (self.unknowns(), &self.integrals, state.frame[2]);
+    pub fn mass_matrix(&self, modes: &[ModalMode], state: &ModalState) -> Mat<f64> {
+        let (n, angle) = (3 + modes.len(), state.frame[2]);
         let mut matrix = Mat::zeros(n, n);
         let mut set = |i: usize, j: usize, value: f64| (matrix[(i, j)], matrix[(j, i)]) = (value, value);
-        let [sx, sy] = turned(sums.first_moment(&state.amplitude), angle);
-        set(0, 0, sums.mass);
-        set(1, 1, sums.mass);
+        let [sx, sy] = turned(self.first_moment(&state.amplitude), angle);
+        set(0, 0, self.mass);
+        set(1, 1, self.mass);
         set(0, 2, -sy);
         set(1, 2, sx);
-        set(2, 2, sums.second_moment(&state.amplitude));
-        for (j, mode) in self.modes.iter().enumerate() {
-            let [px, py] = turned(sums.momentum[j], angle);
+        set(2, 2, self.second_moment(&state.amplitude));
+        for (j, mode) in modes.iter().enumerate() {
+            let [px, py] = turned(self.momentum[j], angle);
             set(0, 3 + j, px);
             set(1, 3 + j, py);
-            set(2, 3 + j, sums.with_place(j, &state.amplitude)[1]);
+            set(2, 3 + j, self.with_place(j, &state.amplitude)[1]);
             set(3 + j, 3 + j, mode.mass);
         }
         matrix
     }
 
     /// BE28: the generalised weight.
-    pub(super) fn weight(&self, state: &ModalState, [gx, gy]: [f64; 2]) -> Vec<f64> {
-        let (sums, angle) = (&self.integrals, state.frame[2]);
-        let [sx, sy] = turned(sums.first_moment(&state.amplitude), angle);
-        let of_modes = sums.momentum.iter().map(|p| {
+    pub fn weight(&self, state: &ModalState, [gx, gy]: [f64; 2]) -> Vec<f64> {
+        let angle = state.frame[2];
+        let [sx, sy] = turned(self.first_moment(&state.amplitude), angle);
+        let of_modes = self.momentum.iter().map(|p| {
             let [px, py] = turned(*p, angle);
             px * gx + py * gy
         });
-        [sums.mass * gx, sums.mass * gy, sx * gy - sy * gx].into_iter().chain(of_modes).collect()
+        [self.mass * gx, self.mass * gy, sx * gy - sy * gx].into_iter().chain(of_modes).collect()
     }
 
     /// BE28: centripetal and Coriolis forces of a frame that turns.
-    pub(super) fn convective_forces(&self, state: &ModalState) -> Vec<f64> {
-        let (sums, spin, rates) = (&self.integrals, state.velocity[2], &state.velocity[3..]);
+    pub fn convective_forces(&self, state: &ModalState) -> Vec<f64> {
+        let (spin, rates) = (state.velocity[2], &state.velocity[3..]);
         let from_frame = |v: [f64; 2]| turned(v, state.frame[2]);
-        let [sx, sy] = from_frame(sums.first_moment(&state.amplitude));
-        let moving = sums.momentum.iter().zip(rates).fold([0.0; 2], |sum, (p, rate)| added(sum, *rate, *p));
+        let [sx, sy] = from_frame(self.first_moment(&state.amplitude));
+        let moving = self.momentum.iter().zip(rates).fold([0.0; 2], |sum, (p, rate)| added(sum, *rate, *p));
         let [px, py] = from_frame(moving);
-        let outwards: Vec<f64> = (0..rates.len()).map(|j| sums.with_place(j, &state.amplitude)[0]).collect();
+        let outwards: Vec<f64> = (0..rates.len()).map(|j| self.with_place(j, &state.amplitude)[0]).collect();
         let turning: f64 = outwards.iter().zip(rates).map(|(out, rate)| out * rate).sum();
         let of_mode = |j: usize| {
-            let coriolis: f64 = sums.with_shape.iter().zip(rates).map(|(of, rate)| of[j][1] * rate).sum();
+            let coriolis: f64 = self.with_shape.iter().zip(rates).map(|(of, rate)| of[j][1] * rate).sum();
             spin * spin * outwards[j] - 2.0 * spin * coriolis
         };
         let rigid = [spin * spin * sx + 2.0 * spin * py, spin * spin * sy - 2.0 * spin * px, -2.0 * spin * turning];

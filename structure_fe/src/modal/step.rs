@@ -1,6 +1,7 @@
 //! A step of a modal structure: the trapezoidal rule, linear momentum to rounding (THEORY BE29).
 
-use super::{ModalState, ModalStructure, dot, times};
+use super::mode::{ModalMode, ModalState};
+use super::structure::{ModalStructure, dot, times};
 use crate::error::{Error, above_zero};
 
 /// Iterations end where the velocities change by less than this share, in the norm of the kinetic energy \[-\]; and at most so many.
@@ -95,7 +96,7 @@ impl ModalStructure {
     fn balance(&self, begun: &ModalState, new: &ModalState, load: &[f64], step: &Step) -> StepOutcome {
         let (dt, middle, held) = (step.dt, between(begun, new), self.held());
         let weight = self.weight(&middle, step.gravity);
-        let damped = |(j, mode): (usize, &super::ModalMode)| mode.damping() * middle.velocity[3 + j].powi(2);
+        let damped = |(j, mode): (usize, &ModalMode)| mode.damping() * middle.velocity[3 + j].powi(2);
         let dissipated = dt * self.modes().iter().enumerate().map(damped).sum::<f64>();
         let [from, to] = [begun, new].map(|state| times(&self.mass_matrix(state), &state.velocity));
         let gained: Vec<f64> = new.velocity.iter().zip(&begun.velocity).map(|(to, from)| to - from).collect();

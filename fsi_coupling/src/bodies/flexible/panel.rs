@@ -87,8 +87,9 @@ pub struct PanelSpec {
     pub watch: Vec<f64>,
 }
 
-/// A place is at a node from so near on [-].
-const AT_NODE: f64 = 1e-9;
+/// A place is at a node where it is so near, over the length of the element beside it [-]: elements of a curved panel meet at an angle, so
+/// that it matters on which of them a place is.
+const AT_NODE: f64 = 0.02;
 
 /// Nodes and bars of a panel that is not a plate of equal elements, from its start to its end.
 #[derive(Clone, Debug, PartialEq)]
@@ -250,7 +251,9 @@ impl Panel {
     /// The element and the share of it [-] at a share of the panel's length.
     pub fn element_at(&self, share: f64) -> (usize, f64) {
         if !self.shares.is_empty() {
-            let k = self.shares.partition_point(|s| *s <= share + AT_NODE).clamp(1, self.elements.len()) - 1;
+            let near = |k: usize| AT_NODE * (self.shares[k] - self.shares[k - 1]);
+            let reached = |k: &usize| self.shares[*k] - near(*k) <= share;
+            let k = (1..self.elements.len()).take_while(reached).count();
             let [from, to] = [self.shares[k], self.shares[k + 1]];
             let t = if to > from { ((share - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
             return (self.elements.start + k, t);

@@ -13,6 +13,9 @@ use crate::geometry::polyline::Polyline;
 /// Displacement at which stresses of a shape are taken, over the length of the panel [-]: the element is linear there to about as much.
 const SMALL: f64 = 1e-7;
 
+/// What the nodes' masses carry in a mode over its generalised mass, at most: above it the elements are too long for the mode [-].
+const RESOLVED: f64 = 1.2;
+
 /// A panel by its modes, of a metre of span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelModes {
@@ -20,12 +23,13 @@ pub struct PanelModes {
     pub nodes: Vec<[f64; 2]>,
     /// Masses that move with them [kg/m]: half of each element beside a node.
     pub masses: Vec<f64>,
-    /// Its lowest modes, scaled to a largest displacement of 1; stress of the outer fibre to the right, which along an outline is wet.
+    /// Its lowest modes that its elements resolve, scaled to a largest displacement of 1; stress of the outer fibre to the right, which along an outline is wet.
     pub modes: Vec<SurfaceMode>,
 }
 
 impl PanelModes {
-    /// The `count` lowest modes of a panel along a body's line, its ends held by a frame at rest, with Rayleigh damping.
+    /// Of the `count` lowest modes of a panel those that its elements resolve; along a body's line, its ends held by a frame at rest, with Rayleigh
+    /// damping.
     ///
     /// # Errors
     /// Those of the panel's finite elements.
@@ -75,7 +79,12 @@ impl PanelModes {
                 stress: (0..nodes.len()).map(stress).collect(),
             }
         };
-        let modes = found.iter().map(mode).collect();
+        let resolved = |mode: &SurfaceMode| {
+            let squares = mode.mode.shape.iter().map(|[u, v, _]| u * u + v * v);
+            let carried: f64 = masses.iter().zip(squares).map(|(m, square)| m * square).sum();
+            carried <= RESOLVED * mode.mode.mass
+        };
+        let modes = found.iter().map(mode).filter(resolved).collect();
         Ok(PanelModes { masses, modes, nodes })
     }
 }

@@ -22,7 +22,7 @@ pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
-pub(crate) use modes::MODES;
+pub(crate) use modes::{MILLIMETRE, MODES};
 pub use modes::{Modes, NaturalMode};
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
 pub use panel::{Panel, StructurePlane, StructureUnits, TheoryName};

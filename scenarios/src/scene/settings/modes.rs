@@ -37,10 +37,13 @@ pub struct NaturalMode {
     pub damping_ratio: f64,
     /// Displacement x, y and rotation of each node, body's frame [-, -, rad/m].
     pub shape: Vec<[f64; 3]>,
-    /// Stress at each node at an amplitude of 1 m [Pa/m]. absent: not known.
+    /// Stress at each node at an amplitude of 1 mm [Pa/mm]. absent: not known.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stress: Vec<f64>,
 }
+
+/// Amplitude at which the stress of a mode is given [m].
+pub(crate) const MILLIMETRE: f64 = 1e-3;
 
 /// Name of the results of a structure by its modes.
 pub(crate) const MODES: &str = "modes";
@@ -65,7 +68,7 @@ impl Modes {
                 damping_ratio: m.damping_ratio,
                 shape: m.shape.clone(),
             },
-            stress: m.stress.clone(),
+            stress: m.stress.iter().map(|stress| stress / MILLIMETRE).collect(),
         };
         self.modes.iter().map(mode).collect()
     }
