@@ -49,6 +49,21 @@ fn read(text: &str) -> Result<Modes, Fault> {
         let expected = "nodes = [[x, y], ...] and [[modes]] with frequency, mass, shape = [[u, v, rotation], ...]";
         Fault::new(line(at), error.message().trim().to_string(), expected)
     })?;
+    let table: toml::Table = toml::from_str(text).unwrap_or_default();
+    let ragged = |rows: Option<&toml::Value>, columns: usize| {
+        let rows = rows.and_then(toml::Value::as_array).into_iter().flatten();
+        rows.filter_map(toml::Value::as_array).map(Vec::len).find(|found| *found != columns)
+    };
+    if let Some(found) = ragged(table.get("nodes"), 2) {
+        return Err(Fault::new(line(file.nodes.span().start), format!("a node of {found} numbers"), "two: x, y [m]"));
+    }
+    let modes = table.get("modes").and_then(toml::Value::as_array).into_iter().flatten();
+    for (mode, given) in file.modes.iter().zip(modes) {
+        if let Some(found) = ragged(given.get("shape"), 3) {
+            let given = format!("a row of {found} numbers in shape");
+            return Err(Fault::new(line(mode.span().start), given, "three: displacement x, y and rotation"));
+        }
+    }
     let width = *file.width.get_ref();
     if !(width > 0.0 && width.is_finite()) {
         return Err(Fault::new(
@@ -104,6 +119,8 @@ mod tests {
             ("width = 0.5", "width = 0", 1, "above 0"),
             ("masses = [1, 2]", "masses = [1]", 3, "2, one for each of nodes"),
             ("[0, 1, 0]]", "[0, 1, 0], [0, 2, 0]]", 5, "2, one for each of nodes"),
+            ("[0, 1, 0]]", "[0, 1, 0, 0]]", 5, "displacement x, y and rotation"),
+            ("[1, 0.2]]", "[1, 0.2, 0]]", 2, "two: x, y"),
             ("frequency = 30", "frequency = 0", 5, "rigid motion"),
             ("frequency = 30", "frequenz = 30", 6, "[[modes]]"),
             ("mass = 1.5", "mass = \"heavy\"", 7, "[[modes]]"),

@@ -180,7 +180,6 @@ fn a_panel_comes_back_as_its_modes() {
     };
     let [plate, modes] = [peak("plate", "plate"), peak("modal", "modes")];
     assert!((modes / plate - 1.0).abs() < 0.02, "{modes} Pa of modes, {plate} Pa of the plate");
-    splashdown(at, &["resume", "modal", "--until", "0.0065"]);
 }
 
 /// Places that are watched on a curved panel stay where they were, at any spacing.
