@@ -329,8 +329,8 @@ enum splashdown_status splashdown_free_scene(struct splashdown_scene *scene);
  * [N/m] and M [N] of each node: their mean over the step, so that dt times them is the impulse. `contribution` is NULL if it is
  * not wanted.
  *
- * After SPLASHDOWN_STEP the element waits for splashdown_restore, after SPLASHDOWN_FILE the record of the run is not complete; after
- * any other error nothing has changed.
+ * After SPLASHDOWN_STEP the element waits for splashdown_restore; after any other error nothing has changed. A record that cannot be
+ * written ends there: the run goes on, and splashdown_finish gives SPLASHDOWN_FILE.
  *
  * Memory: Arrays are NULL or of the lengths above; `contribution` is NULL or points to a structure.
  */

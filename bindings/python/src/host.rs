@@ -238,8 +238,9 @@ impl Host {
     }
 
     /// Remember the present state; it replaces the one remembered before. A host that failed remembers nothing.
-    fn save(&self, py: Python<'_>) -> PyResult<()> {
-        self.state.open()?.running()?.save().map_err(|error| hosted(py, error))
+    fn save(&self) -> PyResult<()> {
+        self.state.open()?.running()?.save();
+        Ok(())
     }
 
     /// Return to the state last saved, as often as needed: a step repeated from there gives the same bits. StepError without one.
@@ -264,7 +265,8 @@ impl Host {
         Ok(())
     }
 
-    /// Ends the run: with a folder, writes summary and report and returns the Run, else None. The host can do nothing more.
+    /// Ends the run: with a folder, writes summary and report and returns the Run, else None. The host can do nothing more. OSError where
+    /// the records could not be written, also in an earlier step.
     fn finish<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let run = self.state.open()?.run.take().ok_or_else(ended)?;
         let Some(outcome) = py.detach(|| run.finish()).map_err(|error| hosted(py, error))? else { return Ok(None) };
