@@ -79,6 +79,26 @@ fn a_failed_run_has_a_summary_that_tells_why() {
     assert_eq!(summary["message"], error.to_string());
 }
 
+/// A run that was dropped before its end has a page about the host's motion as well.
+#[test]
+fn a_hosted_run_that_did_not_end_is_told_as_one() {
+    let folder = TempDir::new().expect("a folder");
+    let dir = folder.path().join("dropped");
+    let scene = CASES[0].open(&["time.sample_every=2e-4"]).recording(dir.clone(), false);
+    let start = scene.nodes().clone();
+    let mut run = scene.build(&start).expect("water");
+    (1..=10).for_each(|step| drop(stepped(&mut run, &start, f64::from(step) * DT, DT)));
+    drop(run);
+    assert!(!dir.join("summary.json").exists());
+    let mut report = std::process::Command::new(env!("CARGO_BIN_EXE_splashdown"));
+    assert!(report.arg("report").arg(&dir).output().expect("the program").status.success());
+    let page = fs::read_to_string(dir.join("report.html")).expect("a page");
+    for absent in ["To repeat this run", "von Karman", "Wagner"] {
+        assert!(!page.contains(absent), "{absent}");
+    }
+    assert!(page.contains("moved by a host program"));
+}
+
 /// What the host did is told, and what the scene would have done is not in the page.
 #[test]
 fn a_hosted_report_is_about_the_hosts_motion() {
