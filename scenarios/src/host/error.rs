@@ -68,7 +68,7 @@ pub enum HostedError {
     #[error(transparent)]
     Records(#[from] RunError),
     /// Bytes for a run that keeps records: these cannot be taken back.
-    #[error("a run with records cannot take a state of another process: open the scene without records")]
+    #[error("a run with records cannot take a state of bytes: open the scene without records")]
     Recorded,
 }
 
