@@ -25,7 +25,7 @@ fn main() -> Result<(), HostedError> {
     let mut forces = [[0.0; 3]];
     for step in 0..STEPS {
         if tries && step == 40 {
-            water.save()?;
+            water.save();
             let mut wrong = nodes.clone();
             wrong.velocity[0][1] = 0.0;
             let mut discarded = [[0.0; 3]];

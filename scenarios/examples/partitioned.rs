@@ -49,7 +49,8 @@ impl Participant for Fluid {
 
     fn write_checkpoint(&mut self) -> Result<(), HostedError> {
         self.stored = self.nodes.clone();
-        self.water.save()
+        self.water.save();
+        Ok(())
     }
 
     fn read_checkpoint(&mut self) -> Result<(), HostedError> {

@@ -95,7 +95,7 @@ fn main() -> Result<(), HostedError> {
     let mut forces = vec![[0.0; 3]; nodes.len()];
     let mut rejected = 0;
     for step in 1..=STEPS {
-        water.save()?;
+        water.save();
         let mut redone = false;
         loop {
             let mut end = verlet(&state, &predicted);

@@ -15,8 +15,12 @@
  * SPLASHDOWN_LENGTH. A call that fails writes to no array and to no structure.
  *
  * Errors: every call that can fail gives a status, 0 for success. splashdown_message gives the text of the last error of the
- * calling thread. No call ends the process: an internal error gives SPLASHDOWN_PANIC, and later calls with that
- * handle give SPLASHDOWN_AFTER_PANIC until it is freed.
+ * calling thread. An internal error gives SPLASHDOWN_PANIC, and later calls with that handle give SPLASHDOWN_AFTER_PANIC
+ * until it is freed: no panic leaves the library. splashdown_build refuses water that does not fit in memory
+ * (SPLASHDOWN_INPUT); memory that the system refuses later ends the process.
+ *
+ * Floating-point traps: only those for invalid operations and overflow may be on during calls. A trap for division by zero
+ * or for inexact results ends the process.
  *
  * Handles: a handle is a number in the form of a pointer: it is never read through. A handle that was freed or
  * consumed gives SPLASHDOWN_NO_HANDLE. The caller frees what it opened; nothing else is allocated for the caller.
@@ -25,6 +29,8 @@
  * other: each gives the same bits as alone. While a call with a handle runs, every other call with that handle gives
  * SPLASHDOWN_BUSY and does nothing. All elements share one pool of threads (splashdown_set_threads); the bits do
  * not depend on its size.
+ *
+ * Processes: a child after fork has the handles but not the threads. It must not use them: a call would wait for ever.
  */
 
 
@@ -329,8 +335,8 @@ enum splashdown_status splashdown_free_scene(struct splashdown_scene *scene);
  * [N/m] and M [N] of each node: their mean over the step, so that dt times them is the impulse. `contribution` is NULL if it is
  * not wanted.
  *
- * After SPLASHDOWN_STEP the element waits for splashdown_restore, after SPLASHDOWN_FILE the record of the run is not complete; after
- * any other error nothing has changed.
+ * After SPLASHDOWN_STEP the element waits for splashdown_restore; after any other error nothing has changed. A record that cannot be
+ * written ends there: the run goes on, and splashdown_finish gives SPLASHDOWN_FILE.
  *
  * Memory: Arrays are NULL or of the lengths above; `contribution` is NULL or points to a structure.
  */

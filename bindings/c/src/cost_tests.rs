@@ -104,7 +104,7 @@ fn the_border_takes_a_fiftieth_of_a_step_at_most_and_allocates_nothing() {
         step_in_c(element, &nodes, &mut of_c);
         assert_eq!(forces, of_c);
     }
-    rust.save().expect("a state");
+    rust.save();
     assert_eq!(splashdown_save(element), SPLASHDOWN_OK);
     fall(&mut nodes);
     let (mut shortest, mut fewest) = ([Duration::MAX; 2], [u64::MAX; 2]);

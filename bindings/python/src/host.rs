@@ -6,7 +6,6 @@ use fsi_coupling::embed::{HostNodes, Snapshot};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
-use scenarios::cli::available_memory;
 use scenarios::host::{ErrorKind, HostedError, HostedRun, HostedScene, Interface};
 use scenarios::scene::Scene;
 
@@ -95,18 +94,6 @@ fn hosted(py: Python<'_>, error: HostedError) -> PyErr {
     }
 }
 
-/// Refuses water that does not fit in memory.
-fn refuse_large(sized: &HostedScene) -> PyResult<()> {
-    let (bytes, most) = (sized.bytes(), available_memory());
-    match bytes > most {
-        true => Err(errors::input(format!(
-            "{} particles of water need {bytes} bytes: expected a spacing that fits in {most} bytes of memory",
-            sized.fluid_particles()
-        ))),
-        false => Ok(()),
-    }
-}
-
 #[pymethods]
 impl Host {
     #[new]
@@ -126,7 +113,6 @@ impl Host {
         let interface = interface.parse::<Interface>().map_err(|error| hosted(py, error))?;
         let name = text(&scene)?;
         let mut sized = py.detach(|| HostedScene::open(name, &sets, interface)).map_err(|error| hosted(py, error))?;
-        refuse_large(&sized)?;
         if let Some(folder) = &out {
             sized = sized.recording(folder.clone(), force);
         }
@@ -238,8 +224,9 @@ impl Host {
     }
 
     /// Remember the present state; it replaces the one remembered before. A host that failed remembers nothing.
-    fn save(&self, py: Python<'_>) -> PyResult<()> {
-        self.state.open()?.running()?.save().map_err(|error| hosted(py, error))
+    fn save(&self) -> PyResult<()> {
+        self.state.open()?.running()?.save();
+        Ok(())
     }
 
     /// Return to the state last saved, as often as needed: a step repeated from there gives the same bits. StepError without one.
@@ -264,7 +251,8 @@ impl Host {
         Ok(())
     }
 
-    /// Ends the run: with a folder, writes summary and report and returns the Run, else None. The host can do nothing more.
+    /// Ends the run: with a folder, writes summary and report and returns the Run, else None. The host can do nothing more. OSError where
+    /// the records could not be written, also in an earlier step.
     fn finish<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let run = self.state.open()?.run.take().ok_or_else(ended)?;
         let Some(outcome) = py.detach(|| run.finish()).map_err(|error| hosted(py, error))? else { return Ok(None) };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
-use scenarios::cli::available_memory;
+use scenarios::preflight::available_memory;
 use scenarios::scene::{self, Loaded};
 
 use crate::call::refuse_fork;

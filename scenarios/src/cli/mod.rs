@@ -26,7 +26,6 @@ use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
 use experiments::{convergence, stability, work_precision};
-pub use shared::available_memory;
 use shared::{DONE, FAILED, INPUT, Output, Stop, complain, say, unsaid, was_said};
 use tips::tips;
 

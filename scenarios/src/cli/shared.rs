@@ -12,6 +12,7 @@ use fsi_coupling::settings::Problem;
 use fsi_coupling::settings::convert;
 use serde::Serialize;
 
+use crate::preflight::available_memory;
 use crate::run::RunError;
 use crate::scene::{self, Loaded, SceneError};
 
@@ -130,16 +131,6 @@ pub(super) fn load(args: &SceneArgs) -> Result<Loaded, Stop> {
     let loaded = scene::load(&args.scene, &args.sets)?;
     loaded.fits_in_memory(available_memory())?;
     Ok(loaded)
-}
-
-/// Memory that the system can still give [bytes]; all of it where the system does not tell.
-pub fn available_memory() -> u64 {
-    let mut system = sysinfo::System::new();
-    system.refresh_memory_specifics(sysinfo::MemoryRefreshKind::nothing().with_ram());
-    match system.available_memory() {
-        0 => u64::MAX,
-        bytes => bytes,
-    }
 }
 
 /// Why the process ends with a code other than 0.

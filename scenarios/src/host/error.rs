@@ -41,6 +41,18 @@ pub enum HostedError {
         /// What is possible.
         expected: String,
     },
+    /// The water does not fit in memory.
+    #[error(
+        "{particles} particles of water need {bytes} bytes: expected a spacing that fits in {most} bytes of memory"
+    )]
+    Memory {
+        /// Particles of the water.
+        particles: usize,
+        /// What the run needs, estimated.
+        bytes: u64,
+        /// What there is.
+        most: u64,
+    },
     /// No interface has this name.
     #[error("interface `{given}`: expected one of {expected}")]
     Interface {
@@ -56,7 +68,7 @@ pub enum HostedError {
     #[error(transparent)]
     Records(#[from] RunError),
     /// Bytes for a run that keeps records: these cannot be taken back.
-    #[error("a run with records cannot take a state of another process: open the scene without records")]
+    #[error("a run with records cannot take a state of bytes: open the scene without records")]
     Recorded,
 }
 
@@ -66,6 +78,7 @@ impl HostedError {
         match self {
             HostedError::Scene(_)
             | HostedError::Unfit { .. }
+            | HostedError::Memory { .. }
             | HostedError::Interface { .. }
             | HostedError::Recorded => ErrorKind::Input,
             HostedError::Records(error) if error.is_input() => ErrorKind::Input,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use fsi_coupling::Coupled;
+use tracing::warn;
 
 use super::error::HostedError;
 use super::interface::Interface;
@@ -27,7 +28,7 @@ pub(super) struct Records {
     /// Speed downwards at the first force of the water [m/s].
     contact_speed: Option<f64>,
     mark: Option<(Mark, Observed, Option<f64>)>,
-    /// The first observation that failed.
+    /// Why nothing is recorded any more.
     failed: Option<ObserveError>,
     _held: Option<Held>,
 }
@@ -56,7 +57,7 @@ impl Records {
         Ok(Records { scene, options, recorder, volume, start, seen, contact_speed, mark, failed, _held: held })
     }
 
-    /// Observe a step of the water; an error waits for `check`.
+    /// Observe a step of the water; an error ends the records and waits for `finish`.
     pub fn observe(&mut self, system: &mut Coupled) {
         if self.failed.is_some() {
             return;
@@ -67,24 +68,34 @@ impl Records {
         }
         match self.recorder.timed(system, Recorder::observe) {
             Ok(seen) => self.seen = seen,
-            Err(error) => self.failed = Some(error),
+            Err(error) => self.fail(error),
         }
     }
 
-    /// The error of an observation, if there was one.
-    pub fn check(&mut self) -> Result<(), HostedError> {
+    fn fail(&mut self, error: ObserveError) {
+        warn!("the run goes on without records: {error}");
+        self.failed = Some(error);
+    }
+
+    /// An error where the state at the start could not be recorded.
+    pub fn started(&mut self) -> Result<(), HostedError> {
         self.failed.take().map_or(Ok(()), |error| Err(error.into()))
     }
 
     /// Accept what was observed: `discard` returns to this moment.
-    pub fn hold(&mut self) -> Result<(), HostedError> {
-        self.mark = Some((self.recorder.hold()?, self.seen, self.contact_speed));
-        Ok(())
+    pub fn hold(&mut self) {
+        if self.failed.is_some() {
+            return;
+        }
+        match self.recorder.hold() {
+            Ok(mark) => self.mark = Some((mark, self.seen, self.contact_speed)),
+            Err(error) => self.fail(error),
+        }
     }
 
     /// Return to the moment of the last `hold`.
     pub fn discard(&mut self) -> Result<(), HostedError> {
-        if let Some((mark, seen, contact_speed)) = &self.mark {
+        if let Some((mark, seen, contact_speed)) = self.mark.as_ref().filter(|_| self.failed.is_none()) {
             let state = |error| HostedError::Element(fsi_coupling::embed::HostError::State(error));
             self.recorder.discard(mark).map_err(state)?;
             (self.seen, self.contact_speed) = (*seen, *contact_speed);
@@ -92,9 +103,10 @@ impl Records {
         Ok(())
     }
 
-    /// The end: the last sample, summary and report. `failure`: why the last step failed.
+    /// The end: the last sample, summary and report, or why the records ended before. `failure`: why the last step failed.
     pub fn finish(self, system: Coupled, failure: Option<String>) -> Result<Outcome, HostedError> {
-        let Records { scene, options, mut recorder, volume, start, seen, contact_speed, _held, .. } = self;
+        let Records { scene, options, mut recorder, volume, start, seen, contact_speed, failed, _held, .. } = self;
+        failed.map_or(Ok(()), |error| Err(HostedError::from(error)))?;
         recorder.host_doubt = unexpected(&scene, contact_speed);
         let references = Vec::new();
         let status = if failure.is_some() { Status::Failed } else { Status::Completed };

@@ -27,7 +27,7 @@ impl HostedRun {
         let mut run = HostedRun { element, fingerprint, records };
         if let Some(records) = &mut run.records {
             run.element.observe(|system| records.observe(system));
-            records.check()?;
+            records.started()?;
         }
         Ok(run)
     }
@@ -37,7 +37,8 @@ impl HostedRun {
     /// times `dt` it is the impulse that the water lost, to rounding (CO31).
     ///
     /// # Errors
-    /// Input that is refused changes nothing. A step that fails leaves the run to be restored or finished.
+    /// Input that is refused changes nothing. A step that fails leaves the run to be restored or finished. Records that cannot be written
+    /// end there, the run goes on, and `finish` tells why.
     pub fn contribute(
         &mut self,
         dt: f64,
@@ -47,22 +48,18 @@ impl HostedRun {
         let HostedRun { element, records, .. } = self;
         let step = HostStep { dt, nodes };
         let Some(records) = records else { return Ok(element.contribute(step, forces)?) };
-        let done = element.contribute_observed(step, forces, |system| records.observe(system))?;
-        records.check()?;
-        Ok(done)
+        Ok(element.contribute_observed(step, forces, |system| records.observe(system))?)
     }
 
     /// Remember the present state, and accept what was recorded so far; replaces the state remembered before. A run that failed remembers
     /// nothing.
-    ///
-    /// # Errors
-    /// Records that cannot be written.
-    pub fn save(&mut self) -> Result<(), HostedError> {
+    pub fn save(&mut self) {
         if self.element.failure().is_none() {
             self.element.save();
-            self.records.as_mut().map_or(Ok(()), Records::hold)?;
+            if let Some(records) = &mut self.records {
+                records.hold();
+            }
         }
-        Ok(())
     }
 
     /// Return to the state last saved, as often as needed: a step redone gives the same bits. Records return as well.
@@ -174,7 +171,7 @@ impl HostedRun {
     /// End the run. With records: summary and report are written and returned.
     ///
     /// # Errors
-    /// Files that cannot be written.
+    /// Files that cannot be written, also those of an earlier step.
     pub fn finish(self) -> Result<Option<Outcome>, HostedError> {
         let HostedRun { element, records, .. } = self;
         let failure = element.failure().map(str::to_string);

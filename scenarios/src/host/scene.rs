@@ -134,11 +134,18 @@ impl HostedScene {
         &self.warnings
     }
 
+    fn fits_in_memory(&self) -> Result<(), HostedError> {
+        let (bytes, most) = (self.bytes(), preflight::available_memory());
+        let particles = self.fluid_particles();
+        if bytes > most { Err(HostedError::Memory { particles, bytes, most }) } else { Ok(()) }
+    }
+
     /// The water around the nodes, which stand where [`HostedScene::nodes`] says; their velocities are what they start with.
     ///
     /// # Errors
-    /// Nodes elsewhere, water that cannot be built, files that cannot be written.
+    /// Water that does not fit in memory or cannot be built, nodes elsewhere, files that cannot be written.
     pub fn build(self, nodes: &HostNodes) -> Result<HostedRun, HostedError> {
+        self.fits_in_memory()?;
         let HostedScene { scene, body, start, interface, topology, mut warnings, records, .. } = self;
         let rest = outline_at_start(&scene, &body, &start).map_err(BodyError::from)?;
         let spec = HostSurfaceSpec {

@@ -140,7 +140,8 @@ pub(super) fn start_live(scene: &Scene, options: &RunOptions<'_>) -> Result<Opti
 pub(crate) fn start_folder(scene: &Scene, options: &RunOptions<'_>) -> Result<Option<Held>, RunError> {
     let Some(dir) = &options.out else { return Ok(None) };
     let held = prepare(dir)?;
-    write(&dir.join("scene.resolved.toml"), &scene.to_toml())?;
+    let mark = options.host.map_or(String::new(), |interface| format!("{}{interface}\n", run_page::HOST_MARK));
+    write(&dir.join("scene.resolved.toml"), &(mark + &scene.to_toml()))?;
     Ok(Some(held))
 }
 

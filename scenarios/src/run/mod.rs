@@ -96,16 +96,16 @@ pub struct Outcome {
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The output folder holds a run already.
-    #[error("{0} already holds a run ({1}): choose another --out, or --force to replace it")]
+    #[error("{0} already holds a run ({1}): choose another folder, or replace it (--force)")]
     Occupied(String, &'static str),
     /// A file or folder could not be written.
     #[error("cannot write {0}: {1}")]
     Write(String, std::io::Error),
     /// Another process writes to the folder.
-    #[error("{0}: another process writes a run there: wait for it, or choose another folder")]
+    #[error("{0}: another run writes there: wait for it, or choose another folder")]
     Held(String),
     /// The output folder's name is that of a file.
-    #[error("{0} is a file: choose another --out")]
+    #[error("{0} is a file: choose another folder")]
     NotAFolder(String),
     /// An observer failed.
     #[error(transparent)]

@@ -26,7 +26,7 @@ fn recorded(case: Case, dir: &Path, tries: bool) {
     let start = scene.nodes().clone();
     let mut run = scene.build(&start).expect("water");
     for step in 1..=20 {
-        run.save().expect("records");
+        run.save();
         if tries && step % 3 == 0 {
             stepped(&mut run, &start, f64::from(step + 2) * DT, 3.0 * DT);
             run.restore().expect("a saved state");
@@ -79,6 +79,26 @@ fn a_failed_run_has_a_summary_that_tells_why() {
     assert_eq!(summary["message"], error.to_string());
 }
 
+/// A run that was dropped before its end has a page about the host's motion as well.
+#[test]
+fn a_hosted_run_that_did_not_end_is_told_as_one() {
+    let folder = TempDir::new().expect("a folder");
+    let dir = folder.path().join("dropped");
+    let scene = CASES[0].open(&["time.sample_every=2e-4"]).recording(dir.clone(), false);
+    let start = scene.nodes().clone();
+    let mut run = scene.build(&start).expect("water");
+    (1..=10).for_each(|step| drop(stepped(&mut run, &start, f64::from(step) * DT, DT)));
+    drop(run);
+    assert!(!dir.join("summary.json").exists());
+    let mut report = std::process::Command::new(env!("CARGO_BIN_EXE_splashdown"));
+    assert!(report.arg("report").arg(&dir).output().expect("the program").status.success());
+    let page = fs::read_to_string(dir.join("report.html")).expect("a page");
+    for absent in ["To repeat this run", "von Karman", "Wagner"] {
+        assert!(!page.contains(absent), "{absent}");
+    }
+    assert!(page.contains("moved by a host program"));
+}
+
 /// What the host did is told, and what the scene would have done is not in the page.
 #[test]
 fn a_hosted_report_is_about_the_hosts_motion() {
@@ -101,4 +121,45 @@ fn a_hosted_report_is_about_the_hosts_motion() {
         let doubted = summary["doubts"].to_string().contains("met the water at");
         assert_eq!(doubted, share < 1.0, "{}", summary["doubts"]);
     }
+}
+
+#[cfg(unix)]
+const FULL: &str = "records::a_full_disk_ends_the_records_and_not_the_run";
+
+/// In a process whose files may not grow beyond 100 or 200 kB: the same forces as without records, and the first error at the end.
+#[test]
+#[cfg(unix)]
+fn a_full_disk_ends_the_records_and_not_the_run() {
+    if std::env::var_os("SPLASHDOWN_FULL").is_some() {
+        return full();
+    }
+    let mut limited = std::process::Command::new("sh");
+    limited.args(["-c", "trap '' XFSZ; ulimit -f 200; exec \"$0\" --exact \"$1\""]).env("SPLASHDOWN_FULL", "1");
+    let ended = limited.arg(std::env::current_exe().expect("a test")).arg(FULL).output().expect("a shell");
+    let told = String::from_utf8_lossy(&ended.stdout);
+    assert!(ended.status.success() && told.contains("1 passed"), "{told}");
+}
+
+#[cfg(unix)]
+fn full() {
+    let folder = TempDir::new().expect("a folder");
+    let often = ["time.sample_every=1e-4", "time.frame_every=1e-4"];
+    let scene = CASES[0].open(&often).recording(folder.path().join("run"), false);
+    let start = scene.nodes().clone();
+    let mut recorded = scene.build(&start).expect("water");
+    let (mut plain, _) = CASES[0].build(&often);
+    for step in 1..=40 {
+        let take = |run: &mut HostedRun| {
+            if step % 5 == 0 {
+                run.save();
+                stepped(run, &start, f64::from(step + 2) * DT, 3.0 * DT);
+                run.restore().expect("a saved state");
+            }
+            stepped(run, &start, f64::from(step) * DT, DT)
+        };
+        assert_eq!(take(&mut recorded), take(&mut plain), "step {step}");
+    }
+    let error = recorded.finish().err().expect("a full disk");
+    assert_eq!(error.kind(), scenarios::host::ErrorKind::File, "{error}");
+    assert!(error.to_string().contains("log.mcap"), "{error}");
 }

@@ -26,6 +26,15 @@ fn scenes_that_no_host_can_move() {
 }
 
 #[test]
+fn water_that_does_not_fit_in_memory() {
+    let scene = CASES[0].open(&["resolution.spacing=2e-5", "resolution.growth=1"]);
+    let nodes = scene.nodes().clone();
+    let error = scene.build(&nodes).err().expect("more than any machine has");
+    assert_eq!(error.kind(), ErrorKind::Input);
+    assert!(error.to_string().contains("bytes of memory"), "{error}");
+}
+
+#[test]
 fn steps_that_are_refused_change_nothing() {
     let (mut run, start) = CASES[1].build(&[]);
     let before = run.to_bytes().expect("a state");

@@ -7,7 +7,8 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::cli::shared::{DONE, Stop, available_memory};
+use crate::cli::shared::{DONE, Stop};
+use crate::preflight::available_memory;
 use crate::sweep::pool::STOP;
 use crate::sweep::{SweepFolder, run_point};
 

@@ -7,6 +7,9 @@ use super::table::Curves;
 use crate::log::LogReader;
 use crate::scene::{self, Scene, SceneError};
 
+/// The first line of the resolved scene of a run whose body a host moved, before the interface.
+pub(crate) const HOST_MARK: &str = "# moved by a host program: ";
+
 /// A run as its folder holds it.
 pub(crate) struct RunFolder {
     /// The folder.
@@ -39,6 +42,12 @@ pub enum FolderError {
     Summary(String, serde_json::Error),
 }
 
+/// The interface by which a host moved the body of a run, by its resolved scene.
+fn host_of(scene: &Path) -> Option<String> {
+    let text = std::fs::read_to_string(scene).ok()?;
+    text.lines().next()?.strip_prefix(HOST_MARK).map(str::to_string)
+}
+
 impl RunFolder {
     /// Read a folder; a run that was killed, and a log that was cut, are read as far as they go.
     ///
@@ -52,7 +61,7 @@ impl RunFolder {
         }
         let loaded = scene::load_beyond_limits(&name, &[]).map_err(Box::new)?;
         let mut gaps = Vec::new();
-        let record: Record = match std::fs::read_to_string(file("summary.json")) {
+        let mut record: Record = match std::fs::read_to_string(file("summary.json")) {
             Ok(text) => serde_json::from_str(&text)
                 .map_err(|e| FolderError::Summary(file("summary.json").display().to_string(), e))?,
             Err(_) => {
@@ -60,6 +69,9 @@ impl RunFolder {
                 Record::default()
             }
         };
+        if record.host.is_none() {
+            record.host = host_of(&file("scene.resolved.toml"));
+        }
         let curves = Curves::read(&file("series.csv"));
         if curves.times().is_empty() {
             gaps.push("series.csv is missing or empty: there are no curves".into());

@@ -24,6 +24,7 @@ use std::path::Path;
 use charts::Figure;
 use flow::Flow;
 pub use folder::FolderError;
+pub(crate) use folder::HOST_MARK;
 use folder::RunFolder;
 
 use crate::report::Block;
