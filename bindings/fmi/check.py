@@ -5,6 +5,7 @@
 import contextlib
 import io
 import json
+import locale
 import math
 import pathlib
 import sys
@@ -301,7 +302,11 @@ def check_record(unit, lines, folder):
     again.fmu.enterInitializationMode()
     refused(again, again.fmu.exitInitializationMode, ERROR, "recorded")
     again.fmu.freeInstance()
+    with contextlib.suppress(locale.Error):  # a decimal comma, where `check` could make one
+        locale.setlocale(locale.LC_NUMERIC, "de_DE.UTF-8")
     coarse = unit.instance(spacing=0.02, settings="body.velocity=[0,-5]")
+    print(f"parameters: spacing with the decimal sign {locale.localeconv()['decimal_point']}")
+    locale.setlocale(locale.LC_NUMERIC, "C")
     assert coarse.get("fluid_dt") > 1.5 * recorded_dt(unit) and abs(coarse.get("vy") + 5.0) < 0.1
     coarse.close()
     print(f"record: {len(series)} rows of a run with rejected steps")

@@ -63,6 +63,19 @@ static double *spins_of(const struct instance *instance, double *nodes)
     return instance->interface == SPLASHDOWN_NODES ? NULL : nodes + 5 * instance->layout.nodes;
 }
 
+/* A setting as the scene reads it: with a point, whatever the locale of the process has instead. */
+static void write_setting(char *text, size_t length, const char *key, double value)
+{
+    snprintf(text, length, "%s=%.17g", key, value);
+    char *at = strchr(text, '=') + 1;
+    at += strspn(at, "+-0123456789");
+    const size_t point = strcspn(at, "0123456789efina");
+    if (point > 0) {
+        *at = '.';
+        memmove(at + 1, at + point, strlen(at + point) + 1);
+    }
+}
+
 /* The settings of the unit, then the parameter `settings` (`text`, divided at its semicolons in place), then `spacing`;
    NULL without memory. */
 static const char **all_settings(const struct instance *instance, char *text, const char *spacing, size_t *count)
@@ -131,7 +144,7 @@ fmi3Status open_scene(struct instance *instance)
     char spacing[64] = "", *text = copy_of(instance->texts[TEXT_SETTINGS]);
     const double given = instance->numbers == NULL ? 0.0 : instance->numbers[place_of(&instance->layout, SPACING)];
     if (given != 0.0) {
-        snprintf(spacing, sizeof spacing, "resolution.spacing=%.17g", given);
+        write_setting(spacing, sizeof spacing, "resolution.spacing", given);
     }
     size_t count;
     const char **settings = text == NULL ? NULL : all_settings(instance, text, spacing, &count);
@@ -164,17 +177,12 @@ static void write_number(struct instance *instance, enum role role, double value
     instance->numbers[place_of(&instance->layout, role)] = value;
 }
 
-fmi3Status read_outputs_now(struct instance *instance)
+fmi3Status read_forces_now(struct instance *instance)
 {
-    double dt;
-    fmi3Status status = told(instance, "the forces now",
-                             splashdown_forces_now(instance->element, instance->forces, instance->layout.nodes));
+    const fmi3Status status = told(instance, "the forces now",
+                                   splashdown_forces_now(instance->element, instance->forces, instance->layout.nodes));
     if (status == fmi3OK) {
         write_loads(instance, FORCE_NOW, MOMENT_NOW);
-        status = told(instance, "the step of the water", splashdown_fluid_dt(instance->element, &dt));
-    }
-    if (status == fmi3OK) {
-        write_number(instance, FLUID_DT, dt);
     }
     return status;
 }
@@ -198,8 +206,13 @@ fmi3Status build_element(struct instance *instance, double *start)
         memmove(instance->built, start, 6 * n * sizeof *start);
         status = told(instance, "the time", splashdown_time(instance->element, &instance->water_start));
     }
+    double dt;
     if (status == fmi3OK) {
-        status = read_outputs_now(instance);
+        status = told(instance, "the step of the water", splashdown_fluid_dt(instance->element, &dt));
+    }
+    if (status == fmi3OK) {
+        write_number(instance, FLUID_DT, dt);
+        status = read_forces_now(instance);
     }
     return status;
 }
@@ -251,9 +264,10 @@ fmi3Status step_element(struct instance *instance, double dt)
     }
     write_loads(instance, FORCE, MOMENT);
     write_number(instance, FLUID_STEPS, (double)given.fluid_steps);
+    write_number(instance, FLUID_DT, given.fluid_dt);
     write_number(instance, WORK, given.work);
     write_number(instance, PENETRATION, given.depth);
-    return read_outputs_now(instance);
+    return read_forces_now(instance);
 }
 
 fmi3Status finish_element(struct instance *instance)

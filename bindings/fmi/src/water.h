@@ -19,8 +19,8 @@ fmi3Status build_element(struct instance *instance, double *start);
 /* The water goes with the nodes through a step [s]; outputs follow. */
 fmi3Status step_element(struct instance *instance, double dt);
 
-/* Outputs of this instant: forces now, longest step. */
-fmi3Status read_outputs_now(struct instance *instance);
+/* The forces of this instant as outputs. */
+fmi3Status read_forces_now(struct instance *instance);
 
 /* Ends the element: writes summary and report where recording was asked. */
 fmi3Status finish_element(struct instance *instance);
