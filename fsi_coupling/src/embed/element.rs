@@ -79,9 +79,9 @@ pub struct ElementLimits {
 }
 
 /// Shortest step of a host over that of the water at the start [-]. A projection corrects the places of particles within a step,
-/// whatever its length: at a quarter of the water's step the force of one shorter step was 3 times too large, below that in proportion to
+/// whatever its length: at 0.3 of the water's step the force of one shorter step was 3 times too large, below that in proportion to
 /// 1/Δt.
-const SHORTEST_OF_PROJECTION: f64 = 0.25;
+const SHORTEST_OF_PROJECTION: f64 = 0.05;
 /// The same where an equation of state gives the pressure: from about 1e-5 on velocities and accelerations lose their digits.
 const SHORTEST: f64 = 1e-3;
 
