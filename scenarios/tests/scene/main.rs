@@ -174,6 +174,17 @@ density = 2700.0
 yield_stress = 250e6
 ";
 
+/// The same as modes.
+const MODES: &str = "
+[body.modal]
+nodes = [[0.0, 0.0], [0.125, 0.072169], [0.25, 0.144338]]
+masses = [1.0, 2.0, 1.0]
+[[body.modal.modes]]
+frequency = 100.0
+mass = 2.0
+shape = [[0.0, 0.0, 0.0], [-0.5, 0.866, 0.0], [0.0, 0.0, 0.0]]
+";
+
 #[test]
 fn a_key_left_out_has_the_default_that_its_keyword_declares() {
     for keyword in schema().keywords() {
@@ -187,7 +198,11 @@ fn a_key_left_out_has_the_default_that_its_keyword_declares() {
                 .replace("gravity = [0.0, -9.81]\n", "tank = { width = 2.0, depth = 1.0 }\n")
                 .replace("velocity = [0.0, -5.0]\n", ""),
         };
-        let silent = if keyword.path.starts_with("body.panels") { format!("{silent}{PANEL}") } else { silent };
+        let silent = match &keyword.path {
+            path if path.starts_with("body.panels") => format!("{silent}{PANEL}"),
+            path if path.starts_with("body.modal") => format!("{silent}{MODES}"),
+            _ => silent,
+        };
         let silent = match keyword.path.split('.').next() {
             Some("projection") => format!("solver = \"incompressible\"\n{silent}"),
             Some("want" | "within") => format!("model = \"auto\"\n{silent}"),

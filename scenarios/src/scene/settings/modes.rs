@@ -12,7 +12,7 @@ pub struct Modes {
     /// Nodes x, y along the outline (a polyline's middle line), counter-clockwise, body's frame [m]. Between the first and the last one
     /// the surface bends.
     pub nodes: Vec<[f64; 2]>,
-    /// Mass that moves with each node [kg/m]; it links the modes with the motion of the body. absent: none, for modes of a structure
+    /// Mass that moves with each node [kg/m]. It links the modes with the motion of the body. absent: none, for modes of a structure
     /// that is free as a whole.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(inner(range(min = 0.0)))]
