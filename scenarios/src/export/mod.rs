@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 use crate::bounded_text::read_text;
 use crate::log::LogReader;
 use frame_writer::FrameWriter;
-pub use modes::export_modes;
+pub use modes::{ExportedModes, export_modes};
 pub use panels::{ExportedPanels, PanelFormat, export_panels};
 
 /// A format of frames.

@@ -1,20 +1,29 @@
 //! The panels of a run as files of natural modes, which `body.modes_file` reads.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use fsi_coupling::PanelModes;
 use structure_fe::Damping;
 
-use super::panels::{ExportedPanels, scene_of};
+use super::panels::scene_of;
 use super::structure::PanelModel;
 use super::{ExportError, loads_missing};
 use crate::scene::{MILLIMETRE, Modes, NaturalMode, line};
+
+/// What was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExportedModes {
+    /// The folder of the files.
+    pub folder: PathBuf,
+    /// Names of the panels.
+    pub panels: Vec<String>,
+}
 
 /// Writes the `count` lowest modes of each panel of the run in `dir` to `dir/modes/NAME.toml`, which is replaced.
 ///
 /// # Errors
 /// [`ExportError::NoScene`], [`ExportError::NoLoads`], [`ExportError::Write`].
-pub fn export_modes(dir: &Path, count: usize) -> Result<ExportedPanels, ExportError> {
+pub fn export_modes(dir: &Path, count: usize) -> Result<ExportedModes, ExportError> {
     let scene = scene_of(dir)?;
     let models = PanelModel::of(&scene);
     let body = scene.body.as_ref().filter(|_| !models.is_empty());
@@ -44,6 +53,5 @@ pub fn export_modes(dir: &Path, count: usize) -> Result<ExportedPanels, ExportEr
         std::fs::write(folder.join(format!("{name}.toml")), text).map_err(wrong)?;
         panels.push(name.clone());
     }
-    let samples = models.iter().map(|_| count).max().unwrap_or(0);
-    Ok(ExportedPanels { folder, panels, samples })
+    Ok(ExportedModes { folder, panels })
 }

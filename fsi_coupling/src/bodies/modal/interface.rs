@@ -1,5 +1,7 @@
 //! A body with modes, as coupling schemes see it: an acceleration for each unknown (THEORY CO18, CO34).
 
+use std::sync::Arc;
+
 use faer::Mat;
 
 use structure_fe::modal::{ModalState, ModalStructure};
@@ -9,7 +11,7 @@ use sph_core::{WallForces, WallsMut};
 
 /// A structure by its modes under the forces at the end of a step.
 pub struct ModalInterface {
-    structure: ModalStructure,
+    structure: Arc<ModalStructure>,
     /// CO34: rows x, y of each boundary particle by the unknowns, at the end of the step.
     rows: Vec<[Vec<f64>; 2]>,
     /// Accelerations that the particles' kinematics are written with.
@@ -28,7 +30,7 @@ pub struct ModalInterface {
 
 /// What an interface is made of.
 pub(crate) struct InterfaceParts<'a> {
-    pub structure: &'a ModalStructure,
+    pub structure: &'a Arc<ModalStructure>,
     /// Rows of the boundary particles, at the end of the step.
     pub rows: Vec<[Vec<f64>; 2]>,
     /// The motion predicted at the middle and at the end of the step.
@@ -59,7 +61,7 @@ impl ModalInterface {
             residual: [then, middle].map(|state| structure.residual(state, &unloaded, gravity)),
             begun,
             scale: rigid.into_iter().chain(structure.modes().iter().map(largest)).collect(),
-            structure: structure.clone(),
+            structure: Arc::clone(structure),
         }
     }
 

@@ -1,5 +1,7 @@
 //! What a body with modes is made of.
 
+use std::sync::Arc;
+
 use structure_fe::modal::{Frame as ModalFrame, ModalMode, ModalStructure};
 
 use crate::bodies::beam_surface::BeamSurface;
@@ -48,7 +50,8 @@ pub struct SurfaceMode {
 
 /// The equations of a body with modes, and its surface.
 pub(crate) struct ModalModel {
-    pub structure: ModalStructure,
+    /// Shared with the interface of each step.
+    pub structure: Arc<ModalStructure>,
     pub surface: BendingSurface,
     /// Places of the nodes at the start, the frame last: `[x, y, turn]` [m, m, rad].
     pub rest: Vec<[f64; 3]>,
@@ -87,6 +90,6 @@ impl ModalModel {
         let layout = SurfaceLayout { map, line, spans: vec![Span { reach, elements: 0..last }], start: spec.start };
         let surface = BendingSurface::new(layout, spec.outline.clone(), spec.half);
         let stress = spec.modes.iter().map(|mode| mode.stress.clone()).collect();
-        Ok(ModalModel { structure, surface, rest, stress, share })
+        Ok(ModalModel { structure: Arc::new(structure), surface, rest, stress, share })
     }
 }
