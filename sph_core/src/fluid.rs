@@ -97,7 +97,9 @@ impl Fluid {
         let outer = system.timers.begin(Phase::Integration);
         note_start_positions(&mut system.start_positions, &system.particles, &walls.midlines);
         parallel::within_pool(|| scheme.step(&mut Flow { system, walls, interfaces }, dt))?;
-        system.fold(|id| scheme.reflected(id));
+        if !scheme.holds_pairs() {
+            system.fold(|id| scheme.reflected(id));
+        }
         system.time += dt;
         system.steps += 1;
         self.updates += system.particles.len() as u64;

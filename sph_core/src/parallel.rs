@@ -158,6 +158,11 @@ pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usiz
     out.par_chunks_mut(length).enumerate().for_each(|(c, piece)| change(c, piece));
 }
 
+/// `of(c)` for each of `n` pieces, in order.
+pub fn map_pieces<T: Send>(n: usize, of: impl Fn(usize) -> T + Send + Sync) -> Vec<T> {
+    (0..n).into_par_iter().map(of).collect()
+}
+
 /// `change(c, pieces[c])` for every piece.
 pub fn each_piece<T: Send>(pieces: Vec<T>, change: impl Fn(usize, T) + Sync) {
     pieces.into_par_iter().enumerate().for_each(|(c, piece)| change(c, piece));

@@ -49,6 +49,11 @@ pub trait Scheme: Any + Send + Sync {
     /// Particle `id` has changed places with its image in the plane of symmetry.
     fn reflected(&mut self, _id: u32) {}
 
+    /// True where pairs are held from step to step: particles that crossed a plane of symmetry are left to the scheme.
+    fn holds_pairs(&self) -> bool {
+        false
+    }
+
     /// Energy of particle `k` beside its kinetic and potential energy [J/kg]; 0 where the fluid is incompressible.
     fn internal_energy(&self, _system: &ParticleSystem, _k: usize) -> f64 {
         0.0

@@ -151,6 +151,12 @@ impl Packed {
         }
     }
 
+    /// No pressures.
+    pub fn clear_pressures(&mut self) {
+        parallel::update(&mut self.fluid, |_, row| row.p = 0.0);
+        parallel::update(&mut self.walls, |_, row| row.p = 0.0);
+    }
+
     /// New pressures for rows that stay where they are.
     pub fn set_pressures(&mut self, d: &Fields, search: &Neighbours) {
         let n = d.pressure.len();

@@ -18,6 +18,10 @@ pub trait SimdReal:
     fn of(self, x: f64) -> Self;
     /// `of(k)` for target k of [`SimdReal::WIDTH`].
     fn each(self, of: impl FnMut(usize) -> f64) -> Self;
+    /// The first [`SimdReal::WIDTH`] of `single`, at least so many.
+    fn from_single(self, single: &[f32]) -> Self;
+    /// What the first [`SimdReal::WIDTH`] targets have, rounded to single precision.
+    fn to_single(self) -> [f32; LANES];
     /// What the first [`SimdReal::WIDTH`] targets have.
     fn lanes(self) -> [f64; LANES];
     /// self · b + c, rounded once where the lanes can.
@@ -47,6 +51,14 @@ impl SimdReal for f64 {
     #[inline(always)]
     fn each(self, mut of: impl FnMut(usize) -> f64) -> f64 {
         of(0)
+    }
+    #[inline(always)]
+    fn from_single(self, single: &[f32]) -> f64 {
+        f64::from(single[0])
+    }
+    #[inline(always)]
+    fn to_single(self) -> [f32; LANES] {
+        [self as f32; LANES]
     }
     #[inline(always)]
     fn lanes(self) -> [f64; LANES] {
@@ -121,7 +133,7 @@ pub(crate) fn with_simd<T>(task: impl FnOnce() -> T) -> T {
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
     use super::{LANES, SimdReal};
-    use pulp::{cast, f64x4, x86::V3};
+    use pulp::{cast, f32x4, f64x4, x86::V3};
     use std::arch::x86_64::{__m256d, _CMP_LT_OQ};
     use std::ops::{Add, Div, Mul, Sub};
 
@@ -191,6 +203,15 @@ mod avx2 {
         #[inline(always)]
         fn each(self, mut of: impl FnMut(usize) -> f64) -> Four {
             Four(self.0, f64x4(of(0), of(1), of(2), of(3)))
+        }
+        #[inline(always)]
+        fn from_single(self, single: &[f32]) -> Four {
+            let four = f32x4(single[0], single[1], single[2], single[3]);
+            Four(self.0, cast(self.0.avx._mm256_cvtps_pd(cast(four))))
+        }
+        #[inline(always)]
+        fn to_single(self) -> [f32; LANES] {
+            cast(self.0.avx._mm256_cvtpd_ps(cast(self.1)))
         }
         #[inline(always)]
         fn lanes(self) -> [f64; LANES] {

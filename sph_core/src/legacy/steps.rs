@@ -14,7 +14,7 @@ use crate::walls::{WallLayout, Walls};
 use crate::wcsph::shifting::settle;
 use crate::wcsph::step_limit::StepLimit;
 use crate::wcsph::updates::{advance_density_midpoint, drift, kick};
-use crate::wcsph::{Wcsph, is_weakly_compressed};
+use crate::wcsph::is_weakly_compressed;
 
 impl Scheme for Compressible {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
@@ -76,7 +76,7 @@ impl SchemeSettings for Settings {
     /// The default scheme where every option is neutral.
     fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
         match self.options.is_neutral() {
-            true => Box::new(Wcsph::new(domain, self.scheme)),
+            true => self.scheme.scheme(domain),
             false => Box::new(Compressible::new(domain, self)),
         }
     }

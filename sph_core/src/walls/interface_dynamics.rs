@@ -1,6 +1,8 @@
 //! The accelerations of walls' owners found together with the wall pressures that they cause, so that the added mass in WA3 is
 //! implicit (THEORY CO4–CO7).
 
+use serde::{Deserialize, Serialize};
+
 use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::kernel_and_gradient;
 use crate::interactions::kernel::{Shape, TargetSum};
@@ -12,12 +14,12 @@ use crate::walls::interface::{InterfaceLoad, ParticleLoad, WallInterface};
 use crate::walls::state::extrapolate_to_walls;
 
 /// CO4: how pressure and force of a wall particle change with its acceleration.
-#[derive(Clone, Copy, Debug, Default)]
-struct PressureSensitivity {
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct PressureSensitivity {
     /// Σ V_b W_wb r_wb/Σ V_b W_wb [m]: δp_w = −ρ₀ arm·δa_w.
-    arm: [f64; 2],
+    pub arm: [f64; 2],
     /// Σ V_b ∇W_wb [1/m]: δF_w = −V_w δp_w push.
-    push: [f64; 2],
+    pub push: [f64; 2],
 }
 
 /// CO4 for the particles of one owner, the first of which is wall particle `first`.
@@ -100,12 +102,31 @@ pub(crate) fn solve_interfaces(
     let (kernel, rho0) = (system.domain.fluid.kernel, system.domain.fluid.density);
     let packed_walls = &system.packed.walls;
     let mut sensitivities = vec![PressureSensitivity::default(); walls.len()];
+    for WallInterface { range, .. } in interfaces.iter() {
+        kernel.gather(&PressureSensitivities { system, first: range.start }, &mut sensitivities[range.clone()]);
+    }
+    let at = |k: usize| [packed_walls[k].x, packed_walls[k].y];
+    let correction = solve_owners(walls, interfaces, &sensitivities, at, rho0, offset);
+    let mut on_fluid = vec![[0.0; 2]; system.particles.len()];
+    kernel.gather(&PressureCorrection { system, pressure: &correction }, &mut on_fluid);
+    forces.add(&on_fluid);
+}
+
+/// CO4, CO5: the accelerations of the owners, and what they change of the pressures of the walls, which is returned [Pa], and of the
+/// forces on them. Wall particle k lies `at(k)` [m], `offset` seconds from the step's end.
+pub(crate) fn solve_owners(
+    walls: &mut Walls,
+    interfaces: &mut [WallInterface],
+    sensitivities: &[PressureSensitivity],
+    at: impl Fn(usize) -> [f64; 2],
+    rho0: f64,
+    offset: f64,
+) -> Vec<f64> {
     let mut correction = vec![0.0; walls.len()];
     for member in interfaces {
         let range = member.range.clone();
-        kernel.gather(&PressureSensitivities { system, first: range.start }, &mut sensitivities[range.clone()]);
         let load = |k: usize| ParticleLoad {
-            at: [packed_walls[k].x, packed_walls[k].y],
+            at: at(k),
             force: [walls.fx[k], walls.fy[k]],
             push: sensitivities[k].push.map(|push| rho0 * walls.volume[k] * push),
             arm: sensitivities[k].arm,
@@ -124,7 +145,5 @@ pub(crate) fn solve_interfaces(
         walls.fy[k] -= push * sensitivities[k].push[1];
         walls.pressure[k] += change;
     }
-    let mut on_fluid = vec![[0.0; 2]; system.particles.len()];
-    kernel.gather(&PressureCorrection { system, pressure: &correction }, &mut on_fluid);
-    forces.add(&on_fluid);
+    correction
 }

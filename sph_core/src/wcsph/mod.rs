@@ -6,6 +6,7 @@
 pub mod eos;
 mod settings;
 pub(crate) mod shifting;
+pub mod split_explicit;
 pub(crate) mod step_limit;
 pub(crate) mod updates;
 
@@ -26,6 +27,7 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use eos::Tait;
+use split_explicit::SplitExplicit;
 use shifting::{even_out, settle};
 use step_limit::{StepLimit, rebuild_lists};
 use updates::{advance_density_midpoint, drift, kick};
@@ -200,7 +202,10 @@ pub(crate) fn is_weakly_compressed(rho: f64, rho0: f64) -> bool {
 
 impl SchemeSettings for Settings {
     fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
-        Box::new(Wcsph::new(domain, *self))
+        match self.acoustic_steps {
+            1 => Box::new(Wcsph::new(domain, *self)),
+            _ => Box::new(SplitExplicit::new(domain, *self)),
+        }
     }
 
     fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>) {

@@ -1,0 +1,231 @@
+//! Pairs of fluid and wall particles whose geometry is held over an advective step (THEORY WC24).
+
+use serde::{Deserialize, Serialize};
+
+use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
+use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::packed_particle::PackedParticle;
+use crate::memory::of_vector;
+use crate::parallel;
+use crate::system::ParticleSystem;
+use crate::walls::Walls;
+use crate::walls::interface_dynamics::PressureSensitivity;
+
+use super::held_pairs::Row;
+
+/// Least Σ V W [-] that is a neighbourhood to extrapolate from (WA3).
+const TOUCHED: f64 = 1e-9;
+
+/// A wall particle beside a fluid particle.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct WallBeside {
+    /// The wall particle, or the source of its image.
+    wall: u32,
+    /// V_a V_w ∇_a W_aw [m].
+    gradient: [f64; 2],
+    /// WA4: factor of the fluid's velocity in ∇·v [1/m].
+    of_fluid: [f64; 2],
+    /// WA4: factor of the wall's velocity along its normal, and of the fluid's beside it along the tangent [1/m].
+    of_wall: [f64; 2],
+}
+
+/// A fluid particle, or its image, beside a wall particle.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct FluidBeside {
+    fluid: u32,
+    /// V_b W_wb over the sum of all [-] (WA3).
+    share: f64,
+    /// V_w V_b ∇_w W_wb [m].
+    gradient: [f64; 2],
+}
+
+/// Rows of entries, one after another.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Rows<T> {
+    start: Vec<u32>,
+    entries: Vec<T>,
+}
+
+impl<T> Default for Rows<T> {
+    fn default() -> Rows<T> {
+        Rows { start: vec![0], entries: Vec::new() }
+    }
+}
+
+impl<T> Rows<T> {
+    fn push(&mut self, row: impl IntoIterator<Item = T>) {
+        self.entries.extend(row);
+        self.start.push(self.entries.len() as u32);
+    }
+    fn of(&self, k: usize) -> &[T] {
+        &self.entries[self.start[k] as usize..self.start[k + 1] as usize]
+    }
+}
+
+/// All pairs of fluid and walls.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct HeldWalls {
+    /// Fluid particles beside walls, in order.
+    near: Vec<u32>,
+    beside_fluid: Rows<WallBeside>,
+    beside_wall: Rows<FluidBeside>,
+    /// CO4 of each wall particle.
+    pub sensitivity: Vec<PressureSensitivity>,
+    normal: Vec<[f64; 2]>,
+}
+
+impl HeldWalls {
+    /// Take the geometry of the packed particles.
+    pub fn hold(&mut self, system: &ParticleSystem, walls: &Walls, constants: PairConstants) {
+        system.domain.fluid.kernel.run(Hold { held: self, system, walls, constants });
+    }
+
+    /// WA4: adds ρ times the walls' share of −∇·v to the density rates [kg/(m³ s)].
+    pub fn add_density_rate(&self, rows: &[Row], rho: &[f64], walls: &Walls, beside: impl Fn(usize) -> [f64; 2], rate: &mut [f64]) {
+        let velocity = |w: usize| {
+            let ([nx, ny], [u, v]) = (self.normal[w], beside(w));
+            [walls.u[w] * nx + walls.v[w] * ny, v * nx - u * ny]
+        };
+        let velocities: Vec<[f64; 2]> = (0..walls.len()).map(velocity).collect();
+        for (row, &k) in self.near.iter().enumerate() {
+            let (k, mut closing) = (k as usize, 0.0);
+            for w in self.beside_fluid.of(row) {
+                let [vn, vt] = velocities[w.wall as usize];
+                closing += w.of_fluid[0] * rows[k].u + w.of_fluid[1] * rows[k].v - w.of_wall[0] * vn - w.of_wall[1] * vt;
+            }
+            rate[k] += rho[k] * closing;
+        }
+    }
+
+    /// WA3: the pressure of wall particle `w` [Pa], whose acceleration is given.
+    pub fn pressure(&self, w: usize, rows: &[Row], field: [f64; 2], rho0: f64) -> f64 {
+        let from_fluid: f64 = self.beside_wall.of(w).iter().map(|b| b.share * rows[b.fluid as usize].p).sum();
+        let arm = self.sensitivity[w].arm;
+        from_fluid + rho0 * (field[0] * arm[0] + field[1] * arm[1])
+    }
+
+    /// WA5: velocity of the fluid beside wall particle `w` [m/s]; `None` where it is dry.
+    pub fn velocity(&self, w: usize, rows: &[Row]) -> Option<[f64; 2]> {
+        let beside = self.beside_wall.of(w);
+        let sum = |of: fn(&Row) -> f64| beside.iter().map(|b| b.share * of(&rows[b.fluid as usize])).sum();
+        beside.iter().any(|b| b.share > 0.0).then(|| [sum(|r| r.u), sum(|r| r.v)])
+    }
+
+    /// WA6: force of the fluid's pressure on wall particle `w` [N/m], which has the pressure `p` [Pa].
+    pub fn force(&self, w: usize, rows: &[Row], p: f64) -> [f64; 2] {
+        self.beside_wall.of(w).iter().fold([0.0; 2], |[x, y], b| {
+            let both = p + rows[b.fluid as usize].p;
+            [x - both * b.gradient[0], y - both * b.gradient[1]]
+        })
+    }
+
+    /// WC5: adds the force of the walls' pressures on the fluid [N/m].
+    pub fn add_pressure_force(&self, rows: &[Row], pressure: &[f64], x: &mut [f64], y: &mut [f64]) {
+        for (row, &k) in self.near.iter().enumerate() {
+            let k = k as usize;
+            for w in self.beside_fluid.of(row) {
+                let both = rows[k].p + pressure[w.wall as usize];
+                x[k] -= both * w.gradient[0];
+                y[k] -= both * w.gradient[1];
+            }
+        }
+    }
+
+    /// What the weights hold on to [bytes].
+    pub fn bytes(&self) -> usize {
+        let HeldWalls { near, beside_fluid, beside_wall, sensitivity, normal } = self;
+        let rows = of_vector(&beside_fluid.entries) + of_vector(&beside_wall.entries);
+        let starts = of_vector(&beside_fluid.start) + of_vector(&beside_wall.start);
+        of_vector(near) + rows + starts + of_vector(sensitivity) + of_vector(normal)
+    }
+}
+
+struct Hold<'a> {
+    held: &'a mut HeldWalls,
+    system: &'a ParticleSystem,
+    walls: &'a Walls,
+    constants: PairConstants,
+}
+
+impl WithKernel for Hold<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let Hold { held, system, walls, constants } = self;
+        let lists = &system.neighbours.walls_of_fluid;
+        let beside = |k: usize| {
+            let listed: Vec<u32> = lists.of(k).collect();
+            let row = listed.into_iter().filter_map(|w| wall_beside::<K>(system, walls.len(), &constants, k, w as usize));
+            (k as u32, row.collect::<Vec<WallBeside>>())
+        };
+        let of_chunk = |targets: std::ops::Range<usize>| -> Vec<(u32, Vec<WallBeside>)> {
+            targets.map(beside).filter(|(_, row)| !row.is_empty()).collect()
+        };
+        (held.near, held.beside_fluid) = (Vec::new(), Rows::default());
+        for (k, row) in parallel::by_chunk(system.particles.len(), of_chunk).into_iter().flatten() {
+            held.near.push(k);
+            held.beside_fluid.push(row);
+        }
+        (held.beside_wall, held.sensitivity) = (Rows::default(), Vec::new());
+        let of_chunk = |targets: std::ops::Range<usize>| -> Vec<(PressureSensitivity, Vec<FluidBeside>)> {
+            targets.map(|w| fluid_beside::<K>(system, w)).collect()
+        };
+        for (sensitivity, row) in parallel::by_chunk(walls.len(), of_chunk).into_iter().flatten() {
+            held.sensitivity.push(sensitivity);
+            held.beside_wall.push(row);
+        }
+        held.normal = (0..walls.len()).map(|w| [walls.nx[w], walls.ny[w]]).collect();
+    }
+}
+
+/// The listed wall particle `w`, or its image, beside fluid particle `k`; `None` beyond the support.
+fn wall_beside<K: Shape>(
+    system: &ParticleSystem,
+    walls: usize,
+    constants: &PairConstants,
+    k: usize,
+    w: usize,
+) -> Option<WallBeside> {
+    let (a, wall, face) = (&system.packed.fluid[k], &system.packed.walls[w], &system.packed.packed_walls[w]);
+    let [gradient, slope] = weights::<K>(a, wall)?;
+    let [dx, dy] = [a.x - wall.x, a.y - wall.y];
+    let (rn, rt) = (dx * face.nx + dy * face.ny, dy * face.nx - dx * face.ny);
+    let (along_normal, along_tangent) = (2.0 * rn * slope[0], constants.stretch * rt * slope[0]);
+    let of_fluid = [
+        along_normal * face.nx - along_tangent * face.ny,
+        along_normal * face.ny + along_tangent * face.nx,
+    ];
+    let reflected = w >= walls && system.neighbours.wall_shifts.is_empty();
+    let side = if reflected { -1.0 } else { 1.0 };
+    let wall = system.neighbours.wall_source(w, walls) as u32;
+    Some(WallBeside { wall, gradient, of_fluid, of_wall: [along_normal, side * along_tangent] })
+}
+
+/// V_a V_b ∇_a W_ab [m], and V_b times the slope of the kernel [1/m²] with V_b W_ab [-]; `None` beyond the support.
+fn weights<K: Shape>(a: &PackedParticle, b: &PackedParticle) -> Option<[[f64; 2]; 2]> {
+    let (dx, dy) = (a.x - b.x, a.y - b.y);
+    let ab = PairGeometry::new::<K>(dx, dy, MeanScale.of::<K>(a.h, b.h));
+    let flux = a.volume * b.volume * ab.grad_factor;
+    (ab.grad_factor != 0.0).then(|| [[flux * dx, flux * dy], [b.volume * ab.grad_factor, b.volume * ab.w::<K>()]])
+}
+
+/// The fluid beside wall particle `w`.
+fn fluid_beside<K: Shape>(system: &ParticleSystem, w: usize) -> (PressureSensitivity, Vec<FluidBeside>) {
+    let (wall, mut sum) = (&system.packed.walls[w], 0.0);
+    let mut sensitivity = PressureSensitivity::default();
+    let mut row = Vec::new();
+    for j in system.neighbours.fluid_of_wall.of(w) {
+        let b = &system.packed.fluid[j as usize];
+        let Some([gradient, [slope, share]]) = weights::<K>(wall, b) else { continue };
+        let [dx, dy] = [wall.x - b.x, wall.y - b.y];
+        sum += share;
+        sensitivity.arm = [sensitivity.arm[0] + share * dx, sensitivity.arm[1] + share * dy];
+        sensitivity.push = [sensitivity.push[0] + slope * dx, sensitivity.push[1] + slope * dy];
+        row.push(FluidBeside { fluid: j, share, gradient });
+    }
+    let mean = if sum < TOUCHED { 0.0 } else { 1.0 / sum };
+    row.iter_mut().for_each(|b| b.share *= mean);
+    if sum < TOUCHED {
+        sensitivity.push = [0.0; 2]; // as in WA3: no pressure without a fluid in reach
+    }
+    (PressureSensitivity { arm: sensitivity.arm.map(|a| a * mean), ..sensitivity }, row)
+}
