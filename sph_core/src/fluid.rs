@@ -218,6 +218,11 @@ impl Fluid {
         self.scheme.force_is_constant_in_step()
     }
 
+    /// True where particles that crossed the plane of symmetry change places with their images only now and then (WC22).
+    pub fn holds_pairs(&self) -> bool {
+        self.scheme.holds_pairs()
+    }
+
     pub(crate) fn face_kernel_sum(&self) -> Option<[f64; 2]> {
         self.scheme.face_kernel_sum()
     }

@@ -31,6 +31,7 @@ mod projection_bodies;
 mod quoted_peaks;
 mod rigid_body;
 mod rotating_patch;
+mod split_explicit;
 mod sprung;
 mod standing_wave;
 mod still_water;

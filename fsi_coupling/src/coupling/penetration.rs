@@ -70,7 +70,8 @@ fn bounding_box_of(body: &dyn Body) -> Option<[[f64; 2]; 2]> {
 
 /// Fluid particles behind the surface of a body, or behind the plane of symmetry.
 pub(crate) fn penetration(fluid: &Fluid, bodies: &[&dyn Body]) -> Penetration {
-    let (p, mirror) = (fluid.particles(), fluid.domain().mirror);
+    // a particle whose pairs are held stands for its image while it is beyond the plane
+    let (p, mirror) = (fluid.particles(), fluid.domain().mirror.filter(|_| !fluid.holds_pairs()));
     let boxes: Vec<Option<[[f64; 2]; 2]>> = bodies.iter().map(|body| bounding_box_of(*body)).collect();
     let search = |targets: Range<usize>| {
         let mut found = Penetration::default();

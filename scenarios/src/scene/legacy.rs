@@ -58,6 +58,12 @@ pub(super) fn complete(
     draft.fill("fluid.cfl", Settings { scheme, options }.courant_number());
     let viscous = options.turbulence != Turbulence::Sps || water.kinematic_viscosity != 0.0;
     require(viscous, "fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0")?;
+    require(
+        scheme.acoustic_steps == 1 || options.is_neutral(),
+        "fluid.acoustic_steps",
+        scheme.acoustic_steps,
+        "1 beside options of 2010: with others geometry is found anew in each step",
+    )?;
     let steps_density_itself = matches!(options.integrator, Integrator::Verlet | Integrator::Beeman);
     require(
         options.walls != WallModel::Dynamic || !steps_density_itself,

@@ -133,7 +133,7 @@ pub(crate) fn with_simd<T>(task: impl FnOnce() -> T) -> T {
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
     use super::{LANES, SimdReal};
-    use pulp::{cast, f32x4, f64x4, x86::V3};
+    use pulp::{cast, f64x4, x86::V3};
     use std::arch::x86_64::{__m256d, _CMP_LT_OQ};
     use std::ops::{Add, Div, Mul, Sub};
 
@@ -206,8 +206,8 @@ mod avx2 {
         }
         #[inline(always)]
         fn from_single(self, single: &[f32]) -> Four {
-            let four = f32x4(single[0], single[1], single[2], single[3]);
-            Four(self.0, cast(self.0.avx._mm256_cvtps_pd(cast(four))))
+            let four: &[f32; LANES] = single.first_chunk().expect("as many as there are lanes");
+            Four(self.0, cast(self.0.avx._mm256_cvtps_pd(cast(*four))))
         }
         #[inline(always)]
         fn to_single(self) -> [f32; LANES] {

@@ -11,10 +11,10 @@ use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
 use crate::walls::{WallLayout, Walls};
+use crate::wcsph::is_weakly_compressed;
 use crate::wcsph::shifting::settle;
 use crate::wcsph::step_limit::StepLimit;
 use crate::wcsph::updates::{advance_density_midpoint, drift, kick};
-use crate::wcsph::is_weakly_compressed;
 
 impl Scheme for Compressible {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {

@@ -3,6 +3,7 @@
 //!
 //! Read in this order: `Wcsph::advance`, [`settings`](Settings), [`eos`], `updates`, `shifting`, `step_limit`.
 
+mod choice;
 pub mod eos;
 mod settings;
 pub(crate) mod shifting;
@@ -17,9 +18,8 @@ use crate::interactions::gather::{DensityRate, PairSums};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
-use crate::particles::Seed;
 use crate::particles::refinement::refine;
-use crate::scheme::{Flow, Scheme, SchemeSettings};
+use crate::scheme::{Flow, Scheme};
 use crate::state_bytes::{StateError, expect_count};
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
@@ -27,7 +27,6 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use eos::Tait;
-use split_explicit::SplitExplicit;
 use shifting::{even_out, settle};
 use step_limit::{StepLimit, rebuild_lists};
 use updates::{advance_density_midpoint, drift, kick};
@@ -198,17 +197,4 @@ impl Scheme for Wcsph {
 /// A density at which the equation of state has a meaning.
 pub(crate) fn is_weakly_compressed(rho: f64, rho0: f64) -> bool {
     (rho / rho0 - 1.0).abs() < LARGEST_STRAIN
-}
-
-impl SchemeSettings for Settings {
-    fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
-        match self.acoustic_steps {
-            1 => Box::new(Wcsph::new(domain, *self)),
-            _ => Box::new(SplitExplicit::new(domain, *self)),
-        }
-    }
-
-    fn state(&self, domain: &Domain, seed: &Seed) -> (f64, Option<f64>) {
-        (self.equation_of_state(domain).density(seed.pressure), None)
-    }
 }

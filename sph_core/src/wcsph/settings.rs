@@ -67,8 +67,8 @@ pub struct Settings {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(max = 0.0), extend("x-default" = "-density (V^2/2 + g L) for a free wedge from the air; else absent"))]
     pub cavitation_pressure: Option<f64>,
-    /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64: fewer where neighbours part fast or the
-    /// water is under pressure; 1 finds it anew in each step [-].
+    /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
+    /// fast or the water is under pressure; 1 finds the geometry anew in each step.
     #[schemars(range(min = 1, max = 64), extend("x-ignored-elsewhere" = true))]
     pub acoustic_steps: u32,
     /// Courant number of the step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number) [-]. auto: 0.6, with wall_stretch 0.4.

@@ -12,13 +12,15 @@ const SQUEEZE: f64 = 1.0;
 pub(super) struct AdvectiveStep {
     length: f64,
     elapsed: f64,
+    /// Acoustic steps that passed.
+    passed: u32,
 }
 
 impl AdvectiveStep {
     /// Of as many acoustic steps of `dt` [s] as fit in `longest` [s], at most `most` and at least one.
     pub fn of(dt: f64, longest: f64, most: u32) -> AdvectiveStep {
         let steps = (longest / dt).floor().clamp(1.0, f64::from(most.max(1)));
-        AdvectiveStep { length: steps * dt, elapsed: 0.0 }
+        AdvectiveStep { length: steps * dt, elapsed: 0.0, passed: 0 }
     }
 
     /// Its length [s].
@@ -31,6 +33,11 @@ impl AdvectiveStep {
         self.elapsed
     }
 
+    /// How many acoustic steps have passed.
+    pub fn steps(self) -> f64 {
+        f64::from(self.passed)
+    }
+
     /// True if an acoustic step of `dt` [s] does not belong to it any more, for the most part.
     pub fn is_over(self, dt: f64) -> bool {
         self.elapsed + 0.5 * dt > self.length
@@ -39,6 +46,7 @@ impl AdvectiveStep {
     /// An acoustic step of `dt` [s] has passed.
     pub fn elapse(&mut self, dt: f64) {
         self.elapsed += dt;
+        self.passed += 1;
     }
 }
 

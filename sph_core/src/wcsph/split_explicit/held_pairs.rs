@@ -16,9 +16,10 @@ use crate::interactions::simd::{self, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
+use crate::wcsph::split_explicit::entry_index::EntryIndex;
 
 /// Targets of a block.
-pub(super) const BLOCK: usize = 8;
+const BLOCK: usize = 8;
 
 /// A number for each target of a block.
 #[repr(align(32))]
@@ -129,6 +130,16 @@ fn lanes<R: SimdReal>(zero: R, of: &OfBlock, first: usize) -> R {
     zero.from_single(&of.0[first..])
 }
 
+/// The numbers of a block's targets, of which an `R` has some.
+#[inline(always)]
+fn of_targets<R: SimdReal>(sums: [R; BLOCK]) -> [f64; BLOCK] {
+    let mut targets = [0.0; BLOCK];
+    for l in 0..BLOCK / R::WIDTH {
+        targets[l * R::WIDTH..(l + 1) * R::WIDTH].copy_from_slice(&sums[l].lanes()[..R::WIDTH]);
+    }
+    targets
+}
+
 struct DensityRate<'a> {
     pairs: &'a HeldPairs,
     c: usize,
@@ -144,21 +155,22 @@ impl Task for DensityRate<'_> {
     fn run<R: SimdReal>(self, zero: R) {
         let DensityRate { pairs, c, rows, rho, diffusion, rate } = self;
         for (b, rate) in rate.chunks_mut(BLOCK).enumerate() {
-            let (mut flux, mut smoothed) = ([zero; BLOCK], [zero; BLOCK]);
+            let (mut along_x, mut along_y, mut smoothed) = ([zero; BLOCK], [zero; BLOCK], [zero; BLOCK]);
             for (j, [gx, gy], d) in pairs.chunks[c].of(b) {
                 let [u, v, p] = [rows[j].u, rows[j].v, rows[j].p].map(|x| zero.of(x));
                 for l in 0..BLOCK / R::WIDTH {
                     let at = l * R::WIDTH;
-                    flux[l] = lanes(zero, gx, at).mul_add(u, lanes(zero, gy, at).mul_add(v, flux[l]));
+                    along_x[l] = lanes(zero, gx, at).mul_add(u, along_x[l]);
+                    along_y[l] = lanes(zero, gy, at).mul_add(v, along_y[l]);
                     smoothed[l] = lanes(zero, d, at).mul_add(p, smoothed[l]);
                 }
             }
             let first = c * CHUNK + b * BLOCK;
+            let [along_x, along_y, smoothed] = [along_x, along_y, smoothed].map(of_targets);
             for (k, rate) in rate.iter_mut().enumerate() {
-                let (flux, smoothed) = (flux[k / R::WIDTH].lanes()[k % R::WIDTH], smoothed[k / R::WIDTH].lanes()[k % R::WIDTH]);
                 let (a, own) = (&rows[first + k], &pairs.own[first + k]);
-                let divergence = own.gradient[0] * a.u + own.gradient[1] * a.v - flux;
-                let excess = smoothed - own.diffusion * a.p + own.weight;
+                let divergence = own.gradient[0] * a.u - along_x[k] + (own.gradient[1] * a.v - along_y[k]);
+                let excess = smoothed[k] - own.diffusion * a.p + own.weight;
                 *rate = (rho[first + k] * divergence - diffusion * excess) * own.per_volume;
             }
         }
@@ -189,11 +201,11 @@ impl Task for PressureForce<'_> {
                 }
             }
             let first = c * CHUNK + b * BLOCK;
+            let (fx, fy) = (of_targets(fx), of_targets(fy));
             for (k, (x, y)) in x.iter_mut().zip(y).enumerate() {
                 let (p, own) = (rows[first + k].p, &pairs.own[first + k]);
-                let (fx, fy) = (fx[k / R::WIDTH].lanes()[k % R::WIDTH], fy[k / R::WIDTH].lanes()[k % R::WIDTH]);
-                *x = -(p * own.gradient[0] + fx);
-                *y = -(p * own.gradient[1] + fy);
+                *x = -(p * own.gradient[0] + fx[k]);
+                *y = -(p * own.gradient[1] + fy[k]);
             }
         }
     }
@@ -249,7 +261,11 @@ impl WithPairs for Hold<'_> {
         parallel::each_piece(pieces, |c, (held, own)| {
             let meets = held.list(lists, c * CHUNK, own.len());
             let first = c * CHUNK;
-            simd::run(simd, HoldChunk::<K, D> { fluid, constants, first, meets: &meets, held, own, pairs: PhantomData });
+            simd::run(
+                simd,
+                HoldChunk::<K, D> { fluid, constants, first, meets: &meets, held, own, pairs: PhantomData },
+            );
+            held.drop_distant();
         });
     }
 }
@@ -261,7 +277,7 @@ impl HeldChunk {
         self.start.clear();
         self.neighbour.clear();
         self.start.push(0);
-        let (mut seen, mut meets) = (Seen::default(), Vec::new());
+        let (mut seen, mut meets) = (EntryIndex::default(), Vec::new());
         for block in (first..first + count).step_by(BLOCK) {
             seen.clear();
             let from = self.neighbour.len();
@@ -277,14 +293,37 @@ impl HeldChunk {
             }
             self.start.push(self.neighbour.len() as u32);
         }
-        if first % (64 * CHUNK) == 0 && std::env::var("SHOWE").is_ok() {
-            eprintln!("{} entries a block, meets {}", self.neighbour.len() as f64 / (count as f64 / BLOCK as f64), meets.iter().map(|m| m.count_ones()).sum::<u32>() as f64 / count as f64);
-        }
         self.gradient.clear();
         self.gradient.resize(self.neighbour.len(), Default::default());
         self.diffusion.clear();
         self.diffusion.resize(self.neighbour.len(), OfBlock::default());
         meets
+    }
+}
+
+impl HeldChunk {
+    /// Drop entries that no target feels, and what the arrays have to spare.
+    fn drop_distant(&mut self) {
+        let HeldChunk { start, neighbour, gradient, diffusion } = self;
+        let (mut kept, mut from) = (0, 0);
+        for end in start.iter_mut().skip(1) {
+            for e in from..*end as usize {
+                if diffusion[e].0.iter().any(|&weight| weight != 0.0) {
+                    (neighbour[kept], gradient[kept], diffusion[kept]) = (neighbour[e], gradient[e], diffusion[e]);
+                    kept += 1;
+                }
+            }
+            from = *end as usize;
+            *end = kept as u32;
+        }
+        neighbour.truncate(kept);
+        gradient.truncate(kept);
+        diffusion.truncate(kept);
+        if neighbour.capacity() > kept + kept / 8 {
+            neighbour.shrink_to_fit();
+            gradient.shrink_to_fit();
+            diffusion.shrink_to_fit();
+        }
     }
 }
 
@@ -331,58 +370,6 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
                     own[lane + k] = Own { gradient: [x[k], y[k]], diffusion: d[k], weight: w[k], per_volume };
                 }
             }
-        }
-    }
-}
-
-/// Which entry of a block each index has (open addressing); emptied for each block.
-struct Seen {
-    slots: Vec<[u32; 2]>,
-    count: u32,
-}
-
-/// A slot without an index.
-const FREE: [u32; 2] = [u32::MAX; 2];
-
-impl Default for Seen {
-    fn default() -> Seen {
-        Seen { slots: vec![FREE; 256], count: 0 }
-    }
-}
-
-impl Seen {
-    fn clear(&mut self) {
-        self.slots.fill(FREE);
-        self.count = 0;
-    }
-
-    /// Entry of index `j`, in the order in which they came.
-    #[inline(always)]
-    fn entry(&mut self, j: u32) -> u32 {
-        let mask = self.slots.len() - 1;
-        let mut at = (j.wrapping_mul(0x9E37_79B1) >> 16) as usize & mask;
-        while self.slots[at] != FREE {
-            if self.slots[at][0] == j {
-                return self.slots[at][1];
-            }
-            at = (at + 1) & mask;
-        }
-        self.slots[at] = [j, self.count];
-        self.count += 1;
-        if 2 * self.count as usize > self.slots.len() {
-            self.grow();
-        }
-        self.count - 1
-    }
-
-    fn grow(&mut self) {
-        let before = std::mem::take(&mut self.slots);
-        self.slots = vec![FREE; 2 * before.len()];
-        let mut indices: Vec<[u32; 2]> = before.into_iter().filter(|&slot| slot != FREE).collect();
-        indices.sort_unstable_by_key(|slot| slot[1]);
-        self.count = 0;
-        for [j, _] in indices {
-            self.entry(j);
         }
     }
 }

@@ -81,7 +81,14 @@ impl HeldWalls {
     }
 
     /// WA4: adds ρ times the walls' share of −∇·v to the density rates [kg/(m³ s)].
-    pub fn add_density_rate(&self, rows: &[Row], rho: &[f64], walls: &Walls, beside: impl Fn(usize) -> [f64; 2], rate: &mut [f64]) {
+    pub fn add_density_rate(
+        &self,
+        rows: &[Row],
+        rho: &[f64],
+        walls: &Walls,
+        beside: impl Fn(usize) -> [f64; 2],
+        rate: &mut [f64],
+    ) {
         let velocity = |w: usize| {
             let ([nx, ny], [u, v]) = (self.normal[w], beside(w));
             [walls.u[w] * nx + walls.v[w] * ny, v * nx - u * ny]
@@ -91,7 +98,8 @@ impl HeldWalls {
             let (k, mut closing) = (k as usize, 0.0);
             for w in self.beside_fluid.of(row) {
                 let [vn, vt] = velocities[w.wall as usize];
-                closing += w.of_fluid[0] * rows[k].u + w.of_fluid[1] * rows[k].v - w.of_wall[0] * vn - w.of_wall[1] * vt;
+                closing +=
+                    w.of_fluid[0] * rows[k].u + w.of_fluid[1] * rows[k].v - w.of_wall[0] * vn - w.of_wall[1] * vt;
             }
             rate[k] += rho[k] * closing;
         }
@@ -154,7 +162,8 @@ impl WithKernel for Hold<'_> {
         let lists = &system.neighbours.walls_of_fluid;
         let beside = |k: usize| {
             let listed: Vec<u32> = lists.of(k).collect();
-            let row = listed.into_iter().filter_map(|w| wall_beside::<K>(system, walls.len(), &constants, k, w as usize));
+            let row =
+                listed.into_iter().filter_map(|w| wall_beside::<K>(system, walls.len(), &constants, k, w as usize));
             (k as u32, row.collect::<Vec<WallBeside>>())
         };
         let of_chunk = |targets: std::ops::Range<usize>| -> Vec<(u32, Vec<WallBeside>)> {
@@ -190,10 +199,7 @@ fn wall_beside<K: Shape>(
     let [dx, dy] = [a.x - wall.x, a.y - wall.y];
     let (rn, rt) = (dx * face.nx + dy * face.ny, dy * face.nx - dx * face.ny);
     let (along_normal, along_tangent) = (2.0 * rn * slope[0], constants.stretch * rt * slope[0]);
-    let of_fluid = [
-        along_normal * face.nx - along_tangent * face.ny,
-        along_normal * face.ny + along_tangent * face.nx,
-    ];
+    let of_fluid = [along_normal * face.nx - along_tangent * face.ny, along_normal * face.ny + along_tangent * face.nx];
     let reflected = w >= walls && system.neighbours.wall_shifts.is_empty();
     let side = if reflected { -1.0 } else { 1.0 };
     let wall = system.neighbours.wall_source(w, walls) as u32;

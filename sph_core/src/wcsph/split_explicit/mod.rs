@@ -7,6 +7,7 @@
 //! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `held_pairs`, `held_walls`.
 
 mod advective;
+mod entry_index;
 mod held_pairs;
 mod held_walls;
 
@@ -29,7 +30,7 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::solve_owners;
 use crate::walls::state::extrapolate_to_walls;
 
-use super::shifting::even_out;
+use super::shifting::even_out_once;
 use super::step_limit::rebuild_lists;
 use super::updates::{advance_density_midpoint, drift, kick};
 use super::{Settings, Wcsph};
@@ -114,7 +115,7 @@ impl SplitExplicit {
         let settings = self.base.settings;
         let length = self.longest_advective_step(flow);
         if settings.shifting {
-            even_out(flow.system, &settings, self.advective.elapsed());
+            even_out_once(flow.system, &settings, self.advective.elapsed(), self.advective.steps());
         }
         flow.system.fold(|_| {});
         self.advective = AdvectiveStep::of(dt, length, settings.acoustic_steps);
