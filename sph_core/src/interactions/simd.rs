@@ -19,7 +19,7 @@ pub trait SimdReal:
     /// `of(k)` for target k of [`SimdReal::WIDTH`].
     fn each(self, of: impl FnMut(usize) -> f64) -> Self;
     /// The first [`SimdReal::WIDTH`] of `single`, at least so many.
-    fn from_single(self, single: &[f32]) -> Self;
+    fn widened(self, single: &[f32]) -> Self;
     /// What the first [`SimdReal::WIDTH`] targets have, rounded to single precision.
     fn to_single(self) -> [f32; LANES];
     /// What the first [`SimdReal::WIDTH`] targets have.
@@ -53,7 +53,7 @@ impl SimdReal for f64 {
         of(0)
     }
     #[inline(always)]
-    fn from_single(self, single: &[f32]) -> f64 {
+    fn widened(self, single: &[f32]) -> f64 {
         f64::from(single[0])
     }
     #[inline(always)]
@@ -205,7 +205,7 @@ mod avx2 {
             Four(self.0, f64x4(of(0), of(1), of(2), of(3)))
         }
         #[inline(always)]
-        fn from_single(self, single: &[f32]) -> Four {
+        fn widened(self, single: &[f32]) -> Four {
             let four: &[f32; LANES] = single.first_chunk().expect("as many as there are lanes");
             Four(self.0, cast(self.0.avx._mm256_cvtps_pd(cast(*four))))
         }

@@ -127,7 +127,7 @@ impl HeldChunk {
 /// The lanes of an `R` from `first` on.
 #[inline(always)]
 fn lanes<R: SimdReal>(zero: R, of: &OfBlock, first: usize) -> R {
-    zero.from_single(&of.0[first..])
+    zero.widened(&of.0[first..])
 }
 
 /// The numbers of a block's targets, of which an `R` has some.
@@ -360,7 +360,7 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
                     gradient[e][0].0[lane..lane + R::WIDTH].copy_from_slice(&x[..R::WIDTH]);
                     gradient[e][1].0[lane..lane + R::WIDTH].copy_from_slice(&y[..R::WIDTH]);
                     diffusion[e].0[lane..lane + R::WIDTH].copy_from_slice(&d[..R::WIDTH]);
-                    let [x, y, d] = [x, y, d].map(|x| zero.from_single(&x));
+                    let [x, y, d] = [x, y, d].map(|x| zero.widened(&x));
                     let hydrostatic = d * weight[0].mul_add(dx, weight[1] * dy);
                     sum = [sum[0] + x, sum[1] + y, sum[2] + d, sum[3] + hydrostatic];
                 }
