@@ -22,7 +22,8 @@ pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64
 
 /// WC22: the same for an advective step of `dt` [s], `steps` times as long as its acoustic steps.
 pub(crate) fn even_out_once(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64) {
-    shift(system, settings.settling, dt, settings.shifting_at_surface, false, steps);
+    let settling = (settings.settling * steps).min(LARGEST_GAIN);
+    shift(system, settling, dt, settings.shifting_at_surface, false, steps);
 }
 
 /// `longest`: longest shift over that of a step, which a share of h² bounds too. `all`: κ acts on all particles that have neither surface nor wall in their neighbourhood.
