@@ -1,9 +1,8 @@
 //! Neighbour lists with a skin that suits each particle's speed.
 //!
-//! A list made at one moment holds every pair that can meet until some particle has moved farther than
-//! the skin it was given: its share of the smoothing length plus its speed times the time the list
-//! should live. Jets move several times as fast as the spray root, so one skin for all would be wasted
-//! on still water (findings of the prototypes, item 10).
+//! A list made at one moment holds every pair that can meet while each particle keeps its velocity, until some particle
+//! has gone farther astray than the skin it was given: its share of the smoothing length and of its way. Neighbours move
+//! almost alike, so that lists are little longer than what meets at one moment.
 //!
 //! Targets are listed in clusters of [`LANES`] that follow one another, so that a cluster is summed side by side: an
 //! entry is a neighbour of any of them, with a bit for each target that may meet it.
@@ -207,7 +206,10 @@ impl Task for Candidates<'_> {
                 for first in (0..LANES).step_by(R::WIDTH) {
                     let dx = zero.each(|k| at[first + k].x) - zero.of(q.x);
                     let dy = zero.each(|k| at[first + k].y) - zero.of(q.y);
-                    let cut = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
+                    let du = zero.each(|k| at[first + k].sweep[0]) - zero.of(q.sweep[0]);
+                    let dv = zero.each(|k| at[first + k].sweep[1]) - zero.of(q.sweep[1]);
+                    let reach = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
+                    let cut = reach + du.max(zero - du) + dv.max(zero - dv);
                     bits |= (dx * dx + dy * dy).less(cut * cut) << first;
                 }
                 if bits & there != 0 {
