@@ -54,9 +54,9 @@ struct Extent {
 }
 
 impl Extent {
-    fn of(points: &[Point]) -> Extent {
+    fn of(points: impl Iterator<Item = Point>) -> Extent {
         let none = Extent { lo: [f64::MAX; 2], hi: [f64::MIN; 2], reach: 0.0 };
-        points.iter().fold(none, |Extent { lo, hi, reach }, p| Extent {
+        points.fold(none, |Extent { lo, hi, reach }, p| Extent {
             lo: [lo[0].min(p.x), lo[1].min(p.y)],
             hi: [hi[0].max(p.x), hi[1].max(p.y)],
             reach: reach.max(p.farthest()),
@@ -100,10 +100,14 @@ impl Cells {
             return cells;
         };
         let ends: [f64; MOST_LEVELS - 1] = std::array::from_fn(|l| least * LEVEL_RATIO.powi(l as i32 + 1));
+        let mut level = vec![0_u8; points.len()];
+        parallel::gather_into(&mut level, |k| {
+            let farthest = points[k].farthest();
+            ends.iter().position(|&end| farthest < end).unwrap_or(MOST_LEVELS - 1) as u8
+        });
         let mut members: Vec<Vec<u32>> = vec![Vec::new(); MOST_LEVELS];
-        for (k, p) in points.iter().enumerate() {
-            let level = ends.iter().position(|&end| p.farthest() < end).unwrap_or(MOST_LEVELS - 1);
-            members[level].push(k as u32);
+        for (k, &level) in level.iter().enumerate() {
+            members[usize::from(level)].push(k as u32);
         }
         for member in members.iter().filter(|m| !m.is_empty()) {
             cells.push_level(points, member);
@@ -113,7 +117,7 @@ impl Cells {
 
     fn push_level(&mut self, points: &[Point], member: &[u32]) {
         let of = |k: &u32| points[*k as usize];
-        let Extent { lo, hi, reach: widest } = Extent::of(&member.iter().map(of).collect::<Vec<_>>());
+        let Extent { lo, hi, reach: widest } = Extent::of(member.iter().map(of));
         let mut cell = CELL.map(|share| share * widest);
         let extent = [hi[0] - lo[0], hi[1] - lo[1]];
         let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
@@ -142,6 +146,11 @@ impl Cells {
             next[c as usize] += 1;
         }
         self.levels.push(level);
+    }
+
+    /// The farthest that any point may reach [m].
+    pub(crate) fn farthest(&self) -> f64 {
+        self.levels.iter().map(|level| level.widest).fold(0.0, f64::max)
     }
 
     /// The points in sorted order.
@@ -174,7 +183,7 @@ impl Cells {
     /// most [`LANES`]) may meet.
     #[inline]
     pub fn for_each_run(&self, at: &[Point], mut found: impl FnMut(Range<usize>)) {
-        let all = Extent::of(at);
+        let all = Extent::of(at.iter().copied());
         for level in &self.levels {
             let cut = all.reach + level.widest;
             let columns = level.span(0, all.lo[0], all.hi[0], cut);

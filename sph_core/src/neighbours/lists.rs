@@ -153,6 +153,17 @@ impl Lists {
         self.cluster(first).iter().map(move |e| rows[e.index() as usize].splat(zero))
     }
 
+    /// `any[k]` ← whether target k meets a point that is `marked`. Targets that are points too meet themselves.
+    pub(crate) fn meet_any(&self, marked: &[bool], any: &mut [bool]) {
+        parallel::update_pieces(any, CHUNK, |c, any| {
+            for (cluster, any) in any.chunks_mut(LANES).enumerate() {
+                let bits = |e: &Entry| if marked[e.index() as usize] { e.bits() } else { 0 };
+                let met = self.chunks[c].entries.of(cluster).iter().fold(0, |met, e| met | bits(e));
+                any.iter_mut().enumerate().for_each(|(k, any)| *any = met >> k & 1 == 1);
+            }
+        });
+    }
+
     /// How many targets.
     pub(crate) fn targets(&self) -> usize {
         self.targets
@@ -200,6 +211,9 @@ impl Task for Candidates<'_> {
     fn run<R: SimdReal>(self, zero: R) {
         let Candidates { points, runs, at, count, found } = self;
         let there = (1 << count) - 1;
+        let most: usize = runs.iter().map(Range::len).sum();
+        let mut kept = found.len();
+        found.resize(kept + most, Entry::new(0, 0));
         for run in runs {
             for q in &points[run.clone()] {
                 let mut bits = 0;
@@ -212,10 +226,10 @@ impl Task for Candidates<'_> {
                     let cut = reach + du.max(zero - du) + dv.max(zero - dv);
                     bits |= (dx * dx + dy * dy).less(cut * cut) << first;
                 }
-                if bits & there != 0 {
-                    found.push(Entry::new(q.index, bits & there));
-                }
+                found[kept] = Entry::new(q.index, bits & there);
+                kept += usize::from(bits & there != 0);
             }
         }
+        found.truncate(kept);
     }
 }

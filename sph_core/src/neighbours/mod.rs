@@ -235,16 +235,19 @@ impl Neighbours {
         self.fluid_shifts.clear();
         self.wall_shifts.clear();
         let [own_fluid, own_wall] = own;
-        let (fluids, walls) = (fluid.len(), wall.len());
+        let farthest = own_fluid.farthest().max(own_wall.farthest());
+        let beside = |points: &[Point]| those(points, |p| periodic.is_beside([p.x, p.y], 2.0 * farthest));
+        let (fluids, walls) = (beside(fluid), beside(wall));
         for shift in periodic.shifts() {
             let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
             let meets = |cells: &Cells, p: &Point| cells.any_meets(p);
-            for k in those(&fluid[..fluids], |p| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p))) {
+            let needed = |p: &Point| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p));
+            for k in fluids.iter().copied().filter(|&k| needed(&fluid[k as usize])).collect::<Vec<u32>>() {
                 fluid.push(Point { index: fluid.len() as u32, ..moved(fluid[k as usize]) });
                 self.fluid_images.push(k);
                 self.fluid_shifts.push(shift);
             }
-            for k in those(&wall[..walls], |p| meets(own_fluid, &moved(*p))) {
+            for &k in walls.iter().filter(|&&k| meets(own_fluid, &moved(wall[k as usize]))).collect::<Vec<_>>() {
                 wall.push(Point { index: wall.len() as u32, ..moved(wall[k as usize]) });
                 self.wall_images.push(k);
                 self.wall_shifts.push(shift);
@@ -255,11 +258,12 @@ impl Neighbours {
     /// Who is, or has within reach, a free-surface particle (by the λ found last).
     pub fn flag_surface(&self, fields: &mut Fields) {
         let n = fields.moments.len();
-        let around = &fields.moments;
-        let at_surface = |k: usize| around[k].at_surface();
-        parallel::gather_into(&mut fields.near_surface, |k| {
-            at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
-        });
+        let mut at_surface = vec![false; n + self.fluid_images.len()];
+        parallel::gather_into(&mut at_surface[..n], |k| fields.moments[k].at_surface());
+        for (k, &source) in self.fluid_images.iter().enumerate() {
+            at_surface[n + k] = at_surface[source as usize];
+        }
+        self.fluid.meet_any(&at_surface, &mut fields.near_surface);
     }
 }
 
