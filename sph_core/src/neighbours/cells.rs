@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::interactions::simd::LANES;
 use crate::parallel;
 
-/// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b + |s_a − s_b| with the sweeps s.
+/// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b + |s_a − s_b| with their travels s.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// Position [m].
@@ -20,7 +20,7 @@ pub struct Point {
     /// Half the distance over which it may interact with its like [m].
     pub reach: f64,
     /// How far it may go from (x, y) at the velocity that it is expected to keep, to either side [m].
-    pub sweep: [f64; 2],
+    pub travel: [f64; 2],
     /// Whose point this is.
     pub index: u32,
 }
@@ -28,19 +28,19 @@ pub struct Point {
 impl Point {
     /// A point that stays in place.
     pub fn at_rest([x, y]: [f64; 2], reach: f64, index: u32) -> Point {
-        Point { x, y, reach, sweep: [0.0; 2], index }
+        Point { x, y, reach, travel: [0.0; 2], index }
     }
 
     /// The farthest that it may reach from (x, y) [m].
     #[inline(always)]
     fn farthest(&self) -> f64 {
-        self.reach + self.sweep[0].abs() + self.sweep[1].abs()
+        self.reach + self.travel[0].abs() + self.travel[1].abs()
     }
 
     /// True if the two may meet.
     #[inline(always)]
     fn meets(&self, other: &Point) -> bool {
-        let apart = (self.sweep[0] - other.sweep[0]).abs() + (self.sweep[1] - other.sweep[1]).abs();
+        let apart = (self.travel[0] - other.travel[0]).abs() + (self.travel[1] - other.travel[1]).abs();
         let (dx, dy, cut) = (self.x - other.x, self.y - other.y, self.reach + other.reach + apart);
         dx * dx + dy * dy < cut * cut
     }

@@ -220,8 +220,8 @@ impl Task for Candidates<'_> {
                 for first in (0..LANES).step_by(R::WIDTH) {
                     let dx = zero.each(|k| at[first + k].x) - zero.of(q.x);
                     let dy = zero.each(|k| at[first + k].y) - zero.of(q.y);
-                    let du = zero.each(|k| at[first + k].sweep[0]) - zero.of(q.sweep[0]);
-                    let dv = zero.each(|k| at[first + k].sweep[1]) - zero.of(q.sweep[1]);
+                    let du = zero.each(|k| at[first + k].travel[0]) - zero.of(q.travel[0]);
+                    let dv = zero.each(|k| at[first + k].travel[1]) - zero.of(q.travel[1]);
                     let reach = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
                     let cut = reach + du.max(zero - du) + dv.max(zero - dv);
                     bits |= (dx * dx + dy * dy).less(cut * cut) << first;

@@ -136,8 +136,8 @@ impl Neighbours {
         let own = |x: &[f64], y: &[f64], velocity: &[[f32; 2]], reach: &[f64]| -> Vec<Point> {
             let mut points = vec![Point::at_rest([0.0; 2], 0.0, 0); x.len()];
             parallel::gather_into(&mut points, |k| {
-                let sweep = velocity[k].map(|v| half * f64::from(v));
-                Point { x: x[k] + sweep[0], y: y[k] + sweep[1], reach: reach[k], sweep, index: k as u32 }
+                let travel = velocity[k].map(|v| half * f64::from(v));
+                Point { x: x[k] + travel[0], y: y[k] + travel[1], reach: reach[k], travel, index: k as u32 }
             });
             points
         };
@@ -299,5 +299,5 @@ fn append_images(points: &mut Vec<Point>, sources: &[u32], mirror: Mirror) {
 
 /// The image of a point.
 fn reflected(p: Point, mirror: Mirror) -> Point {
-    Point { x: mirror.reflect(p.x), sweep: [-p.sweep[0], p.sweep[1]], ..p }
+    Point { x: mirror.reflect(p.x), travel: [-p.travel[0], p.travel[1]], ..p }
 }
