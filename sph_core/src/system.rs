@@ -33,6 +33,8 @@ pub struct ParticleSystem {
     pub(crate) wall_state: Vec<Extrapolated>,
     /// Time [s].
     pub(crate) time: f64,
+    /// When forces are evaluated [s].
+    pub(crate) evaluated_at: f64,
     /// Steps taken.
     pub(crate) steps: u64,
     /// Where coarse particles are split when the lists are made anew (THEORY WC21).
@@ -78,7 +80,8 @@ impl ParticleSystem {
         if with_mirror_points {
             self.packed.place_mirror_points(walls);
         }
-        !self.displaced && self.neighbours.holds(&self.particles, &self.packed.kinematics(walls))
+        self.evaluated_at = self.time + walls.dt + offset;
+        !self.displaced && self.neighbours.holds(&self.particles, &self.packed.kinematics(walls), self.evaluated_at)
     }
 
     /// Make the lists anew, to last about `life` seconds; a saved state keeps those it was saved with.
@@ -90,7 +93,8 @@ impl ParticleSystem {
         let lists = Arc::get_mut(&mut self.neighbours).expect("lists that are not shared");
         let Domain { mirror, periodic, .. } = self.domain;
         let kinematics = self.packed.kinematics(walls);
-        lists.rebuild(&mut self.particles, &mut self.fields, &kinematics, mirror, periodic, life);
+        let span = [self.evaluated_at, life];
+        lists.rebuild(&mut self.particles, &mut self.fields, &kinematics, mirror, periodic, span);
     }
 
     /// Pack what the sums over pairs read, at the present positions and with the present lists.

@@ -87,12 +87,7 @@ impl Packing<'_> {
                     around.push(([-cell.at[0], cell.at[1]], h, area));
                 }
             }
-            let point = |(k, ([x, y], h, _)): (usize, &([f64; 2], f64, f64))| Point {
-                x: *x,
-                y: *y,
-                reach: *h,
-                index: k as u32,
-            };
+            let point = |(k, &(at, h, _)): (usize, &([f64; 2], f64, f64))| Point::at_rest(at, h, k as u32);
             let sorted = Cells::build(&around.iter().enumerate().map(point).collect::<Vec<_>>());
             let moves: Vec<[f64; 2]> = near.iter().map(|&k| self.step(&cells[k], &around, &sorted)).collect();
             for (&k, way) in near.iter().zip(moves) {

@@ -140,11 +140,14 @@ impl Gather for DensityRate<'_> {
         let DensityRate { fluid, packed_walls, rho, neighbours, constants, walls_reflect } = self;
         let (a, c) = (PackedParticle::targets(fluid, first, zero), constants.splat(zero));
         let rho_a = zero.each(|k| rho[(first + k).min(rho.len() - 1)]);
-        let near = neighbours.fluid.around(first, zero, fluid);
+        let lists = &neighbours.fluid;
         let walls = listed(&neighbours.walls_of_fluid, *walls_reflect).around(first, zero, packed_walls);
-        let rate = match R::WIDTH > 1 && neighbours.fluid.alike(first) {
-            true => pair::density_rate::<R, K, D>(&a, rho_a, near, walls, UniformScale::new::<K>(a.h), &c),
-            false => pair::density_rate::<R, K, D>(&a, rho_a, near, walls, MeanScale, &c),
+        let rate = if R::WIDTH > 1 && lists.alike(first) {
+            let near = lists.around_alike(first, zero, fluid);
+            pair::density_rate::<R, K, D>(&a, rho_a, near, walls, UniformScale::new::<K>(a.h), &c)
+        } else {
+            let near = lists.around(first, zero, fluid);
+            pair::density_rate::<R, K, D>(&a, rho_a, near, walls, MeanScale, &c)
         };
         rate.lanes()
     }
@@ -212,11 +215,14 @@ impl Gather for Momentum<'_> {
     fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [Gathered; LANES] {
         let Momentum { fluid, walls, neighbours, constants, wall_nu, walls_push } = self;
         let (a, c, wall_nu) = (PackedParticle::targets(fluid, first, zero), constants.splat(zero), zero.of(*wall_nu));
-        let near = neighbours.fluid.around(first, zero, fluid);
+        let lists = &neighbours.fluid;
         let near_walls = listed(&neighbours.walls_of_fluid, *walls_push).around(first, zero, walls);
-        let sums = match R::WIDTH > 1 && neighbours.fluid.alike(first) {
-            true => pair::momentum::<R, K, D>(&a, near, near_walls, UniformScale::new::<K>(a.h), &c, wall_nu),
-            false => pair::momentum::<R, K, D>(&a, near, near_walls, MeanScale, &c, wall_nu),
+        let sums = if R::WIDTH > 1 && lists.alike(first) {
+            let near = lists.around_alike(first, zero, fluid);
+            pair::momentum::<R, K, D>(&a, near, near_walls, UniformScale::new::<K>(a.h), &c, wall_nu)
+        } else {
+            let near = lists.around(first, zero, fluid);
+            pair::momentum::<R, K, D>(&a, near, near_walls, MeanScale, &c, wall_nu)
         };
         sums.lanes()
     }

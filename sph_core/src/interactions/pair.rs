@@ -115,6 +115,7 @@ pub fn momentum<R: SimdReal, K: Shape, D: PairDissipation>(
         sum.take::<K, D>(a, &b, &ab, c, c.nu);
     }
     let fluid_kernel_sum = sum.kernel_sum;
+    sum.force = std::hint::black_box(sum.force); // as in `density_rate`
     for w in walls {
         let aw = PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h));
         sum.take::<K, ElasticPair>(a, &w, &aw, c, wall_nu);

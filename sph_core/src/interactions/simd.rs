@@ -1,7 +1,8 @@
 //! One number, or the same number of four targets side by side: the pair physics is written once for both.
 //!
-//! `run` does a task with the widest lanes this processor has: four f64 (AVX2 and FMA, found at run time), else one.
-//! Every lane sums its own target's neighbours in the list's order, so lanes never change what is added to what.
+//! `run` does a task with the lanes this processor has: four f64 (AVX2 and FMA, found at run time), else one. With AVX-512 the
+//! same four lanes have 32 registers, twice as many: the sums of the momentum equation then stay in registers. Every lane
+//! sums its own target's neighbours in the list's order, so lanes never change what is added to what.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -109,6 +110,13 @@ pub(crate) trait Task {
 /// Do `task` as wide as this processor can, or one target at a time where `wide` is false.
 #[inline]
 pub(crate) fn run<T: Task>(simd: bool, task: T) -> T::Out {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(processor) = pulp::x86::V4::try_new().filter(|_| simd) {
+        return processor.vectorize(
+            #[inline(always)]
+            || task.run(avx2::Four::zero(*processor)),
+        );
+    }
     #[cfg(target_arch = "x86_64")]
     if let Some(processor) = pulp::x86::V3::try_new().filter(|_| simd) {
         return processor.vectorize(

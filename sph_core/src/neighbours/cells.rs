@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::interactions::simd::LANES;
 use crate::parallel;
 
-/// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b.
+/// A point and how far it reaches: a and b may meet if |r_ab| < reach_a + reach_b + |s_a − s_b| with their travels s.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// Position [m].
@@ -19,15 +19,29 @@ pub struct Point {
     pub y: f64,
     /// Half the distance over which it may interact with its like [m].
     pub reach: f64,
+    /// How far it may go from (x, y) at the velocity that it is expected to keep, to either side [m].
+    pub travel: [f64; 2],
     /// Whose point this is.
     pub index: u32,
 }
 
 impl Point {
+    /// A point that stays in place.
+    pub fn at_rest([x, y]: [f64; 2], reach: f64, index: u32) -> Point {
+        Point { x, y, reach, travel: [0.0; 2], index }
+    }
+
+    /// The farthest that it may reach from (x, y) [m].
+    #[inline(always)]
+    fn farthest(&self) -> f64 {
+        self.reach + self.travel[0].abs() + self.travel[1].abs()
+    }
+
     /// True if the two may meet.
     #[inline(always)]
     fn meets(&self, other: &Point) -> bool {
-        let (dx, dy, cut) = (self.x - other.x, self.y - other.y, self.reach + other.reach);
+        let apart = (self.travel[0] - other.travel[0]).abs() + (self.travel[1] - other.travel[1]).abs();
+        let (dx, dy, cut) = (self.x - other.x, self.y - other.y, self.reach + other.reach + apart);
         dx * dx + dy * dy < cut * cut
     }
 }
@@ -40,12 +54,12 @@ struct Extent {
 }
 
 impl Extent {
-    fn of(points: &[Point]) -> Extent {
+    fn of(points: impl Iterator<Item = Point>) -> Extent {
         let none = Extent { lo: [f64::MAX; 2], hi: [f64::MIN; 2], reach: 0.0 };
-        points.iter().fold(none, |Extent { lo, hi, reach }, p| Extent {
+        points.fold(none, |Extent { lo, hi, reach }, p| Extent {
             lo: [lo[0].min(p.x), lo[1].min(p.y)],
             hi: [hi[0].max(p.x), hi[1].max(p.y)],
-            reach: reach.max(p.reach),
+            reach: reach.max(p.farthest()),
         })
     }
 }
@@ -82,14 +96,18 @@ impl Cells {
     /// Sort `points` into cells (counting sort, stable: equal input gives equal order).
     pub fn build(points: &[Point]) -> Cells {
         let mut cells = Cells { levels: Vec::new(), points: Vec::with_capacity(points.len()) };
-        let Some(least) = points.iter().map(|p| p.reach).reduce(f64::min) else {
+        let Some(least) = points.iter().map(Point::farthest).reduce(f64::min) else {
             return cells;
         };
         let ends: [f64; MOST_LEVELS - 1] = std::array::from_fn(|l| least * LEVEL_RATIO.powi(l as i32 + 1));
+        let mut level = vec![0_u8; points.len()];
+        parallel::gather_into(&mut level, |k| {
+            let farthest = points[k].farthest();
+            ends.iter().position(|&end| farthest < end).unwrap_or(MOST_LEVELS - 1) as u8
+        });
         let mut members: Vec<Vec<u32>> = vec![Vec::new(); MOST_LEVELS];
-        for (k, p) in points.iter().enumerate() {
-            let level = ends.iter().position(|&end| p.reach < end).unwrap_or(MOST_LEVELS - 1);
-            members[level].push(k as u32);
+        for (k, &level) in level.iter().enumerate() {
+            members[usize::from(level)].push(k as u32);
         }
         for member in members.iter().filter(|m| !m.is_empty()) {
             cells.push_level(points, member);
@@ -99,7 +117,7 @@ impl Cells {
 
     fn push_level(&mut self, points: &[Point], member: &[u32]) {
         let of = |k: &u32| points[*k as usize];
-        let Extent { lo, hi, reach: widest } = Extent::of(&member.iter().map(of).collect::<Vec<_>>());
+        let Extent { lo, hi, reach: widest } = Extent::of(member.iter().map(of));
         let mut cell = CELL.map(|share| share * widest);
         let extent = [hi[0] - lo[0], hi[1] - lo[1]];
         let most = (CELLS_PER_POINT * member.len() + 4096) as f64;
@@ -121,13 +139,18 @@ impl Cells {
             level.start[c + 1] += level.start[c];
         }
         let mut next = level.start.clone();
-        let blank = Point { x: 0.0, y: 0.0, reach: 0.0, index: 0 };
+        let blank = Point::at_rest([0.0; 2], 0.0, 0);
         self.points.resize(base as usize + member.len(), blank);
         for (k, &c) in member.iter().zip(&cell) {
             self.points[next[c as usize] as usize] = of(k);
             next[c as usize] += 1;
         }
         self.levels.push(level);
+    }
+
+    /// The farthest that any point may reach [m].
+    pub(crate) fn farthest(&self) -> f64 {
+        self.levels.iter().map(|level| level.widest).fold(0.0, f64::max)
     }
 
     /// The points in sorted order.
@@ -142,18 +165,17 @@ impl Cells {
         }
     }
 
-    /// True if any point lies within `reach` + its own reach of (x, y).
-    pub fn any_within(&self, x: f64, y: f64, reach: f64) -> bool {
-        let at = Point { x, y, reach, index: u32::MAX };
+    /// True if `at` may meet any point.
+    pub fn any_meets(&self, at: &Point) -> bool {
         let mut any = false;
-        self.for_each_run(&[at], |run| any = any || self.points[run].iter().any(|p| at.meets(p)));
+        self.for_each_run(&[*at], |run| any = any || self.points[run].iter().any(|p| at.meets(p)));
         any
     }
 
-    /// Call `found` with every point within `reach` + its own reach of (x, y), in sorted order.
+    /// Call `found` with every point within `reach` + its own reach of (x, y), in sorted order. For points at rest.
     #[inline]
     pub fn for_each_within(&self, x: f64, y: f64, reach: f64, mut found: impl FnMut(&Point)) {
-        let at = Point { x, y, reach, index: u32::MAX };
+        let at = Point::at_rest([x, y], reach, u32::MAX);
         self.for_each_run(&[at], |run| self.points[run].iter().filter(|p| at.meets(p)).for_each(&mut found));
     }
 
@@ -161,7 +183,7 @@ impl Cells {
     /// most [`LANES`]) may meet.
     #[inline]
     pub fn for_each_run(&self, at: &[Point], mut found: impl FnMut(Range<usize>)) {
-        let all = Extent::of(at);
+        let all = Extent::of(at.iter().copied());
         for level in &self.levels {
             let cut = all.reach + level.widest;
             let columns = level.span(0, all.lo[0], all.hi[0], cut);
@@ -175,7 +197,7 @@ impl Cells {
             let mut boxes = [[0; 4]; LANES];
             let mut touching = 0;
             for p in at {
-                let cut = p.reach + level.widest;
+                let cut = p.farthest() + level.widest;
                 if let (Some([c0, c1]), Some([r0, r1])) = (level.span(0, p.x, p.x, cut), level.span(1, p.y, p.y, cut)) {
                     boxes[touching] = [c0, c1, r0, r1];
                     touching += 1;
@@ -248,7 +270,7 @@ mod tests {
         #[test]
         fn cells_find_every_pair(raw in prop::collection::vec((0.0..1.0f64, 0.0..1.0f64, -3.0..-0.5f64), 1..200)) {
             let points: Vec<Point> = raw.iter().enumerate()
-                .map(|(k, &(x, y, e))| Point { x, y, reach: 10f64.powf(e), index: k as u32 }).collect();
+                .map(|(k, &(x, y, e))| Point::at_rest([x, y], 10f64.powf(e), k as u32)).collect();
             let cells = Cells::build(&points);
             for p in &points {
                 let mut found = Vec::new();
@@ -262,9 +284,8 @@ mod tests {
     #[test]
     fn a_stray_point_does_not_cost_a_grid_of_empty_cells() {
         for stray in [[1e6, 1e6], [1e30, 0.0], [0.0, -1e300]] {
-            let mut points: Vec<Point> =
-                (0..100).map(|k| Point { x: 0.001 * k as f64, y: 0.0, reach: 0.001, index: k }).collect();
-            points.push(Point { x: stray[0], y: stray[1], reach: 0.001, index: 100 });
+            let mut points: Vec<Point> = (0..100).map(|k| Point::at_rest([0.001 * k as f64, 0.0], 0.001, k)).collect();
+            points.push(Point::at_rest(stray, 0.001, 100));
             let cells = Cells::build(&points);
             let total: usize = cells.levels.iter().map(|l| l.start.len()).sum();
             assert!(total < 10_000, "{total} cells");

@@ -45,6 +45,13 @@ impl Periodic {
             .map(move |(i, j)| [f64::from(i) * a, f64::from(j) * b])
     }
 
+    /// True within `distance` [m] of a plane, or beyond it.
+    pub(crate) fn is_beside(&self, at: [f64; 2], distance: f64) -> bool {
+        let beside =
+            |at: f64, pair: Option<[f64; 2]>| pair.is_some_and(|[from, to]| at < from + distance || at > to - distance);
+        beside(at[0], self.x) || beside(at[1], self.y)
+    }
+
     /// A position inside the cell for one that left it [m].
     pub fn wrap(&self, at: [f64; 2]) -> [f64; 2] {
         let inside = |at: f64, pair: Option<[f64; 2]>| match pair {

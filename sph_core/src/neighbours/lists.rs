@@ -1,9 +1,8 @@
 //! Neighbour lists with a skin that suits each particle's speed.
 //!
-//! A list made at one moment holds every pair that can meet until some particle has moved farther than
-//! the skin it was given: its share of the smoothing length plus its speed times the time the list
-//! should live. Jets move several times as fast as the spray root, so one skin for all would be wasted
-//! on still water (findings of the prototypes, item 10).
+//! A list made at one moment holds every pair that can meet while each particle keeps its velocity, until some particle
+//! has gone farther astray than the skin it was given: its share of the smoothing length and of its way. Neighbours move
+//! almost alike, so that lists are little longer than what meets at one moment.
 //!
 //! Targets are listed in clusters of [`LANES`] that follow one another, so that a cluster is summed side by side: an
 //! entry is a neighbour of any of them, with a bit for each target that may meet it.
@@ -15,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::memory::of_vector;
 use crate::neighbours::cells::{Cells, Point};
-use crate::neighbours::entries::{Entries, Entry, MOST_POINTS, Met, within_and_bits};
+use crate::neighbours::entries::{Entries, Entry, MOST_POINTS};
 use crate::parallel::{self, CHUNK};
 use crate::state_bytes::{StateError, expect_count};
 
@@ -44,7 +43,7 @@ pub struct Lists {
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct ChunkList {
     entries: Entries,
-    /// A bit for each cluster: one smoothing length.
+    /// A bit for each cluster: one smoothing length, and no pair masked.
     alike: u32,
 }
 
@@ -80,14 +79,14 @@ impl Lists {
                 let from = found.len();
                 cells.for_each_run(&at[..last - first], |run| runs.push(run));
                 let count = last - first;
-                simd::run(true, MonolithicSolve { points: cells.points(), runs: &runs, at, count, found: &mut found });
+                simd::run(true, Candidates { points: cells.points(), runs: &runs, at, count, found: &mut found });
                 start.push(found.len() as u32);
                 let h = size.0(first);
                 let same = (first..last).all(|k| size.0(k) == h)
                     && found[from..].iter().all(|e: &Entry| size.1(e.index()) == h);
                 alike |= u32::from(same) << c;
             }
-            *list = ChunkList { entries: Entries::new(&found, &start), alike };
+            *list = ChunkList { entries: Entries { start, found: found.into_boxed_slice() }, alike };
         });
     }
 
@@ -99,22 +98,23 @@ impl Lists {
             let (mut start, mut kept) = (vec![0], Vec::new());
             for c in 0..list.entries.clusters() {
                 let first = targets.start + c * LANES;
-                for (j, bits) in list.entries.of(c) {
+                for (j, bits) in list.entries.of(c).iter().map(|e| (e.index(), e.bits())) {
                     let wanted = |k: usize| (among && first + k == j as usize) || keep(first + k, j);
                     let left = (0..LANES).filter(|&k| bits >> k & 1 == 1 && wanted(k)).fold(0, |left, k| left | 1 << k);
+                    list.alike &= !(u32::from(left != bits) << c);
                     if left != 0 {
                         kept.push(Entry::new(j, left));
                     }
                 }
                 start.push(kept.len() as u32);
             }
-            list.entries = Entries::new(&kept, &start);
+            list.entries = Entries { start, found: kept.into_boxed_slice() };
         });
     }
 
     #[inline(always)]
-    fn cluster(&self, k: usize) -> Met<'_> {
-        self.chunks.get(k / CHUNK).map_or_else(Met::default, |list| list.entries.of(k % CHUNK / LANES))
+    fn cluster(&self, k: usize) -> &[Entry] {
+        self.chunks.get(k / CHUNK).map_or(&[], |list| list.entries.of(k % CHUNK / LANES))
     }
 
     /// Neighbours of target `k`, itself not among them, in a fixed order.
@@ -122,7 +122,7 @@ impl Lists {
     pub fn of(&self, k: usize) -> impl Iterator<Item = u32> + Clone {
         let own = if self.among { k as u32 } else { u32::MAX };
         let bit = 1 << (k % LANES);
-        self.cluster(k).filter(move |&(j, bits)| bits & bit != 0 && j != own).map(|(j, _)| j)
+        self.cluster(k).iter().filter(move |e| e.bits() & bit != 0 && e.index() != own).map(|e| e.index())
     }
 
     /// What the targets from `first` on, as many as an `R` is simd, read of all that any of them may meet. Targets that
@@ -133,9 +133,35 @@ impl Lists {
         first: usize,
         zero: R,
         rows: &'a [T],
-    ) -> Around<'a, R, T> {
-        let (met, lane) = (self.cluster(first), (first % LANES) as u32);
-        Around { met, here: [].iter(), rows, near: rows, lane, masked: self.masked, zero }
+    ) -> impl Iterator<Item = T::Over<R>> {
+        let lane = (first % LANES) as u32;
+        let meets = move |e: &&Entry| R::WIDTH > 1 || e.bits() >> lane & 1 == 1;
+        self.cluster(first).iter().filter(meets).map(move |e| {
+            let row = rows[e.index() as usize].splat(zero);
+            if self.masked { T::mask(row, e.bits() >> lane) } else { row }
+        })
+    }
+
+    /// The same of targets that are [`Lists::alike`]: side by side, and no pair is masked.
+    #[inline(always)]
+    pub(crate) fn around_alike<'a, R: SimdReal, T: Splat>(
+        &'a self,
+        first: usize,
+        zero: R,
+        rows: &'a [T],
+    ) -> impl Iterator<Item = T::Over<R>> {
+        self.cluster(first).iter().map(move |e| rows[e.index() as usize].splat(zero))
+    }
+
+    /// `any[k]` ← whether target k meets a point that is `marked`. Targets that are points too meet themselves.
+    pub(crate) fn meet_any(&self, marked: &[bool], any: &mut [bool]) {
+        parallel::update_pieces(any, CHUNK, |c, any| {
+            for (cluster, any) in any.chunks_mut(LANES).enumerate() {
+                let bits = |e: &Entry| if marked[e.index() as usize] { e.bits() } else { 0 };
+                let met = self.chunks[c].entries.of(cluster).iter().fold(0, |met, e| met | bits(e));
+                any.iter_mut().enumerate().for_each(|(k, any)| *any = met >> k & 1 == 1);
+            }
+        });
     }
 
     /// How many targets.
@@ -151,7 +177,7 @@ impl Lists {
         expect_count("chunks of sound lists", sound, self.chunks.len())
     }
 
-    /// True if the targets beside `k` and all that they may meet have one smoothing length.
+    /// True if the targets beside `k` and all that they may meet have one smoothing length, and no pair is masked.
     #[inline(always)]
     pub(crate) fn alike(&self, k: usize) -> bool {
         self.chunks[k / CHUNK].alike >> (k % CHUNK / LANES) & 1 == 1
@@ -164,49 +190,14 @@ impl Lists {
 
     /// Number of listed pairs.
     pub fn pairs(&self) -> usize {
-        let entries = |chunk: &ChunkList| -> u32 {
-            (0..chunk.entries.clusters()).flat_map(|c| chunk.entries.of(c)).map(|(_, bits)| bits.count_ones()).sum()
-        };
+        let entries = |chunk: &ChunkList| -> u32 { chunk.entries.found.iter().map(|e| e.bits().count_ones()).sum() };
         let met: u32 = self.chunks.iter().map(entries).sum();
         met as usize - if self.among { self.targets } else { 0 } // a target's meeting itself
     }
 }
 
-/// See [`Lists::around`]. An iterator of its own, all of it to be inlined where lanes are known.
-pub(crate) struct Around<'a, R, T> {
-    met: Met<'a>,
-    /// Entries of the present stretch, and the rows from its begin on.
-    here: std::slice::Iter<'a, u16>,
-    near: &'a [T],
-    rows: &'a [T],
-    lane: u32,
-    masked: bool,
-    zero: R,
-}
-
-impl<R: SimdReal, T: Splat> Iterator for Around<'_, R, T> {
-    type Item = T::Over<R>;
-    #[inline(always)]
-    fn next(&mut self) -> Option<T::Over<R>> {
-        loop {
-            let Some(&e) = self.here.next() else {
-                let (begin, here) = self.met.stretch()?;
-                (self.near, self.here) = (&self.rows[begin as usize..], here.iter());
-                continue;
-            };
-            let (within, bits) = within_and_bits(e);
-            let bits = bits >> self.lane;
-            if R::WIDTH == 1 && bits & 1 == 0 {
-                continue;
-            }
-            let row = self.near[within].splat(self.zero);
-            return Some(if self.masked { T::mask(row, bits) } else { row });
-        }
-    }
-}
-
 /// Everyone in `runs` that one of `count` targets may meet.
-struct MonolithicSolve<'a> {
+struct Candidates<'a> {
     points: &'a [Point],
     runs: &'a [Range<usize>],
     at: [Point; LANES],
@@ -214,25 +205,31 @@ struct MonolithicSolve<'a> {
     found: &'a mut Vec<Entry>,
 }
 
-impl Task for MonolithicSolve<'_> {
+impl Task for Candidates<'_> {
     type Out = ();
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
-        let MonolithicSolve { points, runs, at, count, found } = self;
+        let Candidates { points, runs, at, count, found } = self;
         let there = (1 << count) - 1;
+        let most: usize = runs.iter().map(Range::len).sum();
+        let mut kept = found.len();
+        found.resize(kept + most, Entry::new(0, 0));
         for run in runs {
             for q in &points[run.clone()] {
                 let mut bits = 0;
                 for first in (0..LANES).step_by(R::WIDTH) {
                     let dx = zero.each(|k| at[first + k].x) - zero.of(q.x);
                     let dy = zero.each(|k| at[first + k].y) - zero.of(q.y);
-                    let cut = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
+                    let du = zero.each(|k| at[first + k].travel[0]) - zero.of(q.travel[0]);
+                    let dv = zero.each(|k| at[first + k].travel[1]) - zero.of(q.travel[1]);
+                    let reach = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
+                    let cut = reach + du.max(zero - du) + dv.max(zero - dv);
                     bits |= (dx * dx + dy * dy).less(cut * cut) << first;
                 }
-                if bits & there != 0 {
-                    found.push(Entry::new(q.index, bits & there));
-                }
+                found[kept] = Entry::new(q.index, bits & there);
+                kept += usize::from(bits & there != 0);
             }
         }
+        found.truncate(kept);
     }
 }

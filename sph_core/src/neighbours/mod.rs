@@ -1,4 +1,4 @@
-//! Neighbour lists for fluid and walls, images included, made anew when a particle has moved farther than its skin.
+//! Neighbour lists for fluid and walls, images included, made anew when a particle has gone farther astray than its skin.
 
 pub mod cells;
 mod entries;
@@ -20,6 +20,8 @@ use crate::walls::visibility::{Listed, ThinWalls};
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
 const SKIN: f64 = 0.06;
+/// Share of its way, at its velocity while the lists last, that a particle may go astray.
+const ASTRAY: f64 = 0.1;
 
 /// Wall particles at the moment of the search.
 #[derive(Clone, Copy)]
@@ -64,6 +66,8 @@ pub struct Neighbours {
     pub wall_shifts: Vec<[f64; 2]>,
     /// How often the lists were made.
     pub rebuilds: u64,
+    /// When they were made, and how long they are to last [s].
+    made: (f64, f64),
     skin: Skin,
     wall_skin: Skin,
     mirror_skin: Skin,
@@ -92,14 +96,17 @@ impl Neighbours {
         self.fluid_of_mirror.check(mirrored, fluid)
     }
 
-    /// True while every pair that can meet is listed.
-    pub fn holds(&self, particles: &Particles, walls: &WallKinematics) -> bool {
-        self.skin.holds(&particles.x, &particles.y)
-            && self.wall_skin.holds(walls.x, walls.y)
-            && self.mirror_skin.holds(walls.mirror_x, walls.mirror_y)
+    /// True while every pair that can meet at `now` [s] is listed: one age for all is all that this takes, whatever the clock.
+    pub fn holds(&self, particles: &Particles, walls: &WallKinematics, now: f64) -> bool {
+        let (since, life) = self.made;
+        let age = (now - since).max(0.0).min(life);
+        self.skin.holds(&particles.x, &particles.y, age)
+            && self.wall_skin.holds(walls.x, walls.y, age)
+            && self.mirror_skin.holds(walls.mirror_x, walls.mirror_y, age)
     }
 
-    /// Sort the fluid by cell and list all pairs, to last about `life` seconds.
+    /// Sort the fluid by cell and list all pairs at `now` [s], to last about `life` [s]. Points stand where velocities take them
+    /// in half of that. Beside thin walls particles are expected anywhere around where they are, since masks are made for there.
     pub fn rebuild(
         &mut self,
         particles: &mut Particles,
@@ -107,10 +114,18 @@ impl Neighbours {
         walls: &WallKinematics,
         mirror: Option<Mirror>,
         periodic: Option<Periodic>,
-        life: f64,
+        [now, life]: [f64; 2],
     ) {
         wrap(particles, periodic);
-        let allow = |h: f64, u: f64, v: f64| SKIN * h + (u * u + v * v).sqrt() * life;
+        let (half, astray) = (0.5 * life, if walls.thin.is_some() { 1.0 } else { ASTRAY });
+        let allow = |h: f64, u: f64, v: f64| SKIN * h + astray * (u * u + v * v).sqrt() * life;
+        let expected = |u: &[f64], v: &[f64]| -> Vec<[f32; 2]> {
+            let mut velocity = vec![[0.0; 2]; u.len()];
+            if walls.thin.is_none() {
+                parallel::gather_into(&mut velocity, |k| [u[k] as f32, v[k] as f32]);
+            }
+            velocity
+        };
         let n = particles.len();
         let mut allowance = vec![0.0; n];
         parallel::gather_into(&mut allowance, |k| allow(particles.h[k], particles.u[k], particles.v[k]));
@@ -118,14 +133,18 @@ impl Neighbours {
             thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // WA8
         }
         let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
-        let own = |x: &[f64], y: &[f64], reach: &[f64]| -> Vec<Point> {
-            let mut points = vec![Point { x: 0.0, y: 0.0, reach: 0.0, index: 0 }; x.len()];
-            parallel::gather_into(&mut points, |k| Point { x: x[k], y: y[k], reach: reach[k], index: k as u32 });
+        let own = |x: &[f64], y: &[f64], velocity: &[[f32; 2]], reach: &[f64]| -> Vec<Point> {
+            let mut points = vec![Point::at_rest([0.0; 2], 0.0, 0); x.len()];
+            parallel::gather_into(&mut points, |k| {
+                let travel = velocity[k].map(|v| half * f64::from(v));
+                Point { x: x[k] + travel[0], y: y[k] + travel[1], reach: reach[k], travel, index: k as u32 }
+            });
             points
         };
 
         // sort the fluid physically, so that a neighbourhood is a few contiguous runs
-        let mut fluid_cells = Cells::build(&own(&particles.x, &particles.y, &reach));
+        let mut fluid_cells =
+            Cells::build(&own(&particles.x, &particles.y, &expected(&particles.u, &particles.v), &reach));
         let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
         particles.permute(&order);
         fields.permute(&order);
@@ -139,15 +158,17 @@ impl Neighbours {
             thin.hold_ends(walls.x, walls.y, walls.h, &mut wall_allowance);
         }
         let wall_reach: Vec<f64> = (0..walls.x.len()).map(|k| walls.h[k] + wall_allowance[k]).collect();
-        let mut fluid = own(&particles.x, &particles.y, &reach);
-        let mut wall = own(walls.x, walls.y, &wall_reach);
-        let mirrored = own(walls.mirror_x, walls.mirror_y, &wall_reach);
+        let velocity = expected(&particles.u, &particles.v);
+        let wall_velocity = expected(walls.u, walls.v);
+        let mut fluid = own(&particles.x, &particles.y, &velocity, &reach);
+        let mut wall = own(walls.x, walls.y, &wall_velocity, &wall_reach);
+        let mirrored = own(walls.mirror_x, walls.mirror_y, &wall_velocity, &wall_reach);
         let mut wall_cells = Cells::build(&wall);
         self.fluid_images.clear();
         self.wall_images.clear();
         if let Some(mirror) = mirror {
             // an image is needed where it has a neighbour in front of the plane
-            let meets = |cells: &Cells, p: &Point| cells.any_within(mirror.reflect(p.x), p.y, p.reach);
+            let meets = |cells: &Cells, p: &Point| cells.any_meets(&reflected(*p, mirror));
             let mirrored_cells = Cells::build(&mirrored);
             let needed = |p: &Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
             self.fluid_images = those(&fluid, needed);
@@ -175,9 +196,10 @@ impl Neighbours {
             let Neighbours { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
             thin.mask(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // WA8, WA9
         }
-        self.skin.reset(&particles.x, &particles.y, &allowance);
-        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, &wall_allowance);
-        self.wall_skin.reset(walls.x, walls.y, &wall_allowance);
+        self.made = (now, life);
+        self.skin.reset(&particles.x, &particles.y, velocity, &allowance);
+        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, wall_velocity.clone(), &wall_allowance);
+        self.wall_skin.reset(walls.x, walls.y, wall_velocity, &wall_allowance);
         self.rebuilds += 1;
         self.flag_surface(fields);
     }
@@ -213,16 +235,19 @@ impl Neighbours {
         self.fluid_shifts.clear();
         self.wall_shifts.clear();
         let [own_fluid, own_wall] = own;
-        let (fluids, walls) = (fluid.len(), wall.len());
+        let farthest = own_fluid.farthest().max(own_wall.farthest());
+        let beside = |points: &[Point]| those(points, |p| periodic.is_beside([p.x, p.y], 2.0 * farthest));
+        let (fluids, walls) = (beside(fluid), beside(wall));
         for shift in periodic.shifts() {
             let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
-            let meets = |cells: &Cells, p: &Point| cells.any_within(p.x, p.y, p.reach);
-            for k in those(&fluid[..fluids], |p| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p))) {
+            let meets = |cells: &Cells, p: &Point| cells.any_meets(p);
+            let needed = |p: &Point| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p));
+            for k in fluids.iter().copied().filter(|&k| needed(&fluid[k as usize])).collect::<Vec<u32>>() {
                 fluid.push(Point { index: fluid.len() as u32, ..moved(fluid[k as usize]) });
                 self.fluid_images.push(k);
                 self.fluid_shifts.push(shift);
             }
-            for k in those(&wall[..walls], |p| meets(own_fluid, &moved(*p))) {
+            for &k in walls.iter().filter(|&&k| meets(own_fluid, &moved(wall[k as usize]))).collect::<Vec<_>>() {
                 wall.push(Point { index: wall.len() as u32, ..moved(wall[k as usize]) });
                 self.wall_images.push(k);
                 self.wall_shifts.push(shift);
@@ -233,11 +258,12 @@ impl Neighbours {
     /// Who is, or has within reach, a free-surface particle (by the λ found last).
     pub fn flag_surface(&self, fields: &mut Fields) {
         let n = fields.moments.len();
-        let around = &fields.moments;
-        let at_surface = |k: usize| around[k].at_surface();
-        parallel::gather_into(&mut fields.near_surface, |k| {
-            at_surface(k) || self.fluid.of(k).any(|j| at_surface(self.source(j, n)))
-        });
+        let mut at_surface = vec![false; n + self.fluid_images.len()];
+        parallel::gather_into(&mut at_surface[..n], |k| fields.moments[k].at_surface());
+        for (k, &source) in self.fluid_images.iter().enumerate() {
+            at_surface[n + k] = at_surface[source as usize];
+        }
+        self.fluid.meet_any(&at_surface, &mut fields.near_surface);
     }
 }
 
@@ -267,6 +293,11 @@ fn append_images(points: &mut Vec<Point>, sources: &[u32], mirror: Mirror) {
     let n = points.len() as u32;
     for (k, &source) in sources.iter().enumerate() {
         let p = points[source as usize];
-        points.push(Point { x: mirror.reflect(p.x), index: n + k as u32, ..p });
+        points.push(Point { index: n + k as u32, ..reflected(p, mirror) });
     }
+}
+
+/// The image of a point.
+fn reflected(p: Point, mirror: Mirror) -> Point {
+    Point { x: mirror.reflect(p.x), travel: [-p.travel[0], p.travel[1]], ..p }
 }

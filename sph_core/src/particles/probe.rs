@@ -42,7 +42,7 @@ impl<'a> Probe<'a> {
     pub fn new(fluid: &'a Fluid) -> Probe<'a> {
         let p = fluid.particles();
         let mut points: Vec<Point> =
-            (0..p.len()).map(|k| Point { x: p.x[k], y: p.y[k], reach: 2.0 * p.h[k], index: k as u32 }).collect();
+            (0..p.len()).map(|k| Point::at_rest([p.x[k], p.y[k]], 2.0 * p.h[k], k as u32)).collect();
         if let Some(mirror) = fluid.domain().mirror {
             let near: Vec<Point> = points.iter().filter(|q| q.x - mirror.at < 2.0 * q.reach).copied().collect();
             points.extend(near.iter().map(|q| Point { x: mirror.reflect(q.x), ..*q }));
@@ -51,7 +51,7 @@ impl<'a> Probe<'a> {
             let own = Cells::build(&points);
             for [sx, sy] in periodic.shifts() {
                 let moved = (0..p.len()).map(|k| Point { x: p.x[k] + sx, y: p.y[k] + sy, ..points[k] });
-                let near: Vec<Point> = moved.filter(|q| own.any_within(q.x, q.y, q.reach)).collect();
+                let near: Vec<Point> = moved.filter(|q| own.any_meets(q)).collect();
                 points.extend(near);
             }
         }

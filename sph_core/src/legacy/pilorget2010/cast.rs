@@ -148,6 +148,6 @@ impl Pairs {
 
 /// Where players are, and how far they reach.
 pub(crate) fn points(players: &[Player]) -> Vec<Point> {
-    let point = |(k, p): (usize, &Player)| Point { x: p.x, y: p.y, reach: p.h, index: k as u32 };
+    let point = |(k, p): (usize, &Player)| Point::at_rest([p.x, p.y], p.h, k as u32);
     players.iter().enumerate().map(point).collect()
 }
