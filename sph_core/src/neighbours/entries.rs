@@ -157,6 +157,12 @@ pub(crate) fn within_and_bits(e: u16) -> (usize, u32) {
 }
 
 impl<'a> Met<'a> {
+    /// How many, before the first is taken.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.later.len()
+    }
+
     /// The next stretch: where it begins, and its entries. For who takes entries by stretches, none by [`Met::next`].
     #[inline(always)]
     pub fn stretch(&mut self) -> Option<(u32, &'a [u16])> {
