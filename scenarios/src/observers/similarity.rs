@@ -173,9 +173,18 @@ impl SimilarityWindow {
     }
 
     /// Why the largest pressure is not resolved, if it is not: at the keel, or elsewhere in a mean profile.
-    fn unresolved(&self, at_keel: bool, profile: &[[f64; 2]], spacing: f64) -> Option<String> {
+    ///
+    /// A coarse run smears the peak, and its own length near it is too long: the exact one counts where it is shorter.
+    fn unresolved(
+        &self,
+        at_keel: bool,
+        profile: &[[f64; 2]],
+        exact: Option<&WedgeSimilarity>,
+        spacing: f64,
+    ) -> Option<String> {
         if !at_keel {
-            let across = length_near_peak(profile) / spacing;
+            let longest = exact.map_or(f64::INFINITY, |exact| length_near_peak(&exact.profile));
+            let across = length_near_peak(profile).min(longest) / spacing;
             let few = || {
                 format!("{across:.1} spacings across the face with 90 % of the largest pressure, of {PEAK_SPACINGS}")
             };
@@ -216,7 +225,7 @@ impl SimilarityWindow {
         // The law, where it holds, is in the profile: its end is the keel's.
         let at_keel = self.law.is_some_and(|law| top[0] * self.speed * last < law.from * cos);
         let keel = self.samples.iter().filter_map(|s| s.keel).map(|keel| keel.pressure).sum::<f64>() / n;
-        let cp_max_unresolved = self.unresolved(at_keel, &profile, spacing);
+        let cp_max_unresolved = self.unresolved(at_keel, &profile, exact, spacing);
         let [cp_max, cp_max_of_mean] = match (&cp_max_unresolved, at_keel) {
             (Some(_), true) => [f64::NAN; 2],
             (None, true) => [peak, keel.max(top[1])],

@@ -112,8 +112,9 @@ impl Lists {
         });
     }
 
+    /// Neighbours of the targets beside target `k`, with a bit for each target; targets that are points are among them.
     #[inline(always)]
-    fn cluster(&self, k: usize) -> &[Entry] {
+    pub(crate) fn cluster(&self, k: usize) -> &[Entry] {
         self.chunks.get(k / CHUNK).map_or(&[], |list| list.entries.of(k % CHUNK / LANES))
     }
 

@@ -1,13 +1,17 @@
 //! Sums over the pairs of a step: geometry, divergence, viscosity and the matrix's rows (THEORY PR3–PR6, PR13).
 
+use std::marker::PhantomData;
+use std::ops::Range;
+
 use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::{Shape, WithKernel};
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
+use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 use crate::particles::KernelMoments;
 use crate::projection::free_surface::lattice::Lattice;
-use crate::projection::pair_batch::{PairBatch, Sums};
+use crate::projection::pair_batch::{ClusterPairs, Sums};
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
@@ -73,6 +77,23 @@ struct Found<'a> {
 }
 
 struct Assembly<'a> {
+    shared: Shared<'a>,
+    found: Vec<Found<'a>>,
+    simd: bool,
+}
+
+impl WithKernel for Assembly<'_> {
+    type Out = ();
+    fn with<K: Shape>(self) {
+        let Assembly { shared, mut found, simd } = self;
+        parallel::for_each_chunk(&mut found, shared.n, |targets, out| {
+            simd::run(simd, ChunkSums::<K> { shared: &shared, targets, out, kernel: PhantomData });
+        });
+    }
+}
+
+/// What every chunk reads.
+struct Shared<'a> {
     fluid: &'a [PackedParticle],
     packed_walls: &'a [PackedWall],
     neighbours: &'a Neighbours,
@@ -82,65 +103,96 @@ struct Assembly<'a> {
     constants: PairConstants,
     /// 1/κ (PR4).
     inverse: f64,
-    found: Vec<Found<'a>>,
 }
 
-impl WithKernel for Assembly<'_> {
+/// The sums of a chunk of targets.
+struct ChunkSums<'a, 'b, K> {
+    shared: &'a Shared<'a>,
+    targets: Range<usize>,
+    out: &'a mut Found<'b>,
+    kernel: PhantomData<K>,
+}
+
+impl<K: Shape> Task for ChunkSums<'_, '_, K> {
     type Out = ();
-    fn with<K: Shape>(self) {
-        let Assembly { fluid, packed_walls, neighbours, n, kicks, walls, constants, inverse, mut found } = self;
-        parallel::for_each_chunk(&mut found, n, |targets, out| {
-            let Found { pairs, around, divergence, second_moment, drag } = out;
-            pairs.ends.clear();
-            pairs.near.clear();
-            pairs.values.clear();
-            pairs.own_images = 0;
-            let mut batch = PairBatch::default();
-            for (slot, k) in targets.enumerate() {
-                let a = &fluid[k];
-                let mut sums = Sums::default();
-                let (mut listed, mut more) = (neighbours.fluid.of(k), true);
-                while more {
-                    more = batch.gather(a, &mut listed, fluid);
-                    batch.evaluate::<K>(a, &constants);
-                    sums.add(&batch, a, &constants);
-                    pairs.near.extend_from_slice(batch.listed());
-                    pairs.values.extend_from_slice(batch.links());
-                    if !neighbours.fluid_images.is_empty() {
-                        pairs.own_images += batch.listed().iter().filter(|&&j| neighbours.source(j, n) == k).count();
-                    }
-                }
-                pairs.ends.push(pairs.near.len() as u32);
-                let own = a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h);
-                let fluid_kernel_sum = own + sums.kernel_sum();
-                let (mut kernel_sum, mut concentration_gradient, mut arms) =
-                    (fluid_kernel_sum, sums.concentration_gradient(), sums.second_moment());
-                let mut rate = sums.divergence();
-                for j in neighbours.walls_of_fluid.of(k) {
-                    let w = &packed_walls[j as usize];
-                    let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
-                    let wet = walls[j as usize].volume;
-                    kernel_sum += wet * aw.w::<K>();
-                    let pull = wet * aw.grad_factor;
-                    concentration_gradient[0] += pull * aw.dx;
-                    concentration_gradient[1] += pull * aw.dy;
-                    arms[0] -= pull * aw.dx * aw.dx;
-                    arms[1] -= pull * aw.dx * aw.dy;
-                    arms[2] -= pull * aw.dy * aw.dy;
-                    let un = a.u * w.nx + a.v * w.ny;
-                    let rn = aw.dx * w.nx + aw.dy * w.ny;
-                    rate += 2.0 * w.volume * aw.grad_factor * (w.vn - un) * rn;
-                    let kick = kicks[j as usize];
-                    rate += 2.0 * pull * (kick[0] * aw.dx + kick[1] * aw.dy);
-                }
-                let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
-                let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
-                around[slot] = KernelMoments::new(kernel_sum, fluid_kernel_sum, concentration_gradient, lambda);
-                divergence[slot] = inverse * rate;
-                second_moment[slot] = arms;
-                drag[slot] = sums.drag();
+    #[inline(always)]
+    fn run<R: SimdReal>(self, zero: R) {
+        let ChunkSums { shared, targets, out, .. } = self;
+        let Shared { fluid, neighbours, n, constants, .. } = shared;
+        let pairs = &mut *out.pairs;
+        pairs.ends.clear();
+        pairs.near.clear();
+        pairs.values.clear();
+        pairs.own_images = 0;
+        let mut cluster = ClusterPairs::default();
+        for (slot, k) in targets.enumerate() {
+            let (a, lane) = (&fluid[k], slot % LANES);
+            if lane == 0 {
+                cluster.find(&neighbours.fluid, k, fluid, zero);
             }
-        });
+            let near = cluster.of(lane);
+            let from = pairs.near.len();
+            pairs.near.extend_from_slice(near);
+            pairs.values.resize(from + near.len(), 0.0);
+            let sums = Sums::over::<K>(a, near, fluid, &mut pairs.values[from..], constants, zero);
+            if !neighbours.fluid_images.is_empty() {
+                pairs.own_images += near.iter().filter(|&&j| neighbours.source(j, *n) == k).count();
+            }
+            pairs.ends.push(pairs.near.len() as u32);
+            let own = a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h);
+            let fluid_kernel_sum = own + sums.kernel_sum();
+            let mut moments = Moments {
+                kernel_sum: fluid_kernel_sum,
+                concentration_gradient: sums.concentration_gradient(),
+                arms: sums.second_moment(),
+                rate: sums.divergence(),
+            };
+            shared.add_walls::<K>(k, &mut moments);
+            let Moments { kernel_sum, concentration_gradient, arms, rate } = moments;
+            let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
+            let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
+            out.around[slot] = KernelMoments::new(kernel_sum, fluid_kernel_sum, concentration_gradient, lambda);
+            out.divergence[slot] = shared.inverse * rate;
+            out.second_moment[slot] = arms;
+            out.drag[slot] = sums.drag();
+        }
+    }
+}
+
+/// Sums of a target over fluid and walls.
+struct Moments {
+    kernel_sum: f64,
+    concentration_gradient: [f64; 2],
+    /// −Σ V r⊗∇W.
+    arms: [f64; 3],
+    /// κ ∇·u*.
+    rate: f64,
+}
+
+impl Shared<'_> {
+    /// PR3: what the walls add to the sums of target `k`.
+    #[inline(always)]
+    fn add_walls<K: Shape>(&self, k: usize, moments: &mut Moments) {
+        let Shared { fluid, packed_walls, neighbours, kicks, walls, .. } = self;
+        let Moments { kernel_sum, concentration_gradient, arms, rate } = moments;
+        let a = &fluid[k];
+        for j in neighbours.walls_of_fluid.of(k) {
+            let w = &packed_walls[j as usize];
+            let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
+            let wet = walls[j as usize].volume;
+            *kernel_sum += wet * aw.w::<K>();
+            let pull = wet * aw.grad_factor;
+            concentration_gradient[0] += pull * aw.dx;
+            concentration_gradient[1] += pull * aw.dy;
+            arms[0] -= pull * aw.dx * aw.dx;
+            arms[1] -= pull * aw.dx * aw.dy;
+            arms[2] -= pull * aw.dy * aw.dy;
+            let un = a.u * w.nx + a.v * w.ny;
+            let rn = aw.dx * w.nx + aw.dy * w.ny;
+            *rate += 2.0 * w.volume * aw.grad_factor * (w.vn - un) * rn;
+            let kick = kicks[j as usize];
+            *rate += 2.0 * pull * (kick[0] * aw.dx + kick[1] * aw.dy);
+        }
     }
 }
 
@@ -182,7 +234,7 @@ impl Operators {
             second_moment,
             drag,
         });
-        kernel.run(Assembly {
+        let shared = Shared {
             fluid: &system.packed.fluid,
             packed_walls: &system.packed.packed_walls,
             neighbours: &system.neighbours,
@@ -191,7 +243,7 @@ impl Operators {
             walls: &system.packed.walls,
             constants,
             inverse: 1.0 / lattice.gradient,
-            found: found.collect(),
-        });
+        };
+        kernel.run(Assembly { shared, found: found.collect(), simd: system.domain.simd });
     }
 }

@@ -1,196 +1,188 @@
-//! The neighbours of one target side by side, so that several pairs are weighed at once.
+//! The neighbours of a cluster of targets, and the sums of one target over them, several pairs at once.
 
 use crate::interactions::geometry::PairConstants;
 use crate::interactions::kernel::Shape;
 use crate::interactions::packed_particle::PackedParticle;
+use crate::interactions::simd::{LANES, SimdReal};
+use crate::neighbours::lists::Lists;
 
-/// Pairs that are summed at once.
-const LANES: usize = 2;
-
-/// Those of a list that lie within the support, as the target sees them.
-#[derive(Clone, Debug)]
-pub(crate) struct PairBatch {
-    /// How many.
-    count: usize,
-    index: [u32; Self::MOST],
-    dx: [f64; Self::MOST],
-    dy: [f64; Self::MOST],
-    r2: [f64; Self::MOST],
-    h: [f64; Self::MOST],
-    /// Velocity less the target's [m/s].
-    du: [f64; Self::MOST],
-    dv: [f64; Self::MOST],
-    raw_volume: [f64; Self::MOST],
-    /// V_b W [-].
-    cover: [f64; Self::MOST],
-    /// V_b × grad_factor [1/m²].
-    pull: [f64; Self::MOST],
-    /// Viscous pressure [Pa], times the target's volume (WC6).
-    brake: [f64; Self::MOST],
-    link: [f64; Self::MOST],
+/// Who lies within the support of each target of a cluster.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ClusterPairs {
+    near: [Vec<u32>; LANES],
+    count: [usize; LANES],
 }
 
-impl Default for PairBatch {
-    fn default() -> PairBatch {
-        let none = [0.0; PairBatch::MOST];
-        PairBatch {
-            count: 0,
-            index: [0; PairBatch::MOST],
-            dx: none,
-            dy: none,
-            r2: none,
-            h: none,
-            du: none,
-            dv: none,
-            raw_volume: none,
-            cover: none,
-            pull: none,
-            brake: none,
-            link: none,
-        }
-    }
-}
-
-impl PairBatch {
-    /// At most so many of a list at a time; a power of two.
-    pub const MOST: usize = 64;
-
-    /// Those of the next [`PairBatch::MOST`] of `listed` whose supports overlap that of `a`; true if there may be more.
+impl ClusterPairs {
+    /// Those of the targets from `first` on; no target is its own neighbour.
     #[inline(always)]
-    pub fn gather(
-        &mut self,
-        a: &PackedParticle,
-        listed: &mut impl Iterator<Item = u32>,
-        rows: &[PackedParticle],
-    ) -> bool {
-        let (mut count, mut looked_at) = (0, 0);
-        for j in listed.take(Self::MOST) {
-            looked_at += 1;
+    pub fn find<R: SimdReal>(&mut self, lists: &Lists, first: usize, rows: &[PackedParticle], zero: R) {
+        let ClusterPairs { near, count } = self;
+        let listed = lists.cluster(first);
+        let most = listed.len() + 1; // one place more: written, never kept
+        near.iter_mut().filter(|near| near.len() < most).for_each(|near| near.resize(most, 0));
+        *count = [0; LANES];
+        let at: [PackedParticle; LANES] = std::array::from_fn(|k| rows[(first + k).min(rows.len() - 1)]);
+        for entry in listed {
+            let (j, mut met) = (entry.index(), entry.bits());
+            let target = (j as usize).wrapping_sub(first);
+            if target < LANES {
+                met &= !(1 << target);
+            }
             let b = &rows[j as usize];
-            let (dx, dy, h) = (a.x - b.x, a.y - b.y, 0.5 * (a.h + b.h));
-            // written in any case, and over again by the next where this one is too far: no branch
-            self.index[count % Self::MOST] = j;
-            count += usize::from(dx * dx + dy * dy < 4.0 * h * h);
-        }
-        for slot in 0..count.min(Self::MOST) {
-            let b = &rows[self.index[slot] as usize];
-            let (dx, dy) = (a.x - b.x, a.y - b.y);
-            (self.dx[slot], self.dy[slot]) = (dx, dy);
-            (self.r2[slot], self.h[slot]) = (dx * dx + dy * dy, 0.5 * (a.h + b.h));
-            (self.du[slot], self.dv[slot]) = (b.u - a.u, b.v - a.v);
-            self.raw_volume[slot] = b.raw_volume;
-        }
-        self.count = count;
-        // whole lanes: the rest has no volume, half a support away
-        for slot in count..count.next_multiple_of(LANES) {
-            (self.dx[slot], self.dy[slot], self.r2[slot], self.h[slot]) = (0.0, 0.0, 1.0, 1.0);
-            (self.du[slot], self.dv[slot], self.raw_volume[slot]) = (0.0, 0.0, 0.0);
-        }
-        looked_at == Self::MOST
-    }
-
-    /// OP2, OP3, WC6, PR6: kernel, grad_factor, viscous pressure and link of each.
-    #[inline(always)]
-    pub fn evaluate<K: Shape>(&mut self, a: &PackedParticle, c: &PairConstants) {
-        let count = self.count.next_multiple_of(LANES).min(Self::MOST);
-        let [dx, dy, r2, h] = [&self.dx, &self.dy, &self.r2, &self.h].map(|x| &x[..count]);
-        let [du, dv, raw_volume] = [&self.du, &self.dv, &self.raw_volume].map(|x| &x[..count]);
-        let cover = &mut self.cover[..count];
-        let pull = &mut self.pull[..count];
-        let brake = &mut self.brake[..count];
-        let link = &mut self.link[..count];
-        let (of_link, of_brake) = (-2.0 / c.rho0, -c.rho0 * c.alpha * c.c0 * a.raw_volume);
-        for i in 0..count {
-            // one division for two: over h and over r² + 0.01 h²
-            let blunt = r2[i] + 0.01 * h[i] * h[i];
-            let both = 1.0 / (h[i] * blunt);
-            let inverse = both * blunt;
-            let q = r2[i].sqrt() * inverse;
-            let i2 = inverse * inverse;
-            let peak = K::ALPHA * i2;
-            let grad_factor = peak * i2 * K::DW_FACTOR * K::dw_over_q(q);
-            cover[i] = raw_volume[i] * (peak * K::w(q));
-            pull[i] = raw_volume[i] * grad_factor;
-            link[i] = of_link * ((a.raw_volume * raw_volume[i]) * grad_factor);
-            let parting = du[i] * dx[i] + dv[i] * dy[i]; // −v_ab·r_ab
-            let approach = if parting > 0.0 { parting } else { 0.0 };
-            brake[i] = of_brake * approach * (h[i] * h[i] * both);
-        }
-    }
-
-    /// Their indices.
-    pub fn listed(&self) -> &[u32] {
-        &self.index[..self.count]
-    }
-
-    /// PR6: 2 V_a V_b |grad_factor|/ρ of each, the same from both sides to the last bit.
-    pub fn links(&self) -> &[f64] {
-        &self.link[..self.count]
-    }
-}
-
-/// Sums over a target's neighbours, in lanes.
-#[derive(Default)]
-pub(crate) struct Sums {
-    kernel_sum: [f64; LANES],
-    concentration_gradient: [[f64; LANES]; 2],
-    second_moment: [[f64; LANES]; 3],
-    divergence: [f64; LANES],
-    drag: [[f64; LANES]; 2],
-}
-
-impl Sums {
-    /// Add those of `near`, which were weighed.
-    #[inline(always)]
-    pub fn add(&mut self, near: &PairBatch, a: &PackedParticle, c: &PairConstants) {
-        let count = near.count.next_multiple_of(LANES).min(PairBatch::MOST);
-        let lanes = |x: &'_ [f64; PairBatch::MOST], i: usize| -> [f64; LANES] { [x[i], x[i + 1]] };
-        let of_shear = -2.0 * c.rho0 * c.nu * a.raw_volume;
-        for i in (0..count).step_by(LANES) {
-            let [dx, dy, du, dv] = [&near.dx, &near.dy, &near.du, &near.dv].map(|x| lanes(x, i));
-            let [pull, brake, cover] = [&near.pull, &near.brake, &near.cover].map(|x| lanes(x, i));
-            for l in 0..LANES {
-                let (x, y) = (pull[l] * dx[l], pull[l] * dy[l]);
-                let shear = of_shear * pull[l];
-                self.kernel_sum[l] += cover[l];
-                self.concentration_gradient[0][l] += x;
-                self.concentration_gradient[1][l] += y;
-                self.second_moment[0][l] -= x * dx[l];
-                self.second_moment[1][l] -= x * dy[l];
-                self.second_moment[2][l] -= y * dy[l];
-                self.divergence[l] += du[l] * x + dv[l] * y;
-                self.drag[0][l] += brake[l] * x + shear * du[l];
-                self.drag[1][l] += brake[l] * y + shear * dv[l];
+            let mut within = 0;
+            for lane in (0..LANES).step_by(R::WIDTH) {
+                let dx = zero.each(|k| at[lane + k].x) - zero.of(b.x);
+                let dy = zero.each(|k| at[lane + k].y) - zero.of(b.y);
+                let h = zero.of(0.5) * (zero.each(|k| at[lane + k].h) + zero.of(b.h));
+                within |= (dx * dx + dy * dy).less(zero.of(4.0) * h * h) << lane;
+            }
+            for lane in 0..LANES {
+                // written in any case, and over again by the next where this one is too far: no branch
+                near[lane][count[lane]] = j;
+                count[lane] += (within & met) as usize >> lane & 1;
             }
         }
     }
 
+    /// Those of the target in `lane`.
+    #[inline(always)]
+    pub fn of(&self, lane: usize) -> &[u32] {
+        &self.near[lane][..self.count[lane]]
+    }
+}
+
+/// Sums over a target's neighbours, in lanes.
+pub(crate) struct Sums<R> {
+    kernel_sum: R,
+    concentration_gradient: [R; 2],
+    second_moment: [R; 3],
+    divergence: R,
+    drag: [R; 2],
+}
+
+impl<R: SimdReal> Sums<R> {
+    /// OP2, OP3, WC6, PR6: the sums of `a` over those `near`, and the link 2 V_a V_b |grad_factor|/ρ of each, which is the same from
+    /// both sides to the last bit.
+    #[inline(always)]
+    pub fn over<K: Shape>(
+        a: &PackedParticle,
+        near: &[u32],
+        rows: &[PackedParticle],
+        links: &mut [f64],
+        c: &PairConstants,
+        zero: R,
+    ) -> Sums<R> {
+        let mut sums = Sums {
+            kernel_sum: zero,
+            concentration_gradient: [zero; 2],
+            second_moment: [zero; 3],
+            divergence: zero,
+            drag: [zero; 2],
+        };
+        let own = PackedParticle {
+            x: zero.of(a.x),
+            y: zero.of(a.y),
+            u: zero.of(a.u),
+            v: zero.of(a.v),
+            p: zero,
+            volume: zero,
+            raw_volume: zero.of(a.raw_volume),
+            h: zero.of(a.h),
+        };
+        let (whole, links_of_whole) = (near.chunks_exact(R::WIDTH), links.chunks_exact_mut(R::WIDTH));
+        let rest = whole.remainder();
+        for (near, links) in whole.zip(links_of_whole) {
+            let b = gathered(zero, |k| &rows[near[k] as usize]);
+            links.copy_from_slice(&sums.add::<K>(&own, &b, c, zero).lanes()[..R::WIDTH]);
+        }
+        if !rest.is_empty() {
+            // lanes that are left over hold the first of the rest once more, without volume
+            let mut b = gathered(zero, |k| &rows[rest[if k < rest.len() { k } else { 0 }] as usize]);
+            b.raw_volume = b.raw_volume.mask((1 << rest.len()) - 1);
+            let from = links.len() - rest.len();
+            links[from..].copy_from_slice(&sums.add::<K>(&own, &b, c, zero).lanes()[..rest.len()]);
+        }
+        sums
+    }
+
+    /// Add a pair in each lane; their links.
+    #[inline(always)]
+    fn add<K: Shape>(&mut self, a: &PackedParticle<R>, b: &PackedParticle<R>, c: &PairConstants, zero: R) -> R {
+        let (dx, dy, h) = (a.x - b.x, a.y - b.y, zero.of(0.5) * (a.h + b.h));
+        let (du, dv) = (b.u - a.u, b.v - a.v);
+        let r2 = dx.mul_add(dx, dy * dy);
+        // one division for two: over h and over r² + 0.01 h²
+        let h2 = h * h;
+        let blunt = h2.mul_add(zero.of(0.01), r2);
+        let both = zero.of(1.0) / (h * blunt);
+        let inverse = both * blunt;
+        let q = r2.sqrt() * inverse;
+        let i2 = inverse * inverse;
+        let peak = zero.of(K::ALPHA) * i2;
+        let grad_factor = peak * i2 * (zero.of(K::DW_FACTOR) * K::dw_over_q(q));
+        let pull = b.raw_volume * grad_factor;
+        let (x, y) = (pull * dx, pull * dy);
+        let approach = (du * dx + dv * dy).max(zero); // −v_ab·r_ab
+        let brake = zero.of(-c.rho0 * c.alpha * c.c0) * a.raw_volume * approach * (h2 * both);
+        let shear = zero.of(-2.0 * c.rho0 * c.nu) * a.raw_volume * pull;
+        let Sums { kernel_sum, concentration_gradient, second_moment, divergence, drag } = self;
+        *kernel_sum = (b.raw_volume * peak).mul_add(K::w(q), *kernel_sum);
+        *concentration_gradient = [concentration_gradient[0] + x, concentration_gradient[1] + y];
+        let [xx, xy, yy] = *second_moment;
+        *second_moment = [x.mul_add(dx, xx), x.mul_add(dy, xy), y.mul_add(dy, yy)];
+        *divergence = *divergence + (du * x + dv * y);
+        *drag = [drag[0] + (brake * x + shear * du), drag[1] + (brake * y + shear * dv)];
+        zero.of(-2.0 / c.rho0) * ((a.raw_volume * b.raw_volume) * grad_factor)
+    }
+
     /// Σ V W [-].
+    #[inline(always)]
     pub fn kernel_sum(&self) -> f64 {
         total(self.kernel_sum)
     }
 
     /// Σ V ∇W [1/m].
+    #[inline(always)]
     pub fn concentration_gradient(&self) -> [f64; 2] {
         self.concentration_gradient.map(total)
     }
 
     /// −Σ V r⊗∇W [-].
+    #[inline(always)]
     pub fn second_moment(&self) -> [f64; 3] {
-        self.second_moment.map(total)
+        self.second_moment.map(|sum| -total(sum))
     }
 
     /// Σ V_b (u_b − u_a)·∇W [1/s].
+    #[inline(always)]
     pub fn divergence(&self) -> f64 {
         total(self.divergence)
     }
 
     /// Viscous force [N/m] (WC6, WC7).
+    #[inline(always)]
     pub fn drag(&self) -> [f64; 2] {
         self.drag.map(total)
     }
 }
 
-fn total(lanes: [f64; LANES]) -> f64 {
-    lanes[0] + lanes[1]
+/// The particles `of(k)`, side by side.
+#[inline(always)]
+fn gathered<'a, R: SimdReal>(zero: R, of: impl Fn(usize) -> &'a PackedParticle) -> PackedParticle<R> {
+    PackedParticle {
+        x: zero.each(|k| of(k).x),
+        y: zero.each(|k| of(k).y),
+        u: zero.each(|k| of(k).u),
+        v: zero.each(|k| of(k).v),
+        p: zero,
+        volume: zero,
+        raw_volume: zero.each(|k| of(k).raw_volume),
+        h: zero.each(|k| of(k).h),
+    }
+}
+
+#[inline(always)]
+fn total<R: SimdReal>(lanes: R) -> f64 {
+    lanes.lanes()[..R::WIDTH].iter().sum()
 }

@@ -158,8 +158,8 @@ impl Piece<'_> {
                 self.columns[run.clone()].copy_from_slice(near);
                 for (out, value) in self.values[run].iter_mut().zip(values) {
                     *out = -value;
-                    sum += value;
                 }
+                sum += sum_of(values);
                 end += near.len();
             } else {
                 for (&j, value) in near.iter().zip(values) {
@@ -174,6 +174,16 @@ impl Piece<'_> {
             self.diagonal[slot] = sum;
         }
     }
+}
+
+/// Σ values, in four sums of every fourth.
+fn sum_of(values: &[f64]) -> f64 {
+    let (four, rest) = values.as_chunks::<4>();
+    let mut sum = [0.0; 4];
+    for values in four {
+        (0..4).for_each(|lane| sum[lane] += values[lane]);
+    }
+    (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest.iter().sum::<f64>()
 }
 
 impl RankOne {
