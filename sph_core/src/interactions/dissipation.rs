@@ -30,6 +30,8 @@ const NEAREST: f64 = 1e-9;
 pub trait PairDissipation: Copy + Send + Sync + 'static {
     /// Length ℓ [m] of this pair in Σ V_b ℓ [p_a − p_b − ρ₀ g·r_ab] (r_ab·∇W_ab)/r² (WC4, WC8).
     fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R;
+    /// True if ℓ is the distance r.
+    const LENGTH_IS_DISTANCE: bool = false;
     /// Factor of that sum [s/m].
     fn rate<R: SimdReal>(c: &PairConstants<R>) -> R;
     /// Pressure [Pa], taken off p_a + p_b in WC5, that v_ab·r_ab [m²/s] of the pair causes (WC6, WC9): never positive.
@@ -68,6 +70,7 @@ impl PairDissipation for RiemannPair {
     fn length<R: SimdReal>(ab: &PairGeometry<R>) -> R {
         ab.r
     }
+    const LENGTH_IS_DISTANCE: bool = true;
     #[inline(always)]
     fn rate<R: SimdReal>(c: &PairConstants<R>) -> R {
         c.c0.of(1.0) / c.c0

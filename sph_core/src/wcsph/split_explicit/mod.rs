@@ -4,12 +4,13 @@
 //! are found once per advective step; each acoustic step is two sparse products with the weights held. Atmospheric models split
 //! sound from flow likewise (Klemp & Wilhelmson 1978, Wicker & Skamarock 2002).
 //!
-//! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `held_pairs`, `held_walls`.
+//! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `hold`, `held_pairs`, `held_walls`.
 
 mod advective;
 mod entry_index;
 mod held_pairs;
 mod held_walls;
+mod hold;
 
 use std::sync::Arc;
 
@@ -38,6 +39,7 @@ use super::{Settings, Wcsph};
 use advective::AdvectiveStep;
 use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
+use hold::hold;
 
 /// The weakly compressible scheme in split-explicit steps, with its own state.
 #[derive(Clone, Debug)]
@@ -153,7 +155,7 @@ impl SplitExplicit {
         system.timers.begin(Phase::Pack);
         let (constants, d) = (self.base.constants(system), self.base.settings.dissipation);
         let ParticleSystem { packed, neighbours, domain, .. } = &*system;
-        held.pairs.hold((domain.fluid.kernel, d, domain.simd), &packed.fluid, &neighbours.fluid, constants);
+        hold(&mut held.pairs, (domain.fluid.kernel, d, domain.simd), &packed.fluid, &neighbours.fluid, constants);
         held.walls.hold(system, walls, constants);
         self.held = Arc::new(held);
     }

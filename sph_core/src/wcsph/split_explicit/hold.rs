@@ -1,0 +1,151 @@
+//! Taking the weights of the pairs that are held (THEORY WC23).
+
+use std::marker::PhantomData;
+
+use crate::interactions::dissipation::{Dissipation, PairDissipation, WithPairs, with_pairs};
+use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
+use crate::interactions::kernel::{Kernel, Shape};
+use crate::interactions::packed_particle::PackedParticle;
+use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::neighbours::lists::Lists;
+use crate::parallel::{self, CHUNK};
+
+use super::entry_index::EntryIndex;
+use super::held_pairs::{BLOCK, HeldChunk, HeldPairs, OfBlock, Own, by_distance, lanes, of_targets};
+
+/// Take the geometry of the packed particles.
+pub(super) fn hold(
+    HeldPairs { chunks, own }: &mut HeldPairs,
+    (kernel, dissipation, simd): (Kernel, Dissipation, bool),
+    fluid: &[PackedParticle],
+    lists: &Lists,
+    constants: PairConstants,
+) {
+    let n = lists.targets();
+    chunks.resize(n.div_ceil(CHUNK), HeldChunk::default());
+    own.resize(n, Own::default());
+    with_pairs(kernel, dissipation, Hold { fluid, lists, constants, simd, chunks, own });
+}
+
+struct Hold<'a> {
+    fluid: &'a [PackedParticle],
+    lists: &'a Lists,
+    constants: PairConstants,
+    simd: bool,
+    chunks: &'a mut [HeldChunk],
+    own: &'a mut [Own],
+}
+
+impl WithPairs for Hold<'_> {
+    fn with<K: Shape, D: PairDissipation>(self) {
+        let Hold { fluid, lists, constants, simd, chunks, own } = self;
+        let pieces: Vec<_> = chunks.iter_mut().zip(own.chunks_mut(CHUNK)).collect();
+        parallel::each_piece(pieces, |c, (held, own)| {
+            let (first, pairs) = (c * CHUNK, PhantomData);
+            let candidates = Candidates::of(lists, first, own.len());
+            simd::run(simd, HoldChunk::<K, D> { fluid, constants, first, candidates, held, own, pairs });
+        });
+    }
+}
+
+/// Everyone whom the targets of each block of a chunk may meet.
+struct Candidates {
+    start: Vec<u32>,
+    /// Index, and a bit for each target that may meet it.
+    found: Vec<(u32, u8)>,
+}
+
+impl Candidates {
+    /// Of the `count` targets from `first` on.
+    fn of(lists: &Lists, first: usize, count: usize) -> Candidates {
+        let (mut start, mut found) = (vec![0], Vec::new());
+        let mut seen = EntryIndex::default();
+        for block in (first..first + count).step_by(BLOCK) {
+            seen.clear();
+            let from = found.len();
+            for cluster in (block..(block + BLOCK).min(first + count)).step_by(LANES) {
+                for (j, bits) in lists.cluster(cluster).iter().map(|e| (e.index(), e.bits())) {
+                    let e = from + seen.entry(j) as usize;
+                    if e == found.len() {
+                        found.push((j, 0));
+                    }
+                    found[e].1 |= (bits << (cluster - block)) as u8;
+                }
+            }
+            for (j, meets) in &mut found[from..] {
+                let own = (*j as usize).wrapping_sub(block);
+                *meets &= !(if own < BLOCK { 1_u8 << own } else { 0 }); // no target is its own neighbour
+            }
+            start.push(found.len() as u32);
+        }
+        Candidates { start, found }
+    }
+}
+
+struct HoldChunk<'a, K, D> {
+    fluid: &'a [PackedParticle],
+    constants: PairConstants,
+    first: usize,
+    candidates: Candidates,
+    held: &'a mut HeldChunk,
+    own: &'a mut [Own],
+    pairs: PhantomData<(K, D)>,
+}
+
+impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
+    type Out = ();
+    #[inline(always)]
+    fn run<R: SimdReal>(self, zero: R) {
+        let HoldChunk { fluid, constants, first, candidates: Candidates { start, found }, held, own, .. } = self;
+        let weight = constants.gravity.map(|g| zero.of(constants.rho0 * g));
+        held.clear(found.len(), !D::LENGTH_IS_DISTANCE);
+        let mut kept = 0;
+        for (b, own) in own.chunks_mut(BLOCK).enumerate() {
+            let targets: [PackedParticle<R>; BLOCK] = std::array::from_fn(|l| {
+                PackedParticle::targets(fluid, first + b * BLOCK + (l * R::WIDTH).min(BLOCK - R::WIDTH), zero)
+            });
+            let mut sums = [[zero; 4]; BLOCK];
+            for &(j, meets) in &found[start[b] as usize..start[b + 1] as usize] {
+                let row = &fluid[j as usize];
+                let (mut gradient, mut diffusion) = ([OfBlock::default(); 2], OfBlock::default());
+                let mut offsets = [[zero; 2]; BLOCK];
+                for l in 0..BLOCK / R::WIDTH {
+                    let (a, lane) = (&targets[l], l * R::WIDTH);
+                    let (dx, dy) = (a.x - zero.of(row.x), a.y - zero.of(row.y));
+                    let ab = PairGeometry::new::<K>(dx, dy, MeanScale.of::<K>(a.h, zero.of(row.h)));
+                    let flux = (a.volume * zero.of(row.volume) * ab.grad_factor).mask(u32::from(meets) >> lane);
+                    let [x, y] = [flux * dx, flux * dy].map(R::to_single);
+                    gradient[0].0[lane..lane + R::WIDTH].copy_from_slice(&x[..R::WIDTH]);
+                    gradient[1].0[lane..lane + R::WIDTH].copy_from_slice(&y[..R::WIDTH]);
+                    if !D::LENGTH_IS_DISTANCE {
+                        let d = (D::length(&ab) * flux).to_single();
+                        diffusion.0[lane..lane + R::WIDTH].copy_from_slice(&d[..R::WIDTH]);
+                    }
+                    offsets[l] = [dx, dy];
+                }
+                if D::LENGTH_IS_DISTANCE {
+                    diffusion = by_distance(&gradient);
+                }
+                for l in 0..BLOCK / R::WIDTH {
+                    let [x, y, d] = [&gradient[0], &gradient[1], &diffusion].map(|of| lanes(zero, of, l * R::WIDTH));
+                    let hydrostatic = d * weight[0].mul_add(offsets[l][0], weight[1] * offsets[l][1]);
+                    let [sx, sy, sd, sw] = sums[l];
+                    sums[l] = [sx + x, sy + y, sd + d, sw + hydrostatic];
+                }
+                (held.neighbour[kept], held.gradient[kept]) = (j, gradient);
+                if !D::LENGTH_IS_DISTANCE {
+                    held.diffusion[kept] = diffusion;
+                }
+                kept += usize::from(diffusion.0.iter().any(|&weight| weight != 0.0)); // else the next is written over it
+            }
+            held.start.push(kept as u32);
+            let sums: [[f64; BLOCK]; 4] = std::array::from_fn(|i| of_targets(sums.map(|sum| sum[i])));
+            for (k, own) in own.iter_mut().enumerate() {
+                let per_volume = 1.0 / fluid[first + b * BLOCK + k].volume;
+                let [x, y, d, w] = sums.map(|of| of[k]);
+                *own = Own { gradient: [x, y], diffusion: d, weight: w, per_volume };
+            }
+        }
+        held.truncate(kept);
+    }
+}
