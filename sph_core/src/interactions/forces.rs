@@ -29,14 +29,6 @@ impl Forces {
         });
     }
 
-    /// The same by components.
-    pub fn add_components(&mut self, [more_x, more_y]: &[Vec<f64>; 2]) {
-        parallel::update_both(&mut self.x, &mut self.y, |k, x, y| {
-            *x += more_x[k];
-            *y += more_y[k];
-        });
-    }
-
     /// a = F/m + g, in place of F.
     pub fn accelerate(mut self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);

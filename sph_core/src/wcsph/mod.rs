@@ -18,6 +18,7 @@ use crate::interactions::gather::{DensityRate, PairSums};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
+use crate::particles::KernelMoments;
 use crate::particles::refinement::refine;
 use crate::scheme::{Flow, Scheme};
 use crate::state_bytes::{StateError, expect_count};
@@ -45,6 +46,26 @@ pub struct Wcsph {
     pub(crate) eos: Tait,
     /// dρ/dt [kg/(m³ s)].
     pub(crate) density_rate: Vec<f64>,
+}
+
+/// WC2 with its bounds: water is never thinner than at the cavitation pressure, tensionless water than at rest.
+#[derive(Clone, Copy)]
+pub(crate) struct PressureLaw {
+    eos: Tait,
+    /// Density at the cavitation pressure [kg/m³].
+    least: f64,
+    ventilation: bool,
+}
+
+impl PressureLaw {
+    /// The density [kg/m³] within its bounds, and the pressure [Pa].
+    #[inline(always)]
+    pub fn state(&self, rho: f64, moments: &KernelMoments, near_surface: bool) -> [f64; 2] {
+        let tensionless = moments.tensionless(near_surface, self.ventilation);
+        let least = if tensionless { self.eos.rho0 } else { self.least };
+        let rho = if rho < least { least } else { rho };
+        [rho, self.eos.pressure(rho)]
+    }
 }
 
 impl Wcsph {
@@ -121,22 +142,25 @@ impl Wcsph {
         PairSums::with(&system.domain, self.settings.dissipation).run(&gather, &mut self.density_rate[..]);
     }
 
-    /// WC2: pressures from densities. Water is never thinner than at the cavitation pressure, tensionless water than at rest.
+    /// WC2: pressures from densities.
     pub(crate) fn equation_of_state(&self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);
-        let (eos, ventilation) = (self.eos, self.settings.ventilation);
-        let least = self.settings.cavitation_pressure.map_or(f64::NEG_INFINITY, |pressure| eos.density(pressure));
+        let law = self.pressure_law();
         let (p, fields) = (&mut system.particles, &mut system.fields);
         let (moments, near_surface) = (&fields.moments, &fields.near_surface);
         parallel::each([&mut p.rho, &mut fields.pressure], |at, [rho, pressure]| {
             let (moments, near_surface) = (&moments[at.clone()], &near_surface[at]);
             for k in 0..moments.len() {
-                let tensionless = moments[k].tensionless(near_surface[k], ventilation);
-                let least = if tensionless { eos.rho0 } else { least };
-                rho[k] = if rho[k] < least { least } else { rho[k] };
-                pressure[k] = eos.pressure(rho[k]);
+                [rho[k], pressure[k]] = law.state(rho[k], &moments[k], near_surface[k]);
             }
         });
+    }
+
+    /// The equation of state with its bounds.
+    pub(crate) fn pressure_law(&self) -> PressureLaw {
+        let Settings { cavitation_pressure, ventilation, .. } = self.settings;
+        let least = cavitation_pressure.map_or(f64::NEG_INFINITY, |pressure| self.eos.density(pressure));
+        PressureLaw { eos: self.eos, least, ventilation }
     }
 
     /// Constants of the pairs.

@@ -60,20 +60,79 @@ pub(super) struct HeldPairs {
 }
 
 impl HeldPairs {
-    /// WC3 + WC4 among the fluid: `rate[k]` ← dρ/dt over ρ in the continuity equation and the diffusion [kg/(m³ s)]; `diffusion` is
-    /// the factor of the latter [s/m].
-    pub fn density_rate(&self, rows: &[Row], rho: &[f64], diffusion: f64, simd: bool, rate: &mut [f64]) {
-        parallel::each_piece(rate.chunks_mut(CHUNK).collect(), |c, rate| {
-            simd::run(simd, DensityRate { pairs: self, c, rows, rho, diffusion, rate });
-        });
+    /// WC3 + WC4 among the fluid: dρ/dt [kg/(m³ s)] of the targets of chunk `c`, which have the densities `rho`; `diffusion` is the factor
+    /// of the diffusion's sum [s/m].
+    #[inline(always)]
+    pub fn density_rate<R: SimdReal>(
+        &self,
+        zero: R,
+        c: usize,
+        rows: &[Row],
+        rho: &[f64],
+        diffusion: f64,
+    ) -> [f64; CHUNK] {
+        match self.chunks[c].diffusion.is_empty() {
+            true => self.density_rate_with::<R, false>(zero, c, rows, rho, diffusion),
+            false => self.density_rate_with::<R, true>(zero, c, rows, rho, diffusion),
+        }
     }
 
-    /// WC5 among the fluid: force on target k [N/m], handed to `take` with k.
-    pub fn pressure_force(&self, rows: &[Row], simd: bool, x: &mut [f64], y: &mut [f64]) {
-        let pieces: Vec<_> = x.chunks_mut(CHUNK).zip(y.chunks_mut(CHUNK)).collect();
-        parallel::each_piece(pieces, |c, (x, y)| {
-            simd::run(simd, PressureForce { pairs: self, c, rows, x, y });
-        });
+    #[inline(always)]
+    fn density_rate_with<R: SimdReal, const STORED: bool>(
+        &self,
+        zero: R,
+        c: usize,
+        rows: &[Row],
+        rho: &[f64],
+        diffusion: f64,
+    ) -> [f64; CHUNK] {
+        let mut rate = [0.0; CHUNK];
+        for (b, (rate, rho)) in rate.chunks_mut(BLOCK).zip(rho.chunks(BLOCK)).enumerate() {
+            let (mut along_x, mut along_y, mut smoothed) = ([zero; BLOCK], [zero; BLOCK], [zero; BLOCK]);
+            for (j, [gx, gy], d) in self.chunks[c].of::<STORED>(b) {
+                let [u, v, p] = [rows[j].u, rows[j].v, rows[j].p].map(|x| zero.of(x));
+                for l in 0..BLOCK / R::WIDTH {
+                    let at = l * R::WIDTH;
+                    along_x[l] = lanes(zero, gx, at).mul_add(u, along_x[l]);
+                    along_y[l] = lanes(zero, gy, at).mul_add(v, along_y[l]);
+                    smoothed[l] = lanes(zero, &d, at).mul_add(p, smoothed[l]);
+                }
+            }
+            let first = c * CHUNK + b * BLOCK;
+            let [along_x, along_y, smoothed] = [along_x, along_y, smoothed].map(of_targets);
+            for (k, (rate, rho)) in rate.iter_mut().zip(rho).enumerate() {
+                let (a, own) = (&rows[first + k], &self.own[first + k]);
+                let divergence = own.gradient[0] * a.u - along_x[k] + (own.gradient[1] * a.v - along_y[k]);
+                let excess = smoothed[k] - own.diffusion * a.p + own.weight;
+                *rate = (rho * divergence - diffusion * excess) * own.per_volume;
+            }
+        }
+        rate
+    }
+
+    /// WC5 among the fluid: force [N/m] on the `count` targets of chunk `c`, of pressures `p` [Pa] of particles and images.
+    #[inline(always)]
+    pub fn pressure_force<R: SimdReal>(&self, zero: R, c: usize, p: &[f64], count: usize) -> [[f64; CHUNK]; 2] {
+        let mut force = [[0.0; CHUNK]; 2];
+        for b in 0..count.div_ceil(BLOCK) {
+            let (mut fx, mut fy) = ([zero; BLOCK], [zero; BLOCK]);
+            for (j, [gx, gy], _) in self.chunks[c].of::<false>(b) {
+                let p = zero.of(p[j]);
+                for l in 0..BLOCK / R::WIDTH {
+                    let at = l * R::WIDTH;
+                    fx[l] = lanes(zero, gx, at).mul_add(p, fx[l]);
+                    fy[l] = lanes(zero, gy, at).mul_add(p, fy[l]);
+                }
+            }
+            let (fx, fy) = (of_targets(fx), of_targets(fy));
+            for k in 0..BLOCK.min(count - b * BLOCK) {
+                let at = c * CHUNK + b * BLOCK + k;
+                let own = &self.own[at];
+                force[0][b * BLOCK + k] = -(p[at] * own.gradient[0] + fx[k]);
+                force[1][b * BLOCK + k] = -(p[at] * own.gradient[1] + fy[k]);
+            }
+        }
+        force
     }
 
     /// Largest |v_a − v_b|/h_a of a pair [1/s].
@@ -102,9 +161,7 @@ impl HeldChunk {
             (*j as usize, gradient, if STORED { diffusion[e] } else { by_distance(gradient) })
         })
     }
-}
 
-impl HeldChunk {
     /// No entries yet, and room for as many as `most`; what is far too much is given back.
     pub fn clear(&mut self, most: usize, diffuses: bool) {
         let HeldChunk { start, neighbour, gradient, diffusion } = self;
@@ -147,88 +204,6 @@ pub(super) fn of_targets<R: SimdReal>(sums: [R; BLOCK]) -> [f64; BLOCK] {
         targets[l * R::WIDTH..(l + 1) * R::WIDTH].copy_from_slice(&sums[l].lanes()[..R::WIDTH]);
     }
     targets
-}
-
-struct DensityRate<'a> {
-    pairs: &'a HeldPairs,
-    c: usize,
-    rows: &'a [Row],
-    rho: &'a [f64],
-    diffusion: f64,
-    rate: &'a mut [f64],
-}
-
-impl Task for DensityRate<'_> {
-    type Out = ();
-    #[inline(always)]
-    fn run<R: SimdReal>(self, zero: R) {
-        if self.pairs.chunks[self.c].diffusion.is_empty() {
-            self.sum::<R, false>(zero)
-        } else {
-            self.sum::<R, true>(zero)
-        }
-    }
-}
-
-impl DensityRate<'_> {
-    #[inline(always)]
-    fn sum<R: SimdReal, const STORED: bool>(self, zero: R) {
-        let DensityRate { pairs, c, rows, rho, diffusion, rate } = self;
-        for (b, rate) in rate.chunks_mut(BLOCK).enumerate() {
-            let (mut along_x, mut along_y, mut smoothed) = ([zero; BLOCK], [zero; BLOCK], [zero; BLOCK]);
-            for (j, [gx, gy], d) in pairs.chunks[c].of::<STORED>(b) {
-                let [u, v, p] = [rows[j].u, rows[j].v, rows[j].p].map(|x| zero.of(x));
-                for l in 0..BLOCK / R::WIDTH {
-                    let at = l * R::WIDTH;
-                    along_x[l] = lanes(zero, gx, at).mul_add(u, along_x[l]);
-                    along_y[l] = lanes(zero, gy, at).mul_add(v, along_y[l]);
-                    smoothed[l] = lanes(zero, &d, at).mul_add(p, smoothed[l]);
-                }
-            }
-            let first = c * CHUNK + b * BLOCK;
-            let [along_x, along_y, smoothed] = [along_x, along_y, smoothed].map(of_targets);
-            for (k, rate) in rate.iter_mut().enumerate() {
-                let (a, own) = (&rows[first + k], &pairs.own[first + k]);
-                let divergence = own.gradient[0] * a.u - along_x[k] + (own.gradient[1] * a.v - along_y[k]);
-                let excess = smoothed[k] - own.diffusion * a.p + own.weight;
-                *rate = (rho[first + k] * divergence - diffusion * excess) * own.per_volume;
-            }
-        }
-    }
-}
-
-struct PressureForce<'a> {
-    pairs: &'a HeldPairs,
-    c: usize,
-    rows: &'a [Row],
-    x: &'a mut [f64],
-    y: &'a mut [f64],
-}
-
-impl Task for PressureForce<'_> {
-    type Out = ();
-    #[inline(always)]
-    fn run<R: SimdReal>(self, zero: R) {
-        let PressureForce { pairs, c, rows, x, y } = self;
-        for (b, (x, y)) in x.chunks_mut(BLOCK).zip(y.chunks_mut(BLOCK)).enumerate() {
-            let (mut fx, mut fy) = ([zero; BLOCK], [zero; BLOCK]);
-            for (j, [gx, gy], _) in pairs.chunks[c].of::<false>(b) {
-                let p = zero.of(rows[j].p);
-                for l in 0..BLOCK / R::WIDTH {
-                    let at = l * R::WIDTH;
-                    fx[l] = lanes(zero, gx, at).mul_add(p, fx[l]);
-                    fy[l] = lanes(zero, gy, at).mul_add(p, fy[l]);
-                }
-            }
-            let first = c * CHUNK + b * BLOCK;
-            let (fx, fy) = (of_targets(fx), of_targets(fy));
-            for (k, (x, y)) in x.iter_mut().zip(y).enumerate() {
-                let (p, own) = (rows[first + k].p, &pairs.own[first + k]);
-                *x = -(p * own.gradient[0] + fx[k]);
-                *y = -(p * own.gradient[1] + fy[k]);
-            }
-        }
-    }
 }
 
 struct Strain<'a> {

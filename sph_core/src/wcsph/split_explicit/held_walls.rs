@@ -1,5 +1,7 @@
 //! Pairs of fluid and wall particles whose geometry is held over an advective step (THEORY WC24).
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
@@ -80,34 +82,35 @@ impl HeldWalls {
         system.domain.fluid.kernel.run(Hold { held: self, system, walls, constants });
     }
 
-    /// WA4: adds ρ times the walls' share of −∇·v to the density rates [kg/(m³ s)].
-    pub fn add_density_rate(
-        &self,
-        rows: &[Row],
-        rho: &[f64],
-        walls: &Walls,
-        beside: impl Fn(usize) -> [f64; 2],
-        rate: &mut [f64],
-    ) {
+    /// Rows of the fluid beside walls of the targets in a range, with the targets.
+    pub fn near(&self, targets: Range<usize>) -> impl Iterator<Item = (usize, usize)> {
+        let from = self.near.partition_point(|&k| (k as usize) < targets.start);
+        let beside = move |&(_, &k): &(usize, &u32)| (k as usize) < targets.end;
+        self.near[from..].iter().enumerate().take_while(beside).map(move |(row, &k)| (from + row, k as usize))
+    }
+
+    /// WA4: the walls' share of −∇·v [1/s], of each row of the fluid beside walls.
+    pub fn closing(&self, rows: &[Row], walls: &Walls, beside: impl Fn(usize) -> [f64; 2]) -> Vec<f64> {
         let velocity = |w: usize| {
             let ([nx, ny], [u, v]) = (self.normal[w], beside(w));
             [walls.u[w] * nx + walls.v[w] * ny, v * nx - u * ny]
         };
         let velocities: Vec<[f64; 2]> = (0..walls.len()).map(velocity).collect();
-        for (row, &k) in self.near.iter().enumerate() {
-            let (k, mut closing) = (k as usize, 0.0);
-            for w in self.beside_fluid.of(row) {
+        let mut closing = vec![0.0; self.near.len()];
+        parallel::gather_into(&mut closing, |row| {
+            let Row { u, v, .. } = rows[self.near[row] as usize];
+            let of = |w: &WallBeside| {
                 let [vn, vt] = velocities[w.wall as usize];
-                closing +=
-                    w.of_fluid[0] * rows[k].u + w.of_fluid[1] * rows[k].v - w.of_wall[0] * vn - w.of_wall[1] * vt;
-            }
-            rate[k] += rho[k] * closing;
-        }
+                w.of_fluid[0] * u + w.of_fluid[1] * v - w.of_wall[0] * vn - w.of_wall[1] * vt
+            };
+            self.beside_fluid.of(row).iter().map(of).sum()
+        });
+        closing
     }
 
     /// WA3: the pressure of wall particle `w` [Pa], whose acceleration is given.
-    pub fn pressure(&self, w: usize, rows: &[Row], field: [f64; 2], rho0: f64) -> f64 {
-        let from_fluid: f64 = self.beside_wall.of(w).iter().map(|b| b.share * rows[b.fluid as usize].p).sum();
+    pub fn pressure(&self, w: usize, p: &[f64], field: [f64; 2], rho0: f64) -> f64 {
+        let from_fluid: f64 = self.beside_wall.of(w).iter().map(|b| b.share * p[b.fluid as usize]).sum();
         let arm = self.sensitivity[w].arm;
         from_fluid + rho0 * (field[0] * arm[0] + field[1] * arm[1])
     }
@@ -119,24 +122,21 @@ impl HeldWalls {
         beside.iter().any(|b| b.share > 0.0).then(|| [sum(|r| r.u), sum(|r| r.v)])
     }
 
-    /// WA6: force of the fluid's pressure on wall particle `w` [N/m], which has the pressure `p` [Pa].
-    pub fn force(&self, w: usize, rows: &[Row], p: f64) -> [f64; 2] {
+    /// WA6: force of the fluid's pressures [Pa] on wall particle `w` [N/m], which has the pressure `of_wall` [Pa].
+    pub fn force(&self, w: usize, p: &[f64], of_wall: f64) -> [f64; 2] {
         self.beside_wall.of(w).iter().fold([0.0; 2], |[x, y], b| {
-            let both = p + rows[b.fluid as usize].p;
+            let both = of_wall + p[b.fluid as usize];
             [x - both * b.gradient[0], y - both * b.gradient[1]]
         })
     }
 
-    /// WC5: adds the force of the walls' pressures on the fluid [N/m].
-    pub fn add_pressure_force(&self, rows: &[Row], pressure: &[f64], x: &mut [f64], y: &mut [f64]) {
-        for (row, &k) in self.near.iter().enumerate() {
-            let k = k as usize;
-            for w in self.beside_fluid.of(row) {
-                let both = rows[k].p + pressure[w.wall as usize];
-                x[k] -= both * w.gradient[0];
-                y[k] -= both * w.gradient[1];
-            }
-        }
+    /// WC5: force of the walls' pressures [N/m] on the fluid of a row, which has the pressure `p` [Pa].
+    #[inline]
+    pub fn push(&self, row: usize, p: f64, pressure: &[f64]) -> [f64; 2] {
+        self.beside_fluid.of(row).iter().fold([0.0; 2], |[x, y], w| {
+            let both = p + pressure[w.wall as usize];
+            [x - both * w.gradient[0], y - both * w.gradient[1]]
+        })
     }
 
     /// What the weights hold on to [bytes].

@@ -4,8 +4,9 @@
 //! are found once per advective step; each acoustic step is two sparse products with the weights held. Atmospheric models split
 //! sound from flow likewise (Klemp & Wilhelmson 1978, Wicker & Skamarock 2002).
 //!
-//! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `hold`, `held_pairs`, `held_walls`.
+//! Read in this order: `SplitExplicit::advance`, `SplitExplicit::hold_geometry`, `advective`, `acoustic_step`, `held_pairs`, `held_walls`, `hold`.
 
+mod acoustic_step;
 mod advective;
 mod entry_index;
 mod held_pairs;
@@ -23,6 +24,7 @@ use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
+use crate::particles::Fields;
 use crate::scheme::{Flow, Scheme};
 use crate::state_bytes::{StateError, decode, encode};
 use crate::system::ParticleSystem;
@@ -33,9 +35,9 @@ use crate::walls::state::extrapolate_to_walls;
 
 use super::shifting::even_out_once;
 use super::step_limit::rebuild_lists;
-use super::updates::{advance_density_midpoint, drift, kick};
 use super::{Settings, Wcsph};
 
+use acoustic_step::{Accelerations, Densities};
 use advective::AdvectiveStep;
 use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
@@ -51,6 +53,8 @@ pub struct SplitExplicit {
     held: Arc<HeldGeometry>,
     /// What neighbours show, of particles and of their images.
     rows: Vec<Row>,
+    /// Pressures of particles and images at the end of the acoustic step [Pa].
+    pressure: Vec<f64>,
 }
 
 /// What is held over an advective step.
@@ -85,6 +89,7 @@ impl SplitExplicit {
             advective: AdvectiveStep::default(),
             held: Arc::default(),
             rows: Vec::new(),
+            pressure: Vec::new(),
         }
     }
 
@@ -99,15 +104,12 @@ impl SplitExplicit {
             self.begin_advective_step(flow, dt);
         }
         let half = 0.5 * dt;
-        kick(flow.system, half); //                                       v½ = v + ½δt a
-        self.evaluate_density_rate(flow); //                              dρ/dt of (v½, p), geometry held
-        let rate = &self.base.density_rate;
-        advance_density_midpoint(flow.system, rate, dt); //               ρ' = ρ (2 + ε)/(2 − ε), ε = δt (dρ/dt)/ρ
-        drift(flow.system, dt); //                                        x' = x + δt v½
-        flow.walls.start_mean_force(dt); //                               ½F, where the walls were at the start
-        self.evaluate_forces(flow); //                                    a', F' of p(ρ'), geometry held
-        kick(flow.system, half); //                                       v' = v½ + ½δt a'
-        flow.walls.finish_mean_force(); //                                F̄ = ½(F + F')
+        self.kick(flow.system, half); //                v½ = v + ½δt a
+        self.advance_densities(flow, dt); //            ρ' = ρ (2 + ε)/(2 − ε), ε = δt (dρ/dt)/ρ of (v½, p); p' = p(ρ'); x' = x + δt v½
+        flow.walls.start_mean_force(dt); //             ½F, where the walls were at the start
+        self.evaluate_walls(flow); //                   F' of p'
+        self.accelerate(flow, half); //                 a' of p'; v' = v½ + ½δt a'
+        flow.walls.finish_mean_force(); //              F̄ = ½(F + F')
         self.advective.elapse(dt);
     }
 
@@ -160,69 +162,68 @@ impl SplitExplicit {
         self.held = Arc::new(held);
     }
 
-    /// WC3 + WC4 with the geometry held.
-    fn evaluate_density_rate(&mut self, flow: &mut Flow<'_>) {
-        let Flow { system, walls, .. } = flow;
-        self.show(system);
-        system.timers.begin(Phase::Density);
-        let diffusion = diffusion_factor(self.base.settings.dissipation, &self.base.constants(system));
-        let (p, rate) = (&system.particles, &mut self.base.density_rate);
-        rate.resize(p.len(), 0.0);
-        self.held.pairs.density_rate(&self.rows, &p.rho, diffusion, system.domain.simd, rate);
-        let beside = |w: usize| system.wall_state[w].velocity;
-        self.held.walls.add_density_rate(&self.rows, &p.rho, walls, beside, rate);
+    /// v ← v + Δt a; the particles and their images show it to their neighbours.
+    fn kick(&mut self, system: &mut ParticleSystem, dt: f64) {
+        system.timers.begin(Phase::Integration);
+        let n = system.particles.len();
+        self.rows.resize(n + system.neighbours.fluid_images.len(), Row::default());
+        self.pressure.resize(self.rows.len(), 0.0);
+        let (own, of_images) = self.rows.split_at_mut(n);
+        acoustic_step::kick(system, own, dt);
+        let side = if system.neighbours.fluid_shifts.is_empty() { -1.0 } else { 1.0 };
+        for (row, &source) in of_images.iter_mut().zip(&system.neighbours.fluid_images) {
+            let Row { u, v, p } = own[source as usize];
+            *row = Row { u: side * u, v, p };
+        }
     }
 
-    /// WC2, WA3, WC5 with the geometry held, and the viscous forces held.
-    fn evaluate_forces(&mut self, flow: &mut Flow<'_>) {
-        self.base.equation_of_state(flow.system);
-        self.show(flow.system);
-        let Flow { system, walls, interfaces } = flow;
-        self.evaluate_walls(system, walls);
-        if !interfaces.is_empty() {
-            system.timers.begin(Phase::Coupling);
-            let at: Vec<[f64; 2]> = (0..walls.len()).map(|k| [walls.x[k], walls.y[k]]).collect();
-            let rho0 = system.domain.fluid.density;
-            solve_owners(walls, interfaces, &self.held.walls.sensitivity, |k| at[k], rho0, 0.0); // CO4, CO5
+    /// WC3 + WC4 with the geometry held, WC2, and x ← x + Δt v.
+    fn advance_densities(&mut self, flow: &mut Flow<'_>, dt: f64) {
+        let Flow { system, walls, .. } = flow;
+        system.timers.begin(Phase::Density);
+        let diffusion = diffusion_factor(self.base.settings.dissipation, &self.base.constants(system));
+        let HeldGeometry { pairs, walls: held_walls, .. } = &*self.held;
+        let (n, rows, wall_state) = (system.particles.len(), &self.rows, &system.wall_state);
+        let closing = held_walls.closing(rows, walls, |w| wall_state[w].velocity);
+        let (own, of_images) = self.pressure.split_at_mut(n);
+        let Fields { moments, near_surface, pressure, .. } = &mut system.fields;
+        let law = self.base.pressure_law();
+        let state = |k: usize, rho: f64| law.state(rho, &moments[k], near_surface[k]);
+        let densities = Densities { pairs, walls: held_walls, rows, closing: &closing, diffusion, dt, state };
+        densities.advance(&mut system.particles, pressure, own, system.domain.simd);
+        for (p, &source) in of_images.iter_mut().zip(&system.neighbours.fluid_images) {
+            *p = own[source as usize];
         }
-        system.timers.begin(Phase::Momentum);
-        let mut forces = Forces::in_place_of_accelerations(&mut system.particles);
-        let HeldGeometry { pairs, walls: held_walls, viscous, .. } = &*self.held;
-        pairs.pressure_force(&self.rows, system.domain.simd, &mut forces.x, &mut forces.y);
-        held_walls.add_pressure_force(&self.rows, &walls.pressure, &mut forces.x, &mut forces.y);
-        forces.add_components(viscous);
-        forces.accelerate(system);
     }
 
     /// WA3, WA6: pressures of the walls and forces on them, with the geometry held.
-    fn evaluate_walls(&mut self, system: &mut ParticleSystem, walls: &mut Walls) {
+    fn evaluate_walls(&mut self, flow: &mut Flow<'_>) {
+        let Flow { system, walls, interfaces } = flow;
         system.timers.begin(Phase::Walls);
         let (g, rho0) = (system.domain.gravity, system.domain.fluid.density);
         let HeldGeometry { walls: held, viscous_on_walls: [vx, vy], .. } = &*self.held;
         for w in 0..walls.len() {
-            let p = held.pressure(w, &self.rows, [g[0] - walls.ax[w], g[1] - walls.ay[w]], rho0);
-            let [x, y] = held.force(w, &self.rows, p);
+            let p = held.pressure(w, &self.pressure, [g[0] - walls.ax[w], g[1] - walls.ay[w]], rho0);
+            let [x, y] = held.force(w, &self.pressure, p);
             (walls.pressure[w], walls.fx[w], walls.fy[w]) = (p, x + vx[w], y + vy[w]);
             system.wall_state[w].pressure = p;
             if self.base.settings.wall_stretch {
                 system.wall_state[w].velocity = held.velocity(w, &self.rows).unwrap_or([walls.u[w], walls.v[w]]);
             }
         }
+        if !interfaces.is_empty() {
+            system.timers.begin(Phase::Coupling);
+            let at: Vec<[f64; 2]> = (0..walls.len()).map(|k| [walls.x[k], walls.y[k]]).collect();
+            solve_owners(walls, interfaces, &held.sensitivity, |k| at[k], rho0, 0.0); // CO4, CO5
+        }
     }
 
-    /// What the particles and their images show to their neighbours.
-    fn show(&mut self, system: &mut ParticleSystem) {
-        system.timers.begin(Phase::Pack);
-        let ParticleSystem { particles: p, fields, neighbours, .. } = &*system;
-        let (n, images) = (p.len(), &neighbours.fluid_images);
-        self.rows.resize(n + images.len(), Row::default());
-        let (own, of_images) = self.rows.split_at_mut(n);
-        parallel::gather_into(own, |k| Row { u: p.u[k], v: p.v[k], p: fields.pressure[k] });
-        let side = if neighbours.fluid_shifts.is_empty() { -1.0 } else { 1.0 };
-        for (row, &source) in of_images.iter_mut().zip(images) {
-            let Row { u, v, p } = own[source as usize];
-            *row = Row { u: side * u, v, p };
-        }
+    /// WC5 with the geometry held, and the viscous forces held; v ← v + Δt a.
+    fn accelerate(&mut self, flow: &mut Flow<'_>, dt: f64) {
+        flow.system.timers.begin(Phase::Momentum);
+        let HeldGeometry { pairs, walls, viscous, .. } = &*self.held;
+        let wall_pressure = &flow.walls.pressure;
+        Accelerations { pairs, walls, pressure: &self.pressure, wall_pressure, viscous, dt }.evaluate(flow.system);
     }
 }
 
@@ -290,6 +291,6 @@ impl Scheme for SplitExplicit {
     fn bytes(&self) -> usize {
         let HeldGeometry { pairs, walls, viscous: [x, y], viscous_on_walls: [wx, wy] } = &*self.held;
         let vectors = [x, y, wx, wy].map(of_vector).iter().sum::<usize>();
-        self.base.bytes() + pairs.bytes() + walls.bytes() + vectors + of_vector(&self.rows)
+        self.base.bytes() + pairs.bytes() + walls.bytes() + vectors + of_vector(&self.rows) + of_vector(&self.pressure)
     }
 }
