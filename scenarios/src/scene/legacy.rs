@@ -58,10 +58,11 @@ pub(super) fn complete(
     draft.fill("fluid.cfl", Settings { scheme, options }.courant_number());
     let viscous = options.turbulence != Turbulence::Sps || water.kinematic_viscosity != 0.0;
     require(viscous, "fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0")?;
+    let acoustic_steps = draft.fill("fluid.acoustic_steps", if options.is_neutral() { scheme.acoustic_steps() } else { 1 });
     require(
-        scheme.acoustic_steps == 1 || options.is_neutral(),
+        acoustic_steps == 1 || options.is_neutral(),
         "fluid.acoustic_steps",
-        scheme.acoustic_steps,
+        acoustic_steps,
         "1 beside options of 2010: with others geometry is found anew in each step",
     )?;
     let steps_density_itself = matches!(options.integrator, Integrator::Verlet | Integrator::Beeman);

@@ -79,6 +79,7 @@ pub(super) fn complete(
     _sound: Option<f64>,
 ) -> Result<(), Problem> {
     draft.fill("fluid.cfl", scheme.courant_number());
+    draft.fill("fluid.acoustic_steps", scheme.acoustic_steps());
     Ok(())
 }
 

@@ -162,6 +162,19 @@ impl<R: SimdReal> MomentumSum<R> {
     }
 }
 
+/// OP4: ∇C [1/m].
+#[inline(always)]
+pub(crate) fn concentration_gradient<R: SimdReal, K: Shape>(
+    a: &PackedParticle<R>,
+    near: impl Iterator<Item = PackedParticle<R>>,
+) -> [R; 2] {
+    near.fold([a.x.of(0.0); 2], |[x, y], b| {
+        let ab = PairGeometry::new::<K>(a.x - b.x, a.y - b.y, MeanScale.of::<K>(a.h, b.h));
+        let pull = b.raw_volume * ab.grad_factor;
+        [pull.mul_add(ab.dx, x), pull.mul_add(ab.dy, y)]
+    })
+}
+
 /// WA6: force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
 pub fn wall_force<R: SimdReal, K: Shape>(

@@ -8,7 +8,7 @@ use crate::wcsph::{Settings, Wcsph};
 
 impl SchemeSettings for Settings {
     fn scheme(&self, domain: &Domain) -> Box<dyn Scheme> {
-        match self.acoustic_steps {
+        match self.acoustic_steps() {
             1 => Box::new(Wcsph::new(domain, *self)),
             _ => Box::new(SplitExplicit::new(domain, *self)),
         }

@@ -12,6 +12,8 @@ use crate::wcsph::eos::Tait;
 const CFL: f64 = 0.6;
 /// The same with `wall_stretch`: two thirds of it keep forces steady (WA4).
 const CFL_WITH_WALL_STRETCH: f64 = 0.4;
+/// Acoustic steps per advective step by default (WC22) [-]: with 16 forces are noisier, with 8 they are those of 1.
+const ACOUSTIC_STEPS: u32 = 8;
 /// Speed of sound over the largest known speed of the flow, where the speed of sound is `"auto"` [-].
 const SOUND_RATIO: f64 = 10.0;
 
@@ -68,9 +70,9 @@ pub struct Settings {
     #[schemars(range(max = 0.0), extend("x-default" = "-density (V^2/2 + g L) for a free wedge from the air; else absent"))]
     pub cavitation_pressure: Option<f64>,
     /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
-    /// fast or the water is under pressure; 1 finds the geometry anew in each step.
+    /// fast or the water is under pressure; 1 finds the geometry anew in each step. auto: 8, with options of 2010 1.
     #[schemars(range(min = 1, max = 64), extend("x-ignored-elsewhere" = true))]
-    pub acoustic_steps: u32,
+    pub acoustic_steps: Auto<u32>,
     /// Courant number of the step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number) [-]. auto: 0.6, with wall_stretch 0.4.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub cfl: Auto<f64>,
@@ -90,7 +92,7 @@ impl Default for Settings {
             wall_stretch: false,
             ventilation: false,
             cavitation_pressure: None,
-            acoustic_steps: 1,
+            acoustic_steps: Auto::Auto,
             cfl: Auto::Auto,
         }
     }
@@ -100,6 +102,11 @@ impl Settings {
     /// Courant number [-].
     pub fn courant_number(&self) -> f64 {
         self.cfl.or(if self.wall_stretch { CFL_WITH_WALL_STRETCH } else { CFL })
+    }
+
+    /// Acoustic steps for which the geometry of pairs may be held [-].
+    pub fn acoustic_steps(&self) -> u32 {
+        self.acoustic_steps.or(ACOUSTIC_STEPS)
     }
 
     /// Speed of sound [m/s] where the largest known speed of the flow is `fastest` [m/s].

@@ -1,14 +1,18 @@
 //! Particle shifting (THEORY WC10).
 
 use crate::parallel;
+use crate::particles::{Fields, Particles};
 use crate::scheme::Flow;
 use crate::system::ParticleSystem;
 use crate::wcsph::Settings;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
-/// Largest share of h² ∇C that particles are shifted at once in an advective step [-] (WC22): more overshoots.
-const LARGEST_GAIN: f64 = 0.3;
+/// Largest shares of h² ∇C of the two shifts of an advective step [-] (WC26). The second alone overshoots; after the first, which damps
+/// what it overshoots, the two do as much as many small ones.
+const GAINS: [f64; 2] = [0.45, 1.4];
+/// Longest second shift, in smoothing lengths: less than what neighbour lists allow.
+const LONGEST_SECOND_SHIFT: f64 = 0.05;
 /// Before time starts, particles are shifted until no shift exceeds this [h].
 const SETTLED: f64 = 1e-4;
 /// Most shifts before time starts.
@@ -17,40 +21,85 @@ const MOST_SETTLING_SHIFTS: u32 = 60;
 /// WC10: δr = −(2h Δt |v| + κ h²) ∇C, at most 0.02 h, outside the free surface; κ, `settling` [-], acts on particles that were newly
 /// split (WC21). `at_surface`: particles that see the surface are shifted too.
 pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64) {
-    shift(system, settings.settling, dt, settings.shifting_at_surface, false, 1.0);
+    let share = Share { settling: settings.settling, dt, all: false };
+    shift(system, settings.shifting_at_surface, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
 }
 
-/// WC22: the same for an advective step of `dt` [s], `steps` times as long as its acoustic steps.
-pub(crate) fn even_out_once(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64) {
-    let settling = (settings.settling * steps).min(LARGEST_GAIN);
-    shift(system, settling, dt, settings.shifting_at_surface, false, steps);
+/// WC26: the first of the two shifts for an advective step of `dt` [s] and `steps` acoustic steps.
+pub(crate) fn even_out_first(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64) {
+    let (share, at_surface) = (Share { settling: steps * settings.settling, dt, all: false }, settings.shifting_at_surface);
+    shift(system, at_surface, steps * LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k).min(GAINS[0] * p.h[k]));
 }
 
-/// `longest`: longest shift over that of a step, which a share of h² bounds too. `all`: κ acts on all particles that have neither surface nor wall in their neighbourhood.
-fn shift(system: &mut ParticleSystem, settling: f64, dt: f64, at_surface: bool, all: bool, longest: f64) {
-    let (p, fields) = (&mut system.particles, &system.fields);
-    let newly_split = &p.newly_split;
-    parallel::each([&mut p.x, &mut p.y], |at, [x, y]| {
-        let (u, v, h) = (&p.u[at.clone()], &p.v[at.clone()], &p.h[at.clone()]);
-        let (moments, near_surface) = (&fields.moments[at.clone()], &fields.near_surface[at.clone()]);
-        let settles = |k: usize| match all {
-            true => !near_surface[k] && moments[k].wall_kernel_sum == 0.0,
-            false => !near_surface[k] && newly_split.get(at.start + k) == Some(&true),
+/// WC26: the second, with ∇C found anew after the first; false where the first was all that there is.
+pub(crate) fn even_out_second(
+    system: &mut ParticleSystem,
+    settings: &Settings,
+    dt: f64,
+    steps: f64,
+    find_gradient: impl FnOnce(&mut ParticleSystem),
+) -> bool {
+    let share = Share { settling: steps * settings.settling, dt, all: false };
+    let left = |p: &Particles, fields: &Fields, k: usize| {
+        (share.of(p, fields, k) - GAINS[0] * p.h[k]).clamp(0.0, GAINS[1] * p.h[k])
+    };
+    let (p, fields) = (&system.particles, &system.fields);
+    if parallel::every(p.len(), |k| left(p, fields, k) == 0.0) {
+        return false;
+    }
+    find_gradient(system);
+    shift(system, settings.shifting_at_surface, LONGEST_SECOND_SHIFT, left);
+    true
+}
+
+/// By how much particles are shifted.
+#[derive(Clone, Copy)]
+struct Share {
+    /// κ [-]
+    settling: f64,
+    /// [s]
+    dt: f64,
+    /// κ acts on all particles that have neither surface nor wall in their neighbourhood, else on those newly split.
+    all: bool,
+}
+
+impl Share {
+    /// 2 Δt |v| + κ h [m] of particle `k`.
+    #[inline(always)]
+    fn of(self, p: &Particles, fields: &Fields, k: usize) -> f64 {
+        let settles = match self.all {
+            true => !fields.near_surface[k] && fields.moments[k].wall_kernel_sum == 0.0,
+            false => !fields.near_surface[k] && p.newly_split.get(k) == Some(&true),
         };
-        for k in 0..u.len() {
-            let settling = if settles(k) { settling * h[k] } else { 0.0 };
-            let along = 2.0 * dt * (u[k] * u[k] + v[k] * v[k]).sqrt();
-            let gain = if longest > 1.0 && along > LARGEST_GAIN * h[k] { LARGEST_GAIN * h[k] } else { along };
-            let scale = -h[k] * (gain + settling);
-            let [dx, dy] = moments[k].concentration_gradient().map(|c| scale * c);
-            let (length, limit) = ((dx * dx + dy * dy).sqrt(), longest * LONGEST_SHIFT * h[k]);
+        let settling = if settles { self.settling * p.h[k] } else { 0.0 };
+        2.0 * self.dt * (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt() + settling
+    }
+}
+
+/// δr = −h `share` ∇C, at most `longest` h.
+fn shift(
+    system: &mut ParticleSystem,
+    at_surface: bool,
+    longest: f64,
+    share: impl Fn(&Particles, &Fields, usize) -> f64 + Sync,
+) {
+    let (p, fields) = (&mut system.particles, &system.fields);
+    let [mut x, mut y] = [&mut p.x, &mut p.y].map(std::mem::take);
+    let unmoved = &*p;
+    parallel::each([&mut x, &mut y], |at, [x, y]| {
+        for (i, k) in at.enumerate() {
+            let (h, moments) = (unmoved.h[k], &fields.moments[k]);
+            let scale = -h * share(unmoved, fields, k);
+            let [dx, dy] = moments.concentration_gradient().map(|c| scale * c);
+            let (length, limit) = ((dx * dx + dy * dy).sqrt(), longest * h);
             let shrink = if length > limit { limit / length } else { 1.0 };
-            let stays = moments[k].at_surface() || (near_surface[k] && !at_surface);
+            let stays = moments.at_surface() || (fields.near_surface[k] && !at_surface);
             let share = if stays { 0.0 } else { shrink };
-            x[k] += share * dx;
-            y[k] += share * dy;
+            x[i] += share * dx;
+            y[i] += share * dy;
         }
     });
+    (p.x, p.y) = (x, y);
 }
 
 /// The forces at the start, after shifts with the coefficient `settling` [-], if there is one: they are the mean forces too.
@@ -82,7 +131,8 @@ fn shift_before_start(flow: &mut Flow<'_>, settling: f64, mut evaluate_forces: i
         if -parallel::least(p.len(), |k| -length(k)) < SETTLED {
             return;
         }
-        shift(flow.system, settling, 0.0, true, true, 1.0);
+        let share = Share { settling, dt: 0.0, all: true };
+        shift(flow.system, true, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
         evaluate_forces(flow);
         flow.system.neighbours.flag_surface(&mut flow.system.fields);
     }

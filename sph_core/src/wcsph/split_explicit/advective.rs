@@ -33,6 +33,11 @@ impl AdvectiveStep {
         self.elapsed
     }
 
+    /// Where an acoustic step of `dt` [s] that begins now has its middle, from −½ at its start to ½ at its end [-].
+    pub fn phase(self, dt: f64) -> f64 {
+        (self.elapsed + 0.5 * dt) / self.length - 0.5
+    }
+
     /// How many acoustic steps have passed.
     pub fn steps(self) -> f64 {
         f64::from(self.passed)
