@@ -258,9 +258,15 @@ impl Gather for ConcentrationGradient<'_> {
     fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [[f64; 2]; LANES] {
         let ConcentrationGradient { fluid, walls, neighbours } = self;
         let a = PackedParticle::targets(fluid, first, zero);
-        let near = neighbours.fluid.around(first, zero, fluid);
+        let lists = &neighbours.fluid;
         let near_walls = neighbours.walls_of_fluid.around(first, zero, walls);
-        let [x, y] = pair::concentration_gradient::<R, K>(&a, near.chain(near_walls)).map(|c| c.lanes());
+        let [x, y] = if R::WIDTH > 1 && lists.alike(first) {
+            let near = lists.around_alike(first, zero, fluid);
+            pair::concentration_gradient::<R, K>(&a, near, near_walls, UniformScale::new::<K>(a.h))
+        } else {
+            pair::concentration_gradient::<R, K>(&a, lists.around(first, zero, fluid), near_walls, MeanScale)
+        };
+        let (x, y) = (x.lanes(), y.lanes());
         std::array::from_fn(|k| [x[k], y[k]])
     }
 }

@@ -8,7 +8,7 @@ use crate::wcsph::Settings;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
-/// Largest shares of h² ∇C of the two shifts of an advective step [-] (WC26). The second alone overshoots; after the first, which damps
+/// Largest shares of h² ∇C of the two shifts of an advective step [-] (WC27). The second alone overshoots; after the first, which damps
 /// what it overshoots, the two do as much as many small ones.
 const GAINS: [f64; 2] = [0.45, 1.4];
 /// Longest second shift, in smoothing lengths: less than what neighbour lists allow.
@@ -25,13 +25,13 @@ pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64
     shift(system, settings.shifting_at_surface, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
 }
 
-/// WC26: the first of the two shifts for an advective step of `dt` [s] and `steps` acoustic steps.
+/// WC27: the first of the two shifts for an advective step of `dt` [s] and `steps` acoustic steps.
 pub(crate) fn even_out_first(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64) {
     let (share, at_surface) = (Share { settling: steps * settings.settling, dt, all: false }, settings.shifting_at_surface);
     shift(system, at_surface, steps * LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k).min(GAINS[0] * p.h[k]));
 }
 
-/// WC26: the second, with ∇C found anew after the first; false where the first was all that there is.
+/// WC27: the second, with ∇C found anew after the first; false where the first was all that there is.
 pub(crate) fn even_out_second(
     system: &mut ParticleSystem,
     settings: &Settings,
