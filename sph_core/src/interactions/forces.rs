@@ -1,9 +1,7 @@
 //! Forces on fluid and walls from the sums over pairs (THEORY WC5–WC7), and the accelerations that follow.
 
 use crate::interactions::dissipation::Dissipation;
-use crate::interactions::gather::{
-    ConcentrationGradient, ConcentrationGradients, Momentum, MomentumSums, PairSums, WallForce, WallForceSums,
-};
+use crate::interactions::gather::{Momentum, MomentumSums, PairSums, WallForce, WallForceSums};
 use crate::interactions::geometry::PairConstants;
 use crate::parallel;
 use crate::particles::Particles;
@@ -71,15 +69,6 @@ pub(crate) fn gather_fluid_forces(
     };
     let sums = MomentumSums { x: &mut forces.x, y: &mut forces.y, moments: &mut system.fields.moments };
     PairSums::with(&system.domain, terms.dissipation).run(&gather, sums);
-}
-
-/// OP4: ∇C of the kernel moments alone.
-pub(crate) fn gather_concentration_gradient(system: &mut ParticleSystem) {
-    system.timers.begin(Phase::Momentum);
-    let ParticleSystem { packed, neighbours, domain, fields, .. } = system;
-    let (fluid, walls) = (&packed.fluid[..], &packed.walls[..]);
-    let gather = ConcentrationGradient { fluid, walls, neighbours };
-    PairSums::of(domain).run_without_dissipation(&gather, ConcentrationGradients(&mut fields.moments));
 }
 
 /// The same pairs seen from the walls: action equals reaction to rounding.

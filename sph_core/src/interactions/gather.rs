@@ -228,49 +228,6 @@ impl Gather for Momentum<'_> {
     }
 }
 
-/// Where ∇C is stored (OP4).
-pub(crate) struct ConcentrationGradients<'a>(pub &'a mut [KernelMoments]);
-
-impl Sums<[f64; 2]> for ConcentrationGradients<'_> {
-    fn pieces(self) -> Vec<Self> {
-        self.0.chunks_mut(CHUNK).map(ConcentrationGradients).collect()
-    }
-    #[inline(always)]
-    fn count(&self) -> usize {
-        self.0.len()
-    }
-    #[inline(always)]
-    fn put(&mut self, k: usize, sum: [f64; 2]) {
-        self.0[k].concentration_gradient = sum.map(|c| c as f32);
-    }
-}
-
-/// OP4: ∇C of every fluid particle.
-pub(crate) struct ConcentrationGradient<'a> {
-    pub fluid: &'a [PackedParticle],
-    pub walls: &'a [PackedParticle],
-    pub neighbours: &'a Neighbours,
-}
-
-impl Gather for ConcentrationGradient<'_> {
-    type Sum = [f64; 2];
-    #[inline(always)]
-    fn gather<R: SimdReal, K: Shape, D: PairDissipation>(&self, first: usize, zero: R) -> [[f64; 2]; LANES] {
-        let ConcentrationGradient { fluid, walls, neighbours } = self;
-        let a = PackedParticle::targets(fluid, first, zero);
-        let lists = &neighbours.fluid;
-        let near_walls = neighbours.walls_of_fluid.around(first, zero, walls);
-        let [x, y] = if R::WIDTH > 1 && lists.alike(first) {
-            let near = lists.around_alike(first, zero, fluid);
-            pair::concentration_gradient::<R, K>(&a, near, near_walls, UniformScale::new::<K>(a.h))
-        } else {
-            pair::concentration_gradient::<R, K>(&a, lists.around(first, zero, fluid), near_walls, MeanScale)
-        };
-        let (x, y) = (x.lanes(), y.lanes());
-        std::array::from_fn(|k| [x[k], y[k]])
-    }
-}
-
 /// The fluid's force on every wall particle.
 pub(crate) struct WallForce<'a> {
     pub fluid: &'a [PackedParticle],

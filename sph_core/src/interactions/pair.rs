@@ -162,28 +162,6 @@ impl<R: SimdReal> MomentumSum<R> {
     }
 }
 
-/// OP4: ∇C [1/m].
-#[inline(always)]
-pub(crate) fn concentration_gradient<R: SimdReal, K: Shape>(
-    a: &PackedParticle<R>,
-    fluid: impl Iterator<Item = PackedParticle<R>>,
-    walls: impl Iterator<Item = PackedParticle<R>>,
-    sizes: impl ScaleRule<R>,
-) -> [R; 2] {
-    let [mut x, mut y] = [a.x.of(0.0); 2];
-    for b in fluid {
-        let ab = PairGeometry::new::<K>(a.x - b.x, a.y - b.y, sizes.of::<K>(a.h, b.h));
-        let pull = b.raw_volume * ab.grad_factor;
-        (x, y) = (pull.mul_add(ab.dx, x), pull.mul_add(ab.dy, y));
-    }
-    for w in walls {
-        let aw = PairGeometry::new::<K>(a.x - w.x, a.y - w.y, MeanScale.of::<K>(a.h, w.h));
-        let pull = w.raw_volume * aw.grad_factor;
-        (x, y) = (pull.mul_add(aw.dx, x), pull.mul_add(aw.dy, y));
-    }
-    [x, y]
-}
-
 /// WA6: force of the fluid on a wall particle [N/m]: the same pairs with the roles swapped.
 #[inline(always)]
 pub fn wall_force<R: SimdReal, K: Shape>(

@@ -73,6 +73,10 @@ pub struct Settings {
     /// fast or the water is under pressure; 1 finds the geometry anew in each step. auto: 8, with options of 2010 1.
     #[schemars(range(min = 1, max = 64), extend("x-ignored-elsewhere" = true))]
     pub acoustic_steps: Auto<u32>,
+    /// Factor of the limits of an advective step (THEORY WC25), above 0 to 16 [-]. Beyond 1 forces are noisier and water under pressure
+    /// loses its order; to find out where. Without effect where fluid.acoustic_steps is 1.
+    #[schemars(range(max = 16.0), extend("exclusiveMinimum" = 0, "x-ignored-elsewhere" = true))]
+    pub advective_limit: f64,
     /// Courant number of the step limit dt <= cfl h/(c0 + |v|) (INDAT CFL_number) [-]. auto: 0.6, with wall_stretch 0.4.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub cfl: Auto<f64>,
@@ -93,6 +97,7 @@ impl Default for Settings {
             ventilation: false,
             cavitation_pressure: None,
             acoustic_steps: Auto::Auto,
+            advective_limit: 1.0,
             cfl: Auto::Auto,
         }
     }

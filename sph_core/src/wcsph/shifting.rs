@@ -8,11 +8,9 @@ use crate::wcsph::Settings;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
-/// Largest shares of h² ∇C of the two shifts of an advective step [-] (WC27). The second alone overshoots; after the first, which damps
-/// what it overshoots, the two do as much as many small ones.
+/// Largest shares of h² ∇C by which particles are shifted in an advective step, in turn [-] (WC27). The larger overshoots alone; after
+/// the smaller, which damps what it overshoots, the two do as much as many small ones.
 const GAINS: [f64; 2] = [0.45, 1.4];
-/// Longest second shift, in smoothing lengths: less than what neighbour lists allow.
-const LONGEST_SECOND_SHIFT: f64 = 0.05;
 /// Before time starts, particles are shifted until no shift exceeds this [h].
 const SETTLED: f64 = 1e-4;
 /// Most shifts before time starts.
@@ -25,31 +23,14 @@ pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64
     shift(system, settings.shifting_at_surface, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
 }
 
-/// WC27: the first of the two shifts for an advective step of `dt` [s] and `steps` acoustic steps.
-pub(crate) fn even_out_first(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64) {
+/// WC27: the shift for an advective step of `dt` [s] and `steps` acoustic steps; `large`: with the larger gain.
+pub(crate) fn even_out_advective(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64, large: bool) {
     let (share, at_surface) = (Share { settling: steps * settings.settling, dt, all: false }, settings.shifting_at_surface);
-    shift(system, at_surface, steps * LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k).min(GAINS[0] * p.h[k]));
-}
-
-/// WC27: the second, with ∇C found anew after the first; false where the first was all that there is.
-pub(crate) fn even_out_second(
-    system: &mut ParticleSystem,
-    settings: &Settings,
-    dt: f64,
-    steps: f64,
-    find_gradient: impl FnOnce(&mut ParticleSystem),
-) -> bool {
-    let share = Share { settling: steps * settings.settling, dt, all: false };
-    let left = |p: &Particles, fields: &Fields, k: usize| {
-        (share.of(p, fields, k) - GAINS[0] * p.h[k]).clamp(0.0, GAINS[1] * p.h[k])
+    let of = |p: &Particles, fields: &Fields, k: usize| {
+        let (wanted, small) = (share.of(p, fields, k), GAINS[0] * p.h[k]);
+        if large { (2.0 * wanted - small).clamp(small.min(wanted), GAINS[1] * p.h[k]) } else { wanted.min(small) }
     };
-    let (p, fields) = (&system.particles, &system.fields);
-    if parallel::every(p.len(), |k| left(p, fields, k) == 0.0) {
-        return false;
-    }
-    find_gradient(system);
-    shift(system, settings.shifting_at_surface, LONGEST_SECOND_SHIFT, left);
-    true
+    shift(system, at_surface, steps * LONGEST_SHIFT, of);
 }
 
 /// By how much particles are shifted.

@@ -11,16 +11,19 @@ const SQUEEZE: f64 = 1.0;
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct AdvectiveStep {
     length: f64,
-    elapsed: f64,
-    /// Acoustic steps that passed.
-    passed: u32,
+    /// How much of it has passed [s].
+    pub elapsed: f64,
+    /// Acoustic steps that have passed.
+    pub passed: u32,
+    /// True for every second one.
+    pub even: bool,
 }
 
 impl AdvectiveStep {
-    /// Of as many acoustic steps of `dt` [s] as fit in `longest` [s], at most `most` and at least one.
-    pub fn of(dt: f64, longest: f64, most: u32) -> AdvectiveStep {
+    /// The next: of as many acoustic steps of `dt` [s] as fit in `longest` [s], at most `most` and at least one.
+    pub fn next(self, dt: f64, longest: f64, most: u32) -> AdvectiveStep {
         let steps = (longest / dt).floor().clamp(1.0, f64::from(most.max(1)));
-        AdvectiveStep { length: steps * dt, elapsed: 0.0, passed: 0 }
+        AdvectiveStep { length: steps * dt, elapsed: 0.0, passed: 0, even: !self.even }
     }
 
     /// Its length [s].
@@ -28,19 +31,9 @@ impl AdvectiveStep {
         self.length
     }
 
-    /// How much of it has passed [s].
-    pub fn elapsed(self) -> f64 {
-        self.elapsed
-    }
-
     /// Where an acoustic step of `dt` [s] that begins now has its middle, from −½ at its start to ½ at its end [-].
     pub fn phase(self, dt: f64) -> f64 {
         (self.elapsed + 0.5 * dt) / self.length - 0.5
-    }
-
-    /// How many acoustic steps have passed.
-    pub fn steps(self) -> f64 {
-        f64::from(self.passed)
     }
 
     /// True if an acoustic step of `dt` [s] does not belong to it any more, for the most part.
@@ -58,4 +51,8 @@ impl AdvectiveStep {
 /// The longest advective step [s] at a largest |v_a − v_b|/h of `strain` [1/s] and a largest √(p/ρ)/Δx of `squeeze` [1/s].
 pub(super) fn longest(strain: f64, squeeze: f64) -> f64 {
     (STRAIN / strain).min(SQUEEZE / squeeze)
+}
+
+pub fn knob(name: &str, usual: f64) -> f64 {
+    std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(usual)
 }

@@ -20,9 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::dissipation::{DiffusivePair, Dissipation, PairDissipation, RiemannPair};
-use crate::interactions::forces::{
-    Forces, PairTerms, gather_concentration_gradient, gather_fluid_forces, gather_wall_forces,
-};
+use crate::interactions::forces::{Forces, PairTerms, gather_fluid_forces, gather_wall_forces};
 use crate::interactions::geometry::PairConstants;
 use crate::memory::of_vector;
 use crate::parallel;
@@ -35,12 +33,13 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::solve_owners;
 use crate::walls::state::extrapolate_to_walls;
 
-use super::shifting::{even_out_first, even_out_second};
+use super::shifting::even_out_advective;
 use super::step_limit::rebuild_lists;
 use super::{Settings, Wcsph};
 
 use acoustic_step::{Accelerations, Densities, DensityRates};
 use advective::AdvectiveStep;
+pub(crate) use advective::knob;
 use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
 use hold::hold;
@@ -122,15 +121,15 @@ impl SplitExplicit {
     /// kinematics are those of the end of its first acoustic step `dt` [s].
     fn begin_advective_step(&mut self, flow: &mut Flow<'_>, dt: f64) {
         let settings = self.base.settings;
-        let length = self.longest_advective_step(flow);
+        let length = settings.advective_limit * self.longest_advective_step(flow);
         let before = self.density_rates_by_identity(flow);
-        let ended = [self.advective.elapsed(), self.advective.steps()];
         if settings.shifting {
-            even_out_first(flow.system, &settings, ended[0], ended[1]);
+            let AdvectiveStep { elapsed, passed, even, .. } = self.advective;
+            even_out_advective(flow.system, &settings, elapsed, f64::from(passed), even);
         }
         flow.system.fold(|_| {});
-        self.advective = AdvectiveStep::of(dt, length, settings.acoustic_steps());
-        self.hold_geometry(flow, [0.5 * self.advective.length(), dt], ended);
+        self.advective = self.advective.next(dt, length, settings.acoustic_steps());
+        self.hold_geometry(flow, 0.5 * self.advective.length(), dt);
         self.note_drift(flow, &before);
     }
 
@@ -188,9 +187,7 @@ impl SplitExplicit {
 
     /// WC23: hold the geometry as it is predicted to be `ahead` seconds from now; `dt` [s] from now the walls are where their
     /// kinematics say.
-    fn hold_geometry(&mut self, flow: &mut Flow<'_>, [ahead, dt]: [f64; 2], ended: [f64; 2]) {
-        let settings = self.base.settings;
-        let constants = self.base.constants(flow.system);
+    fn hold_geometry(&mut self, flow: &mut Flow<'_>, ahead: f64, dt: f64) {
         let (system, walls) = (&mut *flow.system, &mut *flow.walls);
         self.base.refine(system);
         coast(system, ahead);
@@ -198,15 +195,6 @@ impl SplitExplicit {
             rebuild_lists(system, walls, 0.0, |_, _| self.base.eos.c0);
         }
         system.pack(walls);
-        if settings.shifting {
-            let [elapsed, steps] = ended;
-            let evened = even_out_second(system, &settings, elapsed, steps, |system| {
-                gather_concentration_gradient(system);
-            });
-            if evened {
-                system.pack(walls);
-            }
-        }
         coast(system, -ahead);
         let pressures = walls.pressure.clone();
         extrapolate_to_walls(system, walls); // WA5: velocities; pressures are found in each acoustic step
@@ -215,7 +203,7 @@ impl SplitExplicit {
         let mut held = Arc::get_mut(&mut self.held).map(std::mem::take).unwrap_or_default();
         held.viscous_forces(system, walls, &self.base.terms(system));
         system.timers.begin(Phase::Pack);
-        let d = settings.dissipation;
+        let (constants, d) = (self.base.constants(system), self.base.settings.dissipation);
         let ParticleSystem { packed, neighbours, domain, .. } = &*system;
         hold(&mut held.pairs, (domain.fluid.kernel, d, domain.simd), &packed.fluid, &neighbours.fluid, constants);
         held.walls.hold(system, walls, constants);
@@ -246,7 +234,7 @@ impl SplitExplicit {
         let (rates, law) = (self.rates(system, &closing), self.base.pressure_law());
         let Fields { moments, near_surface, pressure, .. } = &mut system.fields;
         let state = |k: usize, rho: f64| law.state(rho, &moments[k], near_surface[k]);
-        let densities = Densities { rates, drift: &self.drift, phase: self.advective.phase(dt), dt, state };
+        let densities = Densities { rates, drift: &self.drift, phase: self.advective.phase(dt) * super::split_explicit::knob("X_J", 1.0), dt, state };
         densities.advance(&mut system.particles, pressure, own, system.domain.simd);
         for (p, &source) in of_images.iter_mut().zip(&system.neighbours.fluid_images) {
             *p = own[source as usize];
