@@ -5,9 +5,9 @@ use crate::parallel;
 use crate::walls::visibility::ThinWalls;
 
 /// Skin that even a particle at rest gets, in smoothing lengths.
-const SKIN: f64 = 0.06;
+const SKIN: f64 = 0.03;
 /// Share of its way, at its velocity while the lists last, that a particle may go astray.
-const ASTRAY: f64 = 0.1;
+const ASTRAY: f64 = 0.05;
 
 /// Particles as they are when lists are made.
 #[derive(Clone, Copy)]
