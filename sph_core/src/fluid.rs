@@ -355,20 +355,20 @@ impl Fluid {
         contact::resolve(&mut self.system, particle, surface, inverse_mass)
     }
 
-    /// Memory of state, packed particles, lists and the scheme's arrays [bytes]. Not counted: saved states, and what a search
-    /// needs while it lasts.
+    /// Memory of state, packed particles, lists and the scheme's arrays [bytes]. Not counted: saved states.
     pub fn bytes(&self) -> usize {
         self.bytes_by_use().iter().map(|(_, bytes)| bytes).sum()
     }
 
     /// The same by use [bytes].
     pub fn bytes_by_use(&self) -> Vec<(&'static str, usize)> {
-        let ParticleSystem { particles, fields, packed, neighbours, wall_state, .. } = &self.system;
+        let ParticleSystem { particles, fields, packed, neighbours, wall_state, search_space, .. } = &self.system;
         let mut table = vec![
             ("state", particles.bytes()),
             ("fields", fields.bytes()),
             ("scheme", self.scheme.bytes()),
             ("wall state", of_vector(wall_state)),
+            ("search", search_space.bytes()),
         ];
         table.extend(packed.bytes());
         table.extend(neighbours.bytes());

@@ -44,6 +44,11 @@ pub fn by_chunk<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sy
     (0..n.div_ceil(CHUNK)).into_par_iter().map(|c| with_simd(|| of(c * CHUNK..((c + 1) * CHUNK).min(n)))).collect()
 }
 
+/// `of(targets)` for every [`PIECE`] of `n` targets, in order.
+pub fn by_piece<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
+    (0..n.div_ceil(PIECE)).into_par_iter().map(|c| with_simd(|| of(c * PIECE..((c + 1) * PIECE).min(n)))).collect()
+}
+
 /// Sums that a chunk is added up in, in turn, so that no addition waits for the one before it.
 const LANES: usize = 4;
 
@@ -114,7 +119,18 @@ pub fn every_chunk(n: usize, holds: impl Fn(std::ops::Range<usize>) -> bool + Sy
 
 /// Fill a list for every chunk of `n` targets.
 pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(std::ops::Range<usize>, &mut T) + Sync) {
-    lists.par_iter_mut().enumerate().for_each(|(c, list)| fill(c * CHUNK..((c + 1) * CHUNK).min(n), list));
+    for_each_chunk_with(lists, n, || (), |_, targets, list| fill(targets, list));
+}
+
+/// Fill a list for every chunk of `n` targets, with something `made` to work with.
+pub fn for_each_chunk_with<T: Send, S>(
+    lists: &mut [T],
+    n: usize,
+    made: impl Fn() -> S + Sync + Send,
+    fill: impl Fn(&mut S, std::ops::Range<usize>, &mut T) + Sync,
+) {
+    let lists = lists.par_iter_mut().enumerate();
+    lists.for_each_init(made, |with, (c, list)| fill(with, c * CHUNK..((c + 1) * CHUNK).min(n), list));
 }
 
 /// `parts[c] ← change(targets, chunk)` for every chunk of `out`: changes targets and gives the chunk's part of a sum. Add

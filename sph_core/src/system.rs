@@ -7,7 +7,7 @@ use crate::error::Breakdown;
 use crate::interactions::geometry::PairConstants;
 use crate::interactions::packed::Packed;
 use crate::interactions::pair::Extrapolated;
-use crate::neighbours::Neighbours;
+use crate::neighbours::{Neighbours, SearchSpace};
 use crate::parallel;
 use crate::particles::refinement::RefinementZone;
 use crate::particles::{Fields, Particles};
@@ -43,6 +43,8 @@ pub struct ParticleSystem {
     pub(crate) displaced: bool,
     /// Positions at the start of the step [m], by identity; empty without thin plates (WA11).
     pub(crate) start_positions: Vec<[f64; 2]>,
+    /// What a search works in.
+    pub(crate) search_space: SearchSpace,
     /// Wall time by phase.
     pub(crate) timers: Timers,
 }
@@ -91,10 +93,10 @@ impl ParticleSystem {
             self.neighbours = Arc::new(Neighbours::made(self.neighbours.rebuilds));
         }
         let lists = Arc::get_mut(&mut self.neighbours).expect("lists that are not shared");
+        let ParticleSystem { search_space, particles, fields, packed, .. } = self;
         let Domain { mirror, periodic, .. } = self.domain;
-        let kinematics = self.packed.kinematics(walls);
         let span = [self.evaluated_at, life];
-        lists.rebuild(&mut self.particles, &mut self.fields, &kinematics, mirror, periodic, span);
+        lists.rebuild(search_space, particles, fields, &packed.kinematics(walls), (mirror, periodic), span);
     }
 
     /// Pack what the sums over pairs read, at the present positions and with the present lists.
@@ -112,6 +114,9 @@ impl ParticleSystem {
     /// Particles that crossed the plane of symmetry change places with their images; `reflected` takes their identity.
     pub(crate) fn fold(&mut self, mut reflected: impl FnMut(u32)) {
         let (Some(mirror), p) = (self.domain.mirror, &mut self.particles) else { return };
+        if parallel::every(p.x.len(), |k| p.x[k] >= mirror.at) {
+            return;
+        }
         for k in 0..p.x.len() {
             if p.x[k] < mirror.at {
                 p.x[k] = mirror.reflect(p.x[k]);

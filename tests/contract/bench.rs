@@ -32,7 +32,13 @@ fn a_quick_bench_measures_every_row() {
         let neighbours = positive(&format!("/blocks/{k}/neighbours"));
         assert!((25.0..31.0).contains(&neighbours), "{neighbours} neighbours");
         positive(&format!("/blocks/{k}/over_reference"));
+        let phases = bench["blocks"][k]["phases_ns"].as_object().expect("phases");
+        let sum: f64 = phases.values().map(|ns| ns.as_f64().expect("nanoseconds")).sum();
+        assert!((0.8..1.001).contains(&(1e-9 * whole * sum)), "phases fill the step: {phases:?}, {whole} a second");
+        assert!(["search", "pack", "density", "momentum", "integration"].iter().all(|name| phases.contains_key(*name)));
     }
+    let paths: Vec<&str> = blocks.iter().take(3).filter_map(|block| block["path"].as_str()).collect();
+    assert_eq!(paths, ["one at a time", "side by side", "split-explicit"]);
     assert_eq!(bench["blocks"][0]["over_reference"], 1.0);
     positive("/speedup/speedup");
     let bytes = positive("/memory/bytes_per_particle");

@@ -1,5 +1,6 @@
 //! A block of fluid: what a force costs, by the number of particles and by the way the pairs are summed.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::Instant;
 
@@ -20,11 +21,18 @@ const WARM_UP: usize = 2;
 pub(super) struct PairPath {
     pub name: &'static str,
     simd: bool,
+    /// Acoustic steps for which pairs are held (THEORY WC22).
+    acoustic_steps: u32,
 }
 
+/// As a block is stepped by default.
+const SIDE_BY_SIDE: PairPath = PairPath { name: "side by side", simd: true, acoustic_steps: 1 };
 /// All of them; the first is the reference that the others are measured by.
-pub(super) const PATHS: [PairPath; 2] =
-    [PairPath { name: "one at a time", simd: false }, PairPath { name: "side by side", simd: true }];
+pub(super) const PATHS: [PairPath; 3] = [
+    PairPath { name: "one at a time", simd: false, acoustic_steps: 1 },
+    SIDE_BY_SIDE,
+    PairPath { name: "split-explicit", simd: true, acoustic_steps: 16 },
+];
 
 /// A block that was stepped on one thread.
 #[derive(Clone, Debug, Serialize)]
@@ -37,12 +45,14 @@ pub struct Block {
     pub path: &'static str,
     /// Steps.
     pub steps: usize,
-    /// Forces on particles a second on one thread, the whole step counted [1/s].
+    /// Forces on particles a second on one thread, the whole step counted, of a split-explicit step each acoustic step [1/s].
     pub evaluations_per_core_second: f64,
     /// The same, of its two interactions over pairs alone [1/s].
     pub sweeps_only_per_core_second: f64,
     /// Speed of the whole step over that of the reference path [-].
     pub over_reference: f64,
+    /// Where the time of an evaluation went, by phase; phases without time are left out [ns].
+    pub phases_ns: BTreeMap<&'static str, f64>,
 }
 
 /// The same block with two threads.
@@ -69,11 +79,12 @@ pub struct Memory {
 }
 
 /// A doubly periodic box of Taylor & Green's vortices on a jittered lattice of `particles` [about], h/Δx = 1.5.
-fn vortices(particles: usize, simd: bool) -> Result<Fluid, BenchError> {
+fn vortices(particles: usize, path: &PairPath) -> Result<Fluid, BenchError> {
+    let PairPath { simd, acoustic_steps, .. } = *path;
     let cells = (particles as f64).sqrt().round() as usize;
     let (dx, cell) = (1.0 / cells as f64, Some([0.0, 1.0]));
     let domain = Domain { periodic: Some(Periodic { x: cell, y: cell }), simd, ..Domain::default() };
-    let settings = wcsph::Settings { sound_speed: SOUND.into(), ..wcsph::Settings::default() };
+    let settings = wcsph::Settings { sound_speed: SOUND.into(), acoustic_steps, ..wcsph::Settings::default() };
     let mut dice = Dice(1);
     let seed = |k: usize| {
         let centre = |i: usize, throw: f64| (i as f64 + 0.5 + JITTER * throw) * dx;
@@ -103,22 +114,24 @@ fn advance(fluid: &mut Fluid, steps: usize) -> Result<f64, BenchError> {
 /// Every path over the same block, on one thread.
 pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, BenchError> {
     let mut blocks: Vec<Block> = Vec::new();
-    for PairPath { name: path, simd } in PATHS {
+    for path in PATHS {
+        let steps = steps.next_multiple_of(path.acoustic_steps as usize); // whole advective steps
         let block = parallel::on_threads(1, || {
-            let mut fluid = vortices(particles, simd)?;
-            let in_pairs =
-                |fluid: &Fluid| fluid.timers().seconds(Phase::Density) + fluid.timers().seconds(Phase::Momentum);
-            let before = in_pairs(&fluid);
+            let mut fluid = vortices(particles, &path)?;
+            let before = Phase::ALL.map(|phase| fluid.timers().seconds(phase));
             let seconds = advance(&mut fluid, steps)?;
             let evaluations = (fluid.particles().len() * steps) as f64;
+            let spent = |phase: Phase| fluid.timers().seconds(phase) - before[phase as usize];
+            let in_phase = |phase: Phase| (phase.name(), 1e9 * spent(phase) / evaluations);
             Ok::<_, BenchError>(Block {
                 particles: fluid.particles().len(),
                 neighbours: neighbours(&fluid),
-                path,
+                path: path.name,
                 steps,
                 evaluations_per_core_second: evaluations / seconds,
-                sweeps_only_per_core_second: evaluations / (in_pairs(&fluid) - before),
+                sweeps_only_per_core_second: evaluations / (spent(Phase::Density) + spent(Phase::Momentum)),
                 over_reference: 1.0,
+                phases_ns: Phase::ALL.map(in_phase).into_iter().filter(|(_, ns)| *ns > 0.0).collect(),
             })
         })?;
         let reference = blocks.first().map_or(block.evaluations_per_core_second, |b| b.evaluations_per_core_second);
@@ -129,7 +142,7 @@ pub(super) fn blocks(particles: usize, steps: usize) -> Result<Vec<Block>, Bench
 
 /// The block as it is stepped by default, on one thread and on two by turns.
 pub(super) fn speedup(particles: usize, steps: usize) -> Result<(Speedup, Memory), BenchError> {
-    let mut fluid = parallel::on_threads(2, || vortices(particles, PATHS[PATHS.len() - 1].simd))?;
+    let mut fluid = parallel::on_threads(2, || vortices(particles, &SIDE_BY_SIDE))?;
     let mut seconds = [0.0; 2];
     for threads in [1, 2, 2, 1] {
         seconds[threads - 1] += parallel::on_threads(threads, || advance(&mut fluid, steps))?;

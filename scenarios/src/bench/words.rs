@@ -9,6 +9,8 @@ use crate::run::summary::PhaseTime;
 
 /// Width of the bar of phases in letters.
 const BAR: usize = 60;
+/// Phases that take less of every block are not shown [ns].
+const UNSEEN_NS: f64 = 0.05;
 /// Timers of a smaller share are not shown.
 const UNSEEN: f64 = 0.0005;
 
@@ -25,6 +27,8 @@ pub fn in_words(b: &Bench) -> String {
     lines.push(one_and_all(&arithmetic, b.calibration.multiply_add_gflop_per_s, "GFLOP/s"));
     lines.push("forces per core-second, a block of fluid on 1 thread: whole step, sums over pairs alone".into());
     lines.extend(b.blocks.iter().map(block));
+    lines.push("where the time of a force goes, a block of fluid on 1 thread [ns]".into());
+    lines.extend(phases_of_blocks(&b.blocks));
     if let Some(s) = b.speedup {
         lines.push(format!("{} threads against 1, {} particles: {:.2}", s.threads, s.particles, s.speedup));
     }
@@ -45,7 +49,7 @@ pub fn in_words(b: &Bench) -> String {
 
 fn block(b: &Block) -> String {
     format!(
-        "  {:>9} particles, {:.1} neighbours, {:<8} {:6.3} million, {:6.3} million; over {}: {:.2}",
+        "  {:>9} particles, {:.1} neighbours, {:<14} {:6.3} million, {:6.3} million; over {}: {:.2}",
         b.particles,
         b.neighbours,
         b.path,
@@ -54,6 +58,23 @@ fn block(b: &Block) -> String {
         super::block::PATHS[0].name,
         b.over_reference
     )
+}
+
+/// A table of phases: a row a block.
+fn phases_of_blocks(blocks: &[Block]) -> Vec<String> {
+    let seen = |phase: &Phase| blocks.iter().any(|b| b.phases_ns.get(phase.name()).is_some_and(|&ns| ns >= UNSEEN_NS));
+    let phases: Vec<&str> = Phase::ALL.into_iter().filter(seen).map(Phase::name).collect();
+    let line = |particles: String, way: &str, of_phases: Vec<String>, sum: String| {
+        let cells: String = of_phases.iter().map(|cell| format!(" {cell:>11}")).collect();
+        format!("  {particles:>9} {way:<14}{cells} {sum:>7}")
+    };
+    let head = line("particles".into(), "", phases.iter().map(|name| name.to_string()).collect(), "sum".into());
+    let row = |b: &Block| {
+        let ns = |name: &&str| format!("{:.1}", b.phases_ns.get(name).copied().unwrap_or(0.0));
+        let sum = format!("{:.1}", b.phases_ns.values().sum::<f64>());
+        line(b.particles.to_string(), b.path, phases.iter().map(ns).collect(), sum)
+    };
+    std::iter::once(head).chain(blocks.iter().map(row)).collect()
 }
 
 fn column(c: &Column) -> String {

@@ -30,16 +30,31 @@ impl Entry {
     }
 }
 
-/// Entries of the clusters of a chunk, with nothing to spare: they are much of the memory.
+/// A list may hold on to one part in so many more than it needs.
+const SPARE: usize = 8;
+
+/// Entries of the clusters of a chunk, with little to spare: they are much of the memory.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Entries {
     /// Where each cluster starts in `found`, and the end of the last.
     pub start: Vec<u32>,
     /// Neighbours of the clusters, in order.
-    pub found: Box<[Entry]>,
+    pub found: Vec<Entry>,
 }
 
 impl Entries {
+    /// Take these entries, in the memory at hand where that suits.
+    pub fn take(&mut self, start: &[u32], found: &[Entry]) {
+        self.start.clear();
+        self.start.extend_from_slice(start);
+        self.found.clear();
+        if self.found.capacity() < found.len() || self.found.capacity() > found.len() + found.len() / SPARE {
+            self.found.shrink_to(found.len() + found.len() / (2 * SPARE));
+            self.found.reserve_exact(found.len() + found.len() / (2 * SPARE));
+        }
+        self.found.extend_from_slice(found);
+    }
+
     /// How many clusters.
     pub fn clusters(&self) -> usize {
         self.start.len().saturating_sub(1)
@@ -64,6 +79,6 @@ impl Entries {
 
     /// What they hold on to [bytes].
     pub fn bytes(&self) -> usize {
-        of_vector(&self.start) + size_of_val(&*self.found)
+        of_vector(&self.start) + of_vector(&self.found)
     }
 }

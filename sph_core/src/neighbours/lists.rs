@@ -54,39 +54,20 @@ pub(crate) static NONE: Lists = Lists { chunks: Vec::new(), targets: 0, among: f
 
 impl Lists {
     /// For each of `n` targets, everyone in `cells` within reach. `among`: target k is point k, and not its own neighbour.
-    /// `size` gives the smoothing length [m] of target and of point.
+    /// `alike`: do these targets, and all that they may meet, have one smoothing length?
     pub(crate) fn build(
         &mut self,
         n: usize,
         cells: &Cells,
         target: impl Fn(usize) -> Point + Sync,
         among: bool,
-        size: (impl Fn(usize) -> f64 + Sync, impl Fn(u32) -> f64 + Sync),
+        alike: impl Fn(Range<usize>, &[Entry]) -> bool + Sync,
     ) {
         assert!(cells.points().len() <= MOST_POINTS, "no more than {MOST_POINTS} particles");
         (self.targets, self.among, self.masked) = (n, among, false);
-        self.chunks.resize(n.div_ceil(CHUNK), ChunkList::default());
-        parallel::for_each_chunk(&mut self.chunks, n, |targets, list| {
-            let (mut start, mut alike) = (vec![0], 0);
-            let (mut runs, mut found) = (Vec::new(), Vec::new());
-            for (c, first) in targets.clone().step_by(LANES).enumerate() {
-                let last = (first + LANES).min(targets.end);
-                let mut at = [target(first); LANES];
-                for k in first + 1..last {
-                    at[k - first] = target(k);
-                }
-                runs.clear();
-                let from = found.len();
-                cells.for_each_run(&at[..last - first], |run| runs.push(run));
-                let count = last - first;
-                simd::run(true, Candidates { points: cells.points(), runs: &runs, at, count, found: &mut found });
-                start.push(found.len() as u32);
-                let h = size.0(first);
-                let same = (first..last).all(|k| size.0(k) == h)
-                    && found[from..].iter().all(|e: &Entry| size.1(e.index()) == h);
-                alike |= u32::from(same) << c;
-            }
-            *list = ChunkList { entries: Entries { start, found: found.into_boxed_slice() }, alike };
+        self.chunks.resize_with(n.div_ceil(CHUNK), ChunkList::default);
+        parallel::for_each_chunk_with(&mut self.chunks, n, Found::default, |found, targets, list| {
+            simd::run(true, ListChunk { cells, targets, target: &target, alike: &alike, found, list });
         });
     }
 
@@ -94,8 +75,11 @@ impl Lists {
     pub(crate) fn retain(&mut self, keep: impl Fn(usize, u32) -> bool + Sync) {
         let (n, among) = (self.chunks.len() * CHUNK, self.among);
         self.masked = true;
-        parallel::for_each_chunk(&mut self.chunks, n, |targets, list| {
-            let (mut start, mut kept) = (vec![0], Vec::new());
+        parallel::for_each_chunk_with(&mut self.chunks, n, Found::default, |found, targets, list| {
+            let (start, kept) = (&mut found.start, &mut found.entries);
+            start.clear();
+            start.push(0);
+            kept.clear();
             for c in 0..list.entries.clusters() {
                 let first = targets.start + c * LANES;
                 for (j, bits) in list.entries.of(c).iter().map(|e| (e.index(), e.bits())) {
@@ -108,7 +92,7 @@ impl Lists {
                 }
                 start.push(kept.len() as u32);
             }
-            list.entries = Entries { start, found: kept.into_boxed_slice() };
+            list.entries.take(start, kept);
         });
     }
 
@@ -197,38 +181,88 @@ impl Lists {
     }
 }
 
+/// What is found for a chunk, before its size is known.
+#[derive(Default)]
+struct Found {
+    runs: Vec<Range<usize>>,
+    start: Vec<u32>,
+    entries: Vec<Entry>,
+}
+
+/// Lists of the targets of a chunk.
+struct ListChunk<'a, T, A> {
+    cells: &'a Cells,
+    targets: Range<usize>,
+    target: &'a T,
+    alike: &'a A,
+    found: &'a mut Found,
+    list: &'a mut ChunkList,
+}
+
+impl<T: Fn(usize) -> Point, A: Fn(Range<usize>, &[Entry]) -> bool> Task for ListChunk<'_, T, A> {
+    type Out = ();
+    #[inline(always)]
+    fn run<R: SimdReal>(self, zero: R) {
+        let ListChunk { cells, targets, target, alike, found: Found { runs, start, entries }, list } = self;
+        start.clear();
+        start.push(0);
+        entries.clear();
+        list.alike = 0;
+        for (c, first) in targets.clone().step_by(LANES).enumerate() {
+            let last = (first + LANES).min(targets.end);
+            let mut at = [target(first); LANES];
+            for k in first + 1..last {
+                at[k - first] = target(k);
+            }
+            runs.clear();
+            cells.for_each_run(&at[..last - first], |run| runs.push(run));
+            let from = entries.len();
+            let candidates = Candidates { points: cells.points(), runs, at, count: last - first };
+            match candidates.at.iter().all(|p| p.travel == [0.0; 2]) && !cells.travel() {
+                true => candidates.test::<R, false>(zero, entries),
+                false => candidates.test::<R, true>(zero, entries),
+            }
+            start.push(entries.len() as u32);
+            list.alike |= u32::from(alike(first..last, &entries[from..])) << c;
+        }
+        list.entries.take(start, entries);
+    }
+}
+
 /// Everyone in `runs` that one of `count` targets may meet.
 struct Candidates<'a> {
     points: &'a [Point],
     runs: &'a [Range<usize>],
     at: [Point; LANES],
     count: usize,
-    found: &'a mut Vec<Entry>,
 }
 
-impl Task for Candidates<'_> {
-    type Out = ();
+impl Candidates<'_> {
+    /// Append those that they may meet to `found`. Points that do not `TRAVEL` stay where they are.
     #[inline(always)]
-    fn run<R: SimdReal>(self, zero: R) {
-        let Candidates { points, runs, at, count, found } = self;
+    fn test<R: SimdReal, const TRAVEL: bool>(&self, zero: R, found: &mut Vec<Entry>) {
+        let Candidates { points, runs, at, count } = self;
         let there = (1 << count) - 1;
         let most: usize = runs.iter().map(Range::len).sum();
         let mut kept = found.len();
         found.resize(kept + most, Entry::new(0, 0));
-        for run in runs {
+        for run in *runs {
             for q in &points[run.clone()] {
                 let mut bits = 0;
                 for first in (0..LANES).step_by(R::WIDTH) {
                     let dx = zero.each(|k| at[first + k].x) - zero.of(q.x);
                     let dy = zero.each(|k| at[first + k].y) - zero.of(q.y);
-                    let du = zero.each(|k| at[first + k].travel[0]) - zero.of(q.travel[0]);
-                    let dv = zero.each(|k| at[first + k].travel[1]) - zero.of(q.travel[1]);
-                    let reach = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
-                    let cut = reach + du.max(zero - du) + dv.max(zero - dv);
-                    bits |= (dx * dx + dy * dy).less(cut * cut) << first;
+                    let mut cut = zero.each(|k| at[first + k].reach) + zero.of(q.reach);
+                    if TRAVEL {
+                        let du = zero.each(|k| at[first + k].travel[0]) - zero.of(q.travel[0]);
+                        let dv = zero.each(|k| at[first + k].travel[1]) - zero.of(q.travel[1]);
+                        cut = cut + du.max(zero - du) + dv.max(zero - dv);
+                    }
+                    bits |= dx.mul_add(dx, dy * dy).less(cut * cut) << first;
                 }
-                found[kept] = Entry::new(q.index, bits & there);
-                kept += usize::from(bits & there != 0);
+                bits &= there;
+                found[kept] = Entry::new(q.index, bits);
+                kept += usize::from(bits != 0);
             }
         }
         found.truncate(kept);

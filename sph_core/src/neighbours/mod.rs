@@ -2,26 +2,27 @@
 
 pub mod cells;
 mod entries;
+mod expected;
+mod image_search;
 pub mod images;
 pub mod lists;
 pub(crate) mod skin;
+mod sorting;
 
 use serde::{Deserialize, Serialize};
 
 use crate::memory::of_vector;
-use crate::neighbours::cells::{Cells, Point};
+use crate::neighbours::cells::Cells;
+use crate::neighbours::entries::Entry;
+use crate::neighbours::expected::{Expectation, Moving};
+use crate::neighbours::image_search::Planes;
 use crate::neighbours::images::{Mirror, Periodic};
 use crate::neighbours::lists::Lists;
 use crate::neighbours::skin::Skin;
 use crate::parallel;
-use crate::particles::{Fields, Particles};
+use crate::particles::{Fields, Particles, Spare};
 use crate::state_bytes::{StateError, expect_count};
 use crate::walls::visibility::{Listed, ThinWalls};
-
-/// Skin that even a particle at rest gets, in smoothing lengths.
-const SKIN: f64 = 0.06;
-/// Share of its way, at its velocity while the lists last, that a particle may go astray.
-const ASTRAY: f64 = 0.1;
 
 /// Wall particles at the moment of the search.
 #[derive(Clone, Copy)]
@@ -42,6 +43,33 @@ pub struct WallKinematics<'a> {
     pub mirror_y: &'a [f64],
     /// Thin walls (WA8), where there are any.
     pub thin: Option<ThinWalls<'a>>,
+}
+
+impl WallKinematics<'_> {
+    fn moving(&self) -> Moving<'_> {
+        Moving { at: [self.x, self.y], velocity: [self.u, self.v], h: self.h }
+    }
+
+    fn mirror_points(&self) -> Moving<'_> {
+        Moving { at: [self.mirror_x, self.mirror_y], ..self.moving() }
+    }
+}
+
+/// What a search works in; kept from one to the next.
+#[derive(Default)]
+pub struct SearchSpace {
+    fluid: Cells,
+    walls: Cells,
+    /// Which particle comes to each place.
+    order: Vec<u32>,
+    spare: Spare,
+}
+
+impl SearchSpace {
+    /// What it holds on to [bytes].
+    pub(crate) fn bytes(&self) -> usize {
+        self.fluid.bytes() + self.walls.bytes() + of_vector(&self.order) + self.spare.bytes()
+    }
 }
 
 /// Neighbour lists. Indices below the number of particles are the particles themselves; those above are
@@ -105,103 +133,80 @@ impl Neighbours {
             && self.mirror_skin.holds(walls.mirror_x, walls.mirror_y, age)
     }
 
-    /// Sort the fluid by cell and list all pairs at `now` [s], to last about `life` [s]. Points stand where velocities take them
-    /// in half of that. Beside thin walls particles are expected anywhere around where they are, since masks are made for there.
+    /// Sort the fluid by cell and list all pairs at `now` [s], to last about `life` [s].
     pub fn rebuild(
         &mut self,
+        space: &mut SearchSpace,
         particles: &mut Particles,
         fields: &mut Fields,
         walls: &WallKinematics,
-        mirror: Option<Mirror>,
-        periodic: Option<Periodic>,
+        (mirror, periodic): (Option<Mirror>, Option<Periodic>),
         [now, life]: [f64; 2],
     ) {
         wrap(particles, periodic);
-        let (half, astray) = (0.5 * life, if walls.thin.is_some() { 1.0 } else { ASTRAY });
-        let allow = |h: f64, u: f64, v: f64| SKIN * h + astray * (u * u + v * v).sqrt() * life;
-        let expected = |u: &[f64], v: &[f64]| -> Vec<[f32; 2]> {
-            let mut velocity = vec![[0.0; 2]; u.len()];
-            if walls.thin.is_none() {
-                parallel::gather_into(&mut velocity, |k| [u[k] as f32, v[k] as f32]);
-            }
-            velocity
-        };
-        let n = particles.len();
-        let mut allowance = vec![0.0; n];
-        parallel::gather_into(&mut allowance, |k| allow(particles.h[k], particles.u[k], particles.v[k]));
-        if let Some(thin) = walls.thin {
-            thin.hold_ends(&particles.x, &particles.y, &particles.h, &mut allowance); // WA8
-        }
-        let mut reach: Vec<f64> = (0..n).map(|k| particles.h[k] + allowance[k]).collect();
-        let own = |x: &[f64], y: &[f64], velocity: &[[f32; 2]], reach: &[f64]| -> Vec<Point> {
-            let mut points = vec![Point::at_rest([0.0; 2], 0.0, 0); x.len()];
-            parallel::gather_into(&mut points, |k| {
-                let travel = velocity[k].map(|v| half * f64::from(v));
-                Point { x: x[k] + travel[0], y: y[k] + travel[1], reach: reach[k], travel, index: k as u32 }
-            });
-            points
-        };
+        let (expectation, planes) = (Expectation::new(life, walls.thin), Planes::new(mirror, periodic));
+        let SearchSpace { fluid, walls: wall, order, spare } = space;
 
         // sort the fluid physically, so that a neighbourhood is a few contiguous runs
-        let mut fluid_cells =
-            Cells::build(&own(&particles.x, &particles.y, &expected(&particles.u, &particles.v), &reach));
-        let order: Vec<u32> = fluid_cells.points().iter().map(|p| p.index).collect();
-        particles.permute(&order);
-        fields.permute(&order);
-        allowance = order.iter().map(|&k| allowance[k as usize]).collect();
-        reach = order.iter().map(|&k| reach[k as usize]).collect();
-        fluid_cells.name_by_order();
+        let (n, moving) = (particles.len(), moving(particles));
+        fluid.sort(n, |k| expectation.point(&moving, k));
+        order.resize(n, 0);
+        parallel::gather_into(order, |k| fluid.points()[k].index);
+        fluid.name_by_order(0, 0);
+        particles.permute(order, spare);
+        fields.permute(order, spare);
 
-        let mut wall_allowance: Vec<f64> =
-            (0..walls.x.len()).map(|k| allow(walls.h[k], walls.u[k], walls.v[k])).collect();
+        let mut wall_points = expectation.points(&walls.moving());
+        let mirror_points = expectation.points(&walls.mirror_points());
+        let walls_now = wall_points.len();
+        wall.sort(walls_now, |k| wall_points[k]);
+        self.find_images(&planes, fluid, wall, &Cells::build(&mirror_points));
+        wall_points.extend_from_slice(&wall.points()[walls_now..]);
+
+        let h = &particles.h;
+        let same = parallel::every(n, |k| h[k] == h[0]);
+        let alike = |targets: std::ops::Range<usize>, entries: &[Entry]| {
+            let of = |j: usize| h[source(j, n, &self.fluid_images)];
+            same || targets.clone().all(|k| h[k] == h[targets.start])
+                && entries.iter().all(|e| of(e.index() as usize) == h[targets.start])
+        };
+        let any = |_: std::ops::Range<usize>, _: &[Entry]| false;
+        self.fluid.build(n, fluid, |k| fluid.points()[k], true, alike);
+        self.walls_of_fluid.build(n, wall, |k| fluid.points()[k], false, any);
+        self.fluid_of_wall.build(walls_now, fluid, |k| wall_points[k], false, any);
+        self.fluid_of_mirror.build(mirror_points.len(), fluid, |k| mirror_points[k], false, any);
         if let Some(thin) = walls.thin {
-            thin.hold_ends(walls.x, walls.y, walls.h, &mut wall_allowance);
-        }
-        let wall_reach: Vec<f64> = (0..walls.x.len()).map(|k| walls.h[k] + wall_allowance[k]).collect();
-        let velocity = expected(&particles.u, &particles.v);
-        let wall_velocity = expected(walls.u, walls.v);
-        let mut fluid = own(&particles.x, &particles.y, &velocity, &reach);
-        let mut wall = own(walls.x, walls.y, &wall_velocity, &wall_reach);
-        let mirrored = own(walls.mirror_x, walls.mirror_y, &wall_velocity, &wall_reach);
-        let mut wall_cells = Cells::build(&wall);
-        self.fluid_images.clear();
-        self.wall_images.clear();
-        if let Some(mirror) = mirror {
-            // an image is needed where it has a neighbour in front of the plane
-            let meets = |cells: &Cells, p: &Point| cells.any_meets(&reflected(*p, mirror));
-            let mirrored_cells = Cells::build(&mirrored);
-            let needed = |p: &Point| meets(&fluid_cells, p) || meets(&wall_cells, p) || meets(&mirrored_cells, p);
-            self.fluid_images = those(&fluid, needed);
-            self.wall_images = those(&wall, |p| meets(&fluid_cells, p));
-            append_images(&mut fluid, &self.fluid_images, mirror);
-            append_images(&mut wall, &self.wall_images, mirror);
-            (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
-        }
-        if let Some(periodic) = periodic {
-            self.repeat(periodic, &mut fluid, &mut wall, [&fluid_cells, &wall_cells]);
-            (fluid_cells, wall_cells) = (Cells::build(&fluid), Cells::build(&wall));
-        }
-        let (h, walls_now) = (&particles.h, walls.x.len());
-        let (images, wall_images) = (&self.fluid_images, &self.wall_images);
-        let fluid_size = |j: u32| h[source(j as usize, n, images)];
-        let wall_size = |j: u32| walls.h[source(j as usize, walls_now, wall_images)];
-        let (own, wall_own) = (|k: usize| h[k], |k: usize| walls.h[k]);
-        self.fluid.build(n, &fluid_cells, |k| fluid[k], true, (own, fluid_size));
-        self.walls_of_fluid.build(n, &wall_cells, |k| fluid[k], false, (own, wall_size));
-        self.fluid_of_wall.build(walls_now, &fluid_cells, |k| wall[k], false, (wall_own, fluid_size));
-        self.fluid_of_mirror.build(mirrored.len(), &fluid_cells, |k| mirrored[k], false, (wall_own, fluid_size));
-        if let Some(thin) = walls.thin {
-            let listed =
-                Listed { fluid: &fluid, wall: &wall, mirrored: &mirrored, wall_images: &self.wall_images, mirror };
+            let (fluid, wall, mirrored, wall_images) =
+                (fluid.points(), &wall_points, &mirror_points, &self.wall_images);
+            let listed = Listed { fluid, wall, mirrored, wall_images, mirror };
             let Neighbours { fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror, .. } = self;
             thin.mask(&listed, [fluid, walls_of_fluid, fluid_of_wall, fluid_of_mirror]); // WA8, WA9
         }
         self.made = (now, life);
-        self.skin.reset(&particles.x, &particles.y, velocity, &allowance);
-        self.mirror_skin.reset(walls.mirror_x, walls.mirror_y, wall_velocity.clone(), &wall_allowance);
-        self.wall_skin.reset(walls.x, walls.y, wall_velocity, &wall_allowance);
+        let moving = [self::moving(particles), walls.moving(), walls.mirror_points()];
+        for (skin, of) in [&mut self.skin, &mut self.wall_skin, &mut self.mirror_skin].into_iter().zip(&moving) {
+            let [x, y] = of.at;
+            skin.reset(x, y, |k| expectation.velocity(of, k), |k| expectation.allowance(of, k));
+        }
         self.rebuilds += 1;
         self.flag_surface(fields);
+    }
+
+    /// Find the images that have a neighbour, and sort them into cells of their own.
+    fn find_images(&mut self, planes: &Planes, fluid: &mut Cells, wall: &mut Cells, mirror_points: &Cells) {
+        let Neighbours { fluid_images, wall_images, fluid_shifts, wall_shifts, .. } = self;
+        [&mut *fluid_images, wall_images].into_iter().for_each(Vec::clear);
+        [&mut *fluid_shifts, wall_shifts].into_iter().for_each(Vec::clear);
+        if !planes.exist() {
+            return;
+        }
+        let farthest = [&*fluid, &*wall, mirror_points].map(Cells::farthest).into_iter().fold(0.0, f64::max);
+        let of_fluid = planes.images(fluid.points(), farthest, |p| {
+            fluid.any_meets(p) || wall.any_meets(p) || mirror_points.any_meets(p)
+        });
+        let of_wall = planes.images(wall.points(), farthest, |p| fluid.any_meets(p));
+        planes.append(&of_fluid, fluid, fluid_images, fluid_shifts);
+        planes.append(&of_wall, wall, wall_images, wall_shifts);
     }
 
     /// What lists and skins hold on to [bytes].
@@ -230,34 +235,13 @@ impl Neighbours {
         source(j, n, &self.wall_images)
     }
 
-    /// OP9: append every translation of fluid and wall that has a neighbour in the cell itself.
-    fn repeat(&mut self, periodic: Periodic, fluid: &mut Vec<Point>, wall: &mut Vec<Point>, own: [&Cells; 2]) {
-        self.fluid_shifts.clear();
-        self.wall_shifts.clear();
-        let [own_fluid, own_wall] = own;
-        let farthest = own_fluid.farthest().max(own_wall.farthest());
-        let beside = |points: &[Point]| those(points, |p| periodic.is_beside([p.x, p.y], 2.0 * farthest));
-        let (fluids, walls) = (beside(fluid), beside(wall));
-        for shift in periodic.shifts() {
-            let moved = |p: Point| Point { x: p.x + shift[0], y: p.y + shift[1], ..p };
-            let meets = |cells: &Cells, p: &Point| cells.any_meets(p);
-            let needed = |p: &Point| meets(own_fluid, &moved(*p)) || meets(own_wall, &moved(*p));
-            for k in fluids.iter().copied().filter(|&k| needed(&fluid[k as usize])).collect::<Vec<u32>>() {
-                fluid.push(Point { index: fluid.len() as u32, ..moved(fluid[k as usize]) });
-                self.fluid_images.push(k);
-                self.fluid_shifts.push(shift);
-            }
-            for &k in walls.iter().filter(|&&k| meets(own_fluid, &moved(wall[k as usize]))).collect::<Vec<_>>() {
-                wall.push(Point { index: wall.len() as u32, ..moved(wall[k as usize]) });
-                self.wall_images.push(k);
-                self.wall_shifts.push(shift);
-            }
-        }
-    }
-
     /// Who is, or has within reach, a free-surface particle (by the λ found last).
     pub fn flag_surface(&self, fields: &mut Fields) {
         let n = fields.moments.len();
+        if parallel::every(n, |k| !fields.moments[k].at_surface()) {
+            parallel::update(&mut fields.near_surface, |_, near| *near = false);
+            return;
+        }
         let mut at_surface = vec![false; n + self.fluid_images.len()];
         parallel::gather_into(&mut at_surface[..n], |k| fields.moments[k].at_surface());
         for (k, &source) in self.fluid_images.iter().enumerate() {
@@ -273,31 +257,16 @@ fn source(j: usize, n: usize, images: &[u32]) -> usize {
     if j < n { j } else { images[j - n] as usize }
 }
 
-/// Indices of the `points` that are wanted, in order.
-fn those(points: &[Point], wanted: impl Fn(&Point) -> bool + Sync) -> Vec<u32> {
-    let of_chunk = |targets: std::ops::Range<usize>| -> Vec<u32> {
-        points[targets].iter().filter(|p| wanted(p)).map(|p| p.index).collect()
-    };
-    parallel::by_chunk(points.len(), of_chunk).concat()
+fn moving(p: &Particles) -> Moving<'_> {
+    Moving { at: [&p.x, &p.y], velocity: [&p.u, &p.v], h: &p.h }
 }
 
 /// OP9: a particle that has left the cell enters it through the opposite plane.
 fn wrap(particles: &mut Particles, periodic: Option<Periodic>) {
     let Some(periodic) = periodic else { return };
-    for k in 0..particles.len() {
-        [particles.x[k], particles.y[k]] = periodic.wrap([particles.x[k], particles.y[k]]);
-    }
-}
-
-fn append_images(points: &mut Vec<Point>, sources: &[u32], mirror: Mirror) {
-    let n = points.len() as u32;
-    for (k, &source) in sources.iter().enumerate() {
-        let p = points[source as usize];
-        points.push(Point { index: n + k as u32, ..reflected(p, mirror) });
-    }
-}
-
-/// The image of a point.
-fn reflected(p: Point, mirror: Mirror) -> Point {
-    Point { x: mirror.reflect(p.x), travel: [-p.travel[0], p.travel[1]], ..p }
+    parallel::each([&mut particles.x, &mut particles.y], |_, [x, y]| {
+        for (x, y) in x.iter_mut().zip(y) {
+            [*x, *y] = periodic.wrap([*x, *y]);
+        }
+    });
 }

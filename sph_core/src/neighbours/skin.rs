@@ -18,22 +18,32 @@ pub struct Skin {
 }
 
 impl Skin {
-    /// Note positions [m], velocities [m/s] and allowances [m].
-    pub fn reset(&mut self, x: &[f64], y: &[f64], velocity: Vec<[f32; 2]>, allowance: &[f64]) {
-        self.velocity = velocity;
-        self.origins = (0..x.len()).step_by(CHUNK).map(|k| [x[k], y[k]]).collect();
-        let from_origin = |places: &[f64], axis: usize| {
-            let mut near = vec![0.0; places.len()];
-            parallel::gather_into(&mut near, |k| (places[k] - self.origins[k / CHUNK][axis]) as f32);
-            near
-        };
-        (self.x, self.y) = (from_origin(x, 0), from_origin(y, 1));
-        self.allowance = vec![0.0; x.len()];
-        parallel::gather_into(&mut self.allowance, |k| {
-            let origin = self.origins[k / CHUNK];
-            let lost = |place: f64, axis: usize, kept: f32| (place - origin[axis] - f64::from(kept)).abs();
-            let left = allowance[k] - lost(x[k], 0, self.x[k]) - lost(y[k], 1, self.y[k]);
-            (left as f32).next_down()
+    /// Note positions [m]; velocity [m/s] and allowance [m] of each.
+    pub fn reset(
+        &mut self,
+        x: &[f64],
+        y: &[f64],
+        velocity: impl Fn(usize) -> [f32; 2] + Sync,
+        allowance: impl Fn(usize) -> f64 + Sync,
+    ) {
+        let Skin { origins, x: from_x, y: from_y, velocity: velocities, allowance: allowances } = self;
+        origins.clear();
+        origins.extend((0..x.len()).step_by(CHUNK).map(|k| [x[k], y[k]]));
+        for numbers in [&mut *from_x, from_y, allowances] {
+            resize(numbers, x.len());
+        }
+        resize(velocities, x.len());
+        parallel::gather_into(velocities, velocity);
+        parallel::each([from_x, from_y, allowances], |at, [from_x, from_y, allowances]| {
+            let from = |place: f64, origin: f64| (place - origin) as f32;
+            let lost = |place: f64, origin: f64, kept: f32| (place - origin - f64::from(kept)).abs();
+            for k in 0..from_x.len() {
+                let i = at.start + k;
+                let [x0, y0] = origins[i / CHUNK];
+                (from_x[k], from_y[k]) = (from(x[i], x0), from(y[i], y0));
+                let left = allowance(i) - lost(x[i], x0, from_x[k]) - lost(y[i], y0, from_y[k]);
+                allowances[k] = (left as f32).next_down();
+            }
         });
     }
 
@@ -61,4 +71,10 @@ impl Skin {
                 })
             })
     }
+}
+
+/// As many entries as that, with room for no more.
+fn resize<T: Clone + Default>(numbers: &mut Vec<T>, n: usize) {
+    numbers.reserve_exact(n.saturating_sub(numbers.len()));
+    numbers.resize(n, T::default());
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::memory::of_vector;
-use crate::particles::{Particles, permute};
+use crate::particles::{Particles, Spare, permute};
 use crate::state_bytes::{StateError, expect_count};
 
 /// Quantities that a step recomputes, one entry per particle.
@@ -41,11 +41,11 @@ impl Fields {
         expect_count("marks of the free surface", self.near_surface.len(), n)
     }
 
-    pub(crate) fn permute(&mut self, order: &[u32]) {
-        permute(&mut self.pressure, order, &mut Vec::new());
-        permute(&mut self.volume, order, &mut Vec::new());
-        permute(&mut self.moments, order, &mut Vec::new());
-        permute(&mut self.near_surface, order, &mut Vec::new());
+    pub(crate) fn permute(&mut self, order: &[u32], spare: &mut Spare) {
+        permute(&mut self.pressure, order, &mut spare.numbers);
+        permute(&mut self.volume, order, &mut spare.numbers);
+        permute(&mut self.moments, order, &mut spare.moments);
+        permute(&mut self.near_surface, order, &mut spare.marks);
     }
 
     /// Volume per metre of span of particle `k` of `p` [m²].

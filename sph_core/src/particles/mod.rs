@@ -133,26 +133,43 @@ impl Particles {
     }
 
     /// Put particle `order[k]` at place k, in every array.
-    pub(crate) fn permute(&mut self, order: &[u32]) {
+    pub(crate) fn permute(&mut self, order: &[u32], spare: &mut Spare) {
         let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, refinement_level, newly_split } = self;
-        let mut scratch = Vec::new();
         for array in [x, y, u, v, rho, mass, h, ax, ay, energy] {
-            permute(array, order, &mut scratch);
+            permute(array, order, &mut spare.numbers);
         }
-        permute(id, order, &mut Vec::new());
-        permute(refinement_level, order, &mut Vec::new());
-        permute(newly_split, order, &mut Vec::new());
+        permute(id, order, &mut spare.ids);
+        permute(refinement_level, order, &mut spare.levels);
+        permute(newly_split, order, &mut spare.marks);
     }
 }
 
-/// `array[k] ← array[order[k]]`, through `scratch`; an empty array stays empty.
-fn permute<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32], scratch: &mut Vec<T>) {
+/// An array of each kind, in which others are sorted.
+#[derive(Default)]
+pub(crate) struct Spare {
+    numbers: Vec<f64>,
+    ids: Vec<u32>,
+    levels: Vec<u8>,
+    marks: Vec<bool>,
+    moments: Vec<KernelMoments>,
+}
+
+impl Spare {
+    /// What they hold on to [bytes].
+    pub fn bytes(&self) -> usize {
+        let Spare { numbers, ids, levels, marks, moments } = self;
+        of_vector(numbers) + of_vector(ids) + of_vector(levels) + of_vector(marks) + of_vector(moments)
+    }
+}
+
+/// `array[k] ← array[order[k]]`, through `spare`; an empty array stays empty.
+fn permute<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
     if array.is_empty() {
         return;
     }
-    scratch.resize(order.len(), T::default());
-    parallel::gather_into(scratch, |k| array[order[k] as usize]);
-    std::mem::swap(array, scratch);
+    spare.resize(order.len(), T::default());
+    parallel::gather_into(spare, |k| array[order[k] as usize]);
+    std::mem::swap(array, spare);
 }
 
 /// Smallest and largest of some numbers.

@@ -190,15 +190,21 @@ pub(crate) struct Listed<'a> {
 }
 
 impl ThinWalls<'_> {
-    /// WA8: how far particles around ends may go, of what each is `allowed` [m].
-    pub fn hold_ends(&self, x: &[f64], y: &[f64], h: &[f64], allowed: &mut [f64]) {
-        let ends: Vec<[f64; 2]> =
-            self.midlines.iter().flat_map(|s| s.points.first().into_iter().chain(s.points.last())).copied().collect();
-        parallel::update(allowed, |k, allowed| {
-            if ends.iter().any(|end| (x[k] - end[0]).hypot(y[k] - end[1]) < END_REACH * h[k]) {
-                *allowed = allowed.min(END_SKIN * h[k]);
-            }
-        });
+    /// The ends of all midlines [m].
+    pub(crate) fn ends(&self) -> Vec<[f64; 2]> {
+        self.midlines.iter().flat_map(|s| s.points.first().into_iter().chain(s.points.last())).copied().collect()
+    }
+
+    /// WA8: how far a particle may go, of what it is `allowed` [m], that may be around an end.
+    #[inline(always)]
+    pub(crate) fn held_at_ends<'e>(
+        mut ends: impl Iterator<Item = &'e [f64; 2]>,
+        [x, y]: [f64; 2],
+        h: f64,
+        allowed: f64,
+    ) -> f64 {
+        let around = ends.any(|end| (x - end[0]).hypot(y - end[1]) < END_REACH * h);
+        if around { allowed.min(END_SKIN * h) } else { allowed }
     }
 
     /// WA8, WA9: mask in the lists of fluid around fluid, walls around fluid, fluid around walls and fluid around

@@ -30,7 +30,7 @@ use crate::walls::interface_dynamics::accelerate_by_pairs;
 use eos::Tait;
 use shifting::{even_out, settle};
 use step_limit::{StepLimit, rebuild_lists};
-use updates::{advance_density_midpoint, drift, kick};
+use updates::{advance_density_and_drift, kick, kick_and_drift};
 
 pub use settings::Settings;
 
@@ -77,11 +77,9 @@ impl Wcsph {
     /// WC11: one step, kick–drift–kick with the density advanced about the midpoint; of second order.
     fn advance(&mut self, flow: &mut Flow<'_>, dt: f64) {
         let half = 0.5 * dt;
-        kick(flow.system, half); //                                       v½ = v + ½Δt a
-        drift(flow.system, half); //                                      x½ = x + ½Δt v½
+        kick_and_drift(flow.system, half); //                             v½ = v + ½Δt a, x½ = x + ½Δt v½
         self.evaluate_density_rate(flow, -half); //                       dρ/dt at (x½, v½)
-        advance_density_midpoint(flow.system, &self.density_rate, dt); // ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ
-        drift(flow.system, half); //                                      x' = x½ + ½Δt v½
+        advance_density_and_drift(flow.system, &self.density_rate, dt); // ρ' = ρ (2 + ε)/(2 − ε), ε = Δt (dρ/dt)/ρ; x' = x½ + ½Δt v½
         if self.settings.shifting {
             even_out(flow.system, &self.settings, dt); //                  x' ← x' + δr
         }

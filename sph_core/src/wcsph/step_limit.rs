@@ -10,7 +10,7 @@ const FORCE: f64 = 0.25;
 /// Share of h²/ν a step may take (WC12; Morris et al. 1997).
 const VISCOUS: f64 = 0.125;
 /// Acoustic steps that a neighbour list is made to last.
-const LIST_LIFE: f64 = 12.0;
+const LIST_LIFE: f64 = 10.0;
 /// A step this many times smaller than the acoustic limit of water at rest means breakdown.
 const COLLAPSE: f64 = 1e-4;
 

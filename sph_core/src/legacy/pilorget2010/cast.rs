@@ -128,8 +128,7 @@ impl Pairs {
     /// Find the pairs of all rows of the cast.
     pub fn find(&mut self, cast: &Cast, kernel: Kernel) {
         let points = points(&cast.players);
-        let size = (|k: usize| points[k].reach, |j: u32| points[j as usize].reach);
-        self.lists.build(cast.rows, &Cells::build(&points), |k| points[k], true, size);
+        self.lists.build(cast.rows, &Cells::build(&points), |k| points[k], true, |_, _| false);
         self.chunks.resize(cast.rows.div_ceil(CHUNK), Chunk::default());
         let (players, rows, lists, chunks) = (&cast.players[..], cast.rows, &self.lists, &mut self.chunks[..]);
         kernel.run(Task { players, lists, rows, chunks });
