@@ -20,6 +20,8 @@ pub(crate) struct ChunkPairs {
     ends: Vec<u32>,
     near: Vec<u32>,
     links: Vec<Links>,
+    /// Who is near a target of one cluster, and a bit for each target.
+    met: Vec<(u32, u32)>,
 }
 
 impl ChunkPairs {
@@ -73,35 +75,52 @@ impl ChunkPairs {
         c: &PairConstants,
         zero: R,
     ) -> [Sums; LANES] {
-        let listed = lists.cluster(first);
-        let from = self.near.len();
-        self.near.resize(from + listed.len(), 0);
-        self.links.resize(from + listed.len(), [0.0; LANES]);
-        let (near, links) = (&mut self.near[from..], &mut self.links[from..]);
+        self.find(lists, first, rows, zero);
+        let ChunkPairs { ends, near, links, met } = self;
+        let from = near.len();
+        near.extend(met.iter().map(|&(j, _)| j));
+        links.resize(near.len(), [0.0; LANES]);
+        ends.push(near.len() as u32);
         let mut found = [Sums::default(); LANES];
-        let mut kept = 0;
         for lane in (0..LANES).step_by(R::WIDTH) {
             let a = PackedParticle::targets(rows, first + lane, zero);
             let mut sums = LaneSums::zero(zero);
-            kept = 0;
-            for entry in listed {
-                let (j, mut bits) = (entry.index(), entry.bits());
-                if let Some(own) = lane_of(j, first) {
-                    bits &= !(1 << own);
-                }
+            for (&(j, bits), links) in met.iter().zip(&mut links[from..]) {
                 let b = PackedParticle::mask(rows[j as usize].splat(zero), bits >> lane);
                 let link = sums.add::<K>(&a, &b, c, zero).to_single();
-                links[kept][lane..lane + R::WIDTH].copy_from_slice(&link[..R::WIDTH]);
-                near[kept] = j;
-                // an entry that is no one's neighbour is written over; one lane alone cannot tell
-                kept += usize::from(R::WIDTH < LANES || link != [0.0; LANES]);
+                links[lane..lane + R::WIDTH].copy_from_slice(&link[..R::WIDTH]);
             }
             sums.put(&mut found[lane..lane + R::WIDTH]);
         }
-        self.near.truncate(from + kept);
-        self.links.truncate(from + kept);
-        self.ends.push(self.near.len() as u32);
         found
+    }
+
+    /// Who lies within the support of a target of the cluster from `first` on, with a bit for each; no target is its own neighbour.
+    #[inline(always)]
+    fn find<R: SimdReal>(&mut self, lists: &Lists, first: usize, rows: &[PackedParticle], zero: R) {
+        let listed = lists.cluster(first);
+        // one place more: written, never kept
+        self.met.resize(listed.len() + 1, (0, 0));
+        let at: [PackedParticle; LANES] = std::array::from_fn(|k| rows[(first + k).min(rows.len() - 1)]);
+        let mut kept = 0;
+        for entry in listed {
+            let (j, mut met) = (entry.index(), entry.bits());
+            if let Some(own) = lane_of(j, first) {
+                met &= !(1 << own);
+            }
+            let b = &rows[j as usize];
+            let mut within = 0;
+            for lane in (0..LANES).step_by(R::WIDTH) {
+                let dx = zero.each(|k| at[lane + k].x) - zero.of(b.x);
+                let dy = zero.each(|k| at[lane + k].y) - zero.of(b.y);
+                let h = zero.of(0.5) * (zero.each(|k| at[lane + k].h) + zero.of(b.h));
+                within |= (dx * dx + dy * dy).less(zero.of(4.0) * h * h) << lane;
+            }
+            // written in any case, and over again by the next where this one is too far: no branch
+            self.met[kept] = (j, within & met);
+            kept += usize::from(within & met != 0);
+        }
+        self.met.truncate(kept);
     }
 }
 
