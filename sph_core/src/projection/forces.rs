@@ -4,10 +4,13 @@ use crate::interactions::dissipation::{Dissipation, ElasticPair};
 use crate::interactions::forces::{PairTerms, gather_wall_forces};
 use crate::interactions::geometry::{PairConstants, pair_geometry};
 use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::packed_particle::PackedParticle;
 use crate::interactions::pair;
-use crate::parallel;
+use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::parallel::{self, CHUNK};
 use crate::projection::free_surface::lattice::{Closure, Lattice};
 use crate::projection::operators::Operators;
+use crate::projection::pair_clusters::ChunkPairs;
 use crate::system::ParticleSystem;
 use crate::timers::Phase;
 use crate::walls::Walls;
@@ -30,6 +33,8 @@ pub struct Correction {
 pub struct Push {
     /// κ times the force of pairs [N/m].
     force: [f64; 2],
+    /// The least pressure in the support [Pa].
+    least: f64,
     correction: Correction,
 }
 
@@ -80,7 +85,8 @@ impl PressureForces {
         pushes.resize(system.particles.len(), Push::default());
         let correction =
             Corrections { system, operators, indicator, lattice, normals: &self.normals, head: self.head, inverse };
-        system.domain.fluid.kernel.run(Pushing { correction, constants, out: &mut pushes });
+        let simd = system.domain.simd;
+        system.domain.fluid.kernel.run(Pushing { correction, constants, simd, out: &mut pushes });
         // corrections have no resultant: their sum is taken off, evenly
         let (mut impulse, mut mass) = ([0.0; 2], 0.0);
         for (Push { correction, .. }, m) in pushes.iter().zip(&system.particles.mass) {
@@ -93,7 +99,7 @@ impl PressureForces {
         let g = system.domain.gravity;
         let p = &mut system.particles;
         parallel::update_both(&mut p.ax, &mut p.ay, |k, ax, ay| {
-            let Push { force, correction: Correction { acceleration, share } } = pushes[k];
+            let Push { force, correction: Correction { acceleration, share }, .. } = pushes[k];
             [*ax, *ay] = [0, 1].map(|i| inverse * force[i] / p.mass[k] + g[i] + acceleration[i] - share * back[i]);
         });
         system.fields.moments.clone_from(&operators.around);
@@ -159,47 +165,70 @@ impl Corrections<'_> {
 struct Pushing<'a> {
     correction: Corrections<'a>,
     constants: PairConstants,
+    simd: bool,
     out: &'a mut [Push],
 }
 
 impl WithKernel for Pushing<'_> {
     type Out = ();
     fn with<K: Shape>(self) {
-        let Pushing { correction, constants, out } = self;
+        let Pushing { correction, constants, simd, out } = self;
         let Corrections { system, operators, .. } = correction;
         let (fluid, walls) = (&system.packed.fluid, &system.packed.walls);
         let wall_nu = system.domain.fluid.wall_viscosity();
-        parallel::gather_into(out, |k| {
-            let a = &fluid[k];
-            let (near, links) = operators.row(k);
-            let (mut even, mut odd, mut least) = ([0.0; 2], [0.0; 2], a.p);
-            let mut take = |sum: &mut [f64; 2], j: u32, link: f64| {
-                let b = &fluid[j as usize];
-                let push = link * (a.p + b.p);
-                sum[0] += push * (a.x - b.x);
-                sum[1] += push * (a.y - b.y);
-                least = if b.p < least { b.p } else { least };
-            };
-            let (pairs, last) = near.as_chunks::<2>();
-            let (links, last_link) = links.as_chunks::<2>();
-            for (j, link) in pairs.iter().zip(links) {
-                take(&mut even, j[0], link[0]);
-                take(&mut odd, j[1], link[1]);
+        let half = 0.5 * constants.rho0; // of the links: a_ij = 2 V_i V_j |∇W/r|/ρ
+        parallel::update_pieces(out, CHUNK, |c, out| {
+            let first = c * CHUNK;
+            simd::run(simd, ChunkPush { pairs: &operators.chunks()[c], first, fluid, out: &mut *out });
+            for (k, push) in (first..).zip(out) {
+                let a = &fluid[k];
+                let least = push.least;
+                let mut force = [0, 1].map(|i| half * push.force[i] + operators.drag[k][i]);
+                for j in system.neighbours.walls_of_fluid.of(k) {
+                    let w = &walls[j as usize];
+                    let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
+                    let [normal, shear] = pair::force::<f64, ElasticPair>(a, w, &aw, &constants, wall_nu);
+                    force[0] += a.volume * (normal * aw.dx + shear * (a.u - w.u));
+                    force[1] += a.volume * (normal * aw.dy + shear * (a.v - w.v));
+                }
+                *push = Push { force, least, correction: correction.of(k, least) };
             }
-            for (&j, &link) in last.iter().zip(last_link) {
-                take(&mut even, j, link);
-            }
-            let half = 0.5 * constants.rho0; // of the links: a_ij = 2 V_i V_j |∇W/r|/ρ
-            let mut force = [0, 1].map(|i| half * (even[i] + odd[i]) + operators.drag[k][i]);
-            for j in system.neighbours.walls_of_fluid.of(k) {
-                let w = &walls[j as usize];
-                let Some(aw) = pair_geometry::<K>(a.x, a.y, a.h, w.x, w.y, w.h) else { continue };
-                let [normal, shear] = pair::force::<f64, ElasticPair>(a, w, &aw, &constants, wall_nu);
-                force[0] += a.volume * (normal * aw.dx + shear * (a.u - w.u));
-                force[1] += a.volume * (normal * aw.dy + shear * (a.v - w.v));
-            }
-            Push { force, correction: correction.of(k, least) }
         });
+    }
+}
+
+/// PR10, PR11: Σ of links, p_a + p_b and r_ab, and the least pressure in the support, of the targets of a chunk.
+struct ChunkPush<'a> {
+    pairs: &'a ChunkPairs,
+    first: usize,
+    fluid: &'a [PackedParticle],
+    out: &'a mut [Push],
+}
+
+impl Task for ChunkPush<'_> {
+    type Out = ();
+    #[inline(always)]
+    fn run<R: SimdReal>(self, zero: R) {
+        let ChunkPush { pairs, first, fluid, out } = self;
+        for (c, out) in out.chunks_mut(LANES).enumerate() {
+            let (near, links) = pairs.cluster(c);
+            for lane in (0..LANES).step_by(R::WIDTH) {
+                let a = PackedParticle::targets(fluid, first + c * LANES + lane, zero);
+                let (mut x, mut y, mut least) = (zero, zero, a.p);
+                for (&j, links) in near.iter().zip(links) {
+                    let b = &fluid[j as usize];
+                    let (link, p) = (zero.widened(&links[lane..]), zero.of(b.p));
+                    let push = link * (a.p + p);
+                    x = push.mul_add(a.x - zero.of(b.x), x);
+                    y = push.mul_add(a.y - zero.of(b.y), y);
+                    least = zero.below(link, least.min(p), least);
+                }
+                let (x, y, least) = (x.lanes(), y.lanes(), least.lanes());
+                for (k, push) in out.iter_mut().skip(lane).take(R::WIDTH).enumerate() {
+                    (push.force, push.least) = ([x[k], y[k]], least[k]);
+                }
+            }
+        }
     }
 }
 
@@ -216,7 +245,7 @@ fn find_normals(normals: &mut Vec<[f64; 2]>, system: &ParticleSystem, operators:
         }
         let a = &packed[k];
         let mut sum = around[k].concentration_gradient().map(|c| a.raw_volume * kernel.value(0.0, a.h) * c);
-        for &j in operators.row(k).0 {
+        for (j, _) in operators.row(k) {
             let b = &packed[j as usize];
             let (dx, dy) = (a.x - b.x, a.y - b.y);
             let weight = b.raw_volume * kernel.value((dx * dx + dy * dy).sqrt(), 0.5 * (a.h + b.h));

@@ -9,7 +9,7 @@ pub mod linear_solver;
 mod monolithic;
 mod motion;
 mod operators;
-mod pair_batch;
+mod pair_clusters;
 mod pressure;
 mod settings;
 #[cfg(test)]
@@ -34,7 +34,9 @@ use motion::{StepLimit, move_particles};
 use operators::Operators;
 use pressure::PressureEquation;
 
-pub use linear_solver::{Matrix, NotConverged, Preconditioner, PressureSolver, RankOne, Solved, Stop, cg, matrix};
+pub use linear_solver::{
+    Matrix, MatrixRows, NotConverged, Preconditioner, PressureSolver, RankOne, Solved, Stop, cg, matrix,
+};
 pub use settings::{FlowSettings, Method, Settings};
 
 /// Steps that a neighbour list is made to last: few, since fast particles move far in each.

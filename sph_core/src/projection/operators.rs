@@ -11,7 +11,7 @@ use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 use crate::particles::KernelMoments;
 use crate::projection::free_surface::lattice::Lattice;
-use crate::projection::pair_batch::{ClusterPairs, Sums};
+use crate::projection::pair_clusters::ChunkPairs;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
@@ -29,35 +29,10 @@ pub struct Operators {
     pub drag: Vec<[f64; 2]>,
 }
 
-/// The pairs of a chunk of targets, by row.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct ChunkPairs {
-    ends: Vec<u32>,
-    near: Vec<u32>,
-    values: Vec<f64>,
-    /// Rows have their own mirror images among them, which the matrix has not.
-    pub own_images: usize,
-}
-
-impl ChunkPairs {
-    /// Of the chunk's row k: who is near, as listed, and 2 V_i V_j |slope|/ρ.
-    #[inline(always)]
-    pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
-        let from = if k == 0 { 0 } else { self.ends[k - 1] as usize };
-        let to = self.ends[k] as usize;
-        (&self.near[from..to], &self.values[from..to])
-    }
-
-    /// Number of pairs.
-    pub fn pairs(&self) -> usize {
-        self.near.len()
-    }
-}
-
 impl Operators {
     /// Who is near row k, as listed (images count), and off-diagonals, positive: a_ij = 2 V_i V_j |slope|/ρ.
     #[inline(always)]
-    pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
+    pub fn row(&self, k: usize) -> impl Iterator<Item = (u32, f64)> + '_ {
         self.chunks[k / CHUNK].row(k % CHUNK)
     }
 
@@ -118,43 +93,29 @@ impl<K: Shape> Task for ChunkSums<'_, '_, K> {
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
         let ChunkSums { shared, targets, out, .. } = self;
-        let Shared { fluid, neighbours, n, constants, .. } = shared;
-        let pairs = &mut *out.pairs;
-        pairs.ends.clear();
-        pairs.near.clear();
-        pairs.values.clear();
-        pairs.own_images = 0;
-        let mut cluster = ClusterPairs::default();
-        for (slot, k) in targets.enumerate() {
-            let (a, lane) = (&fluid[k], slot % LANES);
-            if lane == 0 {
-                cluster.find(&neighbours.fluid, k, fluid, zero);
+        let Shared { fluid, neighbours, constants, .. } = shared;
+        out.pairs.clear();
+        for first in targets.clone().step_by(LANES) {
+            let sums = out.pairs.add_cluster::<R, K>(&neighbours.fluid, first, fluid, constants, zero);
+            for (k, sums) in (first..targets.end.min(first + LANES)).zip(sums) {
+                let (a, slot) = (&fluid[k], k - targets.start);
+                let own = a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h);
+                let fluid_kernel_sum = own + sums.kernel_sum;
+                let mut moments = Moments {
+                    kernel_sum: fluid_kernel_sum,
+                    concentration_gradient: sums.concentration_gradient,
+                    arms: sums.second_moment,
+                    rate: sums.divergence,
+                };
+                shared.add_walls::<K>(k, &mut moments);
+                let Moments { kernel_sum, concentration_gradient, arms, rate } = moments;
+                let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
+                let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
+                out.around[slot] = KernelMoments::new(kernel_sum, fluid_kernel_sum, concentration_gradient, lambda);
+                out.divergence[slot] = shared.inverse * rate;
+                out.second_moment[slot] = arms;
+                out.drag[slot] = sums.drag;
             }
-            let near = cluster.of(lane);
-            let from = pairs.near.len();
-            pairs.near.extend_from_slice(near);
-            pairs.values.resize(from + near.len(), 0.0);
-            let sums = Sums::over::<K>(a, near, fluid, &mut pairs.values[from..], constants, zero);
-            if !neighbours.fluid_images.is_empty() {
-                pairs.own_images += near.iter().filter(|&&j| neighbours.source(j, *n) == k).count();
-            }
-            pairs.ends.push(pairs.near.len() as u32);
-            let own = a.raw_volume * K::ALPHA * K::w(0.0) / (a.h * a.h);
-            let fluid_kernel_sum = own + sums.kernel_sum();
-            let mut moments = Moments {
-                kernel_sum: fluid_kernel_sum,
-                concentration_gradient: sums.concentration_gradient(),
-                arms: sums.second_moment(),
-                rate: sums.divergence(),
-            };
-            shared.add_walls::<K>(k, &mut moments);
-            let Moments { kernel_sum, concentration_gradient, arms, rate } = moments;
-            let (mean, half) = (0.5 * (arms[0] + arms[2]), 0.5 * (arms[0] - arms[2]));
-            let lambda = mean - (half * half + arms[1] * arms[1]).sqrt();
-            out.around[slot] = KernelMoments::new(kernel_sum, fluid_kernel_sum, concentration_gradient, lambda);
-            out.divergence[slot] = shared.inverse * rate;
-            out.second_moment[slot] = arms;
-            out.drag[slot] = sums.drag();
         }
     }
 }

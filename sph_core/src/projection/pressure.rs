@@ -8,7 +8,7 @@ use crate::particles::Particles;
 use crate::projection::free_surface::active_set::{ActiveSet, Rows, Surface};
 use crate::projection::free_surface::lattice::Lattice;
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::cluster_matrix::ClusterRows;
 use crate::projection::monolithic::{Bodies, Equation, MonolithicSolve};
 use crate::projection::operators::Operators;
 use crate::projection::settings::{Method, Settings};
@@ -34,7 +34,7 @@ pub(crate) struct PressureEquation {
     #[serde(skip)]
     scale: Vec<f64>,
     #[serde(skip)]
-    matrix: Matrix,
+    matrix: ClusterRows,
     solver: PressureSolver,
     active: ActiveSet,
     /// Responses of the pressures to bodies, kept from step to step (CO20).
@@ -103,8 +103,7 @@ impl PressureEquation {
         let PressureEquation { source, excess, before, active, .. } = self;
         parallel::gather_into(&mut system.fields.pressure, |k| {
             let (mut sum, mut diagonal) = (source[k], excess[k]);
-            let (near, values) = operators.row(k);
-            for (&j, value) in near.iter().zip(values) {
+            for (j, value) in operators.row(k) {
                 let source = neighbours.source(j, n);
                 if source != k {
                     sum += value * before[source];
@@ -136,12 +135,12 @@ impl PressureEquation {
         scale.resize(n, 0.0);
         let strongest = if strongest > 0.0 { strongest } else { 1.0 }; // free fall has no source
         parallel::gather_into(scale, |k| raw_volume(p, k) * strongest);
-        matrix.assemble(operators, excess, neighbours);
+        let matrix = matrix.assemble(operators, excess, neighbours, domain.simd);
         let x = &mut fields.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
         active.warm_start(x, &p.id, &Rows { matrix, source, scale }, air);
         solver.name(&p.id);
-        solver.prepare(matrix, &p.x, &p.y, &p.h);
+        solver.prepare(&matrix, &p.x, &p.y, &p.h);
         let inverse = 1.0 / lattice.gradient;
         let mut monolithic = MonolithicSolve::of((packed, neighbours, domain), &p.id, interfaces, walls, inverse);
         before.clone_from(x);
@@ -149,7 +148,7 @@ impl PressureEquation {
         let surface = Surface { indicator: air, moments: &operators.around, neighbours, ventilated };
         for round in 0..ACTIVE_SET_ROUNDS {
             let constrained = &active.constrained[..];
-            let found = solver.persist(matrix, source, scale, constrained, x, &stop).and_then(|solved| {
+            let found = solver.persist(&matrix, source, scale, constrained, x, &stop).and_then(|solved| {
                 *iterations += solved.iterations as u64;
                 *solves += 1;
                 monolithic.solve(bodies, &mut Equation { solver, matrix, constrained, stop, source, pressure: x })

@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::neighbours::Neighbours;
 use crate::particles::KernelMoments;
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
+use crate::projection::linear_solver::matrix::MatrixRows;
 
 /// What a row leaves of the equation needs a further solve from this share of the strongest source on [-].
 const WORTH: f64 = 1e-3;
@@ -27,7 +28,7 @@ pub(crate) struct ActiveSet {
 
 /// The pressure equation as the active set reads it.
 pub(crate) struct Rows<'a> {
-    pub matrix: &'a Matrix,
+    pub matrix: ClusterMatrix<'a>,
     pub source: &'a [f64],
     pub scale: &'a [f64],
 }
@@ -117,7 +118,7 @@ impl ActiveSet {
     pub fn update(&mut self, pressure: &mut [f64], rows: &Rows, surface: Surface, first: bool) -> bool {
         let released = if first { self.release(pressure, rows, WORTH) } else { 0 };
         let new = self.constrain(pressure, surface);
-        let left = |&(k, tension): &(usize, f64)| rows.matrix.diagonal[k] * tension / rows.scale[k];
+        let left = |&(k, tension): &(usize, f64)| rows.matrix.diagonal()[k] * tension / rows.scale[k];
         released > 0 || new.iter().map(left).any(|left| left > WORTH)
     }
 

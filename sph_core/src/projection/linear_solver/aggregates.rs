@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::matrix::MatrixRows;
 
 /// Not part of any aggregate.
 pub(crate) const NO_ROW: u32 = u32::MAX;
@@ -33,7 +33,7 @@ impl Aggregates {
     /// LS6: a row and all rows strongly coupled to it, where none of them is taken; a row that is left joins the one
     /// to whom it is coupled most. Strong is at least `share` of the row's largest coupling. Rows without couplings
     /// stay out.
-    pub fn find(&mut self, a: &Matrix, share: f64) {
+    pub fn find(&mut self, a: &impl MatrixRows, share: f64) {
         let (n, of) = (a.rows(), &mut self.of);
         of.clear();
         of.resize(n, NO_ROW);
@@ -42,17 +42,13 @@ impl Aggregates {
             if of[i] != NO_ROW {
                 continue;
             }
-            let run = a.starts[i]..a.starts[i + 1];
-            let (columns, values) = (&a.columns[run.clone()], &a.values[run]);
-            let strong = share * values.iter().fold(0.0, |least: f64, &v| if v < least { v } else { least });
-            if strong == 0.0 || columns.iter().zip(values).any(|(&j, &v)| v <= strong && of[j as usize] != NO_ROW) {
+            let strong = share * a.row(i).fold(0.0, |least: f64, (_, v)| if v < least { v } else { least });
+            if strong == 0.0 || a.row(i).any(|(j, v)| v <= strong && of[j] != NO_ROW) {
                 continue;
             }
             of[i] = count;
-            for (&j, &v) in columns.iter().zip(values) {
-                if v <= strong {
-                    of[j as usize] = count;
-                }
+            for (j, _) in a.row(i).filter(|&(_, v)| v <= strong) {
+                of[j] = count;
             }
             count += 1;
         }
@@ -61,7 +57,7 @@ impl Aggregates {
     }
 
     /// A row that is left joins the aggregate whose member it is coupled to most.
-    fn join(&mut self, a: &Matrix, count: u32) {
+    fn join(&mut self, a: &impl MatrixRows, count: u32) {
         /// Marks a row that has joined in this pass, so that chains do not form.
         const JOINED: u32 = 1 << 31;
         for i in 0..a.rows() {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::hierarchy::{Hierarchy, Preconditioner};
-use crate::projection::linear_solver::matrix::{Matrix, RankOne};
+use crate::projection::linear_solver::matrix::{MatrixRows, RankOne};
 use crate::projection::linear_solver::null_space::NullSpace;
 use crate::projection::linear_solver::woodbury::Bodies;
 
@@ -96,7 +96,7 @@ impl PressureSolver {
 
     /// Set up for a new matrix; positions [m] and smoothing lengths [m] of its rows tell whether the last one's
     /// hierarchy still serves (LS9).
-    pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
+    pub fn prepare(&mut self, a: &impl MatrixRows, x: &[f64], y: &[f64], h: &[f64]) {
         let n = a.rows();
         let PressureSolver { inverse, residual, preconditioned, direction, image, guess, weight, .. } = self;
         let arrays = [inverse, residual, preconditioned, direction, image, guess, weight];
@@ -122,7 +122,7 @@ impl PressureSolver {
     /// and becomes the solution; the residual of row i is measured against `scale[i]` > 0. What floats gets the mean 0.
     pub fn solve(
         &mut self,
-        a: &Matrix,
+        a: &impl MatrixRows,
         ranks: &[RankOne],
         b: &[f64],
         scale: &[f64],
@@ -159,7 +159,7 @@ impl PressureSolver {
     /// with more iterations. What is left of the last attempt is what is reported, with the iterations of all.
     pub fn persist(
         &mut self,
-        a: &Matrix,
+        a: &impl MatrixRows,
         b: &[f64],
         scale: &[f64],
         constrained: &[bool],
@@ -183,7 +183,13 @@ impl PressureSolver {
         Err(failed)
     }
 
-    fn iterate(&mut self, a: &Matrix, given: &Given, x: &mut [f64], impatient: bool) -> Result<Solved, NotConverged> {
+    fn iterate(
+        &mut self,
+        a: &impl MatrixRows,
+        given: &Given,
+        x: &mut [f64],
+        impatient: bool,
+    ) -> Result<Solved, NotConverged> {
         let &Given { ranks, b, scale, constrained, stop } = given;
         self.null_space.find(&self.hierarchy.components, constrained, ranks);
         let PressureSolver {
@@ -201,10 +207,9 @@ impl PressureSolver {
         } = self;
         parallel::gather_into(weight, |i| 1.0 / scale[i]);
         let weight = &*weight;
-        parallel::gather_into(
-            inverse,
-            |i| if constrained[i] || a.diagonal[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal[i] },
-        );
+        parallel::gather_into(inverse, |i| {
+            if constrained[i] || a.diagonal()[i] <= 0.0 { 0.0 } else { 1.0 / a.diagonal()[i] }
+        });
         let inverse = &*inverse;
         parallel::update(x, |i, x| {
             if inverse[i] == 0.0 {
@@ -262,7 +267,7 @@ impl PressureSolver {
 }
 
 /// y ← (A + Σ c g gᵀ) x in rows with an `inverse`, 0 in the others; returns x·y.
-fn apply(a: &Matrix, ranks: &[RankOne], inverse: &[f64], x: &[f64], y: &mut [f64], sums: &mut [f64]) -> f64 {
+fn apply(a: &impl MatrixRows, ranks: &[RankOne], inverse: &[f64], x: &[f64], y: &mut [f64], sums: &mut [f64]) -> f64 {
     let mut energy = a.multiply(x, |i| inverse[i] != 0.0, y, sums);
     for rank in ranks {
         let along = rank.dot(x);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::parallel::{self, CHUNK};
 use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::matrix::{Matrix, MatrixRows};
 
 /// Row sums below this share of the diagonals behind them are zero but for rounding [-].
 const NO_EXCESS: f64 = 1e-10;
@@ -131,7 +131,7 @@ pub(crate) struct Collected {
 
 /// LS6: the matrix of piecewise constant pressures, couplings divided by `softening`.
 pub(crate) fn collapse(
-    a: &Matrix,
+    a: &impl MatrixRows,
     aggregates: &Aggregates,
     softening: f64,
     collected: &mut Vec<Collected>,
@@ -150,7 +150,7 @@ pub(crate) fn collapse(
             let (mut excess, mut own) = (0.0, 0.0);
             for &i in aggregates.of_aggregate(row) {
                 let i = i as usize;
-                own += a.diagonal[i];
+                own += a.diagonal()[i];
                 let mut tied = 0.0;
                 for (j, v) in a.row(i) {
                     let to = aggregates.of[j];
@@ -159,7 +159,7 @@ pub(crate) fn collapse(
                         sum.add(to, v);
                     }
                 }
-                excess += a.diagonal[i] + tied;
+                excess += a.diagonal()[i] + tied;
             }
             if excess < NO_EXCESS * own {
                 excess = 0.0;

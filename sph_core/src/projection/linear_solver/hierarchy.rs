@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::parallel::{self, CHUNK};
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::matrix::MatrixRows;
 use crate::projection::linear_solver::multigrid::Multigrid;
 use crate::projection::linear_solver::null_space::Components;
 
@@ -86,7 +86,7 @@ impl Hierarchy {
     }
 
     /// Keep what serves, else make it anew.
-    pub fn prepare(&mut self, a: &Matrix, x: &[f64], y: &[f64], h: &[f64]) {
+    pub fn prepare(&mut self, a: &impl MatrixRows, x: &[f64], y: &[f64], h: &[f64]) {
         self.now_at.clear();
         self.now_at.extend(x.iter().zip(y).map(|(&x, &y)| [x, y]));
         self.old = self.serves(h) && !self.components.changed(a);
@@ -118,7 +118,7 @@ impl Hierarchy {
     }
 
     /// Make it for this matrix.
-    pub fn renew(&mut self, a: &Matrix) {
+    pub fn renew(&mut self, a: &impl MatrixRows) {
         match self.kind {
             Preconditioner::Diagonal => self.components.find(a, None),
             Preconditioner::Aggregates => {

@@ -2,6 +2,7 @@
 
 mod aggregates;
 pub mod cg;
+pub(crate) mod cluster_matrix;
 mod coarse;
 mod hierarchy;
 pub mod matrix;
@@ -13,4 +14,4 @@ mod woodbury;
 
 pub use cg::{NotConverged, PressureSolver, Solved, Stop};
 pub use hierarchy::Preconditioner;
-pub use matrix::{Matrix, RankOne};
+pub use matrix::{Matrix, MatrixRows, RankOne};

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::parallel;
 use crate::projection::linear_solver::aggregates::{Aggregates, NO_ROW};
 use crate::projection::linear_solver::coarse::{Collected, RowSum, Sparse, collapse, smoothed, triple};
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::matrix::{Matrix, MatrixRows};
 use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Conj, Mat, MatMut, Side};
 
@@ -70,7 +70,7 @@ pub(crate) struct Multigrid {
 
 impl Multigrid {
     /// Aggregates and matrices of every level.
-    pub fn set_up(&mut self, a: &Matrix) {
+    pub fn set_up(&mut self, a: &impl MatrixRows) {
         let Multigrid { aggregates, levels, depth, collected, sum, ap, .. } = self;
         aggregates.find(a, STRONG);
         if levels.is_empty() {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::projection::linear_solver::aggregates::NO_ROW;
-use crate::projection::linear_solver::matrix::{Matrix, RankOne};
+use crate::projection::linear_solver::matrix::{MatrixRows, RankOne};
 
 /// Shares of a body's g below this, against its length, do not fix a level [-].
 const NO_SHARE: f64 = 1e-8;
@@ -22,7 +22,7 @@ pub(crate) struct Components {
 
 impl Components {
     /// Flood a matrix, of the rows themselves or of aggregates that are connected within.
-    pub fn find(&mut self, a: &Matrix, aggregates: Option<&[u32]>) {
+    pub fn find(&mut self, a: &impl MatrixRows, aggregates: Option<&[u32]>) {
         let Components { node: of, floating, pending, .. } = self;
         of.clear();
         of.resize(a.rows(), NO_ROW);
@@ -32,7 +32,7 @@ impl Components {
                 continue;
             }
             let name = floating.len() as u32;
-            floating.push(aggregates.is_some() || a.diagonal[seed] > 0.0); // a pocket may be one aggregate, without diagonal
+            floating.push(aggregates.is_some() || a.diagonal()[seed] > 0.0); // a pocket may be one aggregate, without diagonal
             of[seed] = name;
             pending.push(seed as u32);
             while let Some(i) = pending.pop() {
@@ -75,7 +75,7 @@ impl Components {
 impl Components {
     /// Whether something that floated has, in this matrix, an excess or a coupling to another part: then it no longer
     /// does.
-    pub fn changed(&self, a: &Matrix) -> bool {
+    pub fn changed(&self, a: &impl MatrixRows) -> bool {
         let floats = |i: usize| self.floating[self.of[i] as usize];
         let differs = |i: usize| a.has_excess(i) || a.row(i).any(|(j, v)| v != 0.0 && self.of[j] != self.of[i]);
         (0..self.of.len()).any(|i| floats(i) && differs(i))

@@ -14,7 +14,7 @@ use crate::walls::interface::{InterfaceResidual, WallInterface};
 use crate::walls::{WallForces, Walls};
 
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
-use crate::projection::linear_solver::matrix::Matrix;
+use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
 use subspace::Subspace;
 
 /// Up to so many unknowns each gets its own response; more are searched along residuals (CO22).
@@ -38,7 +38,7 @@ pub struct Bodies {
 /// The pressure equation, as it stands.
 pub(crate) struct Equation<'a> {
     pub solver: &'a mut PressureSolver,
-    pub matrix: &'a Matrix,
+    pub matrix: ClusterMatrix<'a>,
     pub constrained: &'a [bool],
     pub stop: Stop,
     /// Its right side; what accelerations add is put there.
