@@ -112,9 +112,9 @@ fn the_work_of_a_run_is_what_it_was() {
         (name, [system.fluid.particles().len(), system.walls.len()], search.rebuilds, pairs)
     });
     let frozen = [
-        ("wedge_constant", [1264, 505], 7, [38602, 661]),
-        ("dam_break", [288, 426], 9, [7708, 922]),
-        ("floating_box", [1072, 423], 7, [31698, 2576]),
+        ("wedge_constant", [1264, 505], 12, [34616, 588]),
+        ("dam_break", [288, 426], 12, [7024, 805]),
+        ("floating_box", [1072, 423], 10, [27212, 2083]),
     ];
     assert_eq!(work, frozen);
 }

@@ -5,7 +5,9 @@ mod entries;
 mod expected;
 mod image_search;
 pub mod images;
+mod levels;
 pub mod lists;
+mod point;
 pub(crate) mod skin;
 mod sorting;
 

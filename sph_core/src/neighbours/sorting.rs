@@ -2,7 +2,7 @@
 //! its points from the pieces in order and sorts them by cell. What is written lies in one piece or in one band.
 
 use crate::memory::of_vector;
-use crate::neighbours::cells::Point;
+use crate::neighbours::point::Point;
 use crate::parallel;
 
 /// Points per piece.
