@@ -7,6 +7,9 @@ use crate::projection::linear_solver::matrix::MatrixRows;
 use crate::projection::operators::Operators;
 use crate::projection::pair_clusters::{ChunkPairs, Links};
 
+/// Sums that a product is added up in, in turn, so that no addition waits for the one before it.
+const TURNS: usize = 4;
+
 /// What of the matrix is not in the operators; kept for its memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ClusterRows {
@@ -104,7 +107,6 @@ impl Task for Product<'_> {
             for lane in (0..LANES).step_by(R::WIDTH) {
                 let of =
                     |links: &Links, j: u32, sum: R| zero.widened(&links[lane..]).mul_add(zero.of(x[j as usize]), sum);
-                // sums in turn, so that no addition waits for the one before it
                 let mut sum = [zero; TURNS];
                 let (near, last) = near.as_chunks::<TURNS>();
                 let (links, last_links) = links.as_chunks::<TURNS>();
@@ -120,5 +122,3 @@ impl Task for Product<'_> {
         }
     }
 }
-
-const TURNS: usize = 4;
