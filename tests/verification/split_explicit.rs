@@ -12,7 +12,11 @@ const CELLS: usize = 32;
 fn vortices(acoustic_steps: u32) -> Fluid {
     let (dx, cell) = (1.0 / CELLS as f64, Some([0.0, 1.0]));
     let domain = Domain { periodic: Some(Periodic { x: cell, y: cell }), ..Domain::default() };
-    let settings = wcsph::Settings { sound_speed: 20.0.into(), acoustic_steps: acoustic_steps.into(), ..wcsph::Settings::default() };
+    let settings = wcsph::Settings {
+        sound_speed: 20.0.into(),
+        acoustic_steps: acoustic_steps.into(),
+        ..wcsph::Settings::default()
+    };
     let seed = |k: usize| {
         let [x, y] = [k % CELLS, k / CELLS].map(|i| (i as f64 + 0.5) * dx);
         let velocity = [-(TAU * x).cos() * (TAU * y).sin(), 0.5 + (TAU * x).sin() * (TAU * y).cos()];

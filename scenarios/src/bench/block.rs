@@ -84,7 +84,11 @@ fn vortices(particles: usize, path: &PairPath) -> Result<Fluid, BenchError> {
     let cells = (particles as f64).sqrt().round() as usize;
     let (dx, cell) = (1.0 / cells as f64, Some([0.0, 1.0]));
     let domain = Domain { periodic: Some(Periodic { x: cell, y: cell }), simd, ..Domain::default() };
-    let settings = wcsph::Settings { sound_speed: SOUND.into(), acoustic_steps: acoustic_steps.into(), ..wcsph::Settings::default() };
+    let settings = wcsph::Settings {
+        sound_speed: SOUND.into(),
+        acoustic_steps: acoustic_steps.into(),
+        ..wcsph::Settings::default()
+    };
     let mut dice = Dice(1);
     let seed = |k: usize| {
         let centre = |i: usize, throw: f64| (i as f64 + 0.5 + JITTER * throw) * dx;

@@ -58,7 +58,8 @@ pub(super) fn complete(
     draft.fill("fluid.cfl", Settings { scheme, options }.courant_number());
     let viscous = options.turbulence != Turbulence::Sps || water.kinematic_viscosity != 0.0;
     require(viscous, "fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0")?;
-    let acoustic_steps = draft.fill("fluid.acoustic_steps", if options.is_neutral() { scheme.acoustic_steps() } else { 1 });
+    let acoustic_steps =
+        draft.fill("fluid.acoustic_steps", if options.is_neutral() { scheme.acoustic_steps() } else { 1 });
     require(
         acoustic_steps == 1 || options.is_neutral(),
         "fluid.acoustic_steps",

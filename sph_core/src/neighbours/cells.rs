@@ -98,7 +98,7 @@ impl Cells {
     pub fn any_meets(&self, at: &Point) -> bool {
         self.levels.iter().any(|level| {
             let cut = at.farthest() + level.widest;
-            let rows = level.span(1, at.y, at.y, cut);
+            let rows = level.span(0, at.x, at.x, cut).and_then(|_| level.span(1, at.y, at.y, cut));
             rows.is_some_and(|[r0, r1]| {
                 let meets = |row| {
                     let run = level.run_within(&self.start, row, [at.x; 2], [at.y; 2], cut);

@@ -28,6 +28,30 @@ pub(crate) trait Splat {
     fn mask<R: SimdReal>(over: Self::Over<R>, bits: u32) -> Self::Over<R>;
 }
 
+/// What [`Lists::around`] gives: to be inlined as a whole, so that it is compiled for the processor found.
+pub(crate) struct Around<'a, R, T> {
+    entries: std::slice::Iter<'a, Entry>,
+    rows: &'a [T],
+    lane: u32,
+    masked: bool,
+    zero: R,
+}
+
+impl<R: SimdReal, T: Splat> Iterator for Around<'_, R, T> {
+    type Item = T::Over<R>;
+    #[inline(always)]
+    fn next(&mut self) -> Option<T::Over<R>> {
+        loop {
+            let entry = self.entries.next()?;
+            let bits = entry.bits() >> self.lane;
+            if R::WIDTH > 1 || bits & 1 == 1 {
+                let row = self.rows[entry.index() as usize].splat(self.zero);
+                return Some(if self.masked { T::mask(row, bits) } else { row });
+            }
+        }
+    }
+}
+
 /// Neighbours of many targets; stored by chunk so that chunks are filled independently.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Lists {
@@ -118,13 +142,8 @@ impl Lists {
         first: usize,
         zero: R,
         rows: &'a [T],
-    ) -> impl Iterator<Item = T::Over<R>> {
-        let lane = (first % LANES) as u32;
-        let meets = move |e: &&Entry| R::WIDTH > 1 || e.bits() >> lane & 1 == 1;
-        self.cluster(first).iter().filter(meets).map(move |e| {
-            let row = rows[e.index() as usize].splat(zero);
-            if self.masked { T::mask(row, e.bits() >> lane) } else { row }
-        })
+    ) -> Around<'a, R, T> {
+        Around { entries: self.cluster(first).iter(), rows, lane: (first % LANES) as u32, masked: self.masked, zero }
     }
 
     /// The same of targets that are [`Lists::alike`]: side by side, and no pair is masked.
@@ -134,8 +153,8 @@ impl Lists {
         first: usize,
         zero: R,
         rows: &'a [T],
-    ) -> impl Iterator<Item = T::Over<R>> {
-        self.cluster(first).iter().map(move |e| rows[e.index() as usize].splat(zero))
+    ) -> Around<'a, R, T> {
+        Around { entries: self.cluster(first).iter(), rows, lane: 0, masked: false, zero }
     }
 
     /// `any[k]` ← whether target k meets a point that is `marked`. Targets that are points too meet themselves.

@@ -76,7 +76,7 @@ impl Particles {
             v: each(|seed| seed.velocity[1]),
             mass: rho.iter().zip(seeds).map(|(rho, seed)| rho * seed.area).collect(),
             rho,
-            h: seeds.iter().map(|seed| ratio * seed.area.sqrt()).collect(),
+            h: seeds.iter().map(|seed| smoothing_length(ratio * ratio * seed.area)).collect(),
             ax: vec![0.0; seeds.len()],
             ay: vec![0.0; seeds.len()],
             id: (0..seeds.len() as u32).collect(),
@@ -170,6 +170,13 @@ fn permute<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32], s
     spare.resize(order.len(), T::default());
     parallel::gather_into(spare, |k| array[order[k] as usize]);
     std::mem::swap(array, spare);
+}
+
+/// √h² [m], without the last digits of h²: particles of one size have one smoothing length, whatever rounding their areas have. Halves
+/// of h² stay alike.
+pub(crate) fn smoothing_length(squared: f64) -> f64 {
+    const LAST_DIGITS: u64 = 1 << 20;
+    f64::from_bits((squared.to_bits() + LAST_DIGITS / 2) & !(LAST_DIGITS - 1)).sqrt()
 }
 
 /// Smallest and largest of some numbers.

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::neighbours::Neighbours;
-use crate::particles::{Fields, Particles};
+use crate::parallel;
+use crate::particles::{Fields, Particles, smoothing_length};
 use crate::walls::midline::bounds;
 
 /// Where water is to be resolved: finely in a rectangle below the still surface y = 0 and in a layer beside a body, by
@@ -47,7 +48,8 @@ fn from([a, b]: &[[f64; 2]; 2], [x, y]: [f64; 2]) -> f64 {
     let (along, to) = ([b[0] - a[0], b[1] - a[1]], [x - a[0], y - a[1]]);
     let length2 = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
     let share = ((to[0] * along[0] + to[1] * along[1]) / length2).clamp(0.0, 1.0);
-    (to[0] - share * along[0]).hypot(to[1] - share * along[1])
+    let apart = [to[0] - share * along[0], to[1] - share * along[1]];
+    (apart[0] * apart[0] + apart[1] * apart[1]).sqrt()
 }
 
 /// The smallest upright rectangle around edges: most particles are far from all of them.
@@ -89,18 +91,19 @@ pub fn refine(
     let (wholes, bounds) = (p.len(), Bounds::of(&zone.edges));
     p.refinement_level.resize(wholes, 0);
     p.newly_split.resize(wholes, false);
-    for k in 0..wholes {
-        let spacing = (p.mass[k] / rho0).sqrt();
-        let reach = zone.distance_of(spacing / COARSE);
-        let free = fields.moments[k].wall_kernel_sum < BESIDE_WALL;
-        if reach > 0.0 && free && zone.is_within([p.x[k], p.y[k]], reach, &bounds) {
-            for j in neighbours.fluid.of(k) {
-                p.newly_split[neighbours.source(j, wholes)] = true;
-            }
-            p.newly_split[k] = true;
-            p.split(k, spacing, gravity, c0);
-            fields.split(k, [k, p.len() - 1].map(|half| pressure(p.rho[half])));
+    let spacing = |p: &Particles, k: usize| (p.mass[k] / rho0).sqrt();
+    let is_coarse = |k: &usize| {
+        let reach = zone.distance_of(spacing(p, *k) / COARSE);
+        let free = fields.moments[*k].wall_kernel_sum < BESIDE_WALL;
+        reach > 0.0 && free && zone.is_within([p.x[*k], p.y[*k]], reach, &bounds)
+    };
+    for k in parallel::by_chunk(wholes, |targets| targets.filter(is_coarse).collect::<Vec<usize>>()).concat() {
+        for j in neighbours.fluid.of(k) {
+            p.newly_split[neighbours.source(j, wholes)] = true;
         }
+        p.newly_split[k] = true;
+        p.split(k, spacing(p, k), gravity, c0);
+        fields.split(k, [k, p.len() - 1].map(|half| pressure(p.rho[half])));
     }
 }
 
@@ -112,7 +115,7 @@ impl Particles {
         let upright = self.refinement_level[k].is_multiple_of(2);
         let arm = if upright { [0.5f64.sqrt(), 0.5f64.sqrt()] } else { [1.0, 0.0] }.map(|e| ARM * spacing * e);
         self.mass[k] *= 0.5;
-        self.h[k] *= 0.5f64.sqrt();
+        self.h[k] = smoothing_length(0.5 * self.h[k] * self.h[k]);
         self.refinement_level[k] += 1;
         let id = self.len() as u32;
         let Particles { x, y, u, v, rho, mass, h, ax, ay, id: ids, energy, refinement_level, newly_split } = self;

@@ -8,7 +8,7 @@ use crate::wcsph::Settings;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
-/// Largest shares of h² ∇C by which particles are shifted in an advective step, in turn [-] (WC27). The larger overshoots alone; after
+/// Largest shares of h² ∇C by which particles are shifted in an advective step, in turn [-] (WC26). The larger overshoots alone; after
 /// the smaller, which damps what it overshoots, the two do as much as many small ones.
 const GAINS: [f64; 2] = [0.45, 1.4];
 /// Before time starts, particles are shifted until no shift exceeds this [h].
@@ -23,9 +23,10 @@ pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64
     shift(system, settings.shifting_at_surface, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
 }
 
-/// WC27: the shift for an advective step of `dt` [s] and `steps` acoustic steps; `large`: with the larger gain.
+/// WC26: the shift for an advective step of `dt` [s] and `steps` acoustic steps; `large`: with the larger gain.
 pub(crate) fn even_out_advective(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64, large: bool) {
-    let (share, at_surface) = (Share { settling: steps * settings.settling, dt, all: false }, settings.shifting_at_surface);
+    let (share, at_surface) =
+        (Share { settling: steps * settings.settling, dt, all: false }, settings.shifting_at_surface);
     let of = |p: &Particles, fields: &Fields, k: usize| {
         let (wanted, small) = (share.of(p, fields, k), GAINS[0] * p.h[k]);
         if large { (2.0 * wanted - small).clamp(small.min(wanted), GAINS[1] * p.h[k]) } else { wanted.min(small) }

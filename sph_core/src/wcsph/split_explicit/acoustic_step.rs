@@ -24,9 +24,8 @@ pub(super) fn kick(system: &mut ParticleSystem, rows: &mut [Row], dt: f64) {
     });
 }
 
-/// dρ/dt of the densities of the particles, with the geometry held (WC23, WC24).
-#[derive(Clone, Copy)]
-pub(super) struct DensityRates<'a> {
+/// ρ' = ρ (2 + ε)/(2 − ε) with ε = δt (dρ/dt)/ρ, then p' = p(ρ') and x' = x + δt v½.
+pub(super) struct Densities<'a, S> {
     pub pairs: &'a HeldPairs,
     pub walls: &'a HeldWalls,
     pub rows: &'a [Row],
@@ -34,53 +33,6 @@ pub(super) struct DensityRates<'a> {
     pub closing: &'a [f64],
     /// Factor of the diffusion's sum [s/m].
     pub diffusion: f64,
-}
-
-impl DensityRates<'_> {
-    /// Of all densities `rho` [kg/(m³ s)].
-    pub fn evaluate(&self, rho: &[f64], simd: bool) -> Vec<f64> {
-        let mut rates = vec![0.0; rho.len()];
-        let pieces = rates.chunks_mut(CHUNK).zip(rho.chunks(CHUNK)).collect();
-        parallel::each_piece(pieces, |c, (rates, rho)| simd::run(simd, RatesOf { all: self, c, rho, rates }));
-        rates
-    }
-
-    /// Of the targets of chunk `c`.
-    #[inline(always)]
-    fn of_chunk<R: SimdReal>(&self, zero: R, c: usize, rho: &[f64]) -> [f64; CHUNK] {
-        let DensityRates { pairs, walls, rows, closing, diffusion } = *self;
-        let (first, count) = (c * CHUNK, rho.len());
-        let mut rate = pairs.density_rate(zero, c, rows, rho, diffusion);
-        for (row, k) in walls.near(first..first + count) {
-            rate[k - first] += rho[k - first] * closing[row];
-        }
-        rate
-    }
-}
-
-struct RatesOf<'a> {
-    all: &'a DensityRates<'a>,
-    c: usize,
-    rho: &'a [f64],
-    rates: &'a mut [f64],
-}
-
-impl Task for RatesOf<'_> {
-    type Out = ();
-    #[inline(always)]
-    fn run<R: SimdReal>(self, zero: R) {
-        let RatesOf { all, c, rho, rates } = self;
-        rates.copy_from_slice(&all.of_chunk(zero, c, rho)[..rho.len()]);
-    }
-}
-
-/// ρ' = ρ (2 + ε)/(2 − ε) with ε = δt (dρ/dt + s J)/ρ, then p' = p(ρ') and x' = x + δt v½.
-pub(super) struct Densities<'a, S> {
-    pub rates: DensityRates<'a>,
-    /// J [kg/(m³ s)] (WC26).
-    pub drift: &'a [f64],
-    /// s [-] (WC26).
-    pub phase: f64,
     pub dt: f64,
     /// Density that particle k may have, and its pressure [Pa], of a density.
     pub state: S,
@@ -110,17 +62,19 @@ impl<S: Fn(usize, f64) -> [f64; 2]> Task for DensitiesOf<'_, S> {
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
         let DensitiesOf { all, c, rho, pressure: [pressure, shown], place: [x, y] } = self;
-        let Densities { rates, drift, phase, dt, ref state } = *all;
+        let Densities { pairs, walls, rows, closing, diffusion, dt, ref state } = *all;
         let (first, count) = (c * CHUNK, rho.len());
-        let rate = rates.of_chunk(zero, c, rho);
-        let (drift, rows) = (&drift[first..first + count], &rates.rows[first..first + count]);
+        let mut rate = pairs.density_rate(zero, c, rows, rho, diffusion);
+        for (row, k) in walls.near(first..first + count) {
+            rate[k - first] += rho[k - first] * closing[row];
+        }
         for k in 0..count {
-            let (twice, change) = (2.0 * rho[k], dt * (rate[k] + phase * drift[k]));
+            let (twice, change) = (2.0 * rho[k], dt * rate[k]);
             let advanced = rho[k] * ((twice + change) / (twice - change));
             [rho[k], pressure[k]] = state(first + k, advanced);
             shown[k] = pressure[k];
-            x[k] += dt * rows[k].u;
-            y[k] += dt * rows[k].v;
+            x[k] += dt * rows[first + k].u;
+            y[k] += dt * rows[first + k].v;
         }
     }
 }

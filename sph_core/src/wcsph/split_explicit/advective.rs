@@ -31,11 +31,6 @@ impl AdvectiveStep {
         self.length
     }
 
-    /// Where an acoustic step of `dt` [s] that begins now has its middle, from −½ at its start to ½ at its end [-].
-    pub fn phase(self, dt: f64) -> f64 {
-        (self.elapsed + 0.5 * dt) / self.length - 0.5
-    }
-
     /// True if an acoustic step of `dt` [s] does not belong to it any more, for the most part.
     pub fn is_over(self, dt: f64) -> bool {
         self.elapsed + 0.5 * dt > self.length
@@ -51,8 +46,4 @@ impl AdvectiveStep {
 /// The longest advective step [s] at a largest |v_a − v_b|/h of `strain` [1/s] and a largest √(p/ρ)/Δx of `squeeze` [1/s].
 pub(super) fn longest(strain: f64, squeeze: f64) -> f64 {
     (STRAIN / strain).min(SQUEEZE / squeeze)
-}
-
-pub fn knob(name: &str, usual: f64) -> f64 {
-    std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(usual)
 }

@@ -90,7 +90,7 @@ impl HeldPairs {
         for (b, (rate, rho)) in rate.chunks_mut(BLOCK).zip(rho.chunks(BLOCK)).enumerate() {
             let (mut along_x, mut along_y, mut smoothed) = ([zero; BLOCK], [zero; BLOCK], [zero; BLOCK]);
             for (j, [gx, gy], d) in self.chunks[c].of::<STORED>(b) {
-                let [u, v, p] = [rows[j].u, rows[j].v, rows[j].p].map(|x| zero.of(x));
+                let (u, v, p) = (zero.of(rows[j].u), zero.of(rows[j].v), zero.of(rows[j].p));
                 for l in 0..BLOCK / R::WIDTH {
                     let at = l * R::WIDTH;
                     along_x[l] = lanes(zero, gx, at).mul_add(u, along_x[l]);
@@ -230,7 +230,7 @@ impl Task for Strain<'_> {
                 for (j, gradient, _) in chunk.of::<false>(b) {
                     let (du, dv) = (ua - zero.of(rows[j].u), va - zero.of(rows[j].v));
                     let apart = du.mul_add(du, dv * dv);
-                    let [x, y] = gradient.each_ref().map(|of| lanes(zero, of, l));
+                    let (x, y) = (lanes(zero, &gradient[0], l), lanes(zero, &gradient[1], l));
                     most = most.max((zero - x * x - y * y).below(zero, apart, zero)); // of neighbours only
                 }
                 let most = (most * per_h * per_h).lanes();

@@ -108,6 +108,17 @@ impl HeldWalls {
         closing
     }
 
+    /// Largest |(v_a − v_w)·n_w|/h_a of a pair [1/s]: what slides along a wall keeps its geometry.
+    pub fn strain(&self, rows: &[Row], h: &[f64], walls: &Walls) -> f64 {
+        -parallel::least(self.near.len(), |row| {
+            let k = self.near[row] as usize;
+            let across = |w: usize| (rows[k].u - walls.u[w]) * walls.nx[w] + (rows[k].v - walls.v[w]) * walls.ny[w];
+            let most = self.beside_fluid.of(row).iter().map(|w| across(w.wall as usize).abs()).fold(0.0, f64::max);
+            -most / h[k]
+        })
+        .min(0.0)
+    }
+
     /// WA3: the pressure of wall particle `w` [Pa], whose acceleration is given.
     pub fn pressure(&self, w: usize, p: &[f64], field: [f64; 2], rho0: f64) -> f64 {
         let from_fluid: f64 = self.beside_wall.of(w).iter().map(|b| b.share * p[b.fluid as usize]).sum();

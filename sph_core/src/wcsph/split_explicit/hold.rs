@@ -42,7 +42,7 @@ impl WithPairs for Hold<'_> {
         let pieces: Vec<_> = chunks.iter_mut().zip(own.chunks_mut(CHUNK)).collect();
         parallel::each_piece(pieces, |c, (held, own)| {
             let (first, pairs) = (c * CHUNK, PhantomData);
-            let candidates = Candidates::of(lists, first, own.len());
+            let candidates = Candidates::of(lists, first, own.len(), |k| fluid[k].h);
             simd::run(simd, HoldChunk::<K, D> { fluid, constants, first, candidates, held, own, pairs });
         });
     }
@@ -53,12 +53,14 @@ struct Candidates {
     start: Vec<u32>,
     /// Index, and a bit for each target that may meet it.
     found: Vec<(u32, u8)>,
+    /// True for a block in which all that meet have one smoothing length.
+    alike: Vec<bool>,
 }
 
 impl Candidates {
-    /// Of the `count` targets from `first` on.
-    fn of(lists: &Lists, first: usize, count: usize) -> Candidates {
-        let (mut start, mut found) = (vec![0], Vec::new());
+    /// Of the `count` targets from `first` on, of smoothing length `h` [m].
+    fn of(lists: &Lists, first: usize, count: usize, h: impl Fn(usize) -> f64) -> Candidates {
+        let (mut start, mut found, mut alike) = (vec![0], Vec::new(), Vec::new());
         let mut seen = EntryIndex::default();
         for block in (first..first + count).step_by(BLOCK) {
             seen.clear();
@@ -77,8 +79,10 @@ impl Candidates {
                 *meets &= !(if own < BLOCK { 1_u8 << own } else { 0 }); // no target is its own neighbour
             }
             start.push(found.len() as u32);
+            let mut clusters = (block..(block + BLOCK).min(first + count)).step_by(LANES);
+            alike.push(h(block) == h((block + LANES).min(first + count - 1)) && clusters.all(|k| lists.alike(k)));
         }
-        Candidates { start, found }
+        Candidates { start, found, alike }
     }
 }
 
@@ -96,7 +100,7 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
     type Out = ();
     #[inline(always)]
     fn run<R: SimdReal>(self, zero: R) {
-        let HoldChunk { fluid, constants, first, candidates: Candidates { start, found }, held, own, .. } = self;
+        let HoldChunk { fluid, constants, first, candidates: Candidates { start, found, alike }, held, own, .. } = self;
         let weight = constants.gravity.map(|g| zero.of(constants.rho0 * g));
         held.clear(found.len(), !D::LENGTH_IS_DISTANCE);
         let mut kept = 0;
@@ -104,6 +108,10 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
             let targets: [PackedParticle<R>; BLOCK] = std::array::from_fn(|l| {
                 PackedParticle::targets(fluid, first + b * BLOCK + (l * R::WIDTH).min(BLOCK - R::WIDTH), zero)
             });
+            let mut uniform = [MeanScale.of::<K>(targets[0].h, targets[0].h); BLOCK];
+            for l in 0..BLOCK / R::WIDTH {
+                uniform[l] = MeanScale.of::<K>(targets[l].h, targets[l].h);
+            }
             let mut sums = [[zero; 4]; BLOCK];
             for &(j, meets) in &found[start[b] as usize..start[b + 1] as usize] {
                 let row = &fluid[j as usize];
@@ -112,9 +120,10 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
                 for l in 0..BLOCK / R::WIDTH {
                     let (a, lane) = (&targets[l], l * R::WIDTH);
                     let (dx, dy) = (a.x - zero.of(row.x), a.y - zero.of(row.y));
-                    let ab = PairGeometry::new::<K>(dx, dy, MeanScale.of::<K>(a.h, zero.of(row.h)));
+                    let size = if alike[b] { uniform[l] } else { MeanScale.of::<K>(a.h, zero.of(row.h)) };
+                    let ab = PairGeometry::new::<K>(dx, dy, size);
                     let flux = (a.volume * zero.of(row.volume) * ab.grad_factor).mask(u32::from(meets) >> lane);
-                    let [x, y] = [flux * dx, flux * dy].map(R::to_single);
+                    let (x, y) = ((flux * dx).to_single(), (flux * dy).to_single());
                     gradient[0].0[lane..lane + R::WIDTH].copy_from_slice(&x[..R::WIDTH]);
                     gradient[1].0[lane..lane + R::WIDTH].copy_from_slice(&y[..R::WIDTH]);
                     if !D::LENGTH_IS_DISTANCE {
@@ -127,7 +136,9 @@ impl<K: Shape, D: PairDissipation> Task for HoldChunk<'_, K, D> {
                     diffusion = by_distance(&gradient);
                 }
                 for l in 0..BLOCK / R::WIDTH {
-                    let [x, y, d] = [&gradient[0], &gradient[1], &diffusion].map(|of| lanes(zero, of, l * R::WIDTH));
+                    let lane = l * R::WIDTH;
+                    let (x, y) = (lanes(zero, &gradient[0], lane), lanes(zero, &gradient[1], lane));
+                    let d = lanes(zero, &diffusion, lane);
                     let hydrostatic = d * weight[0].mul_add(offsets[l][0], weight[1] * offsets[l][1]);
                     let [sx, sy, sd, sw] = sums[l];
                     sums[l] = [sx + x, sy + y, sd + d, sw + hydrostatic];

@@ -37,9 +37,8 @@ use super::shifting::even_out_advective;
 use super::step_limit::rebuild_lists;
 use super::{Settings, Wcsph};
 
-use acoustic_step::{Accelerations, Densities, DensityRates};
+use acoustic_step::{Accelerations, Densities};
 use advective::AdvectiveStep;
-pub(crate) use advective::knob;
 use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
 use hold::hold;
@@ -52,8 +51,6 @@ pub struct SplitExplicit {
     advective: AdvectiveStep,
     /// Shared with the states saved since it was held.
     held: Arc<HeldGeometry>,
-    /// WC26: change of dρ/dt with the geometry, from the advective step before to this one [kg/(m³ s)].
-    drift: Vec<f64>,
     /// What neighbours show, of particles and of their images.
     rows: Vec<Row>,
     /// Pressures of particles and images at the end of the acoustic step [Pa].
@@ -91,7 +88,6 @@ impl SplitExplicit {
             base: Wcsph::new(domain, settings),
             advective: AdvectiveStep::default(),
             held: Arc::default(),
-            drift: Vec::new(),
             rows: Vec::new(),
             pressure: Vec::new(),
         }
@@ -122,7 +118,6 @@ impl SplitExplicit {
     fn begin_advective_step(&mut self, flow: &mut Flow<'_>, dt: f64) {
         let settings = self.base.settings;
         let length = settings.advective_limit * self.longest_advective_step(flow);
-        let before = self.density_rates_by_identity(flow);
         if settings.shifting {
             let AdvectiveStep { elapsed, passed, even, .. } = self.advective;
             even_out_advective(flow.system, &settings, elapsed, f64::from(passed), even);
@@ -130,48 +125,6 @@ impl SplitExplicit {
         flow.system.fold(|_| {});
         self.advective = self.advective.next(dt, length, settings.acoustic_steps());
         self.hold_geometry(flow, 0.5 * self.advective.length(), dt);
-        self.note_drift(flow, &before);
-    }
-
-    /// dρ/dt [kg/(m³ s)] now with the geometry held, by the identity of the particle; nothing where none is held.
-    fn density_rates_by_identity(&mut self, flow: &mut Flow<'_>) -> Vec<f64> {
-        let n = flow.system.particles.len();
-        if self.held.pairs.own.len() != n {
-            return Vec::new();
-        }
-        let rates = self.density_rates(flow);
-        let mut by_identity = vec![0.0; n];
-        rates.into_iter().zip(&flow.system.particles.id).for_each(|(rate, &id)| by_identity[id as usize] = rate);
-        by_identity
-    }
-
-    /// WC26: what the new geometry changes in dρ/dt, now; nothing for particles that are new.
-    fn note_drift(&mut self, flow: &mut Flow<'_>, before: &[f64]) {
-        let mut rates = self.density_rates(flow);
-        for (rate, &id) in rates.iter_mut().zip(&flow.system.particles.id) {
-            *rate = before.get(id as usize).map_or(0.0, |before| *rate - before);
-        }
-        self.drift = rates;
-    }
-
-    /// WC3 + WC4 with the geometry held [kg/(m³ s)], now.
-    fn density_rates(&mut self, flow: &mut Flow<'_>) -> Vec<f64> {
-        self.kick(flow.system, 0.0);
-        flow.system.timers.begin(Phase::Density);
-        let closing = self.closing(flow);
-        let system = &*flow.system;
-        self.rates(system, &closing).evaluate(&system.particles.rho, system.domain.simd)
-    }
-
-    /// WA4: the walls' share of −∇·v [1/s] of the fluid beside them.
-    fn closing(&self, Flow { system, walls, .. }: &Flow<'_>) -> Vec<f64> {
-        self.held.walls.closing(&self.rows, walls, |w| system.wall_state[w].velocity)
-    }
-
-    fn rates<'a>(&'a self, system: &ParticleSystem, closing: &'a [f64]) -> DensityRates<'a> {
-        let HeldGeometry { pairs, walls, .. } = &*self.held;
-        let diffusion = diffusion_factor(self.base.settings.dissipation, &self.base.constants(system));
-        DensityRates { pairs, walls, rows: &self.rows, closing, diffusion }
     }
 
     /// WC25: the longest advective step [s] by strain and by background pressure.
@@ -180,7 +133,8 @@ impl SplitExplicit {
         if self.rows.len() < p.len() {
             return 0.0; // nothing is held yet
         }
-        let strain = self.held.pairs.strain(&self.rows, &p.h, domain.simd);
+        let HeldGeometry { pairs, walls, .. } = &*self.held;
+        let strain = pairs.strain(&self.rows, &p.h, domain.simd).max(walls.strain(&self.rows, &p.h, flow.walls));
         let squeeze = parallel::least(p.len(), |k| -fields.pressure[k].max(0.0) / (p.rho[k] * p.h[k] * p.h[k]));
         advective::longest(strain, (-squeeze).sqrt() * domain.fluid.smoothing_ratio)
     }
@@ -227,19 +181,21 @@ impl SplitExplicit {
 
     /// WC3 + WC4 with the geometry held, WC2, and x ← x + Δt v.
     fn advance_densities(&mut self, flow: &mut Flow<'_>, dt: f64) {
-        flow.system.timers.begin(Phase::Density);
-        let mut shown = std::mem::take(&mut self.pressure);
-        let (closing, system) = (self.closing(flow), &mut *flow.system);
-        let (own, of_images) = shown.split_at_mut(system.particles.len());
-        let (rates, law) = (self.rates(system, &closing), self.base.pressure_law());
+        let Flow { system, walls, .. } = flow;
+        system.timers.begin(Phase::Density);
+        let diffusion = diffusion_factor(self.base.settings.dissipation, &self.base.constants(system));
+        let HeldGeometry { pairs, walls: held_walls, .. } = &*self.held;
+        let (n, rows, wall_state) = (system.particles.len(), &self.rows, &system.wall_state);
+        let closing = held_walls.closing(rows, walls, |w| wall_state[w].velocity);
+        let (own, of_images) = self.pressure.split_at_mut(n);
         let Fields { moments, near_surface, pressure, .. } = &mut system.fields;
+        let law = self.base.pressure_law();
         let state = |k: usize, rho: f64| law.state(rho, &moments[k], near_surface[k]);
-        let densities = Densities { rates, drift: &self.drift, phase: self.advective.phase(dt) * super::split_explicit::knob("X_J", 1.0), dt, state };
+        let densities = Densities { pairs, walls: held_walls, rows, closing: &closing, diffusion, dt, state };
         densities.advance(&mut system.particles, pressure, own, system.domain.simd);
         for (p, &source) in of_images.iter_mut().zip(&system.neighbours.fluid_images) {
             *p = own[source as usize];
         }
-        self.pressure = shown;
     }
 
     /// WA3, WA6: pressures of the walls and forces on them, with the geometry held.
@@ -317,12 +273,12 @@ impl Scheme for SplitExplicit {
     }
 
     fn to_bytes(&self) -> Vec<u8> {
-        encode(&(&self.advective, &*self.held, &self.drift, &self.rows))
+        encode(&(&self.advective, &*self.held, &self.rows))
     }
 
     fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
-        let (advective, held, drift, rows) = decode("the split-explicit scheme", bytes)?;
-        (self.advective, self.held, self.drift, self.rows) = (advective, Arc::new(held), drift, rows);
+        let (advective, held, rows) = decode("the split-explicit scheme", bytes)?;
+        (self.advective, self.held, self.rows) = (advective, Arc::new(held), rows);
         Ok(())
     }
 
@@ -337,6 +293,6 @@ impl Scheme for SplitExplicit {
     fn bytes(&self) -> usize {
         let HeldGeometry { pairs, walls, viscous: [x, y], viscous_on_walls: [wx, wy] } = &*self.held;
         let vectors = [x, y, wx, wy].map(of_vector).iter().sum::<usize>();
-        self.base.bytes() + pairs.bytes() + walls.bytes() + vectors + of_vector(&self.rows) + of_vector(&self.pressure) + of_vector(&self.drift)
+        self.base.bytes() + pairs.bytes() + walls.bytes() + vectors + of_vector(&self.rows) + of_vector(&self.pressure)
     }
 }
