@@ -47,6 +47,11 @@ pub(crate) fn scheme(scheme: wcsph::Settings, options: &Options, depth: f64) -> 
     Box::new(Settings { scheme, options: Options { water_depth: depth, ..*options } })
 }
 
+/// True where the geometry of pairs may be held for several acoustic steps (THEORY WC22).
+pub(super) fn holds_geometry(options: &Options) -> bool {
+    options.is_neutral()
+}
+
 /// Fills in what the options imply, and refuses those that exclude each other; `sound` is the given speed of sound.
 pub(super) fn complete(
     draft: &mut Draft,
@@ -58,8 +63,7 @@ pub(super) fn complete(
     draft.fill("fluid.cfl", Settings { scheme, options }.courant_number());
     let viscous = options.turbulence != Turbulence::Sps || water.kinematic_viscosity != 0.0;
     require(viscous, "fluid.turbulence", "\"sps\"", "none, or a fluid.kinematic_viscosity above 0")?;
-    let acoustic_steps =
-        draft.fill("fluid.acoustic_steps", if options.is_neutral() { scheme.acoustic_steps() } else { 1 });
+    let acoustic_steps = draft.fill("fluid.acoustic_steps", 1_u32);
     require(
         acoustic_steps == 1 || options.is_neutral(),
         "fluid.acoustic_steps",

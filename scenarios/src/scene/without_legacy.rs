@@ -83,6 +83,11 @@ pub(super) fn complete(
     Ok(())
 }
 
+/// True: there are no options that it would not go with.
+pub(super) fn holds_geometry(_: &Options) -> bool {
+    true
+}
+
 pub(super) fn fill(_: &mut Draft, _thesis: bool) -> bool {
     false
 }

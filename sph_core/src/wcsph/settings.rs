@@ -12,8 +12,6 @@ use crate::wcsph::eos::Tait;
 const CFL: f64 = 0.6;
 /// The same with `wall_stretch`: two thirds of it keep forces steady (WA4).
 const CFL_WITH_WALL_STRETCH: f64 = 0.4;
-/// Acoustic steps per advective step by default (WC22) [-]: with 16 forces are noisier, with 8 they are those of 1.
-const ACOUSTIC_STEPS: u32 = 8;
 /// Speed of sound over the largest known speed of the flow, where the speed of sound is `"auto"` [-].
 const SOUND_RATIO: f64 = 10.0;
 
@@ -70,7 +68,7 @@ pub struct Settings {
     #[schemars(range(max = 0.0), extend("x-default" = "-density (V^2/2 + g L) for a free wedge from the air; else absent"))]
     pub cavitation_pressure: Option<f64>,
     /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
-    /// fast or the water is under pressure; 1 finds the geometry anew in each step. auto: 8, with options of 2010 1.
+    /// fast or the water is under pressure; 1 finds the geometry anew in each step. auto: 8 where a body enters the water, else 1.
     #[schemars(range(min = 1, max = 64), extend("x-ignored-elsewhere" = true))]
     pub acoustic_steps: Auto<u32>,
     /// Factor of the limits of an advective step (THEORY WC25), above 0 to 16 [-]. Beyond 1 forces are noisier and water under pressure
@@ -109,9 +107,9 @@ impl Settings {
         self.cfl.or(if self.wall_stretch { CFL_WITH_WALL_STRETCH } else { CFL })
     }
 
-    /// Acoustic steps for which the geometry of pairs may be held [-].
+    /// Acoustic steps for which the geometry of pairs may be held, 1 where a scene does not say [-].
     pub fn acoustic_steps(&self) -> u32 {
-        self.acoustic_steps.or(ACOUSTIC_STEPS)
+        self.acoustic_steps.or(1)
     }
 
     /// Speed of sound [m/s] where the largest known speed of the flow is `fastest` [m/s].
