@@ -10,7 +10,8 @@ use sph_core::{Breakdown, Seed, Walls};
 #[test]
 fn a_step_above_the_acoustic_limit_breaks_down() {
     let entry = |cfl: f64| {
-        let mut system = system("wedge_constant", &["resolution.spacing=0.1", "time.start=0"]);
+        let mut system =
+            system("wedge_constant", &["resolution.spacing=0.1", "time.start=0", "fluid.acoustic_steps=1"]);
         system.fluid.scheme_mut::<Wcsph>().expect("the default scheme").settings.cfl = cfl.into();
         system
     };

@@ -228,7 +228,7 @@ fn judged(series: &[[f64; 2]]) -> [f64; 2] {
 /// At constant velocity, in the water's own steps, a host's wedge is a prescribed one: particles agree to rounding.
 #[test]
 fn a_hosts_steady_wedge_is_a_prescribed_one() {
-    let system = wedge_of_the_scene(&["body.motion=constant_velocity"]);
+    let system = wedge_of_the_scene(&["body.motion=constant_velocity", "fluid.acoustic_steps=1"]);
     let [apart, force] = gaps_to_prescribed(system, spec(), 100);
     assert!(apart < 1e-10 && force < 1e-8);
 }
@@ -273,7 +273,8 @@ fn gaps_to_prescribed(mut system: Coupled, spec: FluidElementSpec, steps: usize)
 #[test]
 fn a_hosts_wedge_falls_like_the_scenes() {
     let end = 0.012;
-    let mut system = wedge_of_the_scene(&["body.free=[\"y\"]", "fluid.cavitation_pressure=-1e9"]);
+    let mut system =
+        wedge_of_the_scene(&["body.free=[\"y\"]", "fluid.cavitation_pressure=-1e9", "fluid.acoustic_steps=1"]);
     // the speed known beforehand is a projection's, of which the element makes no use
     let domain = Domain { fastest_speed: spec().domain().fastest_speed, ..*system.fluid.domain() };
     assert_eq!(domain, spec().domain(), "what a scene calls defaults are the element's");
@@ -283,7 +284,7 @@ fn a_hosts_wedge_falls_like_the_scenes() {
     assert_eq!(
         settings,
         // an element does not know the speed that bounds a scene's tension
-        wcsph::Settings { cfl, cavitation_pressure: Some(-1e9), ..own },
+        wcsph::Settings { cfl, acoustic_steps: 1.into(), cavitation_pressure: Some(-1e9), ..own },
         "what a scene calls defaults are the element's"
     );
     let (element, _) = element();

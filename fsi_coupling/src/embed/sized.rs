@@ -23,7 +23,7 @@ use crate::settings::Problem;
 
 /// Memory of an element that has taken its first step and saved: bytes for each particle of water, for each of the walls
 /// (measured by `tests/host_size.rs`).
-const BYTES: [u64; 2] = [385, 480];
+const BYTES: [u64; 2] = [520, 600];
 /// More particles than this are refused.
 const MOST_PARTICLES: f64 = 1e9;
 /// Fine zone, where the specification leaves it open: its half width over half the wet surface's breadth, its depth over

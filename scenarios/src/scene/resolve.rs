@@ -158,8 +158,9 @@ fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     -density * (0.5 * (body.velocity[0].powi(2) + entry.speed.powi(2)) + length * gx.hypot(gy))
 }
 
-/// Acoustic steps per advective step where a body enters the water (THEORY WC22) [-]: with 16 forces are noisier, with 8 they are those of 1.
-const ACOUSTIC_STEPS_OF_AN_ENTRY: u32 = 8;
+/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: with 16 forces are noisier, with 8 they are
+/// those of 1. Round and flat bottoms are wetted faster than geometry may be held.
+const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 8;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks.
@@ -199,8 +200,9 @@ fn resolve_fluid(
     }
     if solver == Solver::WeaklyCompressible {
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
-        if entry.is_some() && legacy::holds_geometry(&options) {
-            draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_AN_ENTRY);
+        let bends = body.is_some_and(Body::bends);
+        if keeled.is_some() && !bends && legacy::holds_geometry(&options) {
+            draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
     }

@@ -175,7 +175,7 @@ fn permute<T: Copy + Default + Send + Sync>(array: &mut Vec<T>, order: &[u32], s
 /// √h² [m], without the last digits of h²: particles of one size have one smoothing length, whatever rounding their areas have. Halves
 /// of h² stay alike.
 pub(crate) fn smoothing_length(squared: f64) -> f64 {
-    const LAST_DIGITS: u64 = 1 << 20;
+    const LAST_DIGITS: u64 = 1 << 12;
     f64::from_bits((squared.to_bits() + LAST_DIGITS / 2) & !(LAST_DIGITS - 1)).sqrt()
 }
 
