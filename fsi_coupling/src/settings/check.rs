@@ -141,7 +141,8 @@ impl Checker<'_> {
         match (inner.kind(), given) {
             (Some("number"), Value::Number(x))
                 if x.as_f64().is_some_and(|x| inner.allows_number(x) && node.allows_number(x)) => {}
-            (Some("integer"), Value::Number(x)) if is_whole(inner, x) => {}
+            (Some("integer"), Value::Number(x))
+                if is_whole(inner, x) && x.as_f64().is_some_and(|x| node.allows_number(x)) => {}
             (Some("boolean"), Value::Bool(_)) | (Some("string"), Value::String(_)) => {}
             (Some("array"), Value::Array(items)) => return self.list(inner, items, path).map(Some),
             (Some("object"), Value::Object(content)) => {

@@ -182,6 +182,7 @@ impl<'s> Node<'s> {
         let plain = match node.kind() {
             Some("number") if self.is_bounded() => self.number_range("number"),
             Some("number") => node.number_range("number"),
+            Some("integer") if word.is_some() && self.is_bounded() => self.number_range("whole number"),
             Some("integer") => node.whole_range(),
             Some("boolean") => "true or false".into(),
             Some("string") => "a string".into(),

@@ -69,7 +69,7 @@ pub struct Settings {
     pub cavitation_pressure: Option<f64>,
     /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
     /// fast or the water is under pressure; 1 finds the geometry anew in each step. auto: 8 where a rigid wedge enters the water, else 1.
-    #[schemars(range(min = 1, max = 64), extend("x-ignored-elsewhere" = true))]
+    #[schemars(extend("minimum" = 1, "maximum" = 64, "x-ignored-elsewhere" = true))]
     pub acoustic_steps: Auto<u32>,
     /// Factor of the limits of an advective step (THEORY WC25), above 0 to 16 [-]. Beyond 1 forces are noisier and water under pressure
     /// loses its order; to find out where. Without effect where fluid.acoustic_steps is 1.
