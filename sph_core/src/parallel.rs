@@ -44,7 +44,7 @@ pub fn by_chunk<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sy
     (0..n.div_ceil(CHUNK)).into_par_iter().map(|c| with_simd(|| of(c * CHUNK..((c + 1) * CHUNK).min(n)))).collect()
 }
 
-/// `of(targets)` for every [`PIECE`] of `n` targets, in order.
+/// `of(targets)` for every piece of `n` targets, in order.
 pub fn by_piece<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
     (0..n.div_ceil(PIECE)).into_par_iter().map(|c| with_simd(|| of(c * PIECE..((c + 1) * PIECE).min(n)))).collect()
 }
