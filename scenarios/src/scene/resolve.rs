@@ -4,7 +4,7 @@ use fsi_coupling::Shape;
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require};
-use sph_core::{Dissipation, FluidSettings, Solver};
+use sph_core::{Dissipation, FluidSettings, Kernel, Solver};
 
 use super::approach::{automatic_start, check_start};
 use super::auto::{auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed, hydrostatic_sound};
@@ -201,7 +201,8 @@ fn resolve_fluid(
     if solver == Solver::WeaklyCompressible {
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = body.is_some_and(Body::bends);
-        if keeled.is_some() && !bends && legacy::holds_geometry(&options) {
+        let settles = water.fluid.kernel == Kernel::WendlandC2;
+        if keeled.is_some() && !bends && settles && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
