@@ -8,9 +8,9 @@ use crate::scene::significant;
 /// How regularly the particles lie at the end of a run: particles that pair, or clump, are nearer than a spacing.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ParticleOrder {
-    /// Least distance between two particles, over the mean of their spacings [-].
+    /// Least distance of a particle to the nearest, over the mean of their spacings [-].
     pub nearest_least: f64,
-    /// Median over the particles of the distance to the nearest, over the same [-].
+    /// Median of the same [-].
     pub nearest_median: f64,
 }
 
@@ -40,20 +40,23 @@ pub(super) fn particle_order(particles: &Particles) -> Option<ParticleOrder> {
     let mut along: Vec<usize> = (0..p.len()).collect();
     along.sort_by(|&a, &b| p.x[a].total_cmp(&p.x[b]).then(p.id[a].cmp(&p.id[b])));
     let spacing = |k: usize| (p.mass[k] / p.rho[k]).sqrt();
-    let gap = |a: usize, b: usize| {
-        let distance = (p.x[a] - p.x[b]).hypot(p.y[a] - p.y[b]);
-        distance / (0.5 * (spacing(a) + spacing(b)))
+    let gap_to_nearest = |place: usize| {
+        let (a, mut nearest) = (along[place], (f64::INFINITY, 0));
+        for side in
+            [&mut along[..place].iter().rev() as &mut dyn Iterator<Item = &usize>, &mut along[place + 1..].iter()]
+        {
+            for &b in side {
+                let (dx, dy) = (p.x[a] - p.x[b], p.y[a] - p.y[b]);
+                if dx * dx > nearest.0 {
+                    break; // and so are all beyond
+                }
+                let distance2 = dx * dx + dy * dy;
+                nearest = if distance2 < nearest.0 { (distance2, b) } else { nearest };
+            }
+        }
+        nearest.0.sqrt() / (0.5 * (spacing(a) + spacing(nearest.1)))
     };
-    // nearer particles than the coarsest spacing lie in a strip of this half width
-    let reach = 2.0 * (0..p.len()).map(spacing).fold(0.0, f64::max);
-    let nearest = |place: usize| {
-        let a = along[place];
-        let beside = |other: &&usize| (p.x[**other] - p.x[a]).abs() <= reach;
-        let before = along[..place].iter().rev().take_while(beside);
-        let after = along[place + 1..].iter().take_while(beside);
-        before.chain(after).map(|&b| gap(a, b)).fold(f64::INFINITY, f64::min)
-    };
-    let mut gaps: Vec<f64> = (0..p.len()).map(nearest).collect();
+    let mut gaps: Vec<f64> = (0..p.len()).map(gap_to_nearest).collect();
     gaps.sort_by(f64::total_cmp);
     Some(ParticleOrder { nearest_least: gaps[0], nearest_median: gaps[gaps.len() / 2] })
 }

@@ -36,7 +36,7 @@ impl Planes {
             for p in &points[targets] {
                 let mut keep =
                     |point: Point, shift: [f64; 2]| found.extend(needed(&point).then_some(Image { point, shift }));
-                if let Some(mirror) = self.mirror.filter(|mirror| p.x - mirror.at < 2.0 * farthest) {
+                if let Some(mirror) = self.mirror.filter(|mirror| p.x - mirror.at < 2.0 * p.farthest() + farthest) {
                     keep(Point { x: mirror.reflect(p.x), travel: [-p.travel[0], p.travel[1]], ..*p }, [0.0; 2]);
                 }
                 if self.periodic.is_some_and(|periodic| periodic.is_beside([p.x, p.y], 2.0 * farthest)) {

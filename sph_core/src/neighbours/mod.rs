@@ -204,7 +204,8 @@ impl Neighbours {
         }
         let farthest = [&*fluid, &*wall, mirror_points].map(Cells::farthest).into_iter().fold(0.0, f64::max);
         let of_fluid = planes.images(fluid.points(), farthest, |p| {
-            fluid.any_meets(p) || wall.any_meets(p) || mirror_points.any_meets(p)
+            let source = &fluid.points()[p.index as usize];
+            source.meets(p) || fluid.any_meets(p) || wall.any_meets(p) || mirror_points.any_meets(p)
         });
         let of_wall = planes.images(wall.points(), farthest, |p| fluid.any_meets(p));
         planes.append(&of_fluid, fluid, fluid_images, fluid_shifts);

@@ -1,6 +1,5 @@
 //! Particle shifting (THEORY WC10).
 
-use crate::interactions::kernel::Kernel;
 use crate::parallel;
 use crate::particles::{Fields, Particles};
 use crate::scheme::Flow;
@@ -9,11 +8,6 @@ use crate::wcsph::Settings;
 
 /// Longest shift in a step, in smoothing lengths.
 const LONGEST_SHIFT: f64 = 0.02;
-/// Largest shares of h² ∇C by which particles are shifted in an advective step, in turn [-] (WC26). The larger overshoots alone; after
-/// the smaller, which damps what it overshoots, the two do as much as many small ones.
-const GAINS: [f64; 2] = [0.45, 1.4];
-/// The same of other kernels than Wendland's C2: narrower ones relax faster and would be unstable.
-const SAFE_GAINS: [f64; 2] = [0.3, 0.3];
 /// Before time starts, particles are shifted until no shift exceeds this [h].
 const SETTLED: f64 = 1e-4;
 /// Most shifts before time starts.
@@ -26,16 +20,25 @@ pub(crate) fn even_out(system: &mut ParticleSystem, settings: &Settings, dt: f64
     shift(system, settings.shifting_at_surface, LONGEST_SHIFT, |p, fields, k| share.of(p, fields, k));
 }
 
-/// WC26: the shift for an advective step of `dt` [s] and `steps` acoustic steps; `large`: with the larger gain.
-pub(crate) fn even_out_advective(system: &mut ParticleSystem, settings: &Settings, dt: f64, steps: f64, large: bool) {
-    let (share, at_surface) =
-        (Share { settling: steps * settings.settling, dt, all: false }, settings.shifting_at_surface);
-    let gains = if system.domain.fluid.kernel == Kernel::WendlandC2 { GAINS } else { SAFE_GAINS };
+/// An advective step that has passed.
+pub(crate) struct Passed {
+    /// Its length [s].
+    pub dt: f64,
+    /// Its acoustic steps.
+    pub steps: f64,
+    /// The larger of the gains is its turn.
+    pub large: bool,
+}
+
+/// WC26: the shift for an advective step, of one of two gains.
+pub(crate) fn even_out_advective(system: &mut ParticleSystem, settings: &Settings, passed: &Passed, gains: [f64; 2]) {
+    let &Passed { dt, steps, large } = passed;
+    let share = Share { settling: steps * settings.settling, dt, all: false };
     let of = |p: &Particles, fields: &Fields, k: usize| {
         let (wanted, small) = (share.of(p, fields, k), gains[0] * p.h[k]);
         if large { (2.0 * wanted - small).clamp(small.min(wanted), gains[1] * p.h[k]) } else { wanted.min(small) }
     };
-    shift(system, at_surface, steps * LONGEST_SHIFT, of);
+    shift(system, settings.shifting_at_surface, steps * LONGEST_SHIFT, of);
 }
 
 /// By how much particles are shifted.

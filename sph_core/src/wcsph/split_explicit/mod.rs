@@ -12,6 +12,7 @@ mod entry_index;
 mod held_pairs;
 mod held_walls;
 mod hold;
+mod shift_gains;
 
 use std::sync::Arc;
 
@@ -33,7 +34,7 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::solve_owners;
 use crate::walls::state::extrapolate_to_walls;
 
-use super::shifting::even_out_advective;
+use super::shifting::{Passed, even_out_advective};
 use super::step_limit::rebuild_lists;
 use super::{Settings, Wcsph};
 
@@ -42,12 +43,15 @@ use advective::AdvectiveStep;
 use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
 use hold::hold;
+use shift_gains::shift_gains;
 
 /// The weakly compressible scheme in split-explicit steps, with its own state.
 #[derive(Clone, Debug)]
 pub struct SplitExplicit {
     /// Equation of state, settings and terms.
     base: Wcsph,
+    /// Of the shifts, in turn [-].
+    gains: [f64; 2],
     advective: AdvectiveStep,
     /// Shared with the states saved since it was held.
     held: Arc<HeldGeometry>,
@@ -86,6 +90,7 @@ impl SplitExplicit {
     pub fn new(domain: &Domain, settings: Settings) -> SplitExplicit {
         SplitExplicit {
             base: Wcsph::new(domain, settings),
+            gains: shift_gains(domain.fluid.kernel, domain.fluid.smoothing_ratio),
             advective: AdvectiveStep::default(),
             held: Arc::default(),
             rows: Vec::new(),
@@ -102,6 +107,7 @@ impl SplitExplicit {
     fn advance(&mut self, flow: &mut Flow<'_>, dt: f64) {
         if self.advective.is_over(dt) {
             self.begin_advective_step(flow, dt);
+            self.accelerate_anew(flow); //              a, F of p, with the weights that the step holds
         }
         let half = 0.5 * dt;
         self.kick(flow.system, half); //                v½ = v + ½δt a
@@ -120,7 +126,8 @@ impl SplitExplicit {
         let length = settings.advective_limit * self.longest_advective_step(flow);
         if settings.shifting {
             let AdvectiveStep { elapsed, passed, even, .. } = self.advective;
-            even_out_advective(flow.system, &settings, elapsed, f64::from(passed), even);
+            let passed = Passed { dt: elapsed, steps: f64::from(passed), large: even };
+            even_out_advective(flow.system, &settings, &passed, self.gains);
         }
         flow.system.fold(|_| {});
         self.advective = self.advective.next(dt, length, settings.acoustic_steps());
@@ -162,6 +169,15 @@ impl SplitExplicit {
         hold(&mut held.pairs, (domain.fluid.kernel, d, domain.simd), &packed.fluid, &neighbours.fluid, constants);
         held.walls.hold(system, walls, constants);
         self.held = Arc::new(held);
+    }
+
+    /// WC5, WA3, WA6 of the present pressures with the geometry just held: energy passes between motion and pressure by one set of
+    /// weights in all of an advective step.
+    fn accelerate_anew(&mut self, flow: &mut Flow<'_>) {
+        self.kick(flow.system, 0.0); // the rows of the particles and images of now
+        self.pressure.iter_mut().zip(&self.rows).for_each(|(p, row)| *p = row.p);
+        self.evaluate_walls(flow);
+        self.accelerate(flow, 0.0);
     }
 
     /// v ← v + Δt a; the particles and their images show it to their neighbours.
