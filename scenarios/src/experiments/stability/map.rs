@@ -120,7 +120,7 @@ impl Axis {
             return self.choices.iter().find(|c| c.name == place).map(|c| c.set.clone());
         }
         let value = place.parse::<f64>().ok().filter(|value| value.is_finite())?;
-        Some(self.keys.iter().map(|key| format!("{}={:?}", key.path, value * key.factor)).collect())
+        Some(self.keys.iter().map(|key| format!("{}={}", key.path, value * key.factor)).collect())
     }
 
     /// Allowed places.

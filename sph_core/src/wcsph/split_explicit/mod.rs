@@ -35,7 +35,6 @@ use crate::walls::interface_dynamics::solve_owners;
 use crate::walls::state::extrapolate_to_walls;
 
 use super::shifting::{Passed, even_out_advective};
-use super::step_limit::rebuild_lists;
 use super::{Settings, Wcsph};
 
 use acoustic_step::{Accelerations, Densities};
@@ -44,6 +43,9 @@ use held_pairs::{HeldPairs, Row};
 use held_walls::HeldWalls;
 use hold::hold;
 use shift_gains::shift_gains;
+
+/// Advective steps that neighbour lists are made to last.
+const LISTS_LAST: f64 = 1.2;
 
 /// The weakly compressible scheme in split-explicit steps, with its own state.
 #[derive(Clone, Debug)]
@@ -150,10 +152,10 @@ impl SplitExplicit {
     /// kinematics say.
     fn hold_geometry(&mut self, flow: &mut Flow<'_>, ahead: f64, dt: f64) {
         let (system, walls) = (&mut *flow.system, &mut *flow.walls);
-        self.base.refine(system);
         coast(system, ahead);
         if !system.place_walls(walls, ahead - dt, false) {
-            rebuild_lists(system, walls, 0.0, |_, _| self.base.eos.c0);
+            self.base.refine(system);
+            system.rebuild_lists(walls, LISTS_LAST * 2.0 * ahead);
         }
         system.pack(walls);
         coast(system, -ahead);
