@@ -86,8 +86,9 @@ impl ParticleSystem {
         !self.displaced && self.neighbours.holds(&self.particles, &self.packed.kinematics(walls), self.evaluated_at)
     }
 
-    /// Make the lists anew, to last about `life` seconds; a saved state keeps those it was saved with.
-    pub(crate) fn rebuild_lists(&mut self, walls: &Walls, life: f64) {
+    /// Make the lists anew, to last about `life` seconds, with a `skin` [h] of particles at rest; a saved state keeps those it was saved
+    /// with.
+    pub(crate) fn rebuild_lists(&mut self, walls: &Walls, life: f64, skin: f64) {
         self.displaced = false;
         if Arc::get_mut(&mut self.neighbours).is_none() {
             self.neighbours = Arc::new(Neighbours::made(self.neighbours.rebuilds));
@@ -95,7 +96,7 @@ impl ParticleSystem {
         let lists = Arc::get_mut(&mut self.neighbours).expect("lists that are not shared");
         let ParticleSystem { search_space, particles, fields, packed, .. } = self;
         let Domain { mirror, periodic, .. } = self.domain;
-        let span = [self.evaluated_at, life];
+        let span = [self.evaluated_at, life, skin];
         lists.rebuild(search_space, particles, fields, &packed.kinematics(walls), (mirror, periodic), span);
     }
 

@@ -4,8 +4,8 @@ use crate::neighbours::cells::Point;
 use crate::parallel;
 use crate::walls::visibility::ThinWalls;
 
-/// Skin that even a particle at rest gets, in smoothing lengths.
-const SKIN: f64 = 0.03;
+/// Skin that even a particle at rest usually gets, in smoothing lengths.
+pub(crate) const SKIN: f64 = 0.03;
 /// Share of its way, at its velocity while the lists last, that a particle may go astray.
 const ASTRAY: f64 = 0.05;
 
@@ -25,13 +25,15 @@ pub(super) struct Moving<'a> {
 pub(super) struct Expectation {
     /// How long the lists are to last [s].
     life: f64,
+    /// Skin that even a particle at rest gets [h].
+    skin: f64,
     /// Ends of thin walls [m]; `None` without thin walls.
     ends: Option<Vec<[f64; 2]>>,
 }
 
 impl Expectation {
-    pub fn new(life: f64, thin: Option<ThinWalls<'_>>) -> Expectation {
-        Expectation { life, ends: thin.map(|thin| thin.ends()) }
+    pub fn new([life, skin]: [f64; 2], thin: Option<ThinWalls<'_>>) -> Expectation {
+        Expectation { life, skin, ends: thin.map(|thin| thin.ends()) }
     }
 
     /// The velocity that particle `k` is expected to keep [m/s].
@@ -46,7 +48,7 @@ impl Expectation {
     pub fn allowance(&self, of: &Moving<'_>, k: usize) -> f64 {
         let ([x, y], [u, v], h) = (of.at, of.velocity, of.h[k]);
         let astray = if self.ends.is_some() { 1.0 } else { ASTRAY };
-        let allowed = SKIN * h + astray * (u[k] * u[k] + v[k] * v[k]).sqrt() * self.life;
+        let allowed = self.skin * h + astray * (u[k] * u[k] + v[k] * v[k]).sqrt() * self.life;
         let ends = self.ends.iter().flatten();
         ThinWalls::held_at_ends(ends, [x[k], y[k]], h, allowed) // WA8
     }

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::memory::of_vector;
 use crate::neighbours::cells::Cells;
 use crate::neighbours::entries::Entry;
+pub(crate) use crate::neighbours::expected::SKIN;
 use crate::neighbours::expected::{Expectation, Moving};
 use crate::neighbours::image_search::Planes;
 use crate::neighbours::images::{Mirror, Periodic};
@@ -135,7 +136,7 @@ impl Neighbours {
             && self.mirror_skin.holds(walls.mirror_x, walls.mirror_y, age)
     }
 
-    /// Sort the fluid by cell and list all pairs at `now` [s], to last about `life` [s].
+    /// Sort the fluid by cell and list all pairs at `now` [s], to last about `life` [s], with a `skin` [h] of particles at rest.
     pub fn rebuild(
         &mut self,
         space: &mut SearchSpace,
@@ -143,10 +144,10 @@ impl Neighbours {
         fields: &mut Fields,
         walls: &WallKinematics,
         (mirror, periodic): (Option<Mirror>, Option<Periodic>),
-        [now, life]: [f64; 2],
+        [now, life, skin]: [f64; 3],
     ) {
         wrap(particles, periodic);
-        let (expectation, planes) = (Expectation::new(life, walls.thin), Planes::new(mirror, periodic));
+        let (expectation, planes) = (Expectation::new([life, skin], walls.thin), Planes::new(mirror, periodic));
         let SearchSpace { fluid, walls: wall, order, spare } = space;
 
         // sort the fluid physically, so that a neighbourhood is a few contiguous runs

@@ -19,6 +19,7 @@ use crate::domain::Domain;
 use crate::error::Breakdown;
 use crate::interactions::forces::PairTerms;
 use crate::interactions::geometry::PairConstants;
+use crate::neighbours::SKIN;
 use crate::particles::Seed;
 use crate::scheme::{Flow, Scheme, SchemeSettings};
 use crate::state_bytes::{StateError, decode, encode};
@@ -109,7 +110,7 @@ impl Projection {
     /// Make the lists if they no longer hold, then pack.
     fn pack(&mut self, system: &mut ParticleSystem, walls: &Walls, offset: f64) {
         if !system.place_walls(walls, offset, true) {
-            system.rebuild_lists(walls, LIST_LIFE * self.step_limit().dt(system, walls));
+            system.rebuild_lists(walls, LIST_LIFE * self.step_limit().dt(system, walls), SKIN);
         }
         system.pack(walls);
     }

@@ -1,6 +1,7 @@
 //! The largest stable step (THEORY WC12).
 
 use crate::error::Breakdown;
+use crate::neighbours::SKIN;
 use crate::parallel;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
@@ -62,7 +63,7 @@ pub(crate) fn rebuild_lists(
     let p = &system.particles;
     let speed = |k: usize| (p.u[k] * p.u[k] + p.v[k] * p.v[k]).sqrt();
     let dt = cfl * parallel::least(p.len(), |k| p.h[k] / (sound_speed(system, k) + speed(k)));
-    system.rebuild_lists(walls, LIST_LIFE * dt);
+    system.rebuild_lists(walls, LIST_LIFE * dt, SKIN);
 }
 
 /// What limits the step besides the state.

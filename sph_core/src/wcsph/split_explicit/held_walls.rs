@@ -55,9 +55,11 @@ impl<T> Default for Rows<T> {
 }
 
 impl<T> Rows<T> {
-    fn push(&mut self, row: impl IntoIterator<Item = T>) {
-        self.entries.extend(row);
-        self.start.push(self.entries.len() as u32);
+    /// More rows, after these.
+    fn append(&mut self, mut more: Rows<T>) {
+        let before = self.entries.len() as u32;
+        self.entries.append(&mut more.entries);
+        self.start.extend(more.start[1..].iter().map(|start| before + start));
     }
     fn of(&self, k: usize) -> &[T] {
         &self.entries[self.start[k] as usize..self.start[k + 1] as usize]
@@ -171,27 +173,33 @@ impl WithKernel for Hold<'_> {
     fn with<K: Shape>(self) {
         let Hold { held, system, walls, constants } = self;
         let lists = &system.neighbours.walls_of_fluid;
-        let beside = |k: usize| {
-            let listed: Vec<u32> = lists.of(k).collect();
-            let row =
-                listed.into_iter().filter_map(|w| wall_beside::<K>(system, walls.len(), &constants, k, w as usize));
-            (k as u32, row.collect::<Vec<WallBeside>>())
-        };
-        let of_chunk = |targets: std::ops::Range<usize>| -> Vec<(u32, Vec<WallBeside>)> {
-            targets.map(beside).filter(|(_, row)| !row.is_empty()).collect()
+        let of_chunk = |targets: Range<usize>| {
+            let (mut near, mut rows) = (Vec::new(), Rows::default());
+            for k in targets {
+                let before = rows.entries.len();
+                let beside = |w: u32| wall_beside::<K>(system, walls.len(), &constants, k, w as usize);
+                rows.entries.extend(lists.of(k).filter_map(beside));
+                if rows.entries.len() > before {
+                    rows.start.push(rows.entries.len() as u32);
+                    near.push(k as u32);
+                }
+            }
+            (near, rows)
         };
         (held.near, held.beside_fluid) = (Vec::new(), Rows::default());
-        for (k, row) in parallel::by_chunk(system.particles.len(), of_chunk).into_iter().flatten() {
-            held.near.push(k);
-            held.beside_fluid.push(row);
+        for (near, rows) in parallel::by_chunk(system.particles.len(), of_chunk) {
+            held.near.extend(near);
+            held.beside_fluid.append(rows);
         }
-        (held.beside_wall, held.sensitivity) = (Rows::default(), Vec::new());
-        let of_chunk = |targets: std::ops::Range<usize>| -> Vec<(PressureSensitivity, Vec<FluidBeside>)> {
-            targets.map(|w| fluid_beside::<K>(system, w)).collect()
+        let of_chunk = |targets: Range<usize>| {
+            let mut rows = Rows::default();
+            let sensitivity: Vec<_> = targets.map(|w| fluid_beside::<K>(system, w, &mut rows)).collect();
+            (sensitivity, rows)
         };
-        for (sensitivity, row) in parallel::by_chunk(walls.len(), of_chunk).into_iter().flatten() {
-            held.sensitivity.push(sensitivity);
-            held.beside_wall.push(row);
+        (held.sensitivity, held.beside_wall) = (Vec::new(), Rows::default());
+        for (sensitivity, rows) in parallel::by_chunk(walls.len(), of_chunk) {
+            held.sensitivity.extend(sensitivity);
+            held.beside_wall.append(rows);
         }
         held.normal = (0..walls.len()).map(|w| [walls.nx[w], walls.ny[w]]).collect();
     }
@@ -225,11 +233,10 @@ fn weights<K: Shape>(a: &PackedParticle, b: &PackedParticle) -> Option<[[f64; 2]
     (ab.grad_factor != 0.0).then(|| [[flux * dx, flux * dy], [b.volume * ab.grad_factor, b.volume * ab.w::<K>()]])
 }
 
-/// The fluid beside wall particle `w`.
-fn fluid_beside<K: Shape>(system: &ParticleSystem, w: usize) -> (PressureSensitivity, Vec<FluidBeside>) {
-    let (wall, mut sum) = (&system.packed.walls[w], 0.0);
+/// The next row: the fluid beside wall particle `w`.
+fn fluid_beside<K: Shape>(system: &ParticleSystem, w: usize, rows: &mut Rows<FluidBeside>) -> PressureSensitivity {
+    let (wall, mut sum, before) = (&system.packed.walls[w], 0.0, rows.entries.len());
     let mut sensitivity = PressureSensitivity::default();
-    let mut row = Vec::new();
     for j in system.neighbours.fluid_of_wall.of(w) {
         let b = &system.packed.fluid[j as usize];
         let Some([gradient, [slope, share]]) = weights::<K>(wall, b) else { continue };
@@ -237,12 +244,13 @@ fn fluid_beside<K: Shape>(system: &ParticleSystem, w: usize) -> (PressureSensiti
         sum += share;
         sensitivity.arm = [sensitivity.arm[0] + share * dx, sensitivity.arm[1] + share * dy];
         sensitivity.push = [sensitivity.push[0] + slope * dx, sensitivity.push[1] + slope * dy];
-        row.push(FluidBeside { fluid: j, share, gradient });
+        rows.entries.push(FluidBeside { fluid: j, share, gradient });
     }
     let mean = if sum < TOUCHED { 0.0 } else { 1.0 / sum };
-    row.iter_mut().for_each(|b| b.share *= mean);
+    rows.entries[before..].iter_mut().for_each(|b| b.share *= mean);
+    rows.start.push(rows.entries.len() as u32);
     if sum < TOUCHED {
         sensitivity.push = [0.0; 2]; // as in WA3: no pressure without a fluid in reach
     }
-    (PressureSensitivity { arm: sensitivity.arm.map(|a| a * mean), ..sensitivity }, row)
+    PressureSensitivity { arm: sensitivity.arm.map(|a| a * mean), ..sensitivity }
 }

@@ -46,6 +46,8 @@ use shift_gains::shift_gains;
 
 /// Advective steps that neighbour lists are made to last.
 const LISTS_LAST: f64 = 1.2;
+/// Skin of a particle at rest [h]: wide enough for the shifts of newly split particles.
+const SKIN: f64 = 0.08;
 
 /// The weakly compressible scheme in split-explicit steps, with its own state.
 #[derive(Clone, Debug)]
@@ -155,7 +157,7 @@ impl SplitExplicit {
         coast(system, ahead);
         if !system.place_walls(walls, ahead - dt, false) {
             self.base.refine(system);
-            system.rebuild_lists(walls, LISTS_LAST * 2.0 * ahead);
+            system.rebuild_lists(walls, 2.0 * LISTS_LAST * ahead, SKIN);
         }
         system.pack(walls);
         coast(system, -ahead);
