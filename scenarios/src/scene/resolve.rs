@@ -158,15 +158,9 @@ fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     -density * (0.5 * (body.velocity[0].powi(2) + entry.speed.powi(2)) + length * gx.hypot(gy))
 }
 
-/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: with more, forces are noisier than with 1.
-/// Round and flat bottoms are wetted faster than geometry may be held.
-fn acoustic_steps_of_a_wedge(kernel: Kernel) -> u32 {
-    match kernel {
-        Kernel::WendlandC2 => 8,
-        Kernel::WendlandC4 => 4,
-        _ => 1,
-    }
-}
+/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: forces are as noisy as with 1; with 8 noise is
+/// twice that. Round and flat bottoms are wetted faster than geometry may be held.
+const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
 /// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks.
@@ -207,8 +201,9 @@ fn resolve_fluid(
     if solver == Solver::WeaklyCompressible {
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = body.is_some_and(Body::bends);
-        if keeled.is_some() && !bends && legacy::holds_geometry(&options) {
-            draft.fill("fluid.acoustic_steps", acoustic_steps_of_a_wedge(water.fluid.kernel));
+        let settles = matches!(water.fluid.kernel, Kernel::WendlandC2 | Kernel::WendlandC4);
+        if keeled.is_some() && !bends && settles && legacy::holds_geometry(&options) {
+            draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
         legacy::complete(draft, &water.fluid, scheme, options, given)?;
     }
