@@ -9,7 +9,8 @@ use fsi_coupling::Coupled;
 const STEPS: usize = 50;
 
 /// Even cells: the rows of graded ones are divided over the whole width, and need not meet at the middle.
-const EVEN: [&str; 7] = [
+const EVEN: [&str; 8] = [
+    "fluid.acoustic_steps=1", // weights that are held are in single precision
     "time.start=0",
     "resolution.growth=1",
     "resolution.spacing=0.125",
