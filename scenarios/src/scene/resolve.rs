@@ -158,8 +158,8 @@ fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     -density * (0.5 * (body.velocity[0].powi(2) + entry.speed.powi(2)) + length * gx.hypot(gy))
 }
 
-/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1, forces up to 1.4 times
-/// as noisy; with 8 noise is twice that of 1. No exact case judges round and flat bottoms.
+/// Acoustic steps per advective step where a rigid wedge enters the water (THEORY WC22) [-]: means are those of 1, forces 1.4 times as
+/// noisy in the median; with 8 noise is twice that of 1. No exact case judges round and flat bottoms.
 const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
 
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of

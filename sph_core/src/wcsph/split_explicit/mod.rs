@@ -47,7 +47,7 @@ use shift_gains::shift_gains;
 /// Advective steps that neighbour lists are made to last.
 const LISTS_LAST: f64 = 1.2;
 /// Skin of a particle at rest [h]: wide enough for the shifts of newly split particles.
-const SKIN: f64 = 0.08;
+const WIDE_SKIN: f64 = 0.08;
 
 /// The weakly compressible scheme in split-explicit steps, with its own state.
 #[derive(Clone, Debug)]
@@ -157,7 +157,7 @@ impl SplitExplicit {
         coast(system, ahead);
         if !system.place_walls(walls, ahead - dt, false) {
             self.base.refine(system);
-            system.rebuild_lists(walls, 2.0 * LISTS_LAST * ahead, SKIN);
+            system.rebuild_lists(walls, 2.0 * LISTS_LAST * ahead, WIDE_SKIN);
         }
         system.pack(walls);
         coast(system, -ahead);
