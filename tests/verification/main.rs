@@ -27,6 +27,7 @@ mod keel;
 mod kernel_sums;
 mod modal;
 mod options;
+mod potential_flow;
 mod projection_bodies;
 mod quoted_peaks;
 mod rigid_body;

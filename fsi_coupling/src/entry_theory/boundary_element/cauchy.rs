@@ -1,0 +1,128 @@
+//! Cauchy's integral on linear elements (THEORY EN21): one factorised matrix for the potential and for its time derivative.
+
+use std::f64::consts::TAU;
+
+use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::{Mat, c64};
+
+/// What is known of β = φ + iψ at a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Known {
+    /// The potential φ: on the free surface.
+    Potential,
+    /// The stream function ψ: on the body.
+    StreamFunction,
+    /// Both: where they meet.
+    Both,
+}
+
+/// Potential φ and stream function ψ at the nodes [m²/s], or their time derivatives.
+#[derive(Clone, Debug)]
+pub(super) struct Complex {
+    pub phi: Vec<f64>,
+    pub psi: Vec<f64>,
+}
+
+/// The right half of a symmetric contour, factorised.
+pub(super) struct Contour {
+    known: Vec<Known>,
+    /// Nodes that have an unknown.
+    unknown: Vec<usize>,
+    /// Coefficients of β_k and of its mirror image in the equation of node j, shape (n, n).
+    of: Mat<[c64; 2]>,
+    lu: PartialPivLu<f64>,
+}
+
+/// ∫ β/(z − z₀) dz of a straight element from `a` to `b`, relative to z₀: the factors of β at its ends. At an end that is z₀ its singular part
+/// is left to the node.
+fn element(a: c64, b: c64) -> [c64; 2] {
+    let one = c64::new(1.0, 0.0);
+    if a == c64::ZERO {
+        return [c64::new(b.norm().ln(), 0.0) - one, one];
+    }
+    if b == c64::ZERO {
+        return [-one, one - c64::new(a.norm().ln(), 0.0)];
+    }
+    let log = (b / a).ln();
+    let second = one - a * log / (b - a);
+    [log - second, second]
+}
+
+fn mirrored(z: c64) -> c64 {
+    c64::new(-z.re, z.im)
+}
+
+impl Contour {
+    /// Of the nodes `z` from the far free surface to the keel on x = 0, water on the left.
+    pub fn new(z: &[c64], known: Vec<Known>) -> Contour {
+        let n = z.len();
+        let mut of = Mat::from_fn(n, n, |_, _| [c64::ZERO; 2]);
+        for j in 1..n {
+            let from = |k: usize| z[k] - z[j];
+            let image = |k: usize| mirrored(z[k]) - z[j];
+            for k in 0..n - 1 {
+                let ([a, b], [mirrored_b, mirrored_a]) =
+                    (element(from(k), from(k + 1)), element(image(k + 1), image(k)));
+                of[(j, k)][0] += a;
+                of[(j, k + 1)][0] += b;
+                of[(j, k)][1] += mirrored_a;
+                of[(j, k + 1)][1] += mirrored_b;
+            }
+            // the node itself is outside the contour that is integrated: −iα β_j, α the angle of the water there
+            let next = if j + 1 == n { image(j - 1) } else { from(j + 1) };
+            let angle = (from(j - 1) / next).arg();
+            of[(j, j)][0] -= c64::new(0.0, if angle > 0.0 { angle } else { angle + TAU });
+            // beyond the first node, at x = l, β = iψ₁ l/x on both sides
+            let (l, one) = (z[0].re, c64::new(1.0, 0.0));
+            let far = l / z[j] * ((one - z[j] / l).ln() - (one + z[j] / l).ln());
+            of[(j, 0)][0] += far * 0.5;
+            of[(j, 0)][1] -= far * 0.5;
+        }
+        let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();
+        let matrix = Mat::from_fn(unknown.len(), unknown.len(), |row, column| {
+            let (j, k) = (unknown[row], unknown[column]);
+            let [phi, psi] = by_part(of[(j, k)]);
+            match (j, k) {
+                (0, 0 | 1) => [1.0, -1.0][k] * z[k].re, // ψ falls like 1/x
+                (0, _) => 0.0,
+                _ => equation(known[j], if known[k] == Known::Potential { psi } else { phi }),
+            }
+        });
+        Contour { known, unknown, of, lu: matrix.partial_piv_lu() }
+    }
+
+    /// Find what is not known of β: φ is read where it is known, ψ where it is, the rest is written.
+    pub fn solve(&self, beta: &mut Complex) {
+        let right = Mat::from_fn(self.unknown.len(), 1, |row, _| match self.unknown[row] {
+            0 => 0.0,
+            j => {
+                let sum: c64 = (0..self.known.len())
+                    .map(|k| {
+                        let [phi, psi] = by_part(self.of[(j, k)]);
+                        let of_phi = if self.known[k] == Known::StreamFunction { 0.0 } else { beta.phi[k] };
+                        let of_psi = if self.known[k] == Known::Potential { 0.0 } else { beta.psi[k] };
+                        phi * of_phi + psi * of_psi
+                    })
+                    .sum();
+                -equation(self.known[j], sum)
+            }
+        });
+        let solution = self.lu.solve(&right);
+        for (row, &j) in self.unknown.iter().enumerate() {
+            match self.known[j] {
+                Known::Potential => beta.psi[j] = solution[(row, 0)],
+                _ => beta.phi[j] = solution[(row, 0)],
+            }
+        }
+    }
+}
+
+/// Factors of φ and ψ of those of β and its image's conjugate.
+fn by_part([own, image]: [c64; 2]) -> [c64; 2] {
+    [own + image, (own - image) * c64::new(0.0, 1.0)]
+}
+
+/// The part of the equation of a node whose diagonal is large (Vinje & Brevig 1981).
+fn equation(known: Known, sum: c64) -> f64 {
+    if known == Known::Potential { sum.re } else { sum.im }
+}
