@@ -16,7 +16,7 @@ fn a_wedge_at_constant_speed_has_the_similar_flow() {
         let mut samples = Vec::new();
         while flow.draught() < 4.0 * START {
             let draught = flow.draught();
-            let (_, load) = flow.step(|_| 0.0);
+            let (_, load) = flow.step(|_| 0.0).expect("a step");
             if draught > 3.0 * START {
                 let highest = load.pressure.iter().map(|p| p[1]).fold(0.0, f64::max);
                 samples.push([load.force / (SPEED * SPEED * draught), 2.0 * highest / (SPEED * SPEED)]);
@@ -40,7 +40,7 @@ fn a_free_wedge_decelerates_by_the_load() {
         let mut impulse = 0.0;
         while flow.draught() < 3.0 * START {
             let of = |load: &fsi_coupling::entry_theory::WedgeLoad| -load.force / (mass + load.added_mass);
-            let (dt, load) = flow.step(of);
+            let (dt, load) = flow.step(of).expect("a step");
             impulse += dt * (load.force + load.added_mass * of(&load));
         }
         (flow.speed(), impulse)
@@ -54,11 +54,23 @@ fn a_free_wedge_decelerates_by_the_load() {
     }
 }
 
+/// A wedge that is stopped ends the flow with place and speed.
+#[test]
+fn a_wedge_that_stops_is_told() {
+    let mut flow = WedgeFlow::new(30.0, START, SPEED, 9.81).expect("in range");
+    let ended = (0..1000).find_map(|_| flow.step(|_| -1000.0).err()).expect("an end");
+    assert!(ended.speed <= 0.0 && ended.draught == flow.draught(), "{ended}");
+}
+
 /// Outside its range the model names the next that can.
 #[test]
-fn other_deadrises_are_refused() {
+fn what_is_outside_the_range_is_refused() {
     for (deadrise, next) in [(14.0, "similarity"), (61.0, "wcsph")] {
         let refused = WedgeFlow::new(deadrise, START, SPEED, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("15 to 60°") && refused.contains(next), "{refused}");
+    }
+    for (draught, speed) in [(0.0, SPEED), (START, -1.0), (f64::NAN, SPEED)] {
+        let refused = WedgeFlow::new(30.0, draught, speed, 0.0).expect_err("out of range").to_string();
+        assert!(refused.contains("above zero"), "{refused}");
     }
 }

@@ -27,7 +27,7 @@ mod model;
 mod section;
 mod similarity;
 
-pub use boundary_element::{BOUNDARY_ELEMENT_DEADRISES, WedgeFlow, WedgeLoad};
+pub use boundary_element::{BOUNDARY_ELEMENT_DEADRISES, FlowEnded, WedgeFlow, WedgeLoad};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};

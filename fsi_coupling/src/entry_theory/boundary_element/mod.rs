@@ -47,6 +47,16 @@ pub struct WedgeFlow {
     gravity: f64,
 }
 
+/// The flow cannot be followed further.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("the flow about the wedge ended at a draught of {draught} m, where its downward speed became {speed} m/s")]
+pub struct FlowEnded {
+    /// Draught of the keel [m].
+    pub draught: f64,
+    /// Downward speed after the step that failed [m/s].
+    pub speed: f64,
+}
+
 /// One solution of the flow.
 struct Solution {
     /// Of the surface's nodes [m/s].
@@ -61,7 +71,7 @@ impl WedgeFlow {
     /// is that of Wagner: loads are those of the entry from about three times this draught on.
     ///
     /// # Errors
-    /// A deadrise outside [`BOUNDARY_ELEMENT_DEADRISES`].
+    /// A deadrise outside [`BOUNDARY_ELEMENT_DEADRISES`]; a draught or a speed that is not above zero.
     pub fn new(deadrise_deg: f64, draught: f64, speed: f64, gravity: f64) -> Result<WedgeFlow, OutOfRange> {
         let [least, most] = BOUNDARY_ELEMENT_DEADRISES;
         if !(least..=most).contains(&deadrise_deg) {
@@ -69,6 +79,13 @@ impl WedgeFlow {
                 what: format!("{deadrise_deg}°"),
                 range: format!("boundary elements need a deadrise of {least} to {most}°"),
                 next: if deadrise_deg < most { EntryModel::Similarity } else { EntryModel::Wcsph },
+            });
+        }
+        if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
+            return Err(OutOfRange {
+                what: format!("{draught} m and {speed} m/s"),
+                range: "boundary elements need a draught and a downward speed above zero".into(),
+                next: EntryModel::Wcsph,
             });
         }
         let face = Face { beta: deadrise_deg.to_radians(), draught };
@@ -98,14 +115,21 @@ impl WedgeFlow {
 
     /// One step by the midpoint rule. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at
     /// its start.
-    pub fn step(&mut self, acceleration: impl Fn(&WedgeLoad) -> f64) -> (f64, WedgeLoad) {
+    ///
+    /// # Errors
+    /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
+    pub fn step(&mut self, acceleration: impl Fn(&WedgeLoad) -> f64) -> Result<(f64, WedgeLoad), FlowEnded> {
         let start = self.solve();
         let dt = self.stable_dt(&start.velocity);
         let half = self.moved(self.speed, &start, acceleration(&start.load), 0.5 * dt);
         let middle = half.solve();
-        *self = self.moved(half.speed, &middle, acceleration(&middle.load), dt);
-        self.surface = self.surface.redistributed(&self.face);
-        (dt, start.load)
+        let end = self.moved(half.speed, &middle, acceleration(&middle.load), dt);
+        let surface = end.surface.redistributed(&end.face);
+        if !(end.speed > 0.0 && start.load.force.is_finite() && surface.z.iter().all(|z| z.is_finite())) {
+            return Err(FlowEnded { draught: self.face.draught, speed: end.speed });
+        }
+        *self = WedgeFlow { surface, ..end };
+        Ok((dt, start.load))
     }
 
     /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
