@@ -12,7 +12,7 @@ const SPEED: f64 = 2.0;
 fn a_wedge_at_constant_speed_has_the_similar_flow() {
     for deadrise in [22.0, 30.0, 37.0, 43.5, 52.0, 60.0] {
         let exact = SimilarityFlow::solve(deadrise).expect("a solution");
-        let mut flow = WedgeFlow::new(deadrise, START, SPEED, 0.0).expect("in range");
+        let mut flow = WedgeFlow::new(deadrise, f64::INFINITY, START, SPEED, 0.0).expect("in range");
         let mut samples = Vec::new();
         while flow.draught() < 4.0 * START {
             let draught = flow.draught();
@@ -45,7 +45,7 @@ fn a_free_wedge_slows_down_as_in_others_boundary_elements() {
             [1e-3 * time.parse::<f64>().expect("ms"), speed.parse().expect("m/s")]
         })
         .collect();
-    let mut flow = WedgeFlow::new(25.0, start, 5.05, gravity).expect("in range");
+    let mut flow = WedgeFlow::new(25.0, f64::INFINITY, start, 5.05, gravity).expect("in range");
     let (mut time, mut ours) = (start / 5.05, Vec::new());
     while flow.draught() < 0.15 {
         ours.push([time, flow.speed()]);
@@ -67,7 +67,7 @@ fn a_free_wedge_slows_down_as_in_others_boundary_elements() {
 /// A wedge that is stopped ends the flow with place and speed.
 #[test]
 fn a_wedge_that_stops_is_told() {
-    let mut flow = WedgeFlow::new(30.0, START, SPEED, 9.81).expect("in range");
+    let mut flow = WedgeFlow::new(30.0, f64::INFINITY, START, SPEED, 9.81).expect("in range");
     let ended = (0..1000).find_map(|_| flow.step(|_| -1000.0).err()).expect("an end");
     assert!(ended.speed <= 0.0 && ended.draught == flow.draught(), "{ended}");
 }
@@ -76,11 +76,11 @@ fn a_wedge_that_stops_is_told() {
 #[test]
 fn what_is_outside_the_range_is_refused() {
     for (deadrise, next) in [(14.0, "similarity"), (61.0, "wcsph")] {
-        let refused = WedgeFlow::new(deadrise, START, SPEED, 0.0).expect_err("out of range").to_string();
+        let refused = WedgeFlow::new(deadrise, f64::INFINITY, START, SPEED, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("15 to 60°") && refused.contains(next), "{refused}");
     }
     for (draught, speed) in [(0.0, SPEED), (START, -1.0), (f64::NAN, SPEED)] {
-        let refused = WedgeFlow::new(30.0, draught, speed, 0.0).expect_err("out of range").to_string();
+        let refused = WedgeFlow::new(30.0, f64::INFINITY, draught, speed, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("above zero"), "{refused}");
     }
 }

@@ -40,9 +40,16 @@ impl Loads {
     /// Loads of a section by a theory.
     ///
     /// # Errors
-    /// A model that is no theory, or does not hold for this section from its first touch on.
+    /// A model that is no formula, or does not hold for this section from its first touch on.
     pub fn new(model: EntryModel, section: &Section) -> Result<Loads, OutOfRange> {
         model.covers(section, 0.0)?;
+        if !model.is_formula() {
+            return Err(OutOfRange {
+                what: format!("\"{}\"", model.name()),
+                range: "loads at a draught need a formula".into(),
+                next: model,
+            });
+        }
         let flow = match (model, section.deadrise_deg()) {
             (EntryModel::Similarity, Some(deadrise)) => SimilarityFlow::solve(deadrise),
             _ => None,

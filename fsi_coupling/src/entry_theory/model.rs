@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::boundary_element::BOUNDARY_ELEMENT_DEADRISES;
 use super::similarity::DEADRISES;
 
 /// A model of a body's entry into water.
@@ -17,6 +18,8 @@ pub enum EntryModel {
     Mlm,
     /// The exact flow about a wedge at constant speed (Dobrovolskaya 1969), and an added mass where the speed changes.
     Similarity,
+    /// Fully nonlinear potential flow about a wedge by boundary elements (Zhao & Faltinsen 1993): free motion, gravity, wet chines.
+    BoundaryElement,
     /// Weakly compressible particles.
     Wcsph,
     /// Incompressible particles.
@@ -37,11 +40,12 @@ pub struct OutOfRange {
 
 impl EntryModel {
     /// All models, the cheapest first.
-    pub const ALL: [EntryModel; 6] = [
+    pub const ALL: [EntryModel; 7] = [
         EntryModel::VonKarman,
         EntryModel::Wagner,
         EntryModel::Mlm,
         EntryModel::Similarity,
+        EntryModel::BoundaryElement,
         EntryModel::Wcsph,
         EntryModel::Incompressible,
     ];
@@ -53,14 +57,20 @@ impl EntryModel {
             EntryModel::Wagner => "wagner",
             EntryModel::Mlm => "mlm",
             EntryModel::Similarity => "similarity",
+            EntryModel::BoundaryElement => "boundary_element",
             EntryModel::Wcsph => "wcsph",
             EntryModel::Incompressible => "incompressible",
         }
     }
 
-    /// True for a formula, false for a simulation with particles.
+    /// True for a theory, false for a simulation with particles.
     pub fn is_theory(self) -> bool {
         self < EntryModel::Wcsph
+    }
+
+    /// True for a theory whose load follows from draught, speed and acceleration alone; false for a flow with a history.
+    pub fn is_formula(self) -> bool {
+        self < EntryModel::BoundaryElement
     }
 
     /// Range of the deadrise of a face [deg]; THEORY EN9 has the errors there.
@@ -69,6 +79,7 @@ impl EntryModel {
             EntryModel::VonKarman | EntryModel::Wagner => [4.0, 45.0],
             EntryModel::Mlm => [4.0, 60.0],
             EntryModel::Similarity => DEADRISES,
+            EntryModel::BoundaryElement => BOUNDARY_ELEMENT_DEADRISES,
             EntryModel::Wcsph | EntryModel::Incompressible => [4.0, 90.0],
         }
     }

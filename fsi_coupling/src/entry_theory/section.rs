@@ -199,7 +199,7 @@ impl Section {
 impl EntryModel {
     /// Refuse a bottom outside the range of the model; it is wetted up to the half width `reach` [m].
     pub fn covers(self, section: &Section, reach: f64) -> Result<(), OutOfRange> {
-        let [_, most] = self.deadrises();
+        let [least, most] = self.deadrises();
         let steepest = section.steepest_within(reach);
         let refuse = |what: String, range: String| {
             let able = |r: &&EntryModel| **r > self && r.covers(section, reach).is_ok();
@@ -207,14 +207,14 @@ impl EntryModel {
         };
         match self {
             _ if !self.is_theory() => Ok(()),
-            EntryModel::Similarity if section.deadrise_deg().is_none() => {
-                refuse("a curved or bent bottom".into(), format!("wedges of 4 to {most} degrees"))
+            EntryModel::Similarity | EntryModel::BoundaryElement if section.deadrise_deg().is_none() => {
+                refuse("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees"))
             }
             EntryModel::Similarity if reach > section.half_breadth() => {
                 refuse("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into())
             }
-            _ if steepest > most + 1e-6 => {
-                refuse(format!("a face of {steepest:.2} degrees"), format!("faces of 4 to {most} degrees"))
+            _ if steepest > most + 1e-6 || self == EntryModel::BoundaryElement && steepest < least - 1e-6 => {
+                refuse(format!("a face of {steepest:.2} degrees"), format!("faces of {least} to {most} degrees"))
             }
             _ => Ok(()),
         }

@@ -20,7 +20,7 @@ pub struct Assessment {
     /// Why it is not valid for the scene; absent where it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<String>,
-    /// Core-seconds, measured for theories, estimated for particles.
+    /// Core-seconds, measured for formulae, estimated for boundary elements and particles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub core_seconds: Option<f64>,
     /// Its error in the nearest case that was measured; absent where none is near.
@@ -32,12 +32,15 @@ pub struct Assessment {
 pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
     let assessed = |model: EntryModel| {
         let start = Instant::now();
-        let followed = Theory::while_in_range(scene, model);
+        let followed = Theory::outlined(scene, model);
         let unknown =
             Assessment { model, begins: followed.is_ok(), obstacle: None, core_seconds: None, measured: None };
         match followed {
             Ok((theory, None)) => Assessment {
-                core_seconds: Some(start.elapsed().as_secs_f64()),
+                core_seconds: Some(match model.is_formula() {
+                    true => start.elapsed().as_secs_f64(),
+                    false => flow_seconds(&theory),
+                }),
                 measured: measured(scene, &theory, want),
                 ..unknown
             },
@@ -47,4 +50,10 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
         }
     };
     EntryModel::ALL.into_iter().filter(|model| model.is_theory()).map(assessed).collect()
+}
+
+/// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β.
+fn flow_seconds(theory: &Theory) -> f64 {
+    let slope = theory.section.slope(0.0);
+    0.5 + 0.36 / (slope * slope)
 }

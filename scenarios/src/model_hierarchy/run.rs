@@ -158,7 +158,7 @@ fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -
     let Instant { draught, speed, .. } = theory.instants[last];
     let dynamic = 0.5 * rho * speed * speed;
     let [peak, place] = theory.peak_pressure(last).unwrap_or([f64::NAN; 2]);
-    let tan = theory.loads.section().slope(0.0);
+    let tan = theory.section.slope(0.0);
     let profile = theory.profile(last, PROFILE);
     let finite = theory.peak_pressure(last).is_some();
     let error = exact.filter(|_| finite).map(|e| e.profile_error(&profile, 0.8 * std::f64::consts::FRAC_PI_2 / tan));

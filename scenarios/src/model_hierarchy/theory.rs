@@ -1,7 +1,9 @@
 //! A scene solved by an entry theory.
 
 use fsi_coupling::Motion as BodyMotion;
-use fsi_coupling::entry_theory::{Entry, EntryModel, Instant, Loads, OutOfRange, Section, SectionMotion};
+use fsi_coupling::entry_theory::{
+    Entry, EntryModel, FlowHistory, Instant, Loads, OutOfRange, Section, SectionMotion, WedgeEntry,
+};
 
 use super::elastic_wedge::Faces;
 use crate::observers::body_values;
@@ -16,13 +18,25 @@ const POINTS: usize = 4000;
 /// The solution of a scene by a theory.
 #[derive(Clone, Debug)]
 pub struct Theory {
-    /// Loads of the body's section.
-    pub loads: Loads,
+    /// The theory.
+    pub model: EntryModel,
+    /// The body's bottom.
+    pub section: Section,
     /// The section at every sample of the scene.
     pub instants: Vec<Instant>,
     density: f64,
-    /// Its faces, where they bend.
-    faces: Option<Faces>,
+    source: Source,
+}
+
+/// Where loads come from.
+#[derive(Clone, Debug)]
+enum Source {
+    /// A formula.
+    Loads(Loads),
+    /// A formula, and faces that bend.
+    Faces(Loads, Faces),
+    /// A flow that was followed.
+    Flow(FlowHistory),
 }
 
 impl Theory {
@@ -41,22 +55,24 @@ impl Theory {
     /// The feature of the scene outside the theory's range from the start.
     pub fn while_in_range(scene: &Scene, model: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, motion) = symmetric_entry(scene)?;
-        let loads = Loads::new(model, &section)?;
-        let density = scene.water().density;
         if body.bends() {
-            return bending(scene, model, body, loads);
+            return bending(scene, model, body, section);
         }
-        let (instants, end) = {
-            let entry = Entry {
-                loads: &loads,
-                motion,
-                draught: body.draught(),
-                speed: -body.velocity[1],
-                gravity: -scene.gravity[1],
-                density,
-                buoyancy: true,
-            };
-            entry.solve_while_in_range(&sample_times(scene))
+        let (draught, speed, gravity, density) =
+            (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
+        let times = sample_times(scene);
+        let (instants, source, end) = if model.is_formula() {
+            let loads = Loads::new(model, &section)?;
+            let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true };
+            let (instants, end) = entry.solve_while_in_range(&times);
+            (instants, Source::Loads(loads), end)
+        } else {
+            model.covers(&section, 0.0)?;
+            let deadrise_deg = section.deadrise_deg().unwrap_or(f64::NAN);
+            let breadth = 2.0 * section.half_breadth();
+            let entry = WedgeEntry { deadrise_deg, breadth, motion, draught, speed, gravity, density };
+            let (instants, history, end) = entry.solve(&times)?;
+            (instants, Source::Flow(history), end)
         };
         let open = instants.iter().take_while(|now| confined(scene, body, now).is_none()).count();
         let closed = instants.get(open).and_then(|now| {
@@ -64,7 +80,24 @@ impl Theory {
             Some(refuse(&format!("from t = {} s on {what}", significant(now.time))))
         });
         let instants = instants[..open].to_vec();
-        Ok((Theory { loads, instants, density, faces: None }, closed.or(end)))
+        Ok((Theory { model, section, instants, density, source }, closed.or(end)))
+    }
+
+    /// The same without following a flow: where the model is no formula, by the motion of the modified Logvinovich model, which is near.
+    ///
+    /// # Errors
+    /// As [`Theory::while_in_range`]; that a flow breaks up is not known before it is followed.
+    pub fn outlined(scene: &Scene, model: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+        if model.is_formula() {
+            return Theory::while_in_range(scene, model);
+        }
+        let (body, section, _) = symmetric_entry(scene)?;
+        if body.bends() {
+            return bending(scene, model, body, section);
+        }
+        model.covers(&section, 0.0)?;
+        let (theory, end) = Theory::while_in_range(scene, EntryModel::Mlm)?;
+        Ok((Theory { model, ..theory }, end.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end })))
     }
 
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
@@ -75,18 +108,21 @@ impl Theory {
         let loads = Loads::new(model, &section)?;
         let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
         let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
-        Ok(Theory { loads, instants: vec![now], density: 1.0, faces: None })
+        Ok(Theory { model, section, instants: vec![now], density: 1.0, source: Source::Loads(loads) })
     }
 
     /// Pressure at distance x from the keel's plane at sample k [Pa]; `None` where the theory has none.
     pub fn pressure(&self, k: usize, x: f64) -> Option<f64> {
-        let Instant { draught, speed, rate, .. } = self.instants[k];
-        self.loads.pressure(x, draught, speed, rate, self.density)
+        let Instant { time, draught, speed, rate, .. } = self.instants[k];
+        match &self.source {
+            Source::Flow(history) => Some(history.pressure(time, x)),
+            Source::Loads(loads) | Source::Faces(loads, _) => loads.pressure(x, draught, speed, rate, self.density),
+        }
     }
 
     /// True if its faces are elastic.
     pub fn bends(&self) -> bool {
-        self.faces.is_some()
+        matches!(self.source, Source::Faces(..))
     }
 
     /// Motion of the body and the force on it, at every sample.
@@ -111,9 +147,9 @@ impl Theory {
                 true => self.pressure(k, g.at[0] - middle).unwrap_or(f64::NAN),
                 false => f64::NAN, // theories of entry have no pressure on sides and deck
             };
-            let rest = match &self.faces {
-                Some(faces) => faces.values(now.time),
-                None => scene.gauges.iter().map(gauge).collect(),
+            let rest = match &self.source {
+                Source::Faces(_, faces) => faces.values(now.time),
+                Source::Loads(_) | Source::Flow(_) => scene.gauges.iter().map(gauge).collect(),
             };
             std::iter::once(now.time).chain(body_values(motion).map(|(_, value)| value)).chain(rest).collect()
         };
@@ -123,7 +159,7 @@ impl Theory {
     /// Is a gauge on the bottom, not on a side or the deck?
     fn is_on_bottom(&self, body: &Body, gauge: &Gauge) -> bool {
         let [low, high] = polygon::bounding_box(&body.shape.outline());
-        let section = self.loads.section();
+        let section = &self.section;
         let x = gauge.at[0] - 0.5 * (low[0] + high[0]);
         let off = (gauge.at[1] - low[1] - section.height(x)).abs();
         x.abs() <= section.half_breadth() && off < 1e-2 * section.half_breadth()
@@ -142,10 +178,10 @@ impl Theory {
 
     /// Largest pressure along the face at sample k [Pa], and its x [m]; `None` where the theory has none, or it is infinite.
     pub fn peak_pressure(&self, k: usize) -> Option<[f64; 2]> {
-        if self.loads.model() == EntryModel::Wagner {
+        if self.model == EntryModel::Wagner {
             return None; // infinite at the spray root
         }
-        let reach = self.instants[k].wetted.min(self.loads.section().half_breadth());
+        let reach = self.instants[k].wetted.min(self.section.half_breadth());
         let at = |i: usize| {
             let x = reach * i as f64 / POINTS as f64;
             Some([self.pressure(k, x)?, x])
@@ -167,8 +203,9 @@ fn bending(
     scene: &Scene,
     model: EntryModel,
     body: &Body,
-    loads: Loads,
+    section: Section,
 ) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+    model.covers(&section, 0.0)?;
     if model != EntryModel::Wagner {
         return Err(OutOfRange {
             what: "panels that bend".into(),
@@ -176,11 +213,12 @@ fn bending(
             next: if model < EntryModel::Wagner { EntryModel::Wagner } else { EntryModel::Wcsph },
         });
     }
-    let faces = Faces::of(scene, body)?;
+    let (loads, faces) = (Loads::new(model, &section)?, Faces::of(scene, body)?);
     let times = sample_times(scene);
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
-    Ok((Theory { loads, instants, density: scene.water().density, faces: Some(faces) }, end))
+    let source = Source::Faces(loads, faces);
+    Ok((Theory { model, section, instants, density: scene.water().density, source }, end))
 }
 
 /// Least depth and half width of water that counts as unbounded, in wetted half widths.

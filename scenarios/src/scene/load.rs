@@ -162,7 +162,8 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     if scene.model.is_theory() {
         let name = scene.model.name();
         let refused = |e| Problem::new("model", format!("\"{name}\""), format!("a scene it holds for: {e}"));
-        Theory::of(&scene, scene.model).map_err(refused)?;
+        let (_, end) = Theory::outlined(&scene, scene.model).map_err(refused)?;
+        end.map_or(Ok(()), |end| Err(refused(end)))?;
     }
     Ok(scene)
 }

@@ -202,7 +202,9 @@ fn resolve_fluid(
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = body.is_some_and(Body::bends);
         let settles = matches!(water.fluid.kernel, Kernel::WendlandC2 | Kernel::WendlandC4);
-        if keeled.is_some() && !bends && settles && legacy::holds_geometry(&options) {
+        let iterates = draft.get("coupling.scheme") == Some(CouplingScheme::IqnIls);
+        let follows = draft.get("resolution.follow") != Some(false);
+        if keeled.is_some() && !bends && settles && !iterates && follows && legacy::holds_geometry(&options) {
             draft.fill("fluid.acoustic_steps", ACOUSTIC_STEPS_OF_A_WEDGE);
         }
         legacy::complete(draft, &water.fluid, scheme, options, given)?;

@@ -1,29 +1,37 @@
-//! Fully nonlinear potential flow about an entering wedge by boundary elements (THEORY EN20–EN23).
+//! Fully nonlinear potential flow about an entering wedge by boundary elements (THEORY EN20–EN24).
 //!
 //! The surface moves with the water (mixed Eulerian–Lagrangian; Longuet-Higgins & Cokelet 1976, Zhao & Faltinsen 1993), the jet is cut. Per stage
-//! one matrix gives the velocity, the pressure and the added mass.
+//! one matrix gives the velocity, the pressure and the added mass. At wet chines the flow separates (Zhao, Faltinsen & Aarsnes 1996).
 
 mod cauchy;
+mod entry;
+mod lower_side;
+mod solution;
 mod spline;
 mod surface;
 
 use faer::c64;
 
+pub use entry::{FlowHistory, WedgeEntry};
+
 use super::model::{EntryModel, OutOfRange};
-use cauchy::{Complex, Contour, Known};
+use lower_side::{Face, LowerSide, redistributed};
+use solution::Solution;
 use spline::Spline;
-use surface::{FINE_ELEMENTS, Face, FreeSurface, GROWTH, arc_length, graded};
+use surface::{FreeSurface, arc_length};
 
 /// Deadrises of the validity [deg].
 pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [15.0, 60.0];
 /// Longest way of a node per step, over the length of its element.
-const COURANT: f64 = 0.5;
+const COURANT: f64 = 0.6;
 /// Largest growth of the draught per step.
 const DRAUGHT_GROWTH: f64 = 0.03;
-/// Size of elements on the face at the keel, and the largest, over the wetted length.
-const FACE_ELEMENTS: [f64; 2] = [1e-4, 0.06];
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
+/// Growth of the draught after which the start is forgotten.
+const FORGOTTEN: f64 = 3.0;
+/// Length beyond the chine at which the jet's end leaves it, over the finest element.
+const PASSED: f64 = 2.0;
 
 /// Load of the water on both halves, over its density.
 #[derive(Clone, Debug)]
@@ -32,15 +40,18 @@ pub struct WedgeLoad {
     pub force: f64,
     /// Added mass M/ρ [m²]: the force grows by it times the downward acceleration.
     pub added_mass: f64,
-    /// From the jet to the keel: height above still water [m], p/ρ at constant speed [m²/s²], p/ρ per downward acceleration [m], shape (n, 3).
+    /// From the jet or the chine to the keel: distance from the plane of symmetry [m], p/ρ at constant speed [m²/s²], p/ρ per downward
+    /// acceleration [m], shape (n, 3).
     pub pressure: Vec<[f64; 3]>,
 }
 
-/// The water about a symmetric wedge that moves downwards. The chines are dry.
+/// The water about a symmetric wedge that moves downwards.
 #[derive(Clone, Debug)]
 pub struct WedgeFlow {
     face: Face,
     surface: FreeSurface,
+    /// The surface that left a wet chine.
+    underside: Option<FreeSurface>,
     /// Downward speed [m/s].
     speed: f64,
     /// Gravity in the water [m/s²].
@@ -57,22 +68,19 @@ pub struct FlowEnded {
     pub speed: f64,
 }
 
-/// One solution of the flow.
-struct Solution {
-    /// Of the surface's nodes [m/s].
-    velocity: Vec<c64>,
-    /// dφ/dt of them [m²/s²].
-    rate: Vec<f64>,
-    load: WedgeLoad,
-}
-
 impl WedgeFlow {
-    /// A wedge of `deadrise_deg` whose keel is at `draught` [m], with the downward `speed` [m/s], `gravity` [m/s²] in the water. The surface
-    /// is that of Wagner: loads are those of the entry from about three times this draught on.
+    /// A wedge of `deadrise_deg` and `breadth` [m], infinite for one without chines, whose keel is at `draught` [m], with the downward `speed`
+    /// [m/s], `gravity` [m/s²] in the water. The surface is that of Wagner: loads are those of the entry from about three times this draught on.
     ///
     /// # Errors
-    /// A deadrise outside [`BOUNDARY_ELEMENT_DEADRISES`]; a draught or a speed that is not above zero.
-    pub fn new(deadrise_deg: f64, draught: f64, speed: f64, gravity: f64) -> Result<WedgeFlow, OutOfRange> {
+    /// A deadrise outside [`BOUNDARY_ELEMENT_DEADRISES`]; a draught or a speed that is not above zero; wet chines.
+    pub fn new(
+        deadrise_deg: f64,
+        breadth: f64,
+        draught: f64,
+        speed: f64,
+        gravity: f64,
+    ) -> Result<WedgeFlow, OutOfRange> {
         let [least, most] = BOUNDARY_ELEMENT_DEADRISES;
         if !(least..=most).contains(&deadrise_deg) {
             return Err(OutOfRange {
@@ -81,16 +89,49 @@ impl WedgeFlow {
                 next: if deadrise_deg < most { EntryModel::Similarity } else { EntryModel::Wcsph },
             });
         }
+        let refused =
+            |what: String, range: &str| Err(OutOfRange { what, range: range.into(), next: EntryModel::Wcsph });
         if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
-            return Err(OutOfRange {
-                what: format!("{draught} m and {speed} m/s"),
-                range: "boundary elements need a draught and a downward speed above zero".into(),
-                next: EntryModel::Wcsph,
-            });
+            let range = "boundary elements need a draught and a downward speed above zero";
+            return refused(format!("{draught} m and {speed} m/s"), range);
         }
-        let face = Face { beta: deadrise_deg.to_radians(), draught };
-        let half_breadth = draught / face.beta.tan();
-        Ok(WedgeFlow { surface: FreeSurface::at_first(&face, FAR * half_breadth), face, speed, gravity })
+        let beta = deadrise_deg.to_radians();
+        let half_breadth = draught / beta.tan();
+        if 0.5 * breadth < std::f64::consts::FRAC_PI_2 * half_breadth {
+            let range = "boundary elements begin with dry chines";
+            return refused(format!("{breadth} m of breadth at a draught of {draught} m"), range);
+        }
+        let face = Face { beta, draught, length: 0.5 * breadth / beta.cos() };
+        let surface = FreeSurface::at_first(&face, FAR * half_breadth);
+        Ok(WedgeFlow { face, surface, underside: None, speed, gravity })
+    }
+
+    /// The same with the surface of an entry at constant speed and without gravity so far: loads are those of the entry at once.
+    ///
+    /// # Errors
+    /// As [`WedgeFlow::new`].
+    pub fn developed(
+        deadrise_deg: f64,
+        breadth: f64,
+        draught: f64,
+        speed: f64,
+        gravity: f64,
+    ) -> Result<WedgeFlow, OutOfRange> {
+        let at_rest = WedgeFlow::new(deadrise_deg, breadth, draught, speed, gravity)?;
+        let mut similar = WedgeFlow::new(deadrise_deg, f64::INFINITY, 1.0, 1.0, 0.0)?;
+        while similar.draught() < FORGOTTEN {
+            similar.step(|_| 0.0).map_err(|ended| OutOfRange {
+                what: format!("{deadrise_deg}°: {ended}"),
+                range: "boundary elements need a flow that can be followed".into(),
+                next: EntryModel::Wcsph,
+            })?;
+        }
+        Ok(WedgeFlow { surface: similar.surface.scaled(draught / similar.draught(), speed), ..at_rest })
+    }
+
+    /// The same with all velocities in proportion to a downward speed [m/s].
+    fn at_speed(self, speed: f64) -> WedgeFlow {
+        WedgeFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
     }
 
     /// Draught of the keel below still water [m].
@@ -103,9 +144,20 @@ impl WedgeFlow {
         self.speed
     }
 
-    /// The right half of the free surface from far away to the jet's cut, [x, y] [m], shape (n, 2).
+    /// Half breadth between the ends of the jets [m].
+    pub fn half_width(&self) -> f64 {
+        self.lower_side().nearest(self.surface.end()).foot.re
+    }
+
+    /// True once the flow has left the chines.
+    pub fn chines_wet(&self) -> bool {
+        self.underside.is_some()
+    }
+
+    /// The right half of the free surface from far away to the jet's cut, and from there to a wet chine, [x, y] [m], shape (n, 2).
     pub fn surface(&self) -> Vec<[f64; 2]> {
-        self.surface.z.iter().map(|z| [z.re, z.im]).collect()
+        let below = self.underside.iter().flat_map(|underside| &underside.z);
+        self.surface.z.iter().chain(below).map(|z| [z.re, z.im]).collect()
     }
 
     /// Load of the water now.
@@ -119,123 +171,85 @@ impl WedgeFlow {
     /// # Errors
     /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
     pub fn step(&mut self, acceleration: impl Fn(&WedgeLoad) -> f64) -> Result<(f64, WedgeLoad), FlowEnded> {
-        let start = self.solve();
-        let dt = self.stable_dt(&start.velocity);
+        let mut start = self.solve();
+        if let Some(underside) = self.separated(&start) {
+            self.underside = Some(underside);
+            start = self.solve();
+        }
+        let ended = |speed: f64| FlowEnded { draught: self.face.draught, speed };
+        let dt = self.stable_dt(&start);
         let half = self.moved(self.speed, &start, acceleration(&start.load), 0.5 * dt);
+        if !half.is_finite() {
+            return Err(ended(half.speed));
+        }
         let middle = half.solve();
         let end = self.moved(half.speed, &middle, acceleration(&middle.load), dt);
-        let surface = end.surface.redistributed(&end.face);
-        if !(end.speed > 0.0 && start.load.force.is_finite() && surface.z.iter().all(|z| z.is_finite())) {
-            return Err(FlowEnded { draught: self.face.draught, speed: end.speed });
+        if !(end.is_finite() && end.speed > 0.0 && start.load.force.is_finite()) {
+            return Err(ended(end.speed));
         }
-        *self = WedgeFlow { surface, ..end };
+        *self = end.redistributed();
         Ok((dt, start.load))
+    }
+
+    /// EN24: where the jet's end has passed a dry chine, what lies beyond it on the face's plane is a free surface from now on.
+    fn separated(&self, now: &Solution) -> Option<FreeSurface> {
+        let (face, end) = (&self.face, self.surface.end());
+        let beyond = face.coordinates(end)[0] - face.length;
+        let size = self.lower_side().finest(end);
+        if self.underside.is_some() || !self.surface.cut || beyond < PASSED * size {
+            return None;
+        }
+        let s = arc_length(&now.face);
+        let phi = Spline::new(&s, now.phi_on_face.iter().copied());
+        let count = (beyond / size).ceil().max(3.0);
+        let at = (0..=count as usize).map(|k| beyond * k as f64 / count);
+        let (z, phi) = at.map(|q| (face.foot(end) - face.direction() * q, phi.sample(q)[0])).unzip();
+        Some(FreeSurface { z, phi, cut: true })
     }
 
     /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
     fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> WedgeFlow {
         let face = Face { draught: self.face.draught + speed * dt, ..self.face };
+        let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt, &face));
+        if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
+            *at_chine = face.chine();
+        }
         WedgeFlow {
-            surface: self.surface.moved(&at.velocity, &at.rate, dt, &face),
+            surface: at.above.moves(&self.surface, dt, &face),
             face,
+            underside,
             speed: self.speed + acceleration * dt,
             gravity: self.gravity,
         }
     }
 
-    fn stable_dt(&self, velocity: &[c64]) -> f64 {
-        let courant = self.surface.z.windows(2).zip(velocity.windows(2)).map(|(z, v)| {
+    /// With the jet cut and nodes placed anew.
+    fn redistributed(self) -> WedgeFlow {
+        let lower = self.lower_side();
+        let surface = self.surface.redistributed(lower);
+        let (cut, size) = (lower.nearest(surface.end()).foot, lower.finest(surface.end()));
+        let underside = self.underside.as_ref().map(|underside| redistributed(underside, cut, size));
+        WedgeFlow { surface, underside, ..self }
+    }
+
+    fn lower_side(&self) -> LowerSide<'_> {
+        LowerSide { face: &self.face, underside: self.underside.as_ref() }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.speed.is_finite() && self.surface.is_finite() && self.underside.iter().all(FreeSurface::is_finite)
+    }
+
+    fn stable_dt(&self, now: &Solution) -> f64 {
+        let crossing = |z: &[c64], v: &[c64]| {
             let speed = 0.5 * (v[0].norm() + v[1].norm());
             COURANT * (z[1] - z[0]).norm() / speed.max(f64::MIN_POSITIVE)
+        };
+        let surfaces = [(Some(&self.surface), &now.above), (self.underside.as_ref(), &now.below)];
+        let pairs = surfaces.into_iter().filter_map(|(surface, flow)| Some((surface?, flow)));
+        let times = pairs.flat_map(|(surface, flow)| {
+            surface.z.windows(2).zip(flow.velocity.windows(2)).map(|(z, v)| crossing(z, v))
         });
-        courant.fold(DRAUGHT_GROWTH * self.face.draught / self.speed.abs(), f64::min)
-    }
-
-    /// EN21 for β and its time derivative, EN23.
-    fn solve(&self) -> Solution {
-        let WedgeFlow { face, surface, speed, gravity } = self;
-        let (nodes, contact) = self.contour();
-        let (n, free) = (nodes.len(), surface.z.len());
-        let known = |k: usize| match k.cmp(&contact) {
-            std::cmp::Ordering::Less => Known::Potential,
-            std::cmp::Ordering::Equal => Known::Both,
-            std::cmp::Ordering::Greater => Known::StreamFunction,
-        };
-        let contour = Contour::new(&nodes, (0..n).map(known).collect());
-
-        // velocity: φ on the surface, ψ = V x on the body, φ along the cut by the body's speed normal to its face
-        let across = |z: &c64| speed * face.direction().re * face.coordinates(*z)[1];
-        let end = free - 1;
-        let on_cut = nodes[free..=contact].iter().map(|z| surface.phi[end] + across(z) - across(&nodes[end]));
-        let mut beta = Complex {
-            phi: surface.phi.iter().copied().chain(on_cut).chain(vec![0.0; n - contact - 1]).collect(),
-            psi: nodes.iter().enumerate().map(|(k, z)| if k < contact { 0.0 } else { speed * z.re }).collect(),
-        };
-        contour.solve(&mut beta);
-        let velocity = surface.velocity(&beta.psi[..free]);
-        let on_body = self.body_velocity(&nodes[contact..], &beta.phi[contact..]);
-
-        // φ_t: p = 0 on the surface and in the cut; ψ_t of the body's motion
-        let at_rest = |k: usize| -0.5 * velocity[k].norm_sqr() - gravity * nodes[k].im;
-        let mut rate = Complex {
-            phi: (0..n).map(|k| if k <= contact { at_rest(k.min(end)) } else { 0.0 }).collect(),
-            psi: (0..n).map(|k| if k < contact { 0.0 } else { speed * on_body[k - contact].re }).collect(),
-        };
-        contour.solve(&mut rate);
-        let x_on_body = |k: usize| if k < contact { 0.0 } else { nodes[k].re };
-        let mut per_acceleration = Complex { phi: vec![0.0; n], psi: (0..n).map(x_on_body).collect() };
-        contour.solve(&mut per_acceleration);
-
-        let pressure: Vec<[f64; 3]> = (contact..n)
-            .map(|k| {
-                let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + gravity * nodes[k].im;
-                [nodes[k].im, -steady, -per_acceleration.phi[k]]
-            })
-            .collect();
-        // both halves: twice the trapezoid in x
-        let over_breadth = |of: usize| -> f64 {
-            let trapezoid =
-                |k: usize| (pressure[k][of] + pressure[k + 1][of]) * (nodes[contact + k] - nodes[contact + k + 1]).re;
-            (0..pressure.len() - 1).map(trapezoid).sum()
-        };
-        Solution {
-            load: WedgeLoad { force: over_breadth(1), added_mass: over_breadth(2), pressure },
-            rate: (0..free).map(|k| velocity[k].norm_sqr() + at_rest(k)).collect(),
-            velocity,
-        }
-    }
-
-    /// Nodes of the right half of the contour: free surface, cut, face down to the keel; and which is that where the face begins.
-    fn contour(&self) -> (Vec<c64>, usize) {
-        let WedgeFlow { face, surface, .. } = self;
-        let mut nodes = surface.z.clone();
-        let (end, size) = (surface.end(), face.finest(surface.end()));
-        let foot = face.foot(end);
-        if surface.cut {
-            let elements = (face.coordinates(end)[1] / size).ceil().max(2.0);
-            nodes.extend((1..=elements as usize).map(|k| end + (foot - end) * (k as f64 / elements)));
-        }
-        let contact = nodes.len() - 1;
-        let wetted = (foot - face.keel()).norm();
-        let [at_keel, largest] = FACE_ELEMENTS.map(|x| x * wetted);
-        let from_contact = |s: f64| size + GROWTH * (s - FINE_ELEMENTS * size).max(0.0);
-        let from_keel = |s: f64| at_keel + GROWTH * (wetted - s).max(0.0);
-        let along = graded(wetted, |s| from_contact(s).min(from_keel(s)).min(largest));
-        nodes.extend(along[1..].iter().map(|s| foot + (face.keel() - foot) * (s / wetted)));
-        let keel = nodes.len() - 1;
-        nodes[keel] = face.keel();
-        (nodes, contact)
-    }
-
-    /// Velocity u + iv of the water on the face [m/s]; at the keel it is the wedge's.
-    fn body_velocity(&self, nodes: &[c64], phi: &[f64]) -> Vec<c64> {
-        let (s, down) = (arc_length(nodes), -self.face.direction());
-        let along = Spline::new(&s, phi.iter().copied()).slopes();
-        let mut velocity: Vec<c64> =
-            along.iter().map(|phi_s| (c64::new(*phi_s, self.speed * down.re) / down).conj()).collect();
-        if let Some(keel) = velocity.last_mut() {
-            *keel = c64::new(0.0, -self.speed);
-        }
-        velocity
+        times.fold(DRAUGHT_GROWTH * self.face.draught / self.speed.abs(), f64::min)
     }
 }

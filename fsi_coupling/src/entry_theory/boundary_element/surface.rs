@@ -4,12 +4,9 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
+use super::lower_side::{Face, LowerSide};
 use super::spline::Spline;
 
-/// Element beside the jet, over Wagner's thickness of the jet c tan²β/(2π).
-const FINEST: f64 = 0.35;
-/// Largest thickness that counts, over c.
-const THICKEST: f64 = 0.08;
 /// Growth of the elements per length away from the jet.
 pub(super) const GROWTH: f64 = 0.12;
 /// Elements of the finest size beside the jet's end.
@@ -21,44 +18,8 @@ const KEPT: f64 = 2.0;
 /// A tip that is not cut yet is bent: the jet is looked for between these distances from it, in finest elements.
 const TIP: [f64; 2] = [2.0, 12.0];
 
-/// A straight face at rest in its own axes: the keel at −i draught, at the deadrise β.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
-    /// Deadrise β [rad].
-    pub beta: f64,
-    /// Draught of the keel below still water [m].
-    pub draught: f64,
-}
-
-impl Face {
-    /// Unit vector from the keel outwards.
-    pub fn direction(&self) -> c64 {
-        c64::new(self.beta.cos(), self.beta.sin())
-    }
-
-    pub fn keel(&self) -> c64 {
-        c64::new(0.0, -self.draught)
-    }
-
-    /// Distances of a point from the keel along the face, and from the face into the water [m].
-    pub fn coordinates(&self, z: c64) -> [f64; 2] {
-        let along = (z - self.keel()) * self.direction().conj();
-        [along.re, -along.im]
-    }
-
-    /// The point of the face nearest to `z`.
-    pub fn foot(&self, z: c64) -> c64 {
-        self.keel() + self.direction() * self.coordinates(z)[0]
-    }
-
-    /// Size of the elements beside the jet's end [m].
-    pub fn finest(&self, end: c64) -> f64 {
-        let c = self.foot(end).re;
-        FINEST * c * (self.beta.tan().powi(2) / (2.0 * PI)).min(THICKEST)
-    }
-}
-
-/// The right half of the free surface, from far away to the face.
+/// A free surface: the right half of the upper one, from far away to the face or the jet's cut; or that which left the chine, from the
+/// cut to the chine.
 #[derive(Clone, Debug)]
 pub(super) struct FreeSurface {
     /// Nodes x + iy [m].
@@ -95,7 +56,8 @@ impl FreeSurface {
     pub fn at_first(face: &Face, far: f64) -> FreeSurface {
         let (slope, h) = (face.beta.tan(), face.draught);
         let c = 0.5 * PI * h / slope;
-        let size = face.finest(c64::new(c, c * slope - h));
+        let lower = LowerSide { face, underside: None };
+        let size = lower.finest(c64::new(c, c * slope - h));
         let point = |distance: &f64| {
             let x = c + distance;
             c64::new(x, x * slope * (2.0 / PI) * (c / x).min(1.0).asin() - h)
@@ -109,7 +71,7 @@ impl FreeSurface {
         self.z[self.z.len() - 1]
     }
 
-    /// Velocity u + iv of the water at the nodes [m/s] of φ and ψ there.
+    /// Velocity u + iv of the water at the nodes [m/s] of ψ there.
     pub fn velocity(&self, psi: &[f64]) -> Vec<c64> {
         let s = arc_length(&self.z);
         let slopes = |of: &mut dyn Iterator<Item = f64>| Spline::new(&s, of).slopes();
@@ -133,30 +95,51 @@ impl FreeSurface {
     }
 
     /// The jet cut, and nodes at distances that grow away from it.
-    pub fn redistributed(&self, face: &Face) -> FreeSurface {
+    pub fn redistributed(&self, lower: LowerSide<'_>) -> FreeSurface {
         let s = arc_length(&self.z);
         let (x, y) = (Spline::new(&s, self.z.iter().map(|z| z.re)), Spline::new(&s, self.z.iter().map(|z| z.im)));
-        let phi = Spline::new(&s, self.phi.iter().copied());
         let at = |s: f64| c64::new(x.sample(s)[0], y.sample(s)[0]);
         let is_jet = |s: f64| {
-            let against_face = (c64::new(x.sample(s)[1], y.sample(s)[1]) * face.direction().conj()).arg();
+            let against_face = (c64::new(x.sample(s)[1], y.sample(s)[1]) * lower.nearest(at(s)).tangent.conj()).arg();
             (-0.5 * PI..JET_ANGLE).contains(&against_face)
         };
-        let (whole, size) = (s[s.len() - 1], face.finest(self.end()));
+        let (whole, size) = (s[s.len() - 1], lower.finest(self.end()));
         let found = self.jet_end(whole, size, &is_jet);
         let kept = found.map(|tip| (tip, root_of_jet(tip, size, &is_jet))).and_then(|(tip, root)| {
-            let end = root + KEPT * face.coordinates(at(root))[1];
+            let end = root + KEPT * lower.nearest(at(root)).away;
             (end < tip).then_some(end)
         });
         let end = kept.unwrap_or(whole);
         let mut nodes = graded(end, |q| size + GROWTH * (q - FINE_ELEMENTS * size).max(0.0));
         nodes.iter_mut().for_each(|q| *q = (end - *q).max(0.0));
         nodes.reverse();
+        FreeSurface { cut: self.cut || kept.is_some(), ..self.sampled(&nodes) }
+    }
+
+    /// With nodes at the distances `at` along it.
+    pub fn sampled(&self, at: &[f64]) -> FreeSurface {
+        let s = arc_length(&self.z);
+        let along = |of: &mut dyn Iterator<Item = f64>| {
+            let spline = Spline::new(&s, of);
+            at.iter().map(|&s| spline.sample(s)[0]).collect::<Vec<_>>()
+        };
+        let (x, y) = (along(&mut self.z.iter().map(|z| z.re)), along(&mut self.z.iter().map(|z| z.im)));
+        let z = x.into_iter().zip(y).map(|(x, y)| c64::new(x, y)).collect();
+        FreeSurface { z, phi: along(&mut self.phi.iter().copied()), cut: self.cut }
+    }
+
+    /// All lengths times `length`, and all velocities times `speed`.
+    pub fn scaled(&self, length: f64, speed: f64) -> FreeSurface {
         FreeSurface {
-            z: nodes.iter().map(|&s| at(s)).collect(),
-            phi: nodes.iter().map(|&s| phi.sample(s)[0]).collect(),
-            cut: self.cut || kept.is_some(),
+            z: self.z.iter().map(|z| z * length).collect(),
+            phi: self.phi.iter().map(|phi| phi * length * speed).collect(),
+            cut: self.cut,
         }
+    }
+
+    /// Are all numbers finite?
+    pub fn is_finite(&self) -> bool {
+        self.z.iter().all(|z| z.is_finite()) && self.phi.iter().all(|phi| phi.is_finite())
     }
 
     /// Where the jet that may be cut ends, as a distance along the surface.

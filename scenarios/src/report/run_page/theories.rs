@@ -25,9 +25,9 @@ pub(super) struct Theories {
 }
 
 impl Theories {
-    /// All but the one that was run, up to when the first of them has the chines wet: beyond, the flow separates.
+    /// All formulae but the one that was run, up to when the first of them has the chines wet: beyond, the flow separates.
     pub fn beside(scene: &Scene) -> Theories {
-        let theories = EntryModel::ALL.into_iter().filter(|model| model.is_theory());
+        let theories = EntryModel::ALL.into_iter().filter(|model| model.is_formula());
         let follow = |model| {
             let (theory, _) = Theory::while_in_range(scene, model).ok()?;
             let rows = theory.rows(scene);
@@ -35,7 +35,7 @@ impl Theories {
         };
         let mut followed: Vec<Followed> = theories.filter_map(follow).collect();
         let dry = |f: &Followed| {
-            let chines = f.theory.loads.section().half_breadth();
+            let chines = f.theory.section.half_breadth();
             let wet = f.theory.instants.iter().find(|now| now.wetted >= chines);
             wet.map_or(f64::INFINITY, |now| now.time)
         };
@@ -88,6 +88,7 @@ fn in_words(model: EntryModel) -> &'static str {
         EntryModel::Wagner => "Wagner",
         EntryModel::Mlm => "modified Logvinovich",
         EntryModel::Similarity => "similarity solution",
+        EntryModel::BoundaryElement => "boundary elements",
         EntryModel::Wcsph => "weakly compressible SPH",
         EntryModel::Incompressible => "incompressible SPH",
     }

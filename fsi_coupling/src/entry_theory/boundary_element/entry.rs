@@ -1,0 +1,238 @@
+//! The vertical motion of a wedge that enters water, by boundary elements.
+
+use super::super::entry::{Instant, SectionMotion};
+use super::super::model::{EntryModel, OutOfRange};
+use super::{WedgeFlow, WedgeLoad};
+
+/// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
+const BEGIN: f64 = 1.0 / 6.0;
+/// Steps before the flow begins.
+const STEPS_BEFORE: usize = 64;
+/// Share of the speed at contact below which the wedge counts as stopped.
+const STOPPED: f64 = 1e-3;
+
+/// A wedge on its way into still water.
+#[derive(Clone, Copy, Debug)]
+pub struct WedgeEntry {
+    /// Deadrise [deg].
+    pub deadrise_deg: f64,
+    /// Breadth at the chines [m].
+    pub breadth: f64,
+    /// How it moves.
+    pub motion: SectionMotion,
+    /// Draught of the keel at t = 0 [m]; negative above the water.
+    pub draught: f64,
+    /// Downward speed at t = 0 [m/s].
+    pub speed: f64,
+    /// Acceleration of gravity, downward [m/s²].
+    pub gravity: f64,
+    /// Density of the water ρ [kg/m³].
+    pub density: f64,
+}
+
+/// A step of the motion.
+#[derive(Clone, Debug)]
+struct Step {
+    now: Instant,
+    /// Half breadth of the wet face [m].
+    face: f64,
+    /// x [m] and pressure [Pa] from the jet or the chine to the keel.
+    pressure: Vec<[f64; 2]>,
+}
+
+/// A wedge's entry, step by step.
+#[derive(Clone, Debug)]
+pub struct FlowHistory {
+    steps: Vec<Step>,
+    times: Vec<f64>,
+}
+
+impl WedgeEntry {
+    /// The wedge at `times` [s], which increase from 0 on, as far as the flow can be followed, and why not further. Before the flow begins the
+    /// load is that of the similar flow, A V² + M dV/dt.
+    ///
+    /// # Errors
+    /// As [`WedgeFlow::new`].
+    pub fn solve(&self, times: &[f64]) -> Result<(Vec<Instant>, FlowHistory, Option<OutOfRange>), OutOfRange> {
+        let end = times.last().copied().unwrap_or(0.0);
+        let falls = matches!(self.motion, SectionMotion::Free(_));
+        let g = if falls { self.gravity } else { 0.0 };
+        let in_air = if self.draught < 0.0 { fall_time(-self.draught, self.speed, g) } else { 0.0 };
+        let at_contact = self.speed + g * in_air;
+        let tan = self.deadrise_deg.to_radians().tan();
+        let wet = 0.5 * self.breadth * tan * std::f64::consts::FRAC_2_PI;
+        let left = end - in_air;
+        let last = (self.draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
+        let begin = if self.draught > 0.0 { self.draught } else { BEGIN * last.max(1e-9 * wet) };
+        let mut flow = WedgeFlow::developed(self.deadrise_deg, self.breadth, begin, at_contact, self.gravity)?;
+
+        let mut steps = self.in_air(in_air, g);
+        if self.draught <= 0.0 {
+            let similar = WedgeFlow { gravity: 0.0, ..flow.clone() }.load();
+            let [time, speed] = self.until_the_flow(&mut steps, &similar, begin, [in_air, at_contact]);
+            flow = flow.at_speed(speed);
+            steps.extend(self.followed(flow, time, end, STOPPED * at_contact));
+        } else {
+            steps.extend(self.followed(flow, 0.0, end, STOPPED * at_contact));
+        }
+        let history = FlowHistory { times: steps.iter().map(|step| step.now.time).collect(), steps };
+        let reached = history.times.last().copied().unwrap_or(0.0);
+        let instants: Vec<Instant> =
+            times.iter().take_while(|time| **time <= reached).map(|time| history.at(*time)).collect();
+        let over = (instants.len() < times.len()).then(|| {
+            let now = history.steps[history.steps.len() - 1].now;
+            let why = if now.speed < 0.05 * at_contact { "a body that leaves the water" } else { "a flow that breaks up" };
+            OutOfRange {
+                what: format!("{why}, from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught),
+                range: "boundary elements follow bodies on their way down".into(),
+                next: EntryModel::Wcsph,
+            }
+        });
+        Ok((instants, history, over))
+    }
+
+    /// The downward acceleration under a load [m/s²].
+    fn rate(&self, load: &WedgeLoad) -> f64 {
+        match self.motion {
+            SectionMotion::Constant => 0.0,
+            SectionMotion::Free(mass) => {
+                (mass * self.gravity - self.density * load.force) / (mass + self.density * load.added_mass)
+            }
+        }
+    }
+
+    fn in_air(&self, contact: f64, g: f64) -> Vec<Step> {
+        let at = |time: f64| Step {
+            now: Instant {
+                time,
+                draught: self.draught + self.speed * time + 0.5 * g * time * time,
+                speed: self.speed + g * time,
+                rate: g,
+                force: 0.0,
+                wetted: 0.0,
+            },
+            face: 0.0,
+            pressure: vec![[0.0, 0.0]; 2],
+        };
+        let count = if contact > 0.0 { STEPS_BEFORE } else { 0 };
+        (0..count).map(|k| at(contact * k as f64 / count as f64)).collect()
+    }
+
+    /// From contact at [time, speed] to the draught `begin` under the load `similar` of that draught: midpoint rule in the draught. Returns
+    /// time and speed there.
+    fn until_the_flow(
+        &self,
+        steps: &mut Vec<Step>,
+        similar: &WedgeLoad,
+        begin: f64,
+        [mut time, mut speed]: [f64; 2],
+    ) -> [f64; 2] {
+        let contact_speed = speed;
+        let dh = begin / STEPS_BEFORE as f64;
+        let load = |h: f64, v: f64| similar.scaled(h / begin, v / contact_speed);
+        for k in 0..STEPS_BEFORE {
+            let draught = dh * k as f64;
+            let now = load(draught, speed);
+            let rate = self.rate(&now);
+            steps.push(self.step_of([time, draught, speed, rate], &now, [now.half_breadth(); 2]));
+            let half = speed + rate * 0.5 * dh / speed;
+            let rate = self.rate(&load(draught + 0.5 * dh, half));
+            time += dh / half;
+            speed += rate * dh / half;
+        }
+        [time, speed]
+    }
+
+    /// The steps of the flow from `time` to `end` [s].
+    fn followed(&self, mut flow: WedgeFlow, mut time: f64, end: f64, stopped: f64) -> Vec<Step> {
+        let mut steps = Vec::new();
+        loop {
+            let (draught, speed, width) = (flow.draught(), flow.speed(), flow.half_width());
+            let Ok((dt, load)) = flow.step(|load| self.rate(load)) else { break };
+            let face = width.min(0.5 * self.breadth);
+            steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
+            if time >= end || speed < stopped {
+                break;
+            }
+            time += dt;
+        }
+        steps
+    }
+
+    fn step_of(&self, [time, draught, speed, rate]: [f64; 4], load: &WedgeLoad, [face, wetted]: [f64; 2]) -> Step {
+        let rho = self.density;
+        let force = rho * (load.force + load.added_mass * rate);
+        Step {
+            now: Instant { time, draught, speed, rate, force, wetted },
+            face,
+            pressure: load.pressure.iter().map(|[x, steady, added]| [*x, rho * (steady + added * rate)]).collect(),
+        }
+    }
+}
+
+/// Time [s] in which a body at a downward speed [m/s] falls by `height` [m].
+fn fall_time(height: f64, speed: f64, g: f64) -> f64 {
+    2.0 * height / (speed + (speed * speed + 2.0 * g * height).sqrt())
+}
+
+impl FlowHistory {
+    /// The wedge at a time [s], linear between steps.
+    fn at(&self, time: f64) -> Instant {
+        let (k, share) = self.between(time);
+        let [a, b] = [&self.steps[k].now, &self.steps[k + 1].now];
+        let mix = |a: f64, b: f64| a + share * (b - a);
+        Instant {
+            time,
+            draught: mix(a.draught, b.draught),
+            speed: mix(a.speed, b.speed),
+            rate: mix(a.rate, b.rate),
+            force: mix(a.force, b.force),
+            wetted: mix(a.wetted, b.wetted),
+        }
+    }
+
+    /// Pressure [Pa] on the face at the distance `x` from the plane of symmetry [m], at a time [s]; linear between steps, at the same share of
+    /// the wet face.
+    pub fn pressure(&self, time: f64, x: f64) -> f64 {
+        let (k, share) = self.between(time);
+        let [a, b] = [&self.steps[k], &self.steps[k + 1]];
+        let wet = a.face + share * (b.face - a.face);
+        let on_face = x.abs() / wet;
+        if on_face.is_nan() || on_face > 1.0 {
+            return 0.0;
+        }
+        let [a, b] = [a, b].map(|step| step.pressure_at(on_face * step.face));
+        a + share * (b - a)
+    }
+
+    /// The step before a time, and the share of it that has passed [-].
+    fn between(&self, time: f64) -> (usize, f64) {
+        let k = self.times.partition_point(|at| *at <= time).clamp(1, self.times.len() - 1) - 1;
+        (k, ((time - self.times[k]) / (self.times[k + 1] - self.times[k])).clamp(0.0, 1.0))
+    }
+}
+
+impl Step {
+    fn pressure_at(&self, x: f64) -> f64 {
+        let after = self.pressure.partition_point(|p| p[0] > x).clamp(1, self.pressure.len() - 1);
+        let ([x0, p0], [x1, p1]) = (self.pressure[after - 1], self.pressure[after]);
+        if x > x0 || x0 == x1 { 0.0 } else { p0 + (p1 - p0) * ((x0 - x) / (x0 - x1)).min(1.0) }
+    }
+}
+
+impl WedgeLoad {
+    /// Of the similar flow with all lengths times `length` and all velocities times `speed`.
+    fn scaled(&self, length: f64, speed: f64) -> WedgeLoad {
+        let square = speed * speed;
+        WedgeLoad {
+            force: self.force * length * square,
+            added_mass: self.added_mass * length * length,
+            pressure: self.pressure.iter().map(|[x, p, m]| [x * length, p * square, m * length]).collect(),
+        }
+    }
+
+    /// Half breadth of the wet face [m].
+    fn half_breadth(&self) -> f64 {
+        self.pressure.first().map_or(0.0, |p| p[0])
+    }
+}

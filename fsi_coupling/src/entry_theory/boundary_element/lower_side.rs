@@ -1,0 +1,113 @@
+//! The lower side of the water beside the jet: the face, and past a wet chine the surface that has left it (THEORY EN22, EN24).
+
+use std::f64::consts::PI;
+
+use faer::c64;
+
+use super::surface::{FINE_ELEMENTS, FreeSurface, GROWTH, arc_length, graded};
+
+/// Element beside the jet, over Wagner's thickness of the jet c tan²β/(2π).
+const FINEST: f64 = 0.35;
+/// Largest thickness that counts, over c.
+const THICKEST: f64 = 0.08;
+/// Least number of elements of the surface that left the chine.
+const LEAST_ELEMENTS: f64 = 4.0;
+
+/// A straight face at rest in its own axes: the keel at −i draught, at the deadrise β, from the keel to the chine.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Face {
+    /// Deadrise β [rad].
+    pub beta: f64,
+    /// Draught of the keel below still water [m].
+    pub draught: f64,
+    /// Length from the keel to the chine [m].
+    pub length: f64,
+}
+
+impl Face {
+    /// Unit vector from the keel outwards.
+    pub fn direction(&self) -> c64 {
+        c64::new(self.beta.cos(), self.beta.sin())
+    }
+
+    pub fn keel(&self) -> c64 {
+        c64::new(0.0, -self.draught)
+    }
+
+    pub fn chine(&self) -> c64 {
+        self.keel() + self.direction() * self.length
+    }
+
+    /// Distances of a point from the keel along the face, and from the face into the water [m].
+    pub fn coordinates(&self, z: c64) -> [f64; 2] {
+        let along = (z - self.keel()) * self.direction().conj();
+        [along.re, -along.im]
+    }
+
+    /// The point of the face, or of its plane beyond the chine, nearest to `z`.
+    pub fn foot(&self, z: c64) -> c64 {
+        self.keel() + self.direction() * self.coordinates(z)[0]
+    }
+}
+
+/// The face, and the surface that left the chine where it is wet, from the jet's cut to the chine.
+#[derive(Clone, Copy)]
+pub(super) struct LowerSide<'a> {
+    pub face: &'a Face,
+    pub underside: Option<&'a FreeSurface>,
+}
+
+/// The point of the lower side that is nearest to one in the water.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearest {
+    pub foot: c64,
+    /// Unit vector outwards along the lower side.
+    pub tangent: c64,
+    /// Distance [m].
+    pub away: f64,
+}
+
+/// The nearest to `z` on a straight piece.
+fn on_piece(z: c64, from: c64, tangent: c64, longest: f64) -> Nearest {
+    let along = ((z - from) * tangent.conj()).re.max(0.0).min(longest);
+    let foot = from + tangent * along;
+    Nearest { foot, tangent, away: (z - foot).norm() }
+}
+
+impl LowerSide<'_> {
+    /// The point nearest to `z`; the lower side goes on straight beyond its end.
+    pub fn nearest(&self, z: c64) -> Nearest {
+        let (keel, direction) = (self.face.keel(), self.face.direction());
+        let Some(underside) = self.underside else { return on_piece(z, keel, direction, f64::INFINITY) };
+        let pieces = underside.z.windows(2).enumerate().map(|(k, ends)| {
+            let piece = ends[0] - ends[1];
+            let length = piece.norm();
+            on_piece(z, ends[1], piece / length, if k == 0 { f64::INFINITY } else { length })
+        });
+        let nearer = |best: Nearest, here: Nearest| if here.away < best.away { here } else { best };
+        pieces.fold(on_piece(z, keel, direction, self.face.length), nearer)
+    }
+
+    /// Size of the elements beside the jet's end [m].
+    pub fn finest(&self, end: c64) -> f64 {
+        let c = self.nearest(end).foot.re;
+        FINEST * c * (self.face.beta.tan().powi(2) / (2.0 * PI)).min(THICKEST)
+    }
+}
+
+/// The surface that left the chine with its nodes placed anew, fine at both ends, from the point nearest to the jet's cut to the chine.
+pub(super) fn redistributed(underside: &FreeSurface, cut: c64, size: f64) -> FreeSurface {
+    let FreeSurface { z, .. } = underside;
+    let s = arc_length(z);
+    let on = |k: usize| {
+        let piece = z[k + 1] - z[k];
+        let share = (((cut - z[k]) * piece.conj()).re / piece.norm_sqr()).max(0.0).min(1.0);
+        [(z[k] + piece * share - cut).norm(), s[k] + share * (s[k + 1] - s[k])]
+    };
+    let nearest = (0..z.len() - 1).map(on).fold([f64::INFINITY, 0.0], |a, b| if b[0] < a[0] { b } else { a });
+    let whole = s[s.len() - 1];
+    let length = (whole - nearest[1]).max(0.5 * size);
+    let grown = |q: f64| size + GROWTH * (q - FINE_ELEMENTS * size).max(0.0);
+    let at = graded(length, |q| grown(q).min(grown(length - q)).min(length / LEAST_ELEMENTS));
+    underside.sampled(&at.iter().map(|q| whole - length + q).collect::<Vec<_>>())
+}

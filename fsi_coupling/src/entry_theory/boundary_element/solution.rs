@@ -1,0 +1,176 @@
+//! The flow at an instant (THEORY EN21, EN23, EN24): velocity, rate of the potential, load.
+
+use std::cmp::Ordering;
+
+use faer::c64;
+
+use super::cauchy::{Complex, Contour, Known};
+use super::lower_side::Face;
+use super::spline::Spline;
+use super::surface::{FINE_ELEMENTS, FreeSurface, GROWTH, arc_length, graded};
+use super::{WedgeFlow, WedgeLoad};
+
+/// Size of elements on the face at the keel, and the largest, over the wetted length.
+const FACE_ELEMENTS: [f64; 2] = [1e-4, 0.06];
+
+/// Flow at the nodes of a free surface.
+#[derive(Default)]
+pub(super) struct SurfaceFlow {
+    /// u + iv [m/s].
+    pub velocity: Vec<c64>,
+    /// dφ/dt of the nodes [m²/s²].
+    pub rate: Vec<f64>,
+}
+
+impl SurfaceFlow {
+    /// The surface moved over `dt` [s].
+    pub fn moves(&self, surface: &FreeSurface, dt: f64, face: &Face) -> FreeSurface {
+        surface.moved(&self.velocity, &self.rate, dt, face)
+    }
+}
+
+/// One solution of the flow.
+pub(super) struct Solution {
+    pub above: SurfaceFlow,
+    /// Of the surface that left the chine; empty where it is dry.
+    pub below: SurfaceFlow,
+    /// Nodes of the face from the jet or the chine to the keel.
+    pub face: Vec<c64>,
+    /// φ there [m²/s].
+    pub phi_on_face: Vec<f64>,
+    pub load: WedgeLoad,
+}
+
+/// The right half of the contour: upper surface, cut, underside, face down to the keel.
+struct Nodes {
+    z: Vec<c64>,
+    /// The last node of the upper surface.
+    end: usize,
+    /// The node at which the cut meets the lower side.
+    foot: usize,
+    /// The node at which the face begins.
+    contact: usize,
+}
+
+impl WedgeFlow {
+    /// EN21 for β and its time derivative, EN23.
+    pub(super) fn solve(&self) -> Solution {
+        let WedgeFlow { face, surface, underside, speed, gravity } = self;
+        let Nodes { z: nodes, end, foot, contact } = self.contour();
+        let n = nodes.len();
+        let known = |k: usize| match k.cmp(&contact) {
+            Ordering::Less => Known::Potential,
+            Ordering::Equal => Known::Both,
+            Ordering::Greater => Known::StreamFunction,
+        };
+        let contour = Contour::new(&nodes, (0..n).map(known).collect());
+
+        // velocity: φ on the surfaces and along the cut, ψ = V x on the body
+        let psi = (0..n).map(|k| if k < contact { 0.0 } else { speed * nodes[k].re }).collect();
+        let mut beta = Complex { phi: self.potential(&nodes, end, foot), psi };
+        contour.solve(&mut beta);
+        let above = surface.velocity(&beta.psi[..=end]);
+        let on_body = self.body_velocity(&nodes[contact..], &beta.phi[contact..]);
+        let mut below = underside.as_ref().map_or_else(Vec::new, |s| s.velocity(&beta.psi[foot..=contact]));
+        if let Some(at_chine) = below.last_mut() {
+            *at_chine = on_body[0]; // the water leaves the chine as it comes along the face
+        }
+
+        // φ_t: p = 0 on the surfaces and in the cut; ψ_t of the body's motion
+        let at_rest = |velocity: &c64, z: &c64| -0.5 * velocity.norm_sqr() - gravity * z.im;
+        let rate_at = |k: usize| match k {
+            _ if k <= end => at_rest(&above[k], &nodes[k]),
+            _ if k > contact => 0.0,
+            _ if k >= foot && !below.is_empty() => at_rest(&below[k - foot], &nodes[k]),
+            _ => at_rest(&above[end], &nodes[end]),
+        };
+        let psi_t = |k: usize| if k < contact { 0.0 } else { speed * on_body[k - contact].re };
+        let mut rate = Complex { phi: (0..n).map(rate_at).collect(), psi: (0..n).map(psi_t).collect() };
+        contour.solve(&mut rate);
+        let x_on_body = |k: usize| if k < contact { 0.0 } else { nodes[k].re };
+        let mut per_acceleration = Complex { phi: vec![0.0; n], psi: (0..n).map(x_on_body).collect() };
+        contour.solve(&mut per_acceleration);
+
+        let pressure_at = |k: usize| {
+            let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + gravity * nodes[k].im;
+            [nodes[k].re, -steady, -per_acceleration.phi[k]]
+        };
+        // a node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body
+        let with_water = |v: &c64, z: &c64| v.norm_sqr() + at_rest(v, z);
+        let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(|(v, z)| with_water(v, z)).collect();
+        if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
+            *at_chine = at_rest(v, &face.chine()) - speed * v.im;
+        }
+        Solution {
+            above: SurfaceFlow {
+                rate: above.iter().zip(&nodes).map(|(v, z)| with_water(v, z)).collect(),
+                velocity: above,
+            },
+            below: SurfaceFlow { velocity: below, rate: rate_below },
+            load: WedgeLoad::of((contact..n).map(pressure_at).collect()),
+            face: nodes[contact..].to_vec(),
+            phi_on_face: beta.phi.split_off(contact),
+        }
+    }
+
+    /// φ on the surfaces and, linear, along the cut; 0 on the face [m²/s]. Across an attached jet it grows with the body's speed normal to its
+    /// face.
+    fn potential(&self, nodes: &[c64], end: usize, foot: usize) -> Vec<f64> {
+        let WedgeFlow { face, surface, underside, speed, .. } = self;
+        let across = || speed * face.direction().re * face.coordinates(nodes[end])[1];
+        let of_end = surface.phi[end];
+        let of_foot = underside.as_ref().map_or_else(|| of_end - across(), |underside| underside.phi[0]);
+        let share = |k: usize| (nodes[k] - nodes[end]).norm() / (nodes[foot] - nodes[end]).norm();
+        let mut phi = surface.phi.clone();
+        phi.extend((end + 1..=foot).map(|k| of_end + (of_foot - of_end) * share(k)));
+        phi.extend(underside.iter().flat_map(|underside| &underside.phi[1..]));
+        phi.resize(nodes.len(), 0.0);
+        phi
+    }
+
+    fn contour(&self) -> Nodes {
+        let WedgeFlow { face, surface, underside, .. } = self;
+        let end = surface.end();
+        let size = self.lower_side().finest(end);
+        let below = underside.as_ref().map_or_else(|| face.foot(end), |underside| underside.z[0]);
+        let mut z = surface.z.clone();
+        let last = z.len() - 1;
+        if surface.cut {
+            let elements = ((below - end).norm() / size).ceil().max(2.0);
+            z.extend((1..=elements as usize).map(|k| end + (below - end) * (k as f64 / elements)));
+        }
+        let foot = z.len() - 1;
+        z.extend(underside.iter().flat_map(|underside| &underside.z[1..]));
+        let contact = z.len() - 1;
+        let (upper, keel) = (z[contact], face.keel());
+        let wetted = (upper - keel).norm();
+        let [at_keel, largest] = FACE_ELEMENTS.map(|x| x * wetted);
+        let from_contact = |s: f64| size + GROWTH * (s - FINE_ELEMENTS * size).max(0.0);
+        let from_keel = |s: f64| at_keel + GROWTH * (wetted - s).max(0.0);
+        let along = graded(wetted, |s| from_contact(s).min(from_keel(s)).min(largest));
+        z.extend(along[1..along.len() - 1].iter().map(|s| upper + (keel - upper) * (s / wetted)));
+        z.push(keel);
+        Nodes { z, end: last, foot, contact }
+    }
+
+    /// Velocity u + iv of the water on the face [m/s]; at the keel it is the wedge's.
+    fn body_velocity(&self, nodes: &[c64], phi: &[f64]) -> Vec<c64> {
+        let (s, down) = (arc_length(nodes), -self.face.direction());
+        let along = Spline::new(&s, phi.iter().copied()).slopes();
+        let mut velocity: Vec<c64> =
+            along.iter().map(|phi_s| (c64::new(*phi_s, self.speed * down.re) / down).conj()).collect();
+        if let Some(keel) = velocity.last_mut() {
+            *keel = c64::new(0.0, -self.speed);
+        }
+        velocity
+    }
+}
+
+impl WedgeLoad {
+    /// Of pressures on the right half, whose image has the same.
+    fn of(pressure: Vec<[f64; 3]>) -> WedgeLoad {
+        let over_breadth =
+            |of: usize| -> f64 { pressure.windows(2).map(|p| (p[0][of] + p[1][of]) * (p[0][0] - p[1][0])).sum() };
+        WedgeLoad { force: over_breadth(1), added_mass: over_breadth(2), pressure }
+    }
+}
