@@ -55,5 +55,5 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
 /// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β.
 fn flow_seconds(theory: &Theory) -> f64 {
     let slope = theory.section.slope(0.0);
-    0.5 + 0.36 / (slope * slope)
+    0.15 + 0.22 / (slope * slope)
 }

@@ -44,7 +44,13 @@ fn element([a, b]: [c64; 2], [log_a, log_b]: [c64; 2]) -> [c64; 2] {
         return [-one, one - c64::new(log_a.re, 0.0)];
     }
     let angle = log_b.im - log_a.im;
-    let turn = if angle > PI { -TAU } else if angle < -PI { TAU } else { 0.0 };
+    let turn = if angle > PI {
+        -TAU
+    } else if angle < -PI {
+        TAU
+    } else {
+        0.0
+    };
     let log = c64::new(log_b.re - log_a.re, angle + turn);
     let second = one - a * log / (b - a);
     [log - second, second]

@@ -8,8 +8,12 @@ use super::{WedgeFlow, WedgeLoad};
 const BEGIN: f64 = 1.0 / 6.0;
 /// Steps before the flow begins.
 const STEPS_BEFORE: usize = 64;
+/// Deepest draught, over the breadth: beyond, the surface beside wet chines breaks up.
+const DEEPEST: f64 = 1.0;
 /// Share of the speed at contact below which the wedge counts as stopped.
 const STOPPED: f64 = 1e-3;
+/// The same for a flow that ended.
+const NEARLY_STOPPED: f64 = 0.05;
 
 /// A wedge on its way into still water.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +68,7 @@ impl WedgeEntry {
         let left = end - in_air;
         let last = (self.draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
         let begin = if self.draught > 0.0 { self.draught } else { BEGIN * last.max(1e-9 * wet) };
-        let mut flow = WedgeFlow::developed(self.deadrise_deg, self.breadth, begin, at_contact, self.gravity)?;
+        let mut flow = WedgeFlow::new(self.deadrise_deg, self.breadth, begin, at_contact, self.gravity)?;
 
         let mut steps = self.in_air(in_air, g);
         if self.draught <= 0.0 {
@@ -81,10 +85,14 @@ impl WedgeEntry {
             times.iter().take_while(|time| **time <= reached).map(|time| history.at(*time)).collect();
         let over = (instants.len() < times.len()).then(|| {
             let now = history.steps[history.steps.len() - 1].now;
-            let why = if now.speed < 0.05 * at_contact { "a body that leaves the water" } else { "a flow that breaks up" };
+            let why = match now {
+                _ if now.draught > DEEPEST * self.breadth => "one deeper than its breadth",
+                _ if now.speed < NEARLY_STOPPED * at_contact => "one that leaves the water",
+                _ => "one whose flow breaks up",
+            };
             OutOfRange {
-                what: format!("{why}, from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught),
-                range: "boundary elements follow bodies on their way down".into(),
+                what: format!("{why} from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught),
+                range: "boundary elements follow a wedge on its way down, to a draught of its breadth".into(),
                 next: EntryModel::Wcsph,
             }
         });
@@ -151,7 +159,7 @@ impl WedgeEntry {
             let Ok((dt, load)) = flow.step(|load| self.rate(load)) else { break };
             let face = width.min(0.5 * self.breadth);
             steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
-            if time >= end || speed < stopped {
+            if time >= end || speed < stopped || draught > DEEPEST * self.breadth {
                 break;
             }
             time += dt;

@@ -15,21 +15,20 @@ use faer::c64;
 pub use entry::{FlowHistory, WedgeEntry};
 
 use super::model::{EntryModel, OutOfRange};
+use super::similarity::SimilarityFlow;
 use lower_side::{Face, LowerSide, redistributed};
 use solution::Solution;
 use spline::Spline;
 use surface::{FreeSurface, arc_length};
 
 /// Deadrises of the validity [deg].
-pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [15.0, 60.0];
+pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [10.0, 60.0];
 /// Longest way of a node per step, over the length of its element.
-const COURANT: f64 = 0.6;
+const COURANT: f64 = 1.0;
 /// Largest growth of the draught per step.
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
-/// Growth of the draught after which the start is forgotten.
-const FORGOTTEN: f64 = 3.0;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
@@ -69,8 +68,8 @@ pub struct FlowEnded {
 }
 
 impl WedgeFlow {
-    /// A wedge of `deadrise_deg` and `breadth` [m], infinite for one without chines, whose keel is at `draught` [m], with the downward `speed`
-    /// [m/s], `gravity` [m/s²] in the water. The surface is that of Wagner: loads are those of the entry from about three times this draught on.
+    /// A wedge of `deadrise_deg` and `breadth` [m], infinite for one without chines, whose keel has come to `draught` [m] at the constant
+    /// downward `speed` [m/s] without gravity; from now on there is `gravity` [m/s²] in the water. The surface is the exact one (EN20).
     ///
     /// # Errors
     /// A deadrise outside [`BOUNDARY_ELEMENT_DEADRISES`]; a draught or a speed that is not above zero; wet chines.
@@ -82,13 +81,14 @@ impl WedgeFlow {
         gravity: f64,
     ) -> Result<WedgeFlow, OutOfRange> {
         let [least, most] = BOUNDARY_ELEMENT_DEADRISES;
-        if !(least..=most).contains(&deadrise_deg) {
+        let similar = SimilarityFlow::solve(deadrise_deg).filter(|_| (least..=most).contains(&deadrise_deg));
+        let Some(similar) = similar else {
             return Err(OutOfRange {
                 what: format!("{deadrise_deg}°"),
                 range: format!("boundary elements need a deadrise of {least} to {most}°"),
                 next: if deadrise_deg < most { EntryModel::Similarity } else { EntryModel::Wcsph },
             });
-        }
+        };
         let refused =
             |what: String, range: &str| Err(OutOfRange { what, range: range.into(), next: EntryModel::Wcsph });
         if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
@@ -102,31 +102,9 @@ impl WedgeFlow {
             return refused(format!("{breadth} m of breadth at a draught of {draught} m"), range);
         }
         let face = Face { beta, draught, length: 0.5 * breadth / beta.cos() };
-        let surface = FreeSurface::at_first(&face, FAR * half_breadth);
-        Ok(WedgeFlow { face, surface, underside: None, speed, gravity })
-    }
-
-    /// The same with the surface of an entry at constant speed and without gravity so far: loads are those of the entry at once.
-    ///
-    /// # Errors
-    /// As [`WedgeFlow::new`].
-    pub fn developed(
-        deadrise_deg: f64,
-        breadth: f64,
-        draught: f64,
-        speed: f64,
-        gravity: f64,
-    ) -> Result<WedgeFlow, OutOfRange> {
-        let at_rest = WedgeFlow::new(deadrise_deg, breadth, draught, speed, gravity)?;
-        let mut similar = WedgeFlow::new(deadrise_deg, f64::INFINITY, 1.0, 1.0, 0.0)?;
-        while similar.draught() < FORGOTTEN {
-            similar.step(|_| 0.0).map_err(|ended| OutOfRange {
-                what: format!("{deadrise_deg}°: {ended}"),
-                range: "boundary elements need a flow that can be followed".into(),
-                next: EntryModel::Wcsph,
-            })?;
-        }
-        Ok(WedgeFlow { surface: similar.surface.scaled(draught / similar.draught(), speed), ..at_rest })
+        let lower = LowerSide { face: &face, underside: None };
+        let surface = FreeSurface::similar(&similar, draught, speed, FAR / beta.tan()).redistributed(lower);
+        Ok(WedgeFlow { surface, face, underside: None, speed, gravity })
     }
 
     /// The same with all velocities in proportion to a downward speed [m/s].
@@ -196,26 +174,26 @@ impl WedgeFlow {
         let (face, end) = (&self.face, self.surface.end());
         let beyond = face.coordinates(end)[0] - face.length;
         let size = self.lower_side().finest(end);
-        if self.underside.is_some() || !self.surface.cut || beyond < PASSED * size {
+        if self.underside.is_some() || beyond < PASSED * size {
             return None;
         }
-        let s = arc_length(&now.face);
-        let phi = Spline::new(&s, now.phi_on_face.iter().copied());
+        let s = arc_length(now.face());
+        let phi = Spline::new(&s, now.phi_on_face().iter().copied());
         let count = (beyond / size).ceil().max(3.0);
         let at = (0..=count as usize).map(|k| beyond * k as f64 / count);
         let (z, phi) = at.map(|q| (face.foot(end) - face.direction() * q, phi.sample(q)[0])).unzip();
-        Some(FreeSurface { z, phi, cut: true })
+        Some(FreeSurface { z, phi })
     }
 
     /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
     fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> WedgeFlow {
         let face = Face { draught: self.face.draught + speed * dt, ..self.face };
-        let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt, &face));
+        let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt));
         if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
             *at_chine = face.chine();
         }
         WedgeFlow {
-            surface: at.above.moves(&self.surface, dt, &face),
+            surface: at.above.moves(&self.surface, dt),
             face,
             underside,
             speed: self.speed + acceleration * dt,
@@ -251,5 +229,38 @@ impl WedgeFlow {
             surface.z.windows(2).zip(flow.velocity.windows(2)).map(|(z, v)| crossing(z, v))
         });
         times.fold(DRAUGHT_GROWTH * self.face.draught / self.speed.abs(), f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between two placements of the nodes the boundary moves with the water: what the wedge does as work is energy of the water, with dry and
+    /// with wet chines.
+    #[test]
+    fn the_wedges_work_is_energy_of_the_water() {
+        for (deadrise, gravity) in [(22.0, 9.81), (30.0, 0.0), (47.0, 9.81), (58.0, 2.0)] {
+            let mut flow = WedgeFlow::new(deadrise, 1.0, 0.05, 2.0, gravity).expect("in range");
+            let (mut dry, mut wet) = ([0.0; 2], [0.0; 2]);
+            while flow.draught() < 0.6 {
+                let mut before = flow.solve();
+                if let Some(underside) = flow.separated(&before) {
+                    flow.underside = Some(underside);
+                    before = flow.solve();
+                }
+                let dt = flow.stable_dt(&before);
+                let middle = flow.moved(2.0, &before, 0.0, 0.5 * dt).solve();
+                let end = flow.moved(2.0, &middle, 0.0, dt);
+                let sums = if flow.chines_wet() { &mut wet } else { &mut dry };
+                sums[0] += middle.load.force * 2.0 * dt;
+                sums[1] += end.solve().energy(gravity) - before.energy(gravity);
+                flow = end.redistributed();
+            }
+            for (chines, [work, energy], within) in [("dry", dry, 0.006), ("wet", wet, 0.016)] {
+                let error = energy / work - 1.0;
+                assert!(error.abs() < within, "{deadrise}°, {chines} chines: energy {:+.2} % off", 100.0 * error);
+            }
+        }
     }
 }

@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use faer::c64;
 
 use super::cauchy::{Complex, Contour, Known};
-use super::lower_side::Face;
 use super::spline::Spline;
 use super::surface::{FINE_ELEMENTS, FreeSurface, GROWTH, arc_length, graded};
 use super::{WedgeFlow, WedgeLoad};
@@ -24,8 +23,8 @@ pub(super) struct SurfaceFlow {
 
 impl SurfaceFlow {
     /// The surface moved over `dt` [s].
-    pub fn moves(&self, surface: &FreeSurface, dt: f64, face: &Face) -> FreeSurface {
-        surface.moved(&self.velocity, &self.rate, dt, face)
+    pub fn moves(&self, surface: &FreeSurface, dt: f64) -> FreeSurface {
+        surface.moved(&self.velocity, &self.rate, dt)
     }
 }
 
@@ -34,10 +33,12 @@ pub(super) struct Solution {
     pub above: SurfaceFlow,
     /// Of the surface that left the chine; empty where it is dry.
     pub below: SurfaceFlow,
-    /// Nodes of the face from the jet or the chine to the keel.
-    pub face: Vec<c64>,
-    /// φ there [m²/s].
-    pub phi_on_face: Vec<f64>,
+    /// Nodes of the contour.
+    nodes: Vec<c64>,
+    /// φ and ψ there [m²/s].
+    beta: Complex,
+    /// The node at which the face begins.
+    contact: usize,
     pub load: WedgeLoad,
 }
 
@@ -73,7 +74,8 @@ impl WedgeFlow {
         let on_body = self.body_velocity(&nodes[contact..], &beta.phi[contact..]);
         let mut below = underside.as_ref().map_or_else(Vec::new, |s| s.velocity(&beta.psi[foot..=contact]));
         if let Some(at_chine) = below.last_mut() {
-            *at_chine = on_body[0]; // the water leaves the chine as it comes along the face
+            let slope = slope_at_edge(&nodes[contact..], &beta.phi[contact..]);
+            *at_chine = self.on_face(slope); // the water leaves the chine as it comes along the face
         }
 
         // φ_t: p = 0 on the surfaces and in the cut; ψ_t of the body's motion
@@ -108,8 +110,9 @@ impl WedgeFlow {
             },
             below: SurfaceFlow { velocity: below, rate: rate_below },
             load: WedgeLoad::of((contact..n).map(pressure_at).collect()),
-            face: nodes[contact..].to_vec(),
-            phi_on_face: beta.phi.split_off(contact),
+            beta,
+            nodes,
+            contact,
         }
     }
 
@@ -135,10 +138,8 @@ impl WedgeFlow {
         let below = underside.as_ref().map_or_else(|| face.foot(end), |underside| underside.z[0]);
         let mut z = surface.z.clone();
         let last = z.len() - 1;
-        if surface.cut {
-            let elements = ((below - end).norm() / size).ceil().max(2.0);
-            z.extend((1..=elements as usize).map(|k| end + (below - end) * (k as f64 / elements)));
-        }
+        let elements = ((below - end).norm() / size).ceil().max(2.0);
+        z.extend((1..=elements as usize).map(|k| end + (below - end) * (k as f64 / elements)));
         let foot = z.len() - 1;
         z.extend(underside.iter().flat_map(|underside| &underside.z[1..]));
         let contact = z.len() - 1;
@@ -155,14 +156,52 @@ impl WedgeFlow {
 
     /// Velocity u + iv of the water on the face [m/s]; at the keel it is the wedge's.
     fn body_velocity(&self, nodes: &[c64], phi: &[f64]) -> Vec<c64> {
-        let (s, down) = (arc_length(nodes), -self.face.direction());
-        let along = Spline::new(&s, phi.iter().copied()).slopes();
-        let mut velocity: Vec<c64> =
-            along.iter().map(|phi_s| (c64::new(*phi_s, self.speed * down.re) / down).conj()).collect();
+        let along = Spline::new(&arc_length(nodes), phi.iter().copied()).slopes();
+        let mut velocity: Vec<c64> = along.into_iter().map(|slope| self.on_face(slope)).collect();
         if let Some(keel) = velocity.last_mut() {
             *keel = c64::new(0.0, -self.speed);
         }
         velocity
+    }
+
+    /// Velocity u + iv [m/s] on the face where φ grows by `slope` [m/s] towards the keel.
+    fn on_face(&self, slope: f64) -> c64 {
+        let down = -self.face.direction();
+        (c64::new(slope, self.speed * down.re) / down).conj()
+    }
+}
+
+/// EN24: φ_s at an edge at which the flow separates, s the distance from it: U of φ = φ₀ + U s + A s^{3/2} through the first three nodes.
+fn slope_at_edge(nodes: &[c64], phi: &[f64]) -> f64 {
+    let along = |k: usize| {
+        let s = (nodes[k] - nodes[0]).norm();
+        [s.sqrt(), (phi[k] - phi[0]) / s] // the second is U + A √s
+    };
+    let ([root, secant], [further_root, further_secant]) = (along(1), along(2));
+    (secant * further_root - further_secant * root) / (further_root - root)
+}
+
+impl Solution {
+    /// Nodes of the face from the jet or the chine to the keel.
+    pub fn face(&self) -> &[c64] {
+        &self.nodes[self.contact..]
+    }
+
+    /// φ on the face [m²/s].
+    pub fn phi_on_face(&self) -> &[f64] {
+        &self.beta.phi[self.contact..]
+    }
+
+    /// Kinetic and potential energy of both halves over the density, ½ ∮ φ dψ − ½ g ∮ y² dx [m⁴/s²].
+    #[cfg(test)]
+    pub fn energy(&self, gravity: f64) -> f64 {
+        let Complex { phi, psi } = &self.beta;
+        let kinetic = phi.windows(2).zip(psi.windows(2)).map(|(phi, psi)| 0.5 * (phi[0] + phi[1]) * (psi[1] - psi[0]));
+        let potential = self.nodes.windows(2).map(|z| {
+            let [a, b] = [z[0].im, z[1].im];
+            gravity * (z[0].re - z[1].re) * (a * a + a * b + b * b) / 3.0
+        });
+        kinetic.sum::<f64>() + potential.sum::<f64>()
     }
 }
 

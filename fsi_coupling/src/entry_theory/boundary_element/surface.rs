@@ -4,21 +4,24 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
-use super::lower_side::{Face, LowerSide};
+use super::lower_side::LowerSide;
 use super::spline::Spline;
+use crate::entry_theory::similarity::SimilarityFlow;
 
+/// Pieces between two points of the exact surface.
+const PIECES: usize = 8;
 /// Growth of the elements per length away from the jet.
-pub(super) const GROWTH: f64 = 0.12;
+pub(super) const GROWTH: f64 = 0.1;
 /// Elements of the finest size beside the jet's end.
 pub(super) const FINE_ELEMENTS: f64 = 8.0;
 /// The jet begins where the surface is steeper than this against the face [rad].
 const JET_ANGLE: f64 = 10.0 * PI / 180.0;
 /// Length of the jet that is kept, over its thickness.
 const KEPT: f64 = 2.0;
-/// A tip that is not cut yet is bent: the jet is looked for between these distances from it, in finest elements.
-const TIP: [f64; 2] = [2.0, 12.0];
+/// The jet is looked for up to this distance from the cut, in finest elements.
+const TIP: f64 = 12.0;
 
-/// A free surface: the right half of the upper one, from far away to the face or the jet's cut; or that which left the chine, from the
+/// A free surface: the right half of the upper one, from far away to the jet's cut; or that which left the chine, from the
 /// cut to the chine.
 #[derive(Clone, Debug)]
 pub(super) struct FreeSurface {
@@ -26,8 +29,6 @@ pub(super) struct FreeSurface {
     pub z: Vec<c64>,
     /// Potential φ there [m²/s].
     pub phi: Vec<f64>,
-    /// The jet is cut: the last node is not on the face.
-    pub cut: bool,
 }
 
 /// Lengths along nodes from the first one [m].
@@ -52,18 +53,22 @@ pub(super) fn graded(length: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
 }
 
 impl FreeSurface {
-    /// Wagner's surface at rest: φ = 0 on y = x tan β (2/π) asin(c/x) − h, out to the distance `far`.
-    pub fn at_first(face: &Face, far: f64) -> FreeSurface {
-        let (slope, h) = (face.beta.tan(), face.draught);
-        let c = 0.5 * PI * h / slope;
-        let lower = LowerSide { face, underside: None };
-        let size = lower.finest(c64::new(c, c * slope - h));
-        let point = |distance: &f64| {
-            let x = c + distance;
-            c64::new(x, x * slope * (2.0 / PI) * (c / x).min(1.0).asin() - h)
-        };
-        let z: Vec<c64> = graded(far - c, |q| size + GROWTH * q).iter().rev().map(point).collect();
-        FreeSurface { phi: vec![0.0; z.len()], z, cut: false }
+    /// EN20: the exact surface at constant speed without gravity, of length unit `draught` [m], at the downward `speed` [m/s]: φ = ½(r² − s²), r from
+    /// the place of contact, s along the surface from the jet's tip. Out to `far` draughts.
+    pub fn similar(flow: &SimilarityFlow, draught: f64, speed: f64, far: f64) -> FreeSurface {
+        let z: Vec<c64> = flow.surface.iter().rev().map(|[x, y]| c64::new(*x, *y)).skip_while(|z| z.re > far).collect();
+        let coarse = FreeSurface { phi: vec![0.0; z.len()], z };
+        let at = arc_length(&coarse.z);
+        let between = |k: usize| (0..PIECES).map(move |i| i as f64 / PIECES as f64).map(move |q| (k, q));
+        let fine: Vec<f64> = (0..at.len() - 1)
+            .flat_map(between)
+            .map(|(k, q)| at[k] + q * (at[k + 1] - at[k]))
+            .chain(at.last().copied())
+            .collect();
+        let mut surface = coarse.sampled(&fine);
+        let (s, farthest) = (arc_length(&surface.z), surface.z[0].norm());
+        surface.phi = surface.z.iter().zip(s).map(|(z, s)| 0.5 * (z.norm_sqr() - (farthest - s).powi(2))).collect();
+        surface.scaled(draught, speed)
     }
 
     /// The last node.
@@ -80,18 +85,12 @@ impl FreeSurface {
         (0..s.len()).map(|k| (c64::new(phi[k], psi[k]) / c64::new(x[k], y[k])).conj()).collect()
     }
 
-    /// Moved over `dt` [s] with the velocities of its nodes and the rates of φ; an end on the face stays there.
-    pub fn moved(&self, velocity: &[c64], rate: &[f64], dt: f64, face: &Face) -> FreeSurface {
-        let mut moved = FreeSurface {
+    /// Moved over `dt` [s] with the velocities of its nodes and the rates of φ.
+    pub fn moved(&self, velocity: &[c64], rate: &[f64], dt: f64) -> FreeSurface {
+        FreeSurface {
             z: self.z.iter().zip(velocity).map(|(z, v)| z + v * dt).collect(),
             phi: self.phi.iter().zip(rate).map(|(phi, rate)| phi + rate * dt).collect(),
-            cut: self.cut,
-        };
-        if !moved.cut {
-            let last = moved.z.len() - 1;
-            moved.z[last] = face.foot(moved.z[last]);
         }
-        moved
     }
 
     /// The jet cut, and nodes at distances that grow away from it.
@@ -104,16 +103,16 @@ impl FreeSurface {
             (-0.5 * PI..JET_ANGLE).contains(&against_face)
         };
         let (whole, size) = (s[s.len() - 1], lower.finest(self.end()));
-        let found = self.jet_end(whole, size, &is_jet);
-        let kept = found.map(|tip| (tip, root_of_jet(tip, size, &is_jet))).and_then(|(tip, root)| {
-            let end = root + KEPT * lower.nearest(at(root)).away;
-            (end < tip).then_some(end)
-        });
+        let kept =
+            jet_end(whole, size, &is_jet).map(|tip| (tip, root_of_jet(tip, size, &is_jet))).and_then(|(tip, root)| {
+                let end = root + KEPT * lower.nearest(at(root)).away;
+                (end < tip).then_some(end)
+            });
         let end = kept.unwrap_or(whole);
         let mut nodes = graded(end, |q| size + GROWTH * (q - FINE_ELEMENTS * size).max(0.0));
         nodes.iter_mut().for_each(|q| *q = (end - *q).max(0.0));
         nodes.reverse();
-        FreeSurface { cut: self.cut || kept.is_some(), ..self.sampled(&nodes) }
+        self.sampled(&nodes)
     }
 
     /// With nodes at the distances `at` along it.
@@ -125,7 +124,7 @@ impl FreeSurface {
         };
         let (x, y) = (along(&mut self.z.iter().map(|z| z.re)), along(&mut self.z.iter().map(|z| z.im)));
         let z = x.into_iter().zip(y).map(|(x, y)| c64::new(x, y)).collect();
-        FreeSurface { z, phi: along(&mut self.phi.iter().copied()), cut: self.cut }
+        FreeSurface { z, phi: along(&mut self.phi.iter().copied()) }
     }
 
     /// All lengths times `length`, and all velocities times `speed`.
@@ -133,7 +132,6 @@ impl FreeSurface {
         FreeSurface {
             z: self.z.iter().map(|z| z * length).collect(),
             phi: self.phi.iter().map(|phi| phi * length * speed).collect(),
-            cut: self.cut,
         }
     }
 
@@ -141,14 +139,12 @@ impl FreeSurface {
     pub fn is_finite(&self) -> bool {
         self.z.iter().all(|z| z.is_finite()) && self.phi.iter().all(|phi| phi.is_finite())
     }
+}
 
-    /// Where the jet that may be cut ends, as a distance along the surface.
-    fn jet_end(&self, whole: f64, size: f64, is_jet: &impl Fn(f64) -> bool) -> Option<f64> {
-        let nearest = if self.cut { 0.0 } else { TIP[0] };
-        let candidates = (0..).map(|k| nearest + 0.5 * f64::from(k)).take_while(|q| *q < TIP[1]);
-        let at = candidates.map(|q| whole - (q + 0.01) * size);
-        at.filter(|s| *s > TIP[0] * size).find(|&s| is_jet(s) && is_jet(s - 0.5 * size))
-    }
+/// Where the jet that may be cut ends, as a distance along a surface of length `whole`.
+fn jet_end(whole: f64, size: f64, is_jet: &impl Fn(f64) -> bool) -> Option<f64> {
+    let candidates = (0..).map(|k| 0.5 * f64::from(k)).take_while(|q| *q < TIP);
+    candidates.map(|q| whole - (q + 0.01) * size).find(|&s| s > size && is_jet(s) && is_jet(s - 0.5 * size))
 }
 
 /// Where the jet begins that ends at `tip`, by bisection.
