@@ -101,7 +101,7 @@ pub(super) fn redistributed(underside: &FreeSurface, cut: c64, size: f64) -> Fre
     let s = arc_length(z);
     let on = |k: usize| {
         let piece = z[k + 1] - z[k];
-        let share = (((cut - z[k]) * piece.conj()).re / piece.norm_sqr()).max(0.0).min(1.0);
+        let share = (((cut - z[k]) * piece.conj()).re / piece.norm_sqr()).clamp(0.0, 1.0);
         [(z[k] + piece * share - cut).norm(), s[k] + share * (s[k + 1] - s[k])]
     };
     let nearest = (0..z.len() - 1).map(on).fold([f64::INFINITY, 0.0], |a, b| if b[0] < a[0] { b } else { a });
