@@ -27,10 +27,10 @@ mod model;
 mod section;
 mod similarity;
 
-pub use boundary_element::{BOUNDARY_ELEMENT_DEADRISES, FlowEnded, FlowHistory, WedgeEntry, WedgeFlow, WedgeLoad};
+pub use boundary_element::{FlowEnded, FlowHistory, WedgeEntry, WedgeFlow, WedgeLoad};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};
-pub use model::{EntryModel, OutOfRange};
+pub use model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 pub use section::Section;
 pub use similarity::{DEADRISES, SimilarityFlow};

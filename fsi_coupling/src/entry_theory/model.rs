@@ -3,8 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::boundary_element::BOUNDARY_ELEMENT_DEADRISES;
 use super::similarity::DEADRISES;
+
+/// Deadrises of boundary elements [deg].
+pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [10.0, 60.0];
 
 /// A model of a body's entry into water.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]

@@ -14,15 +14,13 @@ use faer::c64;
 
 pub use entry::{FlowHistory, WedgeEntry};
 
-use super::model::{EntryModel, OutOfRange};
+use super::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 use super::similarity::SimilarityFlow;
 use lower_side::{Face, LowerSide, redistributed};
 use solution::Solution;
 use spline::Spline;
 use surface::{FreeSurface, arc_length};
 
-/// Deadrises of the validity [deg].
-pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [10.0, 60.0];
 /// Longest way of a node per step, over the length of its element.
 const COURANT: f64 = 1.0;
 /// Largest growth of the draught per step.
