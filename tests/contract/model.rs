@@ -164,7 +164,7 @@ fn a_model_out_of_its_range_is_refused() {
             &["4 to 45 degrees", "80", "\"similarity\""][..],
         ),
         ("wedge_constant", &["model=similarity", "body.deadrise_deg=82"], &["4 to 80"]),
-        ("wedge", &["model=similarity"], &["chines are wet", "\"wcsph\""]),
+        ("wedge", &["model=similarity"], &["chines are wet", "\"boundary_element\""]),
         ("wedge", &["model=mlm", "body.mass=20", "time.end=0.3"], &["leaves the water", "\"wcsph\""]),
         ("fuselage_section", &["model=similarity"], &["a curved or bent bottom", "\"wcsph\""]),
         ("dam_break", &["model=mlm"], &["without a body"]),
