@@ -88,8 +88,8 @@ fn what_is_outside_the_range_is_refused() {
     }
 }
 
-/// Where the flow of a free drop begins makes no difference: an entry begins it at a sixth of the draught of wet chines, here it begins at a
-/// thirtieth. Both go on past the chines.
+/// Where the flow of a free drop begins makes no difference while the chines are dry: an entry begins it at a sixth of the draught of wet chines,
+/// here it begins at a thirtieth. With wet chines both stay near: their steps, and so their instants of separation, differ.
 #[test]
 fn a_free_drop_forgets_where_its_flow_begins() {
     let (deadrise_deg, breadth, mass, gravity, density, speed) = (30.0_f64, 0.5, 60.0, 9.81, 1000.0, 4.0);
@@ -114,13 +114,17 @@ fn a_free_drop_forgets_where_its_flow_begins() {
         let [a, b] = [instants[after - 1], instants[after]];
         let share = (draught - a.draught) / (b.draught - a.draught);
         let theirs = a.force + share * (b.force - a.force);
-        assert!((theirs / force - 1.0).abs() < 0.015, "{draught} m: {theirs} N/m, {force} from an earlier begin");
-        assert!(((a.speed + share * (b.speed - a.speed)) / speed - 1.0).abs() < 0.002, "{draught} m: speed");
-        let highest = load.pressure.iter().map(|p| density * (p[1] + p[2] * rate(&load))).fold(0.0, f64::max);
-        let time = a.time + share * (b.time - a.time);
-        let read = (0..2000).map(|k| history.pressure(time, 0.25 * f64::from(k) / 2000.0)).fold(0.0, f64::max);
-        let within = if chines_wet { 0.04 } else { 0.02 }; // at separation it falls at once
-        assert!((read / highest - 1.0).abs() < within, "{draught} m: largest pressure {read}, {highest}");
+        let [of_force, of_speed] = [theirs / force - 1.0, (a.speed + share * (b.speed - a.speed)) / speed - 1.0];
+        // the instant of separation is known to a step, and the load falls by half after it
+        let within = if draught < 0.95 * wet { [0.008, 0.0015] } else { [0.04, 0.012] };
+        assert!(of_force.abs() < within[0], "{draught} m: {theirs} N/m, {force} from an earlier begin");
+        assert!(of_speed.abs() < within[1], "{draught} m: speed {of_speed:+.4}");
+        if draught < 0.95 * wet {
+            let highest = load.pressure.iter().map(|p| density * (p[1] + p[2] * rate(&load))).fold(0.0, f64::max);
+            let time = a.time + share * (b.time - a.time);
+            let read = (0..2000).map(|k| history.pressure(time, 0.25 * f64::from(k) / 2000.0)).fold(0.0, f64::max);
+            assert!((read / highest - 1.0).abs() < 0.02, "{draught} m: largest pressure {read}, {highest}");
+        }
         compared[usize::from(chines_wet)] += 1;
     }
     assert!(compared[0] > 30 && compared[1] > 10, "{compared:?}");

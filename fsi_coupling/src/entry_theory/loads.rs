@@ -47,7 +47,7 @@ impl Loads {
             return Err(OutOfRange {
                 what: format!("\"{}\"", model.name()),
                 range: "loads at a draught need a formula".into(),
-                next: model,
+                next: EntryModel::Mlm,
             });
         }
         let flow = match (model, section.deadrise_deg()) {

@@ -190,7 +190,7 @@ pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
         let sentence = format!("`{key}`: {}", e.why);
         Problem { key, sentence, ..Problem::default() }
     };
-    if !scene.model.is_theory() {
+    if !scene.model.is_formula() {
         return Err(Problem::new("model", scene.model.name(), "von_karman, wagner or mlm"));
     }
     Fuselage::new(&stations).and_then(|fuselage| Hull::new(fuselage, scene.model)).map_err(refused)

@@ -97,7 +97,18 @@ impl Theory {
         }
         model.covers(&section, 0.0)?;
         let (theory, end) = Theory::while_in_range(scene, EntryModel::Mlm)?;
-        Ok((Theory { model, ..theory }, end.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end })))
+        let breadth = 2.0 * section.half_breadth();
+        let wet_at_first =
+            body.draught() > 0.0 && theory.instants.first().is_some_and(|now| 2.0 * now.wetted >= breadth);
+        if wet_at_first {
+            return Err(refuse("one whose chines are wet at the start"));
+        }
+        let too_deep =
+            theory.instants.iter().find(|now| now.draught > WedgeEntry::DEEPEST * breadth).map(|now| {
+                refuse(&format!("from t = {} s on one that is deeper than its breadth", significant(now.time)))
+            });
+        let end = too_deep.or(end.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end }));
+        Ok((Theory { model, ..theory }, end))
     }
 
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.

@@ -8,8 +8,6 @@ use super::{WedgeFlow, WedgeLoad};
 const BEGIN: f64 = 1.0 / 6.0;
 /// Steps before the flow begins.
 const STEPS_BEFORE: usize = 64;
-/// Deepest draught, over the breadth: beyond, the surface beside wet chines breaks up.
-const DEEPEST: f64 = 1.0;
 /// Share of the speed at contact below which the wedge counts as stopped.
 const STOPPED: f64 = 1e-3;
 /// The same for a flow that ended.
@@ -52,11 +50,14 @@ pub struct FlowHistory {
 }
 
 impl WedgeEntry {
+    /// Deepest draught, over the breadth [-]: beyond, the surface beside wet chines breaks up.
+    pub const DEEPEST: f64 = 1.0;
+
     /// The wedge at `times` [s], which increase from 0 on, as far as the flow can be followed, and why not further. Before the flow begins the
     /// load is that of the similar flow, A V² + M dV/dt.
     ///
     /// # Errors
-    /// As [`WedgeFlow::new`].
+    /// As [`WedgeFlow::new`]; a flow that cannot be followed for two steps.
     pub fn solve(&self, times: &[f64]) -> Result<(Vec<Instant>, FlowHistory, Option<OutOfRange>), OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
         let falls = matches!(self.motion, SectionMotion::Free(_));
@@ -70,14 +71,20 @@ impl WedgeEntry {
         let begin = if self.draught > 0.0 { self.draught } else { BEGIN * last.max(1e-9 * wet) };
         let mut flow = WedgeFlow::new(self.deadrise_deg, self.breadth, begin, at_contact, self.gravity)?;
 
-        let mut steps = self.in_air(in_air, g);
+        let (mut steps, mut time) = (self.in_air(in_air, g), in_air);
         if self.draught <= 0.0 {
             let similar = WedgeFlow { gravity: 0.0, ..flow.clone() }.load();
-            let [time, speed] = self.until_the_flow(&mut steps, &similar, begin, [in_air, at_contact]);
+            let speed;
+            [time, speed] = self.until_the_flow(&mut steps, &similar, begin, [in_air, at_contact]);
             flow = flow.at_speed(speed);
-            steps.extend(self.followed(flow, time, end, STOPPED * at_contact));
-        } else {
-            steps.extend(self.followed(flow, 0.0, end, STOPPED * at_contact));
+        }
+        steps.extend(self.followed(flow, time, end, STOPPED * at_contact));
+        if steps.len() < 2 {
+            return Err(OutOfRange {
+                what: format!("one whose flow breaks up at once, at a draught of {begin:.4} m"),
+                range: "boundary elements follow a wedge on its way down".into(),
+                next: EntryModel::Wcsph,
+            });
         }
         let history = FlowHistory { times: steps.iter().map(|step| step.now.time).collect(), steps };
         let reached = history.times.last().copied().unwrap_or(0.0);
@@ -86,7 +93,7 @@ impl WedgeEntry {
         let over = (instants.len() < times.len()).then(|| {
             let now = history.steps[history.steps.len() - 1].now;
             let why = match now {
-                _ if now.draught > DEEPEST * self.breadth => "one deeper than its breadth",
+                _ if now.draught > WedgeEntry::DEEPEST * self.breadth => "one deeper than its breadth",
                 _ if now.speed < NEARLY_STOPPED * at_contact => "one that leaves the water",
                 _ => "one whose flow breaks up",
             };
@@ -159,7 +166,7 @@ impl WedgeEntry {
             let Ok((dt, load)) = flow.step(|load| self.rate(load)) else { break };
             let face = width.min(0.5 * self.breadth);
             steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
-            if time >= end || speed < stopped || draught > DEEPEST * self.breadth {
+            if time >= end || speed < stopped || draught > WedgeEntry::DEEPEST * self.breadth {
                 break;
             }
             time += dt;

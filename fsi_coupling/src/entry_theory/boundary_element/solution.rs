@@ -79,12 +79,12 @@ impl WedgeFlow {
         }
 
         // φ_t: p = 0 on the surfaces and in the cut; ψ_t of the body's motion
-        let at_rest = |velocity: &c64, z: &c64| -0.5 * velocity.norm_sqr() - gravity * z.im;
+        let phi_t = |velocity: &c64, z: &c64| -0.5 * velocity.norm_sqr() - gravity * z.im;
         let rate_at = |k: usize| match k {
-            _ if k <= end => at_rest(&above[k], &nodes[k]),
+            _ if k <= end => phi_t(&above[k], &nodes[k]),
             _ if k > contact => 0.0,
-            _ if k >= foot && !below.is_empty() => at_rest(&below[k - foot], &nodes[k]),
-            _ => at_rest(&above[end], &nodes[end]),
+            _ if k >= foot && !below.is_empty() => phi_t(&below[k - foot], &nodes[k]),
+            _ => phi_t(&above[end], &nodes[end]),
         };
         let psi_t = |k: usize| if k < contact { 0.0 } else { speed * on_body[k - contact].re };
         let mut rate = Complex { phi: (0..n).map(rate_at).collect(), psi: (0..n).map(psi_t).collect() };
@@ -98,10 +98,10 @@ impl WedgeFlow {
             [nodes[k].re, -steady, -per_acceleration.phi[k]]
         };
         // a node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body
-        let with_water = |v: &c64, z: &c64| v.norm_sqr() + at_rest(v, z);
+        let with_water = |v: &c64, z: &c64| v.norm_sqr() + phi_t(v, z);
         let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(|(v, z)| with_water(v, z)).collect();
         if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
-            *at_chine = at_rest(v, &face.chine()) - speed * v.im;
+            *at_chine = phi_t(v, &face.chine()) - speed * v.im;
         }
         Solution {
             above: SurfaceFlow {
