@@ -2,7 +2,8 @@
 
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
-use super::{WedgeFlow, WedgeLoad};
+use super::solution::WedgeLoad;
+use super::state::WedgeFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 const BEGIN: f64 = 1.0 / 6.0;

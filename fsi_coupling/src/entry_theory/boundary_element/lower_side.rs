@@ -4,14 +4,10 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
-use super::surface::{FINE_ELEMENTS, FreeSurface, GROWTH, arc_length, graded};
-
 /// Element beside the jet, over Wagner's thickness of the jet c tan²β/(2π).
 const FINEST: f64 = 0.35;
 /// Largest thickness that counts, over c.
 const THICKEST: f64 = 0.08;
-/// Least number of elements of the surface that left the chine.
-const LEAST_ELEMENTS: f64 = 4.0;
 
 /// A straight face at rest in its own axes: the keel at −i draught, at the deadrise β, from the keel to the chine.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +50,7 @@ impl Face {
 #[derive(Clone, Copy)]
 pub(super) struct LowerSide<'a> {
     pub face: &'a Face,
-    pub underside: Option<&'a FreeSurface>,
+    pub underside: Option<&'a [c64]>,
 }
 
 /// The point of the lower side that is nearest to one in the water.
@@ -79,7 +75,7 @@ impl LowerSide<'_> {
     pub fn nearest(&self, z: c64) -> Nearest {
         let (keel, direction) = (self.face.keel(), self.face.direction());
         let Some(underside) = self.underside else { return on_piece(z, keel, direction, f64::INFINITY) };
-        let pieces = underside.z.windows(2).enumerate().map(|(k, ends)| {
+        let pieces = underside.windows(2).enumerate().map(|(k, ends)| {
             let piece = ends[0] - ends[1];
             let length = piece.norm();
             on_piece(z, ends[1], piece / length, if k == 0 { f64::INFINITY } else { length })
@@ -93,21 +89,4 @@ impl LowerSide<'_> {
         let c = self.nearest(end).foot.re;
         FINEST * c * (self.face.beta.tan().powi(2) / (2.0 * PI)).min(THICKEST)
     }
-}
-
-/// The surface that left the chine with its nodes placed anew, fine at both ends, from the point nearest to the jet's cut to the chine.
-pub(super) fn redistributed(underside: &FreeSurface, cut: c64, size: f64) -> FreeSurface {
-    let FreeSurface { z, .. } = underside;
-    let s = arc_length(z);
-    let on = |k: usize| {
-        let piece = z[k + 1] - z[k];
-        let share = (((cut - z[k]) * piece.conj()).re / piece.norm_sqr()).clamp(0.0, 1.0);
-        [(z[k] + piece * share - cut).norm(), s[k] + share * (s[k + 1] - s[k])]
-    };
-    let nearest = (0..z.len() - 1).map(on).fold([f64::INFINITY, 0.0], |a, b| if b[0] < a[0] { b } else { a });
-    let whole = s[s.len() - 1];
-    let length = (whole - nearest[1]).max(0.5 * size);
-    let grown = |q: f64| size + GROWTH * (q - FINE_ELEMENTS * size).max(0.0);
-    let at = graded(length, |q| grown(q).min(grown(length - q)).min(length / LEAST_ELEMENTS));
-    underside.sampled(&at.iter().map(|q| whole - length + q).collect::<Vec<_>>())
 }

@@ -4,22 +4,27 @@
 //! one matrix gives the velocity, the pressure and the added mass. At wet chines the flow separates (Zhao, Faltinsen & Aarsnes 1996).
 
 mod cauchy;
+mod elements;
 mod entry;
 mod lower_side;
 mod solution;
 mod spline;
+mod state;
 mod surface;
 
 use faer::c64;
 
 pub use entry::{FlowHistory, WedgeEntry};
+pub use solution::WedgeLoad;
+pub use state::WedgeFlow;
 
 use super::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 use super::similarity::SimilarityFlow;
-use lower_side::{Face, LowerSide, redistributed};
+use elements::arc_length;
+use lower_side::{Face, LowerSide};
 use solution::Solution;
 use spline::Spline;
-use surface::{FreeSurface, arc_length};
+use surface::FreeSurface;
 
 /// Longest way of a node per step, over the length of its element.
 const COURANT: f64 = 1.0;
@@ -29,31 +34,6 @@ const DRAUGHT_GROWTH: f64 = 0.03;
 const FAR: f64 = 240.0;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
-
-/// Load of the water on both halves, over its density.
-#[derive(Clone, Debug)]
-pub struct WedgeLoad {
-    /// Upward force at constant speed F/ρ [m³/s²].
-    pub force: f64,
-    /// Added mass M/ρ [m²]: the force grows by it times the downward acceleration.
-    pub added_mass: f64,
-    /// From the jet or the chine to the keel: distance from the plane of symmetry [m], p/ρ at constant speed [m²/s²], p/ρ per downward
-    /// acceleration [m], shape (n, 3).
-    pub pressure: Vec<[f64; 3]>,
-}
-
-/// The water about a symmetric wedge that moves downwards.
-#[derive(Clone, Debug)]
-pub struct WedgeFlow {
-    face: Face,
-    surface: FreeSurface,
-    /// The surface that left a wet chine.
-    underside: Option<FreeSurface>,
-    /// Downward speed [m/s].
-    speed: f64,
-    /// Gravity in the water [m/s²].
-    gravity: f64,
-}
 
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -108,32 +88,6 @@ impl WedgeFlow {
     /// The same with all velocities in proportion to a downward speed [m/s].
     fn at_speed(self, speed: f64) -> WedgeFlow {
         WedgeFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
-    }
-
-    /// Draught of the keel below still water [m].
-    pub fn draught(&self) -> f64 {
-        self.face.draught
-    }
-
-    /// Downward speed [m/s].
-    pub fn speed(&self) -> f64 {
-        self.speed
-    }
-
-    /// Half breadth between the ends of the jets [m].
-    pub fn half_width(&self) -> f64 {
-        self.lower_side().nearest(self.surface.end()).foot.re
-    }
-
-    /// True once the flow has left the chines.
-    pub fn chines_wet(&self) -> bool {
-        self.underside.is_some()
-    }
-
-    /// The right half of the free surface from far away to the jet's cut, and from there to a wet chine, [x, y] [m], shape (n, 2).
-    pub fn surface(&self) -> Vec<[f64; 2]> {
-        let below = self.underside.iter().flat_map(|underside| &underside.z);
-        self.surface.z.iter().chain(below).map(|z| [z.re, z.im]).collect()
     }
 
     /// Load of the water now.
@@ -204,16 +158,8 @@ impl WedgeFlow {
         let lower = self.lower_side();
         let surface = self.surface.redistributed(lower);
         let (cut, size) = (lower.nearest(surface.end()).foot, lower.finest(surface.end()));
-        let underside = self.underside.as_ref().map(|underside| redistributed(underside, cut, size));
+        let underside = self.underside.as_ref().map(|underside| underside.redistributed_below(cut, size));
         WedgeFlow { surface, underside, ..self }
-    }
-
-    fn lower_side(&self) -> LowerSide<'_> {
-        LowerSide { face: &self.face, underside: self.underside.as_ref() }
-    }
-
-    fn is_finite(&self) -> bool {
-        self.speed.is_finite() && self.surface.is_finite() && self.underside.iter().all(FreeSurface::is_finite)
     }
 
     fn stable_dt(&self, now: &Solution) -> f64 {

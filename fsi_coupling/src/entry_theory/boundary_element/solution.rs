@@ -5,9 +5,10 @@ use std::cmp::Ordering;
 use faer::c64;
 
 use super::cauchy::{Complex, Contour, Known};
+use super::elements::{GROWTH, arc_length, graded, grown};
 use super::spline::Spline;
-use super::surface::{FINE_ELEMENTS, FreeSurface, GROWTH, arc_length, graded};
-use super::{WedgeFlow, WedgeLoad};
+use super::state::WedgeFlow;
+use super::surface::FreeSurface;
 
 /// Size of elements on the face at the keel, and the largest, over the wetted length.
 const FACE_ELEMENTS: [f64; 2] = [1e-4, 0.06];
@@ -146,9 +147,8 @@ impl WedgeFlow {
         let (upper, keel) = (z[contact], face.keel());
         let wetted = (upper - keel).norm();
         let [at_keel, largest] = FACE_ELEMENTS.map(|x| x * wetted);
-        let from_contact = |s: f64| size + GROWTH * (s - FINE_ELEMENTS * size).max(0.0);
         let from_keel = |s: f64| at_keel + GROWTH * (wetted - s).max(0.0);
-        let along = graded(wetted, |s| from_contact(s).min(from_keel(s)).min(largest));
+        let along = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest));
         z.extend(along[1..along.len() - 1].iter().map(|s| upper + (keel - upper) * (s / wetted)));
         z.push(keel);
         Nodes { z, end: last, foot, contact }
@@ -203,6 +203,18 @@ impl Solution {
         });
         kinetic.sum::<f64>() + potential.sum::<f64>()
     }
+}
+
+/// Load of the water on both halves, over its density.
+#[derive(Clone, Debug)]
+pub struct WedgeLoad {
+    /// Upward force at constant speed F/ρ [m³/s²].
+    pub force: f64,
+    /// Added mass M/ρ [m²]: the force grows by it times the downward acceleration.
+    pub added_mass: f64,
+    /// From the jet or the chine to the keel: distance from the plane of symmetry [m], p/ρ at constant speed [m²/s²], p/ρ per downward
+    /// acceleration [m], shape (n, 3).
+    pub pressure: Vec<[f64; 3]>,
 }
 
 impl WedgeLoad {

@@ -4,22 +4,21 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
+use super::elements::{arc_length, graded, grown};
 use super::lower_side::LowerSide;
 use super::spline::Spline;
 use crate::entry_theory::similarity::SimilarityFlow;
 
 /// Pieces between two points of the exact surface.
 const PIECES: usize = 8;
-/// Growth of the elements per length away from the jet.
-pub(super) const GROWTH: f64 = 0.1;
-/// Elements of the finest size beside the jet's end.
-pub(super) const FINE_ELEMENTS: f64 = 8.0;
 /// The jet begins where the surface is steeper than this against the face [rad].
 const JET_ANGLE: f64 = 10.0 * PI / 180.0;
 /// Length of the jet that is kept, over its thickness.
 const KEPT: f64 = 2.0;
 /// The jet is looked for up to this distance from the cut, in finest elements.
 const TIP: f64 = 12.0;
+/// Least number of elements of the surface that left the chine.
+const LEAST_ELEMENTS: f64 = 4.0;
 
 /// A free surface: the right half of the upper one, from far away to the jet's cut; or that which left the chine, from the
 /// cut to the chine.
@@ -29,27 +28,6 @@ pub(super) struct FreeSurface {
     pub z: Vec<c64>,
     /// Potential φ there [m²/s].
     pub phi: Vec<f64>,
-}
-
-/// Lengths along nodes from the first one [m].
-pub(super) fn arc_length(z: &[c64]) -> Vec<f64> {
-    let mut s = 0.0;
-    std::iter::once(0.0)
-        .chain(z.windows(2).map(|pair| {
-            s += (pair[1] - pair[0]).norm();
-            s
-        }))
-        .collect()
-}
-
-/// Distances from 0 to about `length`, whose steps are `size` of the distance.
-pub(super) fn graded(length: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
-    let mut at = vec![0.0];
-    while let Some(&last) = at.last().filter(|&&last| last < length) {
-        at.push(last + size(last));
-    }
-    let reached = at[at.len() - 1];
-    at.iter().map(|x| x * length / reached).collect()
 }
 
 impl FreeSurface {
@@ -109,10 +87,26 @@ impl FreeSurface {
                 (end < tip).then_some(end)
             });
         let end = kept.unwrap_or(whole);
-        let mut nodes = graded(end, |q| size + GROWTH * (q - FINE_ELEMENTS * size).max(0.0));
+        let mut nodes = graded(end, |q| grown(size, q));
         nodes.iter_mut().for_each(|q| *q = (end - *q).max(0.0));
         nodes.reverse();
         self.sampled(&nodes)
+    }
+
+    /// The surface that left the chine with its nodes placed anew, fine at both ends, from the point nearest to the jet's cut to the chine.
+    pub fn redistributed_below(&self, cut: c64, size: f64) -> FreeSurface {
+        let FreeSurface { z, .. } = self;
+        let s = arc_length(z);
+        let on = |k: usize| {
+            let piece = z[k + 1] - z[k];
+            let share = (((cut - z[k]) * piece.conj()).re / piece.norm_sqr()).clamp(0.0, 1.0);
+            [(z[k] + piece * share - cut).norm(), s[k] + share * (s[k + 1] - s[k])]
+        };
+        let nearest = (0..z.len() - 1).map(on).fold([f64::INFINITY, 0.0], |a, b| if b[0] < a[0] { b } else { a });
+        let whole = s[s.len() - 1];
+        let length = (whole - nearest[1]).max(0.5 * size);
+        let at = graded(length, |q| grown(size, q).min(grown(size, length - q)).min(length / LEAST_ELEMENTS));
+        self.sampled(&at.iter().map(|q| whole - length + q).collect::<Vec<_>>())
     }
 
     /// With nodes at the distances `at` along it.

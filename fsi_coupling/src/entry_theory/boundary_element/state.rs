@@ -1,0 +1,53 @@
+//! The state of the flow: the wedge, its surfaces and its speed.
+
+use super::lower_side::{Face, LowerSide};
+use super::surface::FreeSurface;
+
+/// The water about a symmetric wedge that moves downwards.
+#[derive(Clone, Debug)]
+pub struct WedgeFlow {
+    pub(super) face: Face,
+    pub(super) surface: FreeSurface,
+    /// The surface that left a wet chine.
+    pub(super) underside: Option<FreeSurface>,
+    /// Downward speed [m/s].
+    pub(super) speed: f64,
+    /// Gravity in the water [m/s²].
+    pub(super) gravity: f64,
+}
+
+impl WedgeFlow {
+    /// Draught of the keel below still water [m].
+    pub fn draught(&self) -> f64 {
+        self.face.draught
+    }
+
+    /// Downward speed [m/s].
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// Half breadth between the ends of the jets [m].
+    pub fn half_width(&self) -> f64 {
+        self.lower_side().nearest(self.surface.end()).foot.re
+    }
+
+    /// True once the flow has left the chines.
+    pub fn chines_wet(&self) -> bool {
+        self.underside.is_some()
+    }
+
+    /// The right half of the free surface from far away to the jet's cut, and from there to a wet chine, [x, y] [m], shape (n, 2).
+    pub fn surface(&self) -> Vec<[f64; 2]> {
+        let below = self.underside.iter().flat_map(|underside| &underside.z);
+        self.surface.z.iter().chain(below).map(|z| [z.re, z.im]).collect()
+    }
+
+    pub(super) fn lower_side(&self) -> LowerSide<'_> {
+        LowerSide { face: &self.face, underside: self.underside.as_ref().map(|surface| &surface.z[..]) }
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        self.speed.is_finite() && self.surface.is_finite() && self.underside.iter().all(FreeSurface::is_finite)
+    }
+}
