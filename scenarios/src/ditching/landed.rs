@@ -1,11 +1,17 @@
 //! A landing that was followed: its series and its numbers.
 
+use std::f64::consts::TAU;
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::ditching::{LandingEnd, LandingResult, LandingState};
+use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult};
+use fsi_coupling::settings::Problem;
 use serde::Serialize;
 
+use super::accelerometers::Accelerometer;
+use super::loads::{self, PartLoad, StationLoad};
 use super::model::{Scene, hull, landing};
+use super::parts::masses;
+use super::series::Series;
 use crate::report::run_page::quantity::digits;
 use crate::run::summary::{Peak, Status};
 
@@ -15,8 +21,8 @@ pub struct Landed {
     pub summary: Summary,
     /// Its motion in time.
     pub run: LandingResult,
-    /// Rows of the series.
-    pub(super) rows: Vec<Vec<f64>>,
+    /// Motion, accelerometers and loads in time.
+    pub series: Series,
 }
 
 /// Follow a landing that was [loaded](super::load).
@@ -24,68 +30,28 @@ pub struct Landed {
 /// # Panics
 /// A scene that was changed by hand into one that [`load`](super::load) refuses.
 pub fn follow(scene: &Scene) -> Landed {
-    let hull = hull(scene).unwrap_or_else(|problem| panic!("{}", problem.sentence));
+    let refused = |problem: Problem| -> ! { panic!("{}", problem.sentence) };
+    let hull = hull(scene).unwrap_or_else(|problem| refused(problem));
+    let masses = masses(scene).unwrap_or_else(|problem| refused(problem));
     let start = Instant::now();
-    let run = landing(scene, &hull).solve();
-    let rows = rows(&run.moments, scene.aeroplane.mass * scene.water.gravity);
-    let summary = Summary::new(scene, &run, &rows, start.elapsed().as_secs_f64());
-    Landed { summary, run, rows }
+    let landing = landing(scene, &hull);
+    let run = landing.solve();
+    let series = Series::new(scene, &landing, &run.moments);
+    let (stations, balance_error) = loads::stations(scene, &landing, &masses, &run.moments);
+    let structure = Structure {
+        accelerometers: scene.accelerometers.iter().map(|keys| Accelerometer::of_series(keys, &series)).collect(),
+        parts: loads::parts(&landing, &run.moments),
+        frequencies_hz: frequencies(landing.aeroplane.bending.as_ref()),
+        stations,
+        balance_error,
+    };
+    let summary = Summary::new(scene, &run, &series, structure, start.elapsed().as_secs_f64());
+    Landed { summary, run, series }
 }
 
-impl Landed {
-    /// A column of the series by its name.
-    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
-        let k = COLUMNS.iter().position(|(column, _)| *column == name)?;
-        Some(self.rows.iter().map(|row| row[k]).collect())
-    }
-}
-
-/// Reads a column from a moment; m g is given.
-type Read = fn(&LandingState, f64) -> f64;
-
-/// The columns, with what they read.
-const COLUMNS: [(&str, Read); 20] = [
-    ("time_s", |m, _| m.time),
-    ("x_m", |m, _| m.attitude.place[0]),
-    ("z_m", |m, _| m.attitude.place[1]),
-    ("pitch_deg", |m, _| m.attitude.place[2].to_degrees()),
-    ("u_m_per_s", |m, _| m.attitude.rate[0]),
-    ("w_m_per_s", |m, _| m.attitude.rate[1]),
-    ("pitch_rate_deg_per_s", |m, _| m.attitude.rate[2].to_degrees()),
-    ("ax_m_per_s2", |m, _| m.acceleration[0]),
-    ("az_m_per_s2", |m, _| m.acceleration[1]),
-    ("pitch_acceleration_deg_per_s2", |m, _| m.acceleration[2].to_degrees()),
-    ("load_factor", |m, weight| (m.force[1] + m.lift) / weight),
-    ("fx_N", |m, _| m.force[0]),
-    ("fz_N", |m, _| m.force[1]),
-    ("moment_Nm", |m, _| m.force[2]),
-    ("lift_N", |m, _| m.lift),
-    ("wetted_from_m", |m, _| m.wetted.map_or(f64::NAN, |[from, _]| from)),
-    ("wetted_to_m", |m, _| m.wetted.map_or(f64::NAN, |[_, to]| to)),
-    ("draught_m", |m, _| m.strips.iter().map(|(s, _)| s.wet.draught).fold(0.0, f64::max)),
-    ("line_load_N_per_m", |m, _| heaviest(m)[1]),
-    ("line_load_at_m", |m, _| heaviest(m)[0]),
-];
-
-/// Where the keel bears most, from the nose [m], and how much a metre [N/m].
-fn heaviest(moment: &LandingState) -> [f64; 2] {
-    let loaded = moment.strips.iter().filter_map(|(s, f)| Some([s.entry?.at.x, f / s.entry?.length]));
-    loaded.fold([f64::NAN, 0.0], |worst, now| if now[1] > worst[1] { now } else { worst })
-}
-
-/// Rows in the order of [`COLUMNS`].
-fn rows(moments: &[LandingState], weight: f64) -> Vec<Vec<f64>> {
-    moments.iter().map(|m| COLUMNS.iter().map(|(_, read)| read(m, weight)).collect()).collect()
-}
-
-/// The file. What is not there, as the wetted part of an aeroplane in the air, is left empty.
-pub(super) fn csv(rows: &[Vec<f64>]) -> String {
-    let mut text = COLUMNS.map(|(name, _)| name).join(",") + "\n";
-    for row in rows {
-        let cell = |v: &f64| if v.is_finite() { format!("{v:.9e}") } else { String::new() };
-        text += &(row.iter().map(cell).collect::<Vec<_>>().join(",") + "\n");
-    }
-    text
+/// Frequencies of the bending modes [Hz].
+fn frequencies(bending: Option<&Bending>) -> Vec<f64> {
+    bending.map_or(Vec::new(), |bending| bending.frequency.map(|omega| omega / TAU).to_vec())
 }
 
 /// A time of a landing, in seconds on the whole page.
@@ -132,40 +98,30 @@ pub struct Summary {
     pub line_load_n_per_m: Peak,
     /// Where that is, from the nose [m].
     pub line_load_at_m: f64,
-    /// The same at each station: the largest of the strips that are nearer to it than to another.
+    /// What its structure bore.
+    #[serde(flatten)]
+    pub structure: Structure,
+}
+
+/// What the structure of a landing bore.
+#[derive(Clone, Debug, Serialize)]
+pub struct Structure {
+    /// What each accelerometer shows.
+    pub accelerometers: Vec<Accelerometer>,
+    /// What each part bore that may meet the water.
+    pub parts: Vec<PartLoad>,
+    /// Frequencies of the fuselage's bending modes [Hz]; none for a rigid one.
+    pub frequencies_hz: Vec<f64>,
+    /// Each station: load and pressure of the strips that are nearer to it than to another, shear and bending in its cut.
     pub stations: Vec<StationLoad>,
-}
-
-/// What a station bore.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct StationLoad {
-    /// Its place, from the nose [m].
-    pub x_m: f64,
-    /// Largest load of a metre of the keel [N/m].
-    pub line_load_n_per_m: Peak,
-}
-
-/// What each station bore.
-fn station_loads(scene: &Scene, moments: &[LandingState]) -> Vec<StationLoad> {
-    let places = scene.stations.iter().map(|station| station.x);
-    let mut loads: Vec<_> = places.map(|x_m| StationLoad { x_m, line_load_n_per_m: Peak::default() }).collect();
-    for moment in moments {
-        for (strip, force) in &moment.strips {
-            let Some(entry) = &strip.entry else { continue };
-            let distance = |load: &&mut StationLoad| (load.x_m - entry.at.x).abs();
-            let nearest = loads.iter_mut().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            let value = force / entry.length;
-            if let Some(load) = nearest.filter(|load| value > load.line_load_n_per_m.value) {
-                load.line_load_n_per_m = Peak { value, time_s: moment.time, verdict: None };
-            }
-        }
-    }
-    loads
+    /// Error of the balance of loads and inertia: what a cut aft of the tail bears, over the largest in any [-].
+    pub balance_error: f64,
 }
 
 impl Summary {
-    fn new(scene: &Scene, run: &LandingResult, rows: &[Vec<f64>], wall_time_s: f64) -> Summary {
-        let column = |name: &str| COLUMNS.iter().position(|(column, _)| *column == name).unwrap_or_default();
+    fn new(scene: &Scene, run: &LandingResult, series: &Series, structure: Structure, wall_time_s: f64) -> Summary {
+        let rows = &series.rows;
+        let column = |name: &str| series.columns.iter().position(|column| column == name).unwrap_or_default();
         let most = |name: &str, measure: fn(f64) -> f64, over: f64| {
             let k = column(name);
             let first = Peak::default();
@@ -207,7 +163,7 @@ impl Summary {
             moment_nm: most("moment_Nm", f64::abs, 1.0),
             line_load_n_per_m: line_load,
             line_load_at_m: heaviest[column("line_load_at_m")],
-            stations: station_loads(scene, &run.moments),
+            structure,
         }
     }
 

@@ -1,4 +1,4 @@
-//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19).
+//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19, EN25–EN29).
 //!
 //! # Example
 //! ```
@@ -12,10 +12,14 @@
 //! A landing is a TOML file of its own kind; [`load`] reads it, [`run`] follows it and writes `series.csv`, `summary.json`,
 //! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
 
+mod accelerometers;
 mod landed;
+mod loads;
 mod model;
 mod page;
+mod parts;
 mod sections;
+mod series;
 mod side_views;
 
 use std::fs;
@@ -32,12 +36,15 @@ use crate::scene::SceneError;
 use crate::scene::draft::Draft;
 use crate::scene::mistaken_file::Expected;
 use crate::scene::source::Source;
-use landed::csv;
 use model::checked;
 
-pub use landed::{Landed, StationLoad, Summary, follow};
+pub use accelerometers::Accelerometer;
+pub use landed::{Landed, Structure, Summary, follow};
+pub use loads::{PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
+pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, SurfaceKeys};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
+pub use series::Series;
 
 static LANDINGS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/ditching");
 
@@ -68,9 +75,12 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     draft.read::<LandingKeys>("landing")?;
     draft.read::<AeroplaneKeys>("aeroplane")?;
     draft.read::<Wing>("wing")?;
-    for k in 0..draft.count("stations") {
-        draft.read::<StationKeys>(&format!("stations[{k}]"))?;
-    }
+    let each = |table: &str| (0..draft.count(table)).map(|k| format!("{table}[{k}]")).collect::<Vec<_>>();
+    each("stations").iter().try_for_each(|item| draft.read::<StationKeys>(item).map(drop))?;
+    each("surfaces").iter().try_for_each(|item| draft.read::<SurfaceKeys>(item).map(drop))?;
+    each("nacelles").iter().try_for_each(|item| draft.read::<NacelleKeys>(item).map(drop))?;
+    each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
+    each("masses").iter().try_for_each(|item| draft.read::<MassKeys>(item).map(drop))?;
     draft.read("")
 }
 
@@ -85,7 +95,7 @@ pub fn run(scene: &Scene, out: &Path, force: bool) -> Result<Landed, RunError> {
     refuse_files(out, &FILES, force)?;
     let landed = follow(scene);
     fs::create_dir_all(out).map_err(|e| RunError::Write(out.display().to_string(), e))?;
-    let texts = [csv(&landed.rows), landed.summary.to_json(), scene.to_toml(), page::page(scene, &landed)];
+    let texts = [landed.series.csv(), landed.summary.to_json(), scene.to_toml(), page::page(scene, &landed)];
     for (name, text) in FILES.iter().zip(texts) {
         write(&out.join(name), &text)?;
     }

@@ -10,6 +10,9 @@ use fsi_coupling::settings::{Problem, Schema, require};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::parts::{
+    AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, SurfaceKeys, bending, masses, nacelles, surfaces,
+};
 use crate::scene::source::{LARGEST_NUMBER, word};
 
 /// The schema of a landing's file.
@@ -43,6 +46,21 @@ pub struct Scene {
     pub water: Water,
     /// Sections of the fuselage, from the nose aft; two at least.
     pub stations: Vec<StationKeys>,
+    /// Wing, flaps and tailplane, where they may meet the water.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub surfaces: Vec<SurfaceKeys>,
+    /// Engines or floats.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub nacelles: Vec<NacelleKeys>,
+    /// Where accelerations are taken.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub accelerometers: Vec<AccelerometerKeys>,
+    /// Known masses along the fuselage; the rest of the aeroplane's mass is spread so that its centre and radius of gyration hold.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub masses: Vec<MassKeys>,
+    /// The fuselage bends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beam: Option<BeamKeys>,
 }
 
 /// Table `[landing]`.
@@ -131,6 +149,8 @@ impl Scene {
 
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e6;
+/// Highest bandwidth of an accelerometer over the frequency of samples.
+const HIGHEST: f64 = 0.2;
 
 /// The landing with everything filled in, if it is one.
 pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
@@ -151,6 +171,9 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     let expected = format_args!("less than the speed of landing, {speed:.4} m/s");
     require(least < speed, "landing.least_speed", least, expected)?;
     (scene.landing.speed, scene.landing.least_speed) = (Some(speed), Some(least));
+    names(&scene)?;
+    accelerometers(&scene)?;
+    aeroplane(&scene)?;
     Ok(scene)
 }
 
@@ -167,6 +190,44 @@ fn numbers(scene: &Scene) -> Result<(), Problem> {
         require((least..=end).contains(&value), key, value, expected)?;
     }
     Ok(())
+}
+
+/// Names of parts and accelerometers are words, each once.
+fn names(scene: &Scene) -> Result<(), Problem> {
+    let surfaces = scene.surfaces.iter().enumerate().map(|(k, s)| (format!("surfaces[{k}].name"), &s.name));
+    let nacelles = scene.nacelles.iter().enumerate().map(|(k, n)| (format!("nacelles[{k}].name"), &n.name));
+    let places = scene.accelerometers.iter().enumerate().map(|(k, a)| (format!("accelerometers[{k}].name"), &a.name));
+    let mut known: Vec<&str> = Vec::new();
+    for (key, name) in surfaces.chain(nacelles).chain(places) {
+        word(&key, name)?;
+        require(!known.contains(&name.as_str()), &key, name, "a name that nothing else has")?;
+        known.push(name);
+    }
+    Ok(())
+}
+
+fn accelerometers(scene: &Scene) -> Result<(), Problem> {
+    let highest = HIGHEST / scene.landing.sample_every;
+    for (k, keys) in scene.accelerometers.iter().enumerate() {
+        let expected =
+            format_args!("up to {highest} Hz with a landing.sample_every of {} s", scene.landing.sample_every);
+        require(keys.bandwidth <= highest, &format!("accelerometers[{k}].bandwidth"), keys.bandwidth, expected)?;
+    }
+    Ok(())
+}
+
+/// The aeroplane of a landing.
+fn aeroplane(scene: &Scene) -> Result<Aeroplane, Problem> {
+    let craft = &scene.aeroplane;
+    Ok(Aeroplane {
+        mass: craft.mass,
+        inertia: craft.mass * craft.radius_of_gyration.powi(2),
+        centre: craft.center_of_mass,
+        wing: scene.wing,
+        surfaces: surfaces(scene)?,
+        nacelles: nacelles(scene)?,
+        bending: bending(scene, &masses(scene)?)?,
+    })
 }
 
 fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
@@ -198,15 +259,10 @@ pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
 
 /// The landing of a scene that [`checked`] gave.
 pub(super) fn landing<'a>(scene: &Scene, hull: &'a Hull) -> Landing<'a> {
-    let (keys, craft) = (&scene.landing, &scene.aeroplane);
+    let keys = &scene.landing;
     Landing {
         hull,
-        aeroplane: Aeroplane {
-            mass: craft.mass,
-            inertia: craft.mass * craft.radius_of_gyration.powi(2),
-            centre: craft.center_of_mass,
-            wing: scene.wing,
-        },
+        aeroplane: aeroplane(scene).unwrap_or_else(|problem| panic!("{}", problem.sentence)),
         water: scene.water,
         pitch: (keys.angle_of_attack_deg + keys.flight_path_deg).to_radians(),
         path: keys.flight_path_deg.to_radians(),

@@ -1,6 +1,7 @@
 //! `report.html` of a landing: its largest loads, what they leave out, curves, side views.
 
-use super::landed::{Landed, StationLoad, seconds};
+use super::landed::{Landed, seconds};
+use super::loads::StationLoad;
 use super::model::Scene;
 use super::side_views::side_views;
 use crate::report::run_page::folded;
@@ -132,7 +133,7 @@ fn loads_table(scene: &Scene, landed: &Landed) -> Table {
 fn stations_table(landed: &Landed) -> Table {
     let s = &landed.summary;
     let unit = Unit::of("N/m", s.line_load_n_per_m.value);
-    let loaded = s.stations.iter().filter(|station| station.line_load_n_per_m.value > 0.0);
+    let loaded = s.structure.stations.iter().filter(|station| station.line_load_n_per_m.value > 0.0);
     let line = |station: &StationLoad| {
         let peak = &station.line_load_n_per_m;
         let cells = [station.x_m, unit.scale * peak.value, peak.time_s];
@@ -203,8 +204,8 @@ fn curves(scene: &Scene, landed: &Landed) -> Vec<Block> {
 }
 
 fn chart(landed: &Landed, (title, si, factor, columns): Of, peak: Option<&Peak>) -> Chart {
-    let times = landed.column("time_s").unwrap_or_default();
-    let values = |name: &str| landed.column(name).unwrap_or_default();
+    let times = landed.series.column("time_s").unwrap_or_default();
+    let values = |name: &str| landed.series.column(name).unwrap_or_default();
     let finite = columns.iter().flat_map(|(name, _)| values(name)).filter(|v| v.is_finite());
     let unit = Unit::of(si, finite.fold(0.0, |most: f64, v| most.max((factor * v).abs())));
     let scale = factor * unit.scale;

@@ -11,6 +11,8 @@ const ALIKE: f64 = 1e-6;
 pub struct SectionLoad {
     /// Half width of the wetted bottom, up to the edges [m].
     pub wetted: f64,
+    /// Half width of the cut with still water [m].
+    pub still: f64,
     /// A: force over V² [m].
     pub slam: f64,
     /// M: force over dV/dt [m²].
@@ -84,6 +86,7 @@ impl Hull {
         let mean = |a: f64, b: f64| a + share * (b - a);
         SectionLoad {
             wetted: mean(first.wetted, second.wetted),
+            still: mean(first.still, second.still),
             slam: mean(first.slam, second.slam),
             added_mass: mean(first.added_mass, second.added_mass),
             area: mean(first.area, second.area),
@@ -95,6 +98,7 @@ impl Hull {
         let load = loads.at(draught / b);
         SectionLoad {
             wetted: b * load.wetted.min(0.5),
+            still: b * loads.section().still_half_width(draught / b),
             slam: b * load.slam,
             added_mass: b * b * load.added_mass,
             area: b * b * loads.section().still_area(draught / b),

@@ -1,97 +1,20 @@
-//! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18, EN19).
+//! Motion of an aeroplane on the water, in its plane of symmetry (THEORY EN18).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
+use super::aeroplane::{Aeroplane, Water};
+use super::balance::Balance;
 use super::hull::Hull;
-use super::strip::{Attitude, ImpactingPart, Strip};
+use super::parts::PointForce;
+use super::strip::{Attitude, FREEDOMS, MODES, Strip};
 
-/// Rounds in which strips that would pull are let go.
-const MOST_ROUNDS: usize = 40;
 /// Steepest pitch that strips across the way of flight stand for [rad].
 const STEEPEST_PITCH: f64 = 0.7;
-
-/// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Wing {
-    /// Area of the wing [m²].
-    #[schemars(range(min = 0.0))]
-    pub area: f64,
-    /// Mean chord of the wing [m].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub chord: f64,
-    /// Slope of the lift coefficient against the angle of attack [1/rad].
-    #[schemars(range(min = 0.0))]
-    pub lift_slope: f64,
-    /// Angle of attack of the body axis at which there is no lift [deg].
-    pub zero_lift_deg: f64,
-    /// Slope of the aeroplane's moment coefficient against the angle of attack [1/rad].
-    #[serde(default = "usual::pitch_stiffness")]
-    pub pitch_stiffness: f64,
-    /// Its slope against q c/(2U), the rate of pitch [1/rad].
-    #[serde(default = "usual::pitch_damping")]
-    pub pitch_damping: f64,
-    /// Density of the air [kg/m³].
-    #[serde(default = "usual::air_density")]
-    #[schemars(range(min = 0.0))]
-    pub air_density: f64,
-}
-
-mod usual {
-    pub fn pitch_stiffness() -> f64 {
-        -1.0
-    }
-    pub fn pitch_damping() -> f64 {
-        -25.0
-    }
-    pub fn air_density() -> f64 {
-        1.225
-    }
-}
-
-/// What is rigid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Aeroplane {
-    /// Mass [kg].
-    pub mass: f64,
-    /// Moment of inertia in pitch about the centre of mass [kg m²].
-    pub inertia: f64,
-    /// Centre of mass: from the nose, and over the body axis [m].
-    pub centre: [f64; 2],
-    /// The wing.
-    pub wing: Wing,
-}
-
-/// A landing's table `[water]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct Water {
-    /// Density of the water [kg/m³].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub density: f64,
-    /// Acceleration of gravity [m/s²].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub gravity: f64,
-    /// Friction coefficient of the wetted bottom [-].
-    #[schemars(range(min = 0.0, max = 0.1))]
-    pub friction: f64,
-    /// Share of the theory's suction where the keel curves up [-].
-    #[schemars(range(min = 0.0, max = 1.0))]
-    pub suction: f64,
-}
-
-impl Default for Water {
-    fn default() -> Water {
-        Water { density: 1000.0, gravity: 9.81, friction: 0.003, suction: 1.0 }
-    }
-}
 
 /// A landing: from the first touch to the end.
 #[derive(Clone, Debug)]
 pub struct Landing<'a> {
     /// What the water meets.
     pub hull: &'a Hull,
-    /// What is rigid.
+    /// What lands.
     pub aeroplane: Aeroplane,
     /// The water.
     pub water: Water,
@@ -120,8 +43,8 @@ pub struct LandingState {
     pub time: f64,
     /// Where it is and how it moves.
     pub attitude: Attitude,
-    /// Accelerations forward and up [m/s²], and in pitch [rad/s²].
-    pub acceleration: [f64; 3],
+    /// Accelerations forward and up [m/s²], in pitch [rad/s²] and of the bending modes [m/s²].
+    pub acceleration: [f64; FREEDOMS],
     /// Force of the water forward and up [N], and its moment about the centre of mass, nose up [N m].
     pub force: [f64; 3],
     /// Lift of the wing [N].
@@ -130,6 +53,10 @@ pub struct LandingState {
     pub wetted: Option<[f64; 2]>,
     /// The strips that are wet, and the force of each on the keel line [N]: pressure of entry, without buoyancy.
     pub strips: Vec<(Strip, f64)>,
+    /// Forces of the water on each surface, then on each nacelle's face and bottom.
+    pub parts: Vec<Vec<PointForce>>,
+    /// Which of them have been lost up to now.
+    pub lost: Vec<bool>,
 }
 
 /// A keel this far above the water, over the fuselage's length, is not in a skip [-].
@@ -157,33 +84,15 @@ pub struct LandingResult {
     pub ended: LandingEnd,
 }
 
-impl Wing {
-    /// EN19: lift [N] at a speed [m/s] and angle of attack [rad]; never downwards.
-    pub fn lift(&self, speed: f64, attack: f64) -> f64 {
-        let coefficient = (self.lift_slope * (attack - self.zero_lift_deg.to_radians())).max(0.0);
-        0.5 * self.air_density * self.area * coefficient * speed * speed
-    }
-
-    /// Speed at which the wing carries a weight [N] at an angle of attack [rad]; `None` where it has no lift.
-    pub fn carrying_speed(&self, weight: f64, attack: f64) -> Option<f64> {
-        let at_one = self.lift(1.0, attack);
-        (at_one > 0.0).then(|| (weight / at_one).sqrt())
-    }
-}
-
-/// Accelerations and what made them.
-struct Balance {
-    acceleration: [f64; 3],
-    force: [f64; 3],
-    lift: f64,
-    strips: Vec<(Strip, f64)>,
-}
-
 impl Landing<'_> {
     /// Where it first touches: the lowest place of the keel on the still surface.
     pub fn start(&self) -> Attitude {
         let (sin, cos) = self.path.sin_cos();
-        let mut attitude = Attitude { place: [0.0, 0.0, self.pitch], rate: [self.speed * cos, self.speed * sin, 0.0] };
+        let mut attitude = Attitude {
+            place: [0.0, 0.0, self.pitch],
+            rate: [self.speed * cos, self.speed * sin, 0.0],
+            ..Attitude::default()
+        };
         attitude.place[1] = -self.clearance(&attitude);
         attitude
     }
@@ -195,7 +104,7 @@ impl Landing<'_> {
     }
 
     /// Ends of the strips, from the nose [m]: stations are among them.
-    fn edges(&self) -> Vec<f64> {
+    pub(super) fn edges(&self) -> Vec<f64> {
         let fuselage = self.hull.fuselage();
         let mut edges = vec![fuselage.ends()[0]];
         for pair in fuselage.stations().windows(2) {
@@ -209,13 +118,16 @@ impl Landing<'_> {
     /// Follow it to its end: the classical Runge–Kutta method, with EN18 solved for the accelerations at each stage.
     pub fn solve(&self) -> LandingResult {
         let mut attitude = self.start();
-        let mut moments = vec![self.moment(0.0, attitude)];
+        let mut lost = vec![false; self.aeroplane.parts()];
+        let mut moments = vec![self.moment(0.0, attitude, &lost)];
         for step in 1.. {
-            attitude = self.advanced(attitude);
+            let first = self.balance(&attitude, &lost);
+            self.aeroplane.lose(&mut lost, &first.parts);
+            attitude = self.advanced(attitude, &first, &lost);
             let time = step as f64 * self.step;
             let ended = self.ended(time, &attitude);
             if ended.is_some() || step % self.sample_every == 0 {
-                moments.push(self.moment(time, attitude));
+                moments.push(self.moment(time, attitude, &lost));
             }
             if let Some(ended) = ended {
                 return LandingResult { moments, ended };
@@ -251,100 +163,53 @@ impl Landing<'_> {
         (time >= self.end - 0.5 * self.step).then_some(LandingEnd::Time)
     }
 
-    fn advanced(&self, now: Attitude) -> Attitude {
+    /// One step of the classical Runge–Kutta method; `first` is the balance at its start.
+    fn advanced(&self, now: Attitude, first: &Balance, lost: &[bool]) -> Attitude {
         let dt = self.step;
-        let slope = |a: &Attitude| (a.rate, self.balance(a).acceleration);
-        let ahead = |(v, a): ([f64; 3], [f64; 3]), dt: f64| Attitude {
-            place: [0, 1, 2].map(|k| now.place[k] + dt * v[k]),
-            rate: [0, 1, 2].map(|k| now.rate[k] + dt * a[k]),
+        let slope = |a: &Attitude| Slope::new(a, self.balance(a, lost).acceleration);
+        let k1 = Slope::new(&now, first.acceleration);
+        let k2 = slope(&k1.ahead(&now, 0.5 * dt));
+        let k3 = slope(&k2.ahead(&now, 0.5 * dt));
+        let k4 = slope(&k3.ahead(&now, dt));
+        let mean = |of: fn(&Slope) -> &[f64; FREEDOMS]| {
+            let [a, b, c, d] = [&k1, &k2, &k3, &k4].map(of);
+            std::array::from_fn(|k| (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
         };
-        let k1 = slope(&now);
-        let k2 = slope(&ahead(k1, 0.5 * dt));
-        let k3 = slope(&ahead(k2, 0.5 * dt));
-        let k4 = slope(&ahead(k3, dt));
-        let mean = |a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]| {
-            [0, 1, 2].map(|k| (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
-        };
-        ahead((mean(k1.0, k2.0, k3.0, k4.0), mean(k1.1, k2.1, k3.1, k4.1)), dt)
+        Slope { rate: mean(|k| &k.rate), acceleration: mean(|k| &k.acceleration) }.ahead(&now, dt)
     }
 
-    /// EN19: lift [N], and the moment that turns the aeroplane back to its attitude at the first touch [N m].
-    fn air(&self, now: &Attitude) -> [f64; 2] {
-        let (wing, [u, w, q]) = (&self.aeroplane.wing, now.rate);
-        let (speed, attack) = (u.hypot(w), now.place[2] - w.atan2(u));
-        let off = wing.pitch_stiffness * (attack - (self.pitch - self.path));
-        let turning = wing.pitch_damping * q * wing.chord / (2.0 * speed.max(f64::MIN_POSITIVE));
-        let pressure = 0.5 * wing.air_density * speed * speed;
-        [wing.lift(speed, attack), pressure * wing.area * wing.chord * (off + turning)]
-    }
-
-    /// What happens at an attitude.
-    pub fn moment(&self, time: f64, attitude: Attitude) -> LandingState {
-        let Balance { acceleration, force, lift, strips } = self.balance(&attitude);
+    /// What happens at an attitude with some parts lost.
+    pub fn moment(&self, time: f64, attitude: Attitude, lost: &[bool]) -> LandingState {
+        let Balance { acceleration, force, lift, strips, parts } = self.balance(&attitude, lost);
         let ends = strips.iter().map(|(s, _)| s.wet.x).fold(None, |ends: Option<[f64; 2]>, x| {
             Some(ends.map_or([x, x], |[first, last]| [first.min(x), last.max(x)]))
         });
-        LandingState { time, attitude, acceleration, force, lift, wetted: ends, strips }
-    }
-
-    /// EN18: (diag(m, m, I) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction.
-    ///
-    /// Which strips press and which would pull is found with the accelerations: f = f₀ − M g·a.
-    fn balance(&self, now: &Attitude) -> Balance {
-        let Landing { aeroplane: craft, water, .. } = self;
-        let edges = self.edges();
-        let cut = |w: &[f64]| Strip::new(self.hull, craft.centre, now, [w[0], w[1]], water.density, water.gravity);
-        let strips: Vec<Strip> = edges.windows(2).filter_map(cut).collect();
-        let [lift, trimming] = self.air(now);
-        let mut steady = [0.0, lift - craft.mass * water.gravity, trimming];
-        for strip in &strips {
-            let rub = strip.entry.map_or([0.0; 3], |e| e.friction(0.5 * water.density * water.friction));
-            let floating = strip.floating();
-            (0..3).for_each(|k| steady[k] += floating[k] + rub[k]);
-        }
-        // a strip that would pull does so by the share `suction`
-        let share = |e: &ImpactingPart, a: [f64; 3]| if e.force(a) >= 0.0 { 1.0 } else { water.suction };
-        let entering: Vec<ImpactingPart> = strips.iter().filter_map(|s| s.entry).collect();
-        let mut shares: Vec<f64> = entering.iter().map(|e| share(e, [0.0; 3])).collect();
-        let mut acceleration = [0.0; 3];
-        for _ in 0..MOST_ROUNDS {
-            let mut matrix = [[craft.mass, 0.0, 0.0], [0.0, craft.mass, 0.0], [0.0, 0.0, craft.inertia]];
-            let mut right = steady;
-            for (e, share) in entering.iter().zip(&shares) {
-                for i in 0..3 {
-                    right[i] += share * e.pressing * e.lever[i];
-                    (0..3).for_each(|j| matrix[i][j] += share * e.mass * e.lever[i] * e.lever[j]);
-                }
-            }
-            acceleration = solved(matrix, right);
-            let next: Vec<f64> = entering.iter().map(|e| share(e, acceleration)).collect();
-            if next == shares {
-                break;
-            }
-            shares = next;
-        }
-        let load = |e: &ImpactingPart| share(e, acceleration) * e.force(acceleration);
-        let strips: Vec<(Strip, f64)> = strips.into_iter().map(|s| (s, s.entry.as_ref().map_or(0.0, load))).collect();
-        let mut force = steady;
-        force[1] -= lift - craft.mass * water.gravity;
-        force[2] -= trimming;
-        for (entry, f) in strips.iter().filter_map(|(s, f)| Some((s.entry?, f))) {
-            (0..3).for_each(|k| force[k] += f * entry.lever[k]);
-        }
-        Balance { acceleration, force, lift, strips }
+        LandingState { time, attitude, acceleration, force, lift, wetted: ends, strips, parts, lost: lost.to_vec() }
     }
 }
 
-/// Cramer's rule, for a positive definite matrix.
-fn solved(m: [[f64; 3]; 3], b: [f64; 3]) -> [f64; 3] {
-    let det = |m: &[[f64; 3]; 3]| {
-        m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
-            + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
-    };
-    let whole = det(&m);
-    [0, 1, 2].map(|k| {
-        let mut with = m;
-        (0..3).for_each(|i| with[i][k] = b[i]);
-        det(&with) / whole
-    })
+/// Rates of place and bending, and of these rates.
+struct Slope {
+    rate: [f64; FREEDOMS],
+    acceleration: [f64; FREEDOMS],
+}
+
+impl Slope {
+    fn new(now: &Attitude, acceleration: [f64; FREEDOMS]) -> Slope {
+        let mut rate = [0.0; FREEDOMS];
+        rate[..3].copy_from_slice(&now.rate);
+        rate[3..].copy_from_slice(&now.bend_rate);
+        Slope { rate, acceleration }
+    }
+
+    /// The attitude after `dt` [s] along it.
+    fn ahead(&self, now: &Attitude, dt: f64) -> Attitude {
+        let Slope { rate, acceleration } = self;
+        Attitude {
+            place: std::array::from_fn(|k| now.place[k] + dt * rate[k]),
+            rate: std::array::from_fn(|k| now.rate[k] + dt * acceleration[k]),
+            bend: std::array::from_fn::<_, MODES, _>(|k| now.bend[k] + dt * rate[3 + k]),
+            bend_rate: std::array::from_fn(|k| now.bend_rate[k] + dt * acceleration[3 + k]),
+        }
+    }
 }

@@ -1,15 +1,26 @@
-//! An aeroplane from sections: 2D+t (THEORY EN14–EN19).
+//! An aeroplane from sections: 2D+t (THEORY EN14–EN19, EN25–EN29).
 //!
 //! The fuselage enters planes of water that stand still and across its way; what a [`Section`](super::Section) bears in each is a
 //! theory's [`Load`](super::Load). [`Fuselage`] is the hull, [`Hull`] what it bears, [`Landing`] its motion in the plane of symmetry.
 
+mod aeroplane;
+mod balance;
+mod bending;
 mod fuselage;
 mod hull;
 mod landing;
+mod masses;
 mod monotone;
+mod parts;
+mod section_forces;
 mod strip;
 
+pub use aeroplane::{Aeroplane, Water, Wing};
+pub use bending::Bending;
 pub use fuselage::{Form, Fuselage, FuselageError, Keel, Station};
 pub use hull::{Hull, SectionLoad};
-pub use landing::{Aeroplane, Landing, LandingEnd, LandingResult, LandingState, Water, Wing};
-pub use strip::{Attitude, ImpactingPart, KeelPoint, Strip};
+pub use landing::{Landing, LandingEnd, LandingResult, LandingState};
+pub use masses::Masses;
+pub use parts::{Nacelle, PointForce, Rib, Surface, planing_coefficient};
+pub use section_forces::SectionForce;
+pub use strip::{Attitude, Bottom, FREEDOMS, ImpactingPart, KeelPoint, MODES, Strip};

@@ -1,14 +1,26 @@
 //! A strip of the fuselage and the plane of water that it is in: kinematics and the parts of its load.
 
+use std::f64::consts::PI;
+
+use super::bending::Bending;
 use super::hull::Hull;
 
-/// Where the aeroplane is and how it moves: centre of mass, pitch nose up, and their rates.
+/// Bending modes of the fuselage that a landing has room for.
+pub const MODES: usize = 4;
+/// Degrees of freedom: forward, up, pitch, bending modes.
+pub const FREEDOMS: usize = 3 + MODES;
+
+/// Where the aeroplane is and how it moves: centre of mass, pitch nose up, bending, and their rates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Attitude {
     /// Forward and up from a point of the still surface [m], pitch [rad].
     pub place: [f64; 3],
     /// Their rates [m/s, m/s, rad/s].
     pub rate: [f64; 3],
+    /// Amplitudes of the bending modes [m].
+    pub bend: [f64; MODES],
+    /// Their rates [m/s].
+    pub bend_rate: [f64; MODES],
 }
 
 impl Attitude {
@@ -17,6 +29,23 @@ impl Attitude {
         let ((sin, cos), ahead, above) = (self.place[2].sin_cos(), centre[0] - x, z - centre[1]);
         [self.place[0] + ahead * cos - above * sin, self.place[1] + ahead * sin + above * cos]
     }
+
+    /// Velocity of such a place forward and up [m/s], without bending.
+    pub fn velocity_of(&self, centre: [f64; 2], at: [f64; 2]) -> [f64; 2] {
+        let ([px, pz], [u, w, q]) = (self.of_point(centre, at), self.rate);
+        [u - q * (pz - self.place[1]), w + q * (px - self.place[0])]
+    }
+}
+
+/// What the water meets: a bottom on an aeroplane whose centre of mass is `centre`, which may bend.
+#[derive(Clone, Copy)]
+pub struct Bottom<'a> {
+    /// Keel and sections.
+    pub hull: &'a Hull,
+    /// From the nose, and over the body axis [m].
+    pub centre: [f64; 2],
+    /// Bending of the fuselage.
+    pub bending: Option<&'a Bending>,
 }
 
 /// EN15: the keel at a place, and the plane of water that it passes through.
@@ -38,35 +67,45 @@ pub struct KeelPoint {
     pub velocity: [f64; 2],
     /// Length on the way of flight over length along the axis [-].
     pub shortening: f64,
+    /// Its way across the way of flight per amplitude of the bending modes [-].
+    pub modes: [f64; MODES],
 }
 
 impl KeelPoint {
-    /// The keel at x [m from the nose] of an aeroplane whose centre of mass is `centre`.
-    pub fn new(hull: &Hull, centre: [f64; 2], now: &Attitude, x: f64) -> KeelPoint {
-        let keel = hull.fuselage().keel(x);
-        let [px, pz] = now.of_point(centre, [x, keel.height]);
+    /// The keel at x [m from the nose].
+    pub fn new(bottom: &Bottom<'_>, now: &Attitude, x: f64) -> KeelPoint {
+        let keel = bottom.hull.fuselage().keel(x);
+        let modes = bottom.bending.map_or([[0.0; 3]; MODES], |bending| bending.at(x));
+        let sum = |of: &[f64; MODES], k: usize| (0..MODES).map(|mode| of[mode] * modes[mode][k]).sum::<f64>();
+        let [height, keel_slope, keel_bend] =
+            [keel.height + sum(&now.bend, 0), keel.slope + sum(&now.bend, 1), keel.bend + sum(&now.bend, 2)];
+        let [px, pz] = now.of_point(bottom.centre, [x, height]);
         let (sin, cos) = now.place[2].sin_cos();
-        let shortening = cos + keel.slope * sin;
-        let slope = (sin - keel.slope * cos) / shortening;
-        let curvature = keel.bend / shortening.powi(3);
+        let shortening = cos + keel_slope * sin;
+        let slope = (sin - keel_slope * cos) / shortening;
+        let curvature = keel_bend / shortening.powi(3);
         let (lever_arm, [u, w, q]) = ([px - now.place[0], pz - now.place[1]], now.rate);
-        let velocity = [u - q * lever_arm[1], w + q * lever_arm[0]];
+        let (rises, turns) = (sum(&now.bend_rate, 0), q - sum(&now.bend_rate, 1));
+        let velocity = [u - q * lever_arm[1] - rises * sin, w + q * lever_arm[0] + rises * cos];
         KeelPoint {
             x,
             draught: -pz,
             speed: slope * velocity[0] - velocity[1],
-            bending: 2.0 * velocity[0] * q * (1.0 + slope * slope) - curvature * velocity[0].powi(2)
+            bending: 2.0 * velocity[0] * turns * (1.0 + slope * slope) - curvature * velocity[0].powi(2)
                 + q * q * (lever_arm[1] - slope * lever_arm[0]),
             slope,
             lever_arm,
             velocity,
             shortening,
+            modes: [0, 1, 2, 3].map(|k| modes[k][0] * (slope * sin + cos)),
         }
     }
 
-    /// Forward and upward force and moment nose up, per unit of force on the keel across the way of flight [-, -, m].
-    pub fn lever(&self) -> [f64; 3] {
-        [-self.slope, 1.0, self.lever_arm[0] + self.slope * self.lever_arm[1]]
+    /// Forward and upward force, moment nose up and forces on the bending modes, per unit of force on the keel across the way of flight
+    /// [-, -, m, -].
+    pub fn lever(&self) -> [f64; FREEDOMS] {
+        let [a, b, c, d] = self.modes;
+        [-self.slope, 1.0, self.lever_arm[0] + self.slope * self.lever_arm[1], a, b, c, d]
     }
 }
 
@@ -91,21 +130,26 @@ pub struct ImpactingPart {
     /// Its length on the way of flight [m].
     pub length: f64,
     /// Directions of its load ([`KeelPoint::lever`]).
-    pub lever: [f64; 3],
+    pub lever: [f64; FREEDOMS],
     /// Load at no acceleration of the aeroplane [N].
     pub pressing: f64,
     /// Added mass [kg].
     pub mass: f64,
     /// Area that the water rubs along [m²].
     pub area: f64,
+    /// Area of its cut with still water [m²].
+    pub still_area: f64,
+    /// Share of the load that is left where it pulls: added mass of the still half width over the theory's (EN27) [-].
+    pub pulling: f64,
 }
 
 impl Strip {
     /// The strip between two places from the nose [m], in water of density ρ and gravity g; `None` where it is dry.
-    pub fn new(hull: &Hull, centre: [f64; 2], now: &Attitude, ends: [f64; 2], rho: f64, g: f64) -> Option<Strip> {
-        let ends = ends.map(|x| KeelPoint::new(hull, centre, now, x));
+    pub fn new(bottom: &Bottom<'_>, now: &Attitude, ends: [f64; 2], rho: f64, g: f64) -> Option<Strip> {
+        let hull = bottom.hull;
+        let ends = ends.map(|x| KeelPoint::new(bottom, now, x));
         let [from, to] = part_above_nothing(ends.map(|p| p.x), ends.map(|p| p.draught))?;
-        let wet = KeelPoint::new(hull, centre, now, 0.5 * (from + to));
+        let wet = KeelPoint::new(bottom, now, 0.5 * (from + to));
         let wet_length = (to - from) * wet.shortening;
         let buoyancy = rho * g * wet_length * hull.at(wet.x, wet.draught).area;
         let speed_at = |x: f64| {
@@ -113,7 +157,7 @@ impl Strip {
             ends[0].speed + share * (ends[1].speed - ends[0].speed)
         };
         let entry = part_above_nothing([from, to], [from, to].map(speed_at)).map(|[from, to]| {
-            let at = KeelPoint::new(hull, centre, now, 0.5 * (from + to));
+            let at = KeelPoint::new(bottom, now, 0.5 * (from + to));
             let length = (to - from) * at.shortening;
             let load = hull.at(at.x, at.draught);
             let [before, after] = ends.map(|p| hull.at(p.x, at.draught).added_mass);
@@ -129,9 +173,23 @@ impl Strip {
                 pressing: rho * length * per_length,
                 mass: rho * length * load.added_mass,
                 area: 2.0 * load.wetted * length * (1.0 + at.slope * at.slope).sqrt(),
+                still_area: 2.0 * load.still * length,
+                pulling: (0.5 * PI * load.still * load.still / load.added_mass).min(1.0),
             }
         });
         Some(Strip { wet, wet_length, buoyancy, entry })
+    }
+
+    /// `number` of them side by side.
+    pub(super) fn times(self, number: f64) -> Strip {
+        let entry = self.entry.map(|e| ImpactingPart {
+            pressing: number * e.pressing,
+            mass: number * e.mass,
+            area: number * e.area,
+            still_area: number * e.still_area,
+            ..e
+        });
+        Strip { buoyancy: number * self.buoyancy, entry, ..self }
     }
 
     /// EN19: force and moment of the buoyancy.
@@ -141,9 +199,9 @@ impl Strip {
 }
 
 impl ImpactingPart {
-    /// EN17: its load [N] at accelerations of the aeroplane [m/s², m/s², rad/s²].
-    pub fn force(&self, acceleration: [f64; 3]) -> f64 {
-        self.pressing - self.mass * (0..3).map(|k| self.lever[k] * acceleration[k]).sum::<f64>()
+    /// EN17: its load [N] at accelerations of the aeroplane [m/s², m/s², rad/s², m/s²].
+    pub fn force(&self, acceleration: [f64; FREEDOMS]) -> f64 {
+        self.pressing - self.mass * along(&self.lever, &acceleration)
     }
 
     /// EN19: force and moment of the friction ½ρ C_f v|v| against the way along the keel; `of_square` is ½ρ C_f [kg/m³].
@@ -154,6 +212,11 @@ impl ImpactingPart {
         let forward = -of_square * self.area * sliding * sliding.abs() * along;
         [forward, forward * slope, forward * (ax * slope - az)]
     }
+}
+
+/// The part of accelerations that is along a lever.
+pub(super) fn along(lever: &[f64; FREEDOMS], acceleration: &[f64; FREEDOMS]) -> f64 {
+    (0..FREEDOMS).map(|k| lever[k] * acceleration[k]).sum()
 }
 
 /// The part of an interval where a quantity that is linear on it, with these values at its ends, is above nothing.

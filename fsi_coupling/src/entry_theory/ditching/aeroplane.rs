@@ -1,0 +1,149 @@
+//! The aeroplane of a landing, and its air and water (THEORY EN19).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::bending::Bending;
+use super::parts::{Nacelle, PointForce, Surface};
+use super::strip::Attitude;
+
+/// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Wing {
+    /// Area of the wing [m²].
+    #[schemars(range(min = 0.0))]
+    pub area: f64,
+    /// Mean chord of the wing [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub chord: f64,
+    /// Slope of the lift coefficient against the angle of attack [1/rad].
+    #[schemars(range(min = 0.0))]
+    pub lift_slope: f64,
+    /// Angle of attack of the body axis at which there is no lift [deg].
+    pub zero_lift_deg: f64,
+    /// Slope of the aeroplane's moment coefficient against the angle of attack [1/rad].
+    #[serde(default = "usual::pitch_stiffness")]
+    pub pitch_stiffness: f64,
+    /// Its slope against q c/(2U), the rate of pitch [1/rad].
+    #[serde(default = "usual::pitch_damping")]
+    pub pitch_damping: f64,
+    /// Angle of attack of the body axis at which the elevator balances the moment [deg].
+    #[schemars(extend("x-default" = "landing.angle_of_attack_deg"))]
+    pub trim_deg: Option<f64>,
+    /// Drag coefficient of the aeroplane in air [-].
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub drag: f64,
+    /// Density of the air [kg/m³].
+    #[serde(default = "usual::air_density")]
+    #[schemars(range(min = 0.0))]
+    pub air_density: f64,
+}
+
+mod usual {
+    pub fn pitch_stiffness() -> f64 {
+        -1.0
+    }
+    pub fn pitch_damping() -> f64 {
+        -25.0
+    }
+    pub fn air_density() -> f64 {
+        1.225
+    }
+}
+
+/// What is rigid.
+#[derive(Clone, Debug)]
+pub struct Aeroplane {
+    /// Mass [kg].
+    pub mass: f64,
+    /// Moment of inertia in pitch about the centre of mass [kg m²].
+    pub inertia: f64,
+    /// Centre of mass: from the nose, and over the body axis [m].
+    pub centre: [f64; 2],
+    /// The wing in air.
+    pub wing: Wing,
+    /// Surfaces that may meet the water.
+    pub surfaces: Vec<Surface>,
+    /// Nacelles or floats.
+    pub nacelles: Vec<Nacelle>,
+    /// Bending of the fuselage; `None`: it is rigid.
+    pub bending: Option<Bending>,
+}
+
+/// A landing's table `[water]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct Water {
+    /// Density of the water [kg/m³].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: f64,
+    /// Acceleration of gravity [m/s²].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub gravity: f64,
+    /// Friction coefficient of the wetted bottom [-].
+    #[schemars(range(min = 0.0, max = 0.1))]
+    pub friction: f64,
+    /// Share of the theory's suction where the keel curves up [-].
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub suction: f64,
+    /// Largest suction: atmospheric less vapour pressure, for a model test times the model's scale [Pa].
+    #[schemars(range(min = 0.0))]
+    pub largest_suction: f64,
+}
+
+impl Default for Water {
+    fn default() -> Water {
+        Water { density: 1000.0, gravity: 9.81, friction: 0.003, suction: 1.0, largest_suction: 9.9e4 }
+    }
+}
+
+impl Wing {
+    /// EN19: lift [N] at a speed [m/s] and angle of attack [rad]; never downwards.
+    pub fn lift(&self, speed: f64, attack: f64) -> f64 {
+        let coefficient = (self.lift_slope * (attack - self.zero_lift_deg.to_radians())).max(0.0);
+        0.5 * self.air_density * self.area * coefficient * speed * speed
+    }
+
+    /// EN19: drag forward and up, lift, and the moment that turns the aeroplane towards its angle of attack in balance; without `trim_deg` this
+    /// is the `attack` at the first touch [rad]. [N, N m]
+    pub(super) fn air(&self, now: &Attitude, attack_at_touch: f64) -> ([f64; 2], f64, f64) {
+        let [u, w, q] = now.rate;
+        let (speed, attack) = (u.hypot(w), now.place[2] - w.atan2(u));
+        let off = self.pitch_stiffness * (attack - self.trim_deg.map_or(attack_at_touch, f64::to_radians));
+        let turning = self.pitch_damping * q * self.chord / (2.0 * speed.max(f64::MIN_POSITIVE));
+        let of_area = 0.5 * self.air_density * speed * self.area;
+        let drag = [u, w].map(|v| -of_area * self.drag * v);
+        (drag, self.lift(speed, attack), of_area * speed * self.chord * (off + turning))
+    }
+
+    /// Speed at which the wing carries a weight [N] at an angle of attack [rad]; `None` where it has no lift.
+    pub fn carrying_speed(&self, weight: f64, attack: f64) -> Option<f64> {
+        let at_one = self.lift(1.0, attack);
+        (at_one > 0.0).then(|| (weight / at_one).sqrt())
+    }
+}
+
+impl Aeroplane {
+    /// Number of parts that may be lost: surfaces, then kinds of nacelles.
+    pub fn parts(&self) -> usize {
+        self.surfaces.len() + self.nacelles.len()
+    }
+
+    /// Forces of the water on the surfaces and on the nacelles' faces that are not lost.
+    pub(super) fn immersed(&self, now: &Attitude, lost: &[bool], density: f64) -> Vec<Vec<PointForce>> {
+        let surfaces = self.surfaces.iter().map(|s| s.water(self.centre, now, density));
+        let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, density).into_iter().collect());
+        surfaces.chain(faces).zip(lost).map(|(forces, lost)| if *lost { Vec::new() } else { forces }).collect()
+    }
+
+    /// Parts whose load is larger than what they hold are lost.
+    pub(super) fn lose(&self, lost: &mut [bool], parts: &[Vec<PointForce>]) {
+        let holds = self.surfaces.iter().map(|s| s.breaks_at);
+        let holds = holds.chain(self.nacelles.iter().map(|n| n.breaks_at.map(|f| f * n.number)));
+        for ((lost, forces), holds) in lost.iter_mut().zip(parts).zip(holds) {
+            let [fx, fz] = [0, 1].map(|k| forces.iter().map(|p| p.force[k]).sum::<f64>());
+            *lost |= holds.is_some_and(|most| fx.hypot(fz) > most);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Forces on an aeroplane on the water, and its accelerations under them (THEORY EN18, EN19, EN27).
+
+use super::aeroplane::{Aeroplane, Water};
+use super::bending::Bending;
+use super::landing::Landing;
+use super::parts::PointForce;
+use super::strip::{Attitude, Bottom, FREEDOMS, ImpactingPart, Strip, along};
+
+/// Rounds in which it is found which strips press and which pull.
+const MOST_ROUNDS: usize = 40;
+
+/// Accelerations and what made them.
+pub(super) struct Balance {
+    pub acceleration: [f64; FREEDOMS],
+    pub force: [f64; 3],
+    pub lift: f64,
+    pub strips: Vec<(Strip, f64)>,
+    pub parts: Vec<Vec<PointForce>>,
+}
+
+/// How a strip bears on the water.
+#[derive(Clone, Copy, PartialEq)]
+enum Bearing {
+    /// It presses.
+    Presses,
+    /// It pulls, by a share of the theory's force.
+    Pulls(f64),
+    /// It pulls as much as the water bears [N].
+    Tears(f64),
+}
+
+impl Bearing {
+    /// EN27: of a strip whose force by the theory is `force` [N].
+    fn of(part: &ImpactingPart, force: f64, suction: f64, largest: f64) -> Bearing {
+        let (share, most) = (suction * part.pulling, largest * part.still_area);
+        match force {
+            f if f >= 0.0 => Bearing::Presses,
+            f if -share * f <= most => Bearing::Pulls(share),
+            _ => Bearing::Tears(most),
+        }
+    }
+
+    /// Force at no acceleration of the aeroplane [N], and what it loses per acceleration along the lever [kg].
+    fn parts(self, part: &ImpactingPart) -> (f64, f64) {
+        match self {
+            Bearing::Presses => (part.pressing, part.mass),
+            Bearing::Pulls(share) => (share * part.pressing, share * part.mass),
+            Bearing::Tears(most) => (-most, 0.0),
+        }
+    }
+}
+
+/// Generalised forces on the freedoms of an aeroplane.
+struct Forces<'a> {
+    on: [f64; FREEDOMS],
+    bending: Option<&'a Bending>,
+    up: [f64; 2],
+}
+
+impl Forces<'_> {
+    /// Of forces forward, up and nose up at a place [m from the nose].
+    fn add(&mut self, x: f64, force: [f64; 3]) {
+        (0..3).for_each(|k| self.on[k] += force[k]);
+        if let Some(bending) = self.bending {
+            let across = self.up[0] * force[0] + self.up[1] * force[1];
+            bending.at(x).iter().enumerate().for_each(|(k, mode)| self.on[3 + k] += mode[0] * across);
+        }
+    }
+}
+
+impl Landing<'_> {
+    /// EN18: (diag(m, m, I, 1 …) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction, other parts, stiffness of the modes.
+    ///
+    /// How each strip bears on the water is found with the accelerations: f = f₀ − M g·a.
+    pub(super) fn balance(&self, now: &Attitude, lost: &[bool]) -> Balance {
+        let Landing { aeroplane: craft, water, .. } = self;
+        let bending = craft.bending.as_ref();
+        let (sin, cos) = now.place[2].sin_cos();
+        let (drag, lift, trimming) = craft.wing.air(now, self.pitch - self.path);
+        let air = [drag[0], drag[1] + lift - craft.mass * water.gravity, trimming];
+        let mut given = Forces { on: [0.0; FREEDOMS], bending, up: [-sin, cos] };
+        given.on[..3].copy_from_slice(&air);
+        if let Some(bending) = bending {
+            given.on[3..].copy_from_slice(&bending.restoring(now));
+        }
+        // the fuselage, then what is left of the nacelles
+        let bottom = |hull| Bottom { hull, centre: craft.centre, bending };
+        let mut bodies = vec![self.strips(&bottom(self.hull), &self.edges(), 1.0, now)];
+        bodies.extend(craft.nacelles.iter().zip(&lost[craft.surfaces.len()..]).map(|(nacelle, lost)| match lost {
+            true => Vec::new(),
+            false => self.strips(&bottom(&nacelle.hull), &nacelle.edges(), nacelle.number, now),
+        }));
+        for strip in bodies.iter().flatten() {
+            let rub = strip.entry.map_or([0.0; 3], |e| e.friction(0.5 * water.density * water.friction));
+            given.add(strip.wet.x, rub);
+            given.add(strip.wet.x, strip.floating());
+        }
+        let mut parts = craft.immersed(now, lost, water.density);
+        parts.iter().flatten().for_each(|p| given.add(p.x, p.force));
+
+        let entering: Vec<ImpactingPart> = bodies.iter().flatten().filter_map(|s| s.entry).collect();
+        let (acceleration, loads) = self.accelerations(&entering, given.on);
+        let mut loads = loads.into_iter();
+        let mut loaded = bodies.into_iter().map(|strips| {
+            let load = |s: Strip| (s, s.entry.and_then(|_| loads.next()).unwrap_or(0.0));
+            strips.into_iter().map(load).collect::<Vec<_>>()
+        });
+        let strips = loaded.next().unwrap_or_default();
+        for (part, strips) in parts[craft.surfaces.len()..].iter_mut().zip(loaded) {
+            part.extend(strips.iter().map(|(s, load)| {
+                let (floating, lever) = (s.floating(), s.entry.map_or([0.0; FREEDOMS], |e| e.lever));
+                let rub = s.entry.map_or([0.0; 3], |e| e.friction(0.5 * water.density * water.friction));
+                PointForce { x: s.wet.x, force: [0, 1, 2].map(|k| load * lever[k] + floating[k] + rub[k]) }
+            }));
+        }
+        let inertia = [craft.mass, craft.mass, craft.inertia];
+        let force = [0, 1, 2].map(|k| inertia[k] * acceleration[k] - air[k]);
+        Balance { acceleration, force, lift, strips, parts }
+    }
+
+    /// The wet strips of `number` equal bottoms side by side.
+    fn strips(&self, bottom: &Bottom<'_>, edges: &[f64], number: f64, now: &Attitude) -> Vec<Strip> {
+        let Water { density, gravity, .. } = self.water;
+        let cut = |w: &[f64]| Strip::new(bottom, now, [w[0], w[1]], density, gravity);
+        edges.windows(2).filter_map(cut).map(|strip| strip.times(number)).collect()
+    }
+
+    /// Accelerations under the `given` forces and those of the entering strips, and these [N].
+    fn accelerations(&self, entering: &[ImpactingPart], given: [f64; FREEDOMS]) -> ([f64; FREEDOMS], Vec<f64>) {
+        let Water { suction, largest_suction, .. } = self.water;
+        let Aeroplane { mass, inertia, .. } = self.aeroplane;
+        let bearing = |e: &ImpactingPart, a| Bearing::of(e, e.force(a), suction, largest_suction);
+        let mut acceleration = [0.0; FREEDOMS];
+        let mut bearings: Vec<Bearing> = entering.iter().map(|e| bearing(e, acceleration)).collect();
+        for _ in 0..MOST_ROUNDS {
+            let diagonal = |k: usize| [mass, mass, inertia].get(k).copied().unwrap_or(1.0);
+            let mut matrix: Matrix =
+                std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal(i) } else { 0.0 }));
+            let mut right = given;
+            for (e, bearing) in entering.iter().zip(&bearings) {
+                let (still, per_acceleration) = bearing.parts(e);
+                for i in 0..FREEDOMS {
+                    right[i] += still * e.lever[i];
+                    (0..FREEDOMS).for_each(|j| matrix[i][j] += per_acceleration * e.lever[i] * e.lever[j]);
+                }
+            }
+            acceleration = solved(matrix, right);
+            let next: Vec<Bearing> = entering.iter().map(|e| bearing(e, acceleration)).collect();
+            if next == bearings {
+                break;
+            }
+            bearings = next;
+        }
+        let forces = entering.iter().zip(&bearings).map(|(e, bearing)| {
+            let (still, per_acceleration) = bearing.parts(e);
+            still - per_acceleration * along(&e.lever, &acceleration)
+        });
+        (acceleration, forces.collect())
+    }
+}
+
+type Matrix = [[f64; FREEDOMS]; FREEDOMS];
+
+/// Gauss's elimination, for a positive definite matrix.
+fn solved(mut m: Matrix, mut b: [f64; FREEDOMS]) -> [f64; FREEDOMS] {
+    for k in 0..FREEDOMS {
+        for i in k + 1..FREEDOMS {
+            let factor = m[i][k] / m[k][k];
+            let row = m[k];
+            (k..FREEDOMS).for_each(|j| m[i][j] -= factor * row[j]);
+            b[i] -= factor * b[k];
+        }
+    }
+    for k in (0..FREEDOMS).rev() {
+        let rest: f64 = (k + 1..FREEDOMS).map(|j| m[k][j] * b[j]).sum();
+        b[k] = (b[k] - rest) / m[k][k];
+    }
+    b
+}

@@ -1,0 +1,102 @@
+//! What the structure of a landing bears: stations of the fuselage, and parts that meet the water.
+
+use fsi_coupling::entry_theory::ditching::{Landing, LandingState, Masses};
+use serde::Serialize;
+
+use super::model::Scene;
+use crate::run::summary::Peak;
+
+/// What a station bore.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct StationLoad {
+    /// Its place, from the nose [m].
+    pub x_m: f64,
+    /// Largest load of a metre of the keel [N/m].
+    pub line_load_n_per_m: Peak,
+    /// Largest mean pressure on the wetted breadth [Pa].
+    pub pressure_pa: Peak,
+    /// Shear force of largest size in the cut of the fuselage, of the part aft on the part ahead, upwards [N].
+    pub shear_n: Peak,
+    /// Bending moment of largest size there; positive where it bends the ends upwards [N m].
+    pub bending_nm: Peak,
+}
+
+/// What a part bore that met the water.
+#[derive(Clone, Debug, Serialize)]
+pub struct PartLoad {
+    /// Its name.
+    pub name: String,
+    /// Largest force of the water [N].
+    pub force_n: Peak,
+    /// When it was lost [s].
+    pub lost_at_s: Option<f64>,
+}
+
+/// Keeps the value of larger size.
+fn keep(peak: &mut Peak, value: f64, time_s: f64) {
+    if value.abs() > peak.value.abs() {
+        *peak = Peak { value, time_s, verdict: None };
+    }
+}
+
+/// What each station bore, and the error of the balance of the fuselage's cuts: what a cut aft of the tail bears over the largest in any.
+pub(super) fn stations(
+    scene: &Scene,
+    landing: &Landing<'_>,
+    masses: &Masses,
+    moments: &[LandingState],
+) -> (Vec<StationLoad>, f64) {
+    let places: Vec<f64> = scene.stations.iter().map(|station| station.x).collect();
+    let none = Peak::default();
+    let unloaded = |x_m: &f64| StationLoad {
+        x_m: *x_m,
+        line_load_n_per_m: none,
+        pressure_pa: none,
+        shear_n: none,
+        bending_nm: none,
+    };
+    let mut loads: Vec<StationLoad> = places.iter().map(unloaded).collect();
+    let (mut error, mut largest) = ([0.0_f64; 2], [0.0_f64; 2]);
+    let aft_of_tail = places[places.len() - 1] + 1e-9;
+    for moment in moments {
+        for (strip, force) in &moment.strips {
+            let Some(entry) = &strip.entry else { continue };
+            let distance = |load: &&mut StationLoad| (load.x_m - entry.at.x).abs();
+            if let Some(load) =
+                loads.iter_mut().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| *force > 0.0)
+            {
+                keep(&mut load.line_load_n_per_m, force / entry.length, moment.time);
+                keep(&mut load.pressure_pa, force / entry.area, moment.time);
+            }
+        }
+        let cuts = landing.section_forces(moment, masses, &[&places[..], &[aft_of_tail]].concat());
+        for (load, cut) in loads.iter_mut().zip(&cuts) {
+            keep(&mut load.shear_n, cut.shear, moment.time);
+            keep(&mut load.bending_nm, cut.bending, moment.time);
+            largest = [largest[0].max(cut.shear.abs()), largest[1].max(cut.bending.abs())];
+        }
+        if let Some(aft) = cuts.last() {
+            error = [error[0].max(aft.shear.abs()), error[1].max(aft.bending.abs())];
+        }
+    }
+    (loads, (error[0] / largest[0]).max(error[1] / largest[1]))
+}
+
+/// What each part bore.
+pub(super) fn parts(landing: &Landing<'_>, moments: &[LandingState]) -> Vec<PartLoad> {
+    let craft = &landing.aeroplane;
+    let names = craft.surfaces.iter().map(|s| &s.name).chain(craft.nacelles.iter().map(|n| &n.name));
+    let of_part = |(k, name): (usize, &String)| {
+        let mut force_n = Peak::default();
+        moments.iter().for_each(|m| keep(&mut force_n, size(m, k), m.time));
+        let lost_at_s = moments.iter().find(|m| m.lost[k]).map(|m| m.time);
+        PartLoad { name: name.clone(), force_n, lost_at_s }
+    };
+    names.enumerate().map(of_part).collect()
+}
+
+/// Force of the water on a part [N].
+fn size(moment: &LandingState, part: usize) -> f64 {
+    let [forward, up] = [0, 1].map(|k| moment.parts[part].iter().map(|p| p.force[k]).sum::<f64>());
+    forward.hypot(up)
+}
