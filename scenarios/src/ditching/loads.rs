@@ -13,7 +13,7 @@ pub struct StationLoad {
     pub x_m: f64,
     /// Largest load of a metre of the keel [N/m].
     pub line_load_n_per_m: Peak,
-    /// Largest mean pressure on the wetted breadth [Pa].
+    /// The same over the breadth: largest mean pressure [Pa].
     pub pressure_pa: Peak,
     /// Shear force of largest size in the cut of the fuselage, of the part aft on the part ahead, upwards [N].
     pub shear_n: Peak,
@@ -66,7 +66,8 @@ pub(super) fn stations(
                 loads.iter_mut().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| *force > 0.0)
             {
                 keep(&mut load.line_load_n_per_m, force / entry.length, moment.time);
-                keep(&mut load.pressure_pa, force / entry.area, moment.time);
+                let breadth = landing.hull.fuselage().breadth(entry.at.x);
+                keep(&mut load.pressure_pa, force / (entry.length * breadth), moment.time);
             }
         }
         let cuts = landing.section_forces(moment, masses, &[&places[..], &[aft_of_tail]].concat());
@@ -84,15 +85,13 @@ pub(super) fn stations(
 
 /// What each part bore.
 pub(super) fn parts(landing: &Landing<'_>, moments: &[LandingState]) -> Vec<PartLoad> {
-    let craft = &landing.aeroplane;
-    let names = craft.surfaces.iter().map(|s| &s.name).chain(craft.nacelles.iter().map(|n| &n.name));
-    let of_part = |(k, name): (usize, &String)| {
+    let of_part = |(k, name): (usize, &str)| {
         let mut force_n = Peak::default();
         moments.iter().for_each(|m| keep(&mut force_n, size(m, k), m.time));
         let lost_at_s = moments.iter().find(|m| m.lost[k]).map(|m| m.time);
-        PartLoad { name: name.clone(), force_n, lost_at_s }
+        PartLoad { name: name.to_string(), force_n, lost_at_s }
     };
-    names.enumerate().map(of_part).collect()
+    landing.aeroplane.part_names().into_iter().enumerate().map(of_part).collect()
 }
 
 /// Force of the water on a part [N].

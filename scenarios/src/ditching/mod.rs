@@ -42,7 +42,7 @@ pub use accelerometers::Accelerometer;
 pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
-pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, SurfaceKeys};
+pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use series::Series;
 
@@ -79,6 +79,7 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     each("stations").iter().try_for_each(|item| draft.read::<StationKeys>(item).map(drop))?;
     each("surfaces").iter().try_for_each(|item| draft.read::<SurfaceKeys>(item).map(drop))?;
     each("nacelles").iter().try_for_each(|item| draft.read::<NacelleKeys>(item).map(drop))?;
+    each("panels").iter().try_for_each(|item| draft.read::<PanelKeys>(item).map(drop))?;
     each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
     each("masses").iter().try_for_each(|item| draft.read::<MassKeys>(item).map(drop))?;
     draft.read("")

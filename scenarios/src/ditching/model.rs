@@ -11,7 +11,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{
-    AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, SurfaceKeys, bending, masses, nacelles, surfaces,
+    AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys, bending, masses, nacelles, panels,
+    surfaces,
 };
 use crate::scene::source::{LARGEST_NUMBER, word};
 
@@ -52,6 +53,9 @@ pub struct Scene {
     /// Engines or floats.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub nacelles: Vec<NacelleKeys>,
+    /// Parts of the bottom that give way.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub panels: Vec<PanelKeys>,
     /// Where accelerations are taken.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub accelerometers: Vec<AccelerometerKeys>,
@@ -196,9 +200,10 @@ fn numbers(scene: &Scene) -> Result<(), Problem> {
 fn names(scene: &Scene) -> Result<(), Problem> {
     let surfaces = scene.surfaces.iter().enumerate().map(|(k, s)| (format!("surfaces[{k}].name"), &s.name));
     let nacelles = scene.nacelles.iter().enumerate().map(|(k, n)| (format!("nacelles[{k}].name"), &n.name));
+    let panels = scene.panels.iter().enumerate().map(|(k, p)| (format!("panels[{k}].name"), &p.name));
     let places = scene.accelerometers.iter().enumerate().map(|(k, a)| (format!("accelerometers[{k}].name"), &a.name));
     let mut known: Vec<&str> = Vec::new();
-    for (key, name) in surfaces.chain(nacelles).chain(places) {
+    for (key, name) in surfaces.chain(nacelles).chain(panels).chain(places) {
         word(&key, name)?;
         require(!known.contains(&name.as_str()), &key, name, "a name that nothing else has")?;
         known.push(name);
@@ -226,6 +231,7 @@ fn aeroplane(scene: &Scene) -> Result<Aeroplane, Problem> {
         wing: scene.wing,
         surfaces: surfaces(scene)?,
         nacelles: nacelles(scene)?,
+        panels: panels(scene)?,
         bending: bending(scene, &masses(scene)?)?,
     })
 }

@@ -1,7 +1,7 @@
 //! Parts of a landing's aeroplane beside the bottom of its fuselage: their keys, and what they become.
 
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Bending, FuselageError, Masses, Nacelle, Rib, Surface};
+use fsi_coupling::entry_theory::ditching::{Bending, FuselageError, Masses, Nacelle, Panel, Rib, Surface};
 use fsi_coupling::settings::Problem;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,6 +50,27 @@ pub struct NacelleKeys {
     /// Force of the water on one at which it is lost [N].
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "it holds"))]
     pub breaks_at: Option<f64>,
+}
+
+/// An item of `[[panels]]`: a part of the bottom that gives way; then it bears nothing, and the frame at its rear end stands against the water.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PanelKeys {
+    /// A word that names it.
+    pub name: String,
+    /// Front end, from the nose [m].
+    pub from: f64,
+    /// Rear end, from the nose [m].
+    pub to: f64,
+    /// Mean pressure over the breadth at which it gives way [Pa].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub gives_way_at: f64,
+    /// Height of the frame at its rear end over the keel [m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub frame_height: f64,
+    /// Drag coefficient of the frame's immersed part [-].
+    #[serde(default = "usual_drag")]
+    #[schemars(range(min = 0.0, max = 2.0))]
+    pub drag: f64,
 }
 
 /// A disc in a cavity (Reichardt 1946).
@@ -138,6 +159,20 @@ pub(super) fn surfaces(scene: &Scene) -> Result<Vec<Surface>, Problem> {
 /// The nacelles of a landing.
 pub(super) fn nacelles(scene: &Scene) -> Result<Vec<Nacelle>, Problem> {
     scene.nacelles.iter().enumerate().map(|(k, keys)| nacelle(keys, k, scene.model)).collect()
+}
+
+/// The panels of a landing.
+pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Problem> {
+    let (first, last) = (scene.stations[0].x, scene.stations[scene.stations.len() - 1].x);
+    let panel = |(k, keys): (usize, &PanelKeys)| {
+        let PanelKeys { from, to, gives_way_at, frame_height, drag, .. } = *keys;
+        if !(from >= first && to > from && to <= last) {
+            let expected = format!("more than panels[{k}].from, both from {first} to {last} m");
+            return Err(Problem::new(&format!("panels[{k}].to"), to, expected));
+        }
+        Ok(Panel { name: keys.name.clone(), ends: [from, to], gives_way_at, frame_height, drag })
+    };
+    scene.panels.iter().enumerate().map(panel).collect()
 }
 
 /// The masses along the fuselage.

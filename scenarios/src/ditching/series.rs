@@ -62,8 +62,7 @@ impl Series {
             add(format!("{}.normal_g", keys.name), normal);
             add(format!("{}.longitudinal_g", keys.name), longitudinal);
         }
-        let parts = craft.surfaces.iter().map(|s| &s.name).chain(craft.nacelles.iter().map(|n| &n.name));
-        for (part, name) in parts.enumerate() {
+        for (part, name) in craft.part_names().into_iter().enumerate() {
             for (k, axis) in ["fx_N", "fz_N"].into_iter().enumerate() {
                 let force = |m: &LandingState| m.parts[part].iter().map(|p| p.force[k]).sum();
                 add(format!("{name}.{axis}"), moments.iter().map(force).collect());

@@ -3,8 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::balance::Balance;
 use super::bending::Bending;
-use super::parts::{Nacelle, PointForce, Surface};
+use super::hull::Hull;
+use super::parts::{Nacelle, Panel, PointForce, Surface};
 use super::strip::Attitude;
 
 /// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
@@ -67,6 +69,8 @@ pub struct Aeroplane {
     pub surfaces: Vec<Surface>,
     /// Nacelles or floats.
     pub nacelles: Vec<Nacelle>,
+    /// Parts of the bottom that give way.
+    pub panels: Vec<Panel>,
     /// Bending of the fuselage; `None`: it is rigid.
     pub bending: Option<Bending>,
 }
@@ -125,25 +129,46 @@ impl Wing {
 }
 
 impl Aeroplane {
-    /// Number of parts that may be lost: surfaces, then kinds of nacelles.
+    /// Number of parts that may be lost: surfaces, then kinds of nacelles, then panels.
     pub fn parts(&self) -> usize {
-        self.surfaces.len() + self.nacelles.len()
+        self.surfaces.len() + self.nacelles.len() + self.panels.len()
     }
 
-    /// Forces of the water on the surfaces and on the nacelles' faces that are not lost.
-    pub(super) fn immersed(&self, now: &Attitude, lost: &[bool], density: f64) -> Vec<Vec<PointForce>> {
-        let surfaces = self.surfaces.iter().map(|s| s.water(self.centre, now, density));
-        let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, density).into_iter().collect());
-        surfaces.chain(faces).zip(lost).map(|(forces, lost)| if *lost { Vec::new() } else { forces }).collect()
+    /// Names of these.
+    pub fn part_names(&self) -> Vec<&str> {
+        let surfaces = self.surfaces.iter().map(|s| s.name.as_str());
+        let nacelles = self.nacelles.iter().map(|n| n.name.as_str());
+        surfaces.chain(nacelles).chain(self.panels.iter().map(|p| p.name.as_str())).collect()
+    }
+
+    /// Forces of the water on the surfaces, on the nacelles' faces, and on the frames behind panels that have given way.
+    pub(super) fn immersed(&self, hull: &Hull, now: &Attitude, lost: &[bool], rho: f64) -> Vec<Vec<PointForce>> {
+        let surfaces = self.surfaces.iter().map(|s| s.water(self.centre, now, rho));
+        let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, rho).into_iter().collect());
+        let frame = |p: &Panel| p.frame_drag(hull.fuselage(), self.centre, now, rho).into_iter().collect();
+        let held = self.surfaces.len() + self.nacelles.len();
+        let bears = |k: usize| lost[k] == (k >= held);
+        let forces = surfaces.chain(faces).chain(self.panels.iter().map(frame)).enumerate();
+        forces.map(|(k, forces)| if bears(k) { forces } else { Vec::new() }).collect()
     }
 
     /// Parts whose load is larger than what they hold are lost.
-    pub(super) fn lose(&self, lost: &mut [bool], parts: &[Vec<PointForce>]) {
+    pub(super) fn lose(&self, hull: &Hull, lost: &mut [bool], balance: &Balance) {
         let holds = self.surfaces.iter().map(|s| s.breaks_at);
         let holds = holds.chain(self.nacelles.iter().map(|n| n.breaks_at.map(|f| f * n.number)));
-        for ((lost, forces), holds) in lost.iter_mut().zip(parts).zip(holds) {
+        for ((lost, forces), holds) in lost.iter_mut().zip(&balance.parts).zip(holds) {
             let [fx, fz] = [0, 1].map(|k| forces.iter().map(|p| p.force[k]).sum::<f64>());
             *lost |= holds.is_some_and(|most| fx.hypot(fz) > most);
         }
+        let held = self.surfaces.len() + self.nacelles.len();
+        for (lost, panel) in lost[held..].iter_mut().zip(&self.panels) {
+            *lost |= panel.is_pressed_in(hull.fuselage(), &balance.strips);
+        }
+    }
+
+    /// Has the bottom given way at a place [m from the nose]?
+    pub(super) fn is_open(&self, x: f64, lost: &[bool]) -> bool {
+        let held = self.surfaces.len() + self.nacelles.len();
+        self.panels.iter().zip(&lost[held..]).any(|(panel, lost)| *lost && panel.covers(x))
     }
 }

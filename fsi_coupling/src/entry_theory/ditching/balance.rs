@@ -86,6 +86,7 @@ impl Landing<'_> {
         // the fuselage, then what is left of the nacelles
         let bottom = |hull| Bottom { hull, centre: craft.centre, bending };
         let mut bodies = vec![self.strips(&bottom(self.hull), &self.edges(), 1.0, now)];
+        bodies[0].retain(|strip| !craft.is_open(strip.wet.x, lost));
         bodies.extend(craft.nacelles.iter().zip(&lost[craft.surfaces.len()..]).map(|(nacelle, lost)| match lost {
             true => Vec::new(),
             false => self.strips(&bottom(&nacelle.hull), &nacelle.edges(), nacelle.number, now),
@@ -95,7 +96,7 @@ impl Landing<'_> {
             given.add(strip.wet.x, rub);
             given.add(strip.wet.x, strip.floating());
         }
-        let mut parts = craft.immersed(now, lost, water.density);
+        let mut parts = craft.immersed(self.hull, now, lost, water.density);
         parts.iter().flatten().for_each(|p| given.add(p.x, p.force));
 
         let entering: Vec<ImpactingPart> = bodies.iter().flatten().filter_map(|s| s.entry).collect();

@@ -85,7 +85,7 @@ pub struct LandingResult {
 }
 
 impl Landing<'_> {
-    /// Where it first touches: the lowest place of the keel on the still surface.
+    /// Where it first touches: the lowest place of keel and parts on the still surface.
     pub fn start(&self) -> Attitude {
         let (sin, cos) = self.path.sin_cos();
         let mut attitude = Attitude {
@@ -97,10 +97,14 @@ impl Landing<'_> {
         attitude
     }
 
-    /// Height of the keel's lowest place above the still surface [m].
+    /// Height of the lowest place of keel and parts above the still surface [m].
     fn clearance(&self, now: &Attitude) -> f64 {
-        let height = |x: f64| now.of_point(self.aeroplane.centre, [x, self.hull.fuselage().keel(x).height])[1];
-        self.edges().into_iter().map(height).fold(f64::INFINITY, f64::min)
+        let craft = &self.aeroplane;
+        let keel = self.edges().into_iter().map(|x| [x, self.hull.fuselage().keel(x).height]);
+        let surfaces = craft.surfaces.iter().flat_map(|surface| surface.corners());
+        let nacelles = craft.nacelles.iter().flat_map(|nacelle| nacelle.keel());
+        let height = |place: [f64; 2]| now.of_point(craft.centre, place)[1];
+        keel.chain(surfaces).chain(nacelles).map(height).fold(f64::INFINITY, f64::min)
     }
 
     /// Ends of the strips, from the nose [m]: stations are among them.
@@ -122,7 +126,7 @@ impl Landing<'_> {
         let mut moments = vec![self.moment(0.0, attitude, &lost)];
         for step in 1.. {
             let first = self.balance(&attitude, &lost);
-            self.aeroplane.lose(&mut lost, &first.parts);
+            self.aeroplane.lose(self.hull, &mut lost, &first);
             attitude = self.advanced(attitude, &first, &lost);
             let time = step as f64 * self.step;
             let ended = self.ended(time, &attitude);

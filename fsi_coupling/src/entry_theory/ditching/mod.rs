@@ -21,6 +21,6 @@ pub use fuselage::{Form, Fuselage, FuselageError, Keel, Station};
 pub use hull::{Hull, SectionLoad};
 pub use landing::{Landing, LandingEnd, LandingResult, LandingState};
 pub use masses::Masses;
-pub use parts::{Nacelle, PointForce, Rib, Surface, planing_coefficient};
+pub use parts::{Nacelle, Panel, PointForce, Rib, Surface, planing_coefficient};
 pub use section_forces::SectionForce;
 pub use strip::{Attitude, Bottom, FREEDOMS, ImpactingPart, KeelPoint, MODES, Strip};

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::fuselage::{Form, Fuselage, FuselageError, Station};
 use super::hull::Hull;
-use super::strip::Attitude;
+use super::strip::{Attitude, Strip};
 use crate::entry_theory::EntryModel;
 
 /// Strips along the span of one side of a surface.
@@ -53,6 +53,21 @@ pub struct Nacelle {
     pub breaks_at: Option<f64>,
     /// Its bottom.
     pub hull: Hull,
+}
+
+/// A part of the fuselage's bottom that gives way: then it bears nothing, and the frame at its rear end stands against the water.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// A word that names it.
+    pub name: String,
+    /// Front and rear end, from the nose [m].
+    pub ends: [f64; 2],
+    /// Mean pressure over the breadth at which it gives way [Pa].
+    pub gives_way_at: f64,
+    /// Height of the frame over the keel [m].
+    pub frame_height: f64,
+    /// Drag coefficient of the frame's immersed part [-].
+    pub drag: f64,
 }
 
 /// A force in the plane of symmetry at a place.
@@ -108,6 +123,15 @@ impl Surface {
         wet.iter().map(on_strip).collect()
     }
 
+    /// Leading and trailing edges at root and tip: from the nose, over the body axis [m].
+    pub(super) fn corners(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let edge = |rib: &Rib, s: f64| {
+            let [x, _, z] = rib.leading_edge;
+            [x + s * rib.chord * self.incidence.cos(), z - s * rib.chord * self.incidence.sin()]
+        };
+        self.ribs.iter().flat_map(move |rib| [0.0, 1.0].map(|s| edge(rib, s)))
+    }
+
     /// The part of a strip under still water, from the trailing edge forwards, where it moves against the water.
     fn wet_strip(&self, share: f64, centre: [f64; 2], now: &Attitude) -> Option<WetStrip> {
         let [root, tip] = self.ribs;
@@ -155,6 +179,11 @@ impl Nacelle {
         Ok(Nacelle { name, number, face, diameter, drag, breaks_at, hull: Hull::new(bottom, model)? })
     }
 
+    /// Its lowest points: from the nose, over the body axis [m].
+    pub(super) fn keel(&self) -> [[f64; 2]; 2] {
+        self.hull.fuselage().ends().map(|x| [x, self.face[1] - 0.5 * self.diameter])
+    }
+
     /// Ends of the strips, from the nose [m].
     pub(super) fn edges(&self) -> Vec<f64> {
         let [from, to] = self.hull.fuselage().ends();
@@ -171,6 +200,39 @@ impl Nacelle {
         let [u, w] = now.velocity_of(centre, middle);
         let of_speed = -0.5 * rho * self.drag * self.number * area * u.hypot(w);
         (area > 0.0 && u > 0.0).then(|| point_force(now, centre, middle, [of_speed * u, of_speed * w]))
+    }
+}
+
+impl Panel {
+    /// Is a place within it?
+    pub(super) fn covers(&self, x: f64) -> bool {
+        (self.ends[0]..=self.ends[1]).contains(&x)
+    }
+
+    /// Does one of the strips with their forces [N] press it in?
+    pub(super) fn is_pressed_in(&self, fuselage: &Fuselage, strips: &[(Strip, f64)]) -> bool {
+        let pressure = |(strip, force): &(Strip, f64)| {
+            let entry = strip.entry.filter(|e| self.covers(e.at.x))?;
+            Some(force / (entry.length * fuselage.breadth(entry.at.x)))
+        };
+        strips.iter().filter_map(pressure).any(|pressure| pressure > self.gives_way_at)
+    }
+
+    /// EN26: drag of the frame at its rear end.
+    pub(super) fn frame_drag(
+        &self,
+        fuselage: &Fuselage,
+        centre: [f64; 2],
+        now: &Attitude,
+        rho: f64,
+    ) -> Option<PointForce> {
+        let x = self.ends[1];
+        let keel = fuselage.keel(x).height;
+        let depth = (-now.of_point(centre, [x, keel])[1]).min(self.frame_height);
+        let middle = [x, keel + 0.5 * depth];
+        let [u, w] = now.velocity_of(centre, middle);
+        let of_speed = -0.5 * rho * self.drag * fuselage.breadth(x) * depth * u.hypot(w);
+        (depth > 0.0 && u > 0.0).then(|| point_force(now, centre, middle, [of_speed * u, of_speed * w]))
     }
 }
 
