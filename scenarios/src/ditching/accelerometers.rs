@@ -1,4 +1,4 @@
-//! What accelerometers on the aeroplane show.
+//! What accelerometers on the aeroplane show: as real ones do, the acceleration less that of free fall.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -19,9 +19,9 @@ pub struct Accelerometer {
     pub at_m: [f64; 2],
     /// Frequency up to which it follows [Hz].
     pub bandwidth_hz: f64,
-    /// Largest acceleration upwards from the body axis over g, without gravity's.
+    /// Largest acceleration upwards from the body axis over g; 1 at rest.
     pub normal_g: Peak,
-    /// Largest deceleration along the body axis over g, likewise.
+    /// Largest deceleration along the body axis over g; with the nose up, gravity takes sin θ off.
     pub longitudinal_g: Peak,
 }
 
@@ -39,14 +39,14 @@ pub(super) fn signals(
     })
 }
 
-/// Acceleration of a place upwards from the body axis and backwards along it [m/s²].
+/// Acceleration of a place less that of free fall, upwards from the body axis and backwards along it [m/s²].
 fn along_axes(scene: &Scene, keys: &AccelerometerKeys, now: &LandingState, bending: Option<&Bending>) -> [f64; 2] {
     let centre = scene.aeroplane.center_of_mass;
     let [px, pz] = now.attitude.of_point(centre, keys.at);
     let (rx, rz) = (px - now.attitude.place[0], pz - now.attitude.place[1]);
     let (turning, q) = (now.acceleration[2], now.attitude.rate[2]);
     let forward = now.acceleration[0] - turning * rz - q * q * rx;
-    let up = now.acceleration[1] + turning * rx - q * q * rz;
+    let up = now.acceleration[1] + turning * rx - q * q * rz + scene.water.gravity;
     let (sin, cos) = now.attitude.place[2].sin_cos();
     let modes = bending.map_or([[0.0; 3]; MODES], |bending| bending.at(keys.at[0]));
     let of_modes: f64 = (0..MODES).map(|k| modes[k][0] * now.acceleration[3 + k]).sum();

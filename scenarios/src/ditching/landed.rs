@@ -172,13 +172,27 @@ impl Summary {
         serde_json::to_string_pretty(self).unwrap_or_default()
     }
 
+    /// Accelerometers and lost parts, a line for each kind.
+    fn structure_text(&self) -> String {
+        let Structure { accelerometers, parts, .. } = &self.structure;
+        let shown = |a: &Accelerometer| format!("{} {:.2}, {:.2} g", a.name, a.normal_g.value, a.longitudinal_g.value);
+        let shown: Vec<String> = accelerometers.iter().map(shown).collect();
+        let lost = parts.iter().filter_map(|p| Some(format!("{} at {:.3} s", p.name, p.lost_at_s?)));
+        let lost: Vec<String> = lost.collect();
+        let line = |words: &str, list: &[String], between: &str| match list {
+            [] => String::new(),
+            list => format!("\n  {words}: {}", list.join(between)),
+        };
+        line("accelerometers, upwards and deceleration", &shown, "; ") + &line("lost", &lost, ", ")
+    }
+
     /// The numbers in a few lines.
     pub fn to_text(&self) -> String {
         let at = |p: &Peak, unit: &str| format!("{:.2}{unit} at {:.3} s", p.value, p.time_s);
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
              at {:.3} s; {:.0} kN/m of keel {:.1} m from the nose at {:.3} s\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
-             {:.1} to {:.1} degrees{}",
+             {:.1} to {:.1} degrees{}{}",
             self.scene,
             self.strips,
             self.steps,
@@ -197,6 +211,7 @@ impl Summary {
             self.speed_m_per_s[1],
             self.pitch_deg[1],
             self.pitch_deg[2],
+            self.structure_text(),
             self.message
                 .as_ref()
                 .filter(|_| self.status.is_completed())

@@ -210,7 +210,15 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
         keys.iter().filter_map(|key| Some((format!("{prefix}{key}"), number(table.get(key)?)?))).collect()
     };
     let Some(results) = summary.get("results") else {
-        let stations = summary.get("stations").and_then(Value::as_array).into_iter().flatten();
+        let items = |list: &str| summary.get(list).and_then(Value::as_array).cloned().unwrap_or_default();
+        let named_items = ["accelerometers", "parts"].map(items).concat();
+        let of_named = named_items.iter().flat_map(|item| {
+            let name = item.get("name").and_then(Value::as_str).unwrap_or_default();
+            named(item, &format!("{name}."))
+        });
+        let of_named: Vec<(String, Number)> = of_named.collect();
+        let stations = items("stations");
+        let stations = stations.iter();
         let loads = stations.flat_map(|station| {
             let place = station.get("x_m").map_or(String::new(), Value::to_string);
             named(station, &format!("station {place} m."))
@@ -218,7 +226,7 @@ fn usual(summary: &Value) -> Vec<(String, Number)> {
         // no landing's load has a band
         let without_band =
             |(name, number): (String, Number)| (name, Number { verdict: Some("no_band".into()), ..number });
-        let loads: Vec<(String, Number)> = loads.map(without_band).collect();
+        let loads: Vec<(String, Number)> = of_named.into_iter().chain(loads).map(without_band).collect();
         let peaks: Vec<(String, Number)> = named(summary, "").into_iter().map(without_band).collect();
         return [peaks, plain(summary, "", &OF_LANDING), loads].concat();
     };
@@ -252,9 +260,11 @@ mod tests {
         assert_eq!(names(&run), of_run);
         assert_eq!(usual(&run)[0].1.band, Some(0.1));
         let station = serde_json::json!({"x_m": 3.5, "line_load_n_per_m": {"value": 2.0, "time_s": 0.2}});
+        let cockpit = serde_json::json!({"name": "cockpit", "normal_g": {"value": 1.5, "time_s": 0.2}});
         let landing = serde_json::json!({
-            "az_g": {"value": 1.0, "time_s": 0.1}, "line_load_at_m": 20.0, "strips": 20, "stations": [station]
+            "az_g": {"value": 1.0, "time_s": 0.1}, "line_load_at_m": 20.0, "strips": 20, "stations": [station],
+            "accelerometers": [cockpit]
         });
-        assert_eq!(names(&landing), ["az_g", "line_load_at_m", "station 3.5 m.line_load_n_per_m"]);
+        assert_eq!(names(&landing), ["az_g", "line_load_at_m", "cockpit.normal_g", "station 3.5 m.line_load_n_per_m"]);
     }
 }

@@ -23,7 +23,7 @@ pub(super) struct Quantity {
 }
 
 /// Numbers of a landing.
-const OF_LANDING: [(&str, &str, &str); 8] = [
+const OF_LANDING: [(&str, &str, &str); 14] = [
     ("az_g", "Upward acceleration", "g"),
     ("deceleration_g", "Deceleration", "g"),
     ("load_factor", "Load factor", "-"),
@@ -32,6 +32,12 @@ const OF_LANDING: [(&str, &str, &str); 8] = [
     ("line_load_n_per_m", "Load of a metre of keel", "N/m"),
     ("line_load_at_m", "Place of the largest load of a metre of keel, from the nose", "m"),
     ("run_length_m", "Way on the water", "m"),
+    ("normal_g", "Acceleration upwards from the body axis", "g"),
+    ("longitudinal_g", "Deceleration along the body axis", "g"),
+    ("force_n", "Force of the water on a part", "N"),
+    ("pressure_pa", "Mean pressure on the breadth", "Pa"),
+    ("shear_n", "Shear force in the fuselage", "N"),
+    ("bending_nm", "Bending moment in the fuselage, ends upwards", "N m"),
 ];
 
 /// Parts of the audit.
