@@ -6,7 +6,8 @@ use fsi_coupling::entry_theory::ditching::{
     Aeroplane, Attitude, Form, Fuselage, Hull, Landing, LandingEnd, LandingState, Station, Water, Wing,
 };
 use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
-use scenarios::ditching::{self, Landed};
+use scenarios::ditching::{self, Accelerometer, Landed};
+use scenarios::run::summary::Status;
 
 const RHO: f64 = 1000.0;
 
@@ -29,12 +30,23 @@ fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
         zero_lift_deg: 0.0,
         pitch_stiffness: 0.0,
         pitch_damping: 0.0,
+        trim_deg: None,
+        drag: 0.0,
         air_density: 0.0,
     };
     Landing {
         hull,
-        aeroplane: Aeroplane { mass, inertia: 25.0 * mass, centre: [10.0, 0.5], wing },
-        water: Water { density: RHO, gravity, friction: 0.0, suction: 1.0 },
+        aeroplane: Aeroplane {
+            mass,
+            inertia: 25.0 * mass,
+            centre: [10.0, 0.5],
+            wing,
+            surfaces: Vec::new(),
+            nacelles: Vec::new(),
+            panels: Vec::new(),
+            bending: None,
+        },
+        water: Water { density: RHO, gravity, friction: 0.0, suction: 1.0, largest_suction: f64::INFINITY },
         pitch: 0.1,
         path: -0.05,
         speed: 40.0,
@@ -67,9 +79,9 @@ fn a_prismatic_wedge_planes_as_the_integral_over_its_length_says() {
     ] {
         let hull = prism(model, deadrise);
         let landing = landing(&hull, 0.0, 5e4);
-        let mut attitude = Attitude { place: [0.0, 0.0, pitch], rate: [speed, 0.0, 0.0] };
+        let mut attitude = Attitude { place: [0.0, 0.0, pitch], rate: [speed, 0.0, 0.0], ..Attitude::default() };
         attitude.place[1] = -draught - attitude.of_point([10.0, 0.5], [20.0, 0.0])[1];
-        let [fx, fz, moment] = pressing(&landing.moment(0.0, attitude));
+        let [fx, fz, moment] = pressing(&landing.moment(0.0, attitude, &[]));
         let exact = 0.5 * RHO * per_draught * draught * draught * speed * speed * pitch.tan();
         assert!((fz / exact - 1.0).abs() < 1e-3, "{model:?}: {fz}, exact {exact}");
         assert!((fx / (-exact * pitch.tan()) - 1.0).abs() < 1e-3, "{model:?}: {fx}");
@@ -145,47 +157,89 @@ fn mercure_at(attack: f64, path: f64, mass: f64, more: &[&str]) -> Landed {
     mercure(&keys.iter().map(String::as_str).chain(more.iter().copied()).collect::<Vec<_>>())
 }
 
-/// Table 1 of Pilorget (2010), after the IMFL: loads fall as the angle of attack rises to 12° and above, and are level from
-/// 15° to 18°; a steeper path and a larger mass make them larger, but for 18°, where 2° is no worse than 1°.
+/// Table 1 of Pilorget (2010), after the IMFL: angle of attack, path, a lighter and a heavier model, then the ranges of the largest vertical and
+/// longitudinal accelerations [g].
+const MODEL_TESTS: [(f64, f64, f64, [f64; 2], [f64; 2]); 14] = [
+    (18.0, -1.0, 44.7e3, [2.9, 3.1], [1.0, 1.7]),
+    (18.0, -2.0, 44.7e3, [2.9, 3.7], [1.3, 1.9]),
+    (18.0, -1.0, 49.0e3, [3.4, 4.1], [1.7, 1.9]),
+    (18.0, -2.0, 49.0e3, [3.1, 3.6], [1.1, 1.2]),
+    (15.0, -1.0, 44.7e3, [2.5, 3.5], [1.5, 1.7]),
+    (15.0, -2.0, 44.7e3, [3.3, 4.1], [1.6, 1.7]),
+    (15.0, -1.0, 49.0e3, [4.0, 4.5], [1.8, 2.0]),
+    (15.0, -2.0, 49.0e3, [4.1, 4.7], [1.9, 2.6]),
+    (12.0, -1.0, 44.7e3, [4.5, 5.3], [2.0, 5.0]),
+    (12.0, -2.0, 44.7e3, [4.8, 5.3], [2.2, 2.5]),
+    (12.0, -1.0, 49.0e3, [4.7, 5.0], [2.1, 5.5]),
+    (12.0, -2.0, 49.0e3, [4.8, 7.5], [2.7, 3.7]),
+    (9.0, -1.0, 44.7e3, [5.7, 5.7], [7.5, 7.5]),
+    (9.0, -2.0, 44.7e3, [7.5, 7.5], [7.5, 7.5]),
+];
+
+/// The file's coefficients stand for all cells: longitudinal accelerations within a factor 1.5 in 10 of 14, vertical ones in 8; none above
+/// the tests by more than 2.2, none below by more than 2.8; the pitch never passes that of the first touch by a degree.
 #[test]
-fn loads_of_a_mercure_follow_the_trends_of_model_tests() {
-    let attacks = [9.0, 12.0, 15.0, 18.0];
-    let peaks = |path: f64, mass: f64| {
-        attacks.map(|attack| {
-            let s = mercure_at(attack, path, mass, &[]).summary;
-            assert!((1.0..8.0).contains(&s.load_factor.value), "{attack}, {path}, {mass}: {:?}", s.load_factor);
-            assert!(s.deceleration_g.value > 0.5 && s.deceleration_g.value < 8.0, "{:?}", s.deceleration_g);
-            [s.az_g.value, s.fz_n.value]
-        })
-    };
-    let (light, heavy) = (44.7e3, 49.0e3);
-    let all = [(-1.0, light), (-2.0, light), (-1.0, heavy), (-2.0, heavy)].map(|(path, mass)| peaks(path, mass));
-    for row in &all {
-        let g = row.map(|[az, _]| az);
-        assert!(g[0] > 1.1 * g[1] && g[1] > 1.1 * g[2], "falls with the angle of attack: {g:?}");
-        assert!(g[3] < g[1] && (g[3] / g[2] - 1.0).abs() < 0.15, "and is level above 15 degrees: {g:?}");
-    }
-    for k in 0..3 {
-        for [flat, steep] in [[&all[0], &all[1]], [&all[2], &all[3]]] {
-            assert!(steep[k][0] > 1.08 * flat[k][0], "steeper at {}: {steep:?}, {flat:?}", attacks[k]);
+fn loads_of_a_mercure_beside_model_tests() {
+    let mut within = [0, 0];
+    for (attack, path, mass, vertical, longitudinal) in MODEL_TESTS {
+        let s = mercure_at(attack, path, mass, &[]).summary;
+        assert!(
+            s.status == Status::Completed && s.pitch_deg[2] < s.pitch_deg[0] + 1.0,
+            "{attack}, {path}: {:?}",
+            s.pitch_deg
+        );
+        let shown = &s.structure.accelerometers;
+        let most = |of: fn(&Accelerometer) -> f64| shown.iter().map(of).fold(0.0, f64::max);
+        let pairs = [(most(|a| a.normal_g.value), vertical), (most(|a| a.longitudinal_g.value), longitudinal)];
+        for (count, (ours, [low, high])) in within.iter_mut().zip(pairs) {
+            assert!(ours > low / 2.8 && ours < 2.2 * high, "{attack}, {path}, {mass}: {ours}, tests {low} to {high}");
+            *count += usize::from(ours > low / 1.5 && ours < 1.5 * high);
         }
+    }
+    assert!(within[0] >= 8 && within[1] >= 10, "{within:?}");
+}
+
+/// Longitudinal accelerations rise as the angle of attack falls, with the steepness of the path and with the mass, as in the tests.
+#[test]
+fn decelerations_of_a_mercure_follow_the_trends_of_model_tests() {
+    let at = |attack: f64, path: f64, mass: f64| mercure_at(attack, path, mass, &[]).summary.deceleration_g.value;
+    let row = |path: f64, mass: f64| [18.0, 15.0, 12.0, 9.0].map(|attack| at(attack, path, mass));
+    let (flat, steep, heavy) = (row(-1.0, 44.7e3), row(-2.0, 44.7e3), row(-1.0, 49.0e3));
+    for row in [&flat, &steep, &heavy] {
+        assert!(row.windows(2).all(|w| w[1] > 1.02 * w[0]), "{row:?}");
     }
     for k in 0..4 {
-        for [light, heavy] in [[&all[0], &all[2]], [&all[1], &all[3]]] {
-            assert!(heavy[k][1] > 1.08 * light[k][1], "heavier at {}: {heavy:?}, {light:?}", attacks[k]);
-        }
+        assert!(steep[k] > 1.02 * flat[k] && heavy[k] > 1.02 * flat[k], "{flat:?} {steep:?} {heavy:?}");
     }
 }
 
-/// Without suction nothing holds the tail: the nose comes down and slams, the harder the higher it was, against the trend.
+/// NACA tests of three models: longitudinal deceleration within a factor 2, and the same behaviour: the bomb bays give way, the run is short.
+#[test]
+fn decelerations_of_the_nacas_models() {
+    for (name, longitudinal, lengths, length) in
+        [("xp2v", 4.0, 2.0, 23.0), ("b36", 3.0, 4.5, 49.4), ("constellation", 4.0, f64::NAN, 29.0)]
+    {
+        let s = ditching::follow(&ditching::load(name, &[]).expect("a landing")).summary;
+        let ratio = s.deceleration_g.value / longitudinal;
+        assert!((0.5..2.0).contains(&ratio), "{name}: {:?}, tests {longitudinal} g", s.deceleration_g);
+        let run = s.run_length_m / length;
+        assert!(
+            lengths.is_nan() || (lengths / 2.0..2.0 * lengths).contains(&run),
+            "{name}: {run} lengths, tests {lengths}"
+        );
+        assert!(s.structure.parts.iter().any(|p| p.lost_at_s.is_some()), "{name}: {:?}", s.structure.parts);
+    }
+}
+
+/// Without suction nothing holds the tail: the nose comes down and slams, the harder the higher it was.
 #[test]
 fn without_suction_the_nose_comes_down_and_slams() {
-    let of = |attack: f64| mercure_at(attack, -1.0, 44.7e3, &["water.suction=0.0"]).summary;
-    let (low, high) = (of(12.0), of(18.0));
-    assert!(low.pitch_deg[1] < 2.0 && high.pitch_deg[1] < 2.0, "{:?} {:?}", low.pitch_deg, high.pitch_deg);
-    assert!(high.az_g.value > 1.5 * low.az_g.value, "{:?} {:?}", high.az_g, low.az_g);
-    let held = mercure_at(12.0, -1.0, 44.7e3, &[]).summary;
-    assert!(held.pitch_deg[1] > 8.0 && held.pitch_deg[2] > 18.0, "suction trims it up: {:?}", held.pitch_deg);
+    let cockpit = |suction: &str| {
+        let s = mercure_at(18.0, -1.0, 44.7e3, &[suction]).summary;
+        s.structure.accelerometers[0].normal_g.value
+    };
+    let [none, half, whole] = ["water.suction=0.0", "water.suction=0.5", "water.suction=1.0"].map(cockpit);
+    assert!(none > 1.2 * half && half > 1.2 * whole, "{none} {half} {whole}");
 }
 
 #[test]
@@ -208,8 +262,8 @@ fn a_landing_takes_seconds_has_no_grid_in_it_and_ends_slow_where_it_may() {
 fn it_floats_at_its_weight() {
     let hull = prism(EntryModel::Wagner, 25.0);
     let landing = landing(&hull, 9.81, 5e4);
-    let attitude = Attitude { place: [0.0, 0.5 - 0.4, 0.0], rate: [0.0; 3] };
-    let [fx, fz, moment] = landing.moment(0.0, attitude).force;
+    let attitude = Attitude { place: [0.0, 0.5 - 0.4, 0.0], ..Attitude::default() };
+    let [fx, fz, moment] = landing.moment(0.0, attitude, &[]).force;
     let area = 0.4 * 0.4 / 25f64.to_radians().tan();
     assert!((fz / (RHO * 9.81 * area * 20.0) - 1.0).abs() < 1e-9 && fx == 0.0, "{fx} {fz}");
     assert!(moment.abs() < 1e-6 * fz, "{moment}");

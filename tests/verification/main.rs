@@ -9,6 +9,7 @@ mod coupling;
 mod coverage;
 mod dissipation;
 mod ditching;
+mod ditching_parts;
 mod echo;
 mod elliptic_drop;
 mod flexible;
