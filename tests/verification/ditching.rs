@@ -157,9 +157,12 @@ fn mercure_at(attack: f64, path: f64, mass: f64, more: &[&str]) -> Landed {
     mercure(&keys.iter().map(String::as_str).chain(more.iter().copied()).collect::<Vec<_>>())
 }
 
+/// Angle of attack and path [deg], mass [kg], ranges of the largest vertical and longitudinal acceleration [g].
+type ModelTest = (f64, f64, f64, [f64; 2], [f64; 2]);
+
 /// Table 1 of Pilorget (2010), after the IMFL: angle of attack, path, a lighter and a heavier model, then the ranges of the largest vertical and
 /// longitudinal accelerations [g].
-const MODEL_TESTS: [(f64, f64, f64, [f64; 2], [f64; 2]); 14] = [
+const MODEL_TESTS: [ModelTest; 14] = [
     (18.0, -1.0, 44.7e3, [2.9, 3.1], [1.0, 1.7]),
     (18.0, -2.0, 44.7e3, [2.9, 3.7], [1.3, 1.9]),
     (18.0, -1.0, 49.0e3, [3.4, 4.1], [1.7, 1.9]),

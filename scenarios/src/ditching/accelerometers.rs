@@ -3,29 +3,11 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use fsi_coupling::entry_theory::ditching::{Bending, LandingState, MODES};
-use serde::Serialize;
 
 use super::model::Scene;
 use super::parts::AccelerometerKeys;
-use super::series::Series;
-use crate::run::summary::Peak;
 
-/// Largest accelerations at a place.
-#[derive(Clone, Debug, Serialize)]
-pub struct Accelerometer {
-    /// Its name.
-    pub name: String,
-    /// Place from the nose and over the body axis [m], shape (2).
-    pub at_m: [f64; 2],
-    /// Frequency up to which it follows [Hz].
-    pub bandwidth_hz: f64,
-    /// Largest acceleration upwards from the body axis over g; 1 at rest.
-    pub normal_g: Peak,
-    /// Largest deceleration along the body axis over g; with the nose up, gravity takes sin θ off.
-    pub longitudinal_g: Peak,
-}
-
-/// Its two signals over g at the moments: upwards from the body axis, and backwards along it.
+/// The two signals of one over g at the moments: upwards from the body axis, and backwards along it.
 pub(super) fn signals(
     scene: &Scene,
     keys: &AccelerometerKeys,
@@ -67,25 +49,6 @@ fn low_pass(raw: Vec<f64>, cutoff: f64) -> Vec<f64> {
         y
     });
     filtered.collect()
-}
-
-impl Accelerometer {
-    /// Of the columns of a series.
-    pub(super) fn of_series(keys: &AccelerometerKeys, series: &Series) -> Accelerometer {
-        let most = |name: &str| {
-            let [times, signal] = ["time_s", name].map(|name| series.column(name).unwrap_or_default());
-            let pairs = times.into_iter().zip(signal);
-            let worst = pairs.fold([0.0, 0.0], |worst, (t, v)| if v > worst[1] { [t, v] } else { worst });
-            Peak { value: worst[1], time_s: worst[0], verdict: None }
-        };
-        Accelerometer {
-            name: keys.name.clone(),
-            at_m: keys.at,
-            bandwidth_hz: keys.bandwidth,
-            normal_g: most(&format!("{}.normal_g", keys.name)),
-            longitudinal_g: most(&format!("{}.longitudinal_g", keys.name)),
-        }
-    }
 }
 
 #[cfg(test)]

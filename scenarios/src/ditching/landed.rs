@@ -7,10 +7,10 @@ use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult};
 use fsi_coupling::settings::Problem;
 use serde::Serialize;
 
-use super::accelerometers::Accelerometer;
-use super::loads::{self, PartLoad, StationLoad};
-use super::model::{Scene, hull, landing};
-use super::parts::masses;
+use super::aeroplane::masses;
+use super::checked::{hull, landing};
+use super::loads::{self, Accelerometer, PartLoad, StationLoad};
+use super::model::Scene;
 use super::series::Series;
 use crate::report::run_page::quantity::digits;
 use crate::run::summary::{Peak, Status};

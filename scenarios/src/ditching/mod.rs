@@ -13,6 +13,8 @@
 //! `report.html` and `scene.resolved.toml`, [`section_scenes`] makes scenes of particles of its sections. [`schema`] has the keys.
 
 mod accelerometers;
+mod aeroplane;
+mod checked;
 mod landed;
 mod loads;
 mod model;
@@ -36,11 +38,10 @@ use crate::scene::SceneError;
 use crate::scene::draft::Draft;
 use crate::scene::mistaken_file::Expected;
 use crate::scene::source::Source;
-use model::checked;
+use checked::checked;
 
-pub use accelerometers::Accelerometer;
 pub use landed::{Landed, Structure, Summary, follow};
-pub use loads::{PartLoad, StationLoad};
+pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};

@@ -1,12 +1,7 @@
-//! Parts of a landing's aeroplane beside the bottom of its fuselage: their keys, and what they become.
+//! Keys of the parts of a landing's aeroplane beside the bottom of its fuselage.
 
-use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Bending, FuselageError, Masses, Nacelle, Panel, Rib, Surface};
-use fsi_coupling::settings::Problem;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use super::model::Scene;
 
 /// An item of `[[surfaces]]`: a wing, a flap or a tailplane whose lower side may meet the water, on both sides of the aeroplane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -118,95 +113,4 @@ pub struct BeamKeys {
 
 fn usual_damping() -> f64 {
     0.02
-}
-
-/// Largest product of the highest mode's frequency and the step.
-const FASTEST: f64 = 1.0;
-
-fn surface(keys: &SurfaceKeys, index: usize) -> Result<Surface, Problem> {
-    let key = |name: &str| format!("surfaces[{index}].{name}");
-    let [root, tip] = [keys.root, keys.tip];
-    if !(root[1] >= 0.0 && tip[1] > root[1]) {
-        return Err(Problem::new(
-            &key("tip"),
-            format!("{tip:?}"),
-            "a tip further from the plane of symmetry than the root",
-        ));
-    }
-    if !keys.chords.iter().all(|chord| *chord > 0.0) {
-        return Err(Problem::new(&key("chords"), format!("{:?}", keys.chords), "chords above 0"));
-    }
-    Ok(Surface {
-        name: keys.name.clone(),
-        ribs: [0, 1].map(|k| Rib { leading_edge: [root, tip][k], chord: keys.chords[k] }),
-        incidence: keys.incidence_deg.to_radians(),
-        breaks_at: keys.breaks_at,
-    })
-}
-
-fn nacelle(keys: &NacelleKeys, index: usize, model: EntryModel) -> Result<Nacelle, Problem> {
-    let refused = |e: FuselageError| Problem::new(&format!("nacelles[{index}].diameter"), keys.diameter, e.why);
-    let NacelleKeys { face, diameter, length, drag, breaks_at, .. } = *keys;
-    Nacelle::new(keys.name.clone(), f64::from(keys.number), face, diameter, length, drag, breaks_at, model)
-        .map_err(refused)
-}
-
-/// The surfaces of a landing.
-pub(super) fn surfaces(scene: &Scene) -> Result<Vec<Surface>, Problem> {
-    scene.surfaces.iter().enumerate().map(|(k, keys)| surface(keys, k)).collect()
-}
-
-/// The nacelles of a landing.
-pub(super) fn nacelles(scene: &Scene) -> Result<Vec<Nacelle>, Problem> {
-    scene.nacelles.iter().enumerate().map(|(k, keys)| nacelle(keys, k, scene.model)).collect()
-}
-
-/// The panels of a landing.
-pub(super) fn panels(scene: &Scene) -> Result<Vec<Panel>, Problem> {
-    let (first, last) = (scene.stations[0].x, scene.stations[scene.stations.len() - 1].x);
-    let panel = |(k, keys): (usize, &PanelKeys)| {
-        let PanelKeys { from, to, gives_way_at, frame_height, drag, .. } = *keys;
-        if !(from >= first && to > from && to <= last) {
-            let expected = format!("more than panels[{k}].from, both from {first} to {last} m");
-            return Err(Problem::new(&format!("panels[{k}].to"), to, expected));
-        }
-        Ok(Panel { name: keys.name.clone(), ends: [from, to], gives_way_at, frame_height, drag })
-    };
-    scene.panels.iter().enumerate().map(panel).collect()
-}
-
-/// The masses along the fuselage.
-pub(super) fn masses(scene: &Scene) -> Result<Masses, Problem> {
-    let (craft, stations) = (&scene.aeroplane, &scene.stations);
-    let known: Vec<[f64; 2]> = scene.masses.iter().map(|m| [m.x, m.mass]).collect();
-    let ends = [stations[0].x, stations[stations.len() - 1].x];
-    let radius = craft.radius_of_gyration;
-    Masses::new(ends, craft.mass, craft.center_of_mass[0], craft.mass * radius * radius, &known)
-        .map_err(|why| Problem::new("aeroplane.radius_of_gyration", radius, why))
-}
-
-/// How the fuselage bends, where it does.
-pub(super) fn bending(scene: &Scene, masses: &Masses) -> Result<Option<Bending>, Problem> {
-    let Some(beam) = &scene.beam else { return Ok(None) };
-    let refused = |expected: String| Problem::new("beam.stiffness", format!("{:?}", beam.stiffness), expected);
-    if beam.stiffness.is_empty() || !beam.stiffness.iter().all(|ei| *ei > 0.0 && ei.is_finite()) {
-        return Err(refused("numbers above 0".into()));
-    }
-    let (from, to) = (masses.x[0], masses.x[masses.x.len() - 1]);
-    let stiffness = |x: f64| {
-        let last = beam.stiffness.len() - 1;
-        let at = (x - from) / (to - from) * last as f64;
-        let k = (at as usize).min(last.saturating_sub(1));
-        let [a, b] = [beam.stiffness[k], beam.stiffness[(k + 1).min(last)]];
-        a + (at - k as f64) * (b - a)
-    };
-    let bending = Bending::new(masses, stiffness, beam.damping).map_err(refused)?;
-    let fastest = bending.frequency.iter().copied().fold(0.0, f64::max);
-    let longest = FASTEST / fastest;
-    if scene.landing.step > longest {
-        let expected =
-            format!("at most {longest:.2e} s: the fuselage's mode of {:.1} Hz is to be followed", fastest / 6.2832);
-        return Err(Problem::new("landing.step", scene.landing.step, expected));
-    }
-    Ok(Some(bending))
 }

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use fsi_coupling::entry_theory::ditching::{Form, Hull, ImpactingPart, SectionLoad};
 use serde::Serialize;
 
+use super::checked::hull;
 use super::landed::Landed;
-use super::model::{Scene, hull};
+use super::model::Scene;
 use crate::run::summary::Status;
 use crate::run::{RunError, RunOptions, run};
 use crate::scene::{SceneError, load_text};

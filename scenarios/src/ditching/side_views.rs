@@ -2,8 +2,9 @@
 
 use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
 
+use super::checked::hull;
 use super::landed::{Landed, seconds};
-use super::model::{Scene, hull};
+use super::model::Scene;
 use crate::report::run_page::quantity::{Unit, digits};
 use crate::report::{Block, LandingScales, LandingView, landing_view_svg};
 

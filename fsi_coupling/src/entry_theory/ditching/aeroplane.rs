@@ -3,11 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::balance::Balance;
+use super::attitude::Attitude;
 use super::bending::Bending;
 use super::hull::Hull;
 use super::parts::{Nacelle, Panel, PointForce, Surface};
-use super::strip::Attitude;
+use super::strip::Strip;
 
 /// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -153,16 +153,16 @@ impl Aeroplane {
     }
 
     /// Parts whose load is larger than what they hold are lost.
-    pub(super) fn lose(&self, hull: &Hull, lost: &mut [bool], balance: &Balance) {
+    pub(super) fn lose(&self, hull: &Hull, lost: &mut [bool], parts: &[Vec<PointForce>], strips: &[(Strip, f64)]) {
         let holds = self.surfaces.iter().map(|s| s.breaks_at);
         let holds = holds.chain(self.nacelles.iter().map(|n| n.breaks_at.map(|f| f * n.number)));
-        for ((lost, forces), holds) in lost.iter_mut().zip(&balance.parts).zip(holds) {
+        for ((lost, forces), holds) in lost.iter_mut().zip(parts).zip(holds) {
             let [fx, fz] = [0, 1].map(|k| forces.iter().map(|p| p.force[k]).sum::<f64>());
             *lost |= holds.is_some_and(|most| fx.hypot(fz) > most);
         }
         let held = self.surfaces.len() + self.nacelles.len();
         for (lost, panel) in lost[held..].iter_mut().zip(&self.panels) {
-            *lost |= panel.is_pressed_in(hull.fuselage(), &balance.strips);
+            *lost |= panel.is_pressed_in(hull.fuselage(), strips);
         }
     }
 

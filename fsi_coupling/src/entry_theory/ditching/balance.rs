@@ -1,10 +1,11 @@
 //! Forces on an aeroplane on the water, and its accelerations under them (THEORY EN18, EN19, EN27).
 
 use super::aeroplane::{Aeroplane, Water};
+use super::attitude::{Attitude, FREEDOMS};
 use super::bending::Bending;
 use super::landing::Landing;
 use super::parts::PointForce;
-use super::strip::{Attitude, Bottom, FREEDOMS, ImpactingPart, Strip, along};
+use super::strip::{Bottom, ImpactingPart, Strip, along};
 
 /// Rounds in which it is found which strips press and which pull.
 const MOST_ROUNDS: usize = 40;

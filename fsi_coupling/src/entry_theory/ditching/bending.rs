@@ -2,8 +2,8 @@
 
 use structure_fe::{BarSection, Beam, Dof, Element, Error, Material, Mode, Section, Supports, natural_modes};
 
+use super::attitude::{Attitude, MODES};
 use super::masses::Masses;
-use super::strip::{Attitude, MODES};
 
 /// Mass of the beam itself over the masses that it carries [-].
 const OWN_MASS: f64 = 1e-9;
@@ -96,13 +96,13 @@ mod tests {
     /// A uniform free beam: ω² = k⁴ EI/μ with kL = 4.7300, 7.8532, 10.9956, 14.1372 (Rayleigh 1877).
     #[test]
     fn a_uniform_line_of_masses_has_the_frequencies_of_a_free_beam() {
-        let (mass, length, stiffness) = (4e4, 30.0, 2e9);
+        let (mass, length, stiffness) = (4e4_f64, 30.0_f64, 2e9_f64);
         let masses = Masses { x: (0..61).map(|k| 0.5 * f64::from(k)).collect(), mass: vec![0.0; 61] };
         let mass_at = |k: usize| mass / 60.0 * if k == 0 || k == 60 { 0.5 } else { 1.0 };
         let masses = Masses { mass: (0..61).map(mass_at).collect(), ..masses };
         let bending = Bending::new(&masses, |_| stiffness, 0.02).expect("modes");
         for (frequency, kl) in bending.frequency.iter().zip([4.7300, 7.8532, 10.9956, 14.1372]) {
-            let exact = (kl / length as f64).powi(2) * (stiffness * length / mass as f64).sqrt();
+            let exact = (kl / length).powi(2) * (stiffness * length / mass).sqrt();
             assert!((frequency / exact - 1.0).abs() < 5e-3, "{frequency}, exact {exact}");
         }
         let push: f64 = (0..61).map(|k| masses.mass[k] * bending.shapes[k][2][0]).sum();

@@ -4,6 +4,7 @@
 //! theory's [`Load`](super::Load). [`Fuselage`] is the hull, [`Hull`] what it bears, [`Landing`] its motion in the plane of symmetry.
 
 mod aeroplane;
+mod attitude;
 mod balance;
 mod bending;
 mod fuselage;
@@ -11,11 +12,13 @@ mod hull;
 mod landing;
 mod masses;
 mod monotone;
+mod motion;
 mod parts;
 mod section_forces;
 mod strip;
 
 pub use aeroplane::{Aeroplane, Water, Wing};
+pub use attitude::{Attitude, FREEDOMS, MODES};
 pub use bending::Bending;
 pub use fuselage::{Form, Fuselage, FuselageError, Keel, Station};
 pub use hull::{Hull, SectionLoad};
@@ -23,4 +26,4 @@ pub use landing::{Landing, LandingEnd, LandingResult, LandingState};
 pub use masses::Masses;
 pub use parts::{Nacelle, Panel, PointForce, Rib, Surface, planing_coefficient};
 pub use section_forces::SectionForce;
-pub use strip::{Attitude, Bottom, FREEDOMS, ImpactingPart, KeelPoint, MODES, Strip};
+pub use strip::{Bottom, ImpactingPart, KeelPoint, Strip};

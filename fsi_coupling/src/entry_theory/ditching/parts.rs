@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
+use super::attitude::Attitude;
 use super::fuselage::{Form, Fuselage, FuselageError, Station};
 use super::hull::Hull;
-use super::strip::{Attitude, Strip};
+use super::strip::Strip;
 use crate::entry_theory::EntryModel;
 
 /// Strips along the span of one side of a surface.

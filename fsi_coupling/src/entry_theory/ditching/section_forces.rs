@@ -1,8 +1,8 @@
 //! What the cuts of a fuselage bear (THEORY EN29).
 
+use super::attitude::MODES;
 use super::landing::{Landing, LandingState};
 use super::masses::Masses;
-use super::strip::MODES;
 
 /// Shear force and bending moment in the cut at a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

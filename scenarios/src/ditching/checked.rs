@@ -1,0 +1,123 @@
+//! What the file of a landing must keep to, and the landing that it gives.
+
+use fsi_coupling::entry_theory::ditching::{Form, Fuselage, FuselageError, Hull, Landing, Station};
+use fsi_coupling::settings::{Problem, require};
+
+use super::aeroplane::aeroplane;
+use super::model::{LandingKeys, Scene, StationKeys};
+use crate::scene::source::{LARGEST_NUMBER, word};
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e6;
+/// Highest bandwidth of an accelerometer over the frequency of samples.
+const HIGHEST: f64 = 0.2;
+
+/// The landing with everything filled in, if it is one.
+pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
+    word("name", &scene.name)?;
+    numbers(&scene)?;
+    let hull = hull(&scene)?;
+    let (landing, wing) = (&scene.landing, scene.wing);
+    let weight = scene.aeroplane.mass * scene.water.gravity;
+    let attack = landing.angle_of_attack_deg.to_radians();
+    let carrying = wing.carrying_speed(weight, attack);
+    let speed = landing.speed.or(carrying);
+    let expected = format!("more than wing.zero_lift_deg, {} degrees, or a landing.speed", scene.wing.zero_lift_deg);
+    let key = "landing.angle_of_attack_deg";
+    let speed = speed.ok_or_else(|| Problem::new(key, landing.angle_of_attack_deg, expected))?;
+    let expected = format_args!("up to {LARGEST_NUMBER:e} m/s, or a wing that carries the weight at such a speed");
+    require(speed <= LARGEST_NUMBER, "landing.speed", speed, expected)?;
+    let least = landing.least_speed.unwrap_or_else(|| (scene.water.gravity * hull.fuselage().length()).sqrt());
+    let expected = format_args!("less than the speed of landing, {speed:.4} m/s");
+    require(least < speed, "landing.least_speed", least, expected)?;
+    (scene.landing.speed, scene.landing.least_speed) = (Some(speed), Some(least));
+    names(&scene)?;
+    accelerometers(&scene)?;
+    aeroplane(&scene)?;
+    Ok(scene)
+}
+
+fn numbers(scene: &Scene) -> Result<(), Problem> {
+    let landing = &scene.landing;
+    let pitch = landing.angle_of_attack_deg + landing.flight_path_deg;
+    let attack = landing.angle_of_attack_deg;
+    let expected = format_args!("an attitude of 0 to 30 degrees with landing.flight_path_deg, not {pitch}");
+    require((0.0..=30.0).contains(&pitch), "landing.angle_of_attack_deg", attack, expected)?;
+    let LandingKeys { step, sample_every, end, .. } = *landing;
+    for (key, value, least) in [("landing.step", step, end / MOST_STEPS), ("landing.sample_every", sample_every, step)]
+    {
+        let expected = format_args!("a number from {least} to {end}");
+        require((least..=end).contains(&value), key, value, expected)?;
+    }
+    Ok(())
+}
+
+/// Names of parts and accelerometers are words, each once.
+fn names(scene: &Scene) -> Result<(), Problem> {
+    let surfaces = scene.surfaces.iter().enumerate().map(|(k, s)| (format!("surfaces[{k}].name"), &s.name));
+    let nacelles = scene.nacelles.iter().enumerate().map(|(k, n)| (format!("nacelles[{k}].name"), &n.name));
+    let panels = scene.panels.iter().enumerate().map(|(k, p)| (format!("panels[{k}].name"), &p.name));
+    let places = scene.accelerometers.iter().enumerate().map(|(k, a)| (format!("accelerometers[{k}].name"), &a.name));
+    let mut known: Vec<&str> = Vec::new();
+    for (key, name) in surfaces.chain(nacelles).chain(panels).chain(places) {
+        word(&key, name)?;
+        require(!known.contains(&name.as_str()), &key, name, "a name that nothing else has")?;
+        known.push(name);
+    }
+    Ok(())
+}
+
+fn accelerometers(scene: &Scene) -> Result<(), Problem> {
+    let highest = HIGHEST / scene.landing.sample_every;
+    for (k, keys) in scene.accelerometers.iter().enumerate() {
+        let expected =
+            format_args!("up to {highest} Hz with a landing.sample_every of {} s", scene.landing.sample_every);
+        require(keys.bandwidth <= highest, &format!("accelerometers[{k}].bandwidth"), keys.bandwidth, expected)?;
+    }
+    Ok(())
+}
+
+fn station(index: usize, keys: &StationKeys) -> Result<Station, Problem> {
+    let key = |name: &str| format!("stations[{index}].{name}");
+    let form = match (keys.radius, keys.deadrise_deg) {
+        (Some(radius), None) => Form::Radius(radius),
+        (None, Some(deadrise)) => Form::DeadriseDeg(deadrise),
+        (Some(_), Some(given)) => {
+            return Err(Problem::new(&key("deadrise_deg"), given, "a radius or a deadrise, not both"));
+        }
+        (None, None) => return Err(Problem::missing(&key("radius"), "a radius or deadrise_deg")),
+    };
+    Ok(Station { x: keys.x, keel: keys.keel, breadth: keys.breadth, form })
+}
+
+/// The hull of a landing.
+pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
+    let stations = scene.stations.iter().enumerate().map(|(k, s)| station(k, s)).collect::<Result<Vec<_>, _>>()?;
+    let refused = |e: FuselageError| {
+        let key = if scene.stations.is_empty() { "stations".into() } else { format!("stations[{}]", e.station) };
+        let sentence = format!("`{key}`: {}", e.why);
+        Problem { key, sentence, ..Problem::default() }
+    };
+    if !scene.model.is_formula() {
+        return Err(Problem::new("model", scene.model.name(), "von_karman, wagner or mlm"));
+    }
+    Fuselage::new(&stations).and_then(|fuselage| Hull::new(fuselage, scene.model)).map_err(refused)
+}
+
+/// The landing of a scene that [`checked`] gave.
+pub(super) fn landing<'a>(scene: &Scene, hull: &'a Hull) -> Landing<'a> {
+    let keys = &scene.landing;
+    Landing {
+        hull,
+        aeroplane: aeroplane(scene).unwrap_or_else(|problem| panic!("{}", problem.sentence)),
+        water: scene.water,
+        pitch: (keys.angle_of_attack_deg + keys.flight_path_deg).to_radians(),
+        path: keys.flight_path_deg.to_radians(),
+        speed: keys.speed.unwrap_or_default(),
+        strips: keys.strips,
+        step: keys.step,
+        sample_every: (keys.sample_every / keys.step).round().max(1.0) as usize,
+        end: keys.end,
+        least_speed: keys.least_speed.unwrap_or_default(),
+    }
+}
