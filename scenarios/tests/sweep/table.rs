@@ -114,13 +114,17 @@ fn a_point_that_fails_is_a_row() {
     assert_eq!(table.matches(",refused,").count(), 3, "{table}");
     assert!(table.contains("body.deadrise_deg=95") && place.text("out/sweep.html").contains("Failures"));
 
-    place.write("up.toml", "ditch = \"mercure\"\n[set]\nlanding.strips = 20\n[grid]\nwing.pitch_stiffness = [0, 20]\n");
+    place
+        .write("up.toml", "ditch = \"mercure\"\n[set]\nlanding.strips = 20\n[grid]\nwing.pitch_stiffness = [0, 100]\n");
     let ended = place.command(&["up.toml", "--out", "up", "--quiet"]).output().expect("the command starts");
     assert_eq!(ended.status.code(), Some(1));
     let table = place.text("up/table.csv");
     let (head, rows) = csv(&table);
     assert!(head.contains(&"load_factor") && head.contains(&"load_factor.time_s"), "{head:?}");
-    assert!(rows[0][2].starts_with("completed") && rows[1][2] == "failed" && rows[1][3].contains("degrees"), "{table}");
+    assert!(
+        rows[0][2].starts_with("completed") && rows[1][2] == "failed" && rows[1][3].contains("the nose goes under"),
+        "{table}"
+    );
     let worst = place.text("up/worst.csv");
     assert!(worst.contains("\nline_load_n_per_m,station 24.0 m,,"), "{worst}");
     assert!(place.text("up/sweep.html").contains("no band known"), "no load of a landing has a band");
