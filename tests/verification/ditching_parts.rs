@@ -258,5 +258,7 @@ fn wrong_parts_are_refused_with_key_and_place() {
     refused(&["beam.stiffness=[0.0]"], &["beam.stiffness", "above 0"]);
     refused(&["beam.stiffness=[9e11]"], &["landing.step", "Hz is to be followed"]);
     refused(&["water.largest_suction=-1.0"], &["water.largest_suction"]);
+    refused(&["masses=[{x=5.0,mass=9e4}]"], &["masses[0].mass", "leave something of aeroplane.mass"]);
+    refused(&["masses=[{x=50.0,mass=9e2}]"], &["masses[0].x", "from 0 to 34.8 m"]);
     refused(&["nacelles[0].length=0.0"], &["nacelles[0].length"]);
 }

@@ -69,6 +69,15 @@ pub(super) fn masses(scene: &Scene) -> Result<Masses, Problem> {
     let (craft, stations) = (&scene.aeroplane, &scene.stations);
     let known: Vec<[f64; 2]> = scene.masses.iter().map(|m| [m.x, m.mass]).collect();
     let ends = [stations[0].x, stations[stations.len() - 1].x];
+    if let Some(k) = known.iter().position(|[x, _]| !(ends[0]..=ends[1]).contains(x)) {
+        let expected = format!("a place on the fuselage, from {} to {} m", ends[0], ends[1]);
+        return Err(Problem::new(&format!("masses[{k}].x"), known[k][0], expected));
+    }
+    let (last, sum) = (known.len().saturating_sub(1), known.iter().map(|[_, mass]| mass).sum::<f64>());
+    if sum >= craft.mass {
+        let expected = format!("masses that leave something of aeroplane.mass, {} kg, not {sum} kg in all", craft.mass);
+        return Err(Problem::new(&format!("masses[{last}].mass"), known[last][1], expected));
+    }
     let radius = craft.radius_of_gyration;
     Masses::new(ends, craft.mass, craft.center_of_mass[0], craft.mass * radius * radius, &known)
         .map_err(|why| Problem::new("aeroplane.radius_of_gyration", radius, why))
