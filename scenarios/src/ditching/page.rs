@@ -196,12 +196,12 @@ fn limits(scene: &Scene) -> String {
          real suction; the result depends on it strongly: compute 0 and 1.",
         digits(scene.water.suction)
     );
-    let bare = "Only the bottom of the fuselage touches the water: the file has no surfaces and no nacelles.";
+    let bare = "Only the fuselage touches the water: the file has no surfaces and no nacelles.";
     let parts = "Wing, flaps, tailplane and engines are plates and bodies in a steady stream: no slam of a flat wing, no spray, no wake of the \
                  fuselage.";
     let items = [
         "Built-in mercure beside model tests: the deceleration is within a factor of 1.5 in 10 of 14 cases, the upward acceleration of the \
-         worst accelerometer in 8; it is low by up to 2.8 at small angles of attack. Do not take it for a load to design by.",
+         worst accelerometer in 7; it is low by up to 2.8 at small angles of attack. Do not take it for a load to design by.",
         &suction,
         "The sections are planes of calm water that the fuselage passes through (2D+t, THEORY EN14–EN19): no waves, no wind, no flow along \
          the fuselage.",

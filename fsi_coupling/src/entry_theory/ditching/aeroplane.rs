@@ -109,7 +109,7 @@ impl Wing {
         0.5 * self.air_density * self.area * coefficient * speed * speed
     }
 
-    /// EN19: drag forward and up, lift, and the moment that turns the aeroplane towards its angle of attack in balance; without `trim_deg` this
+    /// EN19: lift and drag forward and up, the lift, and the moment that turns the aeroplane towards its angle of attack in balance; without `trim_deg` this
     /// is the `attack` at the first touch [rad]. [N, N m]
     pub(super) fn air(&self, now: &Attitude, attack_at_touch: f64) -> ([f64; 2], f64, f64) {
         let [u, w, q] = now.rate;
@@ -117,8 +117,10 @@ impl Wing {
         let off = self.pitch_stiffness * (attack - self.trim_deg.map_or(attack_at_touch, f64::to_radians));
         let turning = self.pitch_damping * q * self.chord / (2.0 * speed.max(f64::MIN_POSITIVE));
         let of_area = 0.5 * self.air_density * speed * self.area;
-        let drag = [u, w].map(|v| -of_area * self.drag * v);
-        (drag, self.lift(speed, attack), of_area * speed * self.chord * (off + turning))
+        let lift = self.lift(speed, attack);
+        let [ahead, above] = [u, w].map(|v| v / speed.max(f64::MIN_POSITIVE));
+        let force = [-lift * above - of_area * self.drag * u, lift * ahead - of_area * self.drag * w];
+        (force, lift, of_area * speed * self.chord * (off + turning))
     }
 
     /// Speed at which the wing carries a weight [N] at an angle of attack [rad]; `None` where it has no lift.

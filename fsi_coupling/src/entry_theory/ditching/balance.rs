@@ -77,8 +77,8 @@ impl Landing<'_> {
         let Landing { aeroplane: craft, water, .. } = self;
         let bending = craft.bending.as_ref();
         let (sin, cos) = now.place[2].sin_cos();
-        let (drag, lift, trimming) = craft.wing.air(now, self.pitch - self.path);
-        let air = [drag[0], drag[1] + lift - craft.mass * water.gravity, trimming];
+        let (of_air, lift, trimming) = craft.wing.air(now, self.pitch - self.path);
+        let air = [of_air[0], of_air[1] - craft.mass * water.gravity, trimming];
         let mut given = Forces { on: [0.0; FREEDOMS], bending, up: [-sin, cos] };
         given.on[..3].copy_from_slice(&air);
         if let Some(bending) = bending {

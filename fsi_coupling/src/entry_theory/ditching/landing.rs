@@ -79,12 +79,16 @@ pub struct LandingResult {
 }
 
 impl Landing<'_> {
-    /// Ends of the strips, from the nose [m]: stations are among them.
+    /// Ends of the strips, from the nose [m]: stations and ends of panels are among them.
     pub(super) fn edges(&self) -> Vec<f64> {
         let fuselage = self.hull.fuselage();
-        let mut edges = vec![fuselage.ends()[0]];
-        for pair in fuselage.stations().windows(2) {
-            let (from, to) = (pair[0].x, pair[1].x);
+        let of_panels = self.aeroplane.panels.iter().flat_map(|panel| panel.ends);
+        let mut joints: Vec<f64> = fuselage.stations().iter().map(|s| s.x).chain(of_panels).collect();
+        joints.sort_by(f64::total_cmp);
+        joints.dedup();
+        let mut edges = vec![joints[0]];
+        for pair in joints.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
             let n = (self.strips as f64 * (to - from) / fuselage.length()).ceil().max(1.0);
             edges.extend((1..=n as usize).map(|k| from + (to - from) * k as f64 / n));
         }

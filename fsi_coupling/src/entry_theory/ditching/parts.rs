@@ -9,7 +9,7 @@ use super::strip::Strip;
 use crate::entry_theory::EntryModel;
 
 /// Strips along the span of one side of a surface.
-const SPAN_STRIPS: usize = 40;
+const SPAN_STRIPS: usize = 200;
 /// Strips along a nacelle.
 const STRIPS: usize = 20;
 /// Angle from a nacelle's keel at which the water leaves its side [rad].

@@ -54,8 +54,8 @@ impl Landing<'_> {
             [lever, rub, strip.floating()].map(|force| load(strip.wet.x, force))
         });
         let of_parts = now.parts.iter().flatten().map(|p| load(p.x, p.force));
-        let (drag, lift, trimming) = craft.wing.air(&now.attitude, self.pitch - self.path);
-        let of_air = load(craft.centre[0], [drag[0], drag[1] + lift, trimming]);
+        let (of_air, _, trimming) = craft.wing.air(&now.attitude, self.pitch - self.path);
+        let of_air = load(craft.centre[0], [of_air[0], of_air[1], trimming]);
         let [ax, az, turning] = [0, 1, 2].map(|k| now.acceleration[k]);
         let rigid = across([ax, az + water.gravity]);
         let of_masses = masses.x.iter().zip(&masses.mass).map(|(x, mass)| {
