@@ -7,7 +7,7 @@
 //!
 //! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
 //! coarse [`systems`] to step, a wedge at the host's [`door`], [`bare`] fluids without bodies, a hand-made [`load`] to push
-//! bodies with, a [`light`] box, linear theory of [`heave`], and small [`statistics`].
+//! bodies with, a plain [`landing`], a [`light`] box, linear theory of [`heave`], and small [`statistics`].
 
 #[path = "support/bare.rs"]
 pub mod bare;
@@ -17,6 +17,8 @@ pub mod column;
 pub mod door;
 #[path = "support/heave.rs"]
 pub mod heave;
+#[path = "support/landing.rs"]
+pub mod landing;
 #[path = "support/light.rs"]
 pub mod light;
 #[path = "support/load.rs"]

@@ -1,55 +1,21 @@
 //! Parts of an aeroplane that meet the water, bounds of suction, and what the fuselage bears (THEORY EN25–EN29).
 
+use evidence::landing::{self as plain, CENTRE, RHO};
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{
-    Aeroplane, Attitude, Bending, Form, Fuselage, Hull, Landing, Masses, Nacelle, Panel, Rib, Station, Surface, Water,
-    Wing,
-};
+use fsi_coupling::entry_theory::ditching::{Attitude, Bending, Hull, Landing, Masses, Nacelle, Panel, Rib, Surface};
 use scenarios::ditching::{self, Landed};
-
-const RHO: f64 = 1000.0;
-const CENTRE: [f64; 2] = [10.0, 0.5];
 
 /// A prismatic hull of 20 m.
 fn prism() -> Hull {
-    let ends = [0.0, 20.0].map(|x| Station { x, keel: 0.0, breadth: 4.0, form: Form::DeadriseDeg(25.0) });
-    Hull::new(Fuselage::new(&ends).expect("a fuselage"), EntryModel::Mlm).expect("in range")
+    plain::prism(EntryModel::Mlm, 25.0)
 }
 
+/// With friction and gravity.
 fn landing(hull: &Hull) -> Landing<'_> {
-    let wing = Wing {
-        area: 0.0,
-        chord: 1.0,
-        lift_slope: 0.0,
-        zero_lift_deg: 0.0,
-        pitch_stiffness: 0.0,
-        pitch_damping: 0.0,
-        trim_deg: None,
-        drag: 0.0,
-        air_density: 0.0,
-    };
-    Landing {
-        hull,
-        aeroplane: Aeroplane {
-            mass: 5e4,
-            inertia: 5e4 * 25.0,
-            centre: CENTRE,
-            wing,
-            surfaces: Vec::new(),
-            nacelles: Vec::new(),
-            panels: Vec::new(),
-            bending: None,
-        },
-        water: Water { density: RHO, gravity: 9.81, friction: 0.003, suction: 1.0, largest_suction: 1e9 },
-        pitch: 0.1,
-        path: -0.05,
-        speed: 40.0,
-        strips: 200,
-        step: 5e-4,
-        sample_every: 5,
-        end: 0.4,
-        least_speed: 1.0,
-    }
+    let mut landing = plain::landing(hull, 9.81, 5e4);
+    landing.water.friction = 0.003;
+    (landing.strips, landing.step, landing.sample_every, landing.end) = (200, 5e-4, 5, 0.4);
+    landing
 }
 
 /// At a forward speed and a pitch, with a place of the aeroplane a depth under water.
@@ -118,7 +84,7 @@ fn forces_of_strips_and_parts_add_up_to_that_of_the_water() {
         let mut sum = [0.0; 3];
         for (strip, f) in &m.strips {
             let lever = strip.entry.map_or([0.0; 3], |e| [0, 1, 2].map(|k| f * e.lever[k]));
-            let rub = strip.entry.map_or([0.0; 3], |e| e.friction(0.5 * RHO * 0.003));
+            let rub = strip.rubbing(0.5 * RHO * 0.003);
             (0..3).for_each(|k| sum[k] += lever[k] + rub[k] + strip.floating()[k]);
         }
         m.parts.iter().flatten().for_each(|p| (0..3).for_each(|k| sum[k] += p.force[k]));

@@ -92,9 +92,9 @@ impl Landing<'_> {
             true => Vec::new(),
             false => self.strips(&bottom(&nacelle.hull), &nacelle.edges(), nacelle.number, now),
         }));
+        let rubs = 0.5 * water.density * water.friction;
         for strip in bodies.iter().flatten() {
-            let rub = strip.entry.map_or([0.0; 3], |e| e.friction(0.5 * water.density * water.friction));
-            given.add(strip.wet.x, rub);
+            given.add(strip.wet.x, strip.rubbing(rubs));
             given.add(strip.wet.x, strip.floating());
         }
         let mut parts = craft.immersed(self.hull, now, lost, water.density);
@@ -111,7 +111,7 @@ impl Landing<'_> {
         for (part, strips) in parts[craft.surfaces.len()..].iter_mut().zip(loaded) {
             part.extend(strips.iter().map(|(s, load)| {
                 let (floating, lever) = (s.floating(), s.entry.map_or([0.0; FREEDOMS], |e| e.lever));
-                let rub = s.entry.map_or([0.0; 3], |e| e.friction(0.5 * water.density * water.friction));
+                let rub = s.rubbing(rubs);
                 PointForce { x: s.wet.x, force: [0, 1, 2].map(|k| load * lever[k] + floating[k] + rub[k]) }
             }));
         }

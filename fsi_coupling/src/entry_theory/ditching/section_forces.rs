@@ -50,8 +50,8 @@ impl Landing<'_> {
         };
         let of_strips = now.strips.iter().flat_map(|(strip, force)| {
             let lever = strip.entry.map_or([0.0; 3], |e| [0, 1, 2].map(|k| force * e.lever[k]));
-            let rub = strip.entry.map_or([0.0; 3], |e| e.friction(0.5 * water.density * water.friction));
-            [lever, rub, strip.floating()].map(|force| load(strip.wet.x, force))
+            [lever, strip.rubbing(0.5 * water.density * water.friction), strip.floating()]
+                .map(|force| load(strip.wet.x, force))
         });
         let of_parts = now.parts.iter().flatten().map(|p| load(p.x, p.force));
         let (of_air, _, trimming) = craft.wing.air(&now.attitude, self.pitch - self.path);

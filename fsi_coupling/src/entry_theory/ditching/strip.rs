@@ -161,6 +161,11 @@ impl Strip {
         Strip { buoyancy: number * self.buoyancy, entry, ..self }
     }
 
+    /// EN19: force and moment of the friction on its entering part; `of_square` is ½ρ C_f [kg/m³].
+    pub fn rubbing(&self, of_square: f64) -> [f64; 3] {
+        self.entry.map_or([0.0; 3], |entry| entry.friction(of_square))
+    }
+
     /// EN19: force and moment of the buoyancy.
     pub fn floating(&self) -> [f64; 3] {
         [0.0, self.buoyancy, self.buoyancy * self.wet.lever_arm[0]]
