@@ -14,6 +14,7 @@ pub mod settings;
 mod steps;
 pub mod summation;
 pub mod turbulence;
+mod updates;
 pub mod xsph;
 
 use crate::interactions::geometry::{PairGeometry, pair_geometry};

@@ -5,6 +5,7 @@ use crate::error::Breakdown;
 use crate::legacy::compressible::Compressible;
 use crate::legacy::multistep::{Old, Weights};
 use crate::legacy::settings::{Integrator, Settings, WallModel};
+use crate::legacy::updates::{advance_density_midpoint, drift};
 use crate::memory::of_vector;
 use crate::particles::{Particles, Seed};
 use crate::scheme::{Flow, Scheme, SchemeSettings};
@@ -14,7 +15,7 @@ use crate::walls::{WallLayout, Walls};
 use crate::wcsph::is_weakly_compressed;
 use crate::wcsph::shifting::settle;
 use crate::wcsph::step_limit::StepLimit;
-use crate::wcsph::updates::{advance_density_midpoint, drift, kick};
+use crate::wcsph::updates::kick;
 
 impl Scheme for Compressible {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
