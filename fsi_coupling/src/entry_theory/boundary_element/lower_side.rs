@@ -4,47 +4,12 @@ use std::f64::consts::PI;
 
 use faer::c64;
 
+use super::face::{Face, Place};
+
 /// Element beside the jet, over Wagner's thickness of the jet c tan²β/(2π).
 const FINEST: f64 = 0.35;
 /// Largest thickness that counts, over c.
 const THICKEST: f64 = 0.08;
-
-/// A straight face at rest in its own axes: the keel at −i draught, at the deadrise β, from the keel to the chine.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
-    /// Deadrise β [rad].
-    pub beta: f64,
-    /// Draught of the keel below still water [m].
-    pub draught: f64,
-    /// Length from the keel to the chine [m].
-    pub length: f64,
-}
-
-impl Face {
-    /// Unit vector from the keel outwards.
-    pub fn direction(&self) -> c64 {
-        c64::new(self.beta.cos(), self.beta.sin())
-    }
-
-    pub fn keel(&self) -> c64 {
-        c64::new(0.0, -self.draught)
-    }
-
-    pub fn chine(&self) -> c64 {
-        self.keel() + self.direction() * self.length
-    }
-
-    /// Distances of a point from the keel along the face, and from the face into the water [m].
-    pub fn coordinates(&self, z: c64) -> [f64; 2] {
-        let along = (z - self.keel()) * self.direction().conj();
-        [along.re, -along.im]
-    }
-
-    /// The point of the face, or of its plane beyond the chine, nearest to `z`.
-    pub fn foot(&self, z: c64) -> c64 {
-        self.keel() + self.direction() * self.coordinates(z)[0]
-    }
-}
 
 /// The face, and the surface that left the chine where it is wet, from the jet's cut to the chine.
 #[derive(Clone, Copy)]
@@ -73,20 +38,21 @@ fn on_piece(z: c64, from: c64, tangent: c64, longest: f64) -> Nearest {
 impl LowerSide<'_> {
     /// The point nearest to `z`; the lower side goes on straight beyond its end.
     pub fn nearest(&self, z: c64) -> Nearest {
-        let (keel, direction) = (self.face.keel(), self.face.direction());
-        let Some(underside) = self.underside else { return on_piece(z, keel, direction, f64::INFINITY) };
-        let pieces = underside.windows(2).enumerate().map(|(k, ends)| {
+        let Place { z: foot, tangent, .. } = self.face.nearest(z, self.underside.is_none());
+        let on_face = Nearest { foot, tangent, away: (z - foot).norm() };
+        let pieces = self.underside.unwrap_or_default().windows(2).enumerate().map(|(k, ends)| {
             let piece = ends[0] - ends[1];
             let length = piece.norm();
             on_piece(z, ends[1], piece / length, if k == 0 { f64::INFINITY } else { length })
         });
         let nearer = |best: Nearest, here: Nearest| if here.away < best.away { here } else { best };
-        pieces.fold(on_piece(z, keel, direction, self.face.length), nearer)
+        pieces.fold(on_face, nearer)
     }
 
     /// Size of the elements beside the jet's end [m].
     pub fn finest(&self, end: c64) -> f64 {
         let c = self.nearest(end).foot.re;
-        FINEST * c * (self.face.beta.tan().powi(2) / (2.0 * PI)).min(THICKEST)
+        let along = self.face.nearest(end, true).along;
+        FINEST * c * (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST)
     }
 }

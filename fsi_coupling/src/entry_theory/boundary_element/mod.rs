@@ -6,6 +6,7 @@
 mod cauchy;
 mod elements;
 mod entry;
+mod face;
 mod lower_side;
 mod solution;
 mod spline;
@@ -21,7 +22,8 @@ pub use state::WedgeFlow;
 use super::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 use super::similarity::SimilarityFlow;
 use elements::arc_length;
-use lower_side::{Face, LowerSide};
+use face::Face;
+use lower_side::LowerSide;
 use solution::Solution;
 use spline::Spline;
 use surface::FreeSurface;
@@ -79,10 +81,28 @@ impl WedgeFlow {
             let range = "boundary elements begin with dry chines";
             return refused(format!("{breadth} m of breadth at a draught of {draught} m"), range);
         }
-        let face = Face { beta, draught, length: 0.5 * breadth / beta.cos() };
-        let lower = LowerSide { face: &face, underside: None };
-        let surface = FreeSurface::similar(&similar, draught, speed, FAR / beta.tan()).redistributed(lower);
-        Ok(WedgeFlow { surface, face, underside: None, speed, gravity })
+        let face = Face::straight(beta, 0.5 * breadth / beta.cos()).at_draught(draught);
+        let surface = FreeSurface::similar(&similar, draught, speed, FAR / beta.tan());
+        Ok(WedgeFlow::started(face, surface, draught, speed, gravity))
+    }
+
+    /// The arc of a circle of `radius` and `breadth` [m] on its way down at the constant `speed` [m/s]; else as [`WedgeFlow::new`].
+    ///
+    /// # Errors
+    /// A speed that is not above zero; an arc that is wet to its ends.
+    pub fn of_arc(radius: f64, breadth: f64, speed: f64, gravity: f64, keel: f64, share: f64) -> Result<WedgeFlow, OutOfRange> {
+        let keel = keel.to_radians();
+        let draught = share * std::f64::consts::FRAC_2_PI * keel.tan() * radius * keel.sin();
+        let face = Face::arc(radius, (0.5 * breadth / radius).min(1.0).asin(), keel).at_draught(draught);
+        let similar = SimilarityFlow::solve(keel.to_degrees()).expect("in range");
+        let surface = FreeSurface::similar(&similar, draught, speed, FAR / keel.tan());
+        let c = share * radius * keel.sin();
+        Ok(WedgeFlow::started(face, surface, 0.25 * c * c / radius, speed, gravity))
+    }
+
+    fn started(face: Face, surface: FreeSurface, draught: f64, speed: f64, gravity: f64) -> WedgeFlow {
+        let surface = surface.redistributed(LowerSide { face: &face, underside: None });
+        WedgeFlow { surface, face, underside: None, draught, speed, gravity }
     }
 
     /// The same with all velocities in proportion to a downward speed [m/s].
@@ -106,7 +126,7 @@ impl WedgeFlow {
             self.underside = Some(underside);
             start = self.solve();
         }
-        let ended = |speed: f64| FlowEnded { draught: self.face.draught, speed };
+        let ended = |speed: f64| FlowEnded { draught: self.draught, speed };
         let dt = self.stable_dt(&start);
         let half = self.moved(self.speed, &start, acceleration(&start.load), 0.5 * dt);
         if !half.is_finite() {
@@ -124,7 +144,8 @@ impl WedgeFlow {
     /// EN24: where the jet's end has passed a dry chine, what lies beyond it on the face's plane is a free surface from now on.
     fn separated(&self, now: &Solution) -> Option<FreeSurface> {
         let (face, end) = (&self.face, self.surface.end());
-        let beyond = face.coordinates(end)[0] - face.length;
+        let on_face = face.nearest(end, true);
+        let beyond = on_face.along - face.length();
         let size = self.lower_side().finest(end);
         if self.underside.is_some() || beyond < PASSED * size {
             return None;
@@ -133,13 +154,13 @@ impl WedgeFlow {
         let phi = Spline::new(&s, now.phi_on_face().iter().copied());
         let count = (beyond / size).ceil().max(3.0);
         let at = (0..=count as usize).map(|k| beyond * k as f64 / count);
-        let (z, phi) = at.map(|q| (face.foot(end) - face.direction() * q, phi.sample(q)[0])).unzip();
+        let (z, phi) = at.map(|q| (on_face.z - on_face.tangent * q, phi.sample(q)[0])).unzip();
         Some(FreeSurface { z, phi })
     }
 
     /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
     fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> WedgeFlow {
-        let face = Face { draught: self.face.draught + speed * dt, ..self.face };
+        let face = self.face.at_draught(self.face.draught + speed * self.face.keel_speed(self.half_width()) * dt);
         let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt));
         if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
             *at_chine = face.chine();
@@ -148,6 +169,7 @@ impl WedgeFlow {
             surface: at.above.moves(&self.surface, dt),
             face,
             underside,
+            draught: self.draught + speed * dt,
             speed: self.speed + acceleration * dt,
             gravity: self.gravity,
         }
@@ -172,7 +194,7 @@ impl WedgeFlow {
         let times = pairs.flat_map(|(surface, flow)| {
             surface.z.windows(2).zip(flow.velocity.windows(2)).map(|(z, v)| crossing(z, v))
         });
-        times.fold(DRAUGHT_GROWTH * self.face.draught / self.speed.abs(), f64::min)
+        times.fold(DRAUGHT_GROWTH * self.face.draught / self.keel_speed().abs(), f64::min)
     }
 }
 

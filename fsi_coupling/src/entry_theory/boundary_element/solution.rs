@@ -52,13 +52,16 @@ struct Nodes {
     foot: usize,
     /// The node at which the face begins.
     contact: usize,
+    /// Distances of the nodes of the face from the keel along it [m].
+    along: Vec<f64>,
 }
 
 impl WedgeFlow {
     /// EN21 for β and its time derivative, EN23.
     pub(super) fn solve(&self) -> Solution {
-        let WedgeFlow { face, surface, underside, speed, gravity } = self;
-        let Nodes { z: nodes, end, foot, contact } = self.contour();
+        let WedgeFlow { face, surface, underside, gravity, .. } = self;
+        let speed = &self.keel_speed();
+        let Nodes { z: nodes, end, foot, contact, along } = self.contour();
         let n = nodes.len();
         let known = |k: usize| match k.cmp(&contact) {
             Ordering::Less => Known::Potential,
@@ -72,11 +75,11 @@ impl WedgeFlow {
         let mut beta = Complex { phi: self.potential(&nodes, end, foot), psi };
         contour.solve(&mut beta);
         let above = surface.velocity(&beta.psi[..=end]);
-        let on_body = self.body_velocity(&nodes[contact..], &beta.phi[contact..]);
+        let on_body = self.body_velocity(&along, &beta.phi[contact..]);
         let mut below = underside.as_ref().map_or_else(Vec::new, |s| s.velocity(&beta.psi[foot..=contact]));
         if let Some(at_chine) = below.last_mut() {
-            let slope = slope_at_edge(&nodes[contact..], &beta.phi[contact..]);
-            *at_chine = self.on_face(slope); // the water leaves the chine as it comes along the face
+            let slope = slope_at_edge(&along, &beta.phi[contact..]);
+            *at_chine = self.on_face(face.length(), slope); // the water leaves the chine as it comes along the face
         }
 
         // φ_t: p = 0 on the surfaces and in the cut; ψ_t of the body's motion
@@ -96,7 +99,7 @@ impl WedgeFlow {
 
         let pressure_at = |k: usize| {
             let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + gravity * nodes[k].im;
-            [nodes[k].re, -steady, -per_acceleration.phi[k]]
+            [nodes[k].re, -steady * self.speed / speed, -per_acceleration.phi[k]]
         };
         // a node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body
         let with_water = |v: &c64, z: &c64| v.norm_sqr() + phi_t(v, z);
@@ -120,8 +123,12 @@ impl WedgeFlow {
     /// φ on the surfaces and, linear, along the cut; 0 on the face [m²/s]. Across an attached jet it grows with the body's speed normal to its
     /// face.
     fn potential(&self, nodes: &[c64], end: usize, foot: usize) -> Vec<f64> {
-        let WedgeFlow { face, surface, underside, speed, .. } = self;
-        let across = || speed * face.direction().re * face.coordinates(nodes[end])[1];
+        let WedgeFlow { face, surface, underside, .. } = self;
+        let speed = self.keel_speed();
+        let across = || {
+            let on_face = face.nearest(nodes[end], true);
+            speed * on_face.tangent.re * (on_face.z - nodes[end]).norm()
+        };
         let of_end = surface.phi[end];
         let of_foot = underside.as_ref().map_or_else(|| of_end - across(), |underside| underside.phi[0]);
         let share = |k: usize| (nodes[k] - nodes[end]).norm() / (nodes[foot] - nodes[end]).norm();
@@ -136,7 +143,8 @@ impl WedgeFlow {
         let WedgeFlow { face, surface, underside, .. } = self;
         let end = surface.end();
         let size = self.lower_side().finest(end);
-        let below = underside.as_ref().map_or_else(|| face.foot(end), |underside| underside.z[0]);
+        let of_face = face.nearest(end, true);
+        let below = underside.as_ref().map_or(of_face.z, |underside| underside.z[0]);
         let mut z = surface.z.clone();
         let last = z.len() - 1;
         let elements = ((below - end).norm() / size).ceil().max(2.0);
@@ -144,40 +152,43 @@ impl WedgeFlow {
         let foot = z.len() - 1;
         z.extend(underside.iter().flat_map(|underside| &underside.z[1..]));
         let contact = z.len() - 1;
-        let (upper, keel) = (z[contact], face.keel());
-        let wetted = (upper - keel).norm();
+        let wetted = if underside.is_some() { face.length() } else { of_face.along };
         let [at_keel, largest] = FACE_ELEMENTS.map(|x| x * wetted);
-        let from_keel = |s: f64| at_keel + GROWTH * (wetted - s).max(0.0);
-        let along = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest));
-        z.extend(along[1..along.len() - 1].iter().map(|s| upper + (keel - upper) * (s / wetted)));
-        z.push(keel);
-        Nodes { z, end: last, foot, contact }
+        let from_keel = |s: f64| if face.is_keeled() { at_keel + GROWTH * (wetted - s).max(0.0) } else { largest };
+        let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest));
+        let mut along: Vec<f64> = from_end.iter().map(|s| wetted - s).collect();
+        if let Some(keel) = along.last_mut() {
+            *keel = 0.0;
+        }
+        z.extend(along[1..].iter().map(|s| face.place(*s).z));
+        Nodes { z, end: last, foot, contact, along }
     }
 
-    /// Velocity u + iv of the water on the face [m/s]; at the keel it is the wedge's.
-    fn body_velocity(&self, nodes: &[c64], phi: &[f64]) -> Vec<c64> {
-        let along = Spline::new(&arc_length(nodes), phi.iter().copied()).slopes();
-        let mut velocity: Vec<c64> = along.into_iter().map(|slope| self.on_face(slope)).collect();
+    /// Velocity u + iv of the water on the face at distances `along` it [m/s]; at the keel it is the body's.
+    fn body_velocity(&self, along: &[f64], phi: &[f64]) -> Vec<c64> {
+        let from_end: Vec<f64> = along.iter().map(|s| along[0] - s).collect();
+        let slopes = Spline::new(&from_end, phi.iter().copied()).slopes();
+        let mut velocity: Vec<c64> = along.iter().zip(slopes).map(|(s, slope)| self.on_face(*s, slope)).collect();
         if let Some(keel) = velocity.last_mut() {
-            *keel = c64::new(0.0, -self.speed);
+            *keel = c64::new(0.0, -self.keel_speed());
         }
         velocity
     }
 
-    /// Velocity u + iv [m/s] on the face where φ grows by `slope` [m/s] towards the keel.
-    fn on_face(&self, slope: f64) -> c64 {
-        let down = -self.face.direction();
-        (c64::new(slope, self.speed * down.re) / down).conj()
+    /// Velocity u + iv [m/s] at a place `along` the face where φ grows by `slope` [m/s] towards the keel.
+    fn on_face(&self, along: f64, slope: f64) -> c64 {
+        let down = -self.face.place(along).tangent;
+        (c64::new(slope, self.keel_speed() * down.re) / down).conj()
     }
 }
 
 /// EN24: φ_s at an edge at which the flow separates, s the distance from it: U of φ = φ₀ + U s + A s^{3/2} through the first three nodes.
-fn slope_at_edge(nodes: &[c64], phi: &[f64]) -> f64 {
-    let along = |k: usize| {
-        let s = (nodes[k] - nodes[0]).norm();
+fn slope_at_edge(along: &[f64], phi: &[f64]) -> f64 {
+    let at = |k: usize| {
+        let s = along[0] - along[k];
         [s.sqrt(), (phi[k] - phi[0]) / s] // the second is U + A √s
     };
-    let ([root, secant], [further_root, further_secant]) = (along(1), along(2));
+    let ([root, secant], [further_root, further_secant]) = (at(1), at(2));
     (secant * further_root - further_secant * root) / (further_root - root)
 }
 

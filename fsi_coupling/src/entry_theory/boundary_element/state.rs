@@ -1,6 +1,7 @@
 //! The state of the flow: the wedge, its surfaces and its speed.
 
-use super::lower_side::{Face, LowerSide};
+use super::face::Face;
+use super::lower_side::LowerSide;
 use super::surface::FreeSurface;
 
 /// The water about a symmetric wedge that moves downwards.
@@ -10,6 +11,8 @@ pub struct WedgeFlow {
     pub(super) surface: FreeSurface,
     /// The surface that left a wet chine.
     pub(super) underside: Option<FreeSurface>,
+    /// Draught of the bottom [m].
+    pub(super) draught: f64,
     /// Downward speed [m/s].
     pub(super) speed: f64,
     /// Gravity in the water [m/s²].
@@ -19,12 +22,17 @@ pub struct WedgeFlow {
 impl WedgeFlow {
     /// Draught of the keel below still water [m].
     pub fn draught(&self) -> f64 {
-        self.face.draught
+        self.draught
     }
 
     /// Downward speed [m/s].
     pub fn speed(&self) -> f64 {
         self.speed
+    }
+
+    /// Downward speed of the keel [m/s].
+    pub(super) fn keel_speed(&self) -> f64 {
+        self.speed * self.face.keel_speed(self.half_width())
     }
 
     /// Half breadth between the ends of the jets [m].

@@ -1,0 +1,176 @@
+//! The right half of the body's bottom: straight lines and arcs of circles from the keel to the chine.
+
+use faer::c64;
+
+/// Places at which the angle of the bottom is read for the thickness of the jet.
+const PLACES: usize = 16;
+
+/// A line of constant curvature.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    /// Distance of its first point from the keel, along the bottom [m].
+    at: f64,
+    /// Its first point, from the keel [m].
+    from: c64,
+    /// Unit vector outwards at its first point.
+    direction: c64,
+    /// Curvature, positive where the bottom gets steeper [1/m].
+    curvature: f64,
+    length: f64,
+}
+
+impl Piece {
+    /// The point at a distance `s` [m] from its first, and the unit vector outwards there.
+    fn at(&self, s: f64) -> [c64; 2] {
+        let (half, turn) = (0.5 * self.curvature * s, |angle: f64| c64::new(angle.cos(), angle.sin()));
+        let chord = if half.abs() < 1e-9 { s } else { s * half.sin() / half };
+        [self.from + self.direction * turn(half) * chord, self.direction * turn(2.0 * half)]
+    }
+
+    /// Distance from its first point to the place nearest to `z`, which is given from the keel [m].
+    fn nearest(&self, z: c64) -> f64 {
+        let along = (z - self.from) * self.direction.conj();
+        let s = match self.curvature {
+            0.0 => along.re,
+            k => (k * along.re).atan2(1.0 - k * along.im) / k,
+        };
+        s.clamp(0.0, self.length)
+    }
+}
+
+/// A bottom at rest in its own axes, whose keel is at −i draught.
+#[derive(Clone, Debug)]
+pub(super) struct Face {
+    pieces: Vec<Piece>,
+    /// Draught of the keel below still water [m].
+    pub draught: f64,
+    /// What the keel adds to a round bottom.
+    added: Option<Added>,
+}
+
+/// A keel that was added to a round bottom.
+#[derive(Clone, Copy, Debug)]
+struct Added {
+    /// Area on one side [m²].
+    area: f64,
+    /// Radius of the bottom [m].
+    radius: f64,
+    /// Half width of the keel [m].
+    least: f64,
+}
+
+/// A place on the bottom, or on the straight line that goes on from its chine.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Distance from the keel along the bottom [m].
+    pub along: f64,
+    pub z: c64,
+    /// Unit vector outwards.
+    pub tangent: c64,
+}
+
+impl Face {
+    /// A straight face at the angle β to the water, `length` [m] long.
+    pub fn straight(beta: f64, length: f64) -> Face {
+        Face::of(c64::new(beta.cos(), beta.sin()), 0.0, length)
+    }
+
+    /// An arc of a circle, `end` [rad] long, whose lowest part is replaced by its tangents at the angle `keel` [rad].
+    pub fn arc(radius: f64, end: f64, keel: f64) -> Face {
+        let tangent = Face::straight(keel, radius * keel.tan());
+        let Place { z: from, tangent: direction, along: at } = tangent.place(tangent.length());
+        let arc = Piece { at, from, direction, curvature: 1.0 / radius, length: radius * (end - keel) };
+        let added = Added { area: 0.5 * radius * radius * (keel.tan() - keel), radius, least: radius * keel.sin() };
+        Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, added: Some(added) }
+    }
+
+    fn of(direction: c64, curvature: f64, length: f64) -> Face {
+        Face { pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }], draught: 0.0, added: None }
+    }
+
+    /// The same bottom with its keel at another draught [m].
+    pub fn at_draught(&self, draught: f64) -> Face {
+        Face { draught, ..self.clone() }
+    }
+
+    fn last(&self) -> &Piece {
+        &self.pieces[self.pieces.len() - 1]
+    }
+
+    /// Length from the keel to the chine [m].
+    pub fn length(&self) -> f64 {
+        self.last().at + self.last().length
+    }
+
+    /// The place at a distance from the keel [m].
+    pub fn place(&self, along: f64) -> Place {
+        let after = self.pieces.partition_point(|piece| piece.at <= along);
+        let piece = &self.pieces[after.max(1) - 1];
+        let s = along - piece.at;
+        let [z, tangent] = piece.at(s.min(piece.length));
+        Place { along, z: self.keel() + z + tangent * (s - piece.length).max(0.0), tangent }
+    }
+
+    pub fn keel(&self) -> c64 {
+        c64::new(0.0, -self.draught)
+    }
+
+    pub fn chine(&self) -> c64 {
+        self.place(self.length()).z
+    }
+
+    /// The place on the bottom that is nearest to `z`; `beyond`: or on the straight line beyond the chine.
+    pub fn nearest(&self, z: c64, beyond: bool) -> Place {
+        let from_keel = z - self.keel();
+        let end = self.place(self.length());
+        let over = if beyond { ((z - end.z) * end.tangent.conj()).re.max(0.0) } else { 0.0 };
+        let places = self.pieces.iter().map(|piece| piece.at + piece.nearest(from_keel)).chain([end.along + over]);
+        let nearer = |best: Place, here: Place| if (here.z - z).norm() < (best.z - z).norm() { here } else { best };
+        places.map(|along| self.place(along)).fold(self.place(0.0), nearer)
+    }
+
+    /// Is there a corner at the keel?
+    pub fn is_keeled(&self) -> bool {
+        self.pieces[0].direction.im > 1e-6
+    }
+
+    /// EN24b: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
+    pub fn keel_speed(&self, c: f64) -> f64 {
+        self.added.map_or(1.0, |Added { area, radius, least }| {
+            1.0 + 4.0 * area * radius / (std::f64::consts::PI * c.max(least).powi(3))
+        })
+    }
+
+    /// Angle to the water of the straight face with the same jet (Wagner 1932), wet to a distance from the keel [m]:
+    /// ∫₀^{π/2} β(along sin θ) sin θ dθ.
+    pub fn equivalent_angle(&self, along: f64) -> f64 {
+        let step = 0.5 * std::f64::consts::PI / PLACES as f64;
+        let weights = (0..PLACES).map(|k| ((k as f64 + 0.5) * step).sin());
+        let total: f64 = weights.clone().sum();
+        weights.map(|w| w * self.place(along * w).tangent.arg()).sum::<f64>() / total
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_of_an_arc_and_of_the_line_beyond_it() {
+        let (radius, angle) = (2.0, 1.2_f64);
+        let face = Face::arc(radius, radius * angle).at_draught(0.3);
+        for at in [0.0, 0.3, 1.0, 1.2] {
+            let place = face.place(radius * at);
+            let exact = c64::new(radius * at.sin(), radius * (1.0 - at.cos()) - 0.3);
+            assert!((place.z - exact).norm() < 1e-14 && (place.tangent.arg() - at).abs() < 1e-14, "{at}: {place:?}");
+            let beside = place.z + place.tangent * c64::new(0.0, -0.1);
+            let nearest = face.nearest(beside, true);
+            assert!((nearest.along - place.along).abs() < 1e-12, "{at}: {nearest:?}");
+        }
+        let beyond = face.chine() + face.place(face.length()).tangent * 0.25;
+        assert!((face.nearest(beyond, true).along - face.length() - 0.25).abs() < 1e-12);
+        assert!((face.nearest(beyond, false).along - face.length()).abs() < 1e-12);
+        // a flat arc's jet is that of a wedge of π/4 times its angle
+        assert!((face.equivalent_angle(0.8) / (0.25 * std::f64::consts::PI * 0.4) - 1.0).abs() < 1e-3);
+    }
+}
