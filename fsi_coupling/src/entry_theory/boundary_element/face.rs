@@ -44,6 +44,8 @@ pub(super) struct Face {
     pieces: Vec<Piece>,
     /// Draught of the keel below still water [m].
     pub draught: f64,
+    /// Distance from the keel at which the flow leaves it [m]; infinite where that is the chine.
+    left_at: f64,
     /// What the keel adds to a round bottom.
     added: Option<Added>,
 }
@@ -81,11 +83,21 @@ impl Face {
         let Place { z: from, tangent: direction, along: at } = tangent.place(tangent.length());
         let arc = Piece { at, from, direction, curvature: 1.0 / radius, length: radius * (end - keel) };
         let added = Added { area: 0.5 * radius * radius * (keel.tan() - keel), radius, least: radius * keel.sin() };
-        Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, added: Some(added) }
+        Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added) }
     }
 
     fn of(direction: c64, curvature: f64, length: f64) -> Face {
-        Face { pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }], draught: 0.0, added: None }
+        Face { pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }], draught: 0.0, left_at: f64::INFINITY, added: None }
+    }
+
+    /// The same bottom whose flow leaves it at a distance from the keel [m], at its chine at the latest.
+    pub fn left_at(&self, along: f64) -> Face {
+        Face { left_at: along.min(self.whole_length()), ..self.clone() }
+    }
+
+    /// Does it bend at a distance from the keel [m]?
+    pub fn is_curved(&self, along: f64) -> bool {
+        self.pieces.iter().any(|piece| piece.at < along && along <= piece.at + piece.length && piece.curvature > 0.0)
     }
 
     /// The same bottom with its keel at another draught [m].
@@ -98,8 +110,13 @@ impl Face {
     }
 
     /// Length from the keel to the chine [m].
-    pub fn length(&self) -> f64 {
+    pub fn whole_length(&self) -> f64 {
         self.last().at + self.last().length
+    }
+
+    /// Length from the keel to the place where the flow leaves it [m].
+    pub fn length(&self) -> f64 {
+        self.left_at.min(self.whole_length())
     }
 
     /// The place at a distance from the keel [m].
@@ -115,14 +132,15 @@ impl Face {
         c64::new(0.0, -self.draught)
     }
 
-    pub fn chine(&self) -> c64 {
+    /// Where the flow leaves it.
+    pub fn edge(&self) -> c64 {
         self.place(self.length()).z
     }
 
     /// The place on the bottom that is nearest to `z`; `beyond`: or on the straight line beyond the chine.
     pub fn nearest(&self, z: c64, beyond: bool) -> Place {
         let from_keel = z - self.keel();
-        let end = self.place(self.length());
+        let end = self.place(self.whole_length());
         let over = if beyond { ((z - end.z) * end.tangent.conj()).re.max(0.0) } else { 0.0 };
         let places = self.pieces.iter().map(|piece| piece.at + piece.nearest(from_keel)).chain([end.along + over]);
         let nearer = |best: Place, here: Place| if (here.z - z).norm() < (best.z - z).norm() { here } else { best };
@@ -167,7 +185,7 @@ mod tests {
             let nearest = face.nearest(beside, true);
             assert!((nearest.along - place.along).abs() < 1e-12, "{at}: {nearest:?}");
         }
-        let beyond = face.chine() + face.place(face.length()).tangent * 0.25;
+        let beyond = face.edge() + face.place(face.length()).tangent * 0.25;
         assert!((face.nearest(beyond, true).along - face.length() - 0.25).abs() < 1e-12);
         assert!((face.nearest(beyond, false).along - face.length()).abs() < 1e-12);
         // a flat arc's jet is that of a wedge of π/4 times its angle

@@ -37,6 +37,12 @@ const FAR: f64 = 240.0;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
+/// Length of a curved bottom under less than the pressure of the air beside the jet, over the finest element, from which the flow leaves it.
+const DETACHED: f64 = 4.0;
+
+/// Depth of a node in the bottom from which that is wet again, over the length of its element.
+const INSIDE: f64 = 0.05;
+
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("the flow about the wedge ended at a draught of {draught} m, where its downward speed became {speed} m/s")]
@@ -126,6 +132,10 @@ impl WedgeFlow {
             self.underside = Some(underside);
             start = self.solve();
         }
+        if let Some(along) = self.detached(&start, acceleration(&start.load)) {
+            self.detach(&start, along);
+            start = self.solve();
+        }
         let ended = |speed: f64| FlowEnded { draught: self.draught, speed };
         let dt = self.stable_dt(&start);
         let half = self.moved(self.speed, &start, acceleration(&start.load), 0.5 * dt);
@@ -137,7 +147,7 @@ impl WedgeFlow {
         if !(end.is_finite() && end.speed > 0.0 && start.load.force.is_finite()) {
             return Err(ended(end.speed));
         }
-        *self = end.redistributed();
+        *self = end.attached().redistributed();
         Ok((dt, start.load))
     }
 
@@ -158,12 +168,61 @@ impl WedgeFlow {
         Some(FreeSurface { z, phi })
     }
 
+    /// EN24: where the flow leaves a curved bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
+    fn detached(&self, now: &Solution, rate: f64) -> Option<f64> {
+        let pressure = &now.load.pressure;
+        let from = pressure.iter().skip(1).position(|[_, steady, added]| steady + added * rate > 0.0)? + 1;
+        let (along, size) = (now.along[from], self.lower_side().finest(self.surface.end()));
+        let below = now.along[0] - along;
+        (self.face.is_curved(along) && below > DETACHED * size).then_some(along)
+    }
+
+    /// EN24: where the surface that left a curved bottom has come back to it, the bottom is wet again.
+    fn attached(mut self) -> WedgeFlow {
+        let Some(underside) = &mut self.underside else { return self };
+        if self.face.length() >= self.face.whole_length() {
+            return self;
+        }
+        let size = (underside.z[underside.z.len() - 1] - underside.z[underside.z.len() - 2]).norm();
+        let inside = |z: &c64| {
+            let on_face = self.face.nearest(*z, false);
+            let away = -((z - on_face.z) * on_face.tangent.conj()).im;
+            (away < -INSIDE * size && on_face.along > self.face.length()).then_some(on_face)
+        };
+        let Some((k, on_face)) = underside.z.iter().enumerate().find_map(|(k, z)| Some((k, inside(z)?))) else {
+            return self;
+        };
+        self.face = self.face.left_at(on_face.along);
+        if k < 2 {
+            self.underside = None;
+            self.face = self.face.left_at(f64::INFINITY);
+            return self;
+        }
+        underside.z.truncate(k + 1);
+        underside.phi.truncate(k + 1);
+        underside.z[k] = on_face.z;
+        self
+    }
+
+    /// The bottom ends at a distance from the keel [m]; what is beyond is a free surface from now on.
+    fn detach(&mut self, now: &Solution, along: f64) {
+        let kept = now.along.iter().take_while(|at| **at >= along).count();
+        let mut freed = FreeSurface { z: now.face()[..kept].to_vec(), phi: now.phi_on_face()[..kept].to_vec() };
+        if let Some(underside) = &self.underside {
+            let before = underside.z.len() - 1;
+            freed.z.splice(..0, underside.z[..before].iter().copied());
+            freed.phi.splice(..0, underside.phi[..before].iter().copied());
+        }
+        self.underside = Some(freed);
+        self.face = self.face.left_at(along);
+    }
+
     /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
     fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> WedgeFlow {
         let face = self.face.at_draught(self.face.draught + speed * self.face.keel_speed(self.half_width()) * dt);
         let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt));
         if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
-            *at_chine = face.chine();
+            *at_chine = face.edge();
         }
         WedgeFlow {
             surface: at.above.moves(&self.surface, dt),

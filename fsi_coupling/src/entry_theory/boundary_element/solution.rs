@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use faer::c64;
 
 use super::cauchy::{Complex, Contour, Known};
-use super::elements::{GROWTH, arc_length, graded, grown};
+use super::elements::{GROWTH, graded, grown};
 use super::spline::Spline;
 use super::state::WedgeFlow;
 use super::surface::FreeSurface;
@@ -40,6 +40,8 @@ pub(super) struct Solution {
     beta: Complex,
     /// The node at which the face begins.
     contact: usize,
+    /// Distances of the face's nodes from the keel along it [m].
+    pub along: Vec<f64>,
     pub load: WedgeLoad,
 }
 
@@ -105,7 +107,7 @@ impl WedgeFlow {
         let with_water = |v: &c64, z: &c64| v.norm_sqr() + phi_t(v, z);
         let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(|(v, z)| with_water(v, z)).collect();
         if let (Some(at_chine), Some(v)) = (rate_below.last_mut(), below.last()) {
-            *at_chine = phi_t(v, &face.chine()) - speed * v.im;
+            *at_chine = phi_t(v, &face.edge()) - speed * v.im;
         }
         Solution {
             above: SurfaceFlow {
@@ -117,6 +119,7 @@ impl WedgeFlow {
             beta,
             nodes,
             contact,
+            along,
         }
     }
 
