@@ -4,8 +4,8 @@ fn main() {
     let a: Vec<f64> = std::env::args().skip(1).map(|x| x.parse().unwrap()).collect();
     let (start, end) = (a[0], a[1]);
     let clock = std::time::Instant::now();
-    let mut flow = WedgeFlow::of_arc(1.0, 2.0, 1.0, 0.0, start, a[2]).unwrap();
     let section = Section::arc(1.0, 2.0).unwrap();
+    let mut flow = EntryFlow::new(&section, start, 1.0, a[2]).unwrap();
     let mlm = Loads::new(EntryModel::Mlm, &section).unwrap();
     let mut next = -1.0;
     let mut k = 0;

@@ -1,6 +1,6 @@
 //! Fully nonlinear potential flow by boundary elements (THEORY EN20–EN24) against the similarity solution and others' boundary elements.
 
-use fsi_coupling::entry_theory::{SectionMotion, SimilarityFlow, WedgeEntry, WedgeFlow, WedgeLoad};
+use fsi_coupling::entry_theory::{EntryFlow, FlowEntry, FlowLoad, Section, SectionMotion, SimilarityFlow};
 use scenarios::model_hierarchy::{QuantityOfInterest, Theory, measured};
 use scenarios::run::{RunOptions, run};
 
@@ -10,12 +10,17 @@ use evidence::systems::scene;
 const START: f64 = 0.1;
 const SPEED: f64 = 2.0;
 
+/// A wedge whose chines stay dry.
+fn wedge(deadrise_deg: f64) -> Section {
+    Section::wedge(deadrise_deg, 100.0).expect("a section")
+}
+
 /// At constant speed without gravity force and largest pressure stay those of the exact solution, at deadrises beside the round ones too.
 #[test]
 fn a_wedge_at_constant_speed_has_the_similar_flow() {
     for deadrise in [13.0, 22.0, 30.0, 37.0, 38.0, 43.5, 52.0, 60.0] {
         let exact = SimilarityFlow::solve(deadrise).expect("a solution");
-        let mut flow = WedgeFlow::new(deadrise, f64::INFINITY, START, SPEED, 0.0).expect("in range");
+        let mut flow = EntryFlow::new(&wedge(deadrise), START, SPEED, 0.0).expect("in range");
         let mut samples = Vec::new();
         while flow.draught() < 3.0 * START {
             let draught = flow.draught();
@@ -48,11 +53,11 @@ fn a_free_wedge_slows_down_as_in_others_boundary_elements() {
             [1e-3 * time.parse::<f64>().expect("ms"), speed.parse().expect("m/s")]
         })
         .collect();
-    let mut flow = WedgeFlow::new(25.0, f64::INFINITY, start, 5.05, gravity).expect("in range");
+    let mut flow = EntryFlow::new(&wedge(25.0), start, 5.05, gravity).expect("in range");
     let (mut time, mut ours) = (start / 5.05, Vec::new());
     while flow.draught() < 0.15 {
         ours.push([time, flow.speed()]);
-        let load = |load: &WedgeLoad| (mass * gravity - density * load.force) / (mass + density * load.added_mass);
+        let load = |load: &FlowLoad| (mass * gravity - density * load.force) / (mass + density * load.added_mass);
         time += flow.step(load).expect("a step").0;
     }
     let at = |t: f64| {
@@ -70,7 +75,7 @@ fn a_free_wedge_slows_down_as_in_others_boundary_elements() {
 /// A wedge that is stopped ends the flow with place and speed.
 #[test]
 fn a_wedge_that_stops_is_told() {
-    let mut flow = WedgeFlow::new(30.0, f64::INFINITY, START, SPEED, 9.81).expect("in range");
+    let mut flow = EntryFlow::new(&wedge(30.0), START, SPEED, 9.81).expect("in range");
     let ended = (0..1000).find_map(|_| flow.step(|_| -1000.0).err()).expect("an end");
     assert!(ended.speed <= 0.0 && ended.draught == flow.draught(), "{ended}");
 }
@@ -79,11 +84,11 @@ fn a_wedge_that_stops_is_told() {
 #[test]
 fn what_is_outside_the_range_is_refused() {
     for (deadrise, next) in [(9.0, "similarity"), (61.0, "wcsph")] {
-        let refused = WedgeFlow::new(deadrise, f64::INFINITY, START, SPEED, 0.0).expect_err("out of range").to_string();
+        let refused = EntryFlow::new(&wedge(deadrise), START, SPEED, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("10 to 60°") && refused.contains(next), "{refused}");
     }
     for (draught, speed) in [(0.0, SPEED), (START, -1.0), (f64::NAN, SPEED)] {
-        let refused = WedgeFlow::new(30.0, f64::INFINITY, draught, speed, 0.0).expect_err("out of range").to_string();
+        let refused = EntryFlow::new(&wedge(30.0), draught, speed, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("above zero"), "{refused}");
     }
 }
@@ -94,14 +99,15 @@ fn what_is_outside_the_range_is_refused() {
 fn a_free_drop_forgets_where_its_flow_begins() {
     let (deadrise_deg, breadth, mass, gravity, density, speed) = (30.0_f64, 0.5, 60.0, 9.81, 1000.0, 4.0);
     let wet = 0.5 * breadth * deadrise_deg.to_radians().tan() * std::f64::consts::FRAC_2_PI;
-    let entry =
-        WedgeEntry { deadrise_deg, breadth, motion: SectionMotion::Free(mass), draught: 0.0, speed, gravity, density };
+    let section = Section::wedge(deadrise_deg, breadth).expect("a section");
+    let motion = SectionMotion::Free(mass);
+    let entry = FlowEntry { section: &section, motion, draught: 0.0, speed, gravity, density };
     let times: Vec<f64> = (0..=300).map(|k| 2e-4 * f64::from(k)).collect();
     let (instants, history, end) = entry.solve(&times).expect("in range");
     assert!(end.is_none(), "{end:?}");
     let begin = wet / 30.0;
-    let mut flow = WedgeFlow::new(deadrise_deg, breadth, begin, speed, gravity).expect("in range");
-    let rate = |load: &WedgeLoad| (mass * gravity - density * load.force) / (mass + density * load.added_mass);
+    let mut flow = EntryFlow::new(&section, begin, speed, gravity).expect("in range");
+    let rate = |load: &FlowLoad| (mass * gravity - density * load.force) / (mass + density * load.added_mass);
     let mut compared = [0, 0];
     while flow.draught() < 1.6 * wet {
         let (draught, speed, chines_wet) = (flow.draught(), flow.speed(), flow.chines_wet());

@@ -186,6 +186,7 @@ fn a_free_drop_by_the_modified_logvinovich_model() {
             gravity: 9.81,
             density: 1000.0,
             buoyancy: false,
+            steep: false,
         };
         let dry = entry.solve(&times).expect("in range");
         let peak = table.rows.iter().map(|row| row[4]).fold(0.0, f64::max);
@@ -208,6 +209,7 @@ fn von_karmans_momentum_is_kept() {
         gravity: 0.0,
         density: 1000.0,
         buoyancy: true,
+        steep: false,
     };
     let times: Vec<f64> = (0..=100).map(|k| 0.0005 * f64::from(k)).collect();
     for now in entry.solve(&times).expect("in range") {
@@ -265,6 +267,7 @@ fn what_a_model_cannot_do_is_refused_with_its_range_and_the_next_that_can() {
         gravity: 9.81,
         density: 1000.0,
         buoyancy: true,
+        steep: false,
     };
     let times: Vec<f64> = (0..=1000).map(|k| 0.001 * f64::from(k)).collect();
     let refused = entry.solve(&times).expect_err("it comes back up");

@@ -29,6 +29,8 @@ pub struct Entry<'a> {
     pub density: f64,
     /// Does still water bear the part of the section below it?
     pub buoyancy: bool,
+    /// Is it followed where its bottom gets steeper than the theory's range?
+    pub steep: bool,
 }
 
 /// The section at a moment.
@@ -109,6 +111,9 @@ impl Entry<'_> {
         if now.speed <= 0.0 && now.draught > 0.0 {
             let what = format!("a body that leaves the water, from t = {:.4} s on", now.time);
             return Err(OutOfRange { what, range: "bodies on their way down".into(), next: EntryModel::Wcsph });
+        }
+        if self.steep {
+            return Ok(());
         }
         self.loads.model().covers(self.loads.section(), now.wetted)
     }

@@ -1,8 +1,8 @@
 //! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24).
 //!
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
-//! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`WedgeFlow`] the flow about one in any vertical motion,
-//! [`WedgeEntry`] that motion, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
+//! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
+//! [`FlowEntry`] that motion, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
 //!
 //! ```
 //! use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
@@ -27,7 +27,7 @@ mod model;
 mod section;
 mod similarity;
 
-pub use boundary_element::{FlowEnded, FlowHistory, WedgeEntry, WedgeFlow, WedgeLoad};
+pub use boundary_element::{FlowEnded, FlowHistory, FlowEntry, EntryFlow, FlowLoad};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};

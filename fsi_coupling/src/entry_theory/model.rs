@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::similarity::DEADRISES;
 
-/// Deadrises of boundary elements [deg].
+/// Deadrises of wedges for boundary elements [deg].
 pub const BOUNDARY_ELEMENT_DEADRISES: [f64; 2] = [10.0, 60.0];
 
 /// A model of a body's entry into water.
@@ -20,7 +20,8 @@ pub enum EntryModel {
     Mlm,
     /// The exact flow about a wedge at constant speed (Dobrovolskaya 1969), and an added mass where the speed changes.
     Similarity,
-    /// Fully nonlinear potential flow about a wedge by boundary elements (Zhao & Faltinsen 1993): free motion, gravity, wet chines.
+    /// Fully nonlinear potential flow about a wedge or an arc of a circle by boundary elements (Zhao & Faltinsen 1993): free motion, gravity,
+    /// wet chines.
     BoundaryElement,
     /// Weakly compressible particles.
     Wcsph,

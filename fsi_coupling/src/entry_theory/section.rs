@@ -10,6 +10,12 @@ const LEAST_DEADRISE_DEG: f64 = 4.0;
 const CONTINUATION_DEG: f64 = 60.0;
 /// Depth of a dent over the breadth up to which a bottom counts as convex: points are rounded [-].
 const DENT: f64 = 1e-4;
+/// Least angle at the ends of an arc for boundary elements [deg].
+const LEAST_ARC_DEG: f64 = 20.0;
+/// Corners on one side of the keel from which they may stand for a circle.
+const LEAST_ON_CIRCLE: usize = 6;
+/// Largest difference of the radii through them [-].
+const OFF_CIRCLE: f64 = 0.005;
 /// Corners of half an arc.
 const ARC_CORNERS: usize = 96;
 
@@ -19,8 +25,8 @@ const ARC_CORNERS: usize = 96;
 pub struct Section {
     corners: Vec<[f64; 2]>,
     slopes: Vec<f64>,
-    /// Do the corners stand for a curve?
-    smooth: bool,
+    /// Radius of the circle for which the corners stand [m].
+    radius: Option<f64>,
 }
 
 impl Section {
@@ -36,7 +42,7 @@ impl Section {
         if slopes[0] < 0.0 {
             return Err(not_a_section("a bottom that falls beside its keel"));
         }
-        Ok(Section { corners, slopes, smooth: false })
+        Ok(Section { corners, slopes, radius: None })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -51,7 +57,7 @@ impl Section {
         let at = |k: usize| end * (k as f64 / ARC_CORNERS as f64).powf(1.5);
         let corner = |k: usize| [radius * at(k).sin(), 2.0 * radius * (0.5 * at(k)).sin().powi(2)];
         let corners: Vec<[f64; 2]> = (0..=ARC_CORNERS).map(corner).collect();
-        Ok(Section { smooth: true, ..Section::new(&corners)? })
+        Ok(Section { radius: Some(radius), ..Section::new(&corners)? })
     }
 
     /// The bottom of an upright body.
@@ -89,7 +95,28 @@ impl Section {
         if right.len() != left.len() || !right.iter().zip(&left).all(|(a, b)| alike(a, b)) {
             return Err(not_a_section("a section that is lopsided about its keel"));
         }
-        Section::new(&right)?.steep_enough()
+        let section = Section::new(&right)?;
+        match section.circle() {
+            Some(radius) => Section::arc(radius, 2.0 * section.half_breadth()),
+            None => section.steep_enough(),
+        }
+    }
+
+    /// Radius [m] of the circle with a level keel on which all corners lie.
+    fn circle(&self) -> Option<f64> {
+        let radii = || self.corners[1..].iter().map(|[x, y]| (x * x + y * y) / (2.0 * y));
+        let (least, most) = radii().fold((f64::INFINITY, 0.0_f64), |(low, high), r| (low.min(r), high.max(r)));
+        (self.corners.len() > LEAST_ON_CIRCLE && most - least < OFF_CIRCLE * most).then_some(0.5 * (least + most))
+    }
+
+    /// Angle at the end of a round bottom [deg].
+    fn last_angle_deg(&self) -> f64 {
+        (self.half_breadth() / self.radius.unwrap_or(f64::INFINITY)).min(1.0).asin().to_degrees()
+    }
+
+    /// Radius of a round bottom [m]; `None` for other bottoms.
+    pub fn radius(&self) -> Option<f64> {
+        self.radius
     }
 
     fn steep_enough(self) -> Result<Section, OutOfRange> {
@@ -140,7 +167,7 @@ impl Section {
         if k > last {
             return self.pieces().last().map_or(f64::INFINITY, |[.., slope]| slope);
         }
-        if !self.smooth {
+        if self.radius.is_none() {
             return self.slopes[k];
         }
         // at a corner the curve has the mean slope of the chords beside it, at its ends that of the parabola
@@ -207,8 +234,17 @@ impl EntryModel {
         };
         match self {
             _ if !self.is_theory() => Ok(()),
-            EntryModel::Similarity | EntryModel::BoundaryElement if section.deadrise_deg().is_none() => {
+            EntryModel::BoundaryElement if section.radius().is_some() => match section.last_angle_deg() {
+                end if end < LEAST_ARC_DEG => {
+                    refuse(format!("an arc that ends at {end:.1} degrees"), format!("arcs of {LEAST_ARC_DEG} degrees and more"))
+                }
+                _ => Ok(()),
+            },
+            EntryModel::Similarity if section.deadrise_deg().is_none() => {
                 refuse("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees"))
+            }
+            EntryModel::BoundaryElement if section.deadrise_deg().is_none() => {
+                refuse("a bent bottom".into(), format!("wedges of {least} to {most} degrees and arcs of circles"))
             }
             EntryModel::Similarity if reach > section.half_breadth() => {
                 refuse("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into())

@@ -52,8 +52,11 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
     EntryModel::ALL.into_iter().filter(|model| model.is_theory()).map(assessed).collect()
 }
 
+/// Slope of the wedge whose flow takes as long as one about a round bottom [-].
+const ROUND_STARTS_AS: f64 = 0.32;
+
 /// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β.
 fn flow_seconds(theory: &Theory) -> f64 {
-    let slope = theory.section.slope(0.0);
+    let slope = theory.section.deadrise_deg().map_or(ROUND_STARTS_AS, |deadrise| deadrise.to_radians().tan());
     0.15 + 0.22 / (slope * slope)
 }

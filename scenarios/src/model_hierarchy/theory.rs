@@ -2,7 +2,7 @@
 
 use fsi_coupling::Motion as BodyMotion;
 use fsi_coupling::entry_theory::{
-    Entry, EntryModel, FlowHistory, Instant, Loads, OutOfRange, Section, SectionMotion, WedgeEntry,
+    Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, Section, SectionMotion,
 };
 
 use super::elastic_wedge::Faces;
@@ -54,6 +54,11 @@ impl Theory {
     /// # Errors
     /// The feature of the scene outside the theory's range from the start.
     pub fn while_in_range(scene: &Scene, model: EntryModel) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
+        Theory::solved(scene, model, false)
+    }
+
+    /// `steep`: a formula is followed where the bottom gets steeper than its range.
+    fn solved(scene: &Scene, model: EntryModel, steep: bool) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
         let (body, section, motion) = symmetric_entry(scene)?;
         if body.bends() {
             return bending(scene, model, body, section);
@@ -63,14 +68,12 @@ impl Theory {
         let times = sample_times(scene);
         let (instants, source, end) = if model.is_formula() {
             let loads = Loads::new(model, &section)?;
-            let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true };
+            let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep };
             let (instants, end) = entry.solve_while_in_range(&times);
             (instants, Source::Loads(loads), end)
         } else {
             model.covers(&section, 0.0)?;
-            let deadrise_deg = section.deadrise_deg().unwrap_or(f64::NAN);
-            let breadth = 2.0 * section.half_breadth();
-            let entry = WedgeEntry { deadrise_deg, breadth, motion, draught, speed, gravity, density };
+            let entry = FlowEntry { section: &section, motion, draught, speed, gravity, density };
             let (instants, history, end) = entry.solve(&times)?;
             (instants, Source::Flow(history), end)
         };
@@ -96,7 +99,7 @@ impl Theory {
             return bending(scene, model, body, section);
         }
         model.covers(&section, 0.0)?;
-        let (theory, end) = Theory::while_in_range(scene, EntryModel::Mlm)?;
+        let (theory, end) = Theory::solved(scene, EntryModel::Mlm, true)?;
         let breadth = 2.0 * section.half_breadth();
         let wet_at_first =
             body.draught() > 0.0 && theory.instants.first().is_some_and(|now| 2.0 * now.wetted >= breadth);
@@ -104,10 +107,12 @@ impl Theory {
             return Err(refuse("one whose chines are wet at the start"));
         }
         let too_deep =
-            theory.instants.iter().find(|now| now.draught > WedgeEntry::DEEPEST * breadth).map(|now| {
+            theory.instants.iter().find(|now| now.draught > FlowEntry::DEEPEST * breadth).map(|now| {
                 refuse(&format!("from t = {} s on one that is deeper than its breadth", significant(now.time)))
             });
-        let end = too_deep.or(end.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end }));
+        // deep under a round bottom the formula is not near
+        let of_formula = end.filter(|_| section.radius().is_none());
+        let end = too_deep.or(of_formula.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end }));
         Ok((Theory { model, ..theory }, end))
     }
 

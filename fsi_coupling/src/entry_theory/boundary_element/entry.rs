@@ -1,9 +1,11 @@
-//! The vertical motion of a wedge that enters water, by boundary elements.
+//! The vertical motion of a section that enters water, by boundary elements.
 
 use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
-use super::solution::WedgeLoad;
-use super::state::WedgeFlow;
+use super::super::section::Section;
+use super::before::Before;
+use super::solution::FlowLoad;
+use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 const BEGIN: f64 = 1.0 / 6.0;
@@ -14,13 +16,11 @@ const STOPPED: f64 = 1e-3;
 /// The same for a flow that ended.
 const NEARLY_STOPPED: f64 = 0.05;
 
-/// A wedge on its way into still water.
+/// A section on its way into still water.
 #[derive(Clone, Copy, Debug)]
-pub struct WedgeEntry {
-    /// Deadrise [deg].
-    pub deadrise_deg: f64,
-    /// Breadth at the chines [m].
-    pub breadth: f64,
+pub struct FlowEntry<'a> {
+    /// A wedge, or an arc of a circle.
+    pub section: &'a Section,
     /// How it moves.
     pub motion: SectionMotion,
     /// Draught of the keel at t = 0 [m]; negative above the water.
@@ -43,47 +43,44 @@ struct Step {
     pressure: Vec<[f64; 2]>,
 }
 
-/// A wedge's entry, step by step.
+/// A section's entry, step by step.
 #[derive(Clone, Debug)]
 pub struct FlowHistory {
     steps: Vec<Step>,
     times: Vec<f64>,
 }
 
-impl WedgeEntry {
-    /// Deepest draught, over the breadth [-]: beyond, the surface beside wet chines breaks up.
+impl FlowEntry<'_> {
+    /// Deepest draught under a section, over its breadth [-]: beyond, the surface beside wet chines breaks up.
     pub const DEEPEST: f64 = 1.0;
 
-    /// The wedge at `times` [s], which increase from 0 on, as far as the flow can be followed, and why not further. Before the flow begins the
-    /// load is that of the similar flow, A V² + M dV/dt.
+    /// The section at `times` [s], which increase from 0 on, as far as the flow can be followed, and why not further. Before the flow begins the
+    /// load is that of the similar flow of a wedge, A V² + M dV/dt, and that of the modified Logvinovich model under a round bottom.
     ///
     /// # Errors
-    /// As [`WedgeFlow::new`]; a flow that cannot be followed for two steps.
+    /// As [`EntryFlow::new`]; a flow that cannot be followed for two steps.
     pub fn solve(&self, times: &[f64]) -> Result<(Vec<Instant>, FlowHistory, Option<OutOfRange>), OutOfRange> {
         let end = times.last().copied().unwrap_or(0.0);
         let falls = matches!(self.motion, SectionMotion::Free(_));
         let g = if falls { self.gravity } else { 0.0 };
         let in_air = if self.draught < 0.0 { fall_time(-self.draught, self.speed, g) } else { 0.0 };
         let at_contact = self.speed + g * in_air;
-        let tan = self.deadrise_deg.to_radians().tan();
-        let wet = 0.5 * self.breadth * tan * std::f64::consts::FRAC_2_PI;
-        let left = end - in_air;
-        let last = (self.draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
-        let begin = if self.draught > 0.0 { self.draught } else { BEGIN * last.max(1e-9 * wet) };
-        let mut flow = WedgeFlow::new(self.deadrise_deg, self.breadth, begin, at_contact, self.gravity)?;
+        let begin = self.begin(at_contact, end - in_air, g);
+        let mut flow = EntryFlow::new(self.section, begin, at_contact, self.gravity)?;
+        let calm = EntryFlow { gravity: 0.0, ..flow.clone() };
+        let before = Before::new(self.section, &calm, self.gravity)?;
 
         let (mut steps, mut time) = (self.in_air(in_air, g), in_air);
         if self.draught <= 0.0 {
-            let similar = WedgeFlow { gravity: 0.0, ..flow.clone() }.load();
             let speed;
-            [time, speed] = self.until_the_flow(&mut steps, &similar, begin, [in_air, at_contact]);
+            [time, speed] = self.until_the_flow(&mut steps, &before, begin, [in_air, at_contact]);
             flow = flow.at_speed(speed);
         }
-        steps.extend(self.followed(flow, time, end, STOPPED * at_contact));
+        steps.extend(self.followed(flow, &before, time, end, STOPPED * at_contact));
         if steps.len() < 2 {
             return Err(OutOfRange {
                 what: format!("one whose flow breaks up at once, at a draught of {begin:.4} m"),
-                range: "boundary elements follow a wedge on its way down".into(),
+                range: "boundary elements follow a section on its way down".into(),
                 next: EntryModel::Wcsph,
             });
         }
@@ -94,21 +91,39 @@ impl WedgeEntry {
         let over = (instants.len() < times.len()).then(|| {
             let now = history.steps[history.steps.len() - 1].now;
             let why = match now {
-                _ if now.draught > WedgeEntry::DEEPEST * self.breadth => "one deeper than its breadth",
+                _ if now.draught > self.deepest() => "one deeper than its breadth",
                 _ if now.speed < NEARLY_STOPPED * at_contact => "one that leaves the water",
                 _ => "one whose flow breaks up",
             };
             OutOfRange {
                 what: format!("{why} from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught),
-                range: "boundary elements follow a wedge on its way down, to a draught of its breadth".into(),
+                range: "boundary elements follow a section on its way down, to a draught of its breadth".into(),
                 next: EntryModel::Wcsph,
             }
         });
         Ok((instants, history, over))
     }
 
+    /// The draught at which the flow begins [m]: a wedge's from a share of that at which its chines are wet, or at which it would be after
+    /// the time `left` [s] in the water.
+    fn begin(&self, at_contact: f64, left: f64, g: f64) -> f64 {
+        match (self.draught, EntryFlow::first_draught(self.section)) {
+            (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
+            (_, Some(first)) => first,
+            (draught, None) => {
+                let wet = self.section.wagner_draught(self.section.half_breadth());
+                let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
+                BEGIN * last.max(1e-9 * wet)
+            }
+        }
+    }
+
+    fn deepest(&self) -> f64 {
+        FlowEntry::DEEPEST * 2.0 * self.section.half_breadth()
+    }
+
     /// The downward acceleration under a load [m/s²].
-    fn rate(&self, load: &WedgeLoad) -> f64 {
+    fn rate(&self, load: &FlowLoad) -> f64 {
         match self.motion {
             SectionMotion::Constant => 0.0,
             SectionMotion::Free(mass) => {
@@ -134,25 +149,23 @@ impl WedgeEntry {
         (0..count).map(|k| at(contact * k as f64 / count as f64)).collect()
     }
 
-    /// From contact at [time, speed] to the draught `begin` under the load `similar` of that draught: midpoint rule in the draught. Returns
-    /// time and speed there.
+    /// From contact at [time, speed] to the draught `begin` under the load before the flow: midpoint rule in the draught. Returns time and
+    /// speed there.
     fn until_the_flow(
         &self,
         steps: &mut Vec<Step>,
-        similar: &WedgeLoad,
+        before: &Before,
         begin: f64,
         [mut time, mut speed]: [f64; 2],
     ) -> [f64; 2] {
-        let contact_speed = speed;
         let dh = begin / STEPS_BEFORE as f64;
-        let load = |h: f64, v: f64| similar.scaled(h / begin, v / contact_speed);
         for k in 0..STEPS_BEFORE {
             let draught = dh * k as f64;
-            let now = load(draught, speed);
+            let now = before.load(draught, speed);
             let rate = self.rate(&now);
             steps.push(self.step_of([time, draught, speed, rate], &now, [now.half_breadth(); 2]));
             let half = speed + rate * 0.5 * dh / speed;
-            let rate = self.rate(&load(draught + 0.5 * dh, half));
+            let rate = self.rate(&before.load(draught + 0.5 * dh, half));
             time += dh / half;
             speed += rate * dh / half;
         }
@@ -160,14 +173,16 @@ impl WedgeEntry {
     }
 
     /// The steps of the flow from `time` to `end` [s].
-    fn followed(&self, mut flow: WedgeFlow, mut time: f64, end: f64, stopped: f64) -> Vec<Step> {
+    fn followed(&self, mut flow: EntryFlow, before: &Before, mut time: f64, end: f64, stopped: f64) -> Vec<Step> {
         let mut steps = Vec::new();
         loop {
             let (draught, speed, width) = (flow.draught(), flow.speed(), flow.half_width());
-            let Ok((dt, load)) = flow.step(|load| self.rate(load)) else { break };
-            let face = width.min(0.5 * self.breadth);
+            let instead = |load: &FlowLoad| before.instead_of(load.clone(), draught, speed);
+            let Ok((dt, load)) = flow.step(|load| self.rate(&instead(load))) else { break };
+            let load = instead(&load);
+            let face = load.half_breadth().min(self.section.half_breadth());
             steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
-            if time >= end || speed < stopped || draught > WedgeEntry::DEEPEST * self.breadth {
+            if time >= end || speed < stopped || draught > self.deepest() {
                 break;
             }
             time += dt;
@@ -175,7 +190,7 @@ impl WedgeEntry {
         steps
     }
 
-    fn step_of(&self, [time, draught, speed, rate]: [f64; 4], load: &WedgeLoad, [face, wetted]: [f64; 2]) -> Step {
+    fn step_of(&self, [time, draught, speed, rate]: [f64; 4], load: &FlowLoad, [face, wetted]: [f64; 2]) -> Step {
         let rho = self.density;
         let force = rho * (load.force + load.added_mass * rate);
         Step {
@@ -192,7 +207,7 @@ fn fall_time(height: f64, speed: f64, g: f64) -> f64 {
 }
 
 impl FlowHistory {
-    /// The wedge at a time [s], linear between steps.
+    /// The section at a time [s], linear between steps.
     fn at(&self, time: f64) -> Instant {
         let (k, share) = self.between(time);
         let [a, b] = [&self.steps[k].now, &self.steps[k + 1].now];
@@ -233,22 +248,5 @@ impl Step {
         let after = self.pressure.partition_point(|p| p[0] > x).clamp(1, self.pressure.len() - 1);
         let ([x0, p0], [x1, p1]) = (self.pressure[after - 1], self.pressure[after]);
         if x > x0 || x0 == x1 { 0.0 } else { p0 + (p1 - p0) * ((x0 - x) / (x0 - x1)).min(1.0) }
-    }
-}
-
-impl WedgeLoad {
-    /// Of the similar flow with all lengths times `length` and all velocities times `speed`.
-    fn scaled(&self, length: f64, speed: f64) -> WedgeLoad {
-        let square = speed * speed;
-        WedgeLoad {
-            force: self.force * length * square,
-            added_mass: self.added_mass * length * length,
-            pressure: self.pressure.iter().map(|[x, p, m]| [x * length, p * square, m * length]).collect(),
-        }
-    }
-
-    /// Half breadth of the wet face [m].
-    fn half_breadth(&self) -> f64 {
-        self.pressure.first().map_or(0.0, |p| p[0])
     }
 }

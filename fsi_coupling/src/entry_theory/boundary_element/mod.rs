@@ -1,8 +1,9 @@
-//! Fully nonlinear potential flow about an entering wedge by boundary elements (THEORY EN20–EN24).
+//! Fully nonlinear potential flow about an entering section by boundary elements (THEORY EN20–EN24).
 //!
 //! The surface moves with the water (mixed Eulerian–Lagrangian; Longuet-Higgins & Cokelet 1976, Zhao & Faltinsen 1993), the jet is cut. Per stage
-//! one matrix gives the velocity, the pressure and the added mass. At wet chines the flow separates (Zhao, Faltinsen & Aarsnes 1996).
+//! one matrix gives the velocity, the pressure and the added mass. At wet chines, and where a round bottom turns up, the flow separates (Zhao, Faltinsen & Aarsnes 1996).
 
+mod before;
 mod cauchy;
 mod elements;
 mod entry;
@@ -13,13 +14,16 @@ mod spline;
 mod state;
 mod surface;
 
+use std::f64::consts::FRAC_2_PI;
+
 use faer::c64;
 
-pub use entry::{FlowHistory, WedgeEntry};
-pub use solution::WedgeLoad;
-pub use state::WedgeFlow;
+pub use entry::{FlowHistory, FlowEntry};
+pub use solution::FlowLoad;
+pub use state::EntryFlow;
 
-use super::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
+use super::model::{EntryModel, OutOfRange};
+use super::section::Section;
 use super::similarity::SimilarityFlow;
 use elements::arc_length;
 use face::Face;
@@ -34,6 +38,10 @@ const COURANT: f64 = 1.0;
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
 const FAR: f64 = 240.0;
+/// Angle of the keel that is added to a round bottom [deg].
+const KEEL_DEG: f64 = 15.0;
+/// Half width of the first flow about a round bottom, over that of its keel [-].
+const FIRST_WIDTH: f64 = 0.8;
 /// Length beyond the chine at which the jet's end leaves it, over the finest element.
 const PASSED: f64 = 2.0;
 
@@ -45,7 +53,7 @@ const INSIDE: f64 = 0.05;
 
 /// The flow cannot be followed further.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the flow about the wedge ended at a draught of {draught} m, where its downward speed became {speed} m/s")]
+#[error("the flow about the body ended at a draught of {draught} m, where its downward speed became {speed} m/s")]
 pub struct FlowEnded {
     /// Draught of the keel [m].
     pub draught: f64,
@@ -53,71 +61,89 @@ pub struct FlowEnded {
     pub speed: f64,
 }
 
-impl WedgeFlow {
-    /// A wedge of `deadrise_deg` and `breadth` [m], infinite for one without chines, whose keel has come to `draught` [m] at the constant
-    /// downward `speed` [m/s] without gravity; from now on there is `gravity` [m/s²] in the water. The surface is the exact one (EN20).
+impl EntryFlow {
+    /// A section whose keel has come to `draught` [m] at the constant downward `speed` [m/s] without gravity; from now on there is `gravity`
+    /// [m/s²] in the water. Of a wedge the surface is the exact one (EN20); a round bottom is followed from its first draught (EN24b).
     ///
     /// # Errors
-    /// A deadrise outside [`BOUNDARY_ELEMENT_DEADRISES`]; a draught or a speed that is not above zero; wet chines.
-    pub fn new(
-        deadrise_deg: f64,
-        breadth: f64,
-        draught: f64,
-        speed: f64,
-        gravity: f64,
-    ) -> Result<WedgeFlow, OutOfRange> {
-        let [least, most] = BOUNDARY_ELEMENT_DEADRISES;
-        let similar = SimilarityFlow::solve(deadrise_deg).filter(|_| (least..=most).contains(&deadrise_deg));
-        let Some(similar) = similar else {
-            return Err(OutOfRange {
-                what: format!("{deadrise_deg}°"),
-                range: format!("boundary elements need a deadrise of {least} to {most}°"),
-                next: if deadrise_deg < most { EntryModel::Similarity } else { EntryModel::Wcsph },
-            });
-        };
+    /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc; a draught or a speed that is not above zero; a draught above
+    /// the first; wet chines.
+    pub fn new(section: &Section, draught: f64, speed: f64, gravity: f64) -> Result<EntryFlow, OutOfRange> {
+        EntryModel::BoundaryElement.covers(section, 0.0)?;
         let refused =
             |what: String, range: &str| Err(OutOfRange { what, range: range.into(), next: EntryModel::Wcsph });
         if !(draught > 0.0 && draught.is_finite() && speed > 0.0 && speed.is_finite()) {
             let range = "boundary elements need a draught and a downward speed above zero";
             return refused(format!("{draught} m and {speed} m/s"), range);
         }
-        let beta = deadrise_deg.to_radians();
-        let half_breadth = draught / beta.tan();
-        if 0.5 * breadth < std::f64::consts::FRAC_PI_2 * half_breadth {
+        let Some(mut flow) = EntryFlow::first(section, speed) else {
+            return refused("one of this deadrise".into(), "boundary elements start from the similarity solution");
+        };
+        let wet = section.wagner_draught(section.half_breadth());
+        if draught > wet {
             let range = "boundary elements begin with dry chines";
-            return refused(format!("{breadth} m of breadth at a draught of {draught} m"), range);
+            return refused(format!("{} m of breadth at a draught of {draught} m", 2.0 * section.half_breadth()), range);
         }
-        let face = Face::straight(beta, 0.5 * breadth / beta.cos()).at_draught(draught);
-        let surface = FreeSurface::similar(&similar, draught, speed, FAR / beta.tan());
-        Ok(WedgeFlow::started(face, surface, draught, speed, gravity))
+        if section.radius().is_none() {
+            let length = draught / flow.draught;
+            flow = flow.scaled(length);
+        } else if draught < flow.draught {
+            let range = format!("boundary elements follow a round bottom from a draught of {} m on", flow.draught);
+            return refused(format!("{draught} m"), &range);
+        }
+        while flow.draught < draught {
+            let ended = |_: FlowEnded| OutOfRange {
+                what: format!("a draught of {draught} m"),
+                range: "boundary elements could not follow the bottom to where it begins".into(),
+                next: EntryModel::Wcsph,
+            };
+            flow.step(|_| 0.0).map_err(ended)?;
+        }
+        Ok(EntryFlow { gravity, ..flow })
     }
 
-    /// The arc of a circle of `radius` and `breadth` [m] on its way down at the constant `speed` [m/s]; else as [`WedgeFlow::new`].
-    ///
-    /// # Errors
-    /// A speed that is not above zero; an arc that is wet to its ends.
-    pub fn of_arc(radius: f64, breadth: f64, speed: f64, gravity: f64, keel: f64, share: f64) -> Result<WedgeFlow, OutOfRange> {
-        let keel = keel.to_radians();
-        let draught = share * std::f64::consts::FRAC_2_PI * keel.tan() * radius * keel.sin();
-        let face = Face::arc(radius, (0.5 * breadth / radius).min(1.0).asin(), keel).at_draught(draught);
-        let similar = SimilarityFlow::solve(keel.to_degrees()).expect("in range");
-        let surface = FreeSurface::similar(&similar, draught, speed, FAR / keel.tan());
-        let c = share * radius * keel.sin();
-        Ok(WedgeFlow::started(face, surface, 0.25 * c * c / radius, speed, gravity))
-    }
-
-    fn started(face: Face, surface: FreeSurface, draught: f64, speed: f64, gravity: f64) -> WedgeFlow {
+    /// The first flow about a section, at a downward speed [m/s]; of a wedge, at any draught.
+    fn first(section: &Section, speed: f64) -> Option<EntryFlow> {
+        let half_breadth = section.half_breadth();
+        let (face, keel, draught, of_section) = match (section.deadrise_deg(), section.radius()) {
+            (Some(deadrise), _) => {
+                let beta = deadrise.to_radians();
+                let draught = 1e-3 * half_breadth * beta.tan();
+                (Face::straight(beta, half_breadth / beta.cos()), deadrise, draught, draught)
+            }
+            (None, Some(radius)) => {
+                let keel = KEEL_DEG.to_radians();
+                let c = FIRST_WIDTH * radius * keel.sin();
+                let face = Face::arc(radius, (half_breadth / radius).min(1.0).asin(), keel);
+                (face, KEEL_DEG, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
+            }
+            _ => return None,
+        };
+        let face = face.at_draught(draught);
+        let similar = SimilarityFlow::solve(keel)?;
+        let surface = FreeSurface::similar(&similar, draught, speed, FAR / keel.to_radians().tan());
         let surface = surface.redistributed(LowerSide { face: &face, underside: None });
-        WedgeFlow { surface, face, underside: None, draught, speed, gravity }
+        Some(EntryFlow { surface, face, underside: None, draught: of_section, speed, gravity: 0.0 })
+    }
+
+    /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
+    fn first_draught(section: &Section) -> Option<f64> {
+        section.radius().map(|radius| section.wagner_draught(FIRST_WIDTH * radius * KEEL_DEG.to_radians().sin()))
+    }
+
+    /// The flow about a wedge at another draught: all lengths times `length`.
+    fn scaled(self, length: f64) -> EntryFlow {
+        let draught = self.draught * length;
+        EntryFlow { surface: self.surface.scaled(length, 1.0), face: self.face.at_draught(draught), draught, ..self }
     }
 
     /// The same with all velocities in proportion to a downward speed [m/s].
-    fn at_speed(self, speed: f64) -> WedgeFlow {
-        WedgeFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
+    fn at_speed(self, speed: f64) -> EntryFlow {
+        EntryFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
     }
 
     /// Load of the water now.
-    pub fn load(&self) -> WedgeLoad {
+    pub fn load(&self) -> FlowLoad {
         self.solve().load
     }
 
@@ -126,7 +152,7 @@ impl WedgeFlow {
     ///
     /// # Errors
     /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
-    pub fn step(&mut self, acceleration: impl Fn(&WedgeLoad) -> f64) -> Result<(f64, WedgeLoad), FlowEnded> {
+    pub fn step(&mut self, acceleration: impl Fn(&FlowLoad) -> f64) -> Result<(f64, FlowLoad), FlowEnded> {
         let mut start = self.solve();
         if let Some(underside) = self.separated(&start) {
             self.underside = Some(underside);
@@ -178,7 +204,7 @@ impl WedgeFlow {
     }
 
     /// EN24: where the surface that left a curved bottom has come back to it, the bottom is wet again.
-    fn attached(mut self) -> WedgeFlow {
+    fn attached(mut self) -> EntryFlow {
         let Some(underside) = &mut self.underside else { return self };
         if self.face.length() >= self.face.whole_length() {
             return self;
@@ -218,13 +244,13 @@ impl WedgeFlow {
     }
 
     /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
-    fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> WedgeFlow {
+    fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> EntryFlow {
         let face = self.face.at_draught(self.face.draught + speed * self.face.keel_speed(self.half_width()) * dt);
         let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt));
         if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
             *at_chine = face.edge();
         }
-        WedgeFlow {
+        EntryFlow {
             surface: at.above.moves(&self.surface, dt),
             face,
             underside,
@@ -235,12 +261,12 @@ impl WedgeFlow {
     }
 
     /// With the jet cut and nodes placed anew.
-    fn redistributed(self) -> WedgeFlow {
+    fn redistributed(self) -> EntryFlow {
         let lower = self.lower_side();
         let surface = self.surface.redistributed(lower);
         let (cut, size) = (lower.nearest(surface.end()).foot, lower.finest(surface.end()));
         let underside = self.underside.as_ref().map(|underside| underside.redistributed_below(cut, size));
-        WedgeFlow { surface, underside, ..self }
+        EntryFlow { surface, underside, ..self }
     }
 
     fn stable_dt(&self, now: &Solution) -> f64 {
@@ -266,7 +292,7 @@ mod tests {
     #[test]
     fn the_wedges_work_is_energy_of_the_water() {
         for (deadrise, gravity) in [(22.0, 9.81), (30.0, 0.0), (47.0, 9.81), (58.0, 2.0)] {
-            let mut flow = WedgeFlow::new(deadrise, 1.0, 0.05, 2.0, gravity).expect("in range");
+            let mut flow = EntryFlow::new(deadrise, 1.0, 0.05, 2.0, gravity).expect("in range");
             let (mut dry, mut wet) = ([0.0; 2], [0.0; 2]);
             while flow.draught() < 0.6 {
                 let mut before = flow.solve();

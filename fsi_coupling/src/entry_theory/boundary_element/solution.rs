@@ -7,7 +7,7 @@ use faer::c64;
 use super::cauchy::{Complex, Contour, Known};
 use super::elements::{GROWTH, graded, grown};
 use super::spline::Spline;
-use super::state::WedgeFlow;
+use super::state::EntryFlow;
 use super::surface::FreeSurface;
 
 /// Size of elements on the face at the keel, and the largest, over the wetted length.
@@ -42,7 +42,7 @@ pub(super) struct Solution {
     contact: usize,
     /// Distances of the face's nodes from the keel along it [m].
     pub along: Vec<f64>,
-    pub load: WedgeLoad,
+    pub load: FlowLoad,
 }
 
 /// The right half of the contour: upper surface, cut, underside, face down to the keel.
@@ -58,10 +58,10 @@ struct Nodes {
     along: Vec<f64>,
 }
 
-impl WedgeFlow {
+impl EntryFlow {
     /// EN21 for β and its time derivative, EN23.
     pub(super) fn solve(&self) -> Solution {
-        let WedgeFlow { face, surface, underside, gravity, .. } = self;
+        let EntryFlow { face, surface, underside, gravity, .. } = self;
         let speed = &self.keel_speed();
         let Nodes { z: nodes, end, foot, contact, along } = self.contour();
         let n = nodes.len();
@@ -115,7 +115,7 @@ impl WedgeFlow {
                 velocity: above,
             },
             below: SurfaceFlow { velocity: below, rate: rate_below },
-            load: WedgeLoad::of((contact..n).map(pressure_at).collect()),
+            load: FlowLoad::of((contact..n).map(pressure_at).collect()),
             beta,
             nodes,
             contact,
@@ -126,7 +126,7 @@ impl WedgeFlow {
     /// φ on the surfaces and, linear, along the cut; 0 on the face [m²/s]. Across an attached jet it grows with the body's speed normal to its
     /// face.
     fn potential(&self, nodes: &[c64], end: usize, foot: usize) -> Vec<f64> {
-        let WedgeFlow { face, surface, underside, .. } = self;
+        let EntryFlow { face, surface, underside, .. } = self;
         let speed = self.keel_speed();
         let across = || {
             let on_face = face.nearest(nodes[end], true);
@@ -143,7 +143,7 @@ impl WedgeFlow {
     }
 
     fn contour(&self) -> Nodes {
-        let WedgeFlow { face, surface, underside, .. } = self;
+        let EntryFlow { face, surface, underside, .. } = self;
         let end = surface.end();
         let size = self.lower_side().finest(end);
         let of_face = face.nearest(end, true);
@@ -221,7 +221,7 @@ impl Solution {
 
 /// Load of the water on both halves, over its density.
 #[derive(Clone, Debug)]
-pub struct WedgeLoad {
+pub struct FlowLoad {
     /// Upward force at constant speed F/ρ [m³/s²].
     pub force: f64,
     /// Added mass M/ρ [m²]: the force grows by it times the downward acceleration.
@@ -231,11 +231,11 @@ pub struct WedgeLoad {
     pub pressure: Vec<[f64; 3]>,
 }
 
-impl WedgeLoad {
+impl FlowLoad {
     /// Of pressures on the right half, whose image has the same.
-    fn of(pressure: Vec<[f64; 3]>) -> WedgeLoad {
+    fn of(pressure: Vec<[f64; 3]>) -> FlowLoad {
         let over_breadth =
             |of: usize| -> f64 { pressure.windows(2).map(|p| (p[0][of] + p[1][of]) * (p[0][0] - p[1][0])).sum() };
-        WedgeLoad { force: over_breadth(1), added_mass: over_breadth(2), pressure }
+        FlowLoad { force: over_breadth(1), added_mass: over_breadth(2), pressure }
     }
 }

@@ -6,7 +6,7 @@ use super::surface::FreeSurface;
 
 /// The water about a symmetric wedge that moves downwards.
 #[derive(Clone, Debug)]
-pub struct WedgeFlow {
+pub struct EntryFlow {
     pub(super) face: Face,
     pub(super) surface: FreeSurface,
     /// The surface that left a wet chine.
@@ -19,7 +19,7 @@ pub struct WedgeFlow {
     pub(super) gravity: f64,
 }
 
-impl WedgeFlow {
+impl EntryFlow {
     /// Draught of the keel below still water [m].
     pub fn draught(&self) -> f64 {
         self.draught

@@ -11,9 +11,6 @@ use crate::entry_theory::similarity::SimilarityFlow;
 
 /// Pieces between two points of the exact surface.
 const PIECES: usize = 8;
-/// Elements of Wagner's surface beside the spray root over its half width, and their growth [-].
-const START_ELEMENT: f64 = 2e-3;
-const START_GROWTH: f64 = 0.05;
 /// The jet begins where the surface is steeper than this against the face [rad].
 const JET_ANGLE: f64 = 10.0 * PI / 180.0;
 /// Length of the jet that is kept, over its thickness.
@@ -50,19 +47,6 @@ impl FreeSurface {
         let (s, farthest) = (arc_length(&surface.z), surface.z[0].norm());
         surface.phi = surface.z.iter().zip(s).map(|(z, s)| 0.5 * (z.norm_sqr() - (farthest - s).powi(2))).collect();
         surface.scaled(draught, speed)
-    }
-
-    /// Wagner's surface (1932) beside an arc of a circle at rest, from `far` half widths to the spray root at c = 2 √(R h):
-    /// η = (x² − x √(x² − c²) − ½c²)/(2R).
-    pub fn of_wagner(radius: f64, draught: f64, far: f64) -> FreeSurface {
-        let c = 2.0 * (radius * draught).sqrt();
-        let out = graded(far, |q| START_ELEMENT + START_GROWTH * q);
-        let at = |q: f64| {
-            let x = (1.0 + q * q).sqrt();
-            c64::new(c * x, c * c * (0.5 - q * (x - q)) / (2.0 * radius))
-        };
-        let z: Vec<c64> = out.into_iter().rev().map(at).collect();
-        FreeSurface { phi: vec![0.0; z.len()], z }
     }
 
     /// The last node.

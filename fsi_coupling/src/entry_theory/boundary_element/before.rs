@@ -1,0 +1,91 @@
+//! The load before a flow by boundary elements can be followed (THEORY EN20, EN24b).
+
+use super::super::loads::{Load, Loads};
+use super::super::model::{EntryModel, OutOfRange};
+use super::super::section::Section;
+use super::solution::FlowLoad;
+use super::state::EntryFlow;
+
+/// Places of the pressure under a round bottom.
+const PLACES: usize = 200;
+/// Draughts over the radius between which the load of a round bottom goes over to that of its flow [-].
+const ROUND: [f64; 2] = [0.02, 0.04];
+
+/// The load at small draughts.
+pub(super) enum Before {
+    /// Of a wedge: that of the similar flow at a draught [m] and a downward speed [m/s].
+    Similar(FlowLoad, [f64; 2]),
+    /// Of a round bottom: the modified Logvinovich model (Korobkin 2004) and what still water bears, under a gravity [m/s²].
+    Round(Loads, f64),
+}
+
+impl Before {
+    /// Before a flow that has just begun, under a gravity [m/s²].
+    pub fn new(section: &Section, flow: &EntryFlow, gravity: f64) -> Result<Before, OutOfRange> {
+        match section.radius() {
+            Some(_) => Ok(Before::Round(Loads::new(EntryModel::Mlm, section)?, gravity)),
+            None => Ok(Before::Similar(flow.load(), [flow.draught(), flow.speed()])),
+        }
+    }
+
+    /// At a draught h [m] and a downward speed V [m/s].
+    pub fn load(&self, h: f64, v: f64) -> FlowLoad {
+        match self {
+            Before::Similar(load, [draught, speed]) => load.scaled(h / draught, v / speed),
+            Before::Round(loads, gravity) => {
+                let Load { wetted: c, slam, added_mass, .. } = loads.at(h);
+                let pressure = |x: f64, v: f64, rate: f64| loads.pressure(x, h, v, rate, 1.0).unwrap_or(0.0);
+                let place = |k: usize| c * (0.5 * std::f64::consts::PI * k as f64 / PLACES as f64).cos();
+                let at = |x: f64| [x, pressure(x, v, 0.0), pressure(x, 0.0, 1.0)];
+                FlowLoad {
+                    force: slam * v * v + gravity * loads.section().still_area(h),
+                    added_mass,
+                    pressure: (0..=PLACES).map(|k| at(place(k))).collect(),
+                }
+            }
+        }
+    }
+
+    /// Share of the flow's load at a draught [-].
+    pub fn share_of_flow(&self, draught: f64) -> f64 {
+        match self {
+            Before::Similar(..) => 1.0,
+            Before::Round(loads, _) => {
+                let [from, to] = ROUND.map(|share| share * loads.section().radius().unwrap_or(0.0));
+                ((draught - from) / (to - from)).clamp(0.0, 1.0)
+            }
+        }
+    }
+
+    /// The load of a flow at a draught, or what stands for it: force and added mass change over linearly, the pressure at the half.
+    pub fn instead_of(&self, of_flow: FlowLoad, draught: f64, speed: f64) -> FlowLoad {
+        let share = self.share_of_flow(draught);
+        if share >= 1.0 {
+            return of_flow;
+        }
+        let own = self.load(draught, speed);
+        let mix = |own: f64, of_flow: f64| own + share * (of_flow - own);
+        FlowLoad {
+            force: mix(own.force, of_flow.force),
+            added_mass: mix(own.added_mass, of_flow.added_mass),
+            pressure: if share > 0.5 { of_flow.pressure } else { own.pressure },
+        }
+    }
+}
+
+impl FlowLoad {
+    /// Of the similar flow with all lengths times `length` and all velocities times `speed`.
+    fn scaled(&self, length: f64, speed: f64) -> FlowLoad {
+        let square = speed * speed;
+        FlowLoad {
+            force: self.force * length * square,
+            added_mass: self.added_mass * length * length,
+            pressure: self.pressure.iter().map(|[x, p, m]| [x * length, p * square, m * length]).collect(),
+        }
+    }
+
+    /// Half breadth of the wet face [m].
+    pub(super) fn half_breadth(&self) -> f64 {
+        self.pressure.first().map_or(0.0, |p| p[0])
+    }
+}
