@@ -17,17 +17,33 @@ fn main() {
         match flow.step(|_| 0.0) {
             Ok((dt, load)) => {
                 if h >= next || std::env::var("V").is_ok() {
-                    let hi = load.pressure.iter().map(|p| 2.0*p[1]).fold(0.0, f64::max);
-                    let lo = load.pressure.iter().map(|p| 2.0*p[1]).fold(0.0, f64::min);
-                    let plus: f64 = load.pressure.windows(2).map(|p| (p[0][1].max(0.0) + p[1][1].max(0.0)) * (p[0][0] - p[1][0])).sum();
+                    let hi = load.pressure.iter().map(|p| 2.0 * p[1]).fold(0.0, f64::max);
+                    let lo = load.pressure.iter().map(|p| 2.0 * p[1]).fold(0.0, f64::min);
+                    let plus: f64 = load
+                        .pressure
+                        .windows(2)
+                        .map(|p| (p[0][1].max(0.0) + p[1][1].max(0.0)) * (p[0][0] - p[1][0]))
+                        .sum();
                     let at = load.pressure.iter().skip_while(|p| p[1] <= 0.02).next().map_or(0.0, |p| p[0]);
-                    println!("plus {plus:.3} from x {at:.4} {k} h {h:.4} Cs {:.3} mlm {:.3} M {:.4} c {w:.4} cpmax {hi:.3} cpmin {lo:.4} n {n}+{} dt {dt:.2e} wet {wet} t {:.2}", load.force, mlm.at(h).slam, load.added_mass, load.pressure.len(), clock.elapsed().as_secs_f64());
+                    println!(
+                        "plus {plus:.3} from x {at:.4} {k} h {h:.4} Cs {:.3} mlm {:.3} M {:.4} c {w:.4} cpmax {hi:.3} cpmin {lo:.4} n {n}+{} dt {dt:.2e} wet {wet} t {:.2}",
+                        load.force,
+                        mlm.at(h).slam,
+                        load.added_mass,
+                        load.pressure.len(),
+                        clock.elapsed().as_secs_f64()
+                    );
                     next = h.max(0.002) * 1.15;
                 }
             }
-            Err(e) => { println!("{e}"); break }
+            Err(e) => {
+                println!("{e}");
+                break;
+            }
         }
         k += 1;
-        if h > end || k > 4000 { break }
+        if h > end || k > 4000 {
+            break;
+        }
     }
 }

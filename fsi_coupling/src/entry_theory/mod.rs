@@ -27,7 +27,7 @@ mod model;
 mod section;
 mod similarity;
 
-pub use boundary_element::{FlowEnded, FlowHistory, FlowEntry, EntryFlow, FlowLoad};
+pub use boundary_element::{EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};

@@ -235,9 +235,10 @@ impl EntryModel {
         match self {
             _ if !self.is_theory() => Ok(()),
             EntryModel::BoundaryElement if section.radius().is_some() => match section.last_angle_deg() {
-                end if end < LEAST_ARC_DEG => {
-                    refuse(format!("an arc that ends at {end:.1} degrees"), format!("arcs of {LEAST_ARC_DEG} degrees and more"))
-                }
+                end if end < LEAST_ARC_DEG => refuse(
+                    format!("an arc that ends at {end:.1} degrees"),
+                    format!("arcs of {LEAST_ARC_DEG} degrees and more"),
+                ),
                 _ => Ok(()),
             },
             EntryModel::Similarity if section.deadrise_deg().is_none() => {

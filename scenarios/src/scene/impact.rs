@@ -19,6 +19,8 @@ const PENETRATION_STEPS: u32 = 1000;
 
 /// Largest speed over the one at contact from which it counts [-]: less changes the share that compressibility takes by a tenth.
 const NOTABLE_GAIN: f64 = 1.05;
+/// Draught over the radius from which water leaves a round bottom [-].
+const DRY_SIDES: f64 = 0.15;
 
 /// A body's entry into water.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,6 +102,11 @@ impl Entry {
     /// True for a bottom that meets the water over its breadth at once: its peak is one of sound, or of the spacing.
     pub fn is_flat(&self) -> bool {
         self.bottom.is_flat()
+    }
+
+    /// Does water leave the sides of a round bottom? Deeper than 0.15 radii the pressure beside them is below that of the air (THEORY EN24).
+    pub(super) fn leaves_its_sides(&self) -> bool {
+        matches!(self.bottom, Bottom::Arc { radius } if self.final_draught > DRY_SIDES * radius)
     }
 
     /// Draught [m] up to which the spray root is on the bottom: at the chines or at the end of the run.

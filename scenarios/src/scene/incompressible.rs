@@ -3,7 +3,7 @@
 use fsi_coupling::settings::{Problem, require, significant};
 use sph_core::Solver;
 
-use super::settings::{CouplingScheme, Motion, Scene};
+use super::settings::{CouplingScheme, Motion, Scene, SolverSettings};
 use super::wet_period::unresolved_panels;
 
 /// Share of its smoothing length that a particle may move in a step, where the scene does not say.
@@ -50,6 +50,7 @@ pub(super) fn projection_warnings(scene: &Scene) -> Vec<String> {
     }
     warnings.extend(unresolved_panels(scene));
     warnings.extend(near_walls(scene));
+    warnings.extend(round_sides(scene));
     warnings.extend(one_exchange(scene));
     warnings
 }
@@ -67,6 +68,22 @@ fn one_exchange(scene: &Scene) -> Option<String> {
             "coupling.scheme = \"weak\" with solver = \"{name}\": explicit coupling holds where the body is heavier than the \
              water that moves with it, however short the step; {holds}"
         )
+    })
+}
+
+/// The sides of a round bottom, which water leaves.
+fn round_sides(scene: &Scene) -> Option<String> {
+    let SolverSettings::Incompressible { fluid, .. } = &scene.solver else { return None };
+    let deep = scene.entry().filter(|entry| entry.leaves_its_sides())?.final_draught;
+    Some(match fluid.scheme.ventilation {
+        false => format!(
+            "the round bottom comes to a draught of {} m; deeper than 0.15 radii water leaves its sides, and clings to them here: the force \
+             was low by 7 % at 0.28 radii and by 30 % at 0.4; fluid.ventilation = true lets the air in, the weakly compressible solver does \
+             so by itself",
+            significant(deep)
+        ),
+        true => "fluid.ventilation = true beside a round bottom: the mean force was within 5 %, but deeper than 0.3 radii it is zero in                  single steps and large in others"
+            .to_string(),
     })
 }
 

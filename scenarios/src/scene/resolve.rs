@@ -191,6 +191,9 @@ fn resolve_fluid(
     if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, free.zip(keeled)) {
         draft.fill("fluid.cavitation_pressure", tension_beside_air(draft, entry, body));
     }
+    if solver == Solver::WeaklyCompressible && !gaseous && entry.is_some_and(Entry::leaves_its_sides) {
+        draft.fill("fluid.cavitation_pressure", 0.0);
+    }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;
     let sound = draft.fill("fluid.sound_speed", auto_sound_speed(water.compressibility_error, entry, fastest, still));

@@ -87,7 +87,12 @@ impl Face {
     }
 
     fn of(direction: c64, curvature: f64, length: f64) -> Face {
-        Face { pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }], draught: 0.0, left_at: f64::INFINITY, added: None }
+        Face {
+            pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }],
+            draught: 0.0,
+            left_at: f64::INFINITY,
+            added: None,
+        }
     }
 
     /// The same bottom whose flow leaves it at a distance from the keel [m], at its chine at the latest.
@@ -175,20 +180,30 @@ mod tests {
 
     #[test]
     fn places_of_an_arc_and_of_the_line_beyond_it() {
-        let (radius, angle) = (2.0, 1.2_f64);
-        let face = Face::arc(radius, radius * angle).at_draught(0.3);
-        for at in [0.0, 0.3, 1.0, 1.2] {
-            let place = face.place(radius * at);
-            let exact = c64::new(radius * at.sin(), radius * (1.0 - at.cos()) - 0.3);
-            assert!((place.z - exact).norm() < 1e-14 && (place.tangent.arg() - at).abs() < 1e-14, "{at}: {place:?}");
-            let beside = place.z + place.tangent * c64::new(0.0, -0.1);
-            let nearest = face.nearest(beside, true);
-            assert!((nearest.along - place.along).abs() < 1e-12, "{at}: {nearest:?}");
+        let (radius, end, keel, draught) = (2.0, 1.2_f64, 0.2_f64, 0.3);
+        let face = Face::arc(radius, end, keel).at_draught(draught);
+        let lowest = radius * (1.0 / keel.cos() - 1.0) - draught;
+        for angle in [0.2_f64, 0.3, 0.7, 1.2] {
+            let place = face.place(radius * (keel.tan() + angle - keel));
+            let exact = c64::new(radius * angle.sin(), radius * (1.0 - angle.cos()) + lowest);
+            assert!(
+                (place.z - exact).norm() < 1e-14 && (place.tangent.arg() - angle).abs() < 1e-14,
+                "{angle}: {place:?}"
+            );
+            let nearest = face.nearest(place.z + place.tangent * c64::new(0.0, -0.1), true);
+            assert!((nearest.along - place.along).abs() < 1e-12, "{angle}: {nearest:?}");
         }
         let beyond = face.edge() + face.place(face.length()).tangent * 0.25;
         assert!((face.nearest(beyond, true).along - face.length() - 0.25).abs() < 1e-12);
         assert!((face.nearest(beyond, false).along - face.length()).abs() < 1e-12);
-        // a flat arc's jet is that of a wedge of π/4 times its angle
-        assert!((face.equivalent_angle(0.8) / (0.25 * std::f64::consts::PI * 0.4) - 1.0).abs() < 1e-3);
+        assert!(!face.is_curved(0.1) && face.is_curved(1.0));
+    }
+
+    /// The jet of a wedge is its own, that of a flat arc is that of a wedge of π/4 times its angle (Wagner 1932).
+    #[test]
+    fn the_wedge_with_the_same_jet() {
+        assert!((Face::straight(0.5, 1.0).equivalent_angle(0.8) - 0.5).abs() < 1e-12);
+        let arc = Face::arc(1.0, 0.5, 0.01).equivalent_angle(0.4);
+        assert!((arc / (0.25 * std::f64::consts::PI * 0.4) - 1.0).abs() < 2e-3, "{arc}");
     }
 }
