@@ -229,7 +229,8 @@ impl EntryModel {
         let [least, most] = self.deadrises();
         let steepest = section.steepest_within(reach);
         let refuse = |what: String, range: String| {
-            let able = |r: &&EntryModel| **r > self && r.covers(section, reach).is_ok();
+            let other = |r: EntryModel| r > self || (self, r) == (EntryModel::BoundaryElement, EntryModel::Similarity);
+            let able = |r: &&EntryModel| other(**r) && r.covers(section, reach).is_ok();
             Err(OutOfRange { what, range, next: *EntryModel::ALL.iter().find(able).unwrap_or(&EntryModel::Wcsph) })
         };
         match self {
