@@ -228,7 +228,7 @@ fn dry_frequencies(scene: &Scene, panel: &Panel) -> Vec<f64> {
 
 /// A theory in a line.
 fn theory_line(a: &Assessment) -> String {
-    let name = format!("  {:<15}", a.model.name());
+    let name = format!("  {:<17}", a.model.name());
     match (&a.obstacle, a.core_seconds, &a.measured) {
         (Some(obstacle), ..) => format!("{name}{obstacle}"),
         (None, Some(cost), Some(m)) => {
@@ -247,7 +247,7 @@ impl Preflight {
         lines.extend(self.choice.iter().map(|why| format!("             chosen: {why}")));
         lines.extend(self.theories.iter().map(theory_line));
         if !self.theories.is_empty() {
-            lines.push(format!("  {:<15}about {:.0} core-seconds", "particles", self.core_seconds));
+            lines.push(format!("  {:<17}about {:.0} core-seconds", "particles", self.core_seconds));
         }
         if EntryModel::ALL.iter().any(|model| model.is_theory() && model.name() == self.model) {
             return lines.join("\n");

@@ -1,4 +1,4 @@
-//! Fully nonlinear potential flow by boundary elements (THEORY EN20–EN24) against the similarity solution and others' boundary elements.
+//! Fully nonlinear potential flow by boundary elements (THEORY EN20–EN24, EN30) against the similarity solution and others' boundary elements.
 
 use fsi_coupling::entry_theory::{
     EntryFlow, EntryModel, FlowEntry, FlowLoad, Loads, Section, SectionMotion, SimilarityFlow,

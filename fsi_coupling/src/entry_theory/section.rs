@@ -225,36 +225,46 @@ impl Section {
 
 impl EntryModel {
     /// Refuse a bottom outside the range of the model; it is wetted up to the half width `reach` [m].
+    ///
+    /// # Errors
+    /// What is outside the range, the range, and the next model that covers the bottom.
     pub fn covers(self, section: &Section, reach: f64) -> Result<(), OutOfRange> {
+        let Some((what, range)) = self.obstacle(section, reach) else { return Ok(()) };
+        let dearer = |r: EntryModel| r > self || (self, r) == (EntryModel::BoundaryElement, EntryModel::Similarity);
+        let able = |r: &&EntryModel| dearer(**r) && r.obstacle(section, reach).is_none();
+        Err(OutOfRange { what, range, next: *EntryModel::ALL.iter().find(able).unwrap_or(&EntryModel::Wcsph) })
+    }
+
+    /// What is outside the model's range, and the range.
+    fn obstacle(self, section: &Section, reach: f64) -> Option<(String, String)> {
         let [least, most] = self.deadrises();
         let steepest = section.steepest_within(reach);
-        let refuse = |what: String, range: String| {
-            let other = |r: EntryModel| r > self || (self, r) == (EntryModel::BoundaryElement, EntryModel::Similarity);
-            let able = |r: &&EntryModel| other(**r) && r.covers(section, reach).is_ok();
-            Err(OutOfRange { what, range, next: *EntryModel::ALL.iter().find(able).unwrap_or(&EntryModel::Wcsph) })
-        };
+        let is_wedge = section.deadrise_deg().is_some();
         match self {
-            _ if !self.is_theory() => Ok(()),
-            EntryModel::BoundaryElement if section.radius().is_some() => match section.last_angle_deg() {
-                end if end < LEAST_ARC_DEG => refuse(
-                    format!("an arc that ends at {end:.1} degrees"),
-                    format!("arcs of {LEAST_ARC_DEG} degrees and more"),
-                ),
-                _ => Ok(()),
-            },
-            EntryModel::Similarity if section.deadrise_deg().is_none() => {
-                refuse("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees"))
+            _ if !self.is_theory() => None,
+            EntryModel::BoundaryElement if section.radius().is_some() => {
+                let end = section.last_angle_deg();
+                let short = end < LEAST_ARC_DEG;
+                short.then(|| {
+                    (
+                        format!("an arc that ends at {end:.1} degrees"),
+                        format!("arcs of {LEAST_ARC_DEG} degrees and more"),
+                    )
+                })
             }
-            EntryModel::BoundaryElement if section.deadrise_deg().is_none() => {
-                refuse("a bent bottom".into(), format!("wedges of {least} to {most} degrees and arcs of circles"))
+            EntryModel::BoundaryElement if !is_wedge => {
+                Some(("a bent bottom".into(), format!("wedges of {least} to {most} degrees and arcs of circles")))
+            }
+            EntryModel::Similarity if !is_wedge => {
+                Some(("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees")))
             }
             EntryModel::Similarity if reach > section.half_breadth() => {
-                refuse("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into())
+                Some(("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into()))
             }
             _ if steepest > most + 1e-6 || self == EntryModel::BoundaryElement && steepest < least - 1e-6 => {
-                refuse(format!("a face of {steepest:.2} degrees"), format!("faces of {least} to {most} degrees"))
+                Some((format!("a face of {steepest:.2} degrees"), format!("faces of {least} to {most} degrees")))
             }
-            _ => Ok(()),
+            _ => None,
         }
     }
 }

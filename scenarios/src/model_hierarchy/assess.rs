@@ -32,7 +32,10 @@ pub struct Assessment {
 pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
     let assessed = |model: EntryModel| {
         let start = Instant::now();
-        let followed = Theory::outlined(scene, model);
+        let followed = Theory::outlined(scene, model).map(|(theory, end)| {
+            let end = end.or_else(|| theory.may_go_under(scene));
+            (theory, end)
+        });
         let unknown =
             Assessment { model, begins: followed.is_ok(), obstacle: None, core_seconds: None, measured: None };
         match followed {

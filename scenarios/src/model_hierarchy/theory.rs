@@ -116,6 +116,19 @@ impl Theory {
         Ok((Theory { model, ..theory }, end))
     }
 
+    /// Why a flow about a round bottom, of which only the first part is outlined, may not be followed to the end: as fast as at the last
+    /// instant, and faster by its fall, the body would be under water.
+    pub fn may_go_under(&self, scene: &Scene) -> Option<OutOfRange> {
+        let body = scene.body.as_ref().filter(|_| !self.model.is_formula() && self.section.radius().is_some())?;
+        let last = self.instants.last()?;
+        let left = scene.time.end - last.time;
+        let g = if matches!(body.motion, Motion::Free(_)) { -scene.gravity[1] } else { 0.0 };
+        let reached = last.draught + last.speed * left + 0.5 * g * left * left;
+        let [min, max] = polygon::bounding_box(&body.placed_outline());
+        let deepest = (max[1] - min[1]).min(FlowEntry::DEEPEST * 2.0 * self.section.half_breadth());
+        (reached > deepest).then(|| refuse(&format!("one that may come to a draught of {} m", significant(reached))))
+    }
+
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.
     ///
     /// # Errors

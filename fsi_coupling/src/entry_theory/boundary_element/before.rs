@@ -1,4 +1,4 @@
-//! The load before a flow by boundary elements can be followed (THEORY EN20, EN24b).
+//! The load before a flow by boundary elements can be followed (THEORY EN20, EN30).
 
 use super::super::loads::{Load, Loads};
 use super::super::model::{EntryModel, OutOfRange};

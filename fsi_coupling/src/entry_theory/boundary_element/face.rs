@@ -157,7 +157,7 @@ impl Face {
         self.pieces[0].direction.im > 1e-6
     }
 
-    /// EN24b: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
+    /// EN30: speed of the keel over that of the bottom, so that the wetted half width `c` [m] of Wagner (1932) grows as without the added keel.
     pub fn keel_speed(&self, c: f64) -> f64 {
         self.added.map_or(1.0, |Added { area, radius, least }| {
             1.0 + 4.0 * area * radius / (std::f64::consts::PI * c.max(least).powi(3))

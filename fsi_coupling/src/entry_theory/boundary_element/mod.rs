@@ -1,4 +1,4 @@
-//! Fully nonlinear potential flow about an entering section by boundary elements (THEORY EN20–EN24).
+//! Fully nonlinear potential flow about an entering section by boundary elements (THEORY EN20–EN24, EN30).
 //!
 //! The surface moves with the water (mixed Eulerian–Lagrangian; Longuet-Higgins & Cokelet 1976, Zhao & Faltinsen 1993), the jet is cut. Per stage
 //! one matrix gives the velocity, the pressure and the added mass. At wet chines, and where a round bottom turns up, the flow separates (Zhao, Faltinsen & Aarsnes 1996).
@@ -63,7 +63,7 @@ pub struct FlowEnded {
 
 impl EntryFlow {
     /// A section whose keel has come to `draught` [m] at the constant downward `speed` [m/s] without gravity; from now on there is `gravity`
-    /// [m/s²] in the water. Of a wedge the surface is the exact one (EN20); a round bottom is followed from its first draught (EN24b).
+    /// [m/s²] in the water. Of a wedge the surface is the exact one (EN20); a round bottom is followed from its first draught (EN30).
     ///
     /// # Errors
     /// A section that is neither a wedge of [`BOUNDARY_ELEMENT_DEADRISES`] nor an arc; a draught or a speed that is not above zero; a draught above
