@@ -290,7 +290,8 @@ fn with(given: &Value, key: &str, value: &str) -> Value {
 
 /// The entry of a draft's body, were there no end.
 fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
-    let Some(body) = resolve_body(&mut draft, Symmetry::None)? else { return Ok(None) };
+    let symmetry = draft.get("symmetry").unwrap_or(Symmetry::None);
+    let Some(body) = resolve_body(&mut draft, symmetry)? else { return Ok(None) };
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let spacing = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);
