@@ -35,6 +35,7 @@
 //!     angular_velocity: 0.0,
 //!     gravity,
 //!     half: false,
+//!     sprung: Vec::new(),
 //! })?;
 //! let tank = Tank::new(layout, x, floor, 0.3, false);
 //! let mut system = Coupled::new(fluid, vec![Box::new(wedge), Box::new(tank)], Scheme::Weak, spacing)?;
@@ -68,6 +69,7 @@ pub use bodies::modal::state::{ModalExtremes, ModesState};
 pub use bodies::prescribed::PrescribedBody;
 pub use bodies::rigid::{RigidBody2d, RigidSpec};
 pub use bodies::rigid_motion::RigidMotion;
+pub use bodies::sprung::{SprungSpec, SprungState};
 pub use bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 pub use bodies::tank::Tank;
 pub use coupling::coupled::{Coupled, RefinementRule};

@@ -24,6 +24,7 @@ fn spec() -> RigidSpec {
         angular_velocity: 0.0,
         gravity: [0.0; 2],
         half: false,
+        sprung: Vec::new(),
     }
 }
 

@@ -103,6 +103,7 @@ fn falling() -> Coupled {
         angular_velocity: 2.0,
         gravity: [0.0, -GRAVITY],
         half: false,
+        sprung: Vec::new(),
     });
     plate.with(Box::new(body.expect("a sound plate")), 30.0)
 }

@@ -27,6 +27,7 @@ fn rigid(outline: &Outline, half: bool) -> Box<dyn Body> {
         mass: 7.0,
         inertia: 1.3,
         center_of_mass: [if half { 0.0 } else { 0.13 }, 0.21],
+        sprung: Vec::new(),
         free: [!half, true, !half],
         position: [if half { 0.0 } else { 3.0 }, -6.0],
         angle: if half { 0.0 } else { 0.7 },

@@ -8,6 +8,7 @@ use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoin
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel_state::PanelState;
 use crate::bodies::modal::state::ModesState;
+use crate::bodies::sprung::SprungState;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
@@ -99,6 +100,11 @@ pub trait Inspect {
     /// Modes of a body that bends in them.
     fn modes(&self) -> Option<ModesState> {
         None
+    }
+
+    /// Masses on springs that stand on it.
+    fn sprung(&self) -> Vec<SprungState> {
+        Vec::new()
     }
 
     /// A point of the undeformed surface [m, body's frame] where it is now, and its acceleration [m/s²]; `None` for a rigid body.

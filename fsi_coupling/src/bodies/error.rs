@@ -21,6 +21,9 @@ pub enum BodyError {
     /// The structure's equations cannot be set up or solved.
     #[error("body `{name}`: {reason}")]
     Structure { name: String, reason: String },
+    /// A step too long for a mass on its spring.
+    #[error("body `{name}`: a step of {step:.3e} s is too long for `{mass}` on its spring: {longest:.3e} s would do")]
+    Spring { name: String, mass: String, step: f64, longest: f64 },
     /// The motion is not finite.
     #[error("body `{name}`: its motion is no longer finite at t = {time:.6e} s")]
     NotFinite { name: String, time: f64 },

@@ -16,6 +16,7 @@
 //!     velocity: [0.0; 2],
 //!     angular_velocity: 0.0,
 //!     gravity: [0.0, -9.81],
+//!     sprung: Vec::new(),
 //!     half: false,
 //! })?;
 //! (0..100).try_for_each(|_| body.advance(0.001))?; // no load: free fall
@@ -37,5 +38,6 @@ pub mod rigid;
 pub mod rigid_interface;
 pub mod rigid_motion;
 pub mod rigid_surface;
+pub mod sprung;
 pub mod state;
 pub mod tank;

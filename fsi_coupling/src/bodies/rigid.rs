@@ -19,6 +19,7 @@ use crate::bodies::error::BodyError;
 use crate::bodies::rigid_interface::RigidInterface;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::rigid_surface::RigidSurface;
+use crate::bodies::sprung::{Sprung, SprungSpec, SprungState};
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
@@ -51,6 +52,8 @@ pub struct RigidSpec {
     pub gravity: [f64; 2],
     /// Simulate the half x > 0 of a symmetric body.
     pub half: bool,
+    /// Masses on springs that stand on it; only on a body that is free in y alone.
+    pub sprung: Vec<SprungSpec>,
 }
 
 /// A rigid body that moves under the fluid's load and gravity; any of x, y, angle may be held by a guide.
@@ -60,7 +63,8 @@ pub struct RigidBody2d {
     handle: RigidBodyHandle,
     surface: RigidSurface,
     state: State,
-    checkpoint: Option<(State, Pose, Vector, f64)>,
+    sprung: Vec<Sprung>,
+    checkpoint: Option<(State, Vec<Sprung>, Pose, Vector, f64)>,
 }
 
 /// What a step changes besides rapier's position and velocities.
@@ -84,6 +88,10 @@ impl RigidBody2d {
         }
         if spec.free[2] && !(spec.inertia > 0.0 && spec.inertia.is_finite()) {
             return Err(wrong("inertia", spec.inertia));
+        }
+        if let Some(sprung) = spec.sprung.iter().find(|_| spec.free != [false, true, false]) {
+            let reason = format!("`{}` on its spring needs a body that is free in y alone", sprung.name);
+            return Err(BodyError::Structure { name: spec.name.clone(), reason });
         }
         let mut world = PhysicsWorld::new();
         world.gravity = Vector::ZERO;
@@ -115,7 +123,8 @@ impl RigidBody2d {
         body.recompute_mass_properties_from_colliders(&world.colliders);
         let surface = RigidSurface::new(spec.outline.clone(), com, spec.half);
         let state = State { angle: spec.angle, ..State::default() };
-        Ok(RigidBody2d { spec, world, handle, surface, state, checkpoint: None })
+        let sprung = vec![Sprung { velocity: v[1], ..Sprung::default() }; spec.sprung.len()];
+        Ok(RigidBody2d { spec, world, handle, surface, state, sprung, checkpoint: None })
     }
 
     /// The same, with a clock that starts at `time` [s].
@@ -128,15 +137,52 @@ impl RigidBody2d {
     fn motion_now(&self) -> RigidMotion {
         let (body, spec) = (&self.world.bodies[self.handle], &self.spec);
         let (com, v) = (body.center_of_mass(), body.linvel());
+        let of_springs = [0.0, self.springs(v.y).sum::<f64>()];
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
         RigidMotion {
             position: [com.x, com.y],
             angle: self.state.angle,
             velocity: [v.x, v.y],
             angular_velocity: body.angvel(),
-            acceleration: [0, 1].map(|k| free(k, self.state.now.force[k] / spec.mass + spec.gravity[k])),
+            acceleration: [0, 1]
+                .map(|k| free(k, (self.state.now.force[k] + of_springs[k]) / spec.mass + spec.gravity[k])),
             angular_acceleration: free(2, self.state.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
         }
+    }
+
+    /// Forces of the springs on the body, which moves upwards at `velocity` [m/s], upwards [N/m].
+    fn springs(&self, velocity: f64) -> impl Iterator<Item = f64> + '_ {
+        self.spec.sprung.iter().zip(&self.sprung).map(move |(spec, now)| spec.force(now, velocity))
+    }
+
+    /// CO35: kick the body and the masses by the springs and the masses' weight over `dt` [s].
+    fn kick_springs(&mut self, dt: f64) {
+        if self.sprung.is_empty() {
+            return;
+        }
+        let velocity = self.world.bodies[self.handle].linvel().y;
+        let forces: Vec<f64> = self.springs(velocity).collect();
+        let gravity = self.spec.gravity[1];
+        for ((spec, now), force) in self.spec.sprung.iter().zip(&mut self.sprung).zip(&forces) {
+            now.velocity += dt * spec.acceleration(*force, gravity);
+            now.dissipated += dt * spec.damping * (now.velocity - velocity).powi(2);
+            self.state.external[1] += dt * spec.mass * gravity;
+        }
+        let impulse = Vector::new(0.0, dt * forces.iter().sum::<f64>());
+        self.world.bodies[self.handle].apply_impulse(impulse, true);
+    }
+
+    /// The masses move on by `dt` [s] while the body goes up by `risen` [m].
+    fn drift_springs(&mut self, dt: f64, risen: f64) {
+        self.sprung.iter_mut().for_each(|now| now.extension += dt * now.velocity - risen);
+    }
+
+    /// Refuse a step [s] that is too long for a spring.
+    fn check_springs(&self, dt: f64) -> Result<(), BodyError> {
+        let longest = |spec: &SprungSpec| spec.longest_step(self.spec.mass);
+        let Some(spec) = self.spec.sprung.iter().find(|spec| dt > longest(spec)) else { return Ok(()) };
+        let (name, mass) = (self.spec.name.clone(), spec.name.clone());
+        Err(BodyError::Spring { name, mass, step: dt, longest: longest(spec) })
     }
 
     /// Add the step's turn to the angle, which counts whole turns; rapier's wraps at ±π.
@@ -148,13 +194,17 @@ impl RigidBody2d {
     }
 
     /// Take a state, rapier's position and velocities with it.
-    fn set_state(&mut self, (state, pose, velocity, angular_velocity): (State, Pose, Vector, f64)) {
+    fn set_state(
+        &mut self,
+        (state, sprung, pose, velocity, angular_velocity): (State, Vec<Sprung>, Pose, Vector, f64),
+    ) {
         let body = &mut self.world.bodies[self.handle];
         body.set_position(pose, true);
         body.set_linvel(velocity, true);
         body.set_angvel(angular_velocity, true);
         body.recompute_mass_properties_from_colliders(&self.world.colliders);
         self.state = state;
+        self.sprung = sprung;
     }
 
     /// CO2: give the body an impulse [N s/m] and an angular impulse; guides take their share. Updates the external impulses.
@@ -185,6 +235,7 @@ impl WettedBody for RigidBody2d {
 
     fn interface(&mut self, ahead: f64) -> Result<Option<Box<dyn InterfaceDynamics>>, BodyError> {
         let (now, spec) = (self.motion_now(), &self.spec);
+        let of_springs: f64 = self.springs(now.velocity[1]).sum();
         let ([x, y], inverse) = (now.acceleration, [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia));
         let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
         Ok(Some(Box::new(RigidInterface {
@@ -194,7 +245,7 @@ impl WettedBody for RigidBody2d {
             predicted: [x, y, now.angular_acceleration],
             change: [0.0; 3],
             inverse_mass: [0, 1, 2].map(|k| free(k, inverse[k])),
-            free_fall: [free(0, spec.gravity[0]), free(1, spec.gravity[1]), 0.0],
+            free_fall: [free(0, spec.gravity[0]), free(1, spec.gravity[1] + of_springs / spec.mass), 0.0],
         })))
     }
 
@@ -205,8 +256,10 @@ impl WettedBody for RigidBody2d {
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
+        self.check_springs(dt)?;
         let before = self.motion_now();
         self.kick(self.state.kicked, 0.5 * dt);
+        self.kick_springs(0.5 * dt);
         self.world.integration_parameters.dt = dt;
         self.world.step();
         if !self.world.quarantine().is_empty() {
@@ -215,12 +268,14 @@ impl WettedBody for RigidBody2d {
         let com = self.world.bodies[self.handle].center_of_mass();
         let moved = [com.x - before.position[0], com.y - before.position[1]];
         let turned = self.unwrap_angle();
+        self.drift_springs(dt, moved[1]);
         // what remains of the step's impulse after the first half kick, about where the centre of mass now is
         let (mean, kicked) = (self.state.mean, self.state.kicked);
         let rest = Resultant {
             force: [0, 1].map(|k| 2.0 * mean.force[k] - kicked.force[k]),
             moment: 2.0 * mean.moment - kicked.moment,
         };
+        self.kick_springs(0.5 * dt);
         self.kick(rest.about(moved), 0.5 * dt);
         self.state.now = self.state.now.about(moved);
         self.state.work += mean.force[0] * moved[0] + mean.force[1] * moved[1];
@@ -231,11 +286,11 @@ impl WettedBody for RigidBody2d {
 
     fn checkpoint(&mut self) {
         let body = &self.world.bodies[self.handle];
-        self.checkpoint = Some((self.state, *body.position(), body.linvel(), body.angvel()));
+        self.checkpoint = Some((self.state, self.sprung.clone(), *body.position(), body.linvel(), body.angvel()));
     }
 
     fn restore(&mut self) {
-        let Some(stored) = self.checkpoint else { return };
+        let Some(stored) = self.checkpoint.clone() else { return };
         self.set_state(stored);
     }
 
@@ -243,14 +298,14 @@ impl WettedBody for RigidBody2d {
         let body = &self.world.bodies[self.handle];
         let (Pose { rotation, translation }, v) = (*body.position(), body.linvel());
         let pose = [translation.x, translation.y, rotation.re, rotation.im];
-        encode(&(self.state, pose, [v.x, v.y, body.angvel()]))
+        encode(&(self.state, &self.sprung, pose, [v.x, v.y, body.angvel()]))
     }
 
     fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
-        let (state, [x, y, re, im], [u, v, angular_velocity]): (State, [f64; 4], [f64; 3]) =
+        let (state, sprung, [x, y, re, im], [u, v, angular_velocity]): (State, Vec<Sprung>, [f64; 4], [f64; 3]) =
             decode("a rigid body", bytes)?;
         let pose = Pose { rotation: Rotation { re, im }, translation: Vector::new(x, y) };
-        self.set_state((state, pose, Vector::new(u, v), angular_velocity));
+        self.set_state((state, sprung, pose, Vector::new(u, v), angular_velocity));
         Ok(())
     }
 }
@@ -300,21 +355,40 @@ impl Inspect for RigidBody2d {
         Some(&self.surface.outline)
     }
 
+    fn sprung(&self) -> Vec<SprungState> {
+        let velocity = self.world.bodies[self.handle].linvel().y;
+        let state = |((spec, now), force): ((&SprungSpec, &Sprung), f64)| SprungState {
+            name: spec.name.clone(),
+            extension: now.extension,
+            acceleration: spec.acceleration(force, self.spec.gravity[1]),
+        };
+        self.spec.sprung.iter().zip(&self.sprung).zip(self.springs(velocity)).map(state).collect()
+    }
+
     fn energy(&self) -> Energy {
         let (r, s) = (self.motion_now(), &self.spec);
         let v2 = r.velocity[0] * r.velocity[0] + r.velocity[1] * r.velocity[1];
         let rotation = if s.free[2] { s.inertia * r.angular_velocity * r.angular_velocity } else { 0.0 };
-        Energy {
+        let mut energy = Energy {
             kinetic: 0.5 * (s.mass * v2 + rotation),
             potential: -s.mass * (s.gravity[0] * r.position[0] + s.gravity[1] * r.position[1]),
             work: self.state.work,
             ..Energy::default()
+        };
+        for (spec, now) in s.sprung.iter().zip(&self.sprung) {
+            energy.kinetic += 0.5 * spec.mass * now.velocity * now.velocity;
+            energy.potential -= spec.mass * s.gravity[1] * (r.position[1] + now.extension);
+            energy.elastic += 0.5 * spec.stiffness * now.extension * now.extension;
+            energy.dissipated += now.dissipated;
         }
+        energy
     }
 
     fn momentum(&self) -> Momentum {
         let v = self.motion_now().velocity;
+        let on_springs: f64 =
+            self.spec.sprung.iter().zip(&self.sprung).map(|(spec, now)| spec.mass * now.velocity).sum();
         let momentum = [0, 1].map(|k| if self.spec.free[k] { self.spec.mass * v[k] } else { 0.0 });
-        Momentum { momentum, external: self.state.external }
+        Momentum { momentum: [momentum[0], momentum[1] + on_springs], external: self.state.external }
     }
 }

@@ -290,6 +290,7 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
         (scene.gravity[0] != 0.0 || scene.gravity[1] > 0.0, "gravity that pulls sideways or up"),
         (!still || tank.water_width < tank.width, "water that moves"),
         (on_tank, "gauges on the tank"),
+        (!body.sprung_masses.is_empty(), "masses on springs"),
         (scene.observe != Observe::default(), "columns of the water, which [observe] asks for"),
         (matches!(body.shape, Shape::Polyline { .. }), "an open plate"),
     ];

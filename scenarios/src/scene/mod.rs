@@ -74,7 +74,7 @@ pub(crate) use resolve::MOST_ROWS;
 pub use settings::{
     Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
     NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
-    SolverSettings, Symmetry, Tank, TheoryName, Time, panel_length, panel_line, schema,
+    SolverSettings, SprungMass, Symmetry, Tank, TheoryName, Time, panel_length, panel_line, schema,
 };
 pub(crate) use settings::{MILLIMETRE, MODES, line};
 pub use source::apply_set;

@@ -37,12 +37,27 @@ pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Opti
         check_panel(panel, &body.shape, symmetry, |name| format!("body.panels[{i}].{name}"))?;
     }
     check_overlaps(&body)?;
+    check_sprung_masses(&body)?;
     if let Some(modal) = &body.modal {
         let expected = "no body.panels beside body.modal: one or the other is the structure";
         require(body.panels.is_empty(), "body.panels", format_args!("{} panels", body.panels.len()), expected)?;
         check_modes(modal, &body.shape, symmetry)?;
     }
     Ok(Some(body))
+}
+
+/// Masses on springs stand on a rigid body that is free in y alone, each under a name of its own.
+fn check_sprung_masses(body: &Body) -> Result<(), Problem> {
+    let key = |i: usize, name: &str| format!("body.sprung_masses[{i}].{name}");
+    for (i, mass) in body.sprung_masses.iter().enumerate() {
+        let alone = matches!(&body.motion, Motion::Free(freedom) if freedom.free == [Axis::Y]) && !body.bends();
+        let expected = "none, or a rigid body with free = [\"y\"]: the masses move upright over it";
+        require(alone, "body.sprung_masses", format_args!("{:?}", mass.name), expected)?;
+        word(&key(i, "name"), &mass.name)?;
+        let first = body.sprung_masses.iter().position(|other| other.name == mass.name) == Some(i);
+        require(first, &key(i, "name"), format_args!("{:?}", mass.name), "a name of its own")?;
+    }
+    Ok(())
 }
 
 pub(super) fn resolve_shape(draft: &mut Draft) -> Result<Shape, Problem> {

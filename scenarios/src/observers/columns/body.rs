@@ -29,7 +29,9 @@ fn names(scene: &Scene) -> Vec<String> {
     let body = |b: &crate::scene::Body| {
         let own = BODY.iter().map(|(column, _)| format!("{}.{column}", b.name));
         let bends = b.panels.iter().flat_map(|panel| panel.columns());
-        own.chain(bends).chain(b.modal.iter().flat_map(|modal| modal.columns())).collect::<Vec<_>>()
+        let sprung =
+            b.sprung_masses.iter().flat_map(|mass| mass.columns()).map(|column| format!("{}.{column}", b.name));
+        own.chain(sprung).chain(bends).chain(b.modal.iter().flat_map(|modal| modal.columns())).collect::<Vec<_>>()
     };
     scene.body.iter().flat_map(body).collect()
 }
@@ -41,6 +43,7 @@ fn read(frame: &Frame<'_>) -> Vec<f64> {
             body_values(&motion)
                 .map(|(_, value)| value)
                 .into_iter()
+                .chain(b.sprung().iter().flat_map(|mass| [mass.extension, mass.acceleration]).collect::<Vec<_>>())
                 .chain(b.panels().iter().flat_map(panel_values).collect::<Vec<_>>())
                 .chain(b.modes().iter().flat_map(modal_values).collect::<Vec<_>>())
         })

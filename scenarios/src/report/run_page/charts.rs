@@ -256,7 +256,7 @@ fn quantity<'a>(run: &'a RunFolder, name: &str, column: &Column) -> Option<&'a Q
     match () {
         _ if run.has_failed() => None,
         _ if name.ends_with(".fy_N_per_m") => results.peak_force_N_per_m.as_ref(),
-        _ if name.ends_with(".ay_m_per_s2") => results.peak_acceleration_g.as_ref(),
+        _ if name.ends_with(".ay_m_per_s2") && name.matches('.').count() == 1 => results.peak_acceleration_g.as_ref(),
         _ if name.ends_with(".p_Pa") => {
             results.peak_pressure_Pa.as_ref().filter(|_| run.gauge_of_peak() == Some(&column.part))
         }

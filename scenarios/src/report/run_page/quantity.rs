@@ -146,8 +146,12 @@ pub(crate) fn column(name: &str) -> Column {
             let (_, words, si) = OF_PANEL.into_iter().find(|(end, ..)| *end == quantity)?;
             return Some(new(format!("{words} {first}"), &format!("at {place} % of its length"), si, 1.0));
         }
+        if let Some((mass, "extension_m")) = rest.rsplit_once('.') {
+            return Some(new(format!("Height of the {mass} above its unloaded spring"), "", "m", 1.0));
+        }
+        let (of, rest) = rest.rsplit_once('.').unwrap_or((first, rest)); // of a mass on the body, or its own
         let (_, words, si, scale) = OF_BODY.into_iter().find(|(end, ..)| *end == rest)?;
-        Some(new(format!("{words} the {first}"), "", si, scale))
+        Some(new(format!("{words} the {of}"), "", si, scale))
     };
     if let Some(column) = name.split_once('.').and_then(known) {
         return column;

@@ -59,6 +59,9 @@ pub struct Body {
     /// The flexible parts of its surface.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub panels: Vec<Panel>,
+    /// Masses on springs that stand on it, where it is free in y alone: seats, equipment. absent: none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sprung_masses: Vec<SprungMass>,
     /// File of the natural modes of its structure (.toml), below the folder of the scene's file: width, nodes, masses, [[modes]] as in
     /// body.modal; frequencies, masses and shapes of any finite-element program.
     #[serde(default, skip_serializing)]
@@ -66,6 +69,31 @@ pub struct Body {
     /// Its structure by natural modes, in place of panels. absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub modal: Option<Modes>,
+}
+
+/// A mass that moves upright over the body on a spring and a damper (THEORY CO35). At t = 0 the spring is unloaded and the mass moves with the
+/// body. Its columns are BODY.NAME.extension_m and BODY.NAME.ay_m_per_s2.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SprungMass {
+    /// Name in output columns.
+    pub name: String,
+    /// Mass, besides body.mass [kg/m].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub mass: f64,
+    /// Stiffness of the spring, per metre of span [N/m^2].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub stiffness: f64,
+    /// Coefficient of the damper, per metre of span [N s/m^2].
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub damping: f64,
+}
+
+impl SprungMass {
+    /// Columns after the body's name and a dot.
+    pub(crate) fn columns(&self) -> [String; 2] {
+        [format!("{}.extension_m", self.name), format!("{}.ay_m_per_s2", self.name)]
+    }
 }
 
 /// How a body moves.

@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 
 pub(crate) use body::line;
 pub(super) use body::placed;
-pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
+pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, SprungMass, panel_length, panel_line};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
 pub(crate) use modes::{MILLIMETRE, MODES};
