@@ -71,7 +71,7 @@ fn upright(sprung: SprungSpec, speed: f64) -> RigidBody2d {
     RigidBody2d::new(spec).expect("a sound body")
 }
 
-/// A body that is stopped by a blow at t = 0 and its mass swing about their common centre: e = −V sin(ωt)/ω, ω² = k (1/M + 1/m), with a damper
+/// A body that is stopped at t = 0 by a contact impulse and its mass swing about their common centre: e = −V sin(ωt)/ω, ω² = k (1/M + 1/m), with a damper
 /// of δ = ½c (1/M + 1/m) e = −V e^(−δt) sin(ω_d t)/ω_d. Momentum is kept, and the damper's energy is the one that is missing.
 #[test]
 fn two_masses_swing_about_their_centre() {
@@ -82,7 +82,7 @@ fn two_masses_swing_about_their_centre() {
         let mut handled = Handled::new(&mut body, 0.1, false);
         let none = |_: usize, _: &Walls| [0.0; 2];
         handled.start(&mut body, none);
-        // a blow that stops the body but not the mass
+        // it stops the body but not the mass
         let at = fsi_coupling::ContactImpulse { at: [0.0, -0.2], impulse: [0.0, -body_mass * speed], mirrored: false };
         fsi_coupling::Contact::apply_impulse(&mut body, &at);
         let start = (body.momentum(), body.energy());

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::modes::Modes;
 use super::panel::Panel;
+use super::sprung_mass::SprungMass;
 
 /// A body: rigid but for its panels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -69,31 +70,6 @@ pub struct Body {
     /// Its structure by natural modes, in place of panels. absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub modal: Option<Modes>,
-}
-
-/// A mass that moves upright over the body on a spring and a damper (THEORY CO35). At t = 0 the spring is unloaded and the mass moves with the
-/// body. Its columns are BODY.NAME.extension_m and BODY.NAME.ay_m_per_s2.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SprungMass {
-    /// Name in output columns.
-    pub name: String,
-    /// Mass, besides body.mass [kg/m].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub mass: f64,
-    /// Stiffness of the spring, per metre of span [N/m^2].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub stiffness: f64,
-    /// Coefficient of the damper, per metre of span [N s/m^2].
-    #[serde(default)]
-    #[schemars(range(min = 0.0))]
-    pub damping: f64,
-}
-
-impl SprungMass {
-    /// Columns after the body's name and a dot.
-    pub(crate) fn columns(&self) -> [String; 2] {
-        [format!("{}.extension_m", self.name), format!("{}.ay_m_per_s2", self.name)]
-    }
 }
 
 /// How a body moves.

@@ -8,6 +8,7 @@ mod fluid;
 mod modes;
 mod observation;
 mod panel;
+mod sprung_mass;
 mod tank;
 
 use std::sync::LazyLock;
@@ -19,13 +20,14 @@ use serde::{Deserialize, Serialize};
 
 pub(crate) use body::line;
 pub(super) use body::placed;
-pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, SprungMass, panel_length, panel_line};
+pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
 pub(crate) use modes::{MILLIMETRE, MODES};
 pub use modes::{Modes, NaturalMode};
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
 pub use panel::{Panel, StructurePlane, StructureUnits, TheoryName};
+pub use sprung_mass::SprungMass;
 pub use tank::{Block, Tank};
 
 use fsi_coupling::{Iteration, Scheme};
