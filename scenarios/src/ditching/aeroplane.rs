@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::entry_theory::ditching::{Aeroplane, Bending, FuselageError, Masses, Nacelle, Panel, Rib, Surface};
-use fsi_coupling::settings::Problem;
+use fsi_coupling::settings::{Problem, require};
 
 use super::model::Scene;
 use super::parts::{NacelleKeys, PanelKeys, SurfaceKeys};
@@ -15,7 +15,11 @@ const FASTEST: f64 = 1.0;
 fn surface(keys: &SurfaceKeys, index: usize) -> Result<Surface, Problem> {
     let key = |name: &str| format!("surfaces[{index}].{name}");
     let [root, tip] = [keys.root, keys.tip];
-    if !(root[1] >= 0.0 && tip[1] > root[1]) {
+    if root[1] < 0.0 {
+        let expected = "a distance from the plane of symmetry of 0 or more: both sides are meant";
+        return Err(Problem::new(&key("root"), format!("{root:?}"), expected));
+    }
+    if tip[1].total_cmp(&root[1]).is_le() {
         return Err(Problem::new(
             &key("tip"),
             format!("{tip:?}"),
@@ -55,9 +59,14 @@ fn panels(scene: &Scene) -> Result<Vec<Panel>, Problem> {
     let (first, last) = (scene.stations[0].x, scene.stations[scene.stations.len() - 1].x);
     let panel = |(k, keys): (usize, &PanelKeys)| {
         let PanelKeys { from, to, gives_way_at, frame_height, drag, .. } = *keys;
-        if !(from >= first && to > from && to <= last) {
-            let expected = format!("more than panels[{k}].from, both from {first} to {last} m");
-            return Err(Problem::new(&format!("panels[{k}].to"), to, expected));
+        let key = |name: &str| format!("panels[{k}].{name}");
+        require((first..last).contains(&from), &key("from"), from, format_args!("a place from {first} to {last} m"))?;
+        let expected = format_args!("more than {}, {from} m, and up to {last} m", key("from"));
+        require(to > from && to <= last, &key("to"), to, expected)?;
+        let before = scene.panels[..k].iter().position(|other| from < other.to && other.from < to);
+        if let Some(other) = before {
+            let expected = format!("a part of the bottom that panels[{other}] does not take");
+            return Err(Problem::new(&key("from"), format!("{from} to {to} m"), expected));
         }
         Ok(Panel { name: keys.name.clone(), ends: [from, to], gives_way_at, frame_height, drag })
     };
@@ -78,7 +87,10 @@ pub(super) fn masses(scene: &Scene) -> Result<Masses, Problem> {
         let expected = format!("masses that leave something of aeroplane.mass, {} kg, not {sum} kg in all", craft.mass);
         return Err(Problem::new(&format!("masses[{last}].mass"), known[last][1], expected));
     }
-    let radius = craft.radius_of_gyration;
+    let (radius, centre) = (craft.radius_of_gyration, craft.center_of_mass);
+    let inside = (ends[0]..=ends[1]).contains(&centre[0]);
+    let expected = format_args!("a place on the fuselage, from {} to {} m from the nose", ends[0], ends[1]);
+    require(inside, "aeroplane.center_of_mass", format_args!("{centre:?}"), expected)?;
     Masses::new(ends, craft.mass, craft.center_of_mass[0], craft.mass * radius * radius, &known)
         .map_err(|why| Problem::new("aeroplane.radius_of_gyration", radius, why))
 }

@@ -82,6 +82,7 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     each("nacelles").iter().try_for_each(|item| draft.read::<NacelleKeys>(item).map(drop))?;
     each("panels").iter().try_for_each(|item| draft.read::<PanelKeys>(item).map(drop))?;
     each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
+    draft.is_given("beam").then(|| draft.read::<BeamKeys>("beam")).transpose()?;
     each("masses").iter().try_for_each(|item| draft.read::<MassKeys>(item).map(drop))?;
     draft.read("")
 }

@@ -178,7 +178,7 @@ fn stations_table(s: &Structure) -> Table {
         "station, from the nose [m]".into(),
         format!("load of a metre of keel [{}]", line.name),
         format!("pressure on the breadth [{}]", pressure.name),
-        format!("shear [{}]", shear.name),
+        format!("shear, aft part lifts the part ahead [{}]", shear.name),
         format!("bending, ends upwards [{}]", bending.name),
         "time of bending [s]".into(),
     ];
@@ -193,10 +193,12 @@ fn stations_table(s: &Structure) -> Table {
 fn limits(scene: &Scene) -> String {
     let suction = format!(
         "Suction where the keel curves up acts by the share {} of what the theory gives (water.suction). Ventilation limits \
-         real suction; the result depends on it strongly: compute 0 and 1.",
-        digits(scene.water.suction)
+         real suction; the result depends on it strongly: compute 0 and 1. It is at most {} kPa (water.largest_suction).",
+        digits(scene.water.suction),
+        digits(1e-3 * scene.water.largest_suction)
     );
     let bare = "Only the fuselage touches the water: the file has no surfaces and no nacelles.";
+    let panels = "A panel of the bottom gives way at one load of its strip; the frame behind it has the drag of a plate, the water inside has no weight.";
     let parts = "Wing, flaps, tailplane and engines are plates and bodies in a steady stream: no slam of a flat wing, no spray, no wake of the \
                  fuselage.";
     let items = [
@@ -207,7 +209,8 @@ fn limits(scene: &Scene) -> String {
          the fuselage.",
         if scene.surfaces.is_empty() && scene.nacelles.is_empty() { bare } else { parts },
     ];
-    let items: String = items.iter().map(|item| format!("<li>{item}</li>\n")).collect();
+    let of_panels = (!scene.panels.is_empty()).then_some(panels);
+    let items: String = items.into_iter().chain(of_panels).map(|item| format!("<li>{item}</li>\n")).collect();
     format!("<ul class=\"reasons\">\n{items}</ul>\n")
 }
 

@@ -6,7 +6,7 @@ use fsi_coupling::{PanelEnd, Plane, Shape};
 
 use super::draft::Draft;
 use super::resolve_modes::check_modes;
-use super::settings::{Axis, Body, Motion, Panel, Symmetry, TheoryName, line, placed};
+use super::settings::{Axis, Body, Motion, Panel, SprungMass, Symmetry, TheoryName, line, placed};
 use super::source::word;
 
 /// Side height over breadth, where the scene does not say.
@@ -30,6 +30,8 @@ pub(super) fn resolve_body(draft: &mut Draft, symmetry: Symmetry) -> Result<Opti
     let [lowest, _] = polygon::bounding_box(&placed(shape.outline(), [0.0; 2], angle));
     draft.fill("body.position", [0.0, 0.0 - lowest[1]]);
     fill_panels(draft, &shape)?;
+    (0..draft.count("body.sprung_masses"))
+        .try_for_each(|i| draft.read::<SprungMass>(&format!("body.sprung_masses[{i}]")).map(drop))?;
     let body: Body = draft.read("body")?;
     word("body.name", &body.name)?;
     check_locked_directions(&body)?;

@@ -30,7 +30,7 @@ pub struct Wing {
     #[serde(default = "usual::pitch_damping")]
     pub pitch_damping: f64,
     /// Angle of attack of the body axis at which the elevator balances the moment [deg].
-    #[schemars(extend("x-default" = "landing.angle_of_attack_deg"))]
+    #[schemars(range(min = -90.0, max = 90.0), extend("x-default" = "landing.angle_of_attack_deg"))]
     pub trim_deg: Option<f64>,
     /// Drag coefficient of the aeroplane in air [-].
     #[serde(default)]
