@@ -70,8 +70,8 @@ pub struct Settings {
     pub cavitation_pressure: Option<f64>,
     /// Acoustic steps for which the geometry of pairs may be held (THEORY WC22), 1 to 64 [-]. Fewer are taken where neighbours part
     /// fast or the water is under pressure; 1 finds the geometry anew in each step. auto: 4 where a rigid body with a keel enters the water, with
-    /// kernel wendland_c2 or wendland_c4, resolution.follow, no coupling.scheme iqn_ils and no option of 2010; else 1. Other kernels are
-    /// noisier above 1; incompressible solvers do not use it.
+    /// kernel wendland_c2 or wendland_c4, unless resolution.follow = false, coupling.scheme = "iqn_ils" or an option of 2010 is given; else 1. Other
+    /// kernels are noisier above 1; incompressible solvers do not use it.
     #[schemars(extend("minimum" = 1, "maximum" = 64, "x-ignored-elsewhere" = true))]
     pub acoustic_steps: Auto<u32>,
     /// Factor of the limits of an advective step (THEORY WC25), above 0 to 16 [-]. Beyond 1 forces are noisier and water under pressure
