@@ -85,10 +85,15 @@ fn a_wedge_that_stops_is_told() {
 /// Outside its range the model names the next that can.
 #[test]
 fn what_is_outside_the_range_is_refused() {
-    for (deadrise, next) in [(9.0, "similarity"), (61.0, "wcsph")] {
+    for (deadrise, next) in [(9.0, "similarity"), (61.0, "similarity"), (82.0, "wcsph")] {
         let refused = EntryFlow::new(&wedge(deadrise), START, SPEED, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("10 to 60 degrees") && refused.contains(next), "{refused}");
     }
+    let flat = Section::arc(1.0, 0.5).expect("a section");
+    let refused = EntryFlow::new(&flat, 0.02, SPEED, 0.0).expect_err("out of range").to_string();
+    assert!(refused.contains("arcs of 20 degrees and more, not an arc that ends at 14.5 degrees"), "{refused}");
+    let early = EntryFlow::new(&Section::arc(1.0, 1.5).expect("a section"), 0.001, SPEED, 0.0).expect_err("too early");
+    assert!(early.to_string().contains("from a draught of 0.01"), "{early}");
     for (draught, speed) in [(0.0, SPEED), (START, -1.0), (f64::NAN, SPEED)] {
         let refused = EntryFlow::new(&wedge(30.0), draught, speed, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("above zero"), "{refused}");

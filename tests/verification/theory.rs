@@ -253,7 +253,7 @@ fn what_a_model_cannot_do_is_refused_with_its_range_and_the_next_that_can() {
     let steeper = Section::wedge(85.0, 1.0).expect("a section");
     assert_eq!(of(EntryModel::Similarity, &steeper).next, EntryModel::Wcsph);
     let arc = Section::arc(1.0, 1.0).expect("a section");
-    assert_eq!(of(EntryModel::Similarity, &arc).next, EntryModel::Wcsph);
+    assert_eq!(of(EntryModel::Similarity, &arc).next, EntryModel::BoundaryElement);
     let lopsided = vec![[0.0, 0.0], [1.0, 0.3], [1.0, 1.0], [-1.0, 1.0], [-1.0, 0.5]];
     let refused = Section::of(&fsi_coupling::Shape::Polygon { points: lopsided }).expect_err("not symmetric");
     assert!(refused.to_string().contains("symmetric"), "{refused}");

@@ -174,6 +174,14 @@ density = 2700.0
 yield_stress = 250e6
 ";
 
+/// A mass on a spring over it.
+const SPRUNG_MASS: &str = "
+[[body.sprung_masses]]
+name = \"seat\"
+mass = 10.0
+stiffness = 1e4
+";
+
 /// The same as modes.
 const MODES: &str = "
 [body.modal]
@@ -200,6 +208,7 @@ fn a_key_left_out_has_the_default_that_its_keyword_declares() {
         };
         let silent = match &keyword.path {
             path if path.starts_with("body.panels") => format!("{silent}{PANEL}"),
+            path if path.starts_with("body.sprung_masses") => format!("{silent}{SPRUNG_MASS}"),
             path if path.starts_with("body.modal") => format!("{silent}{MODES}"),
             _ => silent,
         };
