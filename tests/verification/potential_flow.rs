@@ -181,6 +181,21 @@ fn a_round_bottom_is_near_the_formula_at_first_and_near_tests_at_last() {
     assert!(flow.chines_wet());
 }
 
+/// A slow arc whose jet falls back behind its chine: the flow stays where it left the bottom, and the force has no step.
+#[test]
+fn a_jet_behind_the_chine_does_not_wet_the_bottom_again() {
+    let section = Section::arc(1.0, 1.8).expect("a section");
+    let motion = SectionMotion::Free(2000.0);
+    let entry = FlowEntry { section: &section, motion, draught: 0.0, speed: 2.0, gravity: 9.81, density: 1000.0 };
+    let times: Vec<f64> = (0..=300).map(|k| 1e-3 * f64::from(k)).collect();
+    let (instants, _, end) = entry.solve(&times).expect("in range");
+    assert!(end.is_none(), "{end:?}");
+    for pair in instants.windows(2).filter(|pair| pair[0].draught > 0.2) {
+        let step = pair[1].force / pair[0].force - 1.0;
+        assert!(step.abs() < 0.06, "{} s: force {} after {} N/m", pair[1].time, pair[1].force, pair[0].force);
+    }
+}
+
 /// A cylinder of half the water's density, by the model as a scene has it, against the boundary elements of Sun et al. (2018).
 #[test]
 fn a_light_cylinder_goes_as_deep_as_in_others_boundary_elements() {

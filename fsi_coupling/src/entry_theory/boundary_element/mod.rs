@@ -222,7 +222,8 @@ impl EntryFlow {
         let inside = |z: &c64| {
             let on_face = self.face.nearest(*z, false);
             let away = -((z - on_face.z) * on_face.tangent.conj()).im;
-            (away < -INSIDE * size && on_face.along > self.face.length()).then_some(on_face)
+            let beside = self.face.length() < on_face.along && on_face.along < self.face.whole_length(); // not past the chine
+            (away < -INSIDE * size && beside).then_some(on_face)
         };
         let Some((k, on_face)) = underside.z.iter().enumerate().find_map(|(k, z)| Some((k, inside(z)?))) else {
             return self;
