@@ -89,7 +89,8 @@ impl Resumable {
         let volume = system.fluid.volume();
         system.restore_bytes(&checkpoint.system).map_err(refused)?;
         let (time, end) = (system.fluid.time(), scene.time.end);
-        refuse_end(until, time, &scene)?;
+        let written = OF_THE_END.iter().all(|name| file(name).exists());
+        refuse_end(until, time, &scene, written)?;
         let rows = recorder.restore_bytes(&checkpoint.recorder).map_err(refused)?;
         recorder.live = start_live(&scene, options)?;
         let log = checkpoint.log.map(|log| LogObserver::resume(&file("log.mcap"), &scene, log));
@@ -106,15 +107,16 @@ impl Resumable {
     }
 }
 
-/// An error where the end is no later than the run is, or too late for its samples.
-fn refuse_end(until: Option<f64>, time: f64, scene: &Scene) -> Result<(), CheckpointError> {
+/// An error where the end is no later than the run is, or too late for its samples. A run that was killed at its end, before its last files
+/// were `written`, goes on to write them.
+fn refuse_end(until: Option<f64>, time: f64, scene: &Scene, written: bool) -> Result<(), CheckpointError> {
     let end = scene.time.end;
     let every = scene.time.sample_every.min(scene.time.frame_every);
     match until {
         Some(given) if !(given > time && given.is_finite() && every >= given / MOST_ROWS) => {
             Err(CheckpointError::Until { given, time })
         }
-        None if !(end > time && end.is_finite()) => Err(CheckpointError::Ended { time, end }),
+        None if written && !(end > time && end.is_finite()) => Err(CheckpointError::Ended { time, end }),
         _ => Ok(()),
     }
 }

@@ -48,7 +48,8 @@ fn a_run_that_is_killed_again_and_again_has_the_same_bits() {
         wait += Duration::from_micros(36_700);
         let ended = child.try_wait().expect("a child");
         if let Some(status) = ended {
-            assert!(status.success(), "{status}");
+            // a kill may come when all is written and the program has not ended yet: there is nothing to resume
+            assert!(status.success() || parts.join("report.html").exists(), "{status}");
             break;
         }
         child.kill().expect("a child to kill");
