@@ -1,15 +1,17 @@
-//! The contract of a body: transfer and dynamics ([`WettedBody`]), contact ([`Contact`]) and output ([`Inspect`]).
+//! The contract of a body: transfer and dynamics ([`WettedBody`]), contact with single particles ([`Contact`]), links with
+//! other bodies ([`Linked`]) and output ([`Inspect`]).
 //!
 //! A coupled step of length `dt` calls, for each body: `kinematics(dt)`, `interface(dt)`; then the fluid steps; then `load`,
 //! `advance(dt)`, and the methods of [`Contact`] for single particles.
 
+use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoint, WallsMut};
 
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel_state::PanelState;
 use crate::bodies::modal::state::ModesState;
 use crate::bodies::sprung::SprungState;
-use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
 
@@ -77,6 +79,21 @@ pub trait Contact {
     fn apply_impulse(&mut self, contact: &ContactImpulse);
 }
 
+/// A body that other solids may touch and joints may hold (THEORY CO36).
+pub trait Linked {
+    /// The body as links meet it; `None` for one that they cannot hold: it bends, or a host moves it.
+    fn solid(&self) -> Option<Solid> {
+        None
+    }
+
+    /// Apply an impulse [N s/m, N s] of links about the reference point of [`Linked::solid`], at once. It is not work of the fluid.
+    fn apply_link_impulse(&mut self, _impulse: Resultant) {}
+
+    /// Reactions of links [N/m, N] about the reference point that act now: in accelerations from now on, and in the first half of the
+    /// next step. They replace the previous ones.
+    fn set_reaction(&mut self, _reaction: Resultant) {}
+}
+
 /// What observers may read of a body.
 pub trait Inspect {
     /// Name in output columns.
@@ -130,6 +147,6 @@ pub trait Inspect {
 }
 
 /// A body in the fluid.
-pub trait Body: WettedBody + Contact + Inspect + Send + Sync {}
+pub trait Body: WettedBody + Contact + Linked + Inspect + Send + Sync {}
 
-impl<T: WettedBody + Contact + Inspect + Send + Sync> Body for T {}
+impl<T: WettedBody + Contact + Linked + Inspect + Send + Sync> Body for T {}

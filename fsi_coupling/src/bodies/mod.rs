@@ -25,8 +25,8 @@
 //! # Ok(()) }
 //! ```
 //!
-//! A new body is a file here that implements [`WettedBody`](body::WettedBody), [`Contact`](body::Contact) and
-//! [`Inspect`](body::Inspect), its line in this module and its name in `lib.rs`: three files.
+//! A new body is a file here that implements [`WettedBody`](body::WettedBody), [`Contact`](body::Contact),
+//! [`Linked`](body::Linked) and [`Inspect`](body::Inspect), its line in this module and its name in `lib.rs`: three files.
 
 pub mod beam_surface;
 pub mod body;
@@ -37,6 +37,7 @@ pub mod prescribed;
 pub mod rigid;
 pub mod rigid_interface;
 pub mod rigid_motion;
+pub mod rigid_spec;
 pub mod rigid_surface;
 pub mod sprung;
 pub mod state;

@@ -6,14 +6,15 @@ use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::rigid_surface::RigidSurface;
-use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
 use crate::geometry::hermite::{hermite, hermite_rate, hermite_second_rate};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
+use crate::geometry::vector::dot;
 
 /// A motion law: time [s] → motion of the body's origin.
 pub type Law = Box<dyn Fn(f64) -> RigidMotion + Send + Sync>;
@@ -35,6 +36,10 @@ struct State {
     mean: Resultant,
     external: [f64; 2],
     work: f64,
+    /// Of links, in the first half of the next step.
+    reaction: Resultant,
+    /// Work of links on the body [J/m].
+    work_of_links: f64,
 }
 
 impl PrescribedBody {
@@ -151,8 +156,10 @@ impl WettedBody for PrescribedBody {
         let (mean, state) = (self.state.mean, &mut self.state);
         for k in 0..2 {
             state.work += mean.force[k] * moved[k];
-            state.external[k] -= dt * mean.force[k];
+            state.work_of_links += 0.5 * state.reaction.force[k] * moved[k];
+            state.external[k] -= dt * (mean.force[k] + 0.5 * state.reaction.force[k]);
         }
+        state.work_of_links += 0.5 * state.reaction.moment * (then.angle - now.angle);
         // the mean moment, about the reference point in the middle of the step
         state.work += mean.about(moved.map(|d| 0.5 * d)).moment * (then.angle - now.angle);
         state.now = state.now.about(moved);
@@ -196,6 +203,23 @@ impl Contact for PrescribedBody {
     }
 }
 
+impl Linked for PrescribedBody {
+    fn solid(&self) -> Option<Solid> {
+        let halves = if self.surface.is_half() { 2.0 } else { 1.0 };
+        Some(Solid { motion: self.motion_now(), inverse_mass: [0.0; 3], halves })
+    }
+
+    fn apply_link_impulse(&mut self, Resultant { force, moment }: Resultant) {
+        let now = self.motion_now();
+        self.state.work_of_links += dot(force, now.velocity) + moment * now.angular_velocity;
+        self.state.external = [0, 1].map(|k| self.state.external[k] - force[k]);
+    }
+
+    fn set_reaction(&mut self, reaction: Resultant) {
+        self.state.reaction = reaction;
+    }
+}
+
 impl Inspect for PrescribedBody {
     fn name(&self) -> &str {
         &self.name
@@ -210,7 +234,8 @@ impl Inspect for PrescribedBody {
     }
 
     fn energy(&self) -> Energy {
-        Energy { work: self.state.work, ..Energy::default() }
+        // what links do on it, its support takes up
+        Energy { work: self.state.work, support: -self.state.work_of_links, ..Energy::default() }
     }
 
     fn momentum(&self) -> Momentum {

@@ -14,47 +14,17 @@ use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::rigid_interface::RigidInterface;
 use crate::bodies::rigid_motion::RigidMotion;
+use crate::bodies::rigid_spec::RigidSpec;
 use crate::bodies::rigid_surface::RigidSurface;
 use crate::bodies::sprung::{Sprung, SprungSpec, SprungState};
-use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
 use crate::geometry::vector::{cross, rotate};
-
-/// A rigid body to be built; everything per metre of span.
-#[derive(Clone)]
-pub struct RigidSpec {
-    /// Name, as in output columns.
-    pub name: String,
-    /// Outline in the body's frame [m].
-    pub outline: Outline,
-    /// Mass [kg/m].
-    pub mass: f64,
-    /// Moment of inertia about the centre of mass [kg m²/m].
-    pub inertia: f64,
-    /// Centre of mass in the body's frame [m].
-    pub center_of_mass: [f64; 2],
-    /// Which of x, y, angle are free; the others are held by a guide.
-    pub free: [bool; 3],
-    /// Origin of the body's frame at the start [m].
-    pub position: [f64; 2],
-    /// Angle at the start [rad].
-    pub angle: f64,
-    /// Velocity of the origin at the start [m/s].
-    pub velocity: [f64; 2],
-    /// Angular velocity at the start [rad/s].
-    pub angular_velocity: f64,
-    /// Gravity [m/s²].
-    pub gravity: [f64; 2],
-    /// Simulate the half x > 0 of a symmetric body.
-    pub half: bool,
-    /// Masses on springs that stand on it; only on a body that is free in y alone.
-    pub sprung: Vec<SprungSpec>,
-}
 
 /// A rigid body that moves under the fluid's load and gravity; any of x, y, angle may be held by a guide.
 pub struct RigidBody2d {
@@ -74,6 +44,8 @@ struct State {
     now: Resultant,
     mean: Resultant,
     kicked: Resultant,
+    /// Of links, in the first half of the next step.
+    reaction: Resultant,
     external: [f64; 2],
     work: f64,
     time: f64,
@@ -135,6 +107,11 @@ impl RigidBody2d {
 
     /// Motion of the centre of mass under the load now and gravity, guides holding what is not free.
     fn motion_now(&self) -> RigidMotion {
+        self.motion_under(sum(self.state.now, self.state.reaction))
+    }
+
+    /// The same under other loads.
+    fn motion_under(&self, loads: Resultant) -> RigidMotion {
         let (body, spec) = (&self.world.bodies[self.handle], &self.spec);
         let (com, v) = (body.center_of_mass(), body.linvel());
         let of_springs = [0.0, self.springs(v.y).sum::<f64>()];
@@ -144,9 +121,8 @@ impl RigidBody2d {
             angle: self.state.angle,
             velocity: [v.x, v.y],
             angular_velocity: body.angvel(),
-            acceleration: [0, 1]
-                .map(|k| free(k, (self.state.now.force[k] + of_springs[k]) / spec.mass + spec.gravity[k])),
-            angular_acceleration: free(2, self.state.now.moment / spec.inertia.max(f64::MIN_POSITIVE)),
+            acceleration: [0, 1].map(|k| free(k, (loads.force[k] + of_springs[k]) / spec.mass + spec.gravity[k])),
+            angular_acceleration: free(2, loads.moment / spec.inertia.max(f64::MIN_POSITIVE)),
         }
     }
 
@@ -237,7 +213,7 @@ impl WettedBody for RigidBody2d {
         let (now, spec) = (self.motion_now(), &self.spec);
         let of_springs: f64 = self.springs(now.velocity[1]).sum();
         let ([x, y], inverse) = (now.acceleration, [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia));
-        let free = |k: usize, value: f64| if spec.free[k] { value } else { 0.0 };
+        let (free, held) = (|k: usize, value: f64| if spec.free[k] { value } else { 0.0 }, self.state.reaction);
         Ok(Some(Box::new(RigidInterface {
             position: now.ahead(ahead).position,
             velocity: now.ahead(0.5 * ahead).velocity,
@@ -245,7 +221,11 @@ impl WettedBody for RigidBody2d {
             predicted: [x, y, now.angular_acceleration],
             change: [0.0; 3],
             inverse_mass: [0, 1, 2].map(|k| free(k, inverse[k])),
-            free_fall: [free(0, spec.gravity[0]), free(1, spec.gravity[1] + of_springs / spec.mass), 0.0],
+            free_fall: [
+                free(0, spec.gravity[0] + held.force[0] / spec.mass),
+                free(1, spec.gravity[1] + (of_springs + held.force[1]) / spec.mass),
+                free(2, held.moment * inverse[2]),
+            ],
         })))
     }
 
@@ -258,7 +238,8 @@ impl WettedBody for RigidBody2d {
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
         self.check_springs(dt)?;
         let before = self.motion_now();
-        self.kick(self.state.kicked, 0.5 * dt);
+        // reactions act here; the links' impulses after the step are their other half
+        self.kick(sum(self.state.kicked, self.state.reaction), 0.5 * dt);
         self.kick_springs(0.5 * dt);
         self.world.integration_parameters.dt = dt;
         self.world.step();
@@ -334,6 +315,31 @@ impl Contact for RigidBody2d {
     }
 }
 
+impl Linked for RigidBody2d {
+    fn solid(&self) -> Option<Solid> {
+        let spec = &self.spec;
+        let inverse = [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia);
+        Some(Solid {
+            motion: self.motion_under(self.state.now),
+            inverse_mass: [0, 1, 2].map(|k| if spec.free[k] { inverse[k] } else { 0.0 }),
+            halves: if spec.half { 2.0 } else { 1.0 },
+        })
+    }
+
+    fn apply_link_impulse(&mut self, Resultant { force: [x, y], moment }: Resultant) {
+        let body = &mut self.world.bodies[self.handle];
+        body.apply_impulse(Vector::new(x, y), true);
+        body.apply_torque_impulse(moment, true);
+        for (k, impulse) in [x, y].into_iter().enumerate() {
+            self.state.external[k] -= if self.spec.free[k] { 0.0 } else { impulse };
+        }
+    }
+
+    fn set_reaction(&mut self, reaction: Resultant) {
+        self.state.reaction = reaction;
+    }
+}
+
 impl Inspect for RigidBody2d {
     fn name(&self) -> &str {
         &self.spec.name
@@ -391,4 +397,9 @@ impl Inspect for RigidBody2d {
         let momentum = [0, 1].map(|k| if self.spec.free[k] { self.spec.mass * v[k] } else { 0.0 });
         Momentum { momentum: [momentum[0], momentum[1] + on_springs], external: self.state.external }
     }
+}
+
+/// Two loads about the same point.
+fn sum(a: Resultant, b: Resultant) -> Resultant {
+    Resultant { force: [a.force[0] + b.force[0], a.force[1] + b.force[1]], moment: a.moment + b.moment }
 }

@@ -29,6 +29,11 @@ impl RigidSurface {
         RigidSurface { outline, reference, half, points: Vec::new(), plate: None }
     }
 
+    /// Whether only its part x > 0 is sampled.
+    pub fn is_half(&self) -> bool {
+        self.half
+    }
+
     /// Boundary particles where `motion` puts them; kept in the body's frame.
     pub fn sample(&mut self, motion: &RigidMotion, rows: &WallRows) -> Vec<WallPoint> {
         (self.points, self.plate) = boundary_particles(&self.outline, rows, self.half);

@@ -95,3 +95,53 @@ impl ContactImpulse {
         }
     }
 }
+
+/// A body as links and other solids meet it: rigid, about a reference point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Solid {
+    /// Motion of the reference point (a free body's centre of mass), with accelerations that leave out the reactions of links.
+    pub motion: RigidMotion,
+    /// Inverse of mass, mass and moment of inertia [m/kg, m/kg, 1/(kg m)]; 0 where it is held.
+    pub inverse_mass: [f64; 3],
+    /// 2 where only the half x > 0 of a symmetric body is simulated: an impulse has its mirror image; else 1.
+    pub halves: f64,
+}
+
+impl Solid {
+    /// From the reference point to a point in space [m].
+    pub fn arm(&self, at: [f64; 2]) -> [f64; 2] {
+        [at[0] - self.motion.position[0], at[1] - self.motion.position[1]]
+    }
+
+    /// Velocity [m/s] of the body at a point in space.
+    pub fn velocity_at(&self, at: [f64; 2]) -> [f64; 2] {
+        let (r, turn) = (self.arm(at), self.motion.angular_velocity);
+        [self.motion.velocity[0] - turn * r[1], self.motion.velocity[1] + turn * r[0]]
+    }
+
+    /// Centripetal acceleration [m/s²] of the body at a point in space.
+    pub fn centripetal(&self, at: [f64; 2]) -> [f64; 2] {
+        self.arm(at).map(|r| -r * self.motion.angular_velocity.powi(2))
+    }
+
+    /// Add the accelerations that a force [N/m] and a moment [N] about the reference point cause.
+    pub fn accelerate(&mut self, force: Resultant) {
+        for k in 0..2 {
+            self.motion.acceleration[k] += self.inverse_mass[k] * force.force[k];
+        }
+        self.motion.angular_acceleration += self.inverse_mass[2] * force.moment;
+    }
+
+    /// Velocity per unit impulse along x, y and angle [m/kg, m/kg, 1/(kg m)]; of both halves' impulses.
+    pub fn response(&self) -> [f64; 3] {
+        self.inverse_mass.map(|inverse| self.halves * inverse)
+    }
+
+    /// An impulse or force on it with its mirror image, about the reference point.
+    pub fn whole(&self, own: Resultant) -> Resultant {
+        match self.halves > 1.0 {
+            true => Resultant { force: [0.0, self.halves * own.force[1]], moment: 0.0 },
+            false => own,
+        }
+    }
+}

@@ -2,12 +2,14 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
+use serde::{Deserialize, Serialize};
 use sph_core::state_bytes::{StateError, decode, encode};
+use sph_core::walls::Resultant;
 use sph_core::{PlateMidline, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
-use crate::bodies::state::{ContactImpulse, Energy, Momentum, SurfacePoint};
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Solid, SurfacePoint};
 use crate::geometry::layout::Layout;
 use crate::geometry::plate::Plate;
 use crate::geometry::plate_sampling;
@@ -25,17 +27,25 @@ pub struct Tank {
     thickness: f64,
     points: Vec<WallPoint>,
     mean: [f64; 2],
+    state: State,
+    checkpoint: State,
+}
+
+/// What a step changes.
+#[derive(Clone, Copy, Default, Serialize, Deserialize)]
+struct State {
     external: [f64; 2],
-    checkpoint: [f64; 2],
+    /// Of links, in the first half of the next step [N/m].
+    reaction: [f64; 2],
 }
 
 impl Tank {
     /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, a plane of symmetry instead of the wall at
     /// x[0].
     pub fn new(layout: Layout, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
-        let (plates, points, none) = (Vec::new(), Vec::new(), [0.0; 2]);
-        let thickness = f64::INFINITY;
-        Tank { layout, x, floor, rim, half, plates, thickness, points, mean: none, external: none, checkpoint: none }
+        let (plates, points, state) = (Vec::new(), Vec::new(), State::default());
+        let (thickness, mean) = (f64::INFINITY, [0.0; 2]);
+        Tank { layout, x, floor, rim, half, plates, thickness, points, mean, state, checkpoint: state }
     }
 
     /// The same tank with fixed plates [m] whose roots are in its walls (THEORY WA10).
@@ -123,25 +133,25 @@ impl WettedBody for Tank {
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
         for k in 0..2 {
-            self.external[k] -= dt * self.mean[k];
+            self.state.external[k] -= dt * (self.mean[k] + 0.5 * self.state.reaction[k]);
         }
         Ok(())
     }
 
     fn checkpoint(&mut self) {
-        self.checkpoint = self.external;
+        self.checkpoint = self.state;
     }
 
     fn restore(&mut self) {
-        self.external = self.checkpoint;
+        self.state = self.checkpoint;
     }
 
     fn to_bytes(&self) -> Vec<u8> {
-        encode(&self.external)
+        encode(&self.state)
     }
 
     fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
-        self.external = decode("the tank", bytes)?;
+        self.state = decode("the tank", bytes)?;
         Ok(())
     }
 }
@@ -175,7 +185,21 @@ impl Contact for Tank {
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {
         let (_, impulse) = contact.resultant();
-        self.external = [0, 1].map(|k| self.external[k] - impulse[k]);
+        self.state.external = [0, 1].map(|k| self.state.external[k] - impulse[k]);
+    }
+}
+
+impl Linked for Tank {
+    fn solid(&self) -> Option<Solid> {
+        Some(Solid { halves: if self.half { 2.0 } else { 1.0 }, ..Solid::default() })
+    }
+
+    fn apply_link_impulse(&mut self, impulse: Resultant) {
+        self.state.external = [0, 1].map(|k| self.state.external[k] - impulse.force[k]);
+    }
+
+    fn set_reaction(&mut self, reaction: Resultant) {
+        self.state.reaction = reaction.force;
     }
 }
 
@@ -189,7 +213,7 @@ impl Inspect for Tank {
     }
 
     fn momentum(&self) -> Momentum {
-        Momentum { momentum: [0.0; 2], external: self.external }
+        Momentum { momentum: [0.0; 2], external: self.state.external }
     }
 
     fn is_prescribed(&self) -> bool {

@@ -12,7 +12,9 @@ use crate::bodies::state::Motion;
 use crate::coupling::balance::{Balance, MomentumAudit};
 use crate::coupling::contact::{resolve_contact, resolve_tunnelling};
 use crate::coupling::error::CouplingError;
-use crate::coupling::penetration::{Penetration, collision, penetration};
+use crate::coupling::links::joint::{JointSpec, JointState};
+use crate::coupling::links::{ContactLaw, Links, LinksMemory, TouchRecord};
+use crate::coupling::penetration::{Penetration, penetration};
 use crate::coupling::placed_bodies::{Member, PlacedBodies, WorkAudit, apply_kinematics, interfaces, load};
 use crate::coupling::quasi_newton::QuasiNewton;
 use crate::coupling::scheme::{CouplingStatistics, Interface, Scheme};
@@ -36,6 +38,7 @@ pub struct Coupled {
     pub walls: Walls,
     members: Vec<Member>,
     interface: Interface,
+    links: Links,
     checkpoint: Option<Checkpoint>,
     refinement: Option<RefinementRule>,
     tolerated_overlap: f64,
@@ -47,6 +50,7 @@ pub struct Coupled {
 struct Checkpoint {
     walls: Walls,
     interface: Interface,
+    links: Links,
     balance: Balance,
     stopped: u64,
     work: Vec<WorkAudit>,
@@ -86,6 +90,7 @@ impl Coupled {
             walls,
             members,
             interface,
+            links: Links::default(),
             checkpoint: None,
             refinement: None,
             tolerated_overlap: TOLERATED_OVERLAP * spacing,
@@ -99,10 +104,16 @@ impl Coupled {
         Coupled { refinement: Some(rule), ..self }
     }
 
+    /// The same system with joints between its bodies, and a law of contact (THEORY CO36–CO38). Before the first step.
+    pub fn with_links(mut self, law: ContactLaw, joints: Vec<JointSpec>) -> Result<Coupled, CouplingError> {
+        self.links = Links::new(law, joints, &mut self.members)?;
+        Ok(self)
+    }
+
     /// The largest step that is stable for fluid and bodies [s].
     pub fn stable_dt(&self) -> Result<f64, CouplingError> {
         let bodies = self.members.iter().map(|m| m.body.stable_dt()).fold(f64::INFINITY, f64::min);
-        Ok(self.fluid.stable_dt(&self.walls)?.min(bodies))
+        Ok(self.fluid.stable_dt(&self.walls)?.min(bodies).min(self.links.stable_dt(&self.members)))
     }
 
     /// One step of `dt` [s].
@@ -140,12 +151,13 @@ impl Coupled {
             m.body.advance(dt)?;
         }
         self.fluid.timers_mut().begin(Phase::Coupling);
+        let time = self.fluid.time();
+        self.links.hold(&mut self.members, self.tolerated_overlap, dt, time)?; // CO36: joints, contact of solids
         let tunnelling = self.resolve_tunnelling(dt); //                         WA11: thin plates
         let contact = self.resolve_contact(dt); //                               WA7: single particles
         self.fluid.timers_mut().begin(Phase::Audit);
         self.record_work(dt, tunnelling.iter().zip(&contact).map(|(a, b)| a + b));
         self.balance.close_step(&self.fluid, &self.walls, &self.members, dt);
-        self.refuse_collision()?;
         self.fluid.timers_mut().resume(outer);
         Ok(())
     }
@@ -182,6 +194,7 @@ impl Coupled {
         self.checkpoint = Some(Checkpoint {
             walls: self.walls.clone(),
             interface: self.interface.clone(),
+            links: self.links.clone(),
             balance: self.balance,
             stopped: self.stopped,
             work: self.members.iter().map(|m| m.work).collect(),
@@ -190,8 +203,9 @@ impl Coupled {
 
     /// Return to the state last stored; without one nothing changes.
     pub fn restore(&mut self) {
-        let Some(Checkpoint { walls, interface, balance, stopped, work }) = &self.checkpoint else { return };
+        let Some(Checkpoint { walls, interface, links, balance, stopped, work }) = &self.checkpoint else { return };
         self.fluid.restore();
+        self.links.clone_from(links);
         (self.walls, self.interface) = (walls.clone(), interface.clone());
         (self.balance, self.stopped) = (*balance, *stopped);
         for (m, work) in self.members.iter_mut().zip(work) {
@@ -204,21 +218,22 @@ impl Coupled {
     pub fn to_bytes(&self) -> Vec<u8> {
         let bodies: Vec<Vec<u8>> = self.members.iter().map(|m| m.body.to_bytes()).collect();
         let work: Vec<WorkAudit> = self.members.iter().map(|m| m.work).collect();
-        let audits = (&self.balance, self.stopped, work);
+        let audits = (&self.balance, self.stopped, work, self.links.memory());
         encode(&(self.fluid.to_bytes(), &self.walls, self.interface.memory(), audits, bodies))
     }
 
     /// Take such a state: the next step gives the same bits as it gave there. Before: a system made of the same input. After an error
     /// it is of no use.
     pub fn restore_bytes(&mut self, bytes: &[u8]) -> Result<(), StateError> {
-        type Audits = (Balance, u64, Vec<WorkAudit>);
+        type Audits = (Balance, u64, Vec<WorkAudit>, LinksMemory);
         type Stored = (Vec<u8>, Walls, (QuasiNewton, CouplingStatistics), Audits, Vec<Vec<u8>>);
-        let (fluid, walls, memory, (balance, stopped, work), bodies): Stored = decode("the system", bytes)?;
+        let (fluid, walls, memory, (balance, stopped, work, links), bodies): Stored = decode("the system", bytes)?;
         walls.check(&self.walls)?;
         expect_count("bodies", bodies.len(), self.members.len())?;
         expect_count("audits of bodies", work.len(), self.members.len())?;
         self.fluid.restore_bytes(&fluid)?;
         self.interface.set_memory(memory);
+        self.links.set_memory(links)?;
         (self.walls, self.balance, self.stopped) = (walls, balance, stopped);
         for ((m, work), body) in self.members.iter_mut().zip(work).zip(&bodies) {
             m.work = work;
@@ -260,18 +275,6 @@ impl Coupled {
         }
     }
 
-    fn refuse_collision(&self) -> Result<(), CouplingError> {
-        for (k, m) in self.members.iter().enumerate() {
-            for (_, other) in self.members.iter().enumerate().filter(|(j, _)| *j != k) {
-                if let Some([x, y]) = collision(m.body.as_ref(), other.body.as_ref(), self.tolerated_overlap) {
-                    let (body, wall) = (m.body.name().to_string(), other.body.name().to_string());
-                    return Err(CouplingError::Collision { body, wall, x, y, time: self.fluid.time() });
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// The bodies, in the order they were given.
     pub fn bodies(&self) -> impl Iterator<Item = &dyn Body> {
         self.members.iter().map(|m| m.body.as_ref())
@@ -280,6 +283,16 @@ impl Coupled {
     /// Boundary particles of body `k`.
     pub fn range(&self, k: usize) -> Range<usize> {
         self.members[k].range.clone()
+    }
+
+    /// States of the joints, in the order they were given.
+    pub fn joints(&self) -> Vec<JointState> {
+        self.links.joints()
+    }
+
+    /// Which bodies have touched, in the order in which they first did.
+    pub fn touched(&self) -> &[TouchRecord] {
+        self.links.touched()
     }
 
     /// How often a particle was stopped at a thin plate that it would have crossed (THEORY WA11).
@@ -327,6 +340,7 @@ impl Coupled {
 
     /// The same, where the fluid's present energy is known.
     pub fn energy_drift_with(&self, fluid: &FluidEnergy) -> f64 {
-        self.balance.energy_drift(fluid, &self.members)
+        // springs are at rest at the start
+        self.balance.energy_drift(fluid, &self.members) + self.links.elastic()
     }
 }

@@ -15,12 +15,15 @@ pub enum CouplingError {
     /// A body broke down.
     #[error(transparent)]
     Body(#[from] BodyError),
-    /// A body ran into another's wall: contact between solids is not modelled.
+    /// A body that bends ran into another's wall, or two bodies with prescribed motion met: such contact is not modelled.
     #[error(
-        "body `{body}` ran into `{wall}` at ({x:.6}, {y:.6}) m, t = {time:.6e} s: contact of solids is not modelled; \
-         give it more room or end the run earlier"
+        "body `{body}` ran into `{wall}` at ({x:.6}, {y:.6}) m, t = {time:.6e} s: contact is modelled between rigid \
+         bodies, one of them free; give it more room or end the run earlier"
     )]
     Collision { body: String, wall: String, x: f64, y: f64, time: f64 },
+    /// A joint on a body that is not rigid.
+    #[error("joint `{joint}` holds rigid bodies: `{body}` is not rigid")]
+    Joint { joint: String, body: String },
     /// The outline of a body.
     #[error(transparent)]
     Outline(#[from] OutlineError),

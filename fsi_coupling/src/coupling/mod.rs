@@ -1,5 +1,5 @@
-//! Fluid and bodies, stepped together: the step ([`coupled`]), the coupling schemes ([`scheme`]), contact, audits, and rules
-//! for the force on a body ([`force_rules`]).
+//! Fluid and bodies, stepped together: the step ([`coupled`]), the coupling schemes ([`scheme`]), contact, joints ([`links`]),
+//! audits, and rules for the force on a body ([`force_rules`]).
 
 mod balance;
 #[cfg(test)]
@@ -8,6 +8,7 @@ mod contact;
 pub mod coupled;
 pub mod error;
 pub mod force_rules;
+pub mod links;
 pub mod penetration;
 pub mod placed_bodies;
 pub mod quasi_newton;

@@ -52,13 +52,6 @@ impl Penetration {
     }
 }
 
-/// A corner of `body` [m] that is more than `tolerance` [m] behind a surface of `wall`.
-pub(crate) fn collision(body: &dyn Body, wall: &dyn Body, tolerance: f64) -> Option<[f64; 2]> {
-    let (outline, motion) = (body.outline()?, body.motion()?);
-    let mut corners = outline.loops().iter().flatten().map(|corner| motion.point(*corner));
-    corners.find(|at| wall.signed_distance(*at) < -tolerance)
-}
-
 /// Bounding box of a body's outline where it is now [m]: no point outside is behind its surface. `None` for a tank.
 fn bounding_box_of(body: &dyn Body) -> Option<[[f64; 2]; 2]> {
     let motion = body.motion()?;

@@ -10,7 +10,7 @@ use super::node_map::{Ends, NodeMap};
 use super::nodes::HostNodes;
 use super::topology::Topology;
 use crate::bodies::beam_surface::BeamAttachment;
-use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
@@ -295,6 +295,8 @@ impl Contact for HostBody {
         shared.work += halves * (impulse[0] * velocity[0] + impulse[1] * velocity[1]);
     }
 }
+
+impl Linked for HostBody {}
 
 impl Inspect for HostBody {
     fn name(&self) -> &str {

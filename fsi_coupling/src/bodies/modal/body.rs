@@ -8,7 +8,7 @@ use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{Contact, Inspect, WettedBody};
+use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::bending_surface::NodalMotion;
 use crate::bodies::flexible::model::Frame;
@@ -324,6 +324,8 @@ impl Contact for ModalBody {
         sums.for_each(|(sum, more)| (0..3).for_each(|k| sum[k] += more[k]));
     }
 }
+
+impl Linked for ModalBody {}
 
 impl Inspect for ModalBody {
     fn name(&self) -> &str {
