@@ -16,8 +16,14 @@ use crate::scene::{self, Modes, Motion, Moved, PanelEnd, Scene, SprungMass, Symm
 
 /// Fluid, walls and bodies of a scene at the start of its run: the bodies are placed, the water is filled in around them.
 pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
-    let body = scene.body.as_ref().map(|body| rigid_or_prescribed(scene, body, &rows(scene))).transpose()?;
-    build_around(scene, body)
+    let rows = rows(scene);
+    let bodies: Result<_, CouplingError> =
+        scene.all_bodies().map(|body| rigid_or_prescribed(scene, body, &rows)).collect();
+    let system = build_around(scene, bodies?)?;
+    let last = scene.all_bodies().count();
+    let index = |name: &str| scene.all_bodies().position(|body| body.name == name).unwrap_or(last);
+    let joints = scene.joints.iter().map(|joint| joint.spec(index)).collect();
+    system.with_links(scene.contact.law(), joints)
 }
 
 /// Rows of the boundary particles of a scene.
@@ -25,14 +31,14 @@ pub(crate) fn rows(scene: &Scene) -> WallRows {
     WallRows::of(scene.solver.scheme(scene.tank.depth).wall_layout(&domain(scene)), scene.resolution.spacing)
 }
 
-/// Fluid and walls of a scene, with a body that stands where the scene has its own at the start.
-pub(crate) fn build_around(scene: &Scene, body: Option<Box<dyn Body>>) -> Result<Coupled, CouplingError> {
+/// Fluid and walls of a scene, with bodies that stand where the scene has its own at the start.
+pub(crate) fn build_around(scene: &Scene, bodies: Vec<Box<dyn Body>>) -> Result<Coupled, CouplingError> {
     let (domain, settings, layout) = (domain(scene), scene.solver.scheme(scene.tank.depth), layout(scene));
     let (pattern, ratio) = (settings.wall_layout(&domain), domain.fluid.smoothing_ratio);
     let rows = rows(scene);
-    let thin = scene.body.as_ref().is_some_and(|body| is_thin(body, &rows));
+    let thin = scene.all_bodies().any(|body| is_thin(body, &rows));
     let tank: Box<dyn Body> = Box::new(tank(scene, &rows));
-    let bodies = body.into_iter().chain([tank]).collect();
+    let bodies = bodies.into_iter().chain([tank]).collect();
     let placed = PlacedBodies::new(bodies, pattern, ratio, scene.resolution.spacing)?;
     let seeds = initial_fluid(scene, &domain, &layout, &placed, thin);
     let mut fluid = Fluid::new(domain, settings.as_ref(), &seeds);
@@ -49,7 +55,7 @@ fn tank(scene: &Scene, rows: &WallRows) -> Tank {
     let half = scene.symmetry == Symmetry::X;
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
-    let standing = scene.body.as_ref().and_then(|body| standing(scene, body, rows)).into_iter().collect();
+    let standing = scene.all_bodies().filter_map(|body| standing(scene, body, rows)).collect();
     Tank::new(layout(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
 }
 

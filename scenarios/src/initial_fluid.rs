@@ -7,8 +7,8 @@ use sph_core::{Domain, Seed};
 
 use crate::scene::Scene;
 
-/// Water at rest under its own weight, level or not (THEORY WC19), and a block of it in the air (WC18), without the water that the body
-/// displaces; packed around the body where the scene asks for it (WC20). `thin`: the body is a thin plate.
+/// Water at rest under its own weight, level or not (THEORY WC19), and a block of it in the air (WC18), without the water that bodies
+/// displace; packed around them where the scene asks for it (WC20). `thin`: a body is a thin plate.
 pub(crate) fn initial_fluid(
     scene: &Scene,
     domain: &Domain,
@@ -16,17 +16,18 @@ pub(crate) fn initial_fluid(
     placed: &PlacedBodies,
     thin: bool,
 ) -> Vec<Seed> {
-    let body = placed.bodies().next().filter(|_| scene.body.is_some());
+    let bodies: Vec<&dyn Body> = placed.bodies().take(scene.all_bodies().count()).collect();
+    let distance = |at: [f64; 2]| bodies.iter().map(|body| body.signed_distance(at)).fold(f64::INFINITY, f64::min);
     let weight = scene.water().density * scene.gravity[1];
-    let is_free = |cell: &Cell| body.is_none_or(|body| body.signed_distance(cell.at) >= cell.clearance(thin));
+    let is_free = |cell: &Cell| distance(cell.at) >= cell.clearance(thin);
     let surface = scene.tank.surface();
     let level = |x: f64| surface.as_ref().map_or(0.0, |surface| surface.mean(x, x));
     // cells with the height of the surface above them
     let mut cells = Vec::new();
     layout.for_each(|cell| cells.push(surface.as_ref().map_or((cell, 0.0), |surface| surface.lift(cell))));
-    if let (true, Some(body)) = (scene.resolution.packing, body) {
+    if scene.resolution.packing && !bodies.is_empty() {
         let cells_only = cells.into_iter().map(|(cell, _)| cell).collect();
-        cells = packed(cells_only, domain, placed, body, level);
+        cells = packed(cells_only, domain, placed, &distance, level);
     } else {
         cells.retain(|(cell, _)| is_free(cell));
     }
@@ -47,18 +48,17 @@ pub(crate) fn initial_fluid(
     seeds
 }
 
-/// The cells packed around the body, each with the height of the surface above it.
+/// The cells packed around bodies, each with the height of the surface above it.
 fn packed(
     cells: Vec<Cell>,
     domain: &Domain,
     placed: &PlacedBodies,
-    body: &dyn Body,
+    signed_distance: &impl Fn([f64; 2]) -> f64,
     level: impl Fn(f64) -> f64,
 ) -> Vec<(Cell, f64)> {
-    let signed_distance = |at: [f64; 2]| body.signed_distance(at);
     let mut cells = packing::choose(cells, signed_distance);
     let packing = Packing {
-        signed_distance: &signed_distance,
+        signed_distance,
         walls: placed.walls(),
         kernel: domain.fluid.kernel,
         ratio: domain.fluid.smoothing_ratio,

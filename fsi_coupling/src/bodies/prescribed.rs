@@ -234,8 +234,7 @@ impl Inspect for PrescribedBody {
     }
 
     fn energy(&self) -> Energy {
-        // what links do on it, its support takes up
-        Energy { work: self.state.work, support: -self.state.work_of_links, ..Energy::default() }
+        Energy { work: self.state.work, links: self.state.work_of_links, ..Energy::default() }
     }
 
     fn momentum(&self) -> Momentum {

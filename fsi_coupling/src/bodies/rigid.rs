@@ -24,7 +24,7 @@ use crate::bodies::sprung::{Sprung, SprungSpec, SprungState};
 use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
-use crate::geometry::vector::{cross, rotate};
+use crate::geometry::vector::{cross, dot, rotate};
 
 /// A rigid body that moves under the fluid's load and gravity; any of x, y, angle may be held by a guide.
 pub struct RigidBody2d {
@@ -48,6 +48,10 @@ struct State {
     reaction: Resultant,
     external: [f64; 2],
     work: f64,
+    /// Mean velocities x, y, angle of the last step [m/s, m/s, rad/s].
+    drift: [f64; 3],
+    /// Work of links on the body [J/m].
+    work_of_links: f64,
     time: f64,
 }
 
@@ -183,6 +187,17 @@ impl RigidBody2d {
         self.sprung = sprung;
     }
 
+    /// Apply an impulse [N s/m] and an angular impulse [N s] at once; its work [J/m].
+    fn apply(&mut self, Resultant { force: impulse, moment }: Resultant) -> f64 {
+        let before = self.motion_now();
+        let body = &mut self.world.bodies[self.handle];
+        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
+        body.apply_torque_impulse(moment, true);
+        let after = self.motion_now();
+        let along = |k: usize| 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
+        along(0) + along(1) + 0.5 * (before.angular_velocity + after.angular_velocity) * moment
+    }
+
     /// CO2: give the body an impulse [N s/m] and an angular impulse; guides take their share. Updates the external impulses.
     fn kick(&mut self, load: Resultant, dt: f64) {
         let g = self.spec.gravity;
@@ -249,6 +264,7 @@ impl WettedBody for RigidBody2d {
         let com = self.world.bodies[self.handle].center_of_mass();
         let moved = [com.x - before.position[0], com.y - before.position[1]];
         let turned = self.unwrap_angle();
+        self.state.drift = [moved[0] / dt, moved[1] / dt, turned / dt];
         self.drift_springs(dt, moved[1]);
         // what remains of the step's impulse after the first half kick, about where the centre of mass now is
         let (mean, kicked) = (self.state.mean, self.state.kicked);
@@ -259,7 +275,9 @@ impl WettedBody for RigidBody2d {
         self.kick_springs(0.5 * dt);
         self.kick(rest.about(moved), 0.5 * dt);
         self.state.now = self.state.now.about(moved);
-        self.state.work += mean.force[0] * moved[0] + mean.force[1] * moved[1];
+        self.state.work += dot(mean.force, moved);
+        let reaction = self.state.reaction;
+        self.state.work_of_links += 0.5 * (dot(reaction.force, moved) + reaction.moment * turned);
         self.state.work += 0.5 * (kicked.moment + rest.about(moved).moment) * turned;
         self.state.time += dt;
         Ok(())
@@ -301,17 +319,12 @@ impl Contact for RigidBody2d {
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {
         let (at, impulse) = contact.resultant();
-        let before = self.motion_now();
-        let angular_impulse = cross([at[0] - before.position[0], at[1] - before.position[1]], impulse);
-        let body = &mut self.world.bodies[self.handle];
-        body.apply_impulse(Vector::new(impulse[0], impulse[1]), true);
-        body.apply_torque_impulse(angular_impulse, true);
-        let after = self.motion_now();
+        let position = self.motion_now().position;
+        let moment = cross([at[0] - position[0], at[1] - position[1]], impulse);
+        self.state.work += self.apply(Resultant { force: impulse, moment });
         for k in 0..2 {
             self.state.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
-            self.state.work += 0.5 * (before.velocity[k] + after.velocity[k]) * impulse[k];
         }
-        self.state.work += 0.5 * (before.angular_velocity + after.angular_velocity) * angular_impulse;
     }
 }
 
@@ -326,10 +339,13 @@ impl Linked for RigidBody2d {
         })
     }
 
-    fn apply_link_impulse(&mut self, Resultant { force: [x, y], moment }: Resultant) {
-        let body = &mut self.world.bodies[self.handle];
-        body.apply_impulse(Vector::new(x, y), true);
-        body.apply_torque_impulse(moment, true);
+    fn apply_link_impulse(&mut self, impulse: Resultant) {
+        self.apply(impulse);
+        // the water's half of the step acts at the same time: work is that on the way from the mean velocity of the step to the one now
+        let (now, [x, y], drift) = (self.motion_now(), impulse.force, self.state.drift);
+        let along = [(x, now.velocity[0]), (y, now.velocity[1]), (impulse.moment, now.angular_velocity)];
+        let work = along.into_iter().zip(drift).map(|((impulse, now), mean)| 0.5 * impulse * (mean + now));
+        self.state.work_of_links += work.sum::<f64>();
         for (k, impulse) in [x, y].into_iter().enumerate() {
             self.state.external[k] -= if self.spec.free[k] { 0.0 } else { impulse };
         }
@@ -379,6 +395,7 @@ impl Inspect for RigidBody2d {
             kinetic: 0.5 * (s.mass * v2 + rotation),
             potential: -s.mass * (s.gravity[0] * r.position[0] + s.gravity[1] * r.position[1]),
             work: self.state.work,
+            links: self.state.work_of_links,
             ..Energy::default()
         };
         for (spec, now) in s.sprung.iter().zip(&self.sprung) {

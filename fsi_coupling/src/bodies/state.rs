@@ -18,6 +18,8 @@ pub struct Energy {
     pub work: f64,
     /// Work of supports with prescribed motion on the body since the start.
     pub support: f64,
+    /// Work of links (joints, other solids) on the body since the start.
+    pub links: f64,
     /// Energy dissipated by damping, plasticity and the time integration since the start.
     pub dissipated: f64,
 }

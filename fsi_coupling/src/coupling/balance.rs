@@ -68,7 +68,7 @@ impl Balance {
 fn energy(fluid: &FluidEnergy, members: &[Member]) -> f64 {
     let of = |m: &Member| {
         let e = m.body.energy();
-        if m.body.is_prescribed() { e.work } else { e.kinetic + e.potential + e.elastic - e.support }
+        if m.body.is_prescribed() { e.work + e.links } else { e.kinetic + e.potential + e.elastic - e.support }
     };
     fluid.total() + members.iter().map(of).sum::<f64>()
 }

@@ -70,6 +70,9 @@ impl HostedScene {
             let given = format!("model = \"{}\" has no particles", scene.model.name());
             return Err(unfit(&given, "model = \"wcsph\" or \"incompressible\""));
         }
+        if !scene.bodies.is_empty() || !scene.joints.is_empty() {
+            return Err(unfit("several bodies, or joints", "one [body], which the host moves"));
+        }
         let Some(body) = scene.body.clone() else {
             return Err(unfit("no body", "a table [body] with the shape that the host moves"));
         };
@@ -158,7 +161,7 @@ impl HostedScene {
         let sound_speed = if incompressible { 10.0 * scene.projection_speed() } else { scene.sound_speed() };
         refuse_fast(nodes, sound_speed)?;
         let (hosted, link) = HostSurface::new(&topology, nodes, &rows(&scene), spec)?.into_body();
-        let system = build_around(&scene, Some(hosted))?;
+        let system = build_around(&scene, vec![hosted])?;
         let fingerprint = fingerprint(&scene) ^ crc32fast::hash(interface.name().as_bytes());
         warnings.push(format!(
             "a host program moved the body by the interface `{}`: the scene's own motion is what was expected of it",

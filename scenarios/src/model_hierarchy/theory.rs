@@ -280,6 +280,9 @@ fn sample_times(scene: &Scene) -> Vec<f64> {
 /// The body of a scene that is nothing but a symmetric section going straight down into still water.
 fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), OutOfRange> {
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
+    if !scene.bodies.is_empty() || !scene.joints.is_empty() {
+        return Err(refuse("several bodies, or joints"));
+    }
     scene.entry().ok_or_else(|| refuse("one that stays where it is, or in the air"))?;
     let tank = &scene.tank;
     let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();

@@ -50,9 +50,10 @@ impl View {
 pub fn section_picture(scene: &Scene) -> String {
     let tank = &scene.tank;
     let half = 0.5 * tank.width;
-    let shown = match &scene.body {
-        Some(body) => body.placed_outline(),
-        None => vec![[-half, -tank.depth], [half, tank.height - tank.depth]],
+    let outlines: Vec<[f64; 2]> = scene.all_bodies().flat_map(Body::placed_outline).collect();
+    let shown = match outlines.is_empty() {
+        false => outlines,
+        true => vec![[-half, -tank.depth], [half, tank.height - tank.depth]],
     };
     let view = View::of(&shown);
     let (mut svg, height) = (String::new(), view.height());
@@ -71,7 +72,7 @@ pub fn section_picture(scene: &Scene) -> String {
             surface - 5.0
         );
     }
-    scene.body.iter().for_each(|body| draw_body(&mut svg, &view, body));
+    scene.all_bodies().for_each(|body| draw_body(&mut svg, &view, body));
     for gauge in &scene.gauges {
         let place = match (&scene.body, gauge.on) {
             (Some(body), GaugeFrame::Body) => body.to_tank(gauge.at),

@@ -3,6 +3,7 @@
 mod audit;
 pub mod checkpoint;
 mod driver;
+mod link_results;
 mod modes;
 mod panel;
 mod particle_order;

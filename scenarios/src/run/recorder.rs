@@ -8,6 +8,7 @@ use sph_core::{Fluid, Phase, Solver, projection};
 use tracing::warn;
 
 use super::RunError;
+use super::link_results::{contact_results, joint_results};
 use super::modes::ModesResult;
 use super::particle_order::particle_order;
 use super::summary::{
@@ -353,6 +354,8 @@ impl Recorder {
             }),
             gauges,
             projection: projection(fluid),
+            contacts: contact_results(system),
+            joints: joint_results(system),
         }
     }
 
@@ -386,7 +389,7 @@ fn projection(fluid: &Fluid) -> Option<Projection> {
 fn structure_gap(system: &Coupled, k: usize, start: f64) -> f64 {
     let Some(body) = system.bodies().nth(k).filter(|body| !body.is_prescribed()) else { return 0.0 };
     let (energy, exchanged) = (body.energy(), system.work_audit(k).exchanged);
-    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support;
+    let gap = held(&energy) - start + energy.dissipated - energy.work - energy.support - energy.links;
     if exchanged > 0.0 { gap.abs() / exchanged } else { 0.0 }
 }
 

@@ -8,6 +8,7 @@ use sph_core::{Phase, Timers};
 pub use super::audit::Audit;
 pub use super::modes::ModesResult;
 pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
+use super::link_results::{ContactResult, JointResult};
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
@@ -245,6 +246,12 @@ pub struct Summary {
     /// The pressure solves; absent where an equation of state gives the pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projection: Option<Projection>,
+    /// Bodies that touched each other, the floor or the walls; absent when none did.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<ContactResult>,
+    /// Joints, by name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub joints: BTreeMap<String, JointResult>,
 }
 
 impl Summary {

@@ -54,13 +54,18 @@ pub fn hydrostatic_sound(gravity: [f64; 2], depth: f64) -> [f64; 2] {
 impl Scene {
     /// How the body meets the water; `None` where no body falls or moves down into it.
     pub fn entry(&self) -> Option<Entry> {
+        if !self.bodies.is_empty() || !self.joints.is_empty() {
+            return None; // links change how it moves
+        }
         Entry::of(self.body.as_ref()?, self.gravity, self.water().density, self.time.end, self.resolution.spacing)
     }
 
     /// Fastest speed of the flow that is known before the run [m/s].
     pub fn fastest_speed(&self) -> f64 {
         let entry = self.entry();
-        fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, Some(&self.tank)) + self.tank.block_speed()
+        let of_others = self.bodies.iter().map(|body| fastest_speed(None, Some(body), self.gravity, None));
+        let first = fastest_speed(entry.as_ref(), self.body.as_ref(), self.gravity, Some(&self.tank));
+        of_others.fold(first, f64::max) + self.tank.block_speed()
     }
 
     /// Speed by which the steps of a projection are limited before anything moves [m/s]: the fastest that is known, but for

@@ -6,6 +6,7 @@ use super::auto::hydrostatic_sound;
 use super::incompressible::check_projection_step;
 use super::legacy::{breakdown_cfl, hollow_walls};
 use super::references::check_reference;
+use super::resolve_links::{check_links, further};
 use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::symmetric::{check_symmetric, on_axis};
 use crate::observers::columns;
@@ -31,16 +32,11 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_surface(scene)?;
     scene.tank.block().map_or(Ok(()), |block| check_block(scene, &block))?;
     check_levels(scene)?;
-    if let Some(body) = &scene.body {
-        check_body_in_tank(scene, body)?;
-        match &body.shape {
-            Shape::Polyline { points, thickness } => check_plate(scene, points, *thickness)?,
-            shape => check_thickness(scene, shape.thickness())?,
-        }
-        if scene.symmetry == Symmetry::X {
-            check_symmetric(body)?;
-        }
+    scene.body.as_ref().map_or(Ok(()), |body| check_body(scene, body))?;
+    for (i, body) in scene.bodies.iter().enumerate() {
+        check_body(scene, body).map_err(|problem| further(problem, i))?;
     }
+    check_links(scene)?;
     let [x, y] = scene.gravity;
     on_axis(scene.symmetry == Symmetry::None || x == 0.0, "gravity", [x, y])?;
     check_names(scene)?;
@@ -49,6 +45,15 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     }
     check_comparisons(scene)?;
     scene.similarity.map_or(Ok(()), |Similarity::Wedge| check_wedge_similarity(scene))
+}
+
+fn check_body(scene: &Scene, body: &Body) -> Result<(), Problem> {
+    check_body_in_tank(scene, body)?;
+    match &body.shape {
+        Shape::Polyline { points, thickness } => check_plate(scene, points, *thickness)?,
+        shape => check_thickness(scene, shape.thickness())?,
+    }
+    if scene.symmetry == Symmetry::X { check_symmetric(body) } else { Ok(()) }
 }
 
 /// Refuses a Courant number, or a fixed step, at which the integrator breaks down.
@@ -237,10 +242,12 @@ fn check_thickness(scene: &Scene, thickness: f64) -> Result<(), Problem> {
 /// Each name starts columns of its own.
 fn check_names(scene: &Scene) -> Result<(), Problem> {
     let mut names: Vec<&str> = scene.body.iter().map(|body| body.name.as_str()).collect();
+    let bodies = scene.bodies.iter().enumerate().map(|(i, body)| (format!("bodies[{i}].name"), &body.name, "thing"));
+    let joints = scene.joints.iter().enumerate().map(|(i, j)| (format!("joints[{i}].name"), &j.name, "joint"));
     let panels = scene.body.iter().flat_map(|body| &body.panels).enumerate();
     let panels = panels.map(|(i, panel)| (format!("body.panels[{i}].name"), &panel.name, "panel"));
     let gauges = scene.gauges.iter().enumerate();
-    for (key, name, kind) in panels.chain(gauges.map(|(i, gauge)| (format!("gauges[{i}].name"), &gauge.name, "gauge")))
+    for (key, name, kind) in bodies.chain(joints).chain(panels).chain(gauges.map(|(i, gauge)| (format!("gauges[{i}].name"), &gauge.name, "gauge")))
     {
         let expected = format_args!("a name that no other {kind} or body has");
         require(!names.contains(&name.as_str()), &key, format_args!("{name:?}"), expected)?;

@@ -69,7 +69,7 @@ fn wall_particles(scene: &Scene) -> f64 {
     let right = particles_along(scene, [half, floor], [half, top]);
     let left = particles_along(scene, [-half, floor], [-half, top]);
     let bottom = particles_along(scene, [-half, floor], [half, floor]);
-    let perimeter = scene.body.as_ref().map_or(0.0, |body| polygon::perimeter(&body.shape.outline()));
+    let perimeter: f64 = scene.all_bodies().map(|body| polygon::perimeter(&body.shape.outline())).sum();
     let body = perimeter / scene.resolution.spacing;
     let single = match scene.symmetry {
         Symmetry::None => left + right + bottom + body,

@@ -24,6 +24,7 @@ use super::prepare::prepare;
 use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
+use super::resolve_links::has_links;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
 use super::source::{Source, refuse_absurd_numbers};
 use super::warnings::warnings;
@@ -311,7 +312,7 @@ fn with(given: &Value, key: &str, value: &str) -> Value {
 /// The entry of a draft's body, were there no end.
 fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
     let symmetry = draft.get("symmetry").unwrap_or(Symmetry::None);
-    let Some(body) = resolve_body(&mut draft, symmetry)? else { return Ok(None) };
+    let Some(body) = resolve_body(&mut draft, symmetry)?.filter(|_| !has_links(&draft)) else { return Ok(None) };
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let spacing = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);

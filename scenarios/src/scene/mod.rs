@@ -40,6 +40,7 @@ mod prepare;
 mod references;
 mod resolve;
 mod resolve_body;
+mod resolve_links;
 mod resolve_modes;
 pub mod settings;
 pub(crate) mod source;

@@ -13,6 +13,7 @@ use super::draft::Draft;
 use super::impact::Entry;
 use super::legacy;
 use super::resolve_body::resolve_body;
+use super::resolve_links::{has_links, resolve_further_bodies};
 use super::settings::{
     Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Lattice, Motion, Resolution, Scene, SolverSettings, Tank,
     Time, Water, WeaklyCompressibleFluid,
@@ -41,7 +42,9 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     let body = resolve_body(draft, symmetry)?;
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let finest: f64 = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);
-    let entry = body.as_ref().and_then(|body| Entry::of(body, gravity, density, time.end, finest));
+    let others = resolve_further_bodies(draft, symmetry)?;
+    let alone = body.as_ref().filter(|_| !has_links(draft));
+    let entry = alone.and_then(|body| Entry::of(body, gravity, density, time.end, finest));
     let tank = match &entry {
         Some(_) => None,
         None => {
@@ -49,7 +52,8 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
             Some(resolve_tank(draft)?)
         }
     };
-    let fastest = fastest_speed(entry.as_ref(), body.as_ref(), gravity, tank.as_ref())
+    let of_others = others.iter().map(|body| fastest_speed(None, Some(body), gravity, None));
+    let fastest = of_others.fold(fastest_speed(entry.as_ref(), body.as_ref(), gravity, tank.as_ref()), f64::max)
         + tank.as_ref().map_or(0.0, Tank::block_speed);
     let automatic = !draft.is_given("resolution.fine_zone");
     let spacing = draft.get("resolution.spacing");
@@ -61,7 +65,7 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     });
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
     let solver = resolve_fluid(draft, body.as_ref(), entry.as_ref(), fastest, still, gentle)?;
-    resolve_coupling(draft, &solver, body.as_ref())?;
+    resolve_coupling(draft, &solver, &body.iter().chain(&others).collect::<Vec<_>>())?;
     match &entry {
         Some(entry) => {
             let fine_zone: [f64; 2] = draft.read("resolution.fine_zone")?;
@@ -217,10 +221,10 @@ fn resolve_fluid(
 
 /// Where a body bends, or moves freely in a projection, the scheme is, if the scene does not say, the one that holds whatever
 /// its mass.
-fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, body: Option<&Body>) -> Result<(), Problem> {
+fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, bodies: &[&Body]) -> Result<(), Problem> {
     use CouplingScheme::{AddedMass, Weak};
-    let bends = body.is_some_and(Body::bends);
-    let moves_freely = body.is_some_and(|body| matches!(body.motion, Motion::Free(_)));
+    let bends = bodies.iter().any(|body| body.bends());
+    let moves_freely = bodies.iter().any(|body| body.is_free());
     let is_light = bends || solver.kind() == Solver::Incompressible && moves_freely;
     let solves_both = matches!(solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
     let options = solver.weakly_compressible().map(|fluid| &fluid.options);

@@ -297,6 +297,7 @@ impl Inspect for FlexibleBody {
     fn energy(&self) -> Energy {
         let (nodes, whole) = (&self.state.nodes, 1.0 / self.model.share);
         Energy {
+            links: 0.0,
             kinetic: whole * self.model.dynamics.kinetic_energy(nodes),
             potential: whole * self.potential(),
             elastic: whole * self.model.dynamics.strain_energy(nodes),

@@ -367,6 +367,7 @@ impl Inspect for ModalBody {
     fn energy(&self) -> Energy {
         let (structure, state, whole) = (&self.model.structure, &self.state, 1.0 / self.model.share);
         Energy {
+            links: 0.0,
             kinetic: whole * structure.kinetic_energy(&state.motion),
             potential: whole * structure.potential_energy(&state.motion, self.gravity),
             elastic: whole * structure.strain_energy(&state.motion),

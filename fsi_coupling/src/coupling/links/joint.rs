@@ -55,6 +55,8 @@ pub struct JointState {
     pub value: f64,
     /// Mean force on body b over the last step [N/m].
     pub force: [f64; 2],
+    /// Largest magnitude of it so far [N/m].
+    pub largest: f64,
     /// Time at which it broke [s].
     pub broken: Option<f64>,
 }
@@ -82,6 +84,8 @@ pub(in crate::coupling) struct Memory {
     pub reaction: [Resultant; 2],
     /// Mean force on b over the last step [N/m].
     pub force: [f64; 2],
+    /// Largest magnitude of it so far [N/m].
+    pub largest: f64,
     /// The free coordinate, less its value at the start.
     pub value: f64,
     /// Time at which it broke [s].
@@ -111,8 +115,8 @@ impl Joint {
     }
 
     pub fn state(&self) -> JointState {
-        let Memory { value, force, broken, .. } = self.memory;
-        JointState { name: self.spec.name.clone(), value, force, broken }
+        let Memory { value, force, largest, broken, .. } = self.memory;
+        JointState { name: self.spec.name.clone(), value, force, largest, broken }
     }
 
     pub fn holds(&self) -> bool {

@@ -129,11 +129,13 @@ impl Links {
             })
             .collect();
         let found = multipliers(&rows, &all, &free);
+        let mut whole = vec![Resultant::default(); members.len()];
         for (row, impulse) in rows.iter().zip(&found) {
             for (solid, impulse) in row.direction.solids.into_iter().zip(row.direction.resultants(*impulse)) {
-                apply(members, &all, solid, impulse);
+                whole[solid] = sum(whole[solid], impulse);
             }
         }
+        whole.into_iter().enumerate().for_each(|(solid, impulse)| apply(members, &all, solid, impulse));
         found
     }
 
@@ -209,9 +211,11 @@ impl Links {
                 let [_, on_b] = held.direction.resultants(impulse / dt);
                 force = [force[0] + on_b.force[0], force[1] + on_b.force[1]];
             }
-            joint.memory.force = force;
-            if joint.spec.breaks_at.is_some_and(|limit| force[0].hypot(force[1]) > limit) {
-                joint.memory = Memory { force, broken: Some(time), value: joint.memory.value, ..Memory::default() };
+            let Memory { value, largest, .. } = joint.memory;
+            let largest = largest.max(force[0].hypot(force[1]));
+            (joint.memory.force, joint.memory.largest) = (force, largest);
+            if joint.spec.breaks_at.is_some_and(|limit| largest > limit) {
+                joint.memory = Memory { force, largest, value, broken: Some(time), ..Memory::default() };
             }
         }
         let rows_per_touch = if self.law.friction > 0.0 { 2 } else { 1 };

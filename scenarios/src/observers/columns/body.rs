@@ -33,7 +33,7 @@ fn names(scene: &Scene) -> Vec<String> {
             b.sprung_masses.iter().flat_map(|mass| mass.columns()).map(|column| format!("{}.{column}", b.name));
         own.chain(sprung).chain(bends).chain(b.modal.iter().flat_map(|modal| modal.columns())).collect::<Vec<_>>()
     };
-    scene.body.iter().flat_map(body).collect()
+    scene.all_bodies().flat_map(body).collect()
 }
 
 fn read(frame: &Frame<'_>) -> Vec<f64> {

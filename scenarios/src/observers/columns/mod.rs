@@ -3,6 +3,7 @@
 mod body;
 mod energy;
 mod front;
+mod joints;
 mod level;
 mod source;
 mod volume;
@@ -17,8 +18,8 @@ pub(super) use volume::VOLUME;
 pub use volume::Water;
 
 /// All sources, in the order of the file. A new column is a source in a file of its own, and its lines here.
-pub(super) const SOURCES: [Source; 6] =
-    [body::SOURCE, gauges::SOURCE, front::SOURCE, level::SOURCE, volume::SOURCE, energy::SOURCE];
+pub(super) const SOURCES: [Source; 7] =
+    [body::SOURCE, joints::SOURCE, gauges::SOURCE, front::SOURCE, level::SOURCE, volume::SOURCE, energy::SOURCE];
 
 /// Names of the columns of a scene; the first is `time_s`.
 pub fn columns(scene: &Scene) -> Vec<String> {

@@ -312,6 +312,11 @@ pub fn panel_line(body: &Body, panel: &Panel) -> Vec<[f64; 2]> {
 }
 
 impl Body {
+    /// Whether loads move it.
+    pub fn is_free(&self) -> bool {
+        matches!(self.motion, Motion::Free(_))
+    }
+
     /// Whether a part of its surface bends.
     pub fn bends(&self) -> bool {
         !self.panels.is_empty() || self.modal.is_some()

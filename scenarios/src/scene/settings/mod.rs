@@ -5,6 +5,7 @@
 
 mod body;
 mod fluid;
+mod links;
 mod modes;
 mod observation;
 mod panel;
@@ -23,6 +24,8 @@ pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
+pub(in crate::scene) use links::TANK;
+pub use links::{Joint, JointName, SolidContact};
 pub(crate) use modes::{MILLIMETRE, MODES};
 pub use modes::{Modes, NaturalMode};
 pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
@@ -94,6 +97,15 @@ pub struct Scene {
     /// The body in the water or above it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<Body>,
+    /// Further bodies, rigid. Results and theories are those of body; every body has its columns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<Body>,
+    /// Contact of rigid bodies with each other, the floor and the walls.
+    #[serde(default, skip_serializing_if = "SolidContact::is_default")]
+    pub contact: SolidContact,
+    /// Joints between bodies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<Joint>,
     /// Pressure gauges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gauges: Vec<Gauge>,
@@ -263,6 +275,11 @@ impl Scene {
     /// The scene as a scene file.
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("a scene holds nothing that TOML cannot say")
+    }
+
+    /// All bodies: the first, then the further ones.
+    pub fn all_bodies(&self) -> impl Iterator<Item = &Body> {
+        self.body.iter().chain(&self.bodies)
     }
 
     /// x of the fine zone's middle [m]: the body's, or the tank's where there is no body.

@@ -1,0 +1,99 @@
+//! Further bodies and joints of a scene: defaults, and what they exclude.
+
+use fsi_coupling::Outline;
+use fsi_coupling::settings::{Problem, require};
+use serde_json::Value;
+
+use super::draft::Draft;
+use super::resolve_body::resolve_body;
+use super::settings::{Body, Joint, JointName, Scene, Symmetry, TANK};
+use super::source::word;
+
+/// Tables of a body that only the first one may have.
+const OF_THE_FIRST: [&str; 5] = ["panels", "modal", "outline", "motion_file", "modes_file"];
+
+/// True for a scene of several bodies, or of joints: no theory of one body that enters still water holds for it.
+pub(super) fn has_links(draft: &Draft) -> bool {
+    draft.count("bodies") > 0 || draft.count("joints") > 0
+}
+
+/// All bodies after the first, complete.
+pub(super) fn resolve_further_bodies(draft: &mut Draft, symmetry: Symmetry) -> Result<Vec<Body>, Problem> {
+    let count = draft.count("bodies");
+    let expected = "no further bodies without [body], which is the first";
+    require(count == 0 || draft.is_given("body"), "bodies", format_args!("{count} bodies"), expected)?;
+    let mut found = Vec::new();
+    for i in 0..count {
+        let table = format!("bodies[{i}]");
+        draft.fill(&format!("{table}.name"), format!("body{}", i + 2));
+        for key in OF_THE_FIRST {
+            let key = format!("{table}.{key}");
+            require(!draft.is_given(&key), &key, "a value", "none: only the first body, [body], may have it")?;
+        }
+        let mut alone = draft.clone();
+        alone.set("body", draft.get::<Value>(&table));
+        let body = resolve_body(&mut alone, symmetry).map_err(|problem| further(problem, i))?;
+        draft.set(&table, alone.get::<Value>("body"));
+        found.extend(body);
+    }
+    Ok(found)
+}
+
+/// A problem of `body`, in the words of further body `i`.
+pub(super) fn further(problem: Problem, i: usize) -> Problem {
+    let table = format!("bodies[{i}]");
+    let rename = |text: &str| text.replace("body.", &format!("{table}."));
+    let key = problem.key.strip_prefix("body").map_or(problem.key.clone(), |rest| format!("{table}{rest}"));
+    Problem { key, sentence: rename(&problem.sentence), expected: rename(&problem.expected), ..problem }
+}
+
+/// Refuses joints that hold nothing, and bodies that overlap at the start.
+pub(super) fn check_links(scene: &Scene) -> Result<(), Problem> {
+    for (i, joint) in scene.joints.iter().enumerate() {
+        check_joint(scene, joint, |name| format!("joints[{i}].{name}"))?;
+    }
+    let outlines: Vec<_> = scene.all_bodies().map(|body| (body, body.placed_outline())).collect();
+    for (i, (body, corners)) in outlines.iter().enumerate().skip(1) {
+        for (other, of_other) in &outlines[..i] {
+            let inside = |corners: &[[f64; 2]], outline: &[[f64; 2]]| {
+                Outline::polygon(outline).is_ok_and(|o| corners.iter().any(|at| o.signed_distance(*at) < 0.0))
+            };
+            let joined = scene.joints.iter().any(|joint| joint.joins(&body.name, &other.name));
+            let crosses = inside(corners, of_other) || inside(of_other, corners);
+            let given = format_args!("{:?}, where {:?} overlaps {:?}", body.position, body.name, other.name);
+            let expected = "a place beside all other bodies";
+            require(joined || !crosses, &format!("bodies[{}].position", i - 1), given, expected)?;
+        }
+    }
+    Ok(())
+}
+
+fn check_joint(scene: &Scene, joint: &Joint, key: impl Fn(&str) -> String) -> Result<(), Problem> {
+    word(&key("name"), &joint.name)?;
+    require(scene.symmetry == Symmetry::None, &key("kind"), "a joint", "none with symmetry = \"x\"")?;
+    let names: Vec<&str> = scene.all_bodies().map(|body| body.name.as_str()).chain([TANK]).collect();
+    for (k, name) in joint.bodies.iter().enumerate() {
+        let expected = format_args!("one of {}", names.join(", "));
+        require(names.contains(&name.as_str()), &format!("{}[{k}]", key("bodies")), format_args!("{name:?}"), expected)?;
+        let bends = scene.all_bodies().any(|body| body.name == *name && body.bends());
+        let expected = "a rigid body: joints do not hold one that bends";
+        require(!bends, &format!("{}[{k}]", key("bodies")), format_args!("{name:?}"), expected)?;
+    }
+    let given = format_args!("{:?}", joint.bodies);
+    require(joint.bodies[0] != joint.bodies[1], &key("bodies"), given, "two different bodies")?;
+    let free = |name: &str| scene.all_bodies().any(|body| body.name == name && body.is_free());
+    let moves = joint.bodies.iter().any(|name| free(name));
+    require(moves, &key("bodies"), given, "at least one body with motion = \"free\"")?;
+    let along = joint.axis.is_some_and(|[x, y]| x.hypot(y) > 0.0);
+    let slides = joint.kind == JointName::Slider;
+    require(slides == along, &key("axis"), format_args!("{:?}", joint.axis.unwrap_or_default()), {
+        if slides { "a direction [x, y] other than [0, 0]" } else { "none: only a slider has an axis" }
+    })?;
+    let stretches = joint.kind == JointName::Spring;
+    let apart = joint.to.is_some_and(|to| to != joint.at);
+    require(stretches == apart, &key("to"), format_args!("{:?}", joint.to.unwrap_or_default()), {
+        if stretches { "the spring's other end, another point than at" } else { "none: only a spring has a second end" }
+    })?;
+    let acts = !stretches || joint.stiffness > 0.0 || joint.damping > 0.0;
+    require(acts, &key("stiffness"), joint.stiffness, "a number above 0, or damping: this spring does nothing")
+}
