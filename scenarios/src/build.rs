@@ -23,7 +23,7 @@ pub fn build(scene: &Scene) -> Result<Coupled, CouplingError> {
     let last = scene.all_bodies().count();
     let index = |name: &str| scene.all_bodies().position(|body| body.name == name).unwrap_or(last);
     let joints = scene.joints.iter().map(|joint| joint.spec(index)).collect();
-    system.with_links(scene.contact.law(), joints)
+    system.with_links(scene.contact.law(scene.resolution.spacing), joints)
 }
 
 /// Rows of the boundary particles of a scene.

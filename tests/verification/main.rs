@@ -26,6 +26,7 @@ mod hydroelastic;
 mod integrators;
 mod keel;
 mod kernel_sums;
+mod links;
 mod modal;
 mod options;
 mod potential_flow;

@@ -6,9 +6,9 @@ use serde::Serialize;
 use sph_core::{Phase, Timers};
 
 pub use super::audit::Audit;
+use super::link_results::{ContactResult, JointResult};
 pub use super::modes::ModesResult;
 pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
-use super::link_results::{ContactResult, JointResult};
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;

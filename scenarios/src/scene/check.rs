@@ -247,7 +247,10 @@ fn check_names(scene: &Scene) -> Result<(), Problem> {
     let panels = scene.body.iter().flat_map(|body| &body.panels).enumerate();
     let panels = panels.map(|(i, panel)| (format!("body.panels[{i}].name"), &panel.name, "panel"));
     let gauges = scene.gauges.iter().enumerate();
-    for (key, name, kind) in bodies.chain(joints).chain(panels).chain(gauges.map(|(i, gauge)| (format!("gauges[{i}].name"), &gauge.name, "gauge")))
+    for (key, name, kind) in bodies
+        .chain(joints)
+        .chain(panels)
+        .chain(gauges.map(|(i, gauge)| (format!("gauges[{i}].name"), &gauge.name, "gauge")))
     {
         let expected = format_args!("a name that no other {kind} or body has");
         require(!names.contains(&name.as_str()), &key, format_args!("{name:?}"), expected)?;

@@ -74,7 +74,12 @@ fn check_joint(scene: &Scene, joint: &Joint, key: impl Fn(&str) -> String) -> Re
     let names: Vec<&str> = scene.all_bodies().map(|body| body.name.as_str()).chain([TANK]).collect();
     for (k, name) in joint.bodies.iter().enumerate() {
         let expected = format_args!("one of {}", names.join(", "));
-        require(names.contains(&name.as_str()), &format!("{}[{k}]", key("bodies")), format_args!("{name:?}"), expected)?;
+        require(
+            names.contains(&name.as_str()),
+            &format!("{}[{k}]", key("bodies")),
+            format_args!("{name:?}"),
+            expected,
+        )?;
         let bends = scene.all_bodies().any(|body| body.name == *name && body.bends());
         let expected = "a rigid body: joints do not hold one that bends";
         require(!bends, &format!("{}[{k}]", key("bodies")), format_args!("{name:?}"), expected)?;

@@ -34,6 +34,8 @@ pub struct ContactLaw {
     pub friction: f64,
     /// Coefficient of restitution: normal speed after over that before an impact [-].
     pub restitution: f64,
+    /// Distance at which surfaces touch [m]: room for the thinnest film of water that particles can fill, one spacing.
+    pub gap: f64,
 }
 
 /// How two bodies have touched so far.
@@ -47,7 +49,7 @@ pub struct TouchRecord {
     pub at: [f64; 2],
     /// Magnitude of the impulses of all contacts so far [N s/m].
     pub impulse: f64,
-    /// Largest depth of a corner behind the other's surface [m].
+    /// Largest depth behind the distance of touch [m].
     pub deepest: f64,
 }
 
@@ -57,12 +59,12 @@ pub(super) struct Links {
     law: ContactLaw,
     joints: Vec<Joint>,
     touched: Vec<TouchRecord>,
-    /// Whether reactions act.
-    active: bool,
+    /// Normal reactions of contacts that act now, with the index of their record [N/m].
+    pressing: Vec<(usize, f64)>,
 }
 
 /// What [`Links`] keep from step to step.
-pub(super) type LinksMemory = (Vec<Memory>, Vec<TouchRecord>, bool);
+pub(super) type LinksMemory = (Vec<Memory>, Vec<TouchRecord>, Vec<(usize, f64)>);
 
 impl Links {
     /// Links of bodies where they are now, with reactions for the first step.
@@ -88,15 +90,15 @@ impl Links {
         let solids = solids(members);
         let holding =
             |a, b| self.joints.iter().any(|j| j.holds() && (j.spec.bodies == [a, b] || j.spec.bodies == [b, a]));
-        let touches = touches(members, &solids, tolerance, time, holding)?;
-        if touches.is_empty() && self.joints.is_empty() && !self.active {
+        let touches = touches(members, &solids, [self.law.gap, tolerance], time, holding)?;
+        if touches.is_empty() && self.joints.is_empty() && self.pressing.is_empty() {
             return Ok(());
         }
         self.kick_by_springs(members, dt);
         let impulses = self.apply_impulses(members, &touches, dt);
-        self.record(members, &touches, &impulses, dt, time);
-        self.set_reactions(members, &touches, dt);
-        self.active = !touches.is_empty();
+        let records = self.record(members, &touches, &impulses, dt, time);
+        let forces = self.set_reactions(members, &touches, dt);
+        self.pressing = records.into_iter().zip(forces).collect();
         Ok(())
     }
 
@@ -139,8 +141,8 @@ impl Links {
         found
     }
 
-    /// CO36: reactions of joints, springs and contacts from now on, by which accelerations are admissible.
-    fn set_reactions(&mut self, members: &mut [Member], touches: &[Touch], dt: f64) {
+    /// CO36: reactions of joints, springs and contacts from now on, by which accelerations are admissible; normal ones of the touches.
+    fn set_reactions(&mut self, members: &mut [Member], touches: &[Touch], dt: f64) -> Vec<f64> {
         let before = rigid(&solids(members));
         let mut loads = vec![Resultant::default(); members.len()];
         let mut all = before.clone();
@@ -162,6 +164,8 @@ impl Links {
             })
             .collect();
         let found = multipliers(&rows, &all, &free);
+        let pushes = rows.iter().zip(&found).filter(|(row, _)| row.bound == Bound::Push);
+        let normal = pushes.map(|(row, force)| all[row.direction.solids[1]].halves * force).collect();
         let mut rows = rows.iter().zip(&found).map(|(row, force)| (row.direction, row.direction.resultants(*force)));
         for joint in self.joints.iter_mut().filter(|joint| joint.holds()) {
             joint.memory.reaction = [Resultant::default(); 2];
@@ -181,6 +185,7 @@ impl Links {
         for ((member, load), solid) in members.iter_mut().zip(loads).zip(&before) {
             member.body.set_reaction(solid.whole(load));
         }
+        normal
     }
 
     /// Rows of the joints that hold, then of the touches, each with friction beside its normal; and what the joints hold.
@@ -200,8 +205,8 @@ impl Links {
         (rows, held)
     }
 
-    /// Keep what the step has done: forces of joints, which may break, and contacts.
-    fn record(&mut self, members: &[Member], touches: &[Touch], impulses: &[f64], dt: f64, time: f64) {
+    /// Keep what the step has done: forces of joints, which may break, and contacts; the record of each touch.
+    fn record(&mut self, members: &[Member], touches: &[Touch], impulses: &[f64], dt: f64, time: f64) -> Vec<usize> {
         let all = rigid(&solids(members));
         let mut impulses = impulses.iter();
         for joint in self.joints.iter_mut().filter(|joint| joint.holds()) {
@@ -218,7 +223,10 @@ impl Links {
                 joint.memory = Memory { force, largest, value, broken: Some(time), ..Memory::default() };
             }
         }
-        let rows_per_touch = if self.law.friction > 0.0 { 2 } else { 1 };
+        for (record, force) in &self.pressing {
+            self.touched[*record].impulse += 0.5 * dt * force;
+        }
+        let (rows_per_touch, mut records) = (if self.law.friction > 0.0 { 2 } else { 1 }, Vec::new());
         for (touch, impulse) in touches.iter().zip(impulses.step_by(rows_per_touch)) {
             let [a, b] = touch.solids.map(|k| members[k].body.name());
             let known = self.touched.iter().position(|t| t.bodies == [a, b] || t.bodies == [b, a]);
@@ -230,7 +238,9 @@ impl Links {
             let record = &mut self.touched[known];
             record.impulse += all[touch.solids[1]].halves * impulse;
             record.deepest = record.deepest.max(touch.depth);
+            records.push(known);
         }
+        records
     }
 
     /// Energy of all springs [J/m].
@@ -258,13 +268,13 @@ impl Links {
     }
 
     pub fn memory(&self) -> LinksMemory {
-        (self.joints.iter().map(|joint| joint.memory).collect(), self.touched.clone(), self.active)
+        (self.joints.iter().map(|joint| joint.memory).collect(), self.touched.clone(), self.pressing.clone())
     }
 
-    pub fn set_memory(&mut self, (joints, touched, active): LinksMemory) -> Result<(), StateError> {
+    pub fn set_memory(&mut self, (joints, touched, pressing): LinksMemory) -> Result<(), StateError> {
         expect_count("joints", joints.len(), self.joints.len())?;
         self.joints.iter_mut().zip(joints).for_each(|(joint, memory)| joint.memory = memory);
-        (self.touched, self.active) = (touched, active);
+        (self.touched, self.pressing) = (touched, pressing);
         Ok(())
     }
 }

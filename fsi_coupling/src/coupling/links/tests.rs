@@ -143,8 +143,8 @@ fn boxes_that_collide_keep_their_momentum() {
     let masses = [[2.0, 2.0 * 1.25 / 12.0], [3.0, 3.0 * 1.25 / 12.0]];
     for law in [
         ContactLaw::default(),
-        ContactLaw { friction: 0.3, restitution: 0.0 },
-        ContactLaw { friction: 0.0, restitution: 0.7 },
+        ContactLaw { friction: 0.3, ..ContactLaw::default() },
+        ContactLaw { restitution: 0.7, ..ContactLaw::default() },
     ] {
         let a = free(box_at([-0.7, 0.1], [1.0, 0.1], 2.0, 0.0));
         let b = free(RigidSpec { name: "other".into(), ..box_at([0.7, -0.05], [-0.5, 0.0], 3.0, 0.0) });
@@ -168,7 +168,7 @@ fn boxes_that_collide_keep_their_momentum() {
 fn restitution_is_newtons() {
     let a = free(box_at([-0.7, 0.0], [1.0, 0.0], 2.0, 0.0));
     let b = free(RigidSpec { name: "other".into(), ..box_at([0.7, 0.0], [-0.5, 0.0], 3.0, 0.0) });
-    let mut dry = Dry::new(vec![a, b], ContactLaw { friction: 0.0, restitution: 0.6 }, Vec::new());
+    let mut dry = Dry::new(vec![a, b], ContactLaw { restitution: 0.6, ..ContactLaw::default() }, Vec::new());
     dry.run(0.6, |_| {});
     let [u, v] = [0, 1].map(|k| dry.body(k).motion().expect("a box").velocity[0]);
     assert!((v - u - 0.6 * 1.5).abs() < 1e-12, "{u} {v}");
@@ -180,7 +180,7 @@ fn restitution_is_newtons() {
 fn a_box_that_falls_on_a_floor_lies_there() {
     let spec = RigidSpec { angle: 0.2, ..box_at([0.0, 0.8], [0.0; 2], 2.0, G) };
     let floor = fixed([0.0, -0.5], rectangle(20.0, 1.0));
-    let mut dry = Dry::new(vec![free(spec), floor], ContactLaw { friction: 0.5, restitution: 0.0 }, Vec::new());
+    let mut dry = Dry::new(vec![free(spec), floor], ContactLaw { friction: 0.5, ..ContactLaw::default() }, Vec::new());
     let mut energy = dry.energy();
     dry.run(4.0, |dry| {
         assert!(dry.energy() <= energy + 1e-9, "energy from nowhere at t = {} s", dry.time);

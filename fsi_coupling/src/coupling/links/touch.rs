@@ -16,7 +16,7 @@ pub struct Touch {
     pub at: [f64; 2],
     /// Unit normal from a to b [-].
     pub normal: [f64; 2],
-    /// How far b is behind the surface of a [m].
+    /// How far b is closer to the surface of a than the distance of touch [m].
     pub depth: f64,
 }
 
@@ -46,9 +46,9 @@ impl Corners {
         (!points.is_empty()).then(|| Corners { bounds: bounding_box(&points), points, convex })
     }
 
-    fn may_meet(&self, other: &Corners) -> bool {
+    fn may_meet(&self, other: &Corners, gap: f64) -> bool {
         let ([low, high], [other_low, other_high]) = (self.bounds, other.bounds);
-        (0..2).all(|k| low[k] <= other_high[k] && other_low[k] <= high[k])
+        (0..2).all(|k| low[k] <= other_high[k] + gap && other_low[k] <= high[k] + gap)
     }
 
     /// The face of these corners beyond which the others reach least deep.
@@ -62,12 +62,12 @@ impl Corners {
     }
 }
 
-/// CO37: all touches, in the order of the bodies. `apart` says which pairs do not touch: those that a joint holds. A pair that links cannot
+/// CO37: all touches at most `gap` [m] from a surface, in the order of the bodies. `apart` says which pairs do not touch: those that a joint holds. A pair that links cannot
 /// hold is an error where a corner is more than `tolerance` [m] behind a surface.
 pub(super) fn touches(
     members: &[Member],
     solids: &[Option<Solid>],
-    tolerance: f64,
+    [gap, tolerance]: [f64; 2],
     time: f64,
     apart: impl Fn(usize, usize) -> bool,
 ) -> Result<Vec<Touch>, CouplingError> {
@@ -76,17 +76,17 @@ pub(super) fn touches(
     let mut found = Vec::new();
     for (a, b) in (0..members.len()).flat_map(|b| (0..b).map(move |a| (a, b))) {
         let pair = corners[a].as_ref().zip(corners[b].as_ref());
-        if apart(a, b) || pair.is_some_and(|(of_a, of_b)| !of_a.may_meet(of_b)) {
+        if apart(a, b) || pair.is_some_and(|(of_a, of_b)| !of_a.may_meet(of_b, gap)) {
             continue;
         }
         let held = |solid: &Solid| solid.inverse_mass == [0.0; 3];
         let linked = solids[a].zip(solids[b]).is_some_and(|(a, b)| !(held(&a) && held(&b)));
         match pair.filter(|(of_a, of_b)| of_a.convex && of_b.convex) {
-            Some(pair) if linked => found.extend(between_convex([a, b], pair)),
+            Some(pair) if linked => found.extend(between_convex([a, b], pair, gap)),
             _ => {
                 for [wall, owner] in [[a, b], [b, a]] {
                     let Some(of_owner) = &corners[owner] else { continue };
-                    let behind = behind(members, [wall, owner], of_owner);
+                    let behind = behind(members, [wall, owner], of_owner, if linked { gap } else { 0.0 });
                     if linked {
                         found.extend(behind);
                     } else if let Some(Touch { at: [x, y], .. }) = behind.into_iter().find(|t| t.depth > tolerance) {
@@ -100,11 +100,11 @@ pub(super) fn touches(
     Ok(found)
 }
 
-/// Corners of a body that are on or behind the surface of a wall, which pushes along its own normal there.
-fn behind(members: &[Member], solids: [usize; 2], of_owner: &Corners) -> Vec<Touch> {
+/// Corners of a body at most `gap` [m] outside the surface of a wall, which pushes along its own normal there.
+fn behind(members: &[Member], solids: [usize; 2], of_owner: &Corners, gap: f64) -> Vec<Touch> {
     let wall = members[solids[0]].body.as_ref();
     let touch = |&at: &[f64; 2]| {
-        let depth = -wall.signed_distance(at);
+        let depth = gap - wall.signed_distance(at);
         (depth >= 0.0).then(|| Touch { solids, at, normal: wall.surface(at).normal, depth })
     };
     of_owner.points.iter().filter_map(touch).collect()
@@ -112,20 +112,20 @@ fn behind(members: &[Member], solids: [usize; 2], of_owner: &Corners) -> Vec<Tou
 
 /// Touches of two convex outlines: along the normal of the face that separates them best (separating axes; Gottschalk et al. 1996), at the
 /// corners of the other body beyond this face and at the face's ends inside the other.
-fn between_convex([a, b]: [usize; 2], (of_a, of_b): (&Corners, &Corners)) -> Vec<Touch> {
+fn between_convex([a, b]: [usize; 2], (of_a, of_b): (&Corners, &Corners), gap: f64) -> Vec<Touch> {
     let Some((face_a, face_b)) = of_a.separation(of_b).zip(of_b.separation(of_a)) else { return Vec::new() };
     let (solids, of_owner, Separation { face, normal, depth }) =
         if face_b.depth < face_a.depth { ([b, a], of_a, face_b) } else { ([a, b], of_b, face_a) };
-    if depth < 0.0 {
+    if depth < -gap {
         return Vec::new();
     }
     let along = from(face[0], face[1]);
     let length2 = dot(along, along);
     let below = |at: [f64; 2]| -dot(from(face[0], at), normal);
     let beside = |at: [f64; 2]| (0.0..=length2).contains(&dot(from(face[0], at), along));
-    let corners = of_owner.points.iter().copied().filter(|at| below(*at) >= 0.0 && beside(*at));
-    let ends = face.into_iter().filter(|at| is_inside(&of_owner.points, *at));
-    let touch = |at| Touch { solids, at, normal, depth };
+    let corners = of_owner.points.iter().copied().filter(|at| below(*at) >= -gap && beside(*at));
+    let ends = face.into_iter().filter(|at| is_inside(&of_owner.points, *at, gap));
+    let touch = |at| Touch { solids, at, normal, depth: depth + gap };
     let found: Vec<Touch> = corners.chain(ends).map(touch).collect();
     if !found.is_empty() {
         return found;
@@ -143,9 +143,9 @@ fn is_convex(corners: &[[f64; 2]]) -> bool {
     (0..count).all(|k| turn(k) >= 0.0)
 }
 
-/// Whether a point is strictly inside a convex outline, counter-clockwise.
-fn is_inside(corners: &[[f64; 2]], at: [f64; 2]) -> bool {
-    edges(corners).all(|(a, b)| dot(from(a, at), normal(a, b)) < 0.0)
+/// Whether a point is less than `gap` [m] outside all sides of a convex outline, counter-clockwise.
+fn is_inside(corners: &[[f64; 2]], at: [f64; 2], gap: f64) -> bool {
+    edges(corners).all(|(a, b)| dot(from(a, at), normal(a, b)) < gap)
 }
 
 fn from(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

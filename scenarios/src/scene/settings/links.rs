@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub(in crate::scene) const TANK: &str = "tank";
 
 /// How rigid bodies push each other, the floor and the walls (THEORY CO37).
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SolidContact {
     /// Coefficient of friction [-].
     #[serde(default)]
@@ -18,6 +18,20 @@ pub struct SolidContact {
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub restitution: f64,
+    /// Distance at which surfaces touch, in resolution.spacing: a film of water that is thinner has no room for particles [-].
+    #[serde(default = "one")]
+    #[schemars(range(min = 0.0, max = 4.0))]
+    pub gap: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Default for SolidContact {
+    fn default() -> SolidContact {
+        SolidContact { friction: 0.0, restitution: 0.0, gap: one() }
+    }
 }
 
 impl SolidContact {
@@ -25,9 +39,9 @@ impl SolidContact {
         *self == SolidContact::default()
     }
 
-    /// The law of contact.
-    pub fn law(&self) -> ContactLaw {
-        ContactLaw { friction: self.friction, restitution: self.restitution }
+    /// The law of contact at a spacing [m].
+    pub fn law(&self, spacing: f64) -> ContactLaw {
+        ContactLaw { friction: self.friction, restitution: self.restitution, gap: self.gap * spacing }
     }
 }
 
