@@ -5,6 +5,8 @@
 //! no continuous collision surprises, mass properties given. A step is kick–drift–kick with impulses
 //! (THEORY CO2): second order, and the same impulses that the fluid's kicks carry.
 
+mod links;
+
 use std::f64::consts::{PI, TAU};
 
 use serde::{Deserialize, Serialize};
@@ -14,14 +16,14 @@ use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, WallForces, WallPoint, WallsMut};
 
-use crate::bodies::body::{Contact, Inspect, Linked, WettedBody};
+use crate::bodies::body::{Contact, Inspect, WettedBody};
 use crate::bodies::error::BodyError;
 use crate::bodies::rigid_interface::RigidInterface;
 use crate::bodies::rigid_motion::RigidMotion;
 use crate::bodies::rigid_spec::RigidSpec;
 use crate::bodies::rigid_surface::RigidSurface;
 use crate::bodies::sprung::{Sprung, SprungSpec, SprungState};
-use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, Solid, SurfacePoint};
+use crate::bodies::state::{ContactImpulse, Energy, Momentum, Motion, SurfacePoint};
 use crate::geometry::outline::Outline;
 use crate::geometry::rows::WallRows;
 use crate::geometry::vector::{cross, dot, rotate};
@@ -325,34 +327,6 @@ impl Contact for RigidBody2d {
         for k in 0..2 {
             self.state.external[k] -= if self.spec.free[k] { 0.0 } else { impulse[k] };
         }
-    }
-}
-
-impl Linked for RigidBody2d {
-    fn solid(&self) -> Option<Solid> {
-        let spec = &self.spec;
-        let inverse = [spec.mass, spec.mass, spec.inertia].map(|inertia| 1.0 / inertia);
-        Some(Solid {
-            motion: self.motion_under(self.state.now),
-            inverse_mass: [0, 1, 2].map(|k| if spec.free[k] { inverse[k] } else { 0.0 }),
-            halves: if spec.half { 2.0 } else { 1.0 },
-        })
-    }
-
-    fn apply_link_impulse(&mut self, impulse: Resultant) {
-        self.apply(impulse);
-        // the water's half of the step acts at the same time: work is that on the way from the mean velocity of the step to the one now
-        let (now, [x, y], drift) = (self.motion_now(), impulse.force, self.state.drift);
-        let along = [(x, now.velocity[0]), (y, now.velocity[1]), (impulse.moment, now.angular_velocity)];
-        let work = along.into_iter().zip(drift).map(|((impulse, now), mean)| 0.5 * impulse * (mean + now));
-        self.state.work_of_links += work.sum::<f64>();
-        for (k, impulse) in [x, y].into_iter().enumerate() {
-            self.state.external[k] -= if self.spec.free[k] { 0.0 } else { impulse };
-        }
-    }
-
-    fn set_reaction(&mut self, reaction: Resultant) {
-        self.state.reaction = reaction;
     }
 }
 

@@ -21,12 +21,16 @@ pub struct ExchangeRatio {
 }
 
 impl ExchangeRatio {
-    /// Of a scene's body at t = 0.
+    /// Of a scene's first body at t = 0.
     pub fn of(scene: &Scene) -> Option<ExchangeRatio> {
-        let body = scene.body.as_ref()?;
+        ExchangeRatio::of_body(scene, scene.body.as_ref()?)
+    }
+
+    /// Of a body of a scene at t = 0.
+    fn of_body(scene: &Scene, body: &Body) -> Option<ExchangeRatio> {
         let Motion::Free(freedom) = &body.motion else { return None };
         let along = row_of_water(scene, body);
-        let inertia = inertia(scene, freedom);
+        let inertia = inertia(scene, body, freedom);
         Some(ExchangeRatio { ratios: [0, 1, 2].map(|k| inertia[k].map_or(0.0, |inertia| along[k] / inertia)) })
     }
 
@@ -37,13 +41,11 @@ impl ExchangeRatio {
 }
 
 /// Mass, mass and moment of inertia [kg/m, kg/m, kg m]; `None` where the body is held.
-fn inertia(scene: &Scene, freedom: &Freedom) -> [Option<f64>; 3] {
+fn inertia(scene: &Scene, body: &Body, freedom: &Freedom) -> [Option<f64>; 3] {
     let whole = scene.symmetry == Symmetry::None;
     let halves = if whole { 1.0 } else { 2.0 };
-    let body = scene.body.iter();
-    let of_panels: f64 = body.flat_map(|b| b.panels.iter().map(|p| p.density * p.thickness * panel_length(b, p))).sum();
-    let modal = scene.body.iter().flat_map(|body| &body.modal);
-    let of_modes: f64 = modal.flat_map(|modal| &modal.masses).sum();
+    let of_panels: f64 = body.panels.iter().map(|p| p.density * p.thickness * panel_length(body, p)).sum();
+    let of_modes: f64 = body.modal.iter().flat_map(|modal| &modal.masses).sum();
     let mass = freedom.mass + halves * (of_panels + of_modes);
     let x = (freedom.x() && whole).then_some(mass);
     [x, freedom.y().then_some(mass), freedom.inertia.filter(|_| whole)]
@@ -76,17 +78,22 @@ fn row_of_water(scene: &Scene, body: &Body) -> [f64; 3] {
     sum
 }
 
-/// A body too light for explicit coupling.
-pub(super) fn light_body(scene: &Scene) -> Option<String> {
-    let exchange = ExchangeRatio::of(scene)?;
+/// Bodies too light for explicit coupling.
+pub(super) fn light_bodies(scene: &Scene) -> Vec<String> {
+    scene.all_bodies().filter_map(|body| light_body(scene, body)).collect()
+}
+
+fn light_body(scene: &Scene, body: &Body) -> Option<String> {
+    let exchange = ExchangeRatio::of_body(scene, body)?;
     let radius = exchange.spectral_radius();
     (scene.coupling.scheme == CouplingScheme::Weak && radius > SMOOTH).then(|| {
         let which = exchange.ratios.iter().position(|r| *r == radius).unwrap_or(1);
         let direction = ["moves along x", "moves along y", "turns"][which];
         format!(
-            "the body is light for coupling.scheme = \"weak\": half a row of water that {direction} with it has {} times its \
+            "the {} is light for coupling.scheme = \"weak\": half a row of water that {direction} with it has {} times its \
              inertia, from about 0.84 on body and water shake each other; take coupling.scheme = \"added_mass\", or {} m for \
              resolution.spacing",
+            if scene.bodies.is_empty() { "body".to_string() } else { format!("body {}", body.name) },
             significant(radius),
             significant(scene.resolution.spacing * SMOOTH / radius)
         )

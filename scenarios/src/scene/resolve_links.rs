@@ -1,6 +1,7 @@
 //! Further bodies and joints of a scene: defaults, and what they exclude.
 
 use fsi_coupling::Outline;
+use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
 
@@ -55,8 +56,10 @@ pub(super) fn check_links(scene: &Scene) -> Result<(), Problem> {
     let outlines: Vec<_> = scene.all_bodies().map(|body| (body, body.placed_outline())).collect();
     for (i, (body, corners)) in outlines.iter().enumerate().skip(1) {
         for (other, of_other) in &outlines[..i] {
-            let inside = |corners: &[[f64; 2]], outline: &[[f64; 2]]| {
-                Outline::polygon(outline).is_ok_and(|o| corners.iter().any(|at| o.signed_distance(*at) < 0.0))
+            let inside = |line: &[[f64; 2]], outline: &[[f64; 2]]| {
+                let mut places =
+                    polygon::edges(line).flat_map(|(a, b)| [a, [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]]);
+                Outline::polygon(outline).is_ok_and(|outline| places.any(|at| outline.signed_distance(at) < 0.0))
             };
             let joined = scene.joints.iter().any(|joint| joint.joins(&body.name, &other.name));
             let crosses = inside(corners, of_other) || inside(of_other, corners);

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND};
 use super::bottom::Bottom;
-use super::exchange::{light_body, light_panels};
+use super::exchange::{light_bodies, light_panels};
 use super::force_limits::limit_of_forces;
 use super::impact::{Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
@@ -149,7 +149,7 @@ fn sound_warnings(scene: &Scene, fluid: &WeaklyCompressibleFluid) -> Vec<String>
         ));
     }
     warnings.extend(legacy::warnings(&fluid.scheme, &fluid.options, cfl));
-    warnings.extend(light_body(scene));
+    warnings.extend(light_bodies(scene));
     warnings.extend(light_panels(scene));
     warnings
 }

@@ -5,8 +5,8 @@ use sph_core::walls::Resultant;
 use crate::bodies::state::Solid;
 use crate::geometry::vector::cross;
 
-/// Largest number of sweeps over the rows.
-const MOST_SWEEPS: u32 = 20_000;
+/// Largest number of passes over the rows.
+const MOST_PASSES: u32 = 20_000;
 /// Change of a multiplier over the largest one at which a solution is taken [-].
 const TOLERANCE: f64 = 1e-14;
 
@@ -101,14 +101,14 @@ impl Direction {
 }
 
 /// CO36: multipliers λ with w = `free` + J M⁻¹ Jᵀ λ, where w = 0 in the rows of joints, 0 ≤ w ⟂ λ ≥ 0 in those of contacts, and friction is
-/// bounded by its normal row; by projected Gauss–Seidel sweeps in the order of the rows (Moreau 1988; Jourdan et al. 1998). A row that
+/// bounded by its normal row; by projected Gauss–Seidel passes in the order of the rows (Moreau 1988; Jourdan et al. 1998). A row that
 /// nothing can move keeps λ = 0.
 pub fn multipliers(rows: &[Row], all: &[Solid], free: &[f64]) -> Vec<f64> {
     let count = rows.len();
     let matrix: Vec<f64> =
         rows.iter().flat_map(|a| rows.iter().map(|b| a.direction.coupling(&b.direction, all))).collect();
     let mut found = vec![0.0; count];
-    for _ in 0..MOST_SWEEPS {
+    for _ in 0..MOST_PASSES {
         let mut change: f64 = 0.0;
         for (i, row) in rows.iter().enumerate() {
             let diagonal = matrix[i * count + i];
