@@ -175,6 +175,42 @@ fn bodies_and_tanks_must_fit_together() {
 }
 
 #[test]
+fn bodies_and_joints_that_make_no_sense_are_refused() {
+    let body = |name: &str, x: f64, more: &str| {
+        format!(
+            "bodies=[{{ name = \"{name}\", shape = \"box\", breadth = 0.3, height = 0.2, mass = 3, position = [{x}, 0]{more} }}]"
+        )
+    };
+    let joint = |more: &str| format!("joints=[{{ name = \"h\", at = [0, 0.1], {more} }}]");
+    #[rustfmt::skip]
+    let table: &[(&str, &str, &[&str])] = &[
+        ("two_boxes", &body("left", 0.1, ", inertia = 1"), &["`bodies[0].name` = \"left\"", "no other thing or body has"]),
+        ("two_boxes", &body("r", 0.1, ""), &["`bodies[0].inertia` is missing", "free to rotate"]),
+        ("two_boxes", &body("r", -0.1, ", inertia = 1"), &["`bodies[0].position`", "\"r\" overlaps \"left\""]),
+        ("two_boxes", &body("r", 9.1, ", inertia = 1"), &["`bodies[0].position`", "off the tank"]),
+        ("two_boxes", &body("r", 0.1, ", inertia = 1, free = []"), &["`bodies[0].free` = []", "motion = \"fixed\""]),
+        ("two_boxes", &body("r", 0.1, ", inertia = 1, outline = \"a.csv\""), &["`bodies[0].outline`", "only the first body"]),
+        ("flap", &joint("kind = \"hinge\", bodies = [\"hull\", \"flop\"]"), &["`joints[0].bodies[1]` = \"flop\"", "one of hull, flap, tank"]),
+        ("flap", &joint("kind = \"hinge\", bodies = [\"hull\", \"hull\"]"), &["`joints[0].bodies`", "two different bodies"]),
+        ("flap", &joint("kind = \"slider\", bodies = [\"hull\", \"flap\"]"), &["`joints[0].axis`", "a direction"]),
+        ("flap", &joint("kind = \"hinge\", axis = [1, 0], bodies = [\"hull\", \"flap\"]"), &["`joints[0].axis`", "only a slider"]),
+        ("flap", &joint("kind = \"spring\", to = [0, 0.1], bodies = [\"hull\", \"flap\"]"), &["`joints[0].to`", "another point than at"]),
+        ("flap", &joint("kind = \"spring\", to = [0, 0.2], bodies = [\"hull\", \"flap\"]"), &["`joints[0].stiffness` = 0", "does nothing"]),
+        ("flap", "model=wagner", &["`model` = \"wagner\"", "several bodies, or joints", "\"wcsph\""]),
+        ("box_on_floor", &joint("kind = \"hinge\", bodies = [\"tank\", \"box\"]").replace("[{", "[{ breaks_at = 0, "), &["`joints[0].breaks_at` = 0"]),
+    ];
+    for (scene, set, fragments) in table {
+        let message = match scenarios::scene::load(scene, &[set.to_string()]) {
+            Err(error) => error.to_string(),
+            Ok(_) => panic!("{set:?} must be refused"),
+        };
+        for fragment in *fragments {
+            assert!(message.contains(fragment), "{set:?}: {fragment:?} is not in: {message}");
+        }
+    }
+}
+
+#[test]
 fn a_mistake_in_a_set_argument_names_the_argument_instead_of_a_line() {
     for (set, fragments) in [
         ("body.mass=-1", ["--set body.mass=-1: ", "`body.mass` = -1", "above 0"]),
