@@ -5,7 +5,7 @@ use std::ops::Range;
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
-use sph_core::{Breakdown, Fluid, Phase, RefinementZone, Timers, WallInterface, Walls};
+use sph_core::{Breakdown, Damped, DampingZone, Fluid, Phase, RefinementZone, Timers, WallInterface, Walls};
 
 use crate::bodies::body::Body;
 use crate::bodies::state::Motion;
@@ -38,6 +38,7 @@ pub struct Coupled {
     interface: Interface,
     checkpoint: Option<Checkpoint>,
     refinement: Option<RefinementRule>,
+    beach: Option<DampingZone>,
     tolerated_overlap: f64,
     stopped: u64,
     balance: Balance,
@@ -88,6 +89,7 @@ impl Coupled {
             interface,
             checkpoint: None,
             refinement: None,
+            beach: None,
             tolerated_overlap: TOLERATED_OVERLAP * spacing,
             stopped: 0,
             balance,
@@ -97,6 +99,11 @@ impl Coupled {
     /// The same system with a refinement zone that moves with its first body that has an outline (THEORY WC21).
     pub fn with_refinement(self, rule: RefinementRule) -> Coupled {
         Coupled { refinement: Some(rule), ..self }
+    }
+
+    /// The same system with a beach that absorbs waves (THEORY WA15).
+    pub fn with_beach(self, zone: DampingZone) -> Coupled {
+        Coupled { beach: Some(zone), ..self }
     }
 
     /// The largest step that is stable for fluid and bodies [s].
@@ -142,6 +149,9 @@ impl Coupled {
         self.fluid.timers_mut().begin(Phase::Coupling);
         let tunnelling = self.resolve_tunnelling(dt); //                         WA11: thin plates
         let contact = self.resolve_contact(dt); //                               WA7: single particles
+        if let Some(zone) = &self.beach {
+            self.balance.absorb(&self.fluid.damp(zone, dt)); //                  WA15: the beach
+        }
         self.fluid.timers_mut().begin(Phase::Audit);
         self.record_work(dt, tunnelling.iter().zip(&contact).map(|(a, b)| a + b));
         self.balance.close_step(&self.fluid, &self.walls, &self.members, dt);
@@ -307,6 +317,11 @@ impl Coupled {
     /// Momentum closure so far (THEORY CO27).
     pub fn momentum_audit(&self) -> MomentumAudit {
         self.balance.momentum
+    }
+
+    /// WA15: what a beach took from the water since the start.
+    pub fn absorbed(&self) -> Damped {
+        self.balance.absorbed
     }
 
     /// Energies of the fluid now [J/m].
