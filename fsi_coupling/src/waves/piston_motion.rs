@@ -86,9 +86,7 @@ mod tests {
     /// troughs are deep. In short ones the second harmonic has the other sign.
     #[test]
     fn the_second_harmonic_follows_the_shape_of_the_crests() {
-        let second = |length: f64| {
-            PistonMotion::of(&LinearWave::of_length(length, 1.0, 9.81), 0.05, 2.0, true).second
-        };
+        let second = |length: f64| PistonMotion::of(&LinearWave::of_length(length, 1.0, 9.81), 0.05, 2.0, true).second;
         assert!(second(8.0) > 0.0 && second(2.0) < 0.0, "{} {}", second(8.0), second(2.0));
         assert_eq!(second(0.01), 0.0);
     }

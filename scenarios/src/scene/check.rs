@@ -8,6 +8,7 @@ use super::legacy::{breakdown_cfl, hollow_walls};
 use super::references::check_reference;
 use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::symmetric::{check_symmetric, on_axis};
+use super::waves::check_waves;
 use crate::observers::columns;
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
@@ -31,6 +32,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_surface(scene)?;
     scene.tank.block().map_or(Ok(()), |block| check_block(scene, &block))?;
     check_levels(scene)?;
+    check_waves(scene)?;
     if let Some(body) = &scene.body {
         check_body_in_tank(scene, body)?;
         match &body.shape {
