@@ -31,8 +31,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_water(scene)?;
     check_surface(scene)?;
     scene.tank.block().map_or(Ok(()), |block| check_block(scene, &block))?;
-    check_levels(scene)?;
     check_waves(scene)?;
+    check_levels(scene)?;
     if let Some(body) = &scene.body {
         check_body_in_tank(scene, body)?;
         match &body.shape {
