@@ -15,8 +15,7 @@ const SHORT: [&str; 5] = [
 ];
 
 /// Both solvers, with the acoustic steps and the sound that waves want.
-const SOLVERS: [&[&str]; 2] =
-    [&[], &["solver=weakly_compressible", "fluid.sound_speed=15", "fluid.acoustic_steps=4"]];
+const SOLVERS: [&[&str]; 2] = [&[], &["solver=weakly_compressible", "fluid.sound_speed=15", "fluid.acoustic_steps=4"]];
 
 fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
     SHORT.iter().chain(more).copied().collect()
@@ -46,7 +45,11 @@ fn still_water_with_a_beach_stays_still() {
 #[test]
 fn audits_close_with_a_piston_and_a_beach() {
     for solver in SOLVERS {
-        let mut system = system("wave_maker", &[&["tank.width=6", "tank.beach.length=3", "observe.level=[]", "resolution.spacing=0.05"][..], solver].concat());
+        let mut system = system(
+            "wave_maker",
+            &[&["tank.width=6", "tank.beach.length=3", "observe.level=[]", "resolution.spacing=0.05"][..], solver]
+                .concat(),
+        );
         advance(&mut system, 8.0, |_| {}).expect("a stable run");
         let (work, taken) = (-system.work_audit(0).received, system.absorbed());
         let drift = system.energy_drift();
@@ -63,7 +66,9 @@ fn audits_close_with_a_piston_and_a_beach() {
 #[test]
 fn a_stored_wave_tank_goes_on_with_the_same_bits() -> Result<(), StateError> {
     for solver in SOLVERS {
-        let sets = [&["tank.width=4", "tank.beach.length=2", "observe.level=[]", "resolution.spacing=0.05"][..], solver].concat();
+        let sets =
+            [&["tank.width=4", "tank.beach.length=2", "observe.level=[]", "resolution.spacing=0.05"][..], solver]
+                .concat();
         let (mut first, mut second) = (system("wave_maker", &sets), system("wave_maker", &sets));
         advance(&mut first, 1.0, |_| {}).expect("a stable run");
         second.restore_bytes(&first.to_bytes())?;

@@ -2,8 +2,9 @@
 
 use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require, significant};
+use fsi_coupling::waves::linear_wave::LinearWave;
 
-use super::settings::{Beach, GaugeFrame, Scene, Symmetry, WaveMaker};
+use super::settings::{Beach, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 
 /// Longest stroke over the width of the tank [-].
 const LONGEST_STROKE: f64 = 0.25;
@@ -11,6 +12,8 @@ const LONGEST_STROKE: f64 = 0.25;
 const CLEAR_OF_PISTON: f64 = 4.0;
 /// Spacings in a wave's height below which it loses more than a per cent of it per wavelength.
 const RESOLVED_HEIGHT: f64 = 4.0;
+/// Share of its height that a wave may lose per wavelength by viscosity [-].
+const LARGEST_LOSS: f64 = 0.01;
 /// Height over that of breaking from which waves are no longer those of linear theory [-].
 const STEEP: f64 = 0.5;
 /// H L²/d³ from which a second harmonic does not make the shape of the wave (Madsen 1971) [-].
@@ -64,6 +67,28 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
     check_way_of_piston(scene, -0.5 * scene.tank.width + piston.reach())
 }
 
+/// WA13: the key of the solver's viscosity, its value, and the share of its height that a wave loses per wavelength by that
+/// viscosity, 1 − exp(−2νk²L/c_g).
+fn viscous_loss(scene: &Scene, wave: &LinearWave) -> (&'static str, f64, f64) {
+    let h = scene.water().smoothing_ratio * scene.resolution.spacing;
+    let g = scene.gravity[1].abs();
+    let (key, given, viscosity) = match &scene.solver {
+        SolverSettings::WeaklyCompressible { fluid } => {
+            let alpha = fluid.scheme.artificial_viscosity;
+            ("fluid.artificial_viscosity", alpha, alpha * h * scene.sound_speed() / 8.0)
+        }
+        SolverSettings::Incompressible { projection, .. }
+        | SolverSettings::IncompressibleExplicit { projection, .. } => {
+            let calming = projection.viscosity_coefficient;
+            ("projection.calming", calming, calming * h * (g * h).sqrt())
+        }
+        #[cfg(feature = "legacy")]
+        SolverSettings::IncompressibleThesis { .. } => ("fluid.kinematic_viscosity", 0.0, 0.0),
+    };
+    let k = wave.wave_number;
+    (key, given, 1.0 - (-2.0 * viscosity * k * k * wave.length() / wave.group_speed()).exp())
+}
+
 /// What is fixed or read is right of the piston, which reaches to x = `end` [m].
 fn check_way_of_piston(scene: &Scene, end: f64) -> Result<(), Problem> {
     let clear = end + CLEAR_OF_PISTON * scene.resolution.spacing;
@@ -102,6 +127,14 @@ pub(super) fn wave_warnings(scene: &Scene) -> Vec<String> {
                 significant(back)
             ));
         }
+    }
+    let (key, given, loss) = viscous_loss(scene, &wave);
+    if loss > LARGEST_LOSS {
+        warnings.push(format!(
+            "{key} = {given} takes {} of the waves' height per wavelength: {} would take a tenth of it",
+            significant(loss),
+            significant(0.1 * given)
+        ));
     }
     let rows = maker.height / scene.resolution.spacing;
     if rows < RESOLVED_HEIGHT {

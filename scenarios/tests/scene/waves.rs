@@ -24,11 +24,11 @@ fn waves_that_cannot_be_made_are_refused() {
         (&["tank.wave_maker={ height = 0.02, length = 40 }", "tank.width=0.8", "tank.beach.length=0.4", "observe.level=[]", "tank.depth=0.1"], &["`tank.wave_maker.height`", "stroke of at most"]),
         (&["symmetry=x"], &["`symmetry` = \"x\"", "\"none\" with a [tank.wave_maker]"]),
         (&["gravity=[0.5, -9.81]"], &["`gravity` = [0.5, -9.81]", "a number below 0"]),
-        (&["tank.water_width=10"], &["`tank.water_width` = 10", "tank.width = 37.5 m"]),
+        (&["tank.water_width=10"], &["`tank.water_width` = 10", "tank.width = 36 m"]),
         (&["tank.height=0.51"], &["`tank.height` = 0.51", "above the crests"]),
-        (&["observe.level=[-18.7]"], &["`observe.level` = -18.7", "4 spacings right"]),
-        (&["gauges=[{ name = \"wall\", on = \"fixed\", at = [-18.75, -0.2] }]"], &["`gauges[0].at`", "4 spacings right"]),
-        (&["tank.beach.length=50"], &["`tank.beach.length` = 50", "less than the 37.5 m"]),
+        (&["observe.level=[-17.9]"], &["`observe.level` = -17.9", "4 spacings right"]),
+        (&["gauges=[{ name = \"wall\", on = \"fixed\", at = [-18.0, -0.2] }]"], &["`gauges[0].at`", "4 spacings right"]),
+        (&["tank.beach.length=50"], &["`tank.beach.length` = 50", "less than the 36 m"]),
         (&["tank.beach.length=0"], &["`tank.beach.length` = 0", "above 0"]),
         (&["tank.wave_maker.heigth=1"], &["unknown key `tank.wave_maker.heigth`", "`tank.wave_maker.height`"]),
     ];
@@ -53,6 +53,7 @@ fn doubtful_waves_are_warned_of() {
     for (change, fragment) in [
         ("tank.beach.length=1.5", "0.5 wavelengths"),
         ("tank.wave_maker.height=0.2", "of the height of breaking"),
+        ("projection.calming=0.15", "of the waves' height per wavelength"),
         ("resolution.spacing=0.03", "spacings high lose height"),
     ] {
         let warnings = load("wave_maker", &sets(&[change])).expect("a scene that runs").warnings.join("\n");

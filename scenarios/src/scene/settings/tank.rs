@@ -95,6 +95,11 @@ impl Tank {
         self.water_width >= self.width && self.block().is_none()
     }
 
+    /// True for level water between a wave maker and a wall.
+    pub fn is_wave_tank(&self) -> bool {
+        self.wave_maker.is_some() && self.is_full() && self.surface().is_none()
+    }
+
     /// Speed of the block of water at the start [m/s]; 0 where there is none.
     pub fn block_speed(&self) -> f64 {
         self.block().map_or(0.0, |block| block.velocity[0].hypot(block.velocity[1]))
