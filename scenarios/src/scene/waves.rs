@@ -10,7 +10,7 @@ use super::settings::{Beach, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMa
 const LONGEST_STROKE: f64 = 0.25;
 /// Spacings between the piston and the nearest place where the water's height is read.
 const CLEAR_OF_PISTON: f64 = 4.0;
-/// Spacings in a wave's height below which it loses more than a per cent of it per wavelength.
+/// Spacings in a wave's height below which it was up to 9 % low after ten wavelengths.
 const RESOLVED_HEIGHT: f64 = 4.0;
 /// Share of its height that a wave may lose per wavelength by viscosity [-].
 const LARGEST_LOSS: f64 = 0.01;
