@@ -67,6 +67,20 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
     check_way_of_piston(scene, -0.5 * scene.tank.width + piston.reach())
 }
 
+/// A run that ends before its farthest gauge has seen four periods of full waves (THEORY GE26).
+fn early_end(scene: &Scene, ramp: f64, wave: &LinearWave) -> Option<String> {
+    let farthest = scene.observe.level.iter().copied().reduce(f64::max)?;
+    let way = farthest + 0.5 * scene.tank.width;
+    let needed = way / wave.group_speed() + (ramp + 4.0) * wave.period();
+    (scene.time.end < needed).then(|| {
+        format!(
+            "time.end = {} s is early for the gauge at x = {farthest} m: waves of full height have passed it for four periods after {} s",
+            scene.time.end,
+            significant(needed)
+        )
+    })
+}
+
 /// WA13: the key of the solver's viscosity, its value, and the share of its height that a wave loses per wavelength by that
 /// viscosity, 1 − exp(−2νk²L/c_g).
 fn viscous_loss(scene: &Scene, wave: &LinearWave) -> (&'static str, f64, f64) {
@@ -136,6 +150,7 @@ pub(super) fn wave_warnings(scene: &Scene) -> Vec<String> {
             significant(0.1 * given)
         ));
     }
+    warnings.extend(early_end(scene, maker.ramp, &wave));
     let rows = maker.height / scene.resolution.spacing;
     if rows < RESOLVED_HEIGHT {
         warnings.push(format!(

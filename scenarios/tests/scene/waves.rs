@@ -54,6 +54,7 @@ fn doubtful_waves_are_warned_of() {
         ("tank.beach.length=1.5", "0.5 wavelengths"),
         ("tank.wave_maker.height=0.2", "of the height of breaking"),
         ("projection.calming=0.15", "of the waves' height per wavelength"),
+        ("time.end=20", "early for the gauge at x = 12 m"),
         ("resolution.spacing=0.03", "spacings high lose height"),
     ] {
         let warnings = load("wave_maker", &sets(&[change])).expect("a scene that runs").warnings.join("\n");
