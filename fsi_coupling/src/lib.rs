@@ -2,8 +2,8 @@
 //! act on it.
 //!
 //! [`geometry`] turns shapes into particles, [`bodies`] has the contract of a body and the bodies, [`coupling`] the step of fluid and
-//! bodies together, [`entry_theory`] analytical models of water entry, [`embed`] the element for programs with a time loop
-//! of their own, [`settings`] structs of settings that document and check themselves.
+//! bodies together, [`entry_theory`] analytical models of water entry, [`waves`] those of a piston, [`embed`] the element for
+//! programs with a time loop of their own, [`settings`] structs of settings that document and check themselves.
 //!
 //! A wedge falls into a tank of water:
 //! ```
@@ -54,6 +54,7 @@ pub mod embed;
 pub mod entry_theory;
 pub mod geometry;
 pub mod settings;
+pub mod waves;
 
 pub use bodies::body::{Body, Contact, Inspect, Linked, WettedBody};
 pub use bodies::error::BodyError;

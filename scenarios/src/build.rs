@@ -44,6 +44,10 @@ pub(crate) fn build_around(scene: &Scene, bodies: Vec<Box<dyn Body>>) -> Result<
     let mut fluid = Fluid::new(domain, settings.as_ref(), &seeds);
     fluid.start_at(scene.time.start);
     let system = Coupled::with_bodies(fluid, placed, scene.coupling.scheme())?;
+    let system = match scene.beach() {
+        Some(zone) => system.with_beach(zone),
+        None => system,
+    };
     Ok(match Follower::of(scene) {
         Some(follower) => system.with_refinement(Box::new(move |motion, outline| follower.zone(motion, outline))),
         None => system,
@@ -56,7 +60,11 @@ fn tank(scene: &Scene, rows: &WallRows) -> Tank {
     let x = [if half { 0.0 } else { -0.5 * scene.tank.width }, 0.5 * scene.tank.width];
     let floor = -scene.tank.depth;
     let standing = scene.all_bodies().filter_map(|body| standing(scene, body, rows)).collect();
-    Tank::new(layout(scene), x, floor, floor + scene.tank.height, half).with_plates(standing)
+    let tank = Tank::new(layout(scene), x, floor, floor + scene.tank.height, half).with_plates(standing);
+    match scene.piston() {
+        Some(motion) => tank.with_piston(motion, scene.time.start),
+        None => tank,
+    }
 }
 
 /// How the water is divided into particles.

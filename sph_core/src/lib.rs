@@ -54,6 +54,7 @@
 //! ```
 
 pub mod auto;
+pub mod damping_zone;
 pub mod domain;
 pub mod error;
 pub mod fluid;
@@ -73,6 +74,7 @@ pub mod walls;
 pub mod wcsph;
 
 pub use auto::Auto;
+pub use damping_zone::{Damped, DampingZone};
 pub use domain::{Domain, FluidSettings, Slip, Solver};
 pub use error::Breakdown;
 pub use fluid::Fluid;

@@ -47,3 +47,4 @@ mod thesis_projection;
 mod thin_walls;
 mod transfer;
 mod wave_maker;
+mod wave_tank;

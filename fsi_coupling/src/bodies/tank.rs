@@ -1,4 +1,4 @@
-//! The tank: floor and side walls at rest, sampled at the spacing of the water beside them.
+//! The tank: floor and side walls, sampled at the spacing of the water beside them. They are at rest; the left wall may be a piston.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -14,8 +14,9 @@ use crate::geometry::layout::Layout;
 use crate::geometry::plate::Plate;
 use crate::geometry::plate_sampling;
 use crate::geometry::rows::WallRows;
+use crate::waves::piston_motion::PistonMotion;
 
-/// A rectangular open tank. Its particles never move.
+/// A rectangular open tank. Its particles never move, but for those of a piston.
 pub struct Tank {
     layout: Layout,
     x: [f64; 2],
@@ -26,7 +27,10 @@ pub struct Tank {
     /// Depth of the side walls' rows [m].
     thickness: f64,
     points: Vec<WallPoint>,
+    piston: Option<PistonMotion>,
+    /// Mean force of the step on all of it and along x on its piston [N/m].
     mean: [f64; 2],
+    mean_on_piston: f64,
     state: State,
     checkpoint: State,
 }
@@ -34,7 +38,9 @@ pub struct Tank {
 /// What a step changes.
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]
 struct State {
+    time: f64,
     external: [f64; 2],
+    work: f64,
     /// Of links, in the first half of the next step [N/m].
     reaction: [f64; 2],
 }
@@ -43,9 +49,45 @@ impl Tank {
     /// Inner walls at `x` [m], floor and rim at the given heights [m]; with `half`, a plane of symmetry instead of the wall at
     /// x[0].
     pub fn new(layout: Layout, x: [f64; 2], floor: f64, rim: f64, half: bool) -> Tank {
-        let (plates, points, state) = (Vec::new(), Vec::new(), State::default());
-        let (thickness, mean) = (f64::INFINITY, [0.0; 2]);
-        Tank { layout, x, floor, rim, half, plates, thickness, points, mean, state, checkpoint: state }
+        let (plates, points, mean) = (Vec::new(), Vec::new(), [0.0; 2]);
+        let (thickness, piston, state) = (f64::INFINITY, None, State::default());
+        let (mean_on_piston, checkpoint) = (0.0, state);
+        Tank { layout, x, floor, rim, half, plates, thickness, points, piston, mean, mean_on_piston, state, checkpoint }
+    }
+
+    /// The same tank whose left wall is a piston that moves along the floor (THEORY WA14), with a clock that starts at `time` [s].
+    /// Not with a plane of symmetry.
+    pub fn with_piston(self, motion: PistonMotion, time: f64) -> Tank {
+        Tank { piston: Some(motion), state: State { time, ..self.state }, ..self }
+    }
+
+    /// Displacement [m], velocity [m/s] and acceleration [m/s²] of the piston `ahead` [s] from now.
+    fn piston_at(&self, ahead: f64) -> [f64; 3] {
+        self.piston.map_or([0.0; 3], |piston| piston.at(self.state.time + ahead))
+    }
+
+    /// x of the left wall now [m].
+    fn left_wall(&self) -> f64 {
+        self.x[0] + self.piston_at(0.0)[0]
+    }
+
+    /// True for a particle that moves with the piston: all that are above the floor and left of the water.
+    fn is_piston(&self, point: &WallPoint) -> bool {
+        self.piston.is_some() && point.at[0] < self.x[0] && point.at[1] > self.floor
+    }
+
+    /// Particles of the floor behind the piston, as far as it moves back and its rows are deep.
+    fn floor_behind(&self, rows: &WallRows) -> Vec<WallPoint> {
+        let Some(piston) = self.piston else { return Vec::new() };
+        let s = self.layout.spacing_at([self.x[0], self.floor]);
+        let columns = rows.layers + (piston.reach() / s).ceil() as usize;
+        let cells = (0..columns).flat_map(|column| (0..rows.layers).map(move |layer| (column, layer)));
+        let point = |(column, layer): (usize, usize)| {
+            let (depth, shift) = (WallRows::depth(layer, s), if rows.is_shifted(layer) { 0.5 * s } else { 0.0 });
+            let at = [self.x[0] - WallRows::depth(column, s) + shift, self.floor - depth];
+            WallPoint { at, normal: [0.0, 1.0], area: s * s, spacing: s, depth, midline: None }
+        };
+        cells.map(point).collect()
     }
 
     /// The same tank with fixed plates [m] whose roots are in its walls (THEORY WA10).
@@ -101,6 +143,10 @@ impl WettedBody for Tank {
                     points.push(point(at, [-out, 0.0], s, depth(layer, s)));
                 }
             }
+            if out < 0.0 && self.piston.is_some() {
+                points.extend(self.floor_behind(rows));
+                continue;
+            }
             let s = self.layout.spacing_at([wall, self.floor]);
             for (i, j) in (0..layers).flat_map(|i| (0..layers).map(move |j| (i, j))) {
                 let at = [wall + out * depth(i, s) + way * shift(j, s), self.floor - depth(j, s) + shift(i, s)];
@@ -120,21 +166,33 @@ impl WettedBody for Tank {
         Ok(points)
     }
 
-    fn kinematics(&self, _ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
+    /// The piston has a constant acceleration in the step and ends where its motion does.
+    fn kinematics(&self, ahead: f64, out: WallsMut<'_>) -> Vec<PlateMidline> {
+        let ([now, velocity, _], [then, _, acceleration]) = (self.piston_at(0.0), self.piston_at(ahead));
+        let mean = if ahead > 0.0 { (then - now) / ahead } else { velocity };
         for (k, p) in self.points.iter().enumerate() {
             [out.x[k], out.y[k]] = p.at;
+            if self.is_piston(p) {
+                (out.x[k], out.u[k], out.ax[k]) = (p.at[0] + then, mean, acceleration);
+            }
         }
         Vec::new()
     }
 
     fn load(&mut self, force: WallForces<'_>) {
         self.mean = force.mean_resultant([0.0, 0.0]).force;
+        if self.piston.is_some() {
+            let on_piston = self.points.iter().zip(force.mean_fx).filter(|(p, _)| self.is_piston(p));
+            self.mean_on_piston = on_piston.map(|(_, f)| f).sum();
+        }
     }
 
     fn advance(&mut self, dt: f64) -> Result<(), BodyError> {
+        self.state.work += self.mean_on_piston * (self.piston_at(dt)[0] - self.piston_at(0.0)[0]);
         for k in 0..2 {
             self.state.external[k] -= dt * (self.mean[k] + 0.5 * self.state.reaction[k]);
         }
+        self.state.time += dt;
         Ok(())
     }
 
@@ -159,7 +217,7 @@ impl WettedBody for Tank {
 impl Contact for Tank {
     /// Water that went over the rim and is outside the thickness of a side wall is not in a wall.
     fn signed_distance(&self, at: [f64; 2]) -> f64 {
-        let left = if self.half { f64::INFINITY } else { at[0] - self.x[0] };
+        let left = if self.half { f64::INFINITY } else { at[0] - self.left_wall() };
         let side = left.min(self.x[1] - at[0]);
         let beside = side < -self.thickness;
         let above = at[1] - self.rim;
@@ -172,19 +230,24 @@ impl Contact for Tank {
 
     /// Of two walls that a point is behind, in a corner, the one that is further from it.
     fn surface(&self, at: [f64; 2]) -> SurfacePoint {
-        let left = if self.half { f64::INFINITY } else { at[0] - self.x[0] };
+        let wall = self.left_wall();
+        let left = if self.half { f64::INFINITY } else { at[0] - wall };
         let fixed = |at, normal| SurfacePoint { at, normal, velocity: [0.0; 2] };
+        let piston = SurfacePoint { at: [wall, at[1]], normal: [1.0, 0.0], velocity: [self.piston_at(0.0)[1], 0.0] };
         let planes = [
             (at[1] - self.floor, fixed([at[0], self.floor], [0.0, 1.0])),
             (self.x[1] - at[0], fixed([self.x[1], at[1]], [-1.0, 0.0])),
-            (left, fixed([self.x[0], at[1]], [1.0, 0.0])),
+            (left, piston),
         ];
         let nearer = |a: (f64, SurfacePoint), b: (f64, SurfacePoint)| if b.0 < a.0 { b } else { a };
         planes.into_iter().reduce(nearer).unwrap_or(planes[0]).1
     }
 
     fn apply_impulse(&mut self, contact: &ContactImpulse) {
-        let (_, impulse) = contact.resultant();
+        let (at, impulse) = contact.resultant();
+        if at[0] <= self.left_wall() {
+            self.state.work += impulse[0] * self.piston_at(0.0)[1];
+        }
         self.state.external = [0, 1].map(|k| self.state.external[k] - impulse[k]);
     }
 }
@@ -209,7 +272,7 @@ impl Inspect for Tank {
     }
 
     fn energy(&self) -> Energy {
-        Energy::default()
+        Energy { work: self.state.work, ..Energy::default() }
     }
 
     fn momentum(&self) -> Momentum {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
-use sph_core::{Fluid, Walls};
+use sph_core::{Damped, Fluid, Walls};
 
 use crate::coupling::placed_bodies::Member;
 
@@ -28,6 +28,8 @@ pub(super) struct Balance {
     pub fluid_at_start: FluidEnergy,
     energy_at_start: f64,
     fluid_mass: f64,
+    /// Taken from the water by a beach.
+    pub absorbed: Damped,
 }
 
 impl Balance {
@@ -38,7 +40,17 @@ impl Balance {
             fluid_at_start,
             energy_at_start: energy(&fluid_at_start, members),
             fluid_mass: fluid.mass(),
+            absorbed: Damped::default(),
         }
+    }
+
+    /// WA15: the beach's impulse on the water is an external one, and what it absorbs is counted.
+    pub fn absorb(&mut self, taken: &Damped) {
+        for k in 0..2 {
+            self.absorbed.impulse[k] += taken.impulse[k];
+            self.momentum.balance[k] += taken.impulse[k];
+        }
+        self.absorbed.energy += taken.energy;
     }
 
     /// CO27: compare the balance with the one before a step of `dt` [s].
@@ -61,7 +73,7 @@ impl Balance {
 
     /// CO28: energy now, less that at the start [J/m].
     pub fn energy_drift(&self, fluid: &FluidEnergy, members: &[Member]) -> f64 {
-        energy(fluid, members) - self.energy_at_start
+        energy(fluid, members) + self.absorbed.energy - self.energy_at_start
     }
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use sph_core::parallel;
 use sph_core::particles::totals::FluidEnergy;
 use sph_core::state_bytes::{StateError, decode, encode, expect_count};
-use sph_core::{Breakdown, Fluid, Phase, RefinementZone, Timers, WallInterface, Walls};
+use sph_core::{Breakdown, Damped, DampingZone, Fluid, Phase, RefinementZone, Timers, WallInterface, Walls};
 
 use crate::bodies::body::Body;
 use crate::bodies::state::Motion;
@@ -41,6 +41,7 @@ pub struct Coupled {
     links: Links,
     checkpoint: Option<Checkpoint>,
     refinement: Option<RefinementRule>,
+    beach: Option<DampingZone>,
     tolerated_overlap: f64,
     stopped: u64,
     balance: Balance,
@@ -93,6 +94,7 @@ impl Coupled {
             links: Links::default(),
             checkpoint: None,
             refinement: None,
+            beach: None,
             tolerated_overlap: TOLERATED_OVERLAP * spacing,
             stopped: 0,
             balance,
@@ -108,6 +110,11 @@ impl Coupled {
     pub fn with_links(mut self, law: ContactLaw, joints: Vec<JointSpec>) -> Result<Coupled, CouplingError> {
         self.links = Links::new(law, joints, &mut self.members)?;
         Ok(self)
+    }
+
+    /// The same system with a beach that absorbs waves (THEORY WA15).
+    pub fn with_beach(self, zone: DampingZone) -> Coupled {
+        Coupled { beach: Some(zone), ..self }
     }
 
     /// The largest step that is stable for fluid and bodies [s].
@@ -155,6 +162,9 @@ impl Coupled {
         self.links.hold(&mut self.members, self.tolerated_overlap, dt, time)?; // CO36: joints, contact of solids
         let tunnelling = self.resolve_tunnelling(dt); //                         WA11: thin plates
         let contact = self.resolve_contact(dt); //                               WA7: single particles
+        if let Some(zone) = &self.beach {
+            self.balance.absorb(&self.fluid.damp(zone, dt)); //                  WA15: the beach
+        }
         self.fluid.timers_mut().begin(Phase::Audit);
         self.record_work(dt, tunnelling.iter().zip(&contact).map(|(a, b)| a + b));
         self.balance.close_step(&self.fluid, &self.walls, &self.members, dt);
@@ -320,6 +330,11 @@ impl Coupled {
     /// Momentum closure so far (THEORY CO27).
     pub fn momentum_audit(&self) -> MomentumAudit {
         self.balance.momentum
+    }
+
+    /// WA15: what a beach took from the water since the start.
+    pub fn absorbed(&self) -> Damped {
+        self.balance.absorbed
     }
 
     /// Energies of the fluid now [J/m].

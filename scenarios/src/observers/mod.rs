@@ -15,6 +15,7 @@ mod run_view;
 mod sensing;
 mod series;
 mod similarity;
+mod waves;
 
 use std::io;
 
@@ -36,6 +37,7 @@ pub(crate) use run_view::{LOADS, load_names};
 pub use series::Series;
 pub(crate) use similarity::FROM as SIMILARITY_FROM;
 pub use similarity::{SimilarityResult, SimilarityWindow};
+pub use waves::{WaveGauge, Waves};
 
 /// What an observer sees.
 #[derive(Clone, Copy)]

@@ -334,6 +334,7 @@ impl Recorder {
             rest: Some(self.history.rest(since)),
             order,
             water: self.series.water(since),
+            waves: self.series.waves(scene),
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
                 iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,

@@ -12,7 +12,7 @@ pub use super::panel::{Extremes, PanelEnvelope, PanelResult, Rupture};
 use super::particle_order::ParticleOrder;
 use crate::compare::Comparison;
 use crate::error_bar::ErrorBars;
-use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water};
+use crate::observers::{GaugeResult, Rest, RuleResult, SimilarityResult, Water, Waves};
 use crate::results::{FilteredAcceleration, Results, Verdict};
 use crate::scene::{CouplingScheme, FITTED_MACH, significant};
 
@@ -218,6 +218,9 @@ pub struct Summary {
     /// The water's volume, where the scene asks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub water: Option<Water>,
+    /// Regular waves; absent without a wave maker.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub waves: Option<Waves>,
     /// Weak compressibility; absent where water is incompressible.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compressibility: Option<Compressibility>,

@@ -29,10 +29,12 @@ pub const WATER_SOUND: f64 = 1480.0;
 const STIFFNESS: [f64; 2] = [20.0, 10.0];
 
 /// Fastest speed of the flow that is known before the run [m/s]: the spray root's, the body's, and without an impact
-/// that of water falling through the depth, √(2 g d), or running from a broken dam against a body farther than d/4, 2 √(g d) (Ritter 1892).
+/// that of long waves from a wave maker, √(g d), of water falling through the depth, √(2 g d), or running from a broken dam against a body farther than d/4, 2 √(g d) (Ritter 1892).
 pub fn fastest_speed(entry: Option<&Entry>, body: Option<&Body>, gravity: [f64; 2], tank: Option<&Tank>) -> f64 {
     let flow = match (entry, tank) {
         (Some(entry), _) => entry.root_speed().max(entry.fastest),
+        // a wave maker lets no water fall: nothing is faster than long waves
+        (None, Some(tank)) if tank.is_wave_tank() => (gravity[0].hypot(gravity[1]) * tank.depth).sqrt(),
         (None, Some(tank)) => {
             let front = tank.water_width - 0.5 * tank.width;
             let hit =

@@ -9,6 +9,7 @@ use super::references::check_reference;
 use super::resolve_links::{check_links, further};
 use super::settings::{Block, Body, Gauge, GaugeFrame, Motion, Scene, Similarity, Symmetry};
 use super::symmetric::{check_symmetric, on_axis};
+use super::waves::check_waves;
 use crate::observers::columns;
 use fsi_coupling::Shape;
 use fsi_coupling::geometry::plate::too_tight;
@@ -31,6 +32,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Problem> {
     check_water(scene)?;
     check_surface(scene)?;
     scene.tank.block().map_or(Ok(()), |block| check_block(scene, &block))?;
+    check_waves(scene)?;
     check_levels(scene)?;
     scene.body.as_ref().map_or(Ok(()), |body| check_body(scene, body))?;
     for (i, body) in scene.bodies.iter().enumerate() {

@@ -49,6 +49,7 @@ mod structure_file;
 mod symmetric;
 mod table_file;
 mod warnings;
+mod waves;
 mod wet_period;
 
 pub(crate) use approach::{LEAST_GAP, START_GAP};
@@ -73,9 +74,9 @@ pub use load::{Loaded, all_warnings, builtin, load, load_beyond_limits, load_tex
 pub use outline::OutlineReport;
 pub(crate) use resolve::MOST_ROWS;
 pub use settings::{
-    Axis, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
+    Axis, Beach, Block, Body, Compare, Coupling, CouplingScheme, Freedom, Gauge, GaugeFrame, Modes, Motion, Moved,
     NaturalMode, Norm, Observe, Oscillation, Panel, QuantityOfInterest, Report, Resolution, Scene, Similarity,
-    SolverSettings, SprungMass, Symmetry, Tank, TheoryName, Time, panel_length, panel_line, schema,
+    SolverSettings, SprungMass, Symmetry, Tank, TheoryName, Time, WaveMaker, panel_length, panel_line, schema,
 };
 pub(crate) use settings::{MILLIMETRE, MODES, line};
 pub use source::apply_set;

@@ -30,6 +30,9 @@ pub(crate) const MOST_ROWS: f64 = 4e6;
 const FREEBOARD: f64 = 1.25;
 const RUN_UP: f64 = 3.0;
 
+/// Calming of a projection (THEORY PR13) beside a wave maker [-]: the usual one takes 5 % of the waves' height per wavelength (WA13).
+const CALMING_OF_WAVES: f64 = 0.02;
+
 /// Least half width of an automatic tank over the body's.
 const BESIDE_BODY: f64 = 1.5;
 
@@ -65,6 +68,11 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
     });
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
     let solver = resolve_fluid(draft, body.as_ref(), entry.as_ref(), fastest, still, gentle)?;
+    let waves = tank.as_ref().is_some_and(Tank::is_wave_tank);
+    let calmed = matches!(solver.kind(), Solver::Incompressible | Solver::IncompressibleExplicit);
+    if waves && calmed {
+        draft.fill("projection.calming", CALMING_OF_WAVES);
+    }
     resolve_coupling(draft, &solver, &body.iter().chain(&others).collect::<Vec<_>>())?;
     match &entry {
         Some(entry) => {

@@ -10,6 +10,7 @@ use super::impact::{Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compres
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
+use super::waves::wave_warnings;
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::significant;
 use fsi_coupling::{PanelEnd, Shape};
@@ -79,6 +80,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
     warnings.extend(limit_of_forces(scene));
+    warnings.extend(wave_warnings(scene));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);

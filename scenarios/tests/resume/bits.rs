@@ -20,6 +20,7 @@ fn weakly_compressible_water() {
             &["time.end=0.04", "resolution.spacing=0.04", "fluid.dissipation=riemann", "observe.volume=true"],
         ),
         ("sloshing", &["time.end=0.1", "resolution.spacing=0.08"]),
+        ("wave_maker", &["time.end=0.3", "resolution.spacing=0.1", "tank.width=8", "observe.level=[-2.0, 1.0]"]),
         ("falling_jet", &["time.end=0.06", "resolution.spacing=0.05"]),
         ("hydrostatic_plate", &["time.end=0.005"]),
     ]);

@@ -10,6 +10,7 @@ mod refused;
 mod start;
 #[cfg(feature = "legacy")]
 mod thesis_files;
+mod waves;
 
 use scenarios::preflight::preflight;
 use scenarios::scene::{

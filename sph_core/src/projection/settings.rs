@@ -63,7 +63,7 @@ pub struct Settings {
     pub relaxation: f64,
     /// Viscosity over h sqrt(|g| h), which brings water to rest (THEORY PR13); 0 is none [-].
     #[serde(rename = "calming")]
-    #[schemars(range(min = 0.0))]
+    #[schemars(range(min = 0.0), extend("x-default" = "0.15; 0.02 with tank.wave_maker"))]
     pub viscosity_coefficient: f64,
     /// Shift of particles over the distance moved in a step, times 2h grad C, 0 to 10 (THEORY PR14) [-]. Without effect where
     /// fluid.shifting is false.

@@ -11,6 +11,7 @@ mod observation;
 mod panel;
 mod sprung_mass;
 mod tank;
+mod waves;
 
 use std::sync::LazyLock;
 
@@ -32,6 +33,7 @@ pub use observation::{Compare, Gauge, GaugeFrame, Norm, Observe, Report};
 pub use panel::{Panel, StructurePlane, StructureUnits, TheoryName};
 pub use sprung_mass::SprungMass;
 pub use tank::{Block, Tank};
+pub use waves::{Beach, WaveMaker};
 
 use fsi_coupling::{Iteration, Scheme};
 use sph_core::{Auto, FluidSettings};

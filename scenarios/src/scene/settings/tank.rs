@@ -5,6 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use sph_core::Auto;
 
+use super::waves::{Beach, WaveMaker};
+
 /// The rectangle of water and its walls.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Tank {
@@ -44,6 +46,12 @@ pub struct Tank {
     /// Velocity x, y of that block at t = 0 [m/s].
     #[serde(default)]
     pub block_velocity: [f64; 2],
+    /// The left wall as a piston that makes waves. absent: a wall at rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wave_maker: Option<WaveMaker>,
+    /// The right end as a beach that absorbs waves. absent: a wall.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beach: Option<Beach>,
 }
 
 /// A rectangle of water in the air (THEORY WC18).
@@ -85,6 +93,11 @@ impl Tank {
     /// True where the water reaches from wall to wall and none is above it.
     pub fn is_full(&self) -> bool {
         self.water_width >= self.width && self.block().is_none()
+    }
+
+    /// True for level water between a wave maker and a wall.
+    pub fn is_wave_tank(&self) -> bool {
+        self.wave_maker.is_some() && self.is_full() && self.surface().is_none()
     }
 
     /// Speed of the block of water at the start [m/s]; 0 where there is none.
