@@ -17,6 +17,7 @@
 //! # Ok(()) }
 //! ```
 
+mod asymmetric_similarity;
 mod boundary_element;
 pub mod ditching;
 mod dobrovolskaya;
@@ -27,6 +28,7 @@ mod model;
 mod section;
 mod similarity;
 
+pub use asymmetric_similarity::{AsymmetricFlow, FaceFlow, NoFlow, Share};
 pub use boundary_element::{EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
