@@ -9,6 +9,7 @@ mod elements;
 mod entry;
 mod face;
 mod lower_side;
+mod rolled;
 mod solution;
 mod spline;
 mod state;
@@ -19,6 +20,7 @@ use std::f64::consts::FRAC_2_PI;
 use faer::c64;
 
 pub use entry::{FlowEntry, FlowHistory};
+pub use rolled::{RolledFlow, RolledLoad};
 pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
