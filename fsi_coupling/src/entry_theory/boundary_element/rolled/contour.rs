@@ -14,6 +14,8 @@ pub(super) struct WholeContour {
     unknown: Vec<usize>,
     /// Coefficients of β_k in the equation of node j, shape (n, n).
     of: Vec<c64>,
+    /// Coefficients of iψ of the first and the last node for the surface beyond them.
+    far: Vec<[c64; 2]>,
     lu: PartialPivLu<f64>,
 }
 
@@ -37,7 +39,7 @@ fn logarithms(z: &[c64]) -> Vec<c64> {
 /// Coefficients of β_k in the equations of all nodes but the first and the last.
 fn coefficients(z: &[c64]) -> Vec<c64> {
     let n = z.len();
-    let (logs, one) = (logarithms(z), c64::new(1.0, 0.0));
+    let logs = logarithms(z);
     let mut of = vec![c64::ZERO; n * n];
     for (j, of) in of.chunks_exact_mut(n).enumerate().skip(1).take(n - 2) {
         let logs = &logs[j * n..];
@@ -50,22 +52,25 @@ fn coefficients(z: &[c64]) -> Vec<c64> {
         // the node itself is outside the contour that is integrated: −iα β_j, α the angle of the water there
         let angle = (from(j - 1) / from(j + 1)).arg();
         of[j] -= I * if angle > 0.0 { angle } else { angle + TAU };
-        // beyond the first node, at x = l, and the last, at x = −l, β = iψ l/|x|
-        let [right, left] = [z[0].re, -z[n - 1].re];
-        of[0] += right / z[j] * (one - z[j] / right).ln() * 0.5;
-        of[n - 1] += left / z[j] * (one + z[j] / left).ln() * 0.5;
     }
     of
+}
+
+/// Beyond the first node, at x = l, and the last, at x = −l, β = iψ l/|x|.
+fn beyond(z: &[c64]) -> Vec<[c64; 2]> {
+    let (one, right, left) = (c64::new(1.0, 0.0), z[0].re, -z[z.len() - 1].re);
+    let at = |z: &c64| [right / z * (one - z / right).ln(), left / z * (one + z / left).ln()];
+    z.iter().map(at).collect()
 }
 
 impl WholeContour {
     /// Of the nodes `z` from the far free surface on the right to that on the left, water on the left.
     pub fn new(z: &[c64], known: Vec<Known>) -> WholeContour {
         let n = z.len();
-        let of = coefficients(z);
+        let (of, far) = (coefficients(z), beyond(z));
         let unknown: Vec<usize> = (0..n).filter(|&j| known[j] != Known::Both).collect();
         let size = unknown.len() + 1;
-        let mut contour = WholeContour { known, unknown, of, lu: Mat::<f64>::zeros(0, 0).partial_piv_lu() };
+        let mut contour = WholeContour { known, unknown, of, far, lu: Mat::<f64>::zeros(0, 0).partial_piv_lu() };
         let mut matrix = Mat::<f64>::zeros(size, size);
         for row in 0..size - 1 {
             let j = contour.unknown[row];
@@ -96,15 +101,29 @@ impl WholeContour {
         equation(if self.known[j] == Known::Both { Known::Potential } else { self.known[j] }, sum)
     }
 
+    /// Coefficient of ψ_k in the equation of node j.
+    fn of_psi(&self, j: usize, k: usize) -> c64 {
+        let n = self.known.len();
+        let far = match k {
+            0 => self.far[j][0],
+            k if k == n - 1 => self.far[j][1],
+            _ => c64::ZERO,
+        };
+        (self.of[j * n + k] + far) * I
+    }
+
     /// Add the equation of node j to a row.
     fn fill(&self, matrix: &mut Mat<f64>, row: usize, j: usize) {
         let n = self.known.len();
         for (column, &k) in self.unknown.iter().enumerate() {
-            let of = self.of[j * n + k];
-            matrix[(row, column)] += self.part(j, if self.known[k] == Known::Potential { of * I } else { of });
+            let of = match self.known[k] {
+                Known::Potential => self.of_psi(j, k),
+                _ => self.of[j * n + k],
+            };
+            matrix[(row, column)] += self.part(j, of);
         }
         let body = (0..n).filter(|&k| self.known[k] != Known::Potential);
-        let constant: c64 = body.map(|k| self.of[j * n + k] * I).sum();
+        let constant: c64 = body.map(|k| self.of_psi(j, k)).sum();
         matrix[(row, self.unknown.len())] += self.part(j, constant);
     }
 

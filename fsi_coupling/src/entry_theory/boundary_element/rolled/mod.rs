@@ -134,19 +134,27 @@ mod tests {
 
     #[test]
     fn probe() {
-        for (left, right) in [(30.0, 30.0_f64), (20.0, 40.0), (10.0, 30.0), (35.0, 55.0), (25.0, 45.0), (37.0, 41.0)] {
+        for (left, right) in [(30.0, 30.0_f64), (29.0, 31.0), (20.0, 40.0), (10.0, 30.0)] {
             let [l, r] = [left, right].map(f64::to_radians);
             let exact = AsymmetricFlow::solve(l, r).expect("a solution");
             let time = std::time::Instant::now();
             let mut flow = RolledFlow::new([l, r], [100.0; 2], 0.1, 2.0, 0.0).expect("in range");
             let n = solution::solve(&flow.sides).sides.map(|s| s.nodes.len());
             let mut count = 0;
-            while flow.draught() < 0.3 {
+            while flow.draught() < 0.3 && count < 300 {
                 let h = flow.draught();
                 match flow.step(|_| 0.0) {
                     Ok((_, load)) => {
+                        if count == 32 && left < 25.0 {
+                            for i in 0..2 {
+                                let n = load.pressure[i].len();
+                                for (k, p) in load.pressure[i].iter().enumerate() {
+                                    if k < 12 || k + 12 > n { println!("   {i} {k} {:.6} {:.4}", p[0] / h, p[1] / 2.0); }
+                                }
+                            }
+                        }
                         let cp = |i: usize| load.pressure[i].iter().map(|p| p[1]).fold(0.0, f64::max) * 0.5;
-                        if count % 8 == 0 {
+                        if count % 16 == 0 {
                             println!(
                                 "{left} {right} h {h:.4} n {n:?}: F {:.4} {:.4} M {:.4} cp {:.4} {:.4}",
                                 load.force[0] / (4.0 * h) / exact.force[0] - 1.0,
