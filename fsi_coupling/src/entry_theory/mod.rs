@@ -28,8 +28,8 @@ mod model;
 mod section;
 mod similarity;
 
-pub use asymmetric_similarity::{AsymmetricFlow, FaceFlow, NoFlow, Share};
-pub use boundary_element::{EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad};
+pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow};
+pub use boundary_element::{EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad, RolledFlow, RolledLoad};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};

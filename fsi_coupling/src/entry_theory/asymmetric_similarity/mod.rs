@@ -32,12 +32,12 @@ pub struct AsymmetricFlow {
     /// Moment about the apex M/(ρV⁴t²) [-], counter-clockwise.
     pub moment: f64,
     /// Checks of the solution.
-    pub share: Share,
+    pub balance: Balance,
 }
 
 /// The same from the water's momentum and energy, and what is lost of its mass.
 #[derive(Clone, Copy, Debug)]
-pub struct Share {
+pub struct Balance {
     /// Force from the rate of the water's momentum, [F_x, F_y]/(ρV³t) [-].
     pub force: [f64; 2],
     /// Moment about the apex from the rate of its angular momentum, M/(ρV⁴t²) [-].
@@ -65,7 +65,8 @@ impl AsymmetricFlow {
     /// β + r.
     ///
     /// # Errors
-    /// A deadrise outside 4–80°; an asymmetry at which Newton's method does not arrive.
+    /// A deadrise outside 4–80°; an asymmetry at which the flow would suck at the steeper face: a real one leaves the apex; one at which Newton's
+    /// method does not arrive.
     pub fn solve(left: f64, right: f64) -> Result<AsymmetricFlow, NoFlow> {
         AsymmetricFlow::with_step(left, right, USUAL_STEP)
     }
@@ -88,10 +89,15 @@ impl AsymmetricFlow {
         let scale = 1.0 / system.keel_speed(0, &trial.sides[0])[1];
         let (right, on_right) = side::flow(&trial.sides[0], right, step, scale);
         let (left, on_left) = side::flow(&trial.sides[1], left, step, scale);
+        if left.force_coefficient.min(right.force_coefficient) <= 0.0 {
+            return Err(refused(
+                "the suction beside the apex exceeds the pressure on the steeper face, and the flow leaves the apex",
+            ));
+        }
         let [(sin_r, cos_r), (sin_l, cos_l)] = [&right, &left].map(|face| face.deadrise_deg.to_radians().sin_cos());
         let [f_r, f_l] = [right.force_coefficient, left.force_coefficient];
         let sums = on_right.plus(&on_left.mirrored(), 1.0);
-        let share = Share {
+        let balance = Balance {
             force: sums.momentum.map(|p| -2.0 * p),
             moment: -3.0 * sums.angular + 2.0 * sums.momentum[0],
             force_from_energy: sums.energy,
@@ -100,7 +106,7 @@ impl AsymmetricFlow {
         Ok(AsymmetricFlow {
             force: [f_l * sin_l - f_r * sin_r, f_l * cos_l + f_r * cos_r],
             moment: right.moment_coefficient - left.moment_coefficient,
-            share,
+            balance,
             left,
             right,
         })
@@ -117,30 +123,77 @@ mod tests {
     use super::*;
     use crate::entry_theory::SimilarityFlow;
 
+    fn flow(left: f64, right: f64) -> AsymmetricFlow {
+        AsymmetricFlow::solve(left.to_radians(), right.to_radians()).expect("a solution")
+    }
+
+    /// Equal faces: the solution of Dobrovolskaya (1969), which uses other equations.
     #[test]
-    fn probe() {
-        for beta in [10.0, 20.0, 30.0, 45.0, 60.0_f64] {
-            let exact = SimilarityFlow::solve(beta).expect("a");
-            let t = std::time::Instant::now();
-            match AsymmetricFlow::solve(beta.to_radians(), beta.to_radians()) {
-                Ok(f) => println!(
-                    "{beta}: F {:.6} {:.6} cp {:.5} {:.5} share {:?} {:?}",
-                    f.force[1], exact.force_coefficient, f.left.cp_max, exact.cp_max, f.share, t.elapsed()
-                ),
-                Err(e) => println!("{e}"),
+    fn equal_faces_are_those_of_a_symmetric_wedge() {
+        for deadrise in [10.0, 17.0, 20.0, 30.0, 45.0, 60.0] {
+            let (own, exact) = (flow(deadrise, deadrise), SimilarityFlow::solve(deadrise).expect("a solution"));
+            let force = own.force[1] / exact.force_coefficient - 1.0;
+            let cp = [own.left.cp_max, own.right.cp_max].map(|cp| cp / exact.cp_max - 1.0);
+            let tip = own.right.tip[0] / exact.tip[0] - 1.0;
+            let all = [force, cp[0], cp[1], tip];
+            assert!(all.iter().all(|e| e.abs() < 1e-4), "{deadrise}°: {all:+.6?}");
+            assert!(own.force[0].abs() < 1e-7 * own.force[1] && own.moment.abs() < 1e-7 * own.force[1], "{deadrise}°");
+        }
+    }
+
+    /// Force and moment from the pressure are those from the momentum, the angular momentum and the energy of the water, and mass is kept.
+    #[test]
+    fn momentum_energy_and_mass_are_kept() {
+        for (left, right) in
+            [(8.0, 32.0), (10.0, 30.0), (40.0, 20.0), (35.0, 55.0), (30.0, 70.0), (29.0, 31.0), (44.0, 63.0)]
+        {
+            let flow = flow(left, right);
+            let Balance { force: [x, y], moment, force_from_energy, flux } = flow.balance;
+            let of = [x / flow.force[0], y / flow.force[1], force_from_energy / flow.force[1], moment / flow.moment];
+            assert!(of.iter().all(|of| (of - 1.0).abs() < 5e-4), "{left}°, {right}°: {of:.6?}");
+            assert!(flux.abs() < 1e-4, "{left}°, {right}°: {flux:e}");
+        }
+    }
+
+    #[test]
+    fn the_mirror_image_has_the_mirrored_load() {
+        let (own, mirrored) = (flow(22.0, 47.0), flow(47.0, 22.0));
+        let pairs = [
+            (own.force[0], -mirrored.force[0]),
+            (own.force[1], mirrored.force[1]),
+            (own.moment, -mirrored.moment),
+            (own.left.cp_max, mirrored.right.cp_max),
+            (own.right.peak, mirrored.left.peak),
+            (own.left.tip[0], mirrored.right.tip[0]),
+        ];
+        assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-7 * a.abs()), "{pairs:?}");
+    }
+
+    /// Half and a quarter of the usual step: the differences fall by an order of four and more.
+    #[test]
+    fn it_converges_with_the_number_of_nodes() {
+        for (left, right) in [(10.0, 30.0), (35.0, 55.0)] {
+            let [coarse, usual, fine] = [1.0, 0.5, 0.25].map(|step: f64| {
+                let flow =
+                    AsymmetricFlow::with_step(f64::to_radians(left), f64::to_radians(right), step).expect("a solution");
+                [flow.force[0], flow.force[1], flow.moment, flow.left.cp_max, flow.right.cp_max]
+            });
+            for k in 0..5 {
+                let [first, second] = [coarse[k] / fine[k] - 1.0, usual[k] / fine[k] - 1.0];
+                assert!(second.abs() < 1e-4, "{left}°, {right}°, {k}: {second:e}");
+                assert!(
+                    second.abs() < first.abs() / 4.0 || second.abs() < 1e-5,
+                    "{left}°, {right}°, {k}: {first:e} {second:e}"
+                );
             }
         }
-        for (left, right) in [(10.0, 30.0_f64), (20.0, 40.0), (35.0, 55.0), (29.0, 31.0), (8.0, 32.0), (30.0, 70.0)] {
-            for step in [0.5, 0.25] {
-                let t = std::time::Instant::now();
-                match AsymmetricFlow::with_step(f64::to_radians(left), f64::to_radians(right), step) {
-                    Ok(f) => println!(
-                        "{left} {right} h {step}: F {:?} M {:.6} cp {:.5} {:.5} len {:.4} {:.4} {:?} {:?}",
-                        f.force, f.moment, f.left.cp_max, f.right.cp_max, f.left.length, f.right.length, f.share, t.elapsed()
-                    ),
-                    Err(e) => println!("{e} {:?}", t.elapsed()),
-                }
-            }
-        }
+    }
+
+    #[test]
+    fn what_has_no_flow_is_refused() {
+        let why =
+            |left: f64, right: f64| AsymmetricFlow::solve(left.to_radians(), right.to_radians()).expect_err("none").why;
+        assert!(why(20.0, 80.0).contains("leaves the apex") && why(80.0, 20.0).contains("leaves the apex"));
+        assert!(why(3.0, 20.0).contains("4 to 80") && why(f64::NAN, 20.0).contains("4 to 80"));
     }
 }

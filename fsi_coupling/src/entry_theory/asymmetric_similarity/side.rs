@@ -10,6 +10,9 @@ const BETWEEN: usize = 16;
 /// Least distance of the profile from the apex, over the wet length: there the pressure falls without bound.
 const NEAREST: f64 = 1e-6;
 
+/// Nearer to the apex, over the wet length, φ is lost in the rounding of ½v² and p; its integral there is not counted.
+const RESOLVED: f64 = 1e-10;
+
 /// The flow on one side of a wedge at constant speed V, in units of V t, ½ρV² and ρV³t. Lengths on the face count from the apex.
 #[derive(Clone, Debug)]
 pub struct FaceFlow {
@@ -74,7 +77,9 @@ pub(super) fn flow(side: &Side, beta: f64, step: f64, scale: f64) -> (FaceFlow, 
             Place { at, velocity, normal: [-sin, cos], pressure: pressure[k] }
         })
         .collect();
-    let on_face = Sums::over(&places, &weights).plus(&places[0].from_tip(tip, length[0] * scale), 1.0);
+    let counted: Vec<f64> =
+        weights.iter().zip(&from_keel).map(|(w, s)| if *s > RESOLVED * whole { *w } else { 0.0 }).collect();
+    let on_face = Sums::over(&places, &counted).plus(&places[0].from_tip(tip, length[0] * scale), 1.0);
     let (surface, on_surface) = surface(side, step, scale, tip);
     let flow = FaceFlow {
         deadrise_deg: beta.to_degrees(),

@@ -61,7 +61,8 @@ fn newton(system: &System<'_>, from: Unknowns) -> Option<Trial> {
         }
         let mut share = (LONGEST_MOVE / farthest).min(1.0);
         let mut next = system.trial(trial.unknowns.moved(&by, share));
-        let falls = |next: &Trial, share: f64| next.norm() < (1.0 - 0.1 * share) * trial.norm() || next.error() < SOLVED;
+        let falls =
+            |next: &Trial, share: f64| next.norm() < (1.0 - 0.1 * share) * trial.norm() || next.error() < SOLVED;
         while !falls(&next, share) {
             share *= 0.5;
             if share < 1e-2 {
@@ -90,5 +91,8 @@ fn start(system: &System<'_>) -> Option<Unknowns> {
     let unknowns =
         Unknowns { log_fall: [log_fall.clone(), log_fall], log_contact, log_strength: 0.0, keel: 0.0, zero: 0.0 };
     let off = system.trial(unknowns.clone()).residual;
-    Some(Unknowns { log_strength: off[..system.grid.y.len()].iter().sum::<f64>() / system.grid.y.len() as f64, ..unknowns })
+    Some(Unknowns {
+        log_strength: off[..system.grid.y.len()].iter().sum::<f64>() / system.grid.y.len() as f64,
+        ..unknowns
+    })
 }

@@ -44,9 +44,8 @@ impl Place {
             normal: self.normal,
         };
         let rule = [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)];
-        rule.iter().fold(Sums::default(), |sum, (share, weight)| {
-            sum.plus(&still(*share).integrands(), weight * length / 6.0)
-        })
+        rule.iter()
+            .fold(Sums::default(), |sum, (share, weight)| sum.plus(&still(*share).integrands(), weight * length / 6.0))
     }
 }
 
@@ -63,7 +62,8 @@ impl Sums {
 
     /// ∫ over `places` with the distances `weights` from point to point, the first of which is half behind the tip.
     pub fn over(places: &[Place], weights: &[f64]) -> Sums {
-        let whole = places.iter().zip(weights).fold(Sums::default(), |sum, (place, w)| sum.plus(&place.integrands(), *w));
+        let whole =
+            places.iter().zip(weights).fold(Sums::default(), |sum, (place, w)| sum.plus(&place.integrands(), *w));
         whole.plus(&places[0].integrands(), -0.5 * weights[0])
     }
 

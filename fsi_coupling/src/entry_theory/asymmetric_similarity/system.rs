@@ -207,7 +207,7 @@ impl System<'_> {
                     let (i, j) = (column / n, column % n);
                     let grown = moved.log_fall[i][j].exp() - trial.unknowns.log_fall[i][j].exp();
                     let mut sums = trial.sums.clone();
-                    let mut add = |sums: &mut Vec<f64>, kernel: &Mat<f64>| {
+                    let add = |sums: &mut Vec<f64>, kernel: &Mat<f64>| {
                         sums.iter_mut().zip(kernel.col(j).iter()).for_each(|(sum, a)| *sum += grown * a);
                     };
                     add(&mut sums.surface[i], &self.grid.own);

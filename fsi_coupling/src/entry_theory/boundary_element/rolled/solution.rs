@@ -107,20 +107,17 @@ impl Velocities {
     /// φ_t in the wedge's axes, φ_t − V φ_y, where p = 0; 0 on the face.
     fn rates(&self, flow: &EntryFlow, nodes: &Nodes) -> Vec<f64> {
         let Nodes { z, end, foot, contact, .. } = nodes;
-        let phi_t = |v: &c64, z: &c64| -0.5 * v.norm_sqr() - flow.gravity * z.im;
+        let body_rate = |v: &c64, z: &c64| -0.5 * v.norm_sqr() - flow.gravity * z.im - flow.speed * v.im;
         let of_end = self.above[*end];
         let of_foot = *self.below.first().unwrap_or(&self.on_body[0]);
         let in_cut = |k: usize| {
             let share = (z[k] - z[*end]).norm() / (z[*foot] - z[*end]).norm();
-            phi_t(&of_end, &z[*end]) - flow.speed * (of_end.im + share * (of_foot.im - of_end.im))
+            (1.0 - share) * body_rate(&of_end, &z[*end]) + share * body_rate(&of_foot, &z[*foot])
         };
         let at = |k: usize| match k {
-            _ if k <= *end => phi_t(&self.above[k], &z[k]) - flow.speed * self.above[k].im,
+            _ if k <= *end => body_rate(&self.above[k], &z[k]),
             _ if k > *contact => 0.0,
-            _ if k >= *foot && !self.below.is_empty() => {
-                let v = &self.below[k - foot];
-                phi_t(v, &z[k]) - flow.speed * v.im
-            }
+            _ if k >= *foot && !self.below.is_empty() => body_rate(&self.below[k - foot], &z[k]),
             _ => in_cut(k),
         };
         (0..z.len()).map(at).collect()
@@ -155,8 +152,14 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
     let sum: f64 = tangents.iter().map(|tangent| tangent.arg()).sum();
     let singular = 1.0 - PI / (PI + sum); // the velocity beside the apex falls like r to minus this power
     let pressure = [0, 1].map(|i| {
-        let at = |k: usize| Place { flow: &sides[i], nodes: &nodes[i], velocities: &velocities[i] }
-            .pressure(k, rate[i].phi[k], per_acceleration[i].phi[k], singular);
+        let at = |k: usize| {
+            Place { flow: &sides[i], nodes: &nodes[i], velocities: &velocities[i] }.pressure(
+                k,
+                rate[i].phi[k],
+                per_acceleration[i].phi[k],
+                singular,
+            )
+        };
         let mut pressure: Vec<[f64; 3]> = (nodes[i].contact..counts[i]).map(at).collect();
         // the mean over the last element
         if let [.., before, apex] = &mut pressure[..] {
