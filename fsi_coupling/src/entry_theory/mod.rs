@@ -1,8 +1,8 @@
-//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30).
+//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30–EN35).
 //!
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
 //! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
-//! [`FlowEntry`] that motion, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
+//! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
 //!
 //! ```
 //! use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
