@@ -16,11 +16,9 @@ use super::{FAR, FlowEnded};
 use crate::entry_theory::asymmetric_similarity::AsymmetricFlow;
 use crate::entry_theory::model::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, OutOfRange};
 
-/// Step of the grids of the similar flow at the start: its surface has a point every 28 % of the distance far away.
-const START_STEP: f64 = 0.25;
 /// Size of the elements beside the jet over that of a symmetric flow, on flat and on steep faces: φ_t in the wedge's axes changes faster
 /// than that at rest, most on steep faces.
-const SIZES: [f64; 2] = [1.0, 0.6];
+const SIZES: [f64; 2] = [0.8, 0.6];
 /// Deadrises between which it changes [deg].
 const FLAT_AND_STEEP: [f64; 2] = [20.0, 35.0];
 
@@ -60,7 +58,7 @@ impl RolledFlow {
             let range = "boundary elements need a draught and a downward speed above zero";
             return Err(refused(format!("{draught} m and {speed} m/s"), range.into()));
         }
-        let similar = AsymmetricFlow::with_step(deadrises[0], deadrises[1], START_STEP)
+        let similar = AsymmetricFlow::solve(deadrises[0], deadrises[1])
             .map_err(|none| refused(none.to_string(), "boundary elements start from the similarity solution".into()))?;
         let far = FAR / (0.5 * (deadrises[0] + deadrises[1])).tan();
         let side = |i: usize| {
