@@ -29,7 +29,9 @@ mod section;
 mod similarity;
 
 pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow};
-pub use boundary_element::{EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad, RolledFlow, RolledLoad};
+pub use boundary_element::{
+    EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad,
+};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};

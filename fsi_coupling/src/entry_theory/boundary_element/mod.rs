@@ -20,7 +20,7 @@ use std::f64::consts::FRAC_2_PI;
 use faer::c64;
 
 pub use entry::{FlowEntry, FlowHistory};
-pub use rolled::{RolledFlow, RolledLoad};
+pub use rolled::{RolledEntry, RolledFlow, RolledInstant, RolledLoad};
 pub use solution::FlowLoad;
 pub use state::EntryFlow;
 

@@ -3,8 +3,10 @@
 //! Each side is one of a symmetric flow, x outwards: surface, cut of the jet and separation are its own. One matrix joins them.
 
 mod contour;
+mod entry;
 mod solution;
 
+pub use entry::{RolledEntry, RolledInstant};
 pub use solution::RolledLoad;
 use solution::RolledSolution;
 
@@ -76,6 +78,11 @@ impl RolledFlow {
             return Err(refused(what, "boundary elements begin with dry chines".into()));
         }
         Ok(RolledFlow { sides })
+    }
+
+    /// The same with all velocities in proportion to a downward speed [m/s], and under a gravity [m/s²].
+    fn at_speed(self, speed: f64, gravity: f64) -> RolledFlow {
+        RolledFlow { sides: self.sides.map(|side| EntryFlow { gravity, ..side.at_speed(speed) }) }
     }
 
     /// Draught of the apex below still water [m].
