@@ -2,6 +2,8 @@
 //! against the similar flow.
 
 use fsi_coupling::entry_theory::{AsymmetricFlow, Balance, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow};
+use scenarios::run::{RunOptions, run};
+use scenarios::scene::load_text;
 
 /// Downward speed [m/s] and first draught [m].
 const SPEED: f64 = 2.0;
@@ -91,4 +93,48 @@ fn a_rolled_wedge_that_stops_is_told() {
     let mut flow = RolledFlow::new(deadrises, [1.0; 2], START, SPEED, 9.81).expect("in range");
     let FlowEnded { draught, speed } = (0..1000).find_map(|_| flow.step(|_| -1000.0).err()).expect("an end");
     assert!(speed <= 0.0 && draught == flow.draught(), "{draught} m, {speed} m/s");
+}
+
+/// A wedge of 30 degrees that is rolled by 10, in a scene file.
+const ROLLED: &str = r#"
+name = "rolled"
+model = "boundary_element"
+gravity = [0.0, 0.0]
+[time]
+end = 0.25
+[tank]
+width = 40.0
+depth = 20.0
+[resolution]
+spacing = 0.1
+[body]
+name = "wedge"
+shape = "wedge"
+deadrise_deg = 30.0
+breadth = 8.0
+side_height = 2.0
+angle_deg = 10.0
+motion = "constant_velocity"
+velocity = [0.0, -2.0]
+"#;
+
+/// A scene with a rolled wedge has the force and the moment of the similar flow; one that may turn is refused.
+#[test]
+fn a_scene_with_a_rolled_wedge_has_the_similar_load() {
+    let scene = load_text("rolled.toml", ROLLED, &[]).expect("a scene").scene;
+    let outcome = run(&scene, &RunOptions::default()).expect("a run");
+    let exact = similar(20.0, 40.0);
+    let (rho, h) = (scene.water().density, SPEED * 0.25);
+    let expected = [
+        ("wedge.fx_N_per_m", rho * SPEED.powi(2) * h * exact.force[0]),
+        ("wedge.fy_N_per_m", rho * SPEED.powi(2) * h * exact.force[1]),
+        ("wedge.moment_N", rho * (SPEED * h).powi(2) * exact.moment),
+    ];
+    for (name, value) in expected {
+        let peak = outcome.summary.peaks.get(name).expect("a column").value;
+        assert!((peak.abs() / value.abs() - 1.0).abs() < 0.02, "{name}: {peak}, exactly {value}");
+    }
+    let free = ROLLED.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0");
+    let refused = load_text("rolled.toml", &free, &[]).expect_err("refused").to_string();
+    assert!(refused.contains("may turn or move sideways"), "{refused}");
 }
