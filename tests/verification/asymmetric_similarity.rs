@@ -134,7 +134,7 @@ fn a_scene_with_a_rolled_wedge_has_the_similar_load() {
         let peak = outcome.summary.peaks.get(name).expect("a column").value;
         assert!((peak.abs() / value.abs() - 1.0).abs() < 0.02, "{name}: {peak}, exactly {value}");
     }
-    let free = ROLLED.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0");
+    let free = ROLLED.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\ninertia = 500.0");
     let refused = load_text("rolled.toml", &free, &[]).expect_err("refused").to_string();
     assert!(refused.contains("may turn or move sideways"), "{refused}");
 }
