@@ -39,56 +39,91 @@ pub struct FaceFlow {
     pub surface: Vec<[f64; 2]>,
 }
 
+/// What is known at the points of a face from the tip to the apex, in units of V t, V and ρV².
+struct Face {
+    /// Distance from the tip, and from the apex.
+    from_tip: Vec<f64>,
+    from_apex: Vec<f64>,
+    /// Velocity towards the apex relative to the growing flow, v − s.
+    relative: Vec<f64>,
+    pressure: Vec<f64>,
+    /// ds between points.
+    weights: Vec<f64>,
+}
+
+impl Face {
+    fn new(side: &Side, step: f64, scale: f64) -> Face {
+        let from_tip = integral(&side.lengths, step, side.lengths[0] / side.contact);
+        let speed = integral(&side.speeds, step, side.speeds[0] / (0.5 - side.contact));
+        // Bernoulli along the face: dp = ρ (s − v) dv, from the tip, where p is nothing
+        let rate: Vec<f64> = (0..from_tip.len()).map(|k| (from_tip[k] - speed[k]) * side.speeds[k]).collect();
+        // the distance from the apex as a sum from there, free of cancellation
+        let backwards: Vec<f64> = side.lengths.iter().rev().copied().collect();
+        let mut from_apex: Vec<f64> = integral(&backwards, step, 0.0).iter().map(|s| s * scale).collect();
+        from_apex.reverse();
+        Face {
+            from_apex,
+            relative: speed.iter().zip(&from_tip).map(|(v, s)| (v - s) * scale).collect(),
+            pressure: integral(&rate, step, 0.0).iter().map(|p| p * scale * scale).collect(),
+            weights: side.lengths.iter().map(|s| s * step * scale).collect(),
+            from_tip: from_tip.iter().map(|s| s * scale).collect(),
+        }
+    }
+
+    /// ∫ p ds and ∫ p r ds, r from the apex.
+    fn load(&self) -> [f64; 2] {
+        let points = || self.pressure.iter().zip(&self.weights);
+        [points().map(|(p, w)| p * w).sum(), points().zip(&self.from_apex).map(|((p, w), r)| p * r * w).sum()]
+    }
+
+    /// Largest pressure coefficient, its distance from the apex, and the pressure coefficient along the face, shape (n, 2).
+    fn profile(&self, whole: f64) -> (f64, f64, Vec<[f64; 2]>) {
+        let cps: Vec<f64> = finer(&self.pressure, BETWEEN).iter().map(|p| 2.0 * p).collect();
+        let arcs = finer(&self.from_apex, BETWEEN);
+        let (top, cp_max) = match peak(&cps) {
+            (Some(top), cp_max) => (top, cp_max),
+            (None, _) => (0.0, 0.0),
+        };
+        let k = top as usize;
+        let mut profile: Vec<[f64; 2]> = arcs.iter().zip(&cps).map(|(s, p)| [*s, *p]).rev().collect();
+        profile.retain(|[s, _]| *s > NEAREST * whole);
+        profile.dedup_by(|b, a| b[0] - a[0] < 1e-12);
+        (cp_max, arcs[k] + top.fract() * (arcs[k + 1] - arcs[k]), profile)
+    }
+
+    /// EN33 over the face.
+    fn sums(&self, [sin, cos]: [f64; 2], tip: [f64; 2], whole: f64) -> Sums {
+        let place = |k: usize| {
+            let at = [self.from_apex[k] * cos, self.from_apex[k] * sin - 1.0];
+            let velocity = [at[0] - self.relative[k] * cos, at[1] - self.relative[k] * sin];
+            Place { at, velocity, normal: [-sin, cos], pressure: self.pressure[k] }
+        };
+        let places: Vec<Place> = (0..self.from_tip.len()).map(place).collect();
+        let resolved = |r: &f64| *r > RESOLVED * whole;
+        let counted = self.weights.iter().zip(&self.from_apex).map(|(w, r)| if resolved(r) { *w } else { 0.0 });
+        let counted: Vec<f64> = counted.collect();
+        Sums::over(&places, &counted).plus(&places[0].from_tip(tip, self.from_tip[0]), 1.0)
+    }
+}
+
 /// A side, whose unit of length is λ = `scale`.
 pub(super) fn flow(side: &Side, beta: f64, step: f64, scale: f64) -> (FaceFlow, Sums) {
     let (sin, cos) = beta.sin_cos();
-    let contact = side.contact;
-    let length = integral(&side.lengths, step, side.lengths[0] / contact);
-    let speed = integral(&side.speeds, step, side.speeds[0] / (0.5 - contact));
-    // Bernoulli along the face: dp = ρ (s − v) dv, from the tip, where p is nothing
-    let rate: Vec<f64> = (0..length.len()).map(|k| (length[k] - speed[k]) * side.speeds[k]).collect();
-    let pressure: Vec<f64> = integral(&rate, step, 0.0).iter().map(|p| p * scale * scale).collect();
-    let weights: Vec<f64> = side.lengths.iter().map(|s| s * step * scale).collect();
-    let whole = side.along * scale;
-    // the distance from the keel as a sum from there, free of cancellation
-    let backwards: Vec<f64> = side.lengths.iter().rev().copied().collect();
-    let mut from_keel: Vec<f64> = integral(&backwards, step, 0.0).iter().map(|s| s * scale).collect();
-    from_keel.reverse();
-    let force: f64 = pressure.iter().zip(&weights).map(|(p, w)| p * w).sum();
-    let moment: f64 = (0..length.len()).map(|k| pressure[k] * from_keel[k] * weights[k]).sum();
-
-    let cps: Vec<f64> = finer(&pressure, BETWEEN).iter().map(|p| 2.0 * p).collect();
-    let arcs = finer(&from_keel, BETWEEN);
-    let (top, cp_max) = match peak(&cps) {
-        (Some(top), cp_max) => (top, cp_max),
-        (None, _) => (0.0, 0.0),
-    };
-    let at = |place: f64| arcs[place as usize] + place.fract() * (arcs[place as usize + 1] - arcs[place as usize]);
-    let mut profile: Vec<[f64; 2]> = arcs.iter().zip(&cps).map(|(s, p)| [*s, *p]).rev().collect();
-    profile.retain(|[s, _]| *s > NEAREST * whole);
-    profile.dedup_by(|b, a| b[0] - a[0] < 1e-12);
-
-    let tip = [whole * cos, whole * sin - 1.0];
-    let places: Vec<Place> = (0..length.len())
-        .map(|k| {
-            let relative = speed[k] * scale - length[k] * scale;
-            let at = [from_keel[k] * cos, from_keel[k] * sin - 1.0];
-            let velocity = [at[0] - relative * cos, at[1] - relative * sin];
-            Place { at, velocity, normal: [-sin, cos], pressure: pressure[k] }
-        })
-        .collect();
-    let counted: Vec<f64> =
-        weights.iter().zip(&from_keel).map(|(w, s)| if *s > RESOLVED * whole { *w } else { 0.0 }).collect();
-    let on_face = Sums::over(&places, &counted).plus(&places[0].from_tip(tip, length[0] * scale), 1.0);
+    let face = Face::new(side, step, scale);
+    let length = side.along * scale;
+    let tip = [length * cos, length * sin - 1.0];
+    let [force_coefficient, moment_coefficient] = face.load();
+    let (cp_max, peak, profile) = face.profile(length);
+    let on_face = face.sums([sin, cos], tip, length);
     let (surface, on_surface) = surface(side, step, scale, tip);
     let flow = FaceFlow {
         deadrise_deg: beta.to_degrees(),
-        force_coefficient: force,
-        moment_coefficient: moment,
+        force_coefficient,
+        moment_coefficient,
         cp_max,
-        peak: at(top),
-        length: whole,
-        contact_angle_deg: 180.0 * contact,
+        peak,
+        length,
+        contact_angle_deg: 180.0 * side.contact,
         tip,
         profile,
         surface,

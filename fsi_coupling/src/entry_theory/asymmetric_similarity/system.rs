@@ -20,6 +20,11 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
+    /// Distance of the zero of the acceleration from the tip of a side, in u.
+    fn zero_from_tip(&self, side: usize) -> f64 {
+        1.0 + if side == 0 { self.zero.tanh() } else { -self.zero.tanh() }
+    }
+
     /// Number of unknowns.
     pub fn count(&self) -> usize {
         2 * self.log_fall[0].len() + 5
@@ -159,8 +164,7 @@ impl System<'_> {
             })
             .collect();
         let arc = integral(&density, h, density[0] / contact);
-        let strength = unknowns.log_strength.exp();
-        let zero = if i == 0 { 1.0 + unknowns.zero.tanh() } else { 1.0 - unknowns.zero.tanh() };
+        let (strength, zero) = (unknowns.log_strength.exp(), unknowns.zero_from_tip(i));
         let (mut lengths, mut speeds) = (Vec::new(), Vec::new());
         for (sum, [lq, lr]) in sums.face[i].iter().zip(&face.logs) {
             let (q, rest) = (lq.exp(), lr.exp());
@@ -181,7 +185,7 @@ impl System<'_> {
 
     /// EN32 on a surface: the residual of ln m.
     fn off_surface(&self, i: usize, unknowns: &Unknowns, side: &Side, keel: f64) -> Vec<f64> {
-        let zero = if i == 0 { 1.0 + unknowns.zero.tanh() } else { 1.0 - unknowns.zero.tanh() };
+        let zero = unknowns.zero_from_tip(i);
         let wanted = |k: usize| {
             let [y, e] = [self.grid.y[k], self.grid.away[k]];
             // π m = c e^(−y/2) (2 + e^y)^(−3/2) (b + e^y)/(d + e^y)/(|dζ/du| s)
