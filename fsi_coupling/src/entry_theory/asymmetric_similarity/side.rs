@@ -102,7 +102,7 @@ impl Face {
         let resolved = |r: &f64| *r > RESOLVED * whole;
         let counted = self.weights.iter().zip(&self.from_apex).map(|(w, r)| if resolved(r) { *w } else { 0.0 });
         let counted: Vec<f64> = counted.collect();
-        Sums::over(&places, &counted).plus(&places[0].from_tip(tip, self.from_tip[0]), 1.0)
+        Sums::over(&places, &counted).plus(&places[0].jet(tip, self.from_tip[0]), 1.0)
     }
 }
 
@@ -157,6 +157,6 @@ fn surface(side: &Side, step: f64, scale: f64, tip: [f64; 2]) -> (Vec<[f64; 2]>,
         })
         .collect();
     let weights: Vec<f64> = density.iter().map(|d| d * step).collect();
-    let sums = Sums::over(&places, &weights).plus(&places[0].from_tip(tip, side.arc[0] * scale), 1.0);
+    let sums = Sums::over(&places, &weights).plus(&places[0].jet(tip, side.arc[0] * scale), 1.0);
     (std::iter::once(tip).chain(x.into_iter().zip(y).map(|(x, y)| [x, y])).collect(), sums)
 }

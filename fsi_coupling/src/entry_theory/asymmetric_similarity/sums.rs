@@ -36,7 +36,7 @@ impl Place {
 
     /// ∫ from the tip, of which `self` is the end of a straight line at the distance `length`: Simpson's rule, on which the water moves as the
     /// tip does.
-    pub fn from_tip(&self, tip: [f64; 2], length: f64) -> Sums {
+    pub fn jet(&self, tip: [f64; 2], length: f64) -> Sums {
         let still = |share: f64| Place {
             at: [0, 1].map(|i| tip[i] + share * (self.at[i] - tip[i])),
             velocity: tip,
