@@ -2,6 +2,7 @@
 
 mod acoustics;
 mod approach;
+mod asymmetric_similarity;
 mod channel;
 mod closed_tank;
 mod conservation;

@@ -45,17 +45,17 @@ pub(super) struct Dobrovolskaya {
 }
 
 /// Points of a range that are `step` apart.
-fn points([from, to]: [f64; 2], step: f64) -> Vec<f64> {
+pub(super) fn points([from, to]: [f64; 2], step: f64) -> Vec<f64> {
     (0..=((to - from) / step).round() as usize).map(|k| from + step * k as f64).collect()
 }
 
 /// ln(1 + e^x).
-fn softplus(x: f64) -> f64 {
+pub(super) fn softplus(x: f64) -> f64 {
     x.max(0.0) + (-x.abs()).exp().ln_1p()
 }
 
 /// ln|1 − e^z|, z ≠ 0.
-fn log_distance(z: f64) -> f64 {
+pub(super) fn log_distance(z: f64) -> f64 {
     z.max(0.0) + (-(-z.abs()).exp_m1()).ln()
 }
 
@@ -89,23 +89,29 @@ struct Kernels {
     face: Mat<f64>,
 }
 
+/// h ln|1 − e^(y_j − y_i)| of `n` points that are `step` apart; the entries about the singularity are those of the trapezoidal rule corrected for
+/// it. Shape (n, n).
+pub(super) fn surface_kernel(n: usize, step: f64) -> Mat<f64> {
+    let apart: Vec<f64> = (0..2 * n - 1)
+        .map(|k| match k as isize - (n as isize - 1) {
+            0 => step * ((step / (2.0 * PI)).ln() - 2.0 * SINGULAR),
+            d if d.abs() == 1 => step * (log_distance(step * d as f64) + SINGULAR),
+            d => step * log_distance(step * d as f64),
+        })
+        .collect();
+    Mat::from_fn(n, n, |i, j| apart[n - 1 + j - i])
+}
+
 impl Kernels {
     fn new(beta: f64, step: f64) -> Kernels {
         let y = points(SURFACE, step);
         let n = y.len();
-        let apart: Vec<f64> = (0..2 * n - 1)
-            .map(|k| match k as isize - (n as isize - 1) {
-                0 => step * ((step / (2.0 * PI)).ln() - 2.0 * SINGULAR),
-                d if d.abs() == 1 => step * (log_distance(step * d as f64) + SINGULAR),
-                d => step * log_distance(step * d as f64),
-            })
-            .collect();
         let face_logs: Vec<[f64; 2]> = points([-FROM_KEEL, FALLEN / (0.5 - beta / PI)], step)
             .into_iter()
             .map(|t| [-softplus(-t), -softplus(t)])
             .collect();
         Kernels {
-            surface: Mat::from_fn(n, n, |i, j| apart[n - 1 + j - i]),
+            surface: surface_kernel(n, step),
             face: Mat::from_fn(face_logs.len(), n, |i, j| step * softplus(y[j] - face_logs[i][0])),
             step,
             y,
@@ -115,7 +121,7 @@ impl Kernels {
 }
 
 /// Σ_j a_ij x_j.
-fn times(a: &Mat<f64>, x: &[f64]) -> Vec<f64> {
+pub(super) fn times(a: &Mat<f64>, x: &[f64]) -> Vec<f64> {
     let mut sums = vec![0.0; a.nrows()];
     for (j, x) in x.iter().enumerate() {
         sums.iter_mut().zip(a.col(j).iter()).for_each(|(sum, a)| *sum += a * x);

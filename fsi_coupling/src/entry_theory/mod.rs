@@ -1,8 +1,8 @@
-//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30).
+//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30–EN35).
 //!
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
 //! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
-//! [`FlowEntry`] that motion, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
+//! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
 //!
 //! ```
 //! use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
@@ -17,6 +17,7 @@
 //! # Ok(()) }
 //! ```
 
+mod asymmetric_similarity;
 mod boundary_element;
 pub mod ditching;
 mod dobrovolskaya;
@@ -27,7 +28,10 @@ mod model;
 mod section;
 mod similarity;
 
-pub use boundary_element::{EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad};
+pub use asymmetric_similarity::{AsymmetricFlow, Balance, FaceFlow, NoFlow};
+pub use boundary_element::{
+    EntryFlow, FlowEnded, FlowEntry, FlowHistory, FlowLoad, RolledEntry, RolledFlow, RolledInstant, RolledLoad,
+};
 pub use entry::{Entry, Instant, SectionMotion};
 pub use hydroelastic::{ElasticWedge, Held, WedgeState};
 pub use loads::{Load, Loads};

@@ -161,7 +161,7 @@ fn surface(d: &Dobrovolskaya, tip: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
 }
 
 /// Place of the largest value between points, `None` at the end, and that value: by the parabola through the three highest.
-fn peak(values: &[f64]) -> (Option<f64>, f64) {
+pub(super) fn peak(values: &[f64]) -> (Option<f64>, f64) {
     let top = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
     if top == 0 || top + 2 >= values.len() {
         return (None, values[values.len() - 1]);
@@ -172,7 +172,7 @@ fn peak(values: &[f64]) -> (Option<f64>, f64) {
 }
 
 /// `times` as many points by polynomials through six.
-fn finer(values: &[f64], times: usize) -> Vec<f64> {
+pub(super) fn finer(values: &[f64], times: usize) -> Vec<f64> {
     const THROUGH: usize = 6;
     let n = values.len();
     let at = |k: usize| {

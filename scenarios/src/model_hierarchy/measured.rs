@@ -40,6 +40,9 @@ const ROUND_DROP_ERROR: f64 = 0.035;
 /// The error of a theory where it was measured nearest to this scene: against the exact solution at the same deadrise, and for
 /// free drops against the validated one. `None` where nothing was measured near.
 pub fn measured(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
+    if theory.rolls() {
+        return None;
+    }
     if theory.section.radius().is_some() {
         return of_round_bottom(scene, theory, want);
     }

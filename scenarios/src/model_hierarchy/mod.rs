@@ -18,6 +18,7 @@ mod assess;
 mod choose;
 mod elastic_wedge;
 mod measured;
+mod rolled;
 mod run;
 mod theory;
 

@@ -2,10 +2,11 @@
 
 use fsi_coupling::Motion as BodyMotion;
 use fsi_coupling::entry_theory::{
-    Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, Section, SectionMotion,
+    Entry, EntryModel, FlowEntry, FlowHistory, Instant, Loads, OutOfRange, RolledInstant, Section, SectionMotion,
 };
 
 use super::elastic_wedge::Faces;
+use super::rolled;
 use crate::observers::body_values;
 use crate::scene::{Body, Gauge, GaugeFrame, Motion, Observe, Scene, Shape, significant};
 use fsi_coupling::geometry::polygon;
@@ -37,6 +38,8 @@ enum Source {
     Faces(Loads, Faces),
     /// A flow that was followed.
     Flow(FlowHistory),
+    /// The flow about a rolled wedge, at every sample.
+    Rolled(Vec<RolledInstant>),
 }
 
 impl Theory {
@@ -59,7 +62,7 @@ impl Theory {
 
     /// `steep`: a formula is followed where the bottom gets steeper than its range.
     fn solved(scene: &Scene, model: EntryModel, steep: bool) -> Result<(Theory, Option<OutOfRange>), OutOfRange> {
-        let (body, section, motion) = symmetric_entry(scene)?;
+        let (body, section, motion) = upright_entry(scene, model)?;
         if body.bends() {
             return bending(scene, model, body, section);
         }
@@ -71,6 +74,10 @@ impl Theory {
             let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep };
             let (instants, end) = entry.solve_while_in_range(&times);
             (instants, Source::Loads(loads), end)
+        } else if rolled::rolls(scene, model) {
+            let (steps, end) = rolled::solve(scene, body, motion, &times)?;
+            let deadrise = section.deadrise_deg().unwrap_or_default();
+            (steps.iter().map(|now| rolled::as_symmetric(now, deadrise)).collect(), Source::Rolled(steps), end)
         } else {
             model.covers(&section, 0.0)?;
             let entry = FlowEntry { section: &section, motion, draught, speed, gravity, density };
@@ -94,9 +101,14 @@ impl Theory {
         if model.is_formula() {
             return Theory::while_in_range(scene, model);
         }
-        let (body, section, _) = symmetric_entry(scene)?;
+        let (body, section, motion) = upright_entry(scene, model)?;
         if body.bends() {
             return bending(scene, model, body, section);
+        }
+        if rolled::rolls(scene, model) {
+            rolled::check(scene, body, motion)?;
+            let (instants, source) = (Vec::new(), Source::Rolled(Vec::new()));
+            return Ok((Theory { model, section, instants, density: scene.water().density, source }, None));
         }
         model.covers(&section, 0.0)?;
         let (theory, end) = Theory::solved(scene, EntryModel::Mlm, true)?;
@@ -145,8 +157,17 @@ impl Theory {
         let Instant { time, draught, speed, rate, .. } = self.instants[k];
         match &self.source {
             Source::Flow(history) => Some(history.pressure(time, x)),
+            Source::Rolled(steps) => {
+                let along = x.abs() * (1.0 + self.section.slope(0.0).powi(2)).sqrt();
+                Some(steps[k].pressure_at(usize::from(x > 0.0), along))
+            }
             Source::Loads(loads) | Source::Faces(loads, _) => loads.pressure(x, draught, speed, rate, self.density),
         }
+    }
+
+    /// True for a rolled wedge.
+    pub fn rolls(&self) -> bool {
+        matches!(self.source, Source::Rolled(..))
     }
 
     /// True if its faces are elastic.
@@ -157,14 +178,22 @@ impl Theory {
     /// Motion of the body and the force on it, at every sample.
     pub fn motions(&self, body: &Body) -> Vec<BodyMotion> {
         let ([x, y], start) = (body.position, body.draught());
-        let at = |now: &Instant| BodyMotion {
-            position: [x, y - (now.draught - start)],
-            velocity: [0.0, -now.speed],
-            acceleration: [0.0, -now.rate],
-            force: [0.0, now.force],
-            ..BodyMotion::default()
+        let at = |(k, now): (usize, &Instant)| {
+            let (sideways, moment) = match &self.source {
+                Source::Rolled(steps) => (steps[k].force[0], steps[k].moment),
+                _ => (0.0, 0.0),
+            };
+            BodyMotion {
+                position: [x, y - (now.draught - start)],
+                angle: body.angle_deg.to_radians(),
+                velocity: [0.0, -now.speed],
+                acceleration: [0.0, -now.rate],
+                force: [sideways, now.force],
+                moment,
+                ..BodyMotion::default()
+            }
         };
-        self.instants.iter().map(at).collect()
+        self.instants.iter().enumerate().map(at).collect()
     }
 
     /// Rows of the series: time, then the body's columns and the gauges; NaN for a quantity that the theory does not have.
@@ -178,7 +207,7 @@ impl Theory {
             };
             let rest = match &self.source {
                 Source::Faces(_, faces) => faces.values(now.time),
-                Source::Loads(_) | Source::Flow(_) => scene.gauges.iter().map(gauge).collect(),
+                Source::Loads(_) | Source::Flow(_) | Source::Rolled(_) => scene.gauges.iter().map(gauge).collect(),
             };
             std::iter::once(now.time).chain(body_values(motion).map(|(_, value)| value)).chain(rest).collect()
         };
@@ -209,6 +238,9 @@ impl Theory {
     pub fn peak_pressure(&self, k: usize) -> Option<[f64; 2]> {
         if self.model == EntryModel::Wagner {
             return None; // infinite at the spray root
+        }
+        if let Source::Rolled(steps) = &self.source {
+            return Some(rolled::peak_pressure(&steps[k], self.section.deadrise_deg()?));
         }
         let reach = self.instants[k].wetted.min(self.section.half_breadth());
         let at = |i: usize| {
@@ -265,7 +297,9 @@ fn confined(scene: &Scene, body: &Body, now: &Instant) -> Option<&'static str> {
 fn refuse(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
-        range: "a rigid symmetric body that goes straight down into still water".into(),
+        range:
+            "a rigid symmetric body, by boundary elements a rolled wedge too, that goes straight down into still water"
+                .into(),
         next: EntryModel::Wcsph,
     }
 }
@@ -277,8 +311,8 @@ fn sample_times(scene: &Scene) -> Vec<f64> {
     (0..=rows).map(|k| (k as f64 * every).min(end)).collect()
 }
 
-/// The body of a scene that is nothing but a symmetric section going straight down into still water.
-fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), OutOfRange> {
+/// The body of a scene that is nothing but a symmetric section, for boundary elements a rolled wedge too, going straight down into still water.
+fn upright_entry(scene: &Scene, model: EntryModel) -> Result<(&Body, Section, SectionMotion), OutOfRange> {
     let body = scene.body.as_ref().ok_or_else(|| refuse("a scene without a body"))?;
     if !scene.bodies.is_empty() || !scene.joints.is_empty() {
         return Err(refuse("several bodies, or joints"));
@@ -286,7 +320,8 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
     scene.entry().ok_or_else(|| refuse("one that stays where it is, or in the air"))?;
     let tank = &scene.tank;
     let still = tank.surface_amplitude == 0.0 && tank.surface_tilt_deg == 0.0 && tank.block().is_none();
-    let lopsided = body.angle_deg != 0.0 || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
+    let rolls = rolled::rolls(scene, model);
+    let lopsided = body.angle_deg != 0.0 && !rolls || body.velocity[0] != 0.0 || body.angular_velocity_deg_per_s != 0.0;
     let on_tank = scene.gauges.iter().any(|gauge| matches!(gauge.on, GaugeFrame::Fixed));
     let obstacles = [
         (lopsided, "a body that is tilted, turns or moves sideways"),
@@ -302,7 +337,10 @@ fn symmetric_entry(scene: &Scene) -> Result<(&Body, Section, SectionMotion), Out
     }
     let motion = match &body.motion {
         Motion::ConstantVelocity => SectionMotion::Constant,
-        Motion::Free(freedom) if freedom.y() => SectionMotion::Free(freedom.mass),
+        Motion::Free(freedom) if freedom.y() && (!rolls || freedom.free.len() == 1) => {
+            SectionMotion::Free(freedom.mass)
+        }
+        Motion::Free(_) if rolls => return Err(refuse("a rolled wedge that may turn or move sideways")),
         _ => return Err(refuse("a body that is held or swings")),
     };
     Ok((body, Section::of(&body.shape)?, motion))

@@ -35,7 +35,7 @@ pub(super) struct Contour {
 
 /// ∫ β/(z − z₀) dz of a straight element from z₀ + `a` to z₀ + `b`, with the logarithms of `a` and `b`: the factors of β at its ends. At an end
 /// that is z₀ its singular part is left to the node.
-fn element([a, b]: [c64; 2], [log_a, log_b]: [c64; 2]) -> [c64; 2] {
+pub(super) fn element([a, b]: [c64; 2], [log_a, log_b]: [c64; 2]) -> [c64; 2] {
     let one = c64::new(1.0, 0.0);
     if a == c64::ZERO {
         return [c64::new(log_b.re, 0.0) - one, one];
@@ -60,7 +60,7 @@ fn mirrored(z: c64) -> c64 {
     c64::new(-z.re, z.im)
 }
 
-fn logarithm(z: c64) -> c64 {
+pub(super) fn logarithm(z: c64) -> c64 {
     c64::new(0.5 * z.norm_sqr().ln(), z.im.atan2(z.re))
 }
 
@@ -152,6 +152,6 @@ fn by_part([own, image]: [c64; 2]) -> [c64; 2] {
 }
 
 /// The part of the equation of a node whose diagonal is large (Vinje & Brevig 1981).
-fn equation(known: Known, sum: c64) -> f64 {
+pub(super) fn equation(known: Known, sum: c64) -> f64 {
     if known == Known::Potential { sum.re } else { sum.im }
 }

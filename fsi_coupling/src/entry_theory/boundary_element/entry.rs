@@ -202,7 +202,7 @@ impl FlowEntry<'_> {
 }
 
 /// Time [s] in which a body at a downward speed [m/s] falls by `height` [m].
-fn fall_time(height: f64, speed: f64, g: f64) -> f64 {
+pub(super) fn fall_time(height: f64, speed: f64, g: f64) -> f64 {
     2.0 * height / (speed + (speed * speed + 2.0 * g * height).sqrt())
 }
 

@@ -16,6 +16,8 @@ const THICKEST: f64 = 0.08;
 pub(super) struct LowerSide<'a> {
     pub face: &'a Face,
     pub underside: Option<&'a [c64]>,
+    /// Size of the elements beside the jet over the usual one [-].
+    pub size: f64,
 }
 
 /// The point of the lower side that is nearest to one in the water.
@@ -53,6 +55,6 @@ impl LowerSide<'_> {
     pub fn finest(&self, end: c64) -> f64 {
         let c = self.nearest(end).foot.re;
         let along = self.face.nearest(end, true).along;
-        FINEST * c * (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST)
+        self.size * FINEST * c * (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST)
     }
 }

@@ -9,6 +9,7 @@ mod elements;
 mod entry;
 mod face;
 mod lower_side;
+mod rolled;
 mod solution;
 mod spline;
 mod state;
@@ -19,6 +20,7 @@ use std::f64::consts::FRAC_2_PI;
 use faer::c64;
 
 pub use entry::{FlowEntry, FlowHistory};
+pub use rolled::{RolledEntry, RolledFlow, RolledInstant, RolledLoad};
 pub use solution::FlowLoad;
 pub use state::EntryFlow;
 
@@ -125,8 +127,8 @@ impl EntryFlow {
         let face = face.at_draught(draught);
         let similar = SimilarityFlow::solve(keel)?;
         let surface = FreeSurface::similar(&similar, draught, speed, FAR / keel.to_radians().tan());
-        let surface = surface.redistributed(LowerSide { face: &face, underside: None });
-        Some(EntryFlow { surface, face, underside: None, draught: of_section, speed, gravity: 0.0 })
+        let surface = surface.redistributed(LowerSide { face: &face, underside: None, size: 1.0 });
+        Some(EntryFlow { surface, face, underside: None, draught: of_section, speed, gravity: 0.0, size: 1.0 })
     }
 
     /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
@@ -267,6 +269,7 @@ impl EntryFlow {
             draught: self.draught + speed * dt,
             speed: self.speed + acceleration * dt,
             gravity: self.gravity,
+            size: self.size,
         }
     }
 

@@ -35,27 +35,27 @@ pub(super) struct Solution {
     /// Of the surface that left the chine; empty where it is dry.
     pub below: SurfaceFlow,
     /// Nodes of the contour.
-    nodes: Vec<c64>,
+    pub nodes: Vec<c64>,
     /// φ and ψ there [m²/s].
-    beta: Complex,
+    pub beta: Complex,
     /// The node at which the face begins.
-    contact: usize,
+    pub contact: usize,
     /// Distances of the face's nodes from the keel along it [m].
     pub along: Vec<f64>,
     pub load: FlowLoad,
 }
 
 /// The right half of the contour: upper surface, cut, underside, face down to the keel.
-struct Nodes {
-    z: Vec<c64>,
+pub(super) struct Nodes {
+    pub z: Vec<c64>,
     /// The last node of the upper surface.
-    end: usize,
+    pub end: usize,
     /// The node at which the cut meets the lower side.
-    foot: usize,
+    pub foot: usize,
     /// The node at which the face begins.
-    contact: usize,
+    pub contact: usize,
     /// Distances of the nodes of the face from the keel along it [m].
-    along: Vec<f64>,
+    pub along: Vec<f64>,
 }
 
 impl EntryFlow {
@@ -125,7 +125,7 @@ impl EntryFlow {
 
     /// φ on the surfaces and, linear, along the cut; 0 on the face [m²/s]. Across an attached jet it grows with the body's speed normal to its
     /// face.
-    fn potential(&self, nodes: &[c64], end: usize, foot: usize) -> Vec<f64> {
+    pub(super) fn potential(&self, nodes: &[c64], end: usize, foot: usize) -> Vec<f64> {
         let EntryFlow { face, surface, underside, .. } = self;
         let speed = self.keel_speed();
         let across = || {
@@ -142,7 +142,7 @@ impl EntryFlow {
         phi
     }
 
-    fn contour(&self) -> Nodes {
+    pub(super) fn contour(&self) -> Nodes {
         let EntryFlow { face, surface, underside, .. } = self;
         let end = surface.end();
         let size = self.lower_side().finest(end);
@@ -179,14 +179,14 @@ impl EntryFlow {
     }
 
     /// Velocity u + iv [m/s] at a place `along` the face where φ grows by `slope` [m/s] towards the keel.
-    fn on_face(&self, along: f64, slope: f64) -> c64 {
+    pub(super) fn on_face(&self, along: f64, slope: f64) -> c64 {
         let down = -self.face.place(along).tangent;
         (c64::new(slope, self.keel_speed() * down.re) / down).conj()
     }
 }
 
 /// EN24: φ_s at an edge at which the flow separates, s the distance from it: U of φ = φ₀ + U s + A s^{3/2} through the first three nodes.
-fn slope_at_edge(along: &[f64], phi: &[f64]) -> f64 {
+pub(super) fn slope_at_edge(along: &[f64], phi: &[f64]) -> f64 {
     let at = |k: usize| {
         let s = along[0] - along[k];
         [s.sqrt(), (phi[k] - phi[0]) / s] // the second is U + A √s

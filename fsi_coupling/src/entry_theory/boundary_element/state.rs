@@ -17,6 +17,8 @@ pub struct EntryFlow {
     pub(super) speed: f64,
     /// Gravity in the water [m/s²].
     pub(super) gravity: f64,
+    /// Size of the elements beside the jet over the usual one [-].
+    pub(super) size: f64,
 }
 
 impl EntryFlow {
@@ -52,7 +54,11 @@ impl EntryFlow {
     }
 
     pub(super) fn lower_side(&self) -> LowerSide<'_> {
-        LowerSide { face: &self.face, underside: self.underside.as_ref().map(|surface| &surface.z[..]) }
+        LowerSide {
+            face: &self.face,
+            underside: self.underside.as_ref().map(|surface| &surface.z[..]),
+            size: self.size,
+        }
     }
 
     pub(super) fn is_finite(&self) -> bool {

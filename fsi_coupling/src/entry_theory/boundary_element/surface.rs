@@ -34,7 +34,12 @@ impl FreeSurface {
     /// EN20: the exact surface at constant speed without gravity, of length unit `draught` [m], at the downward `speed` [m/s]: φ = ½(r² − s²), r from
     /// the place of contact, s along the surface from the jet's tip. Out to `far` draughts.
     pub fn similar(flow: &SimilarityFlow, draught: f64, speed: f64, far: f64) -> FreeSurface {
-        let z: Vec<c64> = flow.surface.iter().rev().map(|[x, y]| c64::new(*x, *y)).skip_while(|z| z.re > far).collect();
+        FreeSurface::through(&flow.surface, draught, speed, far)
+    }
+
+    /// The same through points of the exact surface from the tip outwards, x outwards, shape (n, 2).
+    pub fn through(surface: &[[f64; 2]], draught: f64, speed: f64, far: f64) -> FreeSurface {
+        let z: Vec<c64> = surface.iter().rev().map(|[x, y]| c64::new(*x, *y)).skip_while(|z| z.re > far).collect();
         let coarse = FreeSurface { phi: vec![0.0; z.len()], z };
         let at = arc_length(&coarse.z);
         let between = |k: usize| (0..PIECES).map(move |i| i as f64 / PIECES as f64).map(move |q| (k, q));
