@@ -39,8 +39,7 @@ fn force_and_moment_are_the_waters_momentum() {
     }
 }
 
-/// By Wagner's theory (1932) a small roll moves the force sideways by its own angle: the resultant's angle to the vertical over the roll tends to a
-/// limit, the same from both sides.
+/// Force sideways and moment over a small roll tend to a limit, the same from both sides.
 #[test]
 fn a_small_roll_changes_the_load_in_proportion() {
     for deadrise in [20.0, 45.0] {
