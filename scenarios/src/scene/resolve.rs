@@ -148,7 +148,8 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| Problem::missing(key, expected));
     let (depth, width) = (length("tank.depth")?, length("tank.width")?);
     let water_width = draft.fill("tank.water_width", width);
-    draft.fill("tank.height", if water_width < width { RUN_UP } else { FREEBOARD } * depth);
+    let crest = draft.get::<f64>("tank.wave_maker.height").map_or(0.0, |height| depth + height);
+    draft.fill("tank.height", (if water_width < width { RUN_UP } else { FREEBOARD } * depth).max(FREEBOARD * crest));
     let tank: Tank = draft.read("tank")?;
     match (tank.block_from, tank.block_to) {
         (None, None) if tank.block_velocity == [0.0; 2] => Ok(tank),

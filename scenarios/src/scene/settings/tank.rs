@@ -18,7 +18,7 @@ pub struct Tank {
     #[schemars(with = "Auto<f64>", extend("exclusiveMinimum" = 0, "x-default" = "auto"))]
     pub depth: f64,
     /// Height of the side walls above the floor (INDAT vlz) [m].
-    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "1.25 depth, 3 depth for a dam break"))]
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "1.25 depth, 3 depth for a dam break; 1.25 times the crests of a wave maker"))]
     pub height: f64,
     /// Width of the water at rest from the left wall; less than width for a dam break [m].
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "width"))]
