@@ -31,7 +31,7 @@ fn bodies_and_couplings() {
     each(&[
         ("wedge", &["time.end=0.006", "resolution.spacing=0.01", "gauges=[]"]),
         ("two_boxes", &["time.end=0.12", "resolution.spacing=0.033"]),
-        ("flap", &["time.end=0.04", "resolution.spacing=0.02", "body.height=0.2"]),
+        ("flap", &["time.end=0.03"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=weak"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=iqn_ils"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=added_mass"]),

@@ -129,7 +129,7 @@ fn a_hinged_box_is_a_pendulum() {
     });
     assert!((lowest + std::f64::consts::PI).abs() < 1e-3, "swings through {lowest} rad");
     assert!(drift < 1e-5 * 2.0 * G * l, "energy drifts by {drift} J");
-    assert!(gap < 1e-4 * 2.0 * G * l, "work of the hinge is off by {gap} J");
+    assert!(gap < 1e-3 * 2.0 * G * l, "work of the hinge is off by {gap} J");
     assert!(apart < 1e-6, "the hinge opens by {apart} m");
     let period = returns[1];
     assert!((period / exact - 1.0).abs() < 2e-4, "period {period} s, exact {exact} s, returns {returns:?}");
