@@ -183,6 +183,18 @@ mass = 10.0
 stiffness = 1e4
 ";
 
+/// A tank with a wave maker and a beach.
+const WAVES: &str = "
+name = \"drop\"
+time = { end = 1.0 }
+resolution = { spacing = 0.05 }
+[tank]
+width = 6.0
+depth = 0.5
+wave_maker = { height = 0.1, period = 1.5 }
+beach = { length = 3.0 }
+";
+
 /// A joint that holds it.
 const JOINT: &str = "
 [[joints]]
@@ -219,6 +231,7 @@ fn a_key_left_out_has_the_default_that_its_keyword_declares() {
                 .replace("velocity = [0.0, -5.0]\n", ""),
         };
         let silent = match &keyword.path {
+            path if path.starts_with("tank.wave_maker") || path.starts_with("tank.beach") => WAVES.to_string(),
             path if path.starts_with("body.panels") => format!("{silent}{PANEL}"),
             path if path.starts_with("body.sprung_masses") => format!("{silent}{SPRUNG_MASS}"),
             path if path.starts_with("joints") => format!("{silent}{JOINT}"),
