@@ -149,6 +149,7 @@ const DEFAULTS_IN_WORDS: [&str; 21] = [
     "end/50",
     "[0.0, end]",
     "width",
+    "8 sqrt(g depth)/length",
     "1.25 depth, 3 depth for a dam break; 1.25 times the crests of a wave maker",
     "breadth/4",
     "centroid of the outline",
