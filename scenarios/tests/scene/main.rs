@@ -140,7 +140,7 @@ fn a_scene_file_loads_by_its_path() {
 }
 
 /// Defaults that depend on other keys, in words or formulas.
-const DEFAULTS_IN_WORDS: [&str; 22] = [
+const DEFAULTS_IN_WORDS: [&str; 23] = [
     "-density (V^2/2 + g L) for a free wedge from the air, 0 for a round bottom deeper than 0.15 radii; else absent",
     "false; true if incompressible with a body",
     "true; false in a tank of water without a body",
@@ -150,6 +150,7 @@ const DEFAULTS_IN_WORDS: [&str; 22] = [
     "[0.0, end]",
     "width",
     "8 sqrt(g depth)/length",
+    "0.15; 0.02 with tank.wave_maker",
     "1.25 depth, 3 depth for a dam break; 1.25 times the crests of a wave maker",
     "breadth/4",
     "centroid of the outline",
