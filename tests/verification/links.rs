@@ -113,12 +113,13 @@ fn boxes_that_collide_afloat_keep_momentum_and_gain_no_energy() {
     }
 }
 
-/// A box that sinks onto the floor lies there, a film of one spacing below it, borne by the contact: its impulse per time is the weight
-/// less the force of the water.
+/// A box that sinks onto the floor lies there on a film of two spacings, borne by the contact: its impulse per time is the weight less the
+/// force of the water, which is the buoyancy.
 #[test]
 fn a_box_that_lands_on_the_floor_lies_there() {
     for solver in ["incompressible", "weakly_compressible"] {
         let mut system = system("box_on_floor", &[&format!("solver={solver}"), "time.end=2"]);
+        let buoyancy = 1000.0 * 9.81 * 0.4 * 0.2;
         advance(&mut system, 1.3, |_| {}).expect("a stable run");
         let start = (system.fluid.time(), system.touched()[0].impulse, motion(&system, 0).velocity[1]);
         let mut water = 0.0;
@@ -132,9 +133,36 @@ fn a_box_that_lands_on_the_floor_lies_there() {
         let borne = (system.touched()[0].impulse - start.1) / time;
         let expected = 160.0 * 9.81 - water / time;
         println!("{solver}: {m:?}, borne {borne} N/m, weight less water {expected} N/m");
-        assert!((m.position[1] + 0.68).abs() < 0.005 && m.angle.abs() < 0.02, "{m:?}");
+        assert!((m.position[1] + 0.66).abs() < 0.005 && m.angle.abs() < 0.02, "{m:?}");
         assert!(system.momentum_audit().worst < 1e-10);
         assert!(system.penetration().count <= 1, "{:?}", system.penetration());
+        assert!((water / time / buoyancy - 1.0).abs() < 0.2, "{solver}: {} of {buoyancy} N/m", water / time);
         assert!((borne / expected - 1.0).abs() < 0.03, "{solver}: {borne} N/m instead of {expected} N/m");
+    }
+}
+
+/// Boxes of other breadths, masses, tilts and spacings: thrown up or broken down with a film of one row (`contact.gap = 1`).
+#[test]
+fn no_box_that_lands_is_thrown_up() {
+    let cases = [(250.0, 0.05, 0.0), (400.0, 0.05, 0.0), (250.0, 0.05, 5.0), (400.0, 0.033, 12.0), (400.0, 0.025, 0.0)];
+    for (mass, spacing, angle) in cases {
+        let text = format!(
+            "name = \"landing\"\nsolver = \"incompressible\"\n[time]\nend = 2.0\n[resolution]\nspacing = {spacing}\ngrowth = 1.0\n\
+             [tank]\nwidth = 1.6\ndepth = 0.8\nheight = 2.0\n[body]\nname = \"box\"\nshape = \"box\"\nbreadth = 0.4\nheight = 0.4\n\
+             mass = {mass}\ninertia = {}\nposition = [0.0, -0.3]\nangle_deg = {angle}\n",
+            mass * 0.16 / 6.0
+        );
+        let mut system = of_text(&text, &[]);
+        let (mut water, mut time) = (0.0, 0.0);
+        advance(&mut system, 2.0, |s| {
+            let dt = s.fluid.time() - time;
+            time += dt;
+            water += if time > 1.5 { dt * motion(s, 0).force[1] } else { 0.0 };
+        })
+        .expect("a stable run");
+        let (m, share) = (motion(&system, 0), water / 0.5 / (1000.0 * 9.81 * 0.16));
+        println!("{mass} kg/m, {spacing} m, {angle} deg: {m:?}, water's force over buoyancy {share}");
+        assert!((m.position[1] + 0.6 - 2.0 * spacing).abs() < 0.01 && m.angle.abs() < 0.03, "{m:?}");
+        assert!((share - 1.0).abs() < 0.2, "{mass} kg/m, {spacing} m, {angle} deg: {share} of the buoyancy");
     }
 }

@@ -53,6 +53,10 @@ pub(super) fn check_links(scene: &Scene) -> Result<(), Problem> {
     for (i, joint) in scene.joints.iter().enumerate() {
         check_joint(scene, joint, |name| format!("joints[{i}].{name}"))?;
     }
+    let linked = !scene.joints.is_empty() || !scene.bodies.is_empty();
+    let named = scene.all_bodies().any(|body| body.name == TANK);
+    let expected = "another name: joints mean the tank by it";
+    require(!(linked && named), "body.name", format_args!("{TANK:?}"), expected)?;
     let outlines: Vec<_> = scene.all_bodies().map(|body| (body, body.placed_outline())).collect();
     for (i, (body, corners)) in outlines.iter().enumerate().skip(1) {
         for (other, of_other) in &outlines[..i] {

@@ -34,7 +34,7 @@ pub struct ContactLaw {
     pub friction: f64,
     /// Coefficient of restitution: normal speed after over that before an impact [-].
     pub restitution: f64,
-    /// Distance at which surfaces touch [m]: room for the thinnest film of water that particles can fill, one spacing.
+    /// Distance at which surfaces touch [m]: room for a film of two rows of particles, the thinnest that holds the water's pressure.
     pub gap: f64,
 }
 

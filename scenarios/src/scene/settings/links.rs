@@ -18,19 +18,20 @@ pub struct SolidContact {
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub restitution: f64,
-    /// Distance at which surfaces touch, in resolution.spacing: a film of water that is thinner has no room for particles [-].
-    #[serde(default = "one")]
+    /// Distance at which surfaces touch, in resolution.spacing: a film of fewer rows of particles
+    /// does not hold the water's pressure: with one the projection may throw the body up [-].
+    #[serde(default = "two")]
     #[schemars(range(min = 0.0, max = 4.0))]
     pub gap: f64,
 }
 
-fn one() -> f64 {
-    1.0
+fn two() -> f64 {
+    2.0
 }
 
 impl Default for SolidContact {
     fn default() -> SolidContact {
-        SolidContact { friction: 0.0, restitution: 0.0, gap: one() }
+        SolidContact { friction: 0.0, restitution: 0.0, gap: two() }
     }
 }
 
