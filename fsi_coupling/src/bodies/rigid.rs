@@ -113,7 +113,7 @@ impl RigidBody2d {
 
     /// Motion of the centre of mass under the load now and gravity, guides holding what is not free.
     fn motion_now(&self) -> RigidMotion {
-        self.motion_under(sum(self.state.now, self.state.reaction))
+        self.motion_under(self.state.now + self.state.reaction)
     }
 
     /// The same under other loads.
@@ -256,7 +256,7 @@ impl WettedBody for RigidBody2d {
         self.check_springs(dt)?;
         let before = self.motion_now();
         // reactions act here; the links' impulses after the step are their other half
-        self.kick(sum(self.state.kicked, self.state.reaction), 0.5 * dt);
+        self.kick(self.state.kicked + self.state.reaction, 0.5 * dt);
         self.kick_springs(0.5 * dt);
         self.world.integration_parameters.dt = dt;
         self.world.step();
@@ -388,9 +388,4 @@ impl Inspect for RigidBody2d {
         let momentum = [0, 1].map(|k| if self.spec.free[k] { self.spec.mass * v[k] } else { 0.0 });
         Momentum { momentum: [momentum[0], momentum[1] + on_springs], external: self.state.external }
     }
-}
-
-/// Two loads about the same point.
-fn sum(a: Resultant, b: Resultant) -> Resultant {
-    Resultant { force: [a.force[0] + b.force[0], a.force[1] + b.force[1]], moment: a.moment + b.moment }
 }

@@ -15,8 +15,8 @@ use super::legacy;
 use super::resolve_body::resolve_body;
 use super::resolve_links::{has_links, resolve_further_bodies};
 use super::settings::{
-    Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Lattice, Motion, Resolution, Scene, SolverSettings, Tank,
-    Time, Water, WeaklyCompressibleFluid,
+    Beach, Body, Compare, Coupling, CouplingScheme, GRAVITY, Gauge, Joint, Lattice, Motion, Resolution, Scene,
+    SolverSettings, Tank, Time, Water, WaveMaker, WeaklyCompressibleFluid,
 };
 use super::source::word;
 
@@ -95,6 +95,9 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
         let gauge: Gauge = draft.read(&format!("gauges[{i}]"))?;
         word(&format!("gauges[{i}].name"), &gauge.name)?;
     }
+    for i in 0..draft.count("joints") {
+        draft.read::<Joint>(&format!("joints[{i}]"))?;
+    }
     for i in 0..draft.count("compare") {
         resolve_compare(draft, &format!("compare[{i}]"), time.end)?;
     }
@@ -150,6 +153,12 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     let water_width = draft.fill("tank.water_width", width);
     let crest = draft.get::<f64>("tank.wave_maker.height").map_or(0.0, |height| depth + height);
     draft.fill("tank.height", (if water_width < width { RUN_UP } else { FREEBOARD } * depth).max(FREEBOARD * crest));
+    if draft.is_given("tank.wave_maker") {
+        draft.read::<WaveMaker>("tank.wave_maker")?;
+    }
+    if draft.is_given("tank.beach") {
+        draft.read::<Beach>("tank.beach")?;
+    }
     let tank: Tank = draft.read("tank")?;
     match (tank.block_from, tank.block_to) {
         (None, None) if tank.block_velocity == [0.0; 2] => Ok(tank),

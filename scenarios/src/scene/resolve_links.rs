@@ -48,6 +48,20 @@ pub(super) fn further(problem: Problem, i: usize) -> Problem {
     Problem { key, sentence: rename(&problem.sentence), expected: rename(&problem.expected), ..problem }
 }
 
+/// Rows of particles that a film of water between solids needs (THEORY CO37) [spacings].
+const FILM: f64 = 2.0;
+
+/// A film of water between solids that does not hold pressure.
+pub(super) fn thin_film(scene: &Scene) -> Option<String> {
+    let gap = scene.contact.gap;
+    (gap < FILM && scene.solver.is_incompressible() && scene.all_bodies().any(Body::is_free)).then(|| {
+        format!(
+            "contact.gap = {gap} leaves less than {FILM} rows of particles between solids under water: the film does not hold its \
+             pressure, and a body that lands may be thrown up"
+        )
+    })
+}
+
 /// Refuses joints that hold nothing, and bodies that overlap at the start.
 pub(super) fn check_links(scene: &Scene) -> Result<(), Problem> {
     for (i, joint) in scene.joints.iter().enumerate() {

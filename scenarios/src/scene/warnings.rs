@@ -9,6 +9,7 @@ use super::force_limits::limit_of_forces;
 use super::impact::{Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
 use super::legacy;
+use super::resolve_links::thin_film;
 use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use super::waves::wave_warnings;
 use fsi_coupling::entry_theory::EntryModel;
@@ -56,6 +57,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         None => projection_warnings(scene),
         Some(fluid) => sound_warnings(scene, fluid),
     };
+    warnings.extend(thin_film(scene));
     let density = scene.water().density;
     if !(LIQUID[0]..=LIQUID[1]).contains(&density) {
         warnings.push(format!(

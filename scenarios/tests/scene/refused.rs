@@ -174,6 +174,16 @@ fn bodies_and_tanks_must_fit_together() {
     }
 }
 
+/// A film of water of one row of particles is told, and no other one.
+#[test]
+fn a_film_too_thin_for_the_projection_is_told() {
+    let told = |scene: &str, gap: &str| {
+        let loaded = scenarios::scene::load(scene, &[format!("contact.gap={gap}")]).expect("a sound scene");
+        loaded.warnings.iter().any(|warning| warning.starts_with("contact.gap"))
+    };
+    assert!(told("two_boxes", "1.9") && !told("two_boxes", "2") && !told("flap", "1"));
+}
+
 #[test]
 fn bodies_and_joints_that_make_no_sense_are_refused() {
     let body = |name: &str, x: f64, more: &str| {
@@ -196,6 +206,10 @@ fn bodies_and_joints_that_make_no_sense_are_refused() {
         ("flap", &joint("kind = \"hinge\", axis = [1, 0], bodies = [\"hull\", \"flap\"]"), &["`joints[0].axis`", "only a slider"]),
         ("flap", &joint("kind = \"spring\", to = [0, 0.1], bodies = [\"hull\", \"flap\"]"), &["`joints[0].to`", "another point than at"]),
         ("flap", &joint("kind = \"spring\", to = [0, 0.2], bodies = [\"hull\", \"flap\"]"), &["`joints[0].stiffness` = 0", "does nothing"]),
+        ("flap", "joints=[{ kind = \"hinge\", bodies = [\"hull\", \"flap\"], at = [0, 0.1] }]", &["`joints[0].name` is missing"]),
+        ("two_boxes", "body.name=tank", &["`body.name` = \"tank\"", "joints mean the tank by it"]),
+        ("wave_maker", "tank.wave_maker={ period = 2 }", &["`tank.wave_maker.height` is missing"]),
+        ("wave_maker", "tank.beach={ rate = 3 }", &["`tank.beach.length` is missing"]),
         ("flap", "model=wagner", &["`model` = \"wagner\"", "several bodies, or joints", "\"wcsph\""]),
         ("box_on_floor", &joint("kind = \"hinge\", bodies = [\"tank\", \"box\"]").replace("[{", "[{ breaks_at = 0, "), &["`joints[0].breaks_at` = 0"]),
     ];

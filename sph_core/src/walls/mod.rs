@@ -280,6 +280,24 @@ pub struct Resultant {
     pub moment: f64,
 }
 
+impl std::ops::Add for Resultant {
+    type Output = Resultant;
+
+    /// Both about the same point.
+    fn add(self, other: Resultant) -> Resultant {
+        let force = [self.force[0] + other.force[0], self.force[1] + other.force[1]];
+        Resultant { force, moment: self.moment + other.moment }
+    }
+}
+
+impl std::ops::Mul<Resultant> for f64 {
+    type Output = Resultant;
+
+    fn mul(self, load: Resultant) -> Resultant {
+        Resultant { force: load.force.map(|force| self * force), moment: self * load.moment }
+    }
+}
+
 impl Resultant {
     /// The same forces with their moment about a pole displaced by `d` [m].
     pub fn about(self, d: [f64; 2]) -> Resultant {

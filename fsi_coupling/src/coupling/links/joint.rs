@@ -6,7 +6,7 @@ use sph_core::walls::Resultant;
 
 use super::rows::Direction;
 use crate::bodies::state::Solid;
-use crate::geometry::vector::{dot, rotate};
+use crate::geometry::vector::{dot, rotate, sub};
 
 /// A joint to be built; everything per metre of span.
 #[derive(Clone, Debug, PartialEq)]
@@ -222,8 +222,4 @@ impl Joint {
         let spring = 1.0 / (self.spec.stiffness * mobility).sqrt();
         spring.min(0.5 / (self.spec.damping * mobility))
     }
-}
-
-fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
 }

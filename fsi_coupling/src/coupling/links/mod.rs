@@ -109,9 +109,9 @@ impl Links {
             let (forces, value) = joint.spring(&all);
             joint.memory.value = value;
             for (solid, force) in joint.spec.bodies.into_iter().zip(forces) {
-                apply(members, &all, solid, scaled(force, 0.5 * dt));
+                apply(members, &all, solid, (0.5 * dt) * force);
             }
-            joint.memory.spring = [0, 1].map(|k| sum(joint.memory.spring[k], forces[k]));
+            joint.memory.spring = [0, 1].map(|k| joint.memory.spring[k] + forces[k]);
         }
     }
 
@@ -134,7 +134,7 @@ impl Links {
         let mut whole = vec![Resultant::default(); members.len()];
         for (row, impulse) in rows.iter().zip(&found) {
             for (solid, impulse) in row.direction.solids.into_iter().zip(row.direction.resultants(*impulse)) {
-                whole[solid] = sum(whole[solid], impulse);
+                whole[solid] = whole[solid] + impulse;
             }
         }
         whole.into_iter().enumerate().for_each(|(solid, impulse)| apply(members, &all, solid, impulse));
@@ -150,7 +150,7 @@ impl Links {
             let (spring, value) = joint.spring(&before);
             (joint.memory.spring, joint.memory.value) = (spring, value);
             for (solid, force) in joint.spec.bodies.into_iter().zip(spring) {
-                loads[solid] = sum(loads[solid], force);
+                loads[solid] = loads[solid] + force;
                 all[solid].accelerate(force);
             }
         }
@@ -172,14 +172,14 @@ impl Links {
             for (_, forces) in rows.by_ref().take(joint.held()) {
                 for ((solid, force), kept) in joint.spec.bodies.into_iter().zip(forces).zip(&mut joint.memory.reaction)
                 {
-                    loads[solid] = sum(loads[solid], force);
-                    *kept = sum(*kept, force);
+                    loads[solid] = loads[solid] + force;
+                    *kept = *kept + force;
                 }
             }
         }
         for (direction, forces) in rows {
             for (solid, force) in direction.solids.into_iter().zip(forces) {
-                loads[solid] = sum(loads[solid], force);
+                loads[solid] = loads[solid] + force;
             }
         }
         for ((member, load), solid) in members.iter_mut().zip(loads).zip(&before) {
@@ -211,7 +211,7 @@ impl Links {
         let mut impulses = impulses.iter();
         for joint in self.joints.iter_mut().filter(|joint| joint.holds()) {
             let constraints = joint.constraints(&all);
-            let mut force = scaled(sum(joint.memory.reaction[1], joint.memory.spring[1]), 0.5).force;
+            let mut force = (0.5 * (joint.memory.reaction[1] + joint.memory.spring[1])).force;
             for (held, impulse) in constraints.iter().zip(impulses.by_ref().take(constraints.len())) {
                 let [_, on_b] = held.direction.resultants(impulse / dt);
                 force = [force[0] + on_b.force[0], force[1] + on_b.force[1]];
@@ -290,12 +290,4 @@ fn rigid(solids: &[Option<Solid>]) -> Vec<Solid> {
 
 fn apply(members: &mut [Member], all: &[Solid], solid: usize, impulse: Resultant) {
     members[solid].body.apply_link_impulse(all[solid].whole(impulse));
-}
-
-fn sum(a: Resultant, b: Resultant) -> Resultant {
-    Resultant { force: [a.force[0] + b.force[0], a.force[1] + b.force[1]], moment: a.moment + b.moment }
-}
-
-fn scaled(a: Resultant, factor: f64) -> Resultant {
-    Resultant { force: a.force.map(|f| factor * f), moment: factor * a.moment }
 }

@@ -5,7 +5,7 @@ use crate::bodies::state::Solid;
 use crate::coupling::error::CouplingError;
 use crate::coupling::placed_bodies::Member;
 use crate::geometry::polygon::{bounding_box, edges, normal};
-use crate::geometry::vector::{cross, dot};
+use crate::geometry::vector::{cross, dot, sub};
 
 /// A point at which solids a and b push each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ impl Corners {
     fn separation(&self, other: &Corners) -> Option<Separation> {
         let of = |(a, b): ([f64; 2], [f64; 2])| {
             let normal = normal(a, b);
-            let nearest = other.points.iter().map(|p| dot(from(a, *p), normal)).fold(f64::INFINITY, f64::min);
+            let nearest = other.points.iter().map(|p| dot(sub(*p, a), normal)).fold(f64::INFINITY, f64::min);
             Separation { face: [a, b], normal, depth: -nearest }
         };
         edges(&self.points).map(of).min_by(|a, b| a.depth.total_cmp(&b.depth))
@@ -119,10 +119,10 @@ fn between_convex([a, b]: [usize; 2], (of_a, of_b): (&Corners, &Corners), gap: f
     if depth < -gap {
         return Vec::new();
     }
-    let along = from(face[0], face[1]);
+    let along = sub(face[1], face[0]);
     let length2 = dot(along, along);
-    let below = |at: [f64; 2]| -dot(from(face[0], at), normal);
-    let beside = |at: [f64; 2]| (0.0..=length2).contains(&dot(from(face[0], at), along));
+    let below = |at: [f64; 2]| -dot(sub(at, face[0]), normal);
+    let beside = |at: [f64; 2]| (0.0..=length2).contains(&dot(sub(at, face[0]), along));
     let corners = of_owner.points.iter().copied().filter(|at| below(*at) >= -gap && beside(*at));
     let ends = face.into_iter().filter(|at| is_inside(&of_owner.points, *at, gap));
     let touch = |at| Touch { solids, at, normal, depth: depth + gap };
@@ -138,16 +138,12 @@ fn is_convex(corners: &[[f64; 2]]) -> bool {
     let count = corners.len();
     let turn = |k: usize| {
         let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % count]);
-        cross(from(a, b), from(b, c))
+        cross(sub(b, a), sub(c, b))
     };
     (0..count).all(|k| turn(k) >= 0.0)
 }
 
 /// Whether a point is less than `gap` [m] outside all sides of a convex outline, counter-clockwise.
 fn is_inside(corners: &[[f64; 2]], at: [f64; 2], gap: f64) -> bool {
-    edges(corners).all(|(a, b)| dot(from(a, at), normal(a, b)) < gap)
-}
-
-fn from(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [b[0] - a[0], b[1] - a[1]]
+    edges(corners).all(|(a, b)| dot(sub(at, a), normal(a, b)) < gap)
 }

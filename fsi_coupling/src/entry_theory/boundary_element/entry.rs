@@ -8,11 +8,11 @@ use super::solution::FlowLoad;
 use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
-const BEGIN: f64 = 1.0 / 6.0;
+pub(super) const BEGIN: f64 = 1.0 / 6.0;
 /// Steps before the flow begins.
-const STEPS_BEFORE: usize = 64;
+pub(super) const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
-const STOPPED: f64 = 1e-3;
+pub(super) const STOPPED: f64 = 1e-3;
 /// The same for a flow that ended.
 const NEARLY_STOPPED: f64 = 0.05;
 

@@ -2,16 +2,10 @@
 
 use super::{RolledFlow, RolledLoad};
 use crate::entry_theory::asymmetric_similarity::AsymmetricFlow;
-use crate::entry_theory::boundary_element::entry::fall_time;
+use crate::entry_theory::boundary_element::entry::{BEGIN, STEPS_BEFORE, STOPPED, fall_time};
 use crate::entry_theory::entry::SectionMotion;
 use crate::entry_theory::model::{EntryModel, OutOfRange};
 
-/// The flow begins at this share of the draught at which the first chine is wet, or at which the wedge would be at the end.
-const BEGIN: f64 = 1.0 / 6.0;
-/// Steps before the flow begins.
-const STEPS_BEFORE: usize = 64;
-/// Share of the speed at contact below which the wedge counts as stopped.
-const STOPPED: f64 = 1e-3;
 /// Deepest draught over the sum of the faces' lengths [-].
 const DEEPEST: f64 = 1.0;
 
