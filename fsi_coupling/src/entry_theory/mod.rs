@@ -2,7 +2,8 @@
 //!
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
 //! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
-//! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces, [`ditching`] an aeroplane made of sections.
+//! [`FlowEntry`] that motion, [`AsymmetricFlow`] and [`RolledFlow`] the same of a wedge with two deadrises, [`ElasticWedge`] a wedge with flexible faces,
+//! [`air_cushion`] the air under a flat bottom, [`ditching`] an aeroplane made of sections.
 //!
 //! ```
 //! use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
@@ -17,6 +18,7 @@
 //! # Ok(()) }
 //! ```
 
+pub mod air_cushion;
 mod asymmetric_similarity;
 mod boundary_element;
 pub mod ditching;

@@ -70,6 +70,12 @@ pub fn flattest_face_beyond(outline: &[[f64; 2]], half_width: f64) -> (f64, f64)
     (beyond.fold(std::f64::consts::FRAC_PI_2, f64::min), 0.5 * blunt)
 }
 
+/// Width of the faces that look down and slope no more than `largest_slope` [rad] to the horizontal [m].
+pub fn flat_width(outline: &[[f64; 2]], largest_slope: f64) -> f64 {
+    let flat = faces(outline).into_iter().filter(|face| face.slope().abs() <= largest_slope);
+    flat.map(|face| face.to[0] - face.from[0]).sum()
+}
+
 /// Radius at the corner of two sides: their mean length over the turn [m].
 fn corner_radius(pair: &[Face]) -> f64 {
     0.5 * (pair[0].length() + pair[1].length()) / (pair[1].slope() - pair[0].slope()).max(f64::MIN_POSITIVE)

@@ -10,8 +10,7 @@ use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
-    Bottom, Entry, FLAT_CONTACT, LEAST_DRAUGHT, LEAST_GAP, START_GAP, Scene, known_compressibility_error,
-    limit_of_forces, resonant_panels, significant,
+    Bottom, Entry, LEAST_DRAUGHT, Scene, known_compressibility_error, limit_of_forces, resonant_panels, significant,
 };
 
 /// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
@@ -20,14 +19,10 @@ const WINDOW: f64 = 3.0;
 const CUTOFF: f64 = 0.443;
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
-/// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
-const ACOUSTIC_TIMES: f64 = 10.0;
-/// Draught at which the water's mass is a fifth of a round body's, at least (GE22) [spacings].
-const LEAST_ROUND: f64 = 1.25;
-/// Least band of a round bottom's peak through its window (GE20), and that of a radius of one spacing, shares of the force [-].
-const ROUND_BAND: [f64; 2] = [0.05, 5.0];
 /// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
 const ROUND_SMOOTHING: f64 = 1.5;
+/// Averaging time over b/c under a flat bottom (WC27) [-].
+const AIR_WINDOW: f64 = 0.2;
 /// Share that compressibility takes of the forces that the bands are fitted to [-].
 const ADMITTED: f64 = 0.01;
 /// Largest ratio of a single step's value to the mean [-].
@@ -78,14 +73,16 @@ impl Doubts {
 
 /// What a scene's results are judged by.
 pub(super) struct Judge {
-    spacing: f64,
+    pub(super) spacing: f64,
     /// Speed with which rows of particles are met [m/s].
     speed: f64,
     entry: Option<Entry>,
     /// Magnitude of gravity [m/s²].
     gravity: f64,
     /// Speed of sound; `None` where water is incompressible [m/s].
-    sound_speed: Option<f64>,
+    pub(super) sound_speed: Option<f64>,
+    /// Averaging time [s] under a flat bottom whose trapped air the water's softness stands for.
+    pub(super) air: Option<f64>,
     /// Why no force of the run can be relied on, where that is so.
     limit: Option<String>,
     /// Panels that vibrate with the water's sound, and why.
@@ -95,12 +92,14 @@ pub(super) struct Judge {
 impl Judge {
     pub fn new(scene: &Scene) -> Judge {
         let entry = scene.entry().filter(|entry| entry.final_draught > 0.0);
+        let air = entry.filter(|entry| scene.is_cushioned(entry)).and_then(|entry| entry.cushion);
         Judge {
             spacing: scene.resolution.spacing,
             speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.attached_speed),
             entry,
             gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
+            air: air.map(|air| AIR_WINDOW * air.half_breadth / scene.sound_speed()),
             limit: limit_of_forces(scene),
             resonant: resonant_panels(scene),
         }
@@ -113,7 +112,7 @@ impl Judge {
             doubts.add(name, why);
             quantity.with_known_band()
         };
-        let window = WINDOW * self.spacing / self.speed;
+        let window = self.air.unwrap_or(WINDOW * self.spacing / self.speed);
         let by_force = |peak: Extreme, raw: Extreme| {
             let mean = |curve: &RunningIntegral<2>| curve.mean_about(peak.time, window).unwrap_or_default();
             with_tension(self.force_finding(curves, window, peak, raw), mean(&curves.tension), mean(&curves.force))
@@ -197,7 +196,7 @@ impl Judge {
         }
         let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
         if entry.is_flat() {
-            return (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string()));
+            return self.flat_finding(entry);
         }
         if let Some([start, draught]) = curves.draught.first().filter(|[_, draught]| *draught > self.spacing)
             && peak.time < start + 2.0 * window
@@ -209,36 +208,7 @@ impl Judge {
             return (Verdict::Acoustic, None, Some(why));
         }
         if let Bottom::Arc { radius } = entry.bottom {
-            let gap = -curves.draught.first().map_or(0.0, |row| row[1]);
-            if self.sound_speed.is_some() && gap < LEAST_GAP * self.spacing {
-                let why = format!(
-                    "a round bottom that starts on the water meets a row of particles at once: leave time.start to the program, or \
-                     start the body {} m above",
-                    significant(START_GAP * self.spacing)
-                );
-                return (Verdict::Acoustic, None, Some(why));
-            }
-            let least = self.sound_speed.map_or(0.0, |c| ACOUSTIC_TIMES * radius * entry.speed / (c * c));
-            if window < least {
-                let why = format!(
-                    "it is averaged over {} s; the numerical speed of sound acts on a round bottom for {} s",
-                    significant(window),
-                    significant(least)
-                );
-                return (Verdict::Acoustic, None, Some(why));
-            }
-            let spacings = entry.peak_draught / self.spacing;
-            if spacings < LEAST_ROUND {
-                let why = format!(
-                    "a light round body loses its speed within {} spacings; {LEAST_ROUND} are needed: {} m would do for \
-                     resolution.spacing",
-                    significant(spacings),
-                    significant(entry.peak_draught / LEAST_ROUND)
-                );
-                return (Verdict::NotResolved, None, Some(why));
-            }
-            let share = ROUND_BAND[0].max(ROUND_BAND[1] * self.spacing / radius);
-            return (Verdict::Resolved, Some(share), None);
+            return self.round_finding(curves, entry, radius, window);
         }
         let found = self.by_draught(curves, entry, peak);
         if found.0 == Verdict::Resolved { self.spike(window, peak, raw).unwrap_or(found) } else { found }
@@ -298,13 +268,13 @@ impl Judge {
     /// The gauge with the largest peak.
     fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
         let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
-        let window = WINDOW * self.spacing / root;
+        let window = self.air.unwrap_or(WINDOW * self.spacing / root);
         let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
-            let (verdict, _, why) = match entry.is_flat() {
-                true => (Verdict::Acoustic, None, Some(FLAT_CONTACT.to_string())),
-                false => self.by_draught(curves, entry, peak),
-            };
+            if entry.is_flat() {
+                return self.flat_finding(entry);
+            }
+            let (verdict, _, why) = self.by_draught(curves, entry, peak);
             if verdict != Verdict::Resolved {
                 return (verdict, None, why);
             }
@@ -353,8 +323,8 @@ mod tests {
 
     /// A judge of a flow that no theory foresees.
     fn still() -> Judge {
-        let (limit, resonant) = (None, Vec::new());
-        Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: None, limit, resonant }
+        let (limit, air, resonant) = (None, None, Vec::new());
+        Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: None, air, limit, resonant }
     }
 
     /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.

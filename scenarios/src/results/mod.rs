@@ -5,6 +5,7 @@
 //! spacings; the largest value of a single step is given beside it, as `raw`.
 
 mod bands;
+mod blunt;
 mod filtered;
 mod judge;
 mod observer;

@@ -1,7 +1,7 @@
 //! The values that a scene leaves to the program.
 
 use super::impact::{Entry, sound_speed_for};
-use super::settings::{Body, Scene, Tank};
+use super::settings::{Body, Scene, Tank, Water};
 
 /// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
 /// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.
@@ -82,9 +82,12 @@ impl Scene {
 /// Speed of sound [m/s]: c₀ = min(max(U/M(ε), 10 u, still), 1480 m/s) (THEORY WC17).
 ///
 /// U is the spray root's speed [m/s] and M(ε) the Mach number at which compressibility costs the admitted share ε of
-/// the force; without an impact only the fastest known speed u [m/s] counts. `still` bears the water's weight.
-pub fn auto_sound_speed(error: f64, entry: Option<&Entry>, fastest: f64, still: f64) -> f64 {
-    let impact = entry.map_or(0.0, |entry| sound_speed_for(error, entry.root_speed()));
+/// the force; without an impact only the fastest known speed u [m/s] counts. `still` bears the water's weight. Under a flat bottom
+/// U/M(ε) is replaced by the speed at which water is as soft as the trapped air (THEORY WC27).
+pub fn auto_sound_speed(water: &Water, entry: Option<&Entry>, fastest: f64, still: f64) -> f64 {
+    let of_root = |entry: &Entry| sound_speed_for(water.compressibility_error, entry.root_speed());
+    let of_air = |entry: &Entry| entry.cushion_sound_speed(water.fluid.density);
+    let impact = entry.map_or(0.0, |entry| of_air(entry).unwrap_or_else(|| of_root(entry)));
     impact.max(LEAST_SOUND_RATIO * fastest).max(still).min(WATER_SOUND)
 }
 
@@ -93,7 +96,7 @@ pub fn auto_sound_speed(error: f64, entry: Option<&Entry>, fastest: f64, still: 
 /// Half width: 1.15 times the wetted half width at the end of the run (Wagner 1932), at most 1.6 times half the
 /// breadth: the fine rows hold the spray root's last position. Depth: f D with the draught D at the end, f = 0.3 for a
 /// deadrise (of the wedge with the same spray root) up to 30°, rising linearly to 1.5 at 45° and beyond, where the
-/// pressure peaks at the keel. At least 10 by 4 spacings.
+/// pressure peaks at the keel. At least 10 by 4 spacings; half the breadth of a flat bottom that traps air.
 pub fn auto_fine_zone(entry: &Entry, spacing: f64) -> [f64; 2] {
     let draught = entry.final_draught.max(0.0);
     let wetted = entry.bottom.wetted_half_width(draught);
@@ -101,7 +104,9 @@ pub fn auto_fine_zone(entry: &Entry, spacing: f64) -> [f64; 2] {
     let deadrise = entry.bottom.equivalent_slope(draught).atan().to_degrees();
     let share = 0.3 + 1.2 * ((deadrise - 30.0) / 15.0).clamp(0.0, 1.0);
     let [least_width, least_depth] = LEAST_FINE_ZONE;
-    [half_width.max(least_width * spacing), (share * draught).max(least_depth * spacing)]
+    // a flat bottom is wet at once, and its pulse goes down by its breadth (THEORY WC27)
+    let [wet, pulse] = entry.cushion.map_or([0.0; 2], |air| [PAST_THE_CHINES * entry.half_breadth, air.half_breadth]);
+    [half_width.max(least_width * spacing).max(wet), (share * draught).max(least_depth * spacing).max(pulse)]
 }
 
 /// Half width and depth of a tank that an impact does not feel [m], shape (2): outside acoustic reach,
@@ -117,11 +122,21 @@ pub fn auto_reach(sound_speed: f64, end: f64, fine_zone: [f64; 2], gravity: [f64
 mod tests {
     use super::super::bottom::Bottom;
     use super::*;
+    use sph_core::FluidSettings;
 
     fn wedge(deadrise_deg: f64, half_breadth: f64, final_draught: f64) -> Entry {
         let slope = deadrise_deg.to_radians().tan();
         let bottom = Bottom::Wedge { slope };
-        Entry { bottom, half_breadth, speed: 1.0, final_draught, fastest: 1.0, attached_speed: 1.0, peak_draught: 1.0 }
+        Entry {
+            bottom,
+            half_breadth,
+            speed: 1.0,
+            final_draught,
+            fastest: 1.0,
+            attached_speed: 1.0,
+            peak_draught: 1.0,
+            cushion: None,
+        }
     }
 
     #[test]
@@ -148,9 +163,10 @@ mod tests {
 
     #[test]
     fn sound_speed_is_ten_times_the_flow_without_an_impact() {
-        assert_eq!(auto_sound_speed(0.01, None, 4.0, 0.0), 40.0);
+        let water = Water { water: None, fluid: FluidSettings::default(), compressibility_error: 0.01 };
+        assert_eq!(auto_sound_speed(&water, None, 4.0, 0.0), 40.0);
         let entry = wedge(30.0, 1.0, 1.0);
-        let c = auto_sound_speed(0.01, Some(&entry), 0.0, 0.0);
+        let c = auto_sound_speed(&water, Some(&entry), 0.0, 0.0);
         assert!((24.5..26.0).contains(&(c / entry.root_speed())), "{c}");
     }
 }

@@ -2,8 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use fsi_coupling::geometry::polygon;
+use fsi_coupling::entry_theory::air_cushion::{self, AirCushion};
+use fsi_coupling::geometry::{polygon, underside};
 
+use super::auto::LEAST_SOUND_RATIO;
 use super::bottom::{Bottom, PEAK_MASS_RATIO, Reach};
 use super::settings::{Body, Motion};
 
@@ -19,6 +21,8 @@ const PENETRATION_STEPS: u32 = 1000;
 
 /// Largest speed over the one at contact from which it counts [-]: less changes the share that compressibility takes by a tenth.
 const NOTABLE_GAIN: f64 = 1.05;
+/// Share of a body's breadth that its flat bottom has where air is trapped, at least, and largest draught at t = 0 over the breadth [-].
+const TRAPPING: [f64; 2] = [0.5, 0.01];
 /// Draught over the radius from which water leaves a round bottom [-].
 const DRY_SIDES: f64 = 0.15;
 
@@ -39,6 +43,8 @@ pub struct Entry {
     pub attached_speed: f64,
     /// Draught at the peak of the force [m] (THEORY GE22): where the water's mass is a fifth of the body's, or at the chines.
     pub peak_draught: f64,
+    /// Air that a flat bottom traps (THEORY WC27).
+    pub cushion: Option<AirCushion>,
 }
 
 impl Entry {
@@ -77,6 +83,7 @@ impl Entry {
             fastest: speed,
             attached_speed: speed,
             peak_draught: chines,
+            cushion: cushion(body, draught, speed),
         };
         let Motion::Free(freedom) = &body.motion else { return Some(steady) };
         if !freedom.y() {
@@ -94,14 +101,24 @@ impl Entry {
         Some(Entry { final_draught, fastest, attached_speed, peak_draught: of_mass.min(chines), ..steady })
     }
 
-    /// Speed of the spray root [m/s], at the body's largest speed until it is at the chines.
+    /// Speed of the spray root [m/s], at the body's largest speed until it is at the chines; under a flat bottom, which has none, the body's.
     pub fn root_speed(&self) -> f64 {
-        self.bottom.root_speed(self.attached_speed)
+        match self.cushion {
+            Some(_) => self.attached_speed,
+            None => self.bottom.root_speed(self.attached_speed),
+        }
     }
 
     /// True for a bottom that meets the water over its breadth at once: its peak is one of sound, or of the spacing.
     pub fn is_flat(&self) -> bool {
         self.bottom.is_flat()
+    }
+
+    /// Speed of sound [m/s] at which water of density ρ [kg/m³] is as soft as the air under a flat bottom (THEORY WC27); `None` where no
+    /// air is trapped, or where the body is too fast for it.
+    pub fn cushion_sound_speed(&self, density: f64) -> Option<f64> {
+        let sound = self.cushion?.equivalent_sound_speed(density);
+        (sound >= LEAST_SOUND_RATIO * self.fastest).then_some(sound)
     }
 
     /// Does water leave the sides of a round bottom? Deeper than 0.15 radii the pressure beside them is below that of the air (THEORY EN24).
@@ -182,6 +199,16 @@ pub fn compressibility_error(root_speed: f64, sound_speed: f64) -> f64 {
         true => -2.0 * mach * mach * mach.ln(),
         false => 0.0,
     }
+}
+
+/// Air under the bottom of a body that meets the water at a speed [m/s].
+fn cushion(body: &Body, draught: f64, speed: f64) -> Option<AirCushion> {
+    let outline = body.placed_outline();
+    let [min, max] = polygon::bounding_box(&outline);
+    let (breadth, flat) =
+        (max[0] - min[0], underside::flat_width(&outline, air_cushion::LARGEST_SLOPE_DEG.to_radians()));
+    let traps = flat >= TRAPPING[0] * breadth && draught <= TRAPPING[1] * breadth;
+    traps.then_some(AirCushion { half_breadth: 0.5 * flat, speed })
 }
 
 /// [`compressibility_error`] where the fit holds: `None` for a spray root faster than Mach 0.3, as a round bottom's is at

@@ -12,6 +12,7 @@
 //! # Ok::<(), scenarios::scene::SceneError>(())
 //! ```
 
+mod air_warnings;
 mod approach;
 mod as_written;
 mod auto;
@@ -52,6 +53,7 @@ mod warnings;
 mod waves;
 mod wet_period;
 
+pub(crate) use air_warnings::LEAST_HALF_BREADTH;
 pub(crate) use approach::{LEAST_GAP, START_GAP};
 pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use bottom::{Bottom, LEAST_DEADRISE_DEG};

@@ -218,7 +218,7 @@ fn resolve_fluid(
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;
-    let sound = draft.fill("fluid.sound_speed", auto_sound_speed(water.compressibility_error, entry, fastest, still));
+    let sound = draft.fill("fluid.sound_speed", auto_sound_speed(&water, entry, fastest, still));
     if sound == 0.0 && !gaseous {
         let expected = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", expected));

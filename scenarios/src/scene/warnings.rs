@@ -2,11 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::air_warnings::{flat_contact, vapour};
 use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND};
 use super::bottom::Bottom;
 use super::exchange::{light_bodies, light_panels};
 use super::force_limits::limit_of_forces;
-use super::impact::{Entry, FLAT_CONTACT, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
+use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::resolve_links::thin_film;
@@ -210,6 +211,9 @@ fn slow_sound(scene: &Scene) -> Option<String> {
 
 /// What compressibility takes of an impact's force.
 fn lost_force(scene: &Scene, entry: &Entry) -> Option<String> {
+    if scene.is_cushioned(entry) {
+        return None; // as soft as it is meant to be
+    }
     let (root, sound) = (entry.root_speed(), scene.sound_speed());
     let cure = match sound < WATER_SOUND {
         true => "raise fluid.sound_speed",
@@ -235,16 +239,15 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     let spacing = scene.resolution.spacing;
     let mut warnings = Vec::new();
     let draught = entry.final_draught;
-    if draught < STARTING_DRAUGHT * spacing {
+    if draught < STARTING_DRAUGHT * spacing && !scene.is_cushioned(entry) {
         warnings.push(format!(
             "the draught at the end is {} spacings: the force is good to 1 % from {STARTING_DRAUGHT} on",
             significant(draught / spacing)
         ));
     }
 
-    if entry.is_flat() {
-        warnings.push(format!("the peak force will be refused: {FLAT_CONTACT}"));
-    }
+    warnings.extend(flat_contact(scene, entry));
+    warnings.extend(vapour(scene, entry));
     let peak = entry.peak_draught / spacing;
     if matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat() && peak < LEAST_DRAUGHT {
         warnings.push(format!(
@@ -256,7 +259,7 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     }
 
     let across = entry.peak_length() / spacing;
-    if across < PEAK_SPACINGS {
+    if across < PEAK_SPACINGS && !entry.is_flat() {
         warnings.push(format!(
             "peak pressure unreliable: {} spacings across the face near the peak (5 give it to 25 %, {PEAK_SPACINGS} to 2-4 %); \
              {} m would do for resolution.spacing",

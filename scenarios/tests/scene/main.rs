@@ -1,5 +1,6 @@
 //! Scene files: what loads, what is refused and how, what is left to the program.
 
+mod air;
 mod legacy;
 mod own_section;
 mod panels;
@@ -334,7 +335,7 @@ fn warnings_come_with_their_cause_and_go_with_its_cure() {
         (&["fluid.density_evolution=summation"], &[], "fails at a free surface"),
         (&["body.mass=0.5"], &[], "the body is light for coupling.scheme"),
         (&["body.mass=2.7"], &[], "draught of about 1.363 spacings, and the run will not give it as resolved: 0.001136 m"),
-        (&["body.angle_deg=29"], &["body.angle_deg=15"], "the peak force will be refused: a face within 4 deg"),
+        (&["body.angle_deg=27"], &["body.angle_deg=15"], "the peak force will be refused: a face within 4 deg"),
         (&["body.velocity=[0, -60]", "time.end=0.002"], &[], "sound is as fast as in water, where the force is lower as well"),
         (&["resolution.growth=1.5"], &[], "9 % of the force"),
         (&["resolution.spacing=0.009"], &["resolution.spacing=0.002"], "peak pressure unreliable"),

@@ -27,7 +27,8 @@ const SOUND_RATIO: f64 = 10.0;
 #[serde(default, deny_unknown_fields)]
 pub struct Settings {
     /// Speed of sound c0 (INDAT coef, which makes B = density sound_speed^2/eos_exponent) [m/s]. auto: compressibility costs an
-    /// impact fluid.compressibility_error of its force, and it is at least 10 times the largest known speed of the flow.
+    /// impact fluid.compressibility_error of its force, and it is at least 10 times the largest known speed of the flow. Under a flat
+    /// bottom slower than 8.5 m/s water is as soft as the trapped air (THEORY WC27).
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub sound_speed: Auto<f64>,
     /// Exponent of Tait's equation of state (INDAT gamma), 1 to 10; 1 is linear [-].

@@ -1,0 +1,90 @@
+//! When air and vapour matter, and what a run makes of them.
+
+use std::f64::consts::FRAC_PI_2;
+
+use fsi_coupling::settings::significant;
+
+use super::impact::{Entry, FLAT_CONTACT};
+use super::settings::{Body, Motion, Scene};
+
+/// Spacings across half a flat breadth from which the pressure of trapped air is good (THEORY WC27).
+pub const LEAST_HALF_BREADTH: f64 = 10.0;
+/// Largest difference of the speed of sound from that of trapped air [-].
+const TOLERANCE: f64 = 0.05;
+/// Least mass of a free body over the added mass of its flat bottom [-].
+const LEAST_MASS: f64 = 0.5;
+
+impl Scene {
+    /// True where water is as soft as the air under the flat bottom that meets it (THEORY WC27).
+    pub fn is_cushioned(&self, entry: &Entry) -> bool {
+        if self.is_light(entry) {
+            return false;
+        }
+        let wanted = entry.cushion_sound_speed(self.water().density);
+        let near = |wanted: f64| (self.sound_speed() / wanted - 1.0).abs() <= TOLERANCE;
+        !self.solver.is_incompressible() && wanted.is_some_and(near)
+    }
+
+    /// True for a free body lighter than half of the water that moves with its flat bottom, (π/2)ρb²: Chuang's plate was heavy.
+    fn is_light(&self, entry: &Entry) -> bool {
+        let added = |half_breadth: f64| FRAC_PI_2 * self.water().density * half_breadth.powi(2);
+        let Some(Body { motion: Motion::Free(freedom), .. }) = &self.body else { return false };
+        entry.cushion.is_some_and(|air| freedom.mass < LEAST_MASS * added(air.half_breadth))
+    }
+}
+
+/// Vapour pressure of water at 20 °C, relative to the atmosphere [Pa].
+const VAPOUR: f64 = -99_000.0;
+
+/// Tension that a fast body may cause, ½ρV², and that water holds beyond its vapour pressure.
+pub(super) fn vapour(scene: &Scene, entry: &Entry) -> Option<String> {
+    let tension = 0.5 * scene.water().density * entry.fastest.powi(2);
+    let bound =
+        scene.solver.weakly_compressible().map(|fluid| fluid.scheme.cavitation_pressure.unwrap_or(f64::NEG_INFINITY));
+    let cure = match bound {
+        None => "solver = \"weakly_compressible\" has fluid.cavitation_pressure".to_string(),
+        Some(_) => format!("fluid.cavitation_pressure = {VAPOUR} bounds it"),
+    };
+    (tension > -VAPOUR && bound.is_none_or(|bound| bound < VAPOUR)).then(|| {
+        format!(
+            "at {} m/s water may be under a tension of {} kPa, and vapour forms at {} kPa: {cure}",
+            significant(entry.fastest),
+            significant(1e-3 * tension),
+            significant(-1e-3 * VAPOUR)
+        )
+    })
+}
+
+/// What becomes of the peak under a flat bottom.
+pub(super) fn flat_contact(scene: &Scene, entry: &Entry) -> Option<String> {
+    if !entry.is_flat() {
+        return None;
+    }
+    let Some(air) = entry.cushion else { return Some(format!("the peak force will be refused: {FLAT_CONTACT}")) };
+    let bounded = format!(
+        "air trapped under the flat bottom bounds the pressure at about {} kPa for {} ms (Chuang 1966)",
+        significant(1e-3 * air.largest_pressure()),
+        significant(1e3 * air.duration())
+    );
+    let spacings = air.half_breadth / scene.resolution.spacing;
+    if scene.is_cushioned(entry) {
+        return (spacings < LEAST_HALF_BREADTH).then(|| {
+            format!(
+                "{bounded}: {} spacings across half the breadth, {LEAST_HALF_BREADTH} are needed: {} m would do for resolution.spacing",
+                significant(spacings),
+                significant(air.half_breadth / LEAST_HALF_BREADTH)
+            )
+        });
+    }
+    let cure = match entry.cushion_sound_speed(scene.water().density) {
+        _ if scene.is_light(entry) => {
+            "the body is lighter than half of the water that moves with it; use results.impulse_N_s_per_m".to_string()
+        }
+        None => "the body is too fast for water that is as soft; use results.impulse_N_s_per_m".to_string(),
+        Some(sound) => format!(
+            "with solver = \"weakly_compressible\" and fluid.sound_speed = {} m/s water is as soft",
+            significant(sound)
+        ),
+    };
+    Some(format!("the peaks will be refused: {bounded}, this run does not: {cure}"))
+}
