@@ -22,7 +22,7 @@ use crate::observers::{
     SimilarityWindow, WorstPenetration, body_values,
 };
 use crate::results::{ResultsObserver, Verdict};
-use crate::scene::{Scene, known_compressibility_error, thesis_work};
+use crate::scene::{Scene, known_compressibility_error, thesis_work, waves_end_early};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -277,8 +277,8 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         let results = results.with_work_lost(audit.loses_work());
-        doubts.extend(audit.doubts());
-        doubts.extend(self.host_doubt.clone());
+        let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
+        doubts.extend(audit.doubts().into_iter().chain(early).chain(self.host_doubt.clone()));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);

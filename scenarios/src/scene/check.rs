@@ -238,7 +238,7 @@ fn check_thickness(scene: &Scene, thickness: f64) -> Result<(), Problem> {
         significant(largest),
         significant(thickness)
     );
-    require(spacing <= largest, "resolution.spacing", spacing, expected)
+    require(spacing <= largest * (1.0 + 1e-12), "resolution.spacing", spacing, expected)
 }
 
 /// Each name starts columns of its own.

@@ -220,6 +220,10 @@ fn resolve_fluid(
     let water: Water = draft.read("fluid")?;
     let sound = draft.fill("fluid.sound_speed", auto_sound_speed(&water, entry, fastest, still));
     if sound == 0.0 && !gaseous {
+        if draft.get::<WaveMaker>("tank.wave_maker").is_some() {
+            let expected = "[0, a number below 0] with a [tank.wave_maker]";
+            return Err(Problem::new("gravity", "[0, 0]", expected));
+        }
         let expected = "a speed [m/s]: \"auto\" needs gravity or a moving body";
         return Err(Problem::missing("fluid.sound_speed", expected));
     }

@@ -4,6 +4,8 @@ use fsi_coupling::geometry::polygon;
 use fsi_coupling::settings::{Problem, require, significant};
 use fsi_coupling::waves::linear_wave::LinearWave;
 
+use sph_core::Solver;
+
 use super::settings::{Beach, GaugeFrame, Scene, SolverSettings, Symmetry, WaveMaker};
 
 /// Longest stroke over the width of the tank [-].
@@ -44,6 +46,13 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
         }
         _ => {}
     }
+    let thesis = scene.solver.kind() == Solver::IncompressibleThesis;
+    require(
+        !thesis,
+        "solver",
+        "\"incompressible_thesis\"",
+        "another solver with a [tank.wave_maker]: its moving wall loses momentum",
+    )?;
     let whole = scene.symmetry == Symmetry::None;
     require(whole, "symmetry", "\"x\"", "\"none\" with a [tank.wave_maker], which is at one end of the tank")?;
     let [gx, gy] = scene.gravity;
@@ -68,10 +77,11 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
 }
 
 /// A run that ends before its farthest gauge has seen four periods of full waves (THEORY GE26).
-fn early_end(scene: &Scene, ramp: f64, wave: &LinearWave) -> Option<String> {
+pub(crate) fn early_end(scene: &Scene) -> Option<String> {
+    let (maker, wave) = (scene.tank.wave_maker?, scene.wave()?);
     let farthest = scene.observe.level.iter().copied().reduce(f64::max)?;
     let way = farthest + 0.5 * scene.tank.width;
-    let needed = way / wave.group_speed() + (ramp + 4.0) * wave.period();
+    let needed = way / wave.group_speed() + (maker.ramp + 4.0) * wave.period();
     (scene.time.end < needed).then(|| {
         format!(
             "time.end = {} s is early for the gauge at x = {farthest} m: waves of full height have passed it for four periods after {} s",
@@ -150,7 +160,7 @@ pub(super) fn wave_warnings(scene: &Scene) -> Vec<String> {
             significant(0.1 * given)
         ));
     }
-    warnings.extend(early_end(scene, maker.ramp, &wave));
+    warnings.extend(early_end(scene));
     let rows = maker.height / scene.resolution.spacing;
     if rows < RESOLVED_HEIGHT {
         warnings.push(format!(

@@ -22,6 +22,8 @@ fn waves_that_cannot_be_made_are_refused() {
         (&["tank.wave_maker={ height = 0.07 }"], &["`tank.wave_maker.period` is missing", "or their length"]),
         (&["tank.wave_maker={ height = 0.07, period = 0 }"], &["`tank.wave_maker.period` = 0", "above 0"]),
         (&["tank.wave_maker={ height = 0.02, length = 40 }", "tank.width=0.8", "tank.beach.length=0.4", "observe.level=[]", "tank.depth=0.1"], &["`tank.wave_maker.height`", "stroke of at most"]),
+        (&["solver=incompressible_thesis"], &["`solver`", "loses momentum"]),
+        (&["gravity=[0, 0]"], &["`gravity` = [0, 0]", "a number below 0"]),
         (&["symmetry=x"], &["`symmetry` = \"x\"", "\"none\" with a [tank.wave_maker]"]),
         (&["gravity=[0.5, -9.81]"], &["`gravity` = [0.5, -9.81]", "a number below 0"]),
         (&["tank.water_width=10"], &["`tank.water_width` = 10", "tank.width = 36 m"]),
