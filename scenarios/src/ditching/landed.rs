@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult};
+use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult, Swell};
 use fsi_coupling::settings::Problem;
 use serde::Serialize;
 
@@ -20,6 +20,8 @@ use crate::run::summary::{Peak, Status};
 pub struct Landed {
     /// The numbers.
     pub summary: Summary,
+    /// The waves at the first touch.
+    pub swell: Swell,
     /// Its motion in time.
     pub run: LandingResult,
     /// Motion, accelerometers and loads in time.
@@ -48,7 +50,7 @@ pub fn follow(scene: &Scene) -> Landed {
     };
     let mut summary = Summary::new(scene, &run, &series, structure, start.elapsed().as_secs_f64());
     (summary.sea, summary.warnings) = (Sea::of(scene, &landing), sea::warnings(scene, &landing));
-    Landed { summary, run, series }
+    Landed { summary, swell: landing.swell, run, series }
 }
 
 /// Frequencies of the bending modes [Hz].

@@ -98,7 +98,9 @@ pub(super) fn touched(scene: &Scene, landing: &Landing<'_>) -> Result<Swell, Pro
     let refused = |expected: String| Problem::new("sea.touchdown", sea.touchdown.text(), expected);
     let swell = landing.swell_touched_at(sea.touchdown.phase()).map_err(|nearest| {
         let nearest = significant(nearest.to_degrees());
-        refused(format!("a phase at which a part of the aeroplane is the first to touch; the nearest is {nearest} degrees"))
+        refused(format!(
+            "a phase at which a part of the aeroplane is the first to touch; the nearest is {nearest} degrees"
+        ))
     })?;
     let Touchdown { closing_speed, .. } = Landing { swell, ..landing.clone() }.touchdown();
     if closing_speed > 0.0 {
@@ -130,8 +132,11 @@ pub(super) fn check(scene: &Scene, fuselage: &Fuselage) -> Result<(), Problem> {
     );
     require(sea.length >= shortest, "sea.length", sea.length, expected)?;
     let breaking = BREAKING * sea.length;
-    let expected =
-        format_args!("below {} m, where a wave of {} m breaks (Miche 1944)", significant(breaking), significant(sea.length));
+    let expected = format_args!(
+        "below {} m, where a wave of {} m breaks (Miche 1944)",
+        significant(breaking),
+        significant(sea.length)
+    );
     require(sea.height < breaking, "sea.height", sea.height, expected)
 }
 

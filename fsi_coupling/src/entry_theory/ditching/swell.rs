@@ -114,8 +114,11 @@ mod tests {
                 let middle = x + 0.5 * by * swell.later(from).water(x).velocity[0];
                 x + by * swell.later(from + 0.5 * by).water(middle).velocity[0]
             };
-            let (before, now, after) =
-                (swell.later(-dt).water(moved(0.0, 0.0, -dt)), swell.water(0.0), swell.later(dt).water(moved(0.0, 0.0, dt)));
+            let (before, now, after) = (
+                swell.later(-dt).water(moved(0.0, 0.0, -dt)),
+                swell.water(0.0),
+                swell.later(dt).water(moved(0.0, 0.0, dt)),
+            );
             let rate = (after.elevation - before.elevation) / (2.0 * dt);
             assert!((rate - now.velocity[1]).abs() < 1e-6, "{heading}: {rate}, {:?}", now.velocity);
             for k in 0..2 {
@@ -130,7 +133,10 @@ mod tests {
         for heading in [0.0_f64, 60.0, 120.0, 180.0] {
             let swell = Swell::new(2.0, 100.0, heading.to_radians(), 9.81);
             let at = |quarter: f64| swell.with_phase_at(7.0, quarter * 0.5 * PI);
-            assert!((at(0.0).water(7.0).elevation - 1.0).abs() < 1e-12 && (at(2.0).water(7.0).elevation + 1.0).abs() < 1e-12);
+            assert!(
+                (at(0.0).water(7.0).elevation - 1.0).abs() < 1e-12
+                    && (at(2.0).water(7.0).elevation + 1.0).abs() < 1e-12
+            );
             assert!(at(1.0).slope(7.0) < -0.03 && at(3.0).slope(7.0) > 0.03, "{heading}");
             assert!((at(3.0).phase_at(7.0) - 1.5 * PI).abs() < 1e-12);
         }
