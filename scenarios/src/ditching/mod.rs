@@ -21,6 +21,7 @@ mod model;
 mod page;
 mod parts;
 mod sea;
+mod sea_keys;
 mod sections;
 mod series;
 mod side_views;
@@ -45,7 +46,8 @@ pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
-pub use sea::{Sea, SeaKeys, TouchdownKey, WavePart};
+pub use sea::Sea;
+pub use sea_keys::{SeaKeys, TouchdownKey, WavePart};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use series::Series;
 

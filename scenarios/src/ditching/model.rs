@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
-use super::sea::SeaKeys;
+use super::sea_keys::SeaKeys;
 
 /// The schema of a landing's file.
 pub fn schema() -> &'static Schema {

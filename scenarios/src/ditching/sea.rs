@@ -1,11 +1,10 @@
-//! The sea of a landing: keys, what is refused, warnings (THEORY EN36–EN38).
+//! The sea of a landing: what is refused, warnings, results (THEORY EN36–EN38).
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 use fsi_coupling::entry_theory::ditching::{Fuselage, Landing, Swell, Touchdown};
 use fsi_coupling::settings::{Problem, require, significant};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::model::Scene;
 
@@ -17,73 +16,6 @@ const STEEP: f64 = 0.05;
 const SHORTEST: f64 = 4.0;
 /// Slope of the surface across the flight that sections stand for [-]; 0.1 is 6 degrees of roll.
 const ACROSS: f64 = 0.1;
-
-/// Table `[sea]`: regular, long-crested swell on deep water; without it the water is calm.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SeaKeys {
-    /// Height of the waves, crest to trough [m].
-    #[schemars(range(min = 0.0))]
-    pub height: f64,
-    /// Length of the waves, crest to crest [m].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub length: f64,
-    /// Direction of flight from that of the waves: 0 with them, 90 along the crests, 180 against them [deg].
-    #[schemars(range(min = 0.0, max = 180.0))]
-    pub heading_deg: f64,
-    /// Where the aeroplane first touches, seen in the direction of flight; or the phase there, 0 at a crest, 90 on the down slope [deg].
-    pub touchdown: TouchdownKey,
-}
-
-/// Value of `sea.touchdown`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum TouchdownKey {
-    /// A part of the wave.
-    Part(WavePart),
-    /// Phase in the direction of flight [deg].
-    PhaseDeg(f64),
-}
-
-/// A part of a wave, seen in the direction of flight.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum WavePart {
-    /// The crest.
-    Crest,
-    /// Half the way down behind it.
-    DownSlope,
-    /// The trough.
-    Trough,
-    /// Half the way up to the next crest.
-    UpSlope,
-}
-
-impl JsonSchema for TouchdownKey {
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "TouchdownKey".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [
-            { "type": "string", "enum": ["crest", "down_slope", "trough", "up_slope"] },
-            { "type": "number", "minimum": 0, "maximum": 360 }
-        ] })
-    }
-}
-
-impl TouchdownKey {
-    /// Phase in the direction of flight [rad].
-    fn phase(self) -> f64 {
-        match self {
-            TouchdownKey::Part(part) => FRAC_PI_2 * part as usize as f64,
-            TouchdownKey::PhaseDeg(phase) => phase.to_radians(),
-        }
-    }
-
-    /// As it is written.
-    fn text(self) -> String {
-        serde_json::to_string(&self).unwrap_or_default()
-    }
-}
 
 /// The swell of a scene, its phase not yet known.
 pub(super) fn swell(scene: &Scene) -> Swell {
@@ -180,6 +112,11 @@ pub(super) fn warnings(scene: &Scene, landing: &Landing<'_>) -> Vec<String> {
     steep.into_iter().chain(short).chain(slanting).chain(early).collect()
 }
 
+/// Without the rounding of the phase: a zero is one, and has no sign.
+fn rounded(value: f64) -> f64 {
+    (1e9 * value).round() / 1e9 + 0.0
+}
+
 /// The sea of a landing in its summary.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Sea {
@@ -205,9 +142,9 @@ impl Sea {
         let (swell, touchdown) = (scene.sea.map(|_| landing.swell)?, landing.touchdown());
         let encounter = swell.encounter_frequency(landing.speed * landing.path.cos());
         Some(Sea {
-            touchdown_phase_deg: touchdown.phase.to_degrees(),
+            touchdown_phase_deg: rounded(touchdown.phase.to_degrees()).rem_euclid(360.0),
             touchdown_at_m: touchdown.x,
-            elevation_m: touchdown.elevation,
+            elevation_m: rounded(touchdown.elevation),
             closing_speed_m_per_s: touchdown.closing_speed,
             steepness: swell.steepness(),
             period_s: TAU / swell.angular_frequency,
