@@ -37,6 +37,31 @@ fn a_landing_writes_its_files() {
     assert_eq!(place.run(&[&SHORT[..], &["--force", "--quiet"]].concat()).code, Some(0));
 }
 
+/// On waves: phase of the first contact in summary and report, elevation below the centre of mass in the series; the resolved landing is the same.
+#[test]
+fn a_landing_on_waves_says_where_it_touched() {
+    let place = Workplace::new();
+    let sea = "sea={height=1.0,length=100.0,heading_deg=180,touchdown=\"up_slope\"}";
+    let ended = place.run(&[&SHORT[..], &["--set", sea]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    assert!(ended.stdout.contains("at phase 270 degrees"), "{}", ended.stdout);
+    let phase = place.summary("out")["sea"]["touchdown_phase_deg"].as_f64().expect("a number");
+    assert!((phase - 270.0).abs() < 1.0, "{phase}");
+    let series = place.text("out/series.csv");
+    let header = series.lines().next().expect("a header");
+    assert!(header.contains(",elevation_m,phase_deg,"), "{header}");
+    let page = place.text("out/report.html");
+    for part in ["Phase of the waves at the first contact", "water below it", "regular waves of linear theory"] {
+        assert!(page.contains(part), "{part}");
+    }
+    let again = place.run(&["ditch", "out/scene.resolved.toml", "--out", "again", "--quiet"]);
+    assert_eq!(again.code, Some(0), "{}", again.message);
+    assert_eq!(place.text("again/series.csv"), series);
+    let refused = place.run(&[&SHORT[..4], &["--set", sea, "--set", "sea.height=15", "--out", "none"]].concat());
+    assert_eq!(refused.code, Some(2), "{}", refused.message);
+    refused.says(&["sea.height", "below 14.2 m"]);
+}
+
 #[test]
 fn sections_of_a_landing_can_be_checked_and_run() {
     let place = Workplace::new();

@@ -1,7 +1,7 @@
 //! Landings without air and friction, of plain hulls.
 
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Aeroplane, Form, Fuselage, Hull, Landing, Station, Water, Wing};
+use fsi_coupling::entry_theory::ditching::{Aeroplane, Form, Fuselage, Hull, Landing, Station, Swell, Water, Wing};
 
 /// Density of the water [kg/m³].
 pub const RHO: f64 = 1000.0;
@@ -46,6 +46,7 @@ pub fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
             bending: None,
         },
         water: Water { density: RHO, gravity, friction: 0.0, suction: 1.0, largest_suction: f64::INFINITY },
+        swell: Swell::default(),
         pitch: 0.1,
         path: -0.05,
         speed: 40.0,

@@ -2,7 +2,9 @@
 
 use evidence::landing::{self as plain, CENTRE, RHO};
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Attitude, Bending, Hull, Landing, Masses, Nacelle, Panel, Rib, Surface};
+use fsi_coupling::entry_theory::ditching::{
+    Attitude, Bending, Hull, Landing, Masses, Nacelle, Panel, Rib, Surface, Swell,
+};
 use scenarios::ditching::{self, Landed};
 
 /// A prismatic hull of 20 m.
@@ -39,7 +41,7 @@ fn a_plate_planes_with_shufords_force() {
     let shuford =
         0.5 * std::f64::consts::PI * aspect / (1.0 + aspect) * trim * trim.cos() + 4.0 / 3.0 * trim.sin().powi(2);
     let normal = 0.5 * RHO * speed * speed * 8.0 * chord * shuford;
-    let forces = plate.water(CENTRE, &now, RHO);
+    let forces = plate.water(CENTRE, &now, &Swell::default(), RHO);
     let sum = forces.iter().fold([0.0; 3], |sum, p| [0, 1, 2].map(|k| sum[k] + p.force[k]));
     assert!((sum[1] / (normal * trim.cos()) - 1.0).abs() < 1e-9, "{sum:?}");
     assert!((sum[0] / (-normal * trim.sin()) - 1.0).abs() < 1e-9, "{sum:?}");
@@ -49,7 +51,7 @@ fn a_plate_planes_with_shufords_force() {
     let moment = (px - now.place[0]) * sum[1] - (pz - now.place[1]) * sum[0];
     assert!((sum[2] / moment - 1.0).abs() < 1e-9, "{sum:?} {moment}");
     let above = immersed(trailing_edge, -0.01, speed, pitch);
-    assert!(plate.water(CENTRE, &above, RHO).is_empty(), "above the water nothing");
+    assert!(plate.water(CENTRE, &above, &Swell::default(), RHO).is_empty(), "above the water nothing");
 }
 
 /// Half a face under water has half its drag, all of it no more than the whole.
@@ -58,7 +60,7 @@ fn a_nacelles_face_has_the_drag_of_what_is_immersed() {
     let of = |depth: f64| {
         let nacelle = Nacelle::new("n".into(), 2.0, [8.0, -1.0], 1.5, 4.0, 0.8, None, EntryModel::Mlm).expect("a body");
         let now = immersed([8.0, -1.75], depth, 40.0, 0.0);
-        nacelle.face_drag(CENTRE, &now, RHO).map_or([0.0; 3], |p| p.force)
+        nacelle.face_drag(CENTRE, &now, &Swell::default(), RHO).map_or([0.0; 3], |p| p.force)
     };
     let whole = 0.5 * RHO * 0.8 * 2.0 * std::f64::consts::PI * 0.75 * 0.75 * 1600.0;
     for (depth, share) in [(0.75, 0.5), (1.5, 1.0), (4.0, 1.0), (-0.1, 0.0)] {

@@ -11,6 +11,7 @@ mod coverage;
 mod dissipation;
 mod ditching;
 mod ditching_parts;
+mod ditching_waves;
 mod echo;
 mod elliptic_drop;
 mod flexible;

@@ -139,6 +139,7 @@ impl Checker<'_> {
             return self::word(&words, given, path).map(Some);
         }
         match (inner.kind(), given) {
+            (_, Value::String(text)) if node.words_beside_number().contains(&text.as_str()) => {}
             (Some("number"), Value::Number(x))
                 if x.as_f64().is_some_and(|x| inner.allows_number(x) && node.allows_number(x)) => {}
             (Some("integer"), Value::Number(x))

@@ -93,6 +93,12 @@ impl<'s> Node<'s> {
         if words.is_empty() { words } else { words.into_iter().chain(word).collect() }
     }
 
+    /// The words that may be given beside a number, each with a meaning of its own.
+    pub fn words_beside_number(self) -> Vec<&'s str> {
+        let options = self.list("anyOf").map(Node::words_of_option).filter(|words| words.len() > 1);
+        if self.given().0.kind() == Some("number") { options.flatten().collect() } else { Vec::new() }
+    }
+
     fn words_of_option(self) -> Vec<&'s str> {
         match self.text("const") {
             Some(word) => vec![word],
@@ -190,7 +196,8 @@ impl<'s> Node<'s> {
             Some("array") => node.list_expected(word.is_some()),
             _ => "a value".into(),
         };
-        plain + &or_word
+        let beside: Vec<String> = self.words_beside_number().iter().map(|word| format!(" or {word:?}")).collect();
+        plain + &or_word + &beside.concat()
     }
 
     fn list_expected(self, short: bool) -> String {

@@ -1,10 +1,11 @@
 //! What the file of a landing must keep to, and the landing that it gives.
 
-use fsi_coupling::entry_theory::ditching::{Form, Fuselage, FuselageError, Hull, Landing, Station};
+use fsi_coupling::entry_theory::ditching::{Aeroplane, Form, Fuselage, FuselageError, Hull, Landing, Station};
 use fsi_coupling::settings::{Problem, require};
 
 use super::aeroplane::aeroplane;
 use super::model::{LandingKeys, Scene, StationKeys};
+use super::sea;
 use crate::scene::source::{LARGEST_NUMBER, word};
 
 /// Most steps of a run.
@@ -33,7 +34,8 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     (scene.landing.speed, scene.landing.least_speed) = (Some(speed), Some(least));
     names(&scene)?;
     accelerometers(&scene)?;
-    aeroplane(&scene)?;
+    sea::check(&scene, hull.fuselage())?;
+    sea::touched(&scene, &untouched(&scene, aeroplane(&scene)?, &hull))?;
     Ok(scene)
 }
 
@@ -106,11 +108,19 @@ pub(super) fn hull(scene: &Scene) -> Result<Hull, Problem> {
 
 /// The landing of a scene that [`checked`] gave.
 pub(super) fn landing<'a>(scene: &Scene, hull: &'a Hull) -> Landing<'a> {
+    let refused = |problem: Problem| -> ! { panic!("{}", problem.sentence) };
+    let landing = untouched(scene, aeroplane(scene).unwrap_or_else(|problem| refused(problem)), hull);
+    Landing { swell: sea::touched(scene, &landing).unwrap_or_else(|problem| refused(problem)), ..landing }
+}
+
+/// The landing of a scene; the phase of its swell is not yet that of the first contact.
+fn untouched<'a>(scene: &Scene, aeroplane: Aeroplane, hull: &'a Hull) -> Landing<'a> {
     let keys = &scene.landing;
     Landing {
         hull,
-        aeroplane: aeroplane(scene).unwrap_or_else(|problem| panic!("{}", problem.sentence)),
+        aeroplane,
         water: scene.water,
+        swell: sea::swell(scene),
         pitch: (keys.angle_of_attack_deg + keys.flight_path_deg).to_radians(),
         path: keys.flight_path_deg.to_radians(),
         speed: keys.speed.unwrap_or_default(),

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult};
+use fsi_coupling::entry_theory::ditching::{Bending, LandingEnd, LandingResult, Swell};
 use fsi_coupling::settings::Problem;
 use serde::Serialize;
 
@@ -11,6 +11,7 @@ use super::aeroplane::masses;
 use super::checked::{hull, landing};
 use super::loads::{self, Accelerometer, PartLoad, StationLoad};
 use super::model::Scene;
+use super::sea::{self, Sea};
 use super::series::Series;
 use crate::report::run_page::quantity::digits;
 use crate::run::summary::{Peak, Status};
@@ -19,6 +20,8 @@ use crate::run::summary::{Peak, Status};
 pub struct Landed {
     /// The numbers.
     pub summary: Summary,
+    /// The waves at the first touch.
+    pub swell: Swell,
     /// Its motion in time.
     pub run: LandingResult,
     /// Motion, accelerometers and loads in time.
@@ -45,8 +48,9 @@ pub fn follow(scene: &Scene) -> Landed {
         stations,
         balance_error,
     };
-    let summary = Summary::new(scene, &run, &series, structure, start.elapsed().as_secs_f64());
-    Landed { summary, run, series }
+    let mut summary = Summary::new(scene, &run, &series, structure, start.elapsed().as_secs_f64());
+    (summary.sea, summary.warnings) = (Sea::of(scene, &landing), sea::warnings(scene, &landing));
+    Landed { summary, swell: landing.swell, run, series }
 }
 
 /// Frequencies of the bending modes [Hz].
@@ -98,6 +102,12 @@ pub struct Summary {
     pub line_load_n_per_m: Peak,
     /// Where that is, from the nose [m].
     pub line_load_at_m: f64,
+    /// The waves; absent on calm water.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sea: Option<Sea>,
+    /// Warnings about the waves; absent when there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
     /// What its structure bore.
     #[serde(flatten)]
     pub structure: Structure,
@@ -163,6 +173,8 @@ impl Summary {
             moment_nm: most("moment_Nm", f64::abs, 1.0),
             line_load_n_per_m: line_load,
             line_load_at_m: heaviest[column("line_load_at_m")],
+            sea: None,
+            warnings: Vec::new(),
             structure,
         }
     }
@@ -186,13 +198,22 @@ impl Summary {
         line("accelerometers, upwards and deceleration", &shown, "; ") + &line("lost", &lost, ", ")
     }
 
+    /// The first contact with the waves, and the warnings, a line for each.
+    fn sea_text(&self) -> String {
+        let touch = self.sea.as_ref().map_or(String::new(), |sea| {
+            let Sea { touchdown_phase_deg: phase, touchdown_at_m: at, elevation_m: elevation, .. } = sea;
+            format!("\n  first contact {at:.1} m from the nose at phase {phase:.0} degrees, elevation {elevation:.2} m")
+        });
+        touch + &self.warnings.iter().map(|warning| format!("\n  warning: {warning}")).collect::<String>()
+    }
+
     /// The numbers in a few lines.
     pub fn to_text(&self) -> String {
         let at = |p: &Peak, unit: &str| format!("{:.2}{unit} at {:.3} s", p.value, p.time_s);
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
              at {:.3} s; {:.0} kN/m of keel {:.1} m from the nose at {:.3} s\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
-             {:.1} to {:.1} degrees{}{}",
+             {:.1} to {:.1} degrees{}{}{}",
             self.scene,
             self.strips,
             self.steps,
@@ -211,6 +232,7 @@ impl Summary {
             self.speed_m_per_s[1],
             self.pitch_deg[1],
             self.pitch_deg[2],
+            self.sea_text(),
             self.structure_text(),
             self.message
                 .as_ref()

@@ -1,4 +1,4 @@
-//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19, EN25–EN29).
+//! Ditching by 2D+t: landings of aeroplanes on water, from a file to a report (THEORY EN14–EN19, EN25–EN29, EN36–EN38).
 //!
 //! # Example
 //! ```
@@ -20,6 +20,8 @@ mod loads;
 mod model;
 mod page;
 mod parts;
+mod sea;
+mod sea_keys;
 mod sections;
 mod series;
 mod side_views;
@@ -44,6 +46,8 @@ pub use landed::{Landed, Structure, Summary, follow};
 pub use loads::{Accelerometer, PartLoad, StationLoad};
 pub use model::{AeroplaneKeys, LandingKeys, Scene, StationKeys, schema};
 pub use parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
+pub use sea::Sea;
+pub use sea_keys::{SeaKeys, TouchdownKey, WavePart};
 pub use sections::{SectionError, SectionResult, SectionScene, section_scenes};
 pub use series::Series;
 
@@ -83,6 +87,7 @@ fn read(draft: &Draft) -> Result<Scene, Problem> {
     each("panels").iter().try_for_each(|item| draft.read::<PanelKeys>(item).map(drop))?;
     each("accelerometers").iter().try_for_each(|item| draft.read::<AccelerometerKeys>(item).map(drop))?;
     draft.is_given("beam").then(|| draft.read::<BeamKeys>("beam")).transpose()?;
+    draft.is_given("sea").then(|| draft.read::<SeaKeys>("sea")).transpose()?;
     each("masses").iter().try_for_each(|item| draft.read::<MassKeys>(item).map(drop))?;
     draft.read("")
 }

@@ -9,6 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{AccelerometerKeys, BeamKeys, MassKeys, NacelleKeys, PanelKeys, SurfaceKeys};
+use super::sea_keys::SeaKeys;
 
 /// The schema of a landing's file.
 pub fn schema() -> &'static Schema {
@@ -39,6 +40,9 @@ pub struct Scene {
     /// The water.
     #[serde(default)]
     pub water: Water,
+    /// Waves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sea: Option<SeaKeys>,
     /// Sections of the fuselage, from the nose aft; two at least.
     pub stations: Vec<StationKeys>,
     /// Wing, flaps and tailplane, where they may meet the water.

@@ -6,7 +6,9 @@ use super::model::Scene;
 use super::side_views::side_views;
 use crate::report::run_page::folded;
 use crate::report::run_page::quantity::{Unit, digits, with_unit};
-use crate::report::{Block, Card, Chart, Curve, Lead, Mark, Table, Tone, hint_html, lead_html, page as html_page, row};
+use crate::report::{
+    Block, Card, Chart, Curve, Lead, Mark, Table, Tone, escape, hint_html, lead_html, page as html_page, row,
+};
 use crate::run::summary::{Peak, Status};
 
 /// What stands beside accelerations.
@@ -19,7 +21,7 @@ pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     let loads = if failed { "Largest values before the failure" } else { "Largest loads" };
     let sections = [
         (loads, [vec![Block::Table(loads_table(scene, landed))], structure_tables(&landed.summary.structure)].concat()),
-        ("What the loads leave out", vec![Block::Html(limits(scene))]),
+        ("What the loads leave out", vec![Block::Html(limits(scene, &landed.summary.warnings))]),
         ("Curves", [vec![Block::Html(hint_html())], curves(scene, landed)].concat()),
         ("Side views", side_views(scene, landed)),
         ("Landing as run", vec![Block::Html(folded("scene.resolved.toml", &scene.to_toml()))]),
@@ -112,7 +114,15 @@ fn cards(landed: &Landed) -> Vec<Card> {
         ),
         plain("Largest pitch", most, "°", format!("{touch}° at the first touch, least {least}°")),
     ];
-    largest(landed).into_iter().map(of_largest).chain(others).collect()
+    let of_sea = s.sea.as_ref().map(|sea| {
+        let place = format!(
+            "{} from the nose, elevation {}",
+            with_unit(sea.touchdown_at_m, "m"),
+            with_unit(sea.elevation_m, "m")
+        );
+        plain("Phase of the waves at the first contact", digits(sea.touchdown_phase_deg), "°", place)
+    });
+    largest(landed).into_iter().map(of_largest).chain(others).chain(of_sea).collect()
 }
 
 fn loads_table(scene: &Scene, landed: &Landed) -> Table {
@@ -190,7 +200,7 @@ fn stations_table(s: &Structure) -> Table {
 }
 
 /// What the method does not have, as a list.
-fn limits(scene: &Scene) -> String {
+fn limits(scene: &Scene, warnings: &[String]) -> String {
     let suction = format!(
         "Suction where the keel curves up acts by the share {} of what the theory gives (water.suction). Ventilation limits \
          real suction; the result depends on it strongly: compute 0 and 1. It is at most {} kPa (water.largest_suction).",
@@ -205,12 +215,21 @@ fn limits(scene: &Scene) -> String {
         "Built-in mercure beside model tests: the deceleration is within a factor of 1.5 in 10 of 14 cases, the upward acceleration of the \
          worst accelerometer in 7; it is low by up to 2.8 at small angles of attack. Do not take it for a load to design by.",
         &suction,
-        "The sections are planes of calm water that the fuselage passes through (2D+t, THEORY EN14–EN19): no waves, no wind, no flow along \
-         the fuselage.",
+        match scene.sea {
+            None => {
+                "The sections are planes of calm water that the fuselage passes through (2D+t, THEORY EN14–EN19): no waves, no wind, no flow \
+                 along the fuselage."
+            }
+            Some(_) => {
+                "The sections are planes of water that move with regular waves of linear theory (2D+t, THEORY EN36–EN38): the aeroplane does \
+                 not change the waves; no wind, no flow along the fuselage, no slope of the water across it, no roll."
+            }
+        },
         if scene.surfaces.is_empty() && scene.nacelles.is_empty() { bare } else { parts },
     ];
     let of_panels = (!scene.panels.is_empty()).then_some(panels);
-    let items: String = items.into_iter().chain(of_panels).map(|item| format!("<li>{item}</li>\n")).collect();
+    let items = items.into_iter().chain(of_panels).map(str::to_string).chain(warnings.iter().map(|w| escape(w)));
+    let items: String = items.map(|item| format!("<li>{item}</li>\n")).collect();
     format!("<ul class=\"reasons\">\n{items}</ul>\n")
 }
 
@@ -252,7 +271,9 @@ fn curves(scene: &Scene, landed: &Landed) -> Vec<Block> {
         ),
         (("Largest load of a metre of keel", "N/m", 1.0, &[("line_load_N_per_m", "")]), Some(&s.line_load_n_per_m)),
     ];
-    let usual = charts.into_iter().map(|(of, peak)| Block::Chart(chart(landed, of, peak)));
+    let heights = [("z_m", "centre of mass"), ("elevation_m", "water below it")];
+    let sea = scene.sea.map(|_| (("Heights over still water", "m", 1.0, &heights[..]), None));
+    let usual = charts.into_iter().chain(sea).map(|(of, peak)| Block::Chart(chart(landed, of, peak)));
     usual.chain(named_charts(landed).into_iter().map(Block::Chart)).collect()
 }
 

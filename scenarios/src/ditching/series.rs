@@ -1,6 +1,6 @@
 //! The series of a landing: its columns, rows and file.
 
-use fsi_coupling::entry_theory::ditching::{Landing, LandingState};
+use fsi_coupling::entry_theory::ditching::{Landing, LandingState, Swell};
 
 use super::accelerometers::signals;
 use super::model::Scene;
@@ -47,7 +47,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// Of a landing's moments: motion and loads, then each accelerometer, then the force of the water on each part.
+    /// Of a landing's moments: motion and loads, with waves elevation and phase below the centre of mass, then each accelerometer, then the force of the water on each part.
     pub(super) fn new(scene: &Scene, landing: &Landing<'_>, moments: &[LandingState]) -> Series {
         let (craft, weight) = (&landing.aeroplane, scene.aeroplane.mass * scene.water.gravity);
         let mut columns: Vec<String> = COLUMNS.iter().map(|(name, _)| (*name).to_string()).collect();
@@ -57,6 +57,14 @@ impl Series {
             columns.push(name);
             rows.iter_mut().zip(values).for_each(|(row, value)| row.push(value));
         };
+        if scene.sea.is_some() {
+            let of_centre = |read: fn(&Swell, f64) -> f64| {
+                let at = |m: &LandingState| read(&landing.swell.later(m.time), m.attitude.place[0]);
+                moments.iter().map(at).collect::<Vec<f64>>()
+            };
+            add("elevation_m".into(), of_centre(|swell, x| swell.water(x).elevation));
+            add("phase_deg".into(), of_centre(|swell, x| swell.phase_at(x).to_degrees()));
+        }
         for keys in &scene.accelerometers {
             let [normal, longitudinal] = signals(scene, keys, moments, craft.bending.as_ref());
             add(format!("{}.normal_g", keys.name), normal);

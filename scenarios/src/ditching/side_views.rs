@@ -1,6 +1,6 @@
 //! The fuselage on the water at a few moments of a landing.
 
-use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState};
+use fsi_coupling::entry_theory::ditching::{Fuselage, LandingState, Swell};
 
 use super::checked::hull;
 use super::landed::{Landed, seconds};
@@ -10,6 +10,8 @@ use crate::report::{Block, LandingScales, LandingView, landing_view_svg};
 
 /// Points along the keel.
 const POINTS: usize = 120;
+/// Points along the water's surface.
+const SURFACE_POINTS: usize = 160;
 /// Blank round the fuselage, a share of its length [-].
 const ROOM: f64 = 0.03;
 
@@ -36,17 +38,26 @@ pub(super) fn side_views(scene: &Scene, landed: &Landed) -> Vec<Block> {
         }
     }
     let unit = Unit::of("N/m", s.line_load_n_per_m.value);
-    let views = chosen.into_iter().map(|(name, now)| LandingView {
+    let views = chosen.iter().map(|(name, now)| LandingView {
         title: format!("{name}: {}, pitch {}°", seconds(now.time), digits(now.attitude.place[2].to_degrees())),
         ..view(scene, hull.fuselage(), now, &unit)
     });
-    let views: Vec<LandingView> = views.collect();
-    let scales = scales(&views, hull.fuselage().length());
+    let mut views: Vec<LandingView> = views.collect();
+    let scales = scales(&views, hull.fuselage().length(), landed.swell.amplitude);
+    for (view, (_, now)) in views.iter_mut().zip(&chosen) {
+        view.surface = surface(&landed.swell.later(now.time), now.attitude.place[0], scales.ahead);
+    }
     let block =
         |view: &LandingView| Block::Drawing { svg: landing_view_svg(view, &scales), caption: view.title.clone() };
     let words = "To scale, the same axes in all pictures. The cross is the centre of mass. Of the fuselage the keel is known; its top is drawn \
                  a breadth above it.";
     std::iter::once(Block::Text(words.into())).chain(views.iter().map(block)).collect()
+}
+
+/// The water's surface ahead of a place x [m].
+fn surface(swell: &Swell, x: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+    let ahead = (0..=SURFACE_POINTS).map(|k| from + (to - from) * k as f64 / SURFACE_POINTS as f64);
+    ahead.map(|ahead| [ahead, swell.water(x + ahead).elevation]).collect()
 }
 
 fn view(scene: &Scene, fuselage: &Fuselage, now: &LandingState, unit: &Unit) -> LandingView {
@@ -64,21 +75,22 @@ fn view(scene: &Scene, fuselage: &Fuselage, now: &LandingState, unit: &Unit) -> 
         title: String::new(),
         keel: places().map(|x| ahead(x, fuselage.keel(x).height)).collect(),
         top: places().map(|x| ahead(x, fuselage.keel(x).height + fuselage.breadth(x))).collect(),
+        surface: Vec::new(),
         centre: [0.0, now.attitude.place[1]],
         load: load.collect(),
         unit: unit.name.clone(),
     }
 }
 
-/// Axes that hold all views; the water is seen to a tenth of the length below the surface.
-fn scales(views: &[LandingView], length: f64) -> LandingScales {
+/// Axes that hold all views; the water is seen to a tenth of the length below still water, with waves to their troughs.
+fn scales(views: &[LandingView], length: f64, amplitude: f64) -> LandingScales {
     let room = ROOM * length;
     let outline = || views.iter().flat_map(|view| view.keel.iter().chain(&view.top));
     let extent = |values: &mut dyn Iterator<Item = f64>, first: [f64; 2]| {
         values.filter(|v| v.is_finite()).fold(first, |[low, high], v| [low.min(v), high.max(v)])
     };
     let [low, high] = extent(&mut outline().map(|p| p[0]), [f64::INFINITY, f64::NEG_INFINITY]);
-    let height = extent(&mut outline().map(|p| p[1]), [-0.1 * length, 0.1 * length]);
+    let height = extent(&mut outline().map(|p| p[1]), [-0.1 * length - amplitude, 0.1 * length + amplitude]);
     let load = extent(&mut views.iter().flat_map(|view| view.load.iter().map(|p| p[1])), [0.0, 1e-3]);
     let margin = 0.05 * (load[1] - load[0]);
     let under = if load[0] < 0.0 { margin } else { 0.0 };

@@ -32,6 +32,8 @@ pub(crate) struct LandingView {
     pub keel: Vec<[f64; 2]>,
     /// The top of the fuselage, likewise.
     pub top: Vec<[f64; 2]>,
+    /// The water's surface, from the left to the right end of the axis.
+    pub surface: Vec<[f64; 2]>,
     /// The centre of mass.
     pub centre: [f64; 2],
     /// The load of a metre of keel (ahead [m], load in `unit`), from the nose aft.
@@ -52,14 +54,13 @@ pub(crate) fn landing_view_svg(view: &LandingView, scales: &LandingScales) -> St
     let whole = under + 2.0 * LINE + 10.0;
     let at = |[px, py]: &[f64; 2], y: &Axis| format!("{:.2} {:.2}", x.at(*px), y.at(*py));
     let path = |points: &[[f64; 2]], y: &Axis| points.iter().map(|p| at(p, y)).collect::<Vec<_>>().join("L ");
-    let surface = z.at(0.0).clamp(top, foot);
+    let surface = path(&view.surface, &z);
     let (left, width) = (LEFT, WIDTH - RIGHT - LEFT);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"side\" viewBox=\"0 0 {WIDTH} {whole:.0}\" role=\"img\" aria-label=\"{}\" \
          font-family=\"system-ui, Helvetica, Arial, sans-serif\" font-size=\"12\" fill=\"currentColor\">\n\
-         <rect x=\"{left}\" y=\"{surface:.2}\" width=\"{width}\" height=\"{:.2}\" fill=\"#56b4e9\" fill-opacity=\"0.3\" />\n",
-        escape(&view.title),
-        foot - surface
+         <path d=\"M {surface}V {foot:.2} H {left} Z\" fill=\"#56b4e9\" fill-opacity=\"0.3\" />\n",
+        escape(&view.title)
     );
     let outline: Vec<[f64; 2]> = view.keel.iter().chain(view.top.iter().rev()).copied().collect();
     svg += &format!(
@@ -71,7 +72,7 @@ pub(crate) fn landing_view_svg(view: &LandingView, scales: &LandingScales) -> St
     let [cx, cy] = [x.at(view.centre[0]), z.at(view.centre[1])];
     svg += &format!(
         "<path d=\"M {:.2} {cy:.2} h 10 M {cx:.2} {:.2} v 10\" stroke=\"currentColor\" stroke-width=\"1.4\" />\n\
-         <path d=\"M {left} {surface:.2} h {width}\" stroke=\"#0072b2\" stroke-width=\"1.4\" />\n",
+         <path d=\"M {surface}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"1.4\" />\n",
         cx - 5.0,
         cy - 5.0
     );
@@ -120,11 +121,14 @@ mod tests {
     fn a_view_is_to_scale_and_has_water_body_and_load() {
         let (keel, top) = (vec![[10.0, 0.0], [-10.0, -1.0]], vec![[10.0, 2.0], [-10.0, 2.0]]);
         let load = vec![[0.0, 0.2], [-5.0, 1.0]];
-        let view = LandingView { title: "a & b".into(), keel, top, centre: [0.0, 1.0], load, unit: "MN/m".into() };
+        let surface = vec![[-10.0, 1.0], [0.0, 0.0], [10.0, 1.0]];
+        let view =
+            LandingView { title: "a & b".into(), keel, top, surface, centre: [0.0, 1.0], load, unit: "MN/m".into() };
         let scales = LandingScales { ahead: [-10.0, 10.0], height: [-2.0, 4.0], load: [0.0, 1.0] };
         let svg = landing_view_svg(&view, &scales);
         // 568 pixels are 20 m: 6 m of height are 170.4
         assert!(svg.contains("viewBox=\"0 0 640 380\"") && svg.contains("load of a metre of keel [MN/m]"), "{svg}");
+        assert!(svg.contains("M 58.00 109.20L 342.00 137.60L 626.00 109.20V 194.40 H 58 Z"), "{svg}");
         assert!(svg.contains("a &amp; b") && svg.matches("#d55e00").count() == 2 && !svg.contains("NaN"), "{svg}");
         let dry = landing_view_svg(&LandingView { load: Vec::new(), ..view }, &scales);
         assert!(dry.contains("no part of the keel"), "{dry}");

@@ -8,6 +8,7 @@ use super::bending::Bending;
 use super::hull::Hull;
 use super::parts::{Nacelle, Panel, PointForce, Surface};
 use super::strip::Strip;
+use super::swell::Swell;
 
 /// The wing: lift in proportion to the angle of attack and to the speed's square. A landing's table `[wing]`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -144,10 +145,17 @@ impl Aeroplane {
     }
 
     /// Forces of the water on the surfaces, on the nacelles' faces, and on the frames behind panels that have given way.
-    pub(super) fn immersed(&self, hull: &Hull, now: &Attitude, lost: &[bool], rho: f64) -> Vec<Vec<PointForce>> {
-        let surfaces = self.surfaces.iter().map(|s| s.water(self.centre, now, rho));
-        let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, rho).into_iter().collect());
-        let frame = |p: &Panel| p.frame_drag(hull.fuselage(), self.centre, now, rho).into_iter().collect();
+    pub(super) fn immersed(
+        &self,
+        hull: &Hull,
+        now: &Attitude,
+        swell: &Swell,
+        lost: &[bool],
+        rho: f64,
+    ) -> Vec<Vec<PointForce>> {
+        let surfaces = self.surfaces.iter().map(|s| s.water(self.centre, now, swell, rho));
+        let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, swell, rho).into_iter().collect());
+        let frame = |p: &Panel| p.frame_drag(hull.fuselage(), self.centre, now, swell, rho).into_iter().collect();
         let held = self.surfaces.len() + self.nacelles.len();
         let bears = |k: usize| lost[k] == (k >= held);
         let forces = surfaces.chain(faces).chain(self.panels.iter().map(frame)).enumerate();

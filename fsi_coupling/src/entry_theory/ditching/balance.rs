@@ -73,9 +73,10 @@ impl Landing<'_> {
     /// EN18: (diag(m, m, I, 1 …) + Σ M g gᵀ) a = Σ f₀ g + weight, lift, buoyancy, friction, other parts, stiffness of the modes.
     ///
     /// How each strip bears on the water is found with the accelerations: f = f₀ − M g·a.
-    pub(super) fn balance(&self, now: &Attitude, lost: &[bool]) -> Balance {
+    pub(super) fn balance(&self, time: f64, now: &Attitude, lost: &[bool]) -> Balance {
         let Landing { aeroplane: craft, water, .. } = self;
         let bending = craft.bending.as_ref();
+        let swell = self.swell.later(time);
         let (sin, cos) = now.place[2].sin_cos();
         let (of_air, lift, trimming) = craft.wing.air(now, self.pitch - self.path);
         let air = [of_air[0], of_air[1] - craft.mass * water.gravity, trimming];
@@ -85,7 +86,7 @@ impl Landing<'_> {
             given.on[3..].copy_from_slice(&bending.restoring(now));
         }
         // the fuselage, then what is left of the nacelles
-        let bottom = |hull| Bottom { hull, centre: craft.centre, bending };
+        let bottom = |hull| Bottom { hull, centre: craft.centre, bending, swell };
         let mut bodies = vec![self.strips(&bottom(self.hull), &self.edges(), 1.0, now)];
         bodies[0].retain(|strip| !craft.is_open(strip.wet.x, lost));
         bodies.extend(craft.nacelles.iter().zip(&lost[craft.surfaces.len()..]).map(|(nacelle, lost)| match lost {
@@ -97,7 +98,7 @@ impl Landing<'_> {
             given.add(strip.wet.x, strip.rubbing(rubs));
             given.add(strip.wet.x, strip.floating());
         }
-        let mut parts = craft.immersed(self.hull, now, lost, water.density);
+        let mut parts = craft.immersed(self.hull, now, &swell, lost, water.density);
         parts.iter().flatten().for_each(|p| given.add(p.x, p.force));
 
         let entering: Vec<ImpactingPart> = bodies.iter().flatten().filter_map(|s| s.entry).collect();

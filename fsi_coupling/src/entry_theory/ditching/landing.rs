@@ -5,6 +5,7 @@ use super::attitude::{Attitude, FREEDOMS};
 use super::hull::Hull;
 use super::parts::PointForce;
 use super::strip::Strip;
+use super::swell::Swell;
 
 /// A landing: from the first touch to the end.
 #[derive(Clone, Debug)]
@@ -15,6 +16,8 @@ pub struct Landing<'a> {
     pub aeroplane: Aeroplane,
     /// The water.
     pub water: Water,
+    /// Its swell at the first touch; x = 0 is below the centre of mass then.
+    pub swell: Swell,
     /// Pitch at the first touch, nose up [rad].
     pub pitch: f64,
     /// Direction of flight then, upwards [rad].

@@ -1,6 +1,6 @@
-//! An aeroplane from sections: 2D+t (THEORY EN14–EN19, EN25–EN29).
+//! An aeroplane from sections: 2D+t (THEORY EN14–EN19, EN25–EN29, EN36–EN38).
 //!
-//! The fuselage enters planes of water that stand still and across its way; what a [`Section`](super::Section) bears in each is a
+//! The fuselage enters planes of water across its way, which move with the swell; what a [`Section`](super::Section) bears in each is a
 //! theory's [`Load`](super::Load). [`Fuselage`] is the hull, [`Hull`] what it bears, [`Landing`] its motion in the plane of symmetry.
 
 mod aeroplane;
@@ -16,6 +16,8 @@ mod motion;
 mod parts;
 mod section_forces;
 mod strip;
+mod swell;
+mod touchdown;
 
 pub use aeroplane::{Aeroplane, Water, Wing};
 pub use attitude::{Attitude, FREEDOMS, MODES};
@@ -27,3 +29,5 @@ pub use masses::Masses;
 pub use parts::{Nacelle, Panel, PointForce, Rib, Surface, planing_coefficient};
 pub use section_forces::SectionForce;
 pub use strip::{Bottom, ImpactingPart, KeelPoint, Strip};
+pub use swell::{SurfaceMotion, Swell};
+pub use touchdown::Touchdown;

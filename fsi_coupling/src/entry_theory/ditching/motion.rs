@@ -3,6 +3,7 @@
 use super::attitude::{Attitude, FREEDOMS, MODES};
 use super::balance::Balance;
 use super::landing::{Landing, LandingEnd, LandingResult, LandingState};
+use super::swell::Swell;
 
 /// Steepest pitch that strips across the way of flight stand for [rad].
 const STEEPEST_PITCH: f64 = 0.7;
@@ -11,7 +12,7 @@ const STEEPEST_PITCH: f64 = 0.7;
 const ALOFT: f64 = 0.1;
 
 impl Landing<'_> {
-    /// Where it first touches: the lowest place of keel and parts on the still surface.
+    /// Where it first touches: the lowest place of keel and parts on the surface.
     pub fn start(&self) -> Attitude {
         let (sin, cos) = self.path.sin_cos();
         let mut attitude = Attitude {
@@ -19,18 +20,26 @@ impl Landing<'_> {
             rate: [self.speed * cos, self.speed * sin, 0.0],
             ..Attitude::default()
         };
-        attitude.place[1] = -self.clearance(&attitude);
+        attitude.place[1] = -self.clearance(&attitude, &self.swell);
         attitude
     }
 
-    /// Height of the lowest place of keel and parts above the still surface [m].
-    fn clearance(&self, now: &Attitude) -> f64 {
+    /// Places of keel and parts that may touch first: from the nose, over the body axis [m].
+    pub(super) fn lowest_places(&self) -> Vec<[f64; 2]> {
         let craft = &self.aeroplane;
         let keel = self.edges().into_iter().map(|x| [x, self.hull.fuselage().keel(x).height]);
         let surfaces = craft.surfaces.iter().flat_map(|surface| surface.corners());
         let nacelles = craft.nacelles.iter().flat_map(|nacelle| nacelle.keel());
-        let height = |place: [f64; 2]| now.of_point(craft.centre, place)[1];
-        keel.chain(surfaces).chain(nacelles).map(height).fold(f64::INFINITY, f64::min)
+        keel.chain(surfaces).chain(nacelles).collect()
+    }
+
+    /// Height of keel and parts above the surface where it is least [m].
+    pub(super) fn clearance(&self, now: &Attitude, swell: &Swell) -> f64 {
+        let height = |place: [f64; 2]| {
+            let [x, z] = now.of_point(self.aeroplane.centre, place);
+            z - swell.water(x).elevation
+        };
+        self.lowest_places().into_iter().map(height).fold(f64::INFINITY, f64::min)
     }
 
     /// Follow it to its end: the classical Runge–Kutta method, with EN18 solved for the accelerations at each stage.
@@ -39,9 +48,10 @@ impl Landing<'_> {
         let mut lost = vec![false; self.aeroplane.parts()];
         let mut moments = vec![self.moment(0.0, attitude, &lost)];
         for step in 1.. {
-            let first = self.balance(&attitude, &lost);
+            let before = (step - 1) as f64 * self.step;
+            let first = self.balance(before, &attitude, &lost);
             self.aeroplane.lose(self.hull, &mut lost, &first.parts, &first.strips);
-            attitude = self.advanced(attitude, &first, &lost);
+            attitude = self.advanced(before, attitude, &first, &lost);
             let time = step as f64 * self.step;
             let ended = self.ended(time, &attitude);
             if ended.is_some() || step % self.sample_every == 0 {
@@ -62,7 +72,8 @@ impl Landing<'_> {
                 "motion without bounds at t = {time:.4} s: take a shorter step"
             )));
         }
-        if tip[1] < 0.0 {
+        let swell = self.swell.later(time);
+        if tip[1] < swell.water(tip[0]).elevation {
             return Some(LandingEnd::OutOfRange(format!("the nose goes under at t = {time:.3} s")));
         }
         if now.place[2].abs() > STEEPEST_PITCH {
@@ -72,8 +83,8 @@ impl Landing<'_> {
         if now.rate[0] < self.least_speed {
             return Some(LandingEnd::Slow);
         }
-        let clearance = self.clearance(now);
-        if clearance > ALOFT * self.hull.fuselage().length() {
+        let clearance = self.clearance(now, &swell);
+        if clearance > ALOFT * self.hull.fuselage().length() + 2.0 * swell.amplitude {
             return Some(LandingEnd::Aloft(format!(
                 "the aeroplane has left the water: at t = {time:.3} s its keel is {clearance:.1} m above it, which is no landing any more"
             )));
@@ -82,13 +93,13 @@ impl Landing<'_> {
     }
 
     /// One step of the classical Runge–Kutta method; `first` is the balance at its start.
-    fn advanced(&self, now: Attitude, first: &Balance, lost: &[bool]) -> Attitude {
+    fn advanced(&self, time: f64, now: Attitude, first: &Balance, lost: &[bool]) -> Attitude {
         let dt = self.step;
-        let slope = |a: &Attitude| Slope::new(a, self.balance(a, lost).acceleration);
+        let slope = |after: f64, a: &Attitude| Slope::new(a, self.balance(time + after, a, lost).acceleration);
         let k1 = Slope::new(&now, first.acceleration);
-        let k2 = slope(&k1.ahead(&now, 0.5 * dt));
-        let k3 = slope(&k2.ahead(&now, 0.5 * dt));
-        let k4 = slope(&k3.ahead(&now, dt));
+        let k2 = slope(0.5 * dt, &k1.ahead(&now, 0.5 * dt));
+        let k3 = slope(0.5 * dt, &k2.ahead(&now, 0.5 * dt));
+        let k4 = slope(dt, &k3.ahead(&now, dt));
         let mean = |of: fn(&Slope) -> &[f64; FREEDOMS]| {
             let [a, b, c, d] = [&k1, &k2, &k3, &k4].map(of);
             std::array::from_fn(|k| (a[k] + 2.0 * (b[k] + c[k]) + d[k]) / 6.0)
@@ -96,9 +107,9 @@ impl Landing<'_> {
         Slope { rate: mean(|k| &k.rate), acceleration: mean(|k| &k.acceleration) }.ahead(&now, dt)
     }
 
-    /// What happens at an attitude with some parts lost.
+    /// What happens at a time and an attitude with some parts lost.
     pub fn moment(&self, time: f64, attitude: Attitude, lost: &[bool]) -> LandingState {
-        let Balance { acceleration, force, lift, strips, parts } = self.balance(&attitude, lost);
+        let Balance { acceleration, force, lift, strips, parts } = self.balance(time, &attitude, lost);
         let ends = strips.iter().map(|(s, _)| s.wet.x).fold(None, |ends: Option<[f64; 2]>, x| {
             Some(ends.map_or([x, x], |[first, last]| [first.min(x), last.max(x)]))
         });

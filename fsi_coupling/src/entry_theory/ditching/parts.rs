@@ -6,6 +6,7 @@ use super::attitude::Attitude;
 use super::fuselage::{Form, Fuselage, FuselageError, Station};
 use super::hull::Hull;
 use super::strip::Strip;
+use super::swell::Swell;
 use crate::entry_theory::EntryModel;
 
 /// Strips along the span of one side of a surface.
@@ -87,6 +88,18 @@ fn point_force(now: &Attitude, centre: [f64; 2], at: [f64; 2], force: [f64; 2]) 
     PointForce { x: at[0], force: [force[0], force[1], rx * force[1] - rz * force[0]] }
 }
 
+/// Depth of a place of an aeroplane below the surface [m].
+fn draught(centre: [f64; 2], at: [f64; 2], now: &Attitude, swell: &Swell) -> f64 {
+    let [x, z] = now.of_point(centre, at);
+    swell.water(x).elevation - z
+}
+
+/// EN37: velocity of such a place through the water, forward and up [m/s].
+fn through_water(centre: [f64; 2], at: [f64; 2], now: &Attitude, swell: &Swell) -> [f64; 2] {
+    let ([u, w], water) = (now.velocity_of(centre, at), swell.water(now.of_point(centre, at)[0]).velocity);
+    [u - water[0], w - water[1]]
+}
+
 /// EN25: coefficient of the force normal to a planing plate of aspect ratio A at an angle τ [rad] to its way
 /// (Shuford 1958): ½π A/(1 + A) τ cos τ + (4/3) sin² τ.
 pub fn planing_coefficient(aspect: f64, trim: f64) -> f64 {
@@ -106,11 +119,11 @@ struct WetStrip {
 
 impl Surface {
     /// EN25: forces of the water on the strips of both sides, of density ρ [kg/m³].
-    pub fn water(&self, centre: [f64; 2], now: &Attitude, rho: f64) -> Vec<PointForce> {
+    pub fn water(&self, centre: [f64; 2], now: &Attitude, swell: &Swell, rho: f64) -> Vec<PointForce> {
         let [root, tip] = self.ribs;
         let width = (tip.leading_edge[1] - root.leading_edge[1]) / SPAN_STRIPS as f64;
         let shares = (0..SPAN_STRIPS).map(|k| (k as f64 + 0.5) / SPAN_STRIPS as f64);
-        let wet: Vec<WetStrip> = shares.filter_map(|share| self.wet_strip(share, centre, now)).collect();
+        let wet: Vec<WetStrip> = shares.filter_map(|share| self.wet_strip(share, centre, now, swell)).collect();
         let span = width * wet.len() as f64;
         let area: f64 = wet.iter().map(|s| width * s.chord).sum();
         // the fuselage ends the flow at the root: both sides are one plate
@@ -133,21 +146,21 @@ impl Surface {
         self.ribs.iter().flat_map(move |rib| [0.0, 1.0].map(|s| edge(rib, s)))
     }
 
-    /// The part of a strip under still water, from the trailing edge forwards, where it moves against the water.
-    fn wet_strip(&self, share: f64, centre: [f64; 2], now: &Attitude) -> Option<WetStrip> {
+    /// The part of a strip under the surface, from the trailing edge forwards, where it moves against the water.
+    fn wet_strip(&self, share: f64, centre: [f64; 2], now: &Attitude, swell: &Swell) -> Option<WetStrip> {
         let [root, tip] = self.ribs;
         let mean = |a: f64, b: f64| a + share * (b - a);
         let chord = mean(root.chord, tip.chord);
         let leading = [0, 2].map(|k| mean(root.leading_edge[k], tip.leading_edge[k]));
         let along = [self.incidence.cos(), -self.incidence.sin()]; // aft along the chord
         let place = |s: f64| [leading[0] + s * along[0], leading[1] + s * along[1]];
-        let [first, last] = [0.0, chord].map(|s| -now.of_point(centre, place(s))[1]);
+        let [first, last] = [0.0, chord].map(|s| draught(centre, place(s), now, swell));
         if last <= 0.0 {
             return None;
         }
         let dry = if first < 0.0 { chord * first / (first - last) } else { 0.0 };
         let at = place(0.5 * (dry + chord));
-        let [u, w] = now.velocity_of(centre, at);
+        let [u, w] = through_water(centre, at, now, swell);
         let trim = now.place[2] + self.incidence - w.atan2(u);
         let half_turn = 0.5 * PI;
         (trim > 0.0).then(|| WetStrip { at, chord: chord - dry, speed: u.hypot(w), trim: trim.min(half_turn) })
@@ -191,14 +204,14 @@ impl Nacelle {
         (0..=STRIPS).map(|k| from + (to - from) * k as f64 / STRIPS as f64).collect()
     }
 
-    /// EN26: drag of the faces of all of them, of the part that is under still water.
-    pub fn face_drag(&self, centre: [f64; 2], now: &Attitude, rho: f64) -> Option<PointForce> {
+    /// EN26: drag of the faces of all of them, of the part that is under the surface.
+    pub fn face_drag(&self, centre: [f64; 2], now: &Attitude, swell: &Swell, rho: f64) -> Option<PointForce> {
         let [x, z] = self.face;
         let radius = 0.5 * self.diameter;
-        let depth = -now.of_point(centre, [x, z - radius])[1];
+        let depth = draught(centre, [x, z - radius], now, swell);
         let area = segment(radius, depth);
         let middle = [x, z - radius + 0.5 * depth.min(self.diameter)];
-        let [u, w] = now.velocity_of(centre, middle);
+        let [u, w] = through_water(centre, middle, now, swell);
         let of_speed = -0.5 * rho * self.drag * self.number * area * u.hypot(w);
         (area > 0.0 && u > 0.0).then(|| point_force(now, centre, middle, [of_speed * u, of_speed * w]))
     }
@@ -225,13 +238,14 @@ impl Panel {
         fuselage: &Fuselage,
         centre: [f64; 2],
         now: &Attitude,
+        swell: &Swell,
         rho: f64,
     ) -> Option<PointForce> {
         let x = self.ends[1];
         let keel = fuselage.keel(x).height;
-        let depth = (-now.of_point(centre, [x, keel])[1]).min(self.frame_height);
+        let depth = draught(centre, [x, keel], now, swell).min(self.frame_height);
         let middle = [x, keel + 0.5 * depth];
-        let [u, w] = now.velocity_of(centre, middle);
+        let [u, w] = through_water(centre, middle, now, swell);
         let of_speed = -0.5 * rho * self.drag * fuselage.breadth(x) * depth * u.hypot(w);
         (depth > 0.0 && u > 0.0).then(|| point_force(now, centre, middle, [of_speed * u, of_speed * w]))
     }

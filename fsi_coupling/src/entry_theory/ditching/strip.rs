@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::attitude::{Attitude, FREEDOMS, MODES};
 use super::bending::Bending;
 use super::hull::Hull;
+use super::swell::Swell;
 
 /// What the water meets: a bottom on an aeroplane whose centre of mass is `centre`, which may bend.
 #[derive(Clone, Copy)]
@@ -15,9 +16,11 @@ pub struct Bottom<'a> {
     pub centre: [f64; 2],
     /// Bending of the fuselage.
     pub bending: Option<&'a Bending>,
+    /// The water's swell.
+    pub swell: Swell,
 }
 
-/// EN15: the keel at a place, and the plane of water that it passes through.
+/// EN15, EN37: the keel at a place, and the plane of water that it passes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeelPoint {
     /// Place from the nose along the body axis [m].
@@ -32,8 +35,10 @@ pub struct KeelPoint {
     pub slope: f64,
     /// From the centre of mass, forward and up [m].
     pub lever_arm: [f64; 2],
-    /// Its speed forward and up [m/s].
+    /// Its velocity through the water, forward and up [m/s].
     pub velocity: [f64; 2],
+    /// Acceleration of the water there, forward and up [m/s²].
+    pub water_acceleration: [f64; 2],
     /// Length on the way of flight over length along the axis [-].
     pub shortening: f64,
     /// Its way across the way of flight per amplitude of the bending modes [-].
@@ -55,16 +60,22 @@ impl KeelPoint {
         let curvature = keel_bend / shortening.powi(3);
         let (lever_arm, [u, w, q]) = ([px - now.place[0], pz - now.place[1]], now.rate);
         let (rises, turns) = (sum(&now.bend_rate, 0), q - sum(&now.bend_rate, 1));
-        let velocity = [u - q * lever_arm[1] - rises * sin, w + q * lever_arm[0] + rises * cos];
+        let water = bottom.swell.water(px);
+        let velocity = [
+            u - q * lever_arm[1] - rises * sin - water.velocity[0],
+            w + q * lever_arm[0] + rises * cos - water.velocity[1],
+        ];
         KeelPoint {
             x,
-            draught: -pz,
+            draught: water.elevation - pz,
             speed: slope * velocity[0] - velocity[1],
             bending: 2.0 * velocity[0] * turns * (1.0 + slope * slope) - curvature * velocity[0].powi(2)
-                + q * q * (lever_arm[1] - slope * lever_arm[0]),
+                + q * q * (lever_arm[1] - slope * lever_arm[0])
+                + (water.acceleration[1] - slope * water.acceleration[0]),
             slope,
             lever_arm,
             velocity,
+            water_acceleration: water.acceleration,
             shortening,
             modes: [0, 1, 2, 3].map(|k| modes[k][0] * (slope * sin + cos)),
         }
@@ -85,8 +96,8 @@ pub struct Strip {
     pub wet: KeelPoint,
     /// Length of the wet part on the way of flight [m].
     pub wet_length: f64,
-    /// Buoyancy [N].
-    pub buoyancy: f64,
+    /// Buoyancy, forward and up [N].
+    pub buoyancy: [f64; 2],
     /// The part that presses, where there is one.
     pub entry: Option<ImpactingPart>,
 }
@@ -120,7 +131,9 @@ impl Strip {
         let [from, to] = part_above_nothing(ends.map(|p| p.x), ends.map(|p| p.draught))?;
         let wet = KeelPoint::new(bottom, now, 0.5 * (from + to));
         let wet_length = (to - from) * wet.shortening;
-        let buoyancy = rho * g * wet_length * hull.at(wet.x, wet.draught).area;
+        let [ahead, up] = wet.water_acceleration;
+        let area = hull.at(wet.x, wet.draught).area;
+        let buoyancy = [ahead, g + up].map(|acceleration| rho * acceleration * wet_length * area);
         let speed_at = |x: f64| {
             let share = (x - ends[0].x) / (ends[1].x - ends[0].x);
             ends[0].speed + share * (ends[1].speed - ends[0].speed)
@@ -158,7 +171,7 @@ impl Strip {
             still_area: number * e.still_area,
             ..e
         });
-        Strip { buoyancy: number * self.buoyancy, entry, ..self }
+        Strip { buoyancy: self.buoyancy.map(|force| number * force), entry, ..self }
     }
 
     /// EN19: force and moment of the friction on its entering part; `of_square` is ½ρ C_f [kg/m³].
@@ -166,9 +179,10 @@ impl Strip {
         self.entry.map_or([0.0; 3], |entry| entry.friction(of_square))
     }
 
-    /// EN19: force and moment of the buoyancy.
+    /// EN19, EN37: force and moment of the buoyancy.
     pub fn floating(&self) -> [f64; 3] {
-        [0.0, self.buoyancy, self.buoyancy * self.wet.lever_arm[0]]
+        let ([forward, up], [ax, az]) = (self.buoyancy, self.wet.lever_arm);
+        [forward, up, up * ax - forward * az]
     }
 }
 
