@@ -25,6 +25,7 @@ mod entry;
 mod hydroelastic;
 mod loads;
 mod model;
+mod range;
 mod section;
 mod similarity;
 

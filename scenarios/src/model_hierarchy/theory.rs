@@ -70,7 +70,7 @@ impl Theory {
             (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
         let times = sample_times(scene);
         let (instants, source, end) = if model.is_formula() {
-            let loads = Loads::new(model, &section)?;
+            let loads = Loads::new(model, &if steep { section.convex() } else { section.clone() })?;
             let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep };
             let (instants, end) = entry.solve_while_in_range(&times);
             (instants, Source::Loads(loads), end)

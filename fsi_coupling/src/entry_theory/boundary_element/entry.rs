@@ -90,13 +90,17 @@ impl FlowEntry<'_> {
             times.iter().take_while(|time| **time <= reached).map(|time| history.at(*time)).collect();
         let over = (instants.len() < times.len()).then(|| {
             let now = history.steps[history.steps.len() - 1].now;
+            let at = format!("from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught);
+            if let Err(OutOfRange { what, range, next }) = EntryModel::BoundaryElement.covers(self.section, now.wetted) {
+                return OutOfRange { what: format!("{what}, {at}"), range, next };
+            }
             let why = match now {
                 _ if now.draught > self.deepest() => "one deeper than its breadth",
                 _ if now.speed < NEARLY_STOPPED * at_contact => "one that leaves the water",
                 _ => "one whose flow breaks up",
             };
             OutOfRange {
-                what: format!("{why} from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught),
+                what: format!("{why} {at}"),
                 range: "boundary elements follow a section on its way down, to a draught of its breadth".into(),
                 next: EntryModel::Wcsph,
             }
@@ -111,7 +115,7 @@ impl FlowEntry<'_> {
             (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
             (_, Some(first)) => first,
             (draught, None) => {
-                let wet = self.section.wagner_draught(self.section.half_breadth());
+                let wet = self.section.wagner_draught(self.section.first_face()[0]);
                 let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
                 BEGIN * last.max(1e-9 * wet)
             }
@@ -180,9 +184,10 @@ impl FlowEntry<'_> {
             let instead = |load: &FlowLoad| before.instead_of(load.clone(), draught, speed);
             let Ok((dt, load)) = flow.step(|load| self.rate(&instead(load))) else { break };
             let load = instead(&load);
-            let face = load.half_breadth().min(self.section.half_breadth());
+            let face = load.half_breadth().min(self.section.followed_half_breadth());
             steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
-            if time >= end || speed < stopped || draught > self.deepest() {
+            let over = EntryModel::BoundaryElement.covers(self.section, width).is_err();
+            if time >= end || speed < stopped || draught > self.deepest() || over {
                 break;
             }
             time += dt;
