@@ -9,6 +9,8 @@ use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
+/// And at the latest at this share of the draught at which the faces beside the keel are wet.
+pub(super) const LATEST: f64 = 0.5;
 /// Steps before the flow begins.
 pub(super) const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
@@ -115,9 +117,10 @@ impl FlowEntry<'_> {
             (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
             (_, Some(first)) => first,
             (draught, None) => {
-                let wet = self.section.wagner_draught(self.section.first_face()[0]);
-                let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
-                BEGIN * last.max(1e-9 * wet)
+                let wet = |x: f64| self.section.wagner_draught(x);
+                let chines = wet(self.section.followed_half_breadth());
+                let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
+                (BEGIN * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0]))
             }
         }
     }

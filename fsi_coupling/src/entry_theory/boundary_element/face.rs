@@ -2,10 +2,16 @@
 
 use faer::c64;
 
+use super::elements::GROWTH;
+
 /// Places at which the angle of the bottom is read for the thickness of the jet.
 const PLACES: usize = 16;
 /// Length of a face that the rounding of its knuckle takes, over the knuckle's distance from the keel [-].
 const ROUNDED: f64 = 0.05;
+/// Elements on a rounded knuckle.
+const ON_KNUCKLE: f64 = 6.0;
+/// Turn of a rounded knuckle from which it asks for smaller elements [rad].
+const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
 
 /// A line of constant curvature.
 #[derive(Clone, Copy, Debug)]
@@ -139,9 +145,10 @@ impl Face {
         Face { left_at: along.min(self.whole_length()), ..self.clone() }
     }
 
-    /// Does it bend at a distance from the keel [m]?
-    pub fn is_curved(&self, along: f64) -> bool {
-        self.pieces.iter().any(|piece| piece.at < along && along <= piece.at + piece.length && piece.curvature > 0.0)
+    /// The first place from a distance to the keel on [m] where it gets steeper, as such a distance.
+    pub fn convex_from(&self, along: f64) -> Option<f64> {
+        let convex = self.pieces.iter().filter(|piece| piece.curvature > 0.0);
+        convex.filter(|piece| along <= piece.at + piece.length).map(|piece| along.max(piece.at)).next()
     }
 
     /// The same bottom with its keel at another draught [m].
@@ -191,6 +198,16 @@ impl Face {
         places.map(|along| self.place(along)).fold(self.place(0.0), nearer)
     }
 
+    /// Size of the elements at a distance from the keel for which the rounded knuckles ask [m].
+    pub fn size_at(&self, along: f64) -> f64 {
+        let rounded = self.pieces.iter().filter(|piece| (piece.curvature * piece.length).abs() > SHARP);
+        let of = |piece: &Piece| {
+            let away = (piece.at - along).max(along - piece.at - piece.length).max(0.0);
+            piece.length / ON_KNUCKLE + GROWTH * away
+        };
+        if self.added.is_some() { f64::INFINITY } else { rounded.map(of).fold(f64::INFINITY, f64::min) }
+    }
+
     /// Is there a corner at the keel?
     pub fn is_keeled(&self) -> bool {
         self.pieces[0].direction.im > 1e-6
@@ -235,7 +252,8 @@ mod tests {
         let beyond = face.edge() + face.place(face.length()).tangent * 0.25;
         assert!((face.nearest(beyond, true).along - face.length() - 0.25).abs() < 1e-12);
         assert!((face.nearest(beyond, false).along - face.length()).abs() < 1e-12);
-        assert!(!face.is_curved(0.1) && face.is_curved(1.0));
+        assert!(face.convex_from(0.1) == Some(face.pieces[1].at) && face.convex_from(1.0) == Some(1.0));
+        assert!(face.convex_from(10.0).is_none());
     }
 
     /// The jet of a wedge is its own, that of a flat arc is that of a wedge of π/4 times its angle (Wagner 1932).

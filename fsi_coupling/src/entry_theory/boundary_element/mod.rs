@@ -28,7 +28,7 @@ use super::model::{EntryModel, OutOfRange};
 use super::section::Section;
 use super::similarity::SimilarityFlow;
 use elements::arc_length;
-use entry::BEGIN;
+use entry::{BEGIN, LATEST};
 use face::Face;
 use lower_side::LowerSide;
 use solution::Solution;
@@ -114,7 +114,7 @@ impl EntryFlow {
             None => {
                 let (keel, [x, y]) = (section.slope(0.0).atan(), section.first_face());
                 let bends = section.followed().len() > 2;
-                let draught = if bends { draught.min(BEGIN * section.wagner_draught(x)) } else { 1e-3 * y };
+                let draught = if bends { draught.min(LATEST * section.wagner_draught(x)) } else { 1e-3 * y };
                 far = far.max(BEGIN * FAR * section.followed_half_breadth() * FRAC_2_PI * keel.tan() / draught);
                 (Face::polygon(section.followed()), keel.to_degrees(), draught, draught)
             }
@@ -211,8 +211,8 @@ impl EntryFlow {
         let pressure = &now.load.pressure;
         let from = pressure.iter().skip(1).position(|[_, steady, added]| steady + added * rate > 0.0)? + 1;
         let (along, size) = (now.along[from], self.lower_side().finest(self.surface.end()));
-        let below = now.along[0] - along;
-        (self.face.is_curved(along) && below > DETACHED * size).then_some(along)
+        let leaves = self.face.convex_from(along)?;
+        (now.along[0] - leaves > DETACHED * size).then_some(leaves)
     }
 
     /// EN24: where the surface that left a curved bottom has come back to it, the bottom is wet again.
