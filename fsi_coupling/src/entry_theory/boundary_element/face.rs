@@ -12,7 +12,6 @@ const ROUNDED: f64 = 0.05;
 const ON_KNUCKLE: f64 = 6.0;
 /// Turn of a rounded knuckle from which it asks for smaller elements [rad].
 const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
-
 /// A line of constant curvature.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
@@ -145,10 +144,10 @@ impl Face {
         Face { left_at: along.min(self.whole_length()), ..self.clone() }
     }
 
-    /// The first place from a distance to the keel on [m] where it gets steeper, as such a distance.
-    pub fn convex_from(&self, along: f64) -> Option<f64> {
-        let convex = self.pieces.iter().filter(|piece| piece.curvature > 0.0);
-        convex.filter(|piece| along <= piece.at + piece.length).map(|piece| along.max(piece.at)).next()
+    /// Is it round at a distance from the keel [m]? A rounded knuckle is not.
+    pub fn is_round(&self, along: f64) -> bool {
+        let curved = |piece: &Piece| piece.at < along && along <= piece.at + piece.length && piece.curvature > 0.0;
+        self.added.is_some() && self.pieces.iter().any(curved)
     }
 
     /// The same bottom with its keel at another draught [m].
@@ -252,8 +251,7 @@ mod tests {
         let beyond = face.edge() + face.place(face.length()).tangent * 0.25;
         assert!((face.nearest(beyond, true).along - face.length() - 0.25).abs() < 1e-12);
         assert!((face.nearest(beyond, false).along - face.length()).abs() < 1e-12);
-        assert!(face.convex_from(0.1) == Some(face.pieces[1].at) && face.convex_from(1.0) == Some(1.0));
-        assert!(face.convex_from(10.0).is_none());
+        assert!(!face.is_round(0.1) && face.is_round(1.0));
     }
 
     /// The jet of a wedge is its own, that of a flat arc is that of a wedge of π/4 times its angle (Wagner 1932).

@@ -206,16 +206,16 @@ impl EntryFlow {
         Some(FreeSurface { z, phi })
     }
 
-    /// EN24: where the flow leaves a curved bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
+    /// EN24: where the flow leaves a round bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
     fn detached(&self, now: &Solution, rate: f64) -> Option<f64> {
         let pressure = &now.load.pressure;
         let from = pressure.iter().skip(1).position(|[_, steady, added]| steady + added * rate > 0.0)? + 1;
         let (along, size) = (now.along[from], self.lower_side().finest(self.surface.end()));
-        let leaves = self.face.convex_from(along)?;
-        (now.along[0] - leaves > DETACHED * size).then_some(leaves)
+        let below = now.along[0] - along;
+        (self.face.is_round(along) && below > DETACHED * size).then_some(along)
     }
 
-    /// EN24: where the surface that left a curved bottom has come back to it, the bottom is wet again.
+    /// EN24: where the surface that left a round bottom has come back to it, the bottom is wet again.
     fn attached(mut self) -> EntryFlow {
         let Some(underside) = &mut self.underside else { return self };
         if self.face.length() >= self.face.whole_length() {
@@ -337,6 +337,53 @@ mod tests {
                 let of = section.deadrise_deg().map_or("round".into(), |deadrise| format!("{deadrise:.0}°"));
                 println!("{of}, {chines} chines: energy {:+.2} % off", 100.0 * error);
                 assert!(error.abs() < within, "{of}, {chines} chines: energy {:+.2} % off", 100.0 * error);
+            }
+        }
+    }
+
+    #[test]
+    fn zz_energy() {
+        for faces in [
+            vec![[0.5, 20.0], [1.0, 35.0]],
+            vec![[0.4, 20.0], [1.0, 45.0]],
+            vec![[0.787, 32.1], [1.0, 59.2]],
+            vec![[0.215, 14.3], [1.0, 48.1]],
+            vec![[0.6, 25.0], [1.0, 15.0]],
+        ] {
+            let mut c = vec![[0.0, 0.0]];
+            for [x, a] in &faces {
+                let [px, py] = c[c.len() - 1];
+                c.push([*x, py + (x - px) * f64::to_radians(*a).tan()]);
+            }
+            let section = Section::new(&c).expect("a section");
+            let mut flow = EntryFlow::new(&section, 0.02, 1.0, 0.0).expect("in range");
+            let (mut work, mut energy, mut jumps, mut lost) = (0.0, 0.0, 0.0, 0.0);
+            let mut last = [0.0; 4];
+            let mut next = 0.05;
+            while flow.draught() < 0.5 {
+                let mut before = flow.solve();
+                let e = before.energy(0.0);
+                if flow.separate(&before, 0.0) {
+                    before = flow.solve();
+                    jumps += before.energy(0.0) - e;
+                }
+                let e = before.energy(0.0);
+                let dt = flow.stable_dt(&before);
+                let middle = flow.moved(1.0, &before, 0.0, 0.5 * dt).solve();
+                let end = flow.moved(1.0, &middle, 0.0, dt);
+                work += middle.load.force * dt;
+                let moved = end.solve().energy(0.0);
+                energy += moved - e;
+                let a = end.attached();
+                let at = a.solve().energy(0.0);
+                jumps += at - moved;
+                flow = a.redistributed();
+                lost += flow.solve().energy(0.0) - at;
+                if flow.draught() > next {
+                    println!("{faces:?} h {next:.2} work {:.4} energy {:.4} {:+.2} % jumps {jumps:+.4} cut {lost:+.4}", work-last[0], energy-last[1], 100.0 * ((energy-last[1]) / (work-last[0]) - 1.0));
+                    last = [work, energy, 0.0, 0.0];
+                    next += 0.05;
+                }
             }
         }
     }
