@@ -16,9 +16,14 @@ impl EntryModel {
     /// What is outside the range, the range, and the next model that covers the bottom.
     pub fn covers(self, section: &Section, reach: f64) -> Result<(), OutOfRange> {
         let Some((what, range)) = self.obstacle(section, reach) else { return Ok(()) };
-        let dearer = |r: EntryModel| r > self || (self, r) == (EntryModel::BoundaryElement, EntryModel::Similarity);
-        let able = |r: &&EntryModel| dearer(**r) && r.obstacle(section, reach).is_none();
-        Err(OutOfRange { what, range, next: *EntryModel::ALL.iter().find(able).unwrap_or(&EntryModel::Wcsph) })
+        // a bottom that boundary elements do not follow may be one for a formula
+        let formulas: &[EntryModel] = match self {
+            EntryModel::BoundaryElement => &[EntryModel::Similarity, EntryModel::Mlm],
+            _ => &[],
+        };
+        let dearer = EntryModel::ALL.iter().filter(|r| **r > self);
+        let able = formulas.iter().chain(dearer).find(|r| r.obstacle(section, reach).is_none());
+        Err(OutOfRange { what, range, next: *able.unwrap_or(&EntryModel::Wcsph) })
     }
 
     /// What is outside the model's range, and the range.
@@ -76,6 +81,11 @@ impl Section {
     /// The end of the first face [m].
     pub(super) fn first_face(&self) -> [f64; 2] {
         self.corners()[1]
+    }
+
+    /// Deadrises of the faces that boundary elements follow [deg].
+    pub fn followed_deadrises(&self) -> impl Iterator<Item = f64> + '_ {
+        self.slopes()[..self.followed().len() - 1].iter().map(|slope| slope.atan().to_degrees())
     }
 
     /// Half breadth where the flow leaves the bottom [m].

@@ -17,11 +17,13 @@ pub(super) const STEPS_BEFORE: usize = 64;
 pub(super) const STOPPED: f64 = 1e-3;
 /// The same for a flow that ended.
 const NEARLY_STOPPED: f64 = 0.05;
+/// Depth of water in a side that counts as contact, over the half breadth [-].
+const SIDE_DEPTH: f64 = 2e-3;
 
 /// A section on its way into still water.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowEntry<'a> {
-    /// A wedge, or an arc of a circle.
+    /// A wedge, an arc of a circle, or a polygon.
     pub section: &'a Section,
     /// How it moves.
     pub motion: SectionMotion,
@@ -93,7 +95,8 @@ impl FlowEntry<'_> {
         let over = (instants.len() < times.len()).then(|| {
             let now = history.steps[history.steps.len() - 1].now;
             let at = format!("from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught);
-            if let Err(OutOfRange { what, range, next }) = EntryModel::BoundaryElement.covers(self.section, now.wetted) {
+            if let Err(OutOfRange { what, range, next }) = EntryModel::BoundaryElement.covers(self.section, now.wetted)
+            {
                 return OutOfRange { what: format!("{what}, {at}"), range, next };
             }
             let why = match now {
@@ -190,12 +193,20 @@ impl FlowEntry<'_> {
             let face = load.half_breadth().min(self.section.followed_half_breadth());
             steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
             let over = EntryModel::BoundaryElement.covers(self.section, width).is_err();
-            if time >= end || speed < stopped || draught > self.deepest() || over {
+            if time >= end || speed < stopped || draught > self.deepest() || over || self.is_wet_again(&flow) {
                 break;
             }
             time += dt;
         }
         steps
+    }
+
+    /// Has water come into a side beyond the place where the flow leaves the bottom?
+    fn is_wet_again(&self, flow: &EntryFlow) -> bool {
+        let [inner, outer] = [self.section.followed_half_breadth(), self.section.half_breadth()];
+        let depth = |[x, y]: [f64; 2]| y + flow.draught() - self.section.height(x);
+        let beside = |x: f64| inner < x && x < outer;
+        inner < outer && flow.surface().into_iter().any(|at| beside(at[0]) && depth(at) > SIDE_DEPTH * outer)
     }
 
     fn step_of(&self, [time, draught, speed, rate]: [f64; 4], load: &FlowLoad, [face, wetted]: [f64; 2]) -> Step {

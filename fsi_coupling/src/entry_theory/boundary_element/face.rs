@@ -98,7 +98,13 @@ impl Face {
         let points: Vec<c64> = corners.iter().map(|[x, y]| c64::new(x - corners[0][0], y - corners[0][1])).collect();
         let sides: Vec<c64> = points.windows(2).map(|ends| ends[1] - ends[0]).collect();
         let mut at = 0.0;
-        let ends: Vec<f64> = sides.iter().map(|side| { at += side.norm(); at }).collect();
+        let ends: Vec<f64> = sides
+            .iter()
+            .map(|side| {
+                at += side.norm();
+                at
+            })
+            .collect();
         let rounded = |k: usize| {
             let half_turn = 0.5 * (sides[k + 1] / sides[k]).arg();
             let shortest = sides[k].norm().min(sides[k + 1].norm());
@@ -121,7 +127,8 @@ impl Face {
             let [straight, curvature] = next;
             if straight > 0.0 {
                 let from = points[k + 1] - direction * straight;
-                let length = if curvature == 0.0 { 2.0 * straight } else { 2.0 * (curvature * straight).atan() / curvature };
+                let length =
+                    if curvature == 0.0 { 2.0 * straight } else { 2.0 * (curvature * straight).atan() / curvature };
                 pieces.push(Piece { at, from, direction, curvature, length });
                 at += length;
             }

@@ -380,7 +380,12 @@ mod tests {
                 flow = a.redistributed();
                 lost += flow.solve().energy(0.0) - at;
                 if flow.draught() > next {
-                    println!("{faces:?} h {next:.2} work {:.4} energy {:.4} {:+.2} % jumps {jumps:+.4} cut {lost:+.4}", work-last[0], energy-last[1], 100.0 * ((energy-last[1]) / (work-last[0]) - 1.0));
+                    println!(
+                        "{faces:?} h {next:.2} work {:.4} energy {:.4} {:+.2} % jumps {jumps:+.4} cut {lost:+.4}",
+                        work - last[0],
+                        energy - last[1],
+                        100.0 * ((energy - last[1]) / (work - last[0]) - 1.0)
+                    );
                     last = [work, energy, 0.0, 0.0];
                     next += 0.05;
                 }
