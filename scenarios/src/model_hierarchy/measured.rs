@@ -39,8 +39,8 @@ const ROUND_DROP_ERROR: f64 = 0.035;
 
 /// Deadrises of the faces of bent bottoms that were measured, and their turns at knuckles [deg].
 const BENT_FACES: [f64; 2] = [15.0, 55.0];
-const BENT_TURNS: [f64; 2] = [-10.5, 25.5];
-/// Largest difference of the force on a bent bottom from particles (five windows of the draught, eight sections) [-].
+const BENT_TURNS: [f64; 2] = [-10.5, 33.5];
+/// Largest difference of the force on a bent bottom from particles (five windows of the draught, nine sections) [-].
 const BENT_ERROR: f64 = 0.05;
 /// RMS difference of a falling bent section's speed from particles over that at contact [-].
 const BENT_DROP_ERROR: f64 = 0.01;
