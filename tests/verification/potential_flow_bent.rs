@@ -88,18 +88,21 @@ fn forces_scale_with_length_and_speed() {
     }
 }
 
-/// At small deadrises the force is a few per cent below the modified Logvinovich model's (Korobkin 2004), as a wedge's is.
+/// At small deadrises the force is within a few per cent of the modified Logvinovich model's (Korobkin 2004), as a wedge's is.
 #[test]
 fn a_flat_bent_bottom_is_near_the_formula() {
     let section = bent(&[[0.4, 15.0], [1.0, 20.0]]);
     let formula = Loads::new(EntryModel::Mlm, &section).expect("in range");
+    let mut range = [1.0, 1.0];
     for [draught, force, _] in loads(&section, 0.03, 0.2, SPEED) {
         let share = force / formula.at(draught).slam;
         let c = formula.at(draught).wetted;
         if (c - 0.4).abs() > 0.08 {
-            assert!((0.93..1.005).contains(&share), "{draught} m, {c} m wet: {share} of the formula");
+            assert!((share - 1.0_f64).abs() < 0.04, "{draught} m, {c} m wet: {share} of the formula");
+            range = [share.min(range[0]), share.max(range[1])];
         }
     }
+    println!("{range:.3?} of the formula");
 }
 
 /// Faces, end [s], and the mean force of particles in five windows of the last four fifths of the run [kN/m].
