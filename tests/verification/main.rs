@@ -32,6 +32,7 @@ mod links;
 mod modal;
 mod options;
 mod potential_flow;
+mod potential_flow_bent;
 mod projection_bodies;
 mod quoted_peaks;
 mod rigid_body;

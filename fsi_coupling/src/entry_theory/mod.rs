@@ -1,4 +1,4 @@
-//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30–EN35).
+//! Low-order models of water entry: from microseconds to seconds instead of minutes (THEORY EN2–EN9, EN20–EN24, EN30–EN41).
 //!
 //! [`Section`] is the bottom, [`EntryModel`] a model, [`Loads`] the load of a section at a draught, [`Entry`] its motion.
 //! [`SimilarityFlow`] is the exact flow about a wedge at constant speed, [`EntryFlow`] the flow about one in any vertical motion,
@@ -27,6 +27,7 @@ mod entry;
 mod hydroelastic;
 mod loads;
 mod model;
+mod range;
 mod section;
 mod similarity;
 

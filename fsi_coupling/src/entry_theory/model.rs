@@ -20,7 +20,7 @@ pub enum EntryModel {
     Mlm,
     /// The exact flow about a wedge at constant speed (Dobrovolskaya 1969), and an added mass where the speed changes.
     Similarity,
-    /// Fully nonlinear potential flow about a wedge or an arc of a circle by boundary elements (Zhao & Faltinsen 1993): free motion, gravity,
+    /// Fully nonlinear potential flow about a wedge, an arc of a circle or a polygon by boundary elements (Zhao & Faltinsen 1993): free motion, gravity,
     /// wet chines.
     BoundaryElement,
     /// Weakly compressible particles.

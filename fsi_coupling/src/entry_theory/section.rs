@@ -2,7 +2,6 @@
 
 use super::model::{EntryModel, OutOfRange};
 use crate::Shape;
-use crate::settings::significant;
 
 /// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
 const LEAST_DEADRISE_DEG: f64 = 4.0;
@@ -10,8 +9,6 @@ const LEAST_DEADRISE_DEG: f64 = 4.0;
 const CONTINUATION_DEG: f64 = 60.0;
 /// Depth of a dent over the breadth up to which a bottom counts as convex: points are rounded [-].
 const DENT: f64 = 1e-4;
-/// Least angle at the ends of an arc for boundary elements [deg].
-const LEAST_ARC_DEG: f64 = 20.0;
 /// Corners on one side of the keel from which they may stand for a circle.
 const LEAST_ON_CIRCLE: usize = 6;
 /// Largest difference of the radii through them [-].
@@ -27,6 +24,8 @@ pub struct Section {
     slopes: Vec<f64>,
     /// Radius of the circle for which the corners stand [m].
     radius: Option<f64>,
+    /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m].
+    hollow: Option<[f64; 2]>,
 }
 
 impl Section {
@@ -37,12 +36,12 @@ impl Section {
         if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return Err(not_a_section("a bottom whose half breadth does not grow from keel to chine"));
         }
-        let corners = without_dents(corners)?;
+        let (corners, hollow) = without_dents(corners);
         let slopes = slopes_of(&corners);
         if slopes[0] < 0.0 {
             return Err(not_a_section("a bottom that falls beside its keel"));
         }
-        Ok(Section { corners, slopes, radius: None })
+        Ok(Section { corners, slopes, radius: None, hollow })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -109,8 +108,29 @@ impl Section {
         (self.corners.len() > LEAST_ON_CIRCLE && most - least < OFF_CIRCLE * most).then_some(0.5 * (least + most))
     }
 
+    /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m]; `None` for a convex bottom.
+    pub fn hollow(&self) -> Option<[f64; 2]> {
+        self.hollow
+    }
+
+    /// The section of its convex hull.
+    pub fn convex(&self) -> Section {
+        let corners = hull_of(&self.corners);
+        Section { slopes: slopes_of(&corners), corners, radius: self.radius, hollow: None }
+    }
+
+    /// Corners from the keel to the chine [m], shape (n, 2).
+    pub(super) fn corners(&self) -> &[[f64; 2]] {
+        &self.corners
+    }
+
+    /// Slopes of the faces between them [-].
+    pub(super) fn slopes(&self) -> &[f64] {
+        &self.slopes
+    }
+
     /// Angle at the end of a round bottom [deg].
-    fn last_angle_deg(&self) -> f64 {
+    pub(super) fn last_angle_deg(&self) -> f64 {
         (self.half_breadth() / self.radius.unwrap_or(f64::INFINITY)).min(1.0).asin().to_degrees()
     }
 
@@ -223,64 +243,35 @@ impl Section {
     }
 }
 
-impl EntryModel {
-    /// Refuse a bottom outside the range of the model; it is wetted up to the half width `reach` [m].
-    ///
-    /// # Errors
-    /// What is outside the range, the range, and the next model that covers the bottom.
-    pub fn covers(self, section: &Section, reach: f64) -> Result<(), OutOfRange> {
-        let Some((what, range)) = self.obstacle(section, reach) else { return Ok(()) };
-        let dearer = |r: EntryModel| r > self || (self, r) == (EntryModel::BoundaryElement, EntryModel::Similarity);
-        let able = |r: &&EntryModel| dearer(**r) && r.obstacle(section, reach).is_none();
-        Err(OutOfRange { what, range, next: *EntryModel::ALL.iter().find(able).unwrap_or(&EntryModel::Wcsph) })
-    }
-
-    /// What is outside the model's range, and the range.
-    fn obstacle(self, section: &Section, reach: f64) -> Option<(String, String)> {
-        let [least, most] = self.deadrises();
-        let steepest = section.steepest_within(reach);
-        let is_wedge = section.deadrise_deg().is_some();
-        match self {
-            _ if !self.is_theory() => None,
-            EntryModel::BoundaryElement if section.radius().is_some() => {
-                let end = section.last_angle_deg();
-                let short = end < LEAST_ARC_DEG;
-                short.then(|| {
-                    (
-                        format!("an arc that ends at {end:.1} degrees"),
-                        format!("arcs of {LEAST_ARC_DEG} degrees and more"),
-                    )
-                })
-            }
-            EntryModel::BoundaryElement if !is_wedge => {
-                Some(("a bent bottom".into(), format!("wedges of {least} to {most} degrees and arcs of circles")))
-            }
-            EntryModel::Similarity if !is_wedge => {
-                Some(("a curved or bent bottom".into(), format!("wedges of {least} to {most} degrees")))
-            }
-            EntryModel::Similarity if reach > section.half_breadth() => {
-                Some(("a wedge whose chines are wet".into(), "wedges as long as the spray leaves their faces".into()))
-            }
-            _ if steepest > most + 1e-6 || self == EntryModel::BoundaryElement && steepest < least - 1e-6 => {
-                Some((format!("a face of {steepest:.2} degrees"), format!("faces of {least} to {most} degrees")))
-            }
-            _ => None,
-        }
-    }
-}
-
 /// Slopes df/dx between corners [-].
 fn slopes_of(corners: &[[f64; 2]]) -> Vec<f64> {
     corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect()
 }
 
-/// The corners of a convex bottom as they are; of one that is convex to the digits of its points, those of its convex hull.
-fn without_dents(corners: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, OutOfRange> {
+/// The corners of a convex bottom as they are; of one that is convex to the digits of its points, those of its convex hull; of another its
+/// corners, and the place and depth of its hollow [m].
+fn without_dents(corners: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, Option<[f64; 2]>) {
     if slopes_of(&corners).windows(2).all(|w| w[1] >= w[0] - 1e-9) {
-        return Ok(corners);
+        return (corners, None);
     }
+    let hull = hull_of(&corners);
+    let height = |x: f64| {
+        let k = hull.partition_point(|c| c[0] < x).clamp(1, hull.len() - 1);
+        let ([x0, y0], [x1, y1]) = (hull[k - 1], hull[k]);
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    };
+    let dents = corners.iter().map(|[x, y]| [*x, y - height(*x)]);
+    let deepest = dents.fold([0.0, 0.0], |most, dent| if dent[1] > most[1] { dent } else { most });
+    match deepest[1] > DENT * 2.0 * corners[corners.len() - 1][0] {
+        true => (corners, Some(deepest)),
+        false => (hull, None),
+    }
+}
+
+/// The corners of the convex hull seen from below.
+fn hull_of(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut hull: Vec<[f64; 2]> = Vec::new();
-    for corner in &corners {
+    for corner in corners {
         while let [.., a, b] = hull[..]
             && (b[0] - a[0]) * (corner[1] - a[1]) <= (corner[0] - a[0]) * (b[1] - a[1])
         {
@@ -288,27 +279,13 @@ fn without_dents(corners: Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>, OutOfRange> {
         }
         hull.push(*corner);
     }
-    let height = |x: f64| {
-        let k = hull.partition_point(|c| c[0] < x).clamp(1, hull.len() - 1);
-        let ([x0, y0], [x1, y1]) = (hull[k - 1], hull[k]);
-        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
-    };
-    let dents = corners.iter().map(|[x, y]| (*x, y - height(*x)));
-    let (x, deepest) = dents.fold((0.0, 0.0), |most, dent| if dent.1 > most.1 { dent } else { most });
-    match deepest > DENT * 2.0 * corners[corners.len() - 1][0] {
-        true => Err(not_a_section(&format!(
-            "one with a hollow {} m deep at {} m beside the keel",
-            significant(deepest),
-            significant(x)
-        ))),
-        false => Ok(hull),
-    }
+    hull
 }
 
 fn not_a_section(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
-        range: "upright, symmetric, convex bottoms of a deadrise of 4° and more".into(),
+        range: "upright, symmetric bottoms of a deadrise of 4° and more".into(),
         next: EntryModel::Wcsph,
     }
 }
@@ -337,8 +314,10 @@ mod tests {
 
     #[test]
     fn a_hollow_is_told_with_its_depth_and_place() {
-        let error = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect_err("a hollow").to_string();
-        assert!(error.contains("0.025 m deep at 0.2 m") && !error.contains("not a bottom that is not"), "{error}");
-        assert!(Section::new(&rounded(2e-3)).is_err());
+        let section = Section::new(&[[0.0, 0.0], [0.2, 0.1], [0.4, 0.15]]).expect("a section");
+        let error = EntryModel::Mlm.covers(&section, 0.0).expect_err("a hollow").to_string();
+        assert!(error.contains("0.025 m deep at 0.2 m") && error.contains("\"boundary_element\""), "{error}");
+        assert!(section.convex().hollow().is_none() && section.convex().corners.len() == 2);
+        assert!(Section::new(&rounded(2e-3)).expect("a section").hollow().is_some());
     }
 }

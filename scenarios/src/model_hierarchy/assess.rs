@@ -58,8 +58,9 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
 /// Slope of the wedge whose flow takes as long as one about a round bottom [-].
 const ROUND_STARTS_AS: f64 = 0.32;
 
-/// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β.
+/// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β of the flattest face.
 fn flow_seconds(theory: &Theory) -> f64 {
-    let slope = theory.section.deadrise_deg().map_or(ROUND_STARTS_AS, |deadrise| deadrise.to_radians().tan());
+    let flattest = || theory.section.followed_deadrises().fold(90.0, f64::min).to_radians().tan();
+    let slope = theory.section.radius().map_or_else(flattest, |_| ROUND_STARTS_AS);
     0.15 + 0.22 / (slope * slope)
 }

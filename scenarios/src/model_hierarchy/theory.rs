@@ -70,7 +70,7 @@ impl Theory {
             (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
         let times = sample_times(scene);
         let (instants, source, end) = if model.is_formula() {
-            let loads = Loads::new(model, &section)?;
+            let loads = Loads::new(model, &if steep { section.convex() } else { section.clone() })?;
             let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep };
             let (instants, end) = entry.solve_while_in_range(&times);
             (instants, Source::Loads(loads), end)
@@ -113,8 +113,8 @@ impl Theory {
         model.covers(&section, 0.0)?;
         let (theory, end) = Theory::solved(scene, EntryModel::Mlm, true)?;
         let breadth = 2.0 * section.half_breadth();
-        let wet_at_first =
-            body.draught() > 0.0 && theory.instants.first().is_some_and(|now| 2.0 * now.wetted >= breadth);
+        let chines = section.followed_half_breadth();
+        let wet_at_first = body.draught() > 0.0 && theory.instants.first().is_some_and(|now| now.wetted >= chines);
         if wet_at_first {
             return Err(refuse("one whose chines are wet at the start"));
         }
@@ -124,8 +124,12 @@ impl Theory {
             });
         // deep under a round bottom the formula is not near
         let of_formula = end.filter(|_| section.radius().is_none());
-        let end = too_deep.or(of_formula.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end }));
-        Ok((Theory { model, ..theory }, end))
+        let too_steep = theory.instants.iter().find_map(|now| {
+            let OutOfRange { what, range, next } = model.covers(&section, now.wetted).err()?;
+            Some(OutOfRange { what: format!("{what}, wet from t = {} s on", significant(now.time)), range, next })
+        });
+        let end = too_deep.or(too_steep).or(of_formula.map(|end| OutOfRange { next: EntryModel::Wcsph, ..end }));
+        Ok((Theory { model, section, ..theory }, end))
     }
 
     /// Why a flow about a round bottom, of which only the first part is outlined, may not be followed to the end: as fast as at the last

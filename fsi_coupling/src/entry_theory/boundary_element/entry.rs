@@ -9,17 +9,21 @@ use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
+/// And at the latest at this share of the draught at which the faces beside the keel are wet.
+pub(super) const LATEST: f64 = 0.5;
 /// Steps before the flow begins.
 pub(super) const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
 pub(super) const STOPPED: f64 = 1e-3;
 /// The same for a flow that ended.
 const NEARLY_STOPPED: f64 = 0.05;
+/// Depth of water in a side that counts as contact, over the half breadth [-].
+const SIDE_DEPTH: f64 = 2e-3;
 
 /// A section on its way into still water.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowEntry<'a> {
-    /// A wedge, or an arc of a circle.
+    /// A wedge, an arc of a circle, or a polygon.
     pub section: &'a Section,
     /// How it moves.
     pub motion: SectionMotion,
@@ -90,13 +94,18 @@ impl FlowEntry<'_> {
             times.iter().take_while(|time| **time <= reached).map(|time| history.at(*time)).collect();
         let over = (instants.len() < times.len()).then(|| {
             let now = history.steps[history.steps.len() - 1].now;
+            let at = format!("from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught);
+            if let Err(OutOfRange { what, range, next }) = EntryModel::BoundaryElement.covers(self.section, now.wetted)
+            {
+                return OutOfRange { what: format!("{what}, {at}"), range, next };
+            }
             let why = match now {
                 _ if now.draught > self.deepest() => "one deeper than its breadth",
                 _ if now.speed < NEARLY_STOPPED * at_contact => "one that leaves the water",
                 _ => "one whose flow breaks up",
             };
             OutOfRange {
-                what: format!("{why} from t = {:.4} s on, at a draught of {:.4} m", now.time, now.draught),
+                what: format!("{why} {at}"),
                 range: "boundary elements follow a section on its way down, to a draught of its breadth".into(),
                 next: EntryModel::Wcsph,
             }
@@ -111,9 +120,10 @@ impl FlowEntry<'_> {
             (draught, first) if draught > 0.0 => draught.max(first.unwrap_or(0.0)),
             (_, Some(first)) => first,
             (draught, None) => {
-                let wet = self.section.wagner_draught(self.section.half_breadth());
-                let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(wet);
-                BEGIN * last.max(1e-9 * wet)
+                let wet = |x: f64| self.section.wagner_draught(x);
+                let chines = wet(self.section.followed_half_breadth());
+                let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
+                (BEGIN * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0]))
             }
         }
     }
@@ -180,14 +190,23 @@ impl FlowEntry<'_> {
             let instead = |load: &FlowLoad| before.instead_of(load.clone(), draught, speed);
             let Ok((dt, load)) = flow.step(|load| self.rate(&instead(load))) else { break };
             let load = instead(&load);
-            let face = load.half_breadth().min(self.section.half_breadth());
+            let face = load.half_breadth().min(self.section.followed_half_breadth());
             steps.push(self.step_of([time, draught, speed, self.rate(&load)], &load, [face, width]));
-            if time >= end || speed < stopped || draught > self.deepest() {
+            let over = EntryModel::BoundaryElement.covers(self.section, width).is_err();
+            if time >= end || speed < stopped || draught > self.deepest() || over || self.is_wet_again(&flow) {
                 break;
             }
             time += dt;
         }
         steps
+    }
+
+    /// Has water come into a side beyond the place where the flow leaves the bottom?
+    fn is_wet_again(&self, flow: &EntryFlow) -> bool {
+        let [inner, outer] = [self.section.followed_half_breadth(), self.section.half_breadth()];
+        let depth = |[x, y]: [f64; 2]| y + flow.draught() - self.section.height(x);
+        let beside = |x: f64| inner < x && x < outer;
+        inner < outer && flow.surface().into_iter().any(|at| beside(at[0]) && depth(at) > SIDE_DEPTH * outer)
     }
 
     fn step_of(&self, [time, draught, speed, rate]: [f64; 4], load: &FlowLoad, [face, wetted]: [f64; 2]) -> Step {

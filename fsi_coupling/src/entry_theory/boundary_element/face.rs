@@ -2,9 +2,16 @@
 
 use faer::c64;
 
+use super::elements::GROWTH;
+
 /// Places at which the angle of the bottom is read for the thickness of the jet.
 const PLACES: usize = 16;
-
+/// Length of a face that the rounding of its knuckle takes, over the knuckle's distance from the keel [-].
+const ROUNDED: f64 = 0.05;
+/// Elements on a rounded knuckle.
+const ON_KNUCKLE: f64 = 6.0;
+/// Turn of a rounded knuckle from which it asks for smaller elements [rad].
+const SHARP: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// A line of constant curvature.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
@@ -86,6 +93,50 @@ impl Face {
         Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added) }
     }
 
+    /// A polygon through `corners` from the keel to the chine [m], whose knuckles are rounded (THEORY EN39).
+    pub fn polygon(corners: &[[f64; 2]]) -> Face {
+        let points: Vec<c64> = corners.iter().map(|[x, y]| c64::new(x - corners[0][0], y - corners[0][1])).collect();
+        let sides: Vec<c64> = points.windows(2).map(|ends| ends[1] - ends[0]).collect();
+        let mut at = 0.0;
+        let ends: Vec<f64> = sides
+            .iter()
+            .map(|side| {
+                at += side.norm();
+                at
+            })
+            .collect();
+        let rounded = |k: usize| {
+            let half_turn = 0.5 * (sides[k + 1] / sides[k]).arg();
+            let shortest = sides[k].norm().min(sides[k + 1].norm());
+            let straight = (ROUNDED * ends[k]).min(0.5 * shortest);
+            [straight, half_turn.tan() / straight]
+        };
+        let (mut pieces, mut at, mut taken): (Vec<Piece>, f64, f64) = (Vec::new(), 0.0, 0.0);
+        for (k, side) in sides.iter().enumerate() {
+            let (long, direction) = (side.norm(), side / side.norm());
+            let next = if k + 1 < sides.len() { rounded(k) } else { [0.0, 0.0] };
+            let line = Piece {
+                at,
+                from: points[k] + direction * taken,
+                direction,
+                curvature: 0.0,
+                length: (long - taken - next[0]).max(0.0),
+            };
+            at += line.length;
+            pieces.push(line);
+            let [straight, curvature] = next;
+            if straight > 0.0 {
+                let from = points[k + 1] - direction * straight;
+                let length =
+                    if curvature == 0.0 { 2.0 * straight } else { 2.0 * (curvature * straight).atan() / curvature };
+                pieces.push(Piece { at, from, direction, curvature, length });
+                at += length;
+            }
+            taken = straight;
+        }
+        Face { pieces, draught: 0.0, left_at: f64::INFINITY, added: None }
+    }
+
     fn of(direction: c64, curvature: f64, length: f64) -> Face {
         Face {
             pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }],
@@ -100,9 +151,10 @@ impl Face {
         Face { left_at: along.min(self.whole_length()), ..self.clone() }
     }
 
-    /// Does it bend at a distance from the keel [m]?
-    pub fn is_curved(&self, along: f64) -> bool {
-        self.pieces.iter().any(|piece| piece.at < along && along <= piece.at + piece.length && piece.curvature > 0.0)
+    /// Is it round at a distance from the keel [m]? A rounded knuckle is not.
+    pub fn is_round(&self, along: f64) -> bool {
+        let curved = |piece: &Piece| piece.at < along && along <= piece.at + piece.length && piece.curvature > 0.0;
+        self.added.is_some() && self.pieces.iter().any(curved)
     }
 
     /// The same bottom with its keel at another draught [m].
@@ -152,6 +204,16 @@ impl Face {
         places.map(|along| self.place(along)).fold(self.place(0.0), nearer)
     }
 
+    /// Size of the elements at a distance from the keel for which the rounded knuckles ask [m].
+    pub fn size_at(&self, along: f64) -> f64 {
+        let rounded = self.pieces.iter().filter(|piece| (piece.curvature * piece.length).abs() > SHARP);
+        let of = |piece: &Piece| {
+            let away = (piece.at - along).max(along - piece.at - piece.length).max(0.0);
+            piece.length / ON_KNUCKLE + GROWTH * away
+        };
+        if self.added.is_some() { f64::INFINITY } else { rounded.map(of).fold(f64::INFINITY, f64::min) }
+    }
+
     /// Is there a corner at the keel?
     pub fn is_keeled(&self) -> bool {
         self.pieces[0].direction.im > 1e-6
@@ -196,7 +258,7 @@ mod tests {
         let beyond = face.edge() + face.place(face.length()).tangent * 0.25;
         assert!((face.nearest(beyond, true).along - face.length() - 0.25).abs() < 1e-12);
         assert!((face.nearest(beyond, false).along - face.length()).abs() < 1e-12);
-        assert!(!face.is_curved(0.1) && face.is_curved(1.0));
+        assert!(!face.is_round(0.1) && face.is_round(1.0));
     }
 
     /// The jet of a wedge is its own, that of a flat arc is that of a wedge of π/4 times its angle (Wagner 1932).

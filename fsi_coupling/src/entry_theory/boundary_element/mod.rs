@@ -28,6 +28,7 @@ use super::model::{EntryModel, OutOfRange};
 use super::section::Section;
 use super::similarity::SimilarityFlow;
 use elements::arc_length;
+use entry::{BEGIN, LATEST};
 use face::Face;
 use lower_side::LowerSide;
 use solution::Solution;
@@ -78,20 +79,18 @@ impl EntryFlow {
             let range = "boundary elements need a draught and a downward speed above zero";
             return refused(format!("{draught} m and {speed} m/s"), range);
         }
-        let Some(mut flow) = EntryFlow::first(section, speed, KEEL_DEG) else {
+        let Some(mut flow) = EntryFlow::first(section, draught, speed, KEEL_DEG) else {
             return refused("one of this deadrise".into(), "boundary elements start from the similarity solution");
         };
-        let wet = section.wagner_draught(section.half_breadth());
-        if draught > wet {
+        let half_breadth = section.followed_half_breadth();
+        if draught > section.wagner_draught(half_breadth) {
             let range = "boundary elements begin with dry chines";
-            return refused(
-                format!("{} m of breadth at a draught of {draught} m", 2.0 * section.half_breadth()),
-                range,
-            );
+            return refused(format!("{} m of breadth at a draught of {draught} m", 2.0 * half_breadth), range);
         }
         if section.radius().is_none() {
+            // a wedge's flow begins at any draught
             let length = draught / flow.draught;
-            flow = flow.scaled(length);
+            flow = if section.followed().len() == 2 { flow.scaled(length) } else { flow };
         } else if draught < flow.draught {
             let range = format!("boundary elements follow a round bottom from a draught of {} m on", flow.draught);
             return refused(format!("{draught} m"), &range);
@@ -107,26 +106,28 @@ impl EntryFlow {
         Ok(EntryFlow { gravity, ..flow })
     }
 
-    /// The first flow about a section, at a downward speed [m/s]: of a wedge, at any draught; of a round bottom with a keel of an angle [deg].
-    fn first(section: &Section, speed: f64, keel_deg: f64) -> Option<EntryFlow> {
-        let half_breadth = section.half_breadth();
-        let (face, keel, draught, of_section) = match (section.deadrise_deg(), section.radius()) {
-            (Some(deadrise), _) => {
-                let beta = deadrise.to_radians();
-                let draught = 1e-3 * half_breadth * beta.tan();
-                (Face::straight(beta, half_breadth / beta.cos()), deadrise, draught, draught)
+    /// The first flow about a section on its way to a draught [m], at a downward speed [m/s]: of a wedge, at any draught; of a round bottom with a
+    /// keel of an angle [deg].
+    fn first(section: &Section, draught: f64, speed: f64, keel_deg: f64) -> Option<EntryFlow> {
+        let mut far = FAR;
+        let (face, keel, draught, of_section) = match section.radius() {
+            None => {
+                let (keel, [x, y]) = (section.slope(0.0).atan(), section.first_face());
+                let bends = section.followed().len() > 2;
+                let draught = if bends { draught.min(LATEST * section.wagner_draught(x)) } else { 1e-3 * y };
+                far = far.max(BEGIN * FAR * section.followed_half_breadth() * FRAC_2_PI * keel.tan() / draught);
+                (Face::polygon(section.followed()), keel.to_degrees(), draught, draught)
             }
-            (None, Some(radius)) => {
+            Some(radius) => {
                 let keel = keel_deg.to_radians();
                 let c = FIRST_WIDTH * radius * keel.sin();
-                let face = Face::arc(radius, (half_breadth / radius).min(1.0).asin(), keel);
+                let face = Face::arc(radius, (section.half_breadth() / radius).min(1.0).asin(), keel);
                 (face, keel_deg, FRAC_2_PI * keel.tan() * c, section.wagner_draught(c))
             }
-            _ => return None,
         };
         let face = face.at_draught(draught);
         let similar = SimilarityFlow::solve(keel)?;
-        let surface = FreeSurface::similar(&similar, draught, speed, FAR / keel.to_radians().tan());
+        let surface = FreeSurface::similar(&similar, draught, speed, far / keel.to_radians().tan());
         let surface = surface.redistributed(LowerSide { face: &face, underside: None, size: 1.0 });
         Some(EntryFlow { surface, face, underside: None, draught: of_section, speed, gravity: 0.0, size: 1.0 })
     }
@@ -205,16 +206,16 @@ impl EntryFlow {
         Some(FreeSurface { z, phi })
     }
 
-    /// EN24: where the flow leaves a curved bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
+    /// EN24: where the flow leaves a round bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
     fn detached(&self, now: &Solution, rate: f64) -> Option<f64> {
         let pressure = &now.load.pressure;
         let from = pressure.iter().skip(1).position(|[_, steady, added]| steady + added * rate > 0.0)? + 1;
         let (along, size) = (now.along[from], self.lower_side().finest(self.surface.end()));
         let below = now.along[0] - along;
-        (self.face.is_curved(along) && below > DETACHED * size).then_some(along)
+        (self.face.is_round(along) && below > DETACHED * size).then_some(along)
     }
 
-    /// EN24: where the surface that left a curved bottom has come back to it, the bottom is wet again.
+    /// EN24: where the surface that left a round bottom has come back to it, the bottom is wet again.
     fn attached(mut self) -> EntryFlow {
         let Some(underside) = &mut self.underside else { return self };
         if self.face.length() >= self.face.whole_length() {
@@ -301,12 +302,16 @@ mod tests {
     use super::*;
 
     /// Between two placements of the nodes the boundary moves with the water: what the body does as work is energy of the water, with dry and
-    /// with wet chines, and before and after the flow leaves a round bottom.
+    /// with wet chines, past knuckles, and before and after the flow leaves a round bottom.
     #[test]
     fn the_bodys_work_is_energy_of_the_water() {
         let wedge = |deadrise: f64| Section::wedge(deadrise, 1.0).expect("a section");
         let round = |breadth: f64| Section::arc(0.5, breadth).expect("a section");
+        let bent = |corners: [[f64; 2]; 3]| Section::new(&corners).expect("a section");
         let cases = [
+            (bent([[0.0, 0.0], [0.25, 0.091], [0.5, 0.266]]), 0.0, 0.4), // 20°, then 35°
+            (bent([[0.0, 0.0], [0.3, 0.14], [0.5, 0.194]]), 9.81, 0.3),  // 25°, then 15°
+            (bent([[0.0, 0.0], [0.2, 0.073], [0.5, 0.373]]), 2.0, 0.5),  // 20°, then 45°
             (wedge(22.0), 9.81, 0.6),
             (wedge(30.0), 0.0, 0.6),
             (wedge(47.0), 9.81, 0.6),
@@ -333,7 +338,7 @@ mod tests {
             }
             for (chines, [work, energy], within) in [("dry", dry, 0.013), ("wet", wet, 0.016)] {
                 let error = energy / work - 1.0;
-                let of = section.deadrise_deg().map_or("round".into(), |deadrise| format!("{deadrise:.0}°"));
+                let of = section.deadrise_deg().map_or("round or bent".into(), |deadrise| format!("{deadrise:.0}°"));
                 println!("{of}, {chines} chines: energy {:+.2} % off", 100.0 * error);
                 assert!(error.abs() < within, "{of}, {chines} chines: energy {:+.2} % off", 100.0 * error);
             }
@@ -345,7 +350,7 @@ mod tests {
     fn a_round_bottom_forgets_its_keel() {
         let section = Section::arc(1.0, 1.9).expect("a section");
         let loads = |keel: f64| {
-            let mut flow = EntryFlow::first(&section, 1.0, keel).expect("a flow");
+            let mut flow = EntryFlow::first(&section, 0.1, 1.0, keel).expect("a flow");
             let mut loads = Vec::new();
             while flow.draught() < 0.1 {
                 let draught = flow.draught();

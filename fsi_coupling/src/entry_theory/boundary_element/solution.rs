@@ -158,7 +158,7 @@ impl EntryFlow {
         let wetted = if underside.is_some() { face.length() } else { of_face.along };
         let [at_keel, largest] = FACE_ELEMENTS.map(|x| x * wetted);
         let from_keel = |s: f64| if face.is_keeled() { at_keel + GROWTH * (wetted - s).max(0.0) } else { largest };
-        let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest));
+        let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest).min(face.size_at(wetted - s)));
         let mut along: Vec<f64> = from_end.iter().map(|s| wetted - s).collect();
         if let Some(keel) = along.last_mut() {
             *keel = 0.0;

@@ -60,7 +60,7 @@ pub struct Scene {
     pub source: String,
     /// Model of the flow. auto: the cheapest whose measured error for `want` is at most `within` (THEORY EN9); von_karman,
     /// wagner, mlm, similarity: analytical models of a symmetric section's entry, in milliseconds; boundary_element: nonlinear potential flow
-    /// about a wedge or an arc, wet chines too, in seconds; wcsph, incompressible:
+    /// about a wedge, a polygon or an arc, wet chines too, in seconds; wcsph, incompressible:
     /// particles.
     #[schemars(with = "Auto<EntryModel>", extend("x-default" = "wcsph; the solver's where there is one"))]
     pub model: EntryModel,
