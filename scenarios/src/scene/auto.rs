@@ -1,14 +1,11 @@
 //! The values that a scene leaves to the program.
 
-use super::impact::{Entry, sound_speed_for};
+use super::impact::{Entry, LEAST_SOUND_RATIO, sound_speed_for};
 use super::settings::{Body, Scene, Tank, Water};
 
 /// Reach of the water over c₀ t_end, the way of sound in the run [-]. An echo needs at least 0.5 to come back in time;
 /// the coarse rows far away return the wave a little earlier: 0.5 disturbs the force, 0.65 does not.
 pub const ACOUSTIC_REACH: f64 = 0.65;
-
-/// Least speed of sound over the fastest known speed of the flow [-].
-pub const LEAST_SOUND_RATIO: f64 = 10.0;
 
 /// Least reach of the tank over the fine zone's [-].
 const TANK_OVER_FINE_ZONE: f64 = 10.0;

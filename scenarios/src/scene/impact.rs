@@ -5,13 +5,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use fsi_coupling::entry_theory::air_cushion::{self, AirCushion};
 use fsi_coupling::geometry::{polygon, underside};
 
-use super::auto::LEAST_SOUND_RATIO;
 use super::bottom::{Bottom, PEAK_MASS_RATIO, Reach};
 use super::settings::{Body, Motion};
 
 /// Why the peak force of a flat contact is refused (THEORY GE23).
 pub const FLAT_CONTACT: &str = "a face within 4 deg of the water meets it at once: the peak follows the speed of sound, or the \
     spacing, and no value is right; use results.impulse_N_s_per_m";
+
+/// Least speed of sound over the fastest known speed of the flow [-].
+pub const LEAST_SOUND_RATIO: f64 = 10.0;
 
 /// Least draught at a peak (THEORY GE19) [spacings].
 pub const LEAST_DRAUGHT: f64 = 6.0;

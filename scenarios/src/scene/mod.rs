@@ -55,7 +55,7 @@ mod wet_period;
 
 pub(crate) use air_warnings::LEAST_HALF_BREADTH;
 pub(crate) use approach::{LEAST_GAP, START_GAP};
-pub use auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
+pub use auto::{ACOUSTIC_REACH, auto_fine_zone, auto_reach, auto_sound_speed, fastest_speed};
 pub use bottom::{Bottom, LEAST_DEADRISE_DEG};
 pub use error::SceneError;
 pub use estimate::{BYTES_PER_PARTICLE, memory_estimate, particle_estimate};
@@ -66,8 +66,8 @@ pub(crate) use fsi_coupling::settings::significant;
 pub use fsi_coupling::{PanelEnd, Shape};
 pub(crate) use impact::FITTED_MACH;
 pub use impact::{
-    Entry, FLAT_CONTACT, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DRAUGHT, compressibility_error, jet_reach,
-    known_compressibility_error, sound_speed_for,
+    Entry, FLAT_CONTACT, LARGEST_COMPRESSIBILITY_ERROR, LEAST_DRAUGHT, LEAST_SOUND_RATIO, compressibility_error,
+    jet_reach, known_compressibility_error, sound_speed_for,
 };
 pub use legacy::Integrator;
 pub(crate) use legacy::thesis_work;

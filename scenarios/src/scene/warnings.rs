@@ -3,11 +3,11 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::air_warnings::{flat_contact, vapour};
-use super::auto::{ACOUSTIC_REACH, LEAST_SOUND_RATIO, WATER_SOUND};
+use super::auto::{ACOUSTIC_REACH, WATER_SOUND};
 use super::bottom::Bottom;
 use super::exchange::{light_bodies, light_panels};
 use super::force_limits::limit_of_forces;
-use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
+use super::impact::{Entry, LEAST_DRAUGHT, LEAST_SOUND_RATIO, jet_reach, known_compressibility_error};
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::resolve_links::thin_film;
