@@ -128,9 +128,9 @@ impl Entry {
         matches!(self.bottom, Bottom::Arc { radius } if self.final_draught > DRY_SIDES * radius)
     }
 
-    /// Does the tip of the jet, up to twice as far out as its root (Wagner 1932), pass the chines within the run?
-    pub(super) fn jet_passes_the_chines(&self) -> bool {
-        2.0 * self.bottom.wetted_half_width(self.final_draught.max(0.0)) > self.half_breadth
+    /// Does the spray root pass the chines within the run?
+    pub(super) fn wets_its_chines(&self) -> bool {
+        self.bottom.wetted_half_width(self.final_draught.max(0.0)) > self.half_breadth
     }
 
     /// Draught [m] up to which the spray root is on the bottom: at the chines or at the end of the run.

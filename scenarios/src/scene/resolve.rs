@@ -170,8 +170,8 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
 
 /// Pressure [Pa] that bounds the tension of water which a body with a keel enters, −ρ(½V² + gL) with the larger L of its breadth
 /// and height: air comes in where it would be lower. With more tension jets are sucked around its chines and its lee side. With none,
-/// noise is cut to one side and light bodies gain energy. At a given speed whose jets stay on the faces, and under flat and round
-/// bottoms, a bound would add to the noise of the start.
+/// noise is cut to one side and light bodies gain energy. At a given speed with dry chines, beside faces that bend, and under
+/// flat and round bottoms, a bound would add to the noise of the start.
 fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [low, high] = polygon::bounding_box(&body.placed_outline());
@@ -211,7 +211,7 @@ fn resolve_fluid(
     let keeled = entry.filter(|entry| matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat());
     let sucks = |body: &Body, entry: &Entry| match body.motion {
         Motion::Free(_) => true,
-        Motion::ConstantVelocity | Motion::Tabulated(_) => entry.jet_passes_the_chines(),
+        Motion::ConstantVelocity | Motion::Tabulated(_) => entry.wets_its_chines() && !body.bends(),
         _ => false,
     };
     let sucked = body.zip(keeled).filter(|(body, entry)| sucks(body, entry));

@@ -86,6 +86,9 @@ impl Swell {
 
     /// EN36: the surface at x [m] and its motion in the plane of water there.
     pub fn water(&self, x: f64) -> SurfaceMotion {
+        if self.amplitude == 0.0 {
+            return SurfaceMotion::default(); // calm
+        }
         let (sin, cos) = (self.phase + self.forward_wave_number() * x).sin_cos();
         let forward = self.amplitude * self.angular_frequency * self.along_flight;
         // rate of the phase in a plane of water, and of this rate
