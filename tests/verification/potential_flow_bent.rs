@@ -161,6 +161,11 @@ fn bottoms_that_are_not_followed_are_refused() {
     assert!(flared.contains("one with a face of 8.00 degrees") && flared.contains("\"wcsph\""), "{flared}");
     let steep = refused(&[[0.5, 65.0], [1.0, 70.0]]);
     assert!(steep.contains("65.00 degrees") && steep.contains("\"wcsph\""), "{steep}");
+    // beside a wet chine the force was two to five times too large
+    let near = bent(&[[0.93, 43.4], [1.0, 51.2]]);
+    let wet = EntryModel::BoundaryElement.covers(&near, 1.0).expect_err("out of range").to_string();
+    assert!(wet.contains("knuckle of 7.8 degrees at 0.93 m, beside a chine"), "{wet}");
+    assert!(EntryModel::BoundaryElement.covers(&near, 0.95).is_ok());
     let hollow = EntryModel::Mlm.covers(&bent(&[[0.5, 30.0], [1.0, 20.0]]), 0.0).expect_err("a hollow").to_string();
     assert!(hollow.contains("hollow") && hollow.contains("\"boundary_element\""), "{hollow}");
 }

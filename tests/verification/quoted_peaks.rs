@@ -84,5 +84,7 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
     let force = peak_force(&of("solver=weakly_compressible", "resolution.spacing=0.01"));
     let cushion = 4.5 * 6894.757 / 0.3048 * 5.0 * 0.5;
     assert_eq!(force.verdict, Verdict::Resolved);
+    let shallow = summary("flat_bottom", &["tank.width=3", "tank.depth=0.2"]);
+    assert_eq!(peak_force(&shallow).verdict, Verdict::Acoustic, "an echo of the floor");
     assert!((force.value - cushion).abs() < force.band.expect("a band"), "{force:?}, {cushion}");
 }

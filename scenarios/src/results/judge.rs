@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::bands::{Depth, LEAST_FORCE_BAND};
+use super::blunt::air_pulse;
 use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
@@ -21,8 +22,6 @@ const CUTOFF: f64 = 0.443;
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
 const ROUND_SMOOTHING: f64 = 1.5;
-/// Averaging time over b/c under a flat bottom (WC27) [-].
-const AIR_WINDOW: f64 = 0.2;
 /// Share that compressibility takes of the forces that the bands are fitted to [-].
 const ADMITTED: f64 = 0.01;
 /// Largest ratio of a single step's value to the mean [-].
@@ -81,8 +80,8 @@ pub(super) struct Judge {
     gravity: f64,
     /// Speed of sound; `None` where water is incompressible [m/s].
     pub(super) sound_speed: Option<f64>,
-    /// Averaging time [s] under a flat bottom whose trapped air the water's softness stands for.
-    pub(super) air: Option<f64>,
+    /// Averaging time and end of the pulse [s] under a flat bottom that traps air.
+    pub(super) air: Option<[f64; 2]>,
     /// Why no force of the run can be relied on, where that is so.
     limit: Option<String>,
     /// Panels that vibrate with the water's sound, and why.
@@ -92,14 +91,13 @@ pub(super) struct Judge {
 impl Judge {
     pub fn new(scene: &Scene) -> Judge {
         let entry = scene.entry().filter(|entry| entry.final_draught > 0.0);
-        let air = entry.filter(|entry| scene.is_cushioned(entry)).and_then(|entry| entry.cushion);
         Judge {
             spacing: scene.resolution.spacing,
             speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.attached_speed),
             entry,
             gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
-            air: air.map(|air| AIR_WINDOW * air.half_breadth / scene.sound_speed()),
+            air: entry.and_then(|entry| air_pulse(scene, &entry)),
             limit: limit_of_forces(scene),
             resonant: resonant_panels(scene),
         }
@@ -112,7 +110,7 @@ impl Judge {
             doubts.add(name, why);
             quantity.with_known_band()
         };
-        let window = self.air.unwrap_or(WINDOW * self.spacing / self.speed);
+        let window = self.air.map_or(WINDOW * self.spacing / self.speed, |[window, _]| window);
         let by_force = |peak: Extreme, raw: Extreme| {
             let mean = |curve: &RunningIntegral<2>| curve.mean_about(peak.time, window).unwrap_or_default();
             with_tension(self.force_finding(curves, window, peak, raw), mean(&curves.tension), mean(&curves.force))
@@ -196,7 +194,7 @@ impl Judge {
         }
         let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
         if entry.is_flat() {
-            return self.flat_finding(entry);
+            return self.flat_finding(curves, entry, peak);
         }
         if let Some([start, draught]) = curves.draught.first().filter(|[_, draught]| *draught > self.spacing)
             && peak.time < start + 2.0 * window
@@ -268,11 +266,11 @@ impl Judge {
     /// The gauge with the largest peak.
     fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
         let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
-        let window = self.air.unwrap_or(WINDOW * self.spacing / root);
+        let window = self.air.map_or(WINDOW * self.spacing / root, |[window, _]| window);
         let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
             if entry.is_flat() {
-                return self.flat_finding(entry);
+                return self.flat_finding(curves, entry, peak);
             }
             let (verdict, _, why) = self.by_draught(curves, entry, peak);
             if verdict != Verdict::Resolved {

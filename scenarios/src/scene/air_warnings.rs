@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use fsi_coupling::settings::significant;
 
-use super::impact::{Entry, FLAT_CONTACT};
+use super::impact::{Entry, FLAT_CONTACT, LEAST_SOUND_RATIO};
 use super::settings::{Body, Motion, Scene};
 
 /// Spacings across half a flat breadth from which the pressure of trapped air is good (THEORY WC27).
@@ -20,9 +20,15 @@ impl Scene {
         if self.is_light(entry) {
             return false;
         }
-        let wanted = entry.cushion_sound_speed(self.water().density);
+        let wanted = self.cushion_sound_speed(entry);
         let near = |wanted: f64| (self.sound_speed() / wanted - 1.0).abs() <= TOLERANCE;
         !self.solver.is_incompressible() && wanted.is_some_and(near)
+    }
+
+    /// Speed of sound [m/s] at which water is as soft as the trapped air; `None` where the body is too fast for it in any direction.
+    fn cushion_sound_speed(&self, entry: &Entry) -> Option<f64> {
+        let fast = LEAST_SOUND_RATIO * self.fastest_speed();
+        entry.cushion_sound_speed(self.water().density).filter(|sound| *sound >= fast * (1.0 - 1e-9))
     }
 
     /// True for a free body lighter than half of the water that moves with its flat bottom, (π/2)ρb²: Chuang's plate was heavy.
@@ -76,7 +82,7 @@ pub(super) fn flat_contact(scene: &Scene, entry: &Entry) -> Option<String> {
             )
         });
     }
-    let cure = match entry.cushion_sound_speed(scene.water().density) {
+    let cure = match scene.cushion_sound_speed(entry) {
         _ if scene.is_light(entry) => {
             "the body is lighter than half of the water that moves with it; use results.impulse_N_s_per_m".to_string()
         }

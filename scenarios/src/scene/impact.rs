@@ -214,7 +214,8 @@ fn cushion(body: &Body, draught: f64, speed: f64) -> Option<AirCushion> {
     let [min, max] = polygon::bounding_box(&outline);
     let (breadth, flat) =
         (max[0] - min[0], underside::flat_width(&outline, air_cushion::LARGEST_SLOPE_DEG.to_radians()));
-    let traps = flat >= TRAPPING[0] * breadth && draught <= TRAPPING[1] * breadth;
+    let turns = body.angular_velocity_deg_per_s != 0.0;
+    let traps = !turns && flat >= TRAPPING[0] * breadth && draught <= TRAPPING[1] * breadth;
     traps.then_some(AirCushion { half_breadth: 0.5 * flat, speed })
 }
 

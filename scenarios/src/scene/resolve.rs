@@ -168,10 +168,10 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
-/// Pressure [Pa] that bounds the tension of water which a body with a keel enters, −ρ(½V² + gL) with the larger L of its breadth
+/// Pressure [Pa] that bounds the tension of water which a free body with a keel enters, −ρ(½V² + gL) with the larger L of its breadth
 /// and height: air comes in where it would be lower. With more tension jets are sucked around its chines and its lee side. With none,
-/// noise is cut to one side and light bodies gain energy. At a given speed with dry chines, beside faces that bend, and under
-/// flat and round bottoms, a bound would add to the noise of the start.
+/// noise is cut to one side and light bodies gain energy; a body at a given speed cannot, and has none where its chines get wet. With
+/// dry chines, beside faces that bend, and under flat and round bottoms, a bound would add to the noise of the start.
 fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [low, high] = polygon::bounding_box(&body.placed_outline());
@@ -209,14 +209,13 @@ fn resolve_fluid(
         draft.fill("fluid.shifting_at_surface", !gentle);
     }
     let keeled = entry.filter(|entry| matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat());
-    let sucks = |body: &Body, entry: &Entry| match body.motion {
-        Motion::Free(_) => true,
-        Motion::ConstantVelocity | Motion::Tabulated(_) => entry.wets_its_chines() && !body.bends(),
-        _ => false,
-    };
-    let sucked = body.zip(keeled).filter(|(body, entry)| sucks(body, entry));
-    if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, sucked) {
-        draft.fill("fluid.cavitation_pressure", tension_beside_air(draft, entry, body));
+    if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, body.zip(keeled)) {
+        let bound = match body.motion {
+            Motion::Free(_) => Some(tension_beside_air(draft, entry, body)),
+            Motion::ConstantVelocity | Motion::Tabulated(_) if entry.wets_its_chines() && !body.bends() => Some(0.0),
+            _ => None,
+        };
+        bound.map(|bound| draft.fill("fluid.cavitation_pressure", bound));
     }
     if solver == Solver::WeaklyCompressible && !gaseous && entry.is_some_and(Entry::leaves_its_sides) {
         draft.fill("fluid.cavitation_pressure", 0.0);

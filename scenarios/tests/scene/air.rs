@@ -34,6 +34,8 @@ fn where_water_is_not_as_soft_the_peaks_are_refused() {
         (&["solver=incompressible"], &["solver = \"weakly_compressible\" and fluid.sound_speed = 97.79 m/s"]),
         (&["body.velocity=[0, -9]"], &["916", "too fast"]),
         (&["body.motion=free", "body.mass=40", "body.inertia=1"], &["lighter than half of the water"]),
+        (&["body.velocity=[20, -2]"], &["too fast"]),
+        (&["body.motion=free", "body.mass=400", "body.inertia=20", "body.angular_velocity_deg_per_s=250", "body.free=[\"x\", \"y\", \"angle\"]"], &["within 4 deg"]),
         (&["body.angle_deg=2"], &["within 4 deg", "impulse_N_s_per_m"]),
         (&["body.position=[0, 0.1]"], &["within 4 deg", "impulse_N_s_per_m"]),
     ];
