@@ -3,7 +3,7 @@
 use super::judge::{Curves, Judge};
 use super::running_integral::Extreme;
 use super::{Finding, Verdict};
-use crate::scene::{Entry, FLAT_CONTACT, LEAST_GAP, LEAST_HALF_BREADTH, START_GAP, Scene, significant};
+use crate::scene::{Entry, FLAT_CONTACT, LEAST_GAP, LEAST_HALF_BREADTH, START_GAP, significant};
 
 /// A round bottom's peak needs an averaging time of so many R V/c₀² (GE20) [-].
 const ACOUSTIC_TIMES: f64 = 10.0;
@@ -13,17 +13,6 @@ const LEAST_ROUND: f64 = 1.25;
 const ROUND_BAND: [f64; 2] = [0.05, 5.0];
 /// Band of the pressure of the air under a flat bottom (WC27), share of it [-].
 const AIR_BAND: f64 = 0.3;
-/// Averaging time and length of the pulse of that air over b/c [-].
-const AIR_PULSE: [f64; 2] = [0.2, 2.2];
-
-/// Averaging time [s] under a flat bottom whose trapped air the water's softness stands for, and the time after contact at which its pulse ends,
-/// or an echo comes.
-pub(super) fn air_pulse(scene: &Scene, entry: &Entry) -> Option<[f64; 2]> {
-    let (air, sound) = (entry.cushion.filter(|_| scene.is_cushioned(entry))?, scene.sound_speed());
-    let way = scene.tank.depth.min(0.5 * scene.tank.width - air.half_breadth);
-    let [window, pulse] = AIR_PULSE.map(|share| share * air.half_breadth / sound);
-    Some([window, pulse.min(2.0 * way / sound)])
-}
 
 impl Judge {
     /// What may be said of a peak under a flat bottom.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::air_pulse::air_pulse;
 use super::bands::{Depth, LEAST_FORCE_BAND};
-use super::blunt::air_pulse;
 use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;

@@ -4,6 +4,7 @@
 //! sound. Both last as long as the body takes to fall through a spacing or two. A peak is therefore a mean over the time of three
 //! spacings; the largest value of a single step is given beside it, as `raw`.
 
+mod air_pulse;
 mod bands;
 mod blunt;
 mod filtered;
