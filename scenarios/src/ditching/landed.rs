@@ -210,9 +210,14 @@ impl Summary {
     /// The numbers in a few lines.
     pub fn to_text(&self) -> String {
         let at = |p: &Peak, unit: &str| format!("{:.2}{unit} at {:.3} s", p.value, p.time_s);
+        let (line, place) = (&self.line_load_n_per_m, self.line_load_at_m);
+        let keel = match place.is_finite() {
+            true => format!("{:.0} kN/m of keel {place:.1} m from the nose at {:.3} s", 1e-3 * line.value, line.time_s),
+            false => "the keel stays dry".to_string(),
+        };
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
-             at {:.3} s; {:.0} kN/m of keel {:.1} m from the nose at {:.3} s\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
+             at {:.3} s; {keel}\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
              {:.1} to {:.1} degrees{}{}{}",
             self.scene,
             self.strips,
@@ -223,9 +228,6 @@ impl Summary {
             at(&self.deceleration_g, " g"),
             1e-3 * self.fz_n.value,
             self.fz_n.time_s,
-            1e-3 * self.line_load_n_per_m.value,
-            self.line_load_at_m,
-            self.line_load_n_per_m.time_s,
             self.run_length_m,
             self.time_end_s,
             self.speed_m_per_s[0],

@@ -72,7 +72,10 @@ impl Scene {
     pub fn projection_speed(&self) -> f64 {
         const ROOT_OVER_BODY: f64 = 4.0;
         let fastest = self.fastest_speed();
-        self.entry().map_or(fastest, |entry| fastest.min(ROOT_OVER_BODY * entry.speed))
+        // water leaves the edges of a flat bottom as fast as the root of a spray
+        let of_entry =
+            |entry: Entry| fastest.max(entry.bottom.root_speed(entry.attached_speed)).min(ROOT_OVER_BODY * entry.speed);
+        self.entry().map_or(fastest, of_entry)
     }
 }
 

@@ -25,6 +25,8 @@ const PENETRATION_STEPS: u32 = 1000;
 const NOTABLE_GAIN: f64 = 1.05;
 /// Share of a body's breadth that its flat bottom has where air is trapped, at least, and largest draught at t = 0 over the breadth [-].
 const TRAPPING: [f64; 2] = [0.5, 0.01];
+/// Wetted width over the breadth from which chines count as wet: the sides of a rolled wedge have less than that of its flat face [-].
+const PAST_CHINES: f64 = 1.1;
 /// Draught over the radius from which water leaves a round bottom [-].
 const DRY_SIDES: f64 = 0.15;
 
@@ -128,9 +130,9 @@ impl Entry {
         matches!(self.bottom, Bottom::Arc { radius } if self.final_draught > DRY_SIDES * radius)
     }
 
-    /// Does the spray root pass the chines within the run?
+    /// Does the spray root (Wagner 1932) pass the chines within the run, by a tenth at least?
     pub(super) fn wets_its_chines(&self) -> bool {
-        self.bottom.wetted_half_width(self.final_draught.max(0.0)) > self.half_breadth
+        self.bottom.wetted_half_width(self.final_draught.max(0.0)) > PAST_CHINES * self.half_breadth
     }
 
     /// Draught [m] up to which the spray root is on the bottom: at the chines or at the end of the run.
