@@ -57,3 +57,15 @@ pub fn landing(hull: &Hull, gravity: f64, mass: f64) -> Landing<'_> {
         least_speed: 1.0,
     }
 }
+
+/// A hull of 20 m that tapers and whose keel rises aft.
+pub fn tapered_hull() -> Hull {
+    let wedge = Form::DeadriseDeg(25.0);
+    let stations = [
+        station(0.0, 0.0, 6.0, wedge),
+        station(8.0, 0.0, 6.0, wedge),
+        station(14.0, 0.02, 5.0, wedge),
+        station(20.0, 0.08, 4.0, wedge),
+    ];
+    Hull::new(Fuselage::new(&stations).expect("a fuselage"), EntryModel::VonKarman).expect("in range")
+}

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use evidence::landing::{RHO, landing, prism, station};
-use fsi_coupling::entry_theory::ditching::{Aeroplane, Attitude, Form, Fuselage, Hull, LandingEnd, LandingState};
+use evidence::landing::{RHO, landing, prism, tapered_hull};
+use fsi_coupling::entry_theory::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
 use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
 use scenarios::ditching::{self, Accelerometer, Landed};
 use scenarios::run::summary::Status;
@@ -52,14 +52,7 @@ fn slope_of_mlm(deadrise: f64) -> f64 {
 /// it loses in energy is the work Σ f ḣ.
 #[test]
 fn momentum_and_energy_go_to_the_water() {
-    let wedge = Form::DeadriseDeg(25.0);
-    let stations = [
-        station(0.0, 0.0, 6.0, wedge),
-        station(8.0, 0.0, 6.0, wedge),
-        station(14.0, 0.02, 5.0, wedge),
-        station(20.0, 0.08, 4.0, wedge),
-    ];
-    let hull = Hull::new(Fuselage::new(&stations).expect("a fuselage"), EntryModel::VonKarman).expect("in range");
+    let hull = tapered_hull();
     let mut landing = landing(&hull, 0.0, 5e4);
     (landing.strips, landing.sample_every) = (1000, 1);
     let run = landing.solve();

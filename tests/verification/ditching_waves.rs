@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use evidence::landing::{RHO, landing, prism, station};
+use evidence::landing::{RHO, landing, prism, tapered_hull};
 use fsi_coupling::entry_theory::EntryModel;
-use fsi_coupling::entry_theory::ditching::{Attitude, Form, Fuselage, Hull, Landing, LandingState, Swell};
+use fsi_coupling::entry_theory::ditching::{Attitude, Landing, LandingState, Swell};
 use scenarios::ditching::{self, Landed};
 
 const G: f64 = 9.81;
@@ -114,14 +114,7 @@ fn a_floating_hull_accelerates_with_the_water() {
 /// energy, with what the waves do on it, is the work Σ f ḣ on the planes: none comes from nowhere.
 #[test]
 fn momentum_and_energy_balance_on_waves() {
-    let wedge = Form::DeadriseDeg(25.0);
-    let stations = [
-        station(0.0, 0.0, 6.0, wedge),
-        station(8.0, 0.0, 6.0, wedge),
-        station(14.0, 0.02, 5.0, wedge),
-        station(20.0, 0.08, 4.0, wedge),
-    ];
-    let hull = Hull::new(Fuselage::new(&stations).expect("a fuselage"), EntryModel::VonKarman).expect("in range");
+    let hull = tapered_hull();
     for heading in [0.0, 0.5 * PI, 2.5, PI] {
         let mut landing = landing(&hull, G, 5e4);
         (landing.strips, landing.sample_every) = (1000, 1);
