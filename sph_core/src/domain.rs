@@ -78,6 +78,9 @@ pub struct Domain {
     pub periodic: Option<Periodic>,
     /// Largest speed of the flow that is known before the run [m/s]: of the body, of the spray root, or of falling water.
     pub fastest_speed: f64,
+    /// The water starts at rest below a level surface and between walls: what accelerates its coarser particles then is an error of their
+    /// grading, and is taken off (THEORY WC28; weakly compressible scheme).
+    pub starts_level: bool,
     /// Sum several targets side by side where the processor can (see [`crate::interactions::simd`]). False: one at a
     /// time, for comparison.
     pub simd: bool,
@@ -92,6 +95,7 @@ impl Default for Domain {
             mirror: None,
             periodic: None,
             fastest_speed: 1.0,
+            starts_level: false,
             simd: true,
         }
     }

@@ -275,11 +275,13 @@ impl Fluid {
         let of = |k: usize| {
             let (m, u, v) = (p.mass[k], p.u[k], p.v[k]);
             let internal = self.scheme.internal_energy(&self.system, k);
-            [m, m * u, m * v, 0.5 * m * (u * u + v * v), m * p.x[k], m * p.y[k], m * internal, m / p.rho[k]]
+            let [fx, fy] = p.rest(k);
+            let held = m * (fx * p.x[k] + fy * p.y[k]);
+            [m, m * u, m * v, 0.5 * m * (u * u + v * v), m * p.x[k], m * p.y[k], m * internal, m / p.rho[k], held]
         };
-        let ([mass, mu, mv, kinetic, mx, my, elastic, volume], top_speed) =
+        let ([mass, mu, mv, kinetic, mx, my, elastic, volume, held], top_speed) =
             parallel::within_pool(|| (parallel::sum(p.len(), of), self.top_speed()));
-        let potential = -(g[0] * mx + g[1] * my);
+        let potential = -(g[0] * mx + g[1] * my) - held + self.particles().released;
         Totals {
             mass: halves * mass,
             momentum: self.of_both_halves([mu, mv]),
@@ -313,6 +315,14 @@ impl Fluid {
     /// Σ m [kg/m]; with a mirror plane, of both halves.
     pub fn mass(&self) -> f64 {
         self.halves() * self.particles().mass.iter().sum::<f64>()
+    }
+
+    /// Force of gravity, and of what keeps graded water at rest (WC28) [N/m]; with a mirror plane, on both halves.
+    pub fn external_force(&self) -> [f64; 2] {
+        let (p, g) = (self.particles(), self.domain().gravity);
+        let [fx, fy] = parallel::sum(p.len(), |k| p.rest(k).map(|f| p.mass[k] * f));
+        let mass: f64 = p.mass.iter().sum();
+        self.of_both_halves([mass * g[0] + fx, mass * g[1] + fy])
     }
 
     /// Σ m/ρ [m²]; with a mirror plane, of both halves.

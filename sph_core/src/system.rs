@@ -122,6 +122,9 @@ impl ParticleSystem {
             if p.x[k] < mirror.at {
                 p.x[k] = mirror.reflect(p.x[k]);
                 (p.u[k], p.ax[k]) = (-p.u[k], -p.ax[k]);
+                if let Some(rest) = p.rest[0].get_mut(k) {
+                    *rest = -*rest;
+                }
                 reflected(p.id[k]);
             }
         }

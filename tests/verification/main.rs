@@ -20,6 +20,7 @@ mod force_rules;
 mod gas;
 mod gauges;
 mod gentle_water;
+mod graded_rest;
 mod grading;
 mod heaving_box;
 mod host;

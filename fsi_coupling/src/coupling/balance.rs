@@ -27,7 +27,8 @@ pub(super) struct Balance {
     pub momentum: MomentumAudit,
     pub fluid_at_start: FluidEnergy,
     energy_at_start: f64,
-    fluid_mass: f64,
+    /// On the fluid at the end of the last step [N/m], and its number of particles: halves are free of WC28.
+    external_force: ([f64; 2], usize),
     /// Taken from the water by a beach.
     pub absorbed: Damped,
 }
@@ -39,7 +40,7 @@ impl Balance {
             momentum: MomentumAudit { balance: momentum_balance(fluid.momentum(), members), worst: 0.0 },
             fluid_at_start,
             energy_at_start: energy(&fluid_at_start, members),
-            fluid_mass: fluid.mass(),
+            external_force: (fluid.external_force(), fluid.particles().len()),
             absorbed: Damped::default(),
         }
     }
@@ -59,11 +60,17 @@ impl Balance {
         let (now, w) = (momentum_balance(of_fluid, members), walls);
         let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
-        let symmetric = fluid.domain().mirror.is_some();
+        let (before, count) = self.external_force;
+        if count != fluid.particles().len() {
+            self.external_force = (fluid.external_force(), fluid.particles().len());
+        }
+        // particles are halved before all kicks of a step that holds pairs (WC22), between the two of another (WC11)
+        let after = self.external_force.0;
+        let before = if fluid.holds_pairs() { after } else { before };
         for k in 0..2 {
-            let gravity = if symmetric && k == 0 { 0.0 } else { dt * self.fluid_mass * fluid.domain().gravity[k] };
             let held_by_bodies: f64 = members.iter().map(|m| m.body.momentum().momentum[k].abs()).sum();
-            let gap = (now[k] - self.momentum.balance[k] - gravity).abs() - ROUNDING * held_by_bodies;
+            let external = 0.5 * dt * (before[k] + after[k]);
+            let gap = (now[k] - self.momentum.balance[k] - external).abs() - ROUNDING * held_by_bodies;
             if scale > 0.0 && gap > 0.0 {
                 self.momentum.worst = self.momentum.worst.max(gap / scale);
             }

@@ -3,17 +3,14 @@
 use fsi_coupling::settings::significant;
 
 use super::legacy::repulsive_walls;
-use super::settings::{Motion, Scene};
-
-/// Largest g D/V² of a body at a given speed in graded water, of its draught D at the end [-].
-const LARGEST_GAIN: f64 = 0.3;
+use super::settings::Scene;
 
 /// Why the forces of a scene are not resolved, where that is known; what is doubtful in `check`, and the verdict of the results.
 pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
     if scene.body.is_none() || scene.model.is_theory() {
         return None;
     }
-    pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene))
+    pushed(scene).or_else(|| outside_fine_zone(scene))
 }
 
 /// Repulsive points push each particle that comes near: a wedge of 30 degrees had five times its force.
@@ -21,22 +18,6 @@ fn pushed(scene: &Scene) -> Option<String> {
     let fluid = scene.solver.weakly_compressible()?;
     repulsive_walls(&fluid.options)
         .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to five times too large".to_string())
-}
-
-/// Graded water does not come to rest (WC1): under a body at a given speed that is slow beside what gravity adds, it sinks.
-fn sinking(scene: &Scene) -> Option<String> {
-    let entry = scene.entry().filter(|entry| entry.final_draught > 0.0)?;
-    let given = matches!(scene.body.as_ref()?.motion, Motion::ConstantVelocity | Motion::Tabulated(_));
-    let [gx, gy] = scene.gravity;
-    let gained = gx.hypot(gy) * entry.final_draught / entry.speed.powi(2);
-    let graded = scene.resolution.growth > 1.0 && scene.solver.weakly_compressible().is_some();
-    (given && graded && gained > LARGEST_GAIN).then(|| {
-        format!(
-            "graded water sinks under its weight while the body goes down: g D/V^2 is {} at the end, and above {LARGEST_GAIN} the force was 9 to \
-             17 % low; set resolution.growth = 1, tank.width and tank.depth",
-            significant(gained)
-        )
-    })
 }
 
 fn outside_fine_zone(scene: &Scene) -> Option<String> {

@@ -29,15 +29,20 @@ impl Forces {
         });
     }
 
-    /// a = F/m + g, in place of F.
+    /// a = F/m + g + f (WC28), in place of F.
     pub fn accelerate(mut self, system: &mut ParticleSystem) {
         system.timers.begin(Phase::Integration);
         let (p, g) = (&mut system.particles, system.domain.gravity);
         parallel::each([&mut self.x, &mut self.y], |at, [ax, ay]| {
-            let mass = &p.mass[at];
+            let mass = &p.mass[at.clone()];
             for k in 0..mass.len() {
                 ax[k] = ax[k] / mass[k] + g[0];
                 ay[k] = ay[k] / mass[k] + g[1];
+            }
+            let [fx, fy] = p.rest.each_ref().map(|f| if f.is_empty() { &[] } else { &f[at.clone()] });
+            for k in 0..fx.len() {
+                ax[k] += fx[k];
+                ay[k] += fy[k];
             }
         });
         (p.ax, p.ay) = (self.x, self.y);

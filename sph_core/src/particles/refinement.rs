@@ -114,12 +114,18 @@ impl Particles {
     fn split(&mut self, k: usize, spacing: f64, g: [f64; 2], c0: f64) {
         let upright = self.refinement_level[k].is_multiple_of(2);
         let arm = if upright { [0.5f64.sqrt(), 0.5f64.sqrt()] } else { [1.0, 0.0] }.map(|e| ARM * spacing * e);
+        let f = self.rest(k);
+        self.released -= self.mass[k] * (f[0] * self.x[k] + f[1] * self.y[k]);
         self.mass[k] *= 0.5;
         self.h[k] = smoothing_length(0.5 * self.h[k] * self.h[k]);
         self.refinement_level[k] += 1;
         let id = self.len() as u32;
-        let Particles { x, y, u, v, rho, mass, h, ax, ay, id: ids, energy, refinement_level, newly_split } = self;
-        for array in [&mut *x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().filter(|a| !a.is_empty()) {
+        let Particles { x, y, u, v, rho, mass, h, ax, ay, id: ids, energy, rest, .. } = self;
+        for f in rest.iter_mut().filter(|f| !f.is_empty()) {
+            f[k] = 0.0;
+        }
+        let arrays = [&mut *x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest);
+        for array in arrays.filter(|a| !a.is_empty()) {
             array.push(array[k]);
         }
         let last = x.len() - 1;
@@ -128,8 +134,8 @@ impl Particles {
         let denser = ((g[0] - ax[k]) * arm[0] + (g[1] - ay[k]) * arm[1]) / (c0 * c0); // δρ/ρ of ∇p = ρ (g − a)
         (rho[k], rho[last]) = (rho[k] * (1.0 - denser), rho[last] * (1.0 + denser));
         ids.push(id);
-        refinement_level.push(refinement_level[k]);
-        newly_split.push(true);
+        self.refinement_level.push(self.refinement_level[k]);
+        self.newly_split.push(true);
     }
 }
 

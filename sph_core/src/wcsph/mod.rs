@@ -5,6 +5,7 @@
 
 mod choice;
 pub mod eos;
+mod rest;
 mod settings;
 pub(crate) mod shifting;
 pub mod split_explicit;
@@ -28,6 +29,7 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use eos::Tait;
+use rest::{hold_at_rest, release};
 use shifting::{even_out, settle};
 use step_limit::{StepLimit, rebuild_lists};
 use updates::{advance_density_and_drift, kick, kick_and_drift};
@@ -176,7 +178,9 @@ impl Wcsph {
 impl Scheme for Wcsph {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
         let settling = self.settings.shifting.then_some(self.settings.settling);
+        release(flow.system);
         settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
+        hold_at_rest(flow.system);
         Ok(())
     }
 

@@ -70,19 +70,23 @@ pub struct SplitExplicit {
 struct HeldGeometry {
     pairs: HeldPairs,
     walls: HeldWalls,
-    /// Viscous forces on the fluid [N/m].
+    /// Viscous forces on the fluid, and those that keep graded water at rest (WC28) [N/m].
     viscous: [Vec<f64>; 2],
     /// Viscous forces on the walls [N/m].
     viscous_on_walls: [Vec<f64>; 2],
 }
 
 impl HeldGeometry {
-    /// WC6, WC7 and the kernel moments, of packed particles without pressures.
+    /// WC6, WC7, WC28 and the kernel moments, of packed particles without pressures.
     fn viscous_forces(&mut self, system: &mut ParticleSystem, walls: &mut Walls, terms: &PairTerms) {
         let at_start = [walls.fx.clone(), walls.fy.clone()];
         let mut on_fluid = Forces { x: vec![0.0; system.particles.len()], y: vec![0.0; system.particles.len()] };
         gather_fluid_forces(system, terms, true, &mut on_fluid);
         gather_wall_forces(system, terms, walls);
+        let p = &system.particles;
+        for (force, rest) in [(&mut on_fluid.x, &p.rest[0]), (&mut on_fluid.y, &p.rest[1])] {
+            force.iter_mut().zip(rest).zip(&p.mass).for_each(|((force, rest), mass)| *force += mass * rest);
+        }
         self.viscous = [on_fluid.x, on_fluid.y];
         self.viscous_on_walls = [walls.fx.clone(), walls.fy.clone()];
         [walls.fx, walls.fy] = at_start;
