@@ -135,7 +135,7 @@ impl Parameters {
             mirror: self.mirror,
             periodic: self.periodic,
             fastest_speed: self.speed,
-            simd: true,
+            ..Domain::default()
         }
     }
 

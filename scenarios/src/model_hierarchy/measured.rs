@@ -1,8 +1,8 @@
 //! Error of a theory in the measured case that is nearest to a scene.
 
-use fsi_coupling::entry_theory::{EntryModel, Section, SimilarityFlow};
+use fsi_coupling::entry_theory::{BOUNDARY_ELEMENT_DEADRISES, EntryModel, Section, SimilarityFlow};
 
-use super::{QuantityOfInterest, Theory};
+use super::{QuantityOfInterest, Theory, rolled};
 use crate::compare;
 use crate::observers::Series;
 use crate::scene::{self, Motion, Scene, significant};
@@ -45,11 +45,18 @@ const BENT_ERROR: f64 = 0.05;
 /// RMS difference of a falling bent section's speed from particles over that at contact [-].
 const BENT_DROP_ERROR: f64 = 0.01;
 
+/// Largest error of force and largest pressures on rolled wedges at constant speed (`tests/verification/asymmetric_similarity.rs`) [-].
+const ROLLED_ERROR: f64 = 0.02;
+/// Deadrises of the faces in the drops of rolled wedges [deg].
+const ROLLED_DROP_FACES: [f64; 2] = [20.0, 57.0];
+/// Largest differences from particles in them: RMS of the speed over that at contact, largest force, force in tenths of the run [-].
+const ROLLED_DROP_ERRORS: [f64; 3] = [0.005, 0.03, 0.05];
+
 /// The error of a theory where it was measured nearest to this scene: against the exact solution at the same deadrise, and for
 /// free drops against the validated one. `None` where nothing was measured near.
 pub fn measured(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
     if theory.rolls() {
-        return None;
+        return of_rolled_wedge(scene, want);
     }
     if theory.section.radius().is_some() {
         return of_round_bottom(scene, theory, want);
@@ -107,6 +114,34 @@ fn of_round_bottom(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> 
             let constant = "arc_constant to half a radius, against particles";
             let case = if falls { format!("{constant}, and {drop}") } else { constant.into() };
             Some(Measured { error: ROUND_ERROR + dropped, case })
+        }
+        _ => None,
+    }
+}
+
+/// About a rolled wedge: at constant speed against the asymmetric similar flow, in drops against particles.
+fn of_rolled_wedge(scene: &Scene, want: QuantityOfInterest) -> Option<Measured> {
+    let body = scene.body.as_ref()?;
+    let deadrises = rolled::deadrises(body)?;
+    let falls = matches!(body.motion, Motion::Free(_));
+    let past_chines = rolled::wets_chines(scene)?;
+    let [least, most] = if falls { ROLLED_DROP_FACES } else { BOUNDARY_ELEMENT_DEADRISES };
+    if !deadrises.iter().all(|deadrise| (least - 1e-6..=most + 1e-6).contains(deadrise)) {
+        return None;
+    }
+    let drop = "six drops of wedges of 27 to 42 degrees rolled by 4 to 15, against particles";
+    let constant = "rolled wedges at constant speed, against the asymmetric similarity solution";
+    match want {
+        QuantityOfInterest::Motion if falls => Some(Measured { error: ROLLED_DROP_ERRORS[0], case: drop.into() }),
+        QuantityOfInterest::Motion => Some(Measured { error: 0.0, case: "a motion that is given".into() }),
+        QuantityOfInterest::PeakForce if falls => Some(Measured { error: ROLLED_DROP_ERRORS[1], case: drop.into() }),
+        QuantityOfInterest::History if falls && !past_chines => {
+            Some(Measured { error: ROLLED_DROP_ERRORS[2], case: drop.into() })
+        }
+        QuantityOfInterest::PeakForce | QuantityOfInterest::History | QuantityOfInterest::PeakPressure
+            if !falls && !past_chines =>
+        {
+            Some(Measured { error: ROLLED_ERROR, case: constant.into() })
         }
         _ => None,
     }

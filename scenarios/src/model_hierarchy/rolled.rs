@@ -9,11 +9,25 @@ use crate::scene::{Body, Scene, Shape};
 /// Share of a face that the check of a scene wets.
 const CHECKED: f64 = 0.1;
 
-/// Does the scene ask for boundary elements about a rolled rigid wedge?
+/// Are boundary elements those about a rolled rigid wedge?
 pub(super) fn rolls(scene: &Scene, model: EntryModel) -> bool {
-    let asked = model == EntryModel::BoundaryElement && scene.model == model;
     let wedge = |body: &Body| matches!(body.shape, Shape::Wedge { .. }) && body.angle_deg != 0.0 && !body.bends();
-    asked && scene.body.as_ref().is_some_and(wedge)
+    model == EntryModel::BoundaryElement && scene.body.as_ref().is_some_and(wedge)
+}
+
+/// Deadrises of the faces, left and right [deg]; `None` for other shapes.
+pub(super) fn deadrises(body: &Body) -> Option<[f64; 2]> {
+    let Shape::Wedge { deadrise_deg, .. } = body.shape else { return None };
+    Some([deadrise_deg - body.angle_deg, deadrise_deg + body.angle_deg])
+}
+
+/// Does a jet's tip come to a chine, at the speed of the start?
+pub(super) fn wets_chines(scene: &Scene) -> Option<bool> {
+    let body = scene.body.as_ref()?;
+    let RolledEntry { deadrises, lengths, .. } = entry(scene, body, SectionMotion::Constant)?;
+    let flow = AsymmetricFlow::solve(deadrises[0], deadrises[1]).ok()?;
+    let longest = flow.left.length.max(flow.right.length);
+    Some(scene.entry()?.final_draught * longest > lengths[0].min(lengths[1]))
 }
 
 /// The entry of a rolled wedge; `None` for other shapes.

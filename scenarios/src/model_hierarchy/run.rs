@@ -10,7 +10,7 @@ use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::log::{BodyView, Frame, Logged};
 use crate::observers::{ObserveError, Series, SimilarityResult, body_values, create_log, mean_and_deviation};
 use crate::reference::WedgeSimilarity;
-use crate::results::{Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
+use crate::results::{Extreme, Quantity, Results, RunningIntegral, STANDARD_GRAVITY, Verdict};
 use crate::run::summary::{Log, Peak, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
 use crate::scene::{Body, Gauge, Motion, Scene};
@@ -101,10 +101,10 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
 
 /// Results of a theory: no particles, so no mean.
 fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
-    let mut curves = [RunningIntegral::<1>::default(), RunningIntegral::default()];
+    let (mut forces, mut accelerations) = (RunningIntegral::<2>::default(), RunningIntegral::<1>::default());
     for (now, motion) in theory.instants.iter().zip(theory.motions(body)) {
-        curves[0].take(now.time, [now.force]);
-        curves[1].take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
+        forces.take(now.time, motion.force);
+        accelerations.take(now.time, [motion.acceleration[1] / STANDARD_GRAVITY]);
     }
     let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
         let verdict = Verdict::Resolved;
@@ -113,17 +113,18 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     // an acceleration and an impulse are as good as the force
     let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));
     let share = bar.filter(|bar| bar.value != 0.0).map(|bar| bar.band / bar.value.abs());
-    let peak = |curve: &RunningIntegral<1>, subtracted: f64| {
-        let peak = curve.largest()?;
+    let peak = |largest: Option<Extreme>, subtracted: f64| {
+        let peak = largest?;
         quantity(peak.value, Some(peak.time), share.map(|share| share * (peak.value + subtracted)))
     };
     let free = matches!(body.motion, Motion::Free(_));
-    let impulse = curves[0].total()[0].abs();
+    let [x, y] = forces.total();
+    let impulse = x.hypot(y);
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     Results {
-        peak_force_N_per_m: peak(&curves[0], 0.0),
-        peak_acceleration_g: peak(&curves[1], 1.0).filter(|_| free),
+        peak_force_N_per_m: peak(forces.largest(), 0.0),
+        peak_acceleration_g: peak(accelerations.largest(), 1.0).filter(|_| free),
         peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),
         impulse_N_s_per_m: quantity(impulse, None, share.map(|share| share * impulse)),
         panels: Default::default(),

@@ -21,7 +21,7 @@ use serde::Serialize;
 pub use filtered::FilteredAcceleration;
 pub(crate) use filtered::PASS_OVER_CLASS;
 pub use observer::ResultsObserver;
-pub(crate) use running_integral::RunningIntegral;
+pub(crate) use running_integral::{Extreme, RunningIntegral};
 
 /// Standard gravity [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
