@@ -117,7 +117,7 @@ impl EntryFlow {
         self
     }
 
-    /// The past is of no use where the flow changes at once.
+    /// Drop the past where the flow changes suddenly.
     pub(super) fn forget_past(&mut self) {
         self.past.clear();
         self.surface.past.clear();
@@ -153,7 +153,7 @@ impl EntryFlow {
         EntryFlow { surface, underside, ..self }
     }
 
-    /// Would the body be followed in steps so short only because the surface breaks up?
+    /// Is a step [s] so short that the surface is breaking up?
     pub(super) fn is_too_short(&self, dt: f64) -> bool {
         dt * self.keel_speed().abs() < LEAST_GROWTH * self.face.draught
     }
