@@ -8,9 +8,6 @@ use crate::settings::significant;
 const LEAST_ARC_DEG: f64 = 20.0;
 /// Least angle by which a bottom turns up where the flow about a bent one leaves it for good [deg].
 const LEAST_CHINE_DEG: f64 = 20.0;
-/// A knuckle that turns by more than this [deg] nearer to a wet chine than this share of the half breadth [-] breaks the flow: its force was two
-/// to five times too large from a share of 0.08 on.
-const NEAR_CHINE: [f64; 2] = [3.0, 0.12];
 
 impl EntryModel {
     /// Refuse a bottom outside the range of the model; it is wetted up to the half width `reach` [m].
@@ -48,7 +45,7 @@ impl EntryModel {
             }
             EntryModel::BoundaryElement if !is_wedge => section.not_followed(reach).map(|what| {
                 let range = format!(
-                    "bottoms of faces of {least} to {most} degrees, up to a knuckle of {LEAST_CHINE_DEG} degrees and more, with none beside a wet chine"
+                    "bottoms of faces of {least} to {most} degrees, up to a knuckle of {LEAST_CHINE_DEG} degrees and more"
                 );
                 (what, range)
             }),
@@ -96,16 +93,6 @@ impl Section {
         self.followed()[self.followed().len() - 1][0]
     }
 
-    /// A knuckle too near to the chine for the flow to pass: its distance from the middle [m] and its turn [deg].
-    fn knuckle_near_chine(&self) -> Option<(f64, f64)> {
-        let (corners, half) = (self.followed(), self.followed_half_breadth());
-        let angle = |k: usize| self.slopes()[k].atan().to_degrees();
-        let [least, share] = NEAR_CHINE;
-        (1..corners.len().saturating_sub(1))
-            .map(|k| (corners[k][0], (angle(k) - angle(k - 1)).abs()))
-            .find(|(x, turn)| *turn > least && half - x < share * half)
-    }
-
     /// The face of a bent bottom, wetted up to the half width `reach` [m], that boundary elements do not follow.
     fn not_followed(&self, reach: f64) -> Option<String> {
         let [least, _] = EntryModel::BoundaryElement.deadrises();
@@ -115,10 +102,7 @@ impl Section {
         let steep = (faces == 0).then_some(0);
         let further = faces < self.slopes().len() && faces > 0;
         let bend = further.then(|| angle(faces) - angle(faces - 1)).filter(|turn| *turn < LEAST_CHINE_DEG);
-        let near = self.knuckle_near_chine().filter(|_| reach >= self.followed_half_breadth()).map(|(x, turn)| {
-            format!("one with a knuckle of {turn:.1} degrees at {} m, beside a chine that gets wet", significant(x))
-        });
-        near.or_else(|| flat.or(steep).map(|k| format!("one with a face of {:.2} degrees", angle(k)))).or_else(|| {
+        flat.or(steep).map(|k| format!("one with a face of {:.2} degrees", angle(k))).or_else(|| {
             let [x, _] = self.followed()[faces];
             bend.filter(|_| reach > x).map(|turn| {
                 format!("one that turns up by {turn:.1} degrees to {:.1} degrees at {} m", angle(faces), significant(x))

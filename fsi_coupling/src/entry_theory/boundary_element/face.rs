@@ -21,6 +21,8 @@ struct Piece {
     from: c64,
     /// Unit vector outwards at its first point.
     direction: c64,
+    /// Its angle [rad].
+    angle: f64,
     /// Curvature, positive where the bottom gets steeper [1/m].
     curvature: f64,
     length: f64,
@@ -29,6 +31,9 @@ struct Piece {
 impl Piece {
     /// The point at a distance `s` [m] from its first, and the unit vector outwards there.
     fn at(&self, s: f64) -> [c64; 2] {
+        if self.curvature == 0.0 {
+            return [self.from + self.direction * s, self.direction];
+        }
         let (half, turn) = (0.5 * self.curvature * s, |angle: f64| c64::new(angle.cos(), angle.sin()));
         let chord = if half.abs() < 1e-9 { s } else { s * half.sin() / half };
         [self.from + self.direction * turn(half) * chord, self.direction * turn(2.0 * half)]
@@ -88,7 +93,14 @@ impl Face {
     pub fn arc(radius: f64, end: f64, keel: f64) -> Face {
         let tangent = Face::straight(keel, radius * keel.tan());
         let Place { z: from, tangent: direction, along: at } = tangent.place(tangent.length());
-        let arc = Piece { at, from, direction, curvature: 1.0 / radius, length: radius * (end - keel) };
+        let arc = Piece {
+            at,
+            from,
+            direction,
+            angle: direction.arg(),
+            curvature: 1.0 / radius,
+            length: radius * (end - keel),
+        };
         let added = Added { area: 0.5 * radius * radius * (keel.tan() - keel), radius, least: radius * keel.sin() };
         Face { pieces: vec![tangent.pieces[0], arc], draught: 0.0, left_at: f64::INFINITY, added: Some(added) }
     }
@@ -119,6 +131,7 @@ impl Face {
                 at,
                 from: points[k] + direction * taken,
                 direction,
+                angle: direction.arg(),
                 curvature: 0.0,
                 length: (long - taken - next[0]).max(0.0),
             };
@@ -129,7 +142,7 @@ impl Face {
                 let from = points[k + 1] - direction * straight;
                 let length =
                     if curvature == 0.0 { 2.0 * straight } else { 2.0 * (curvature * straight).atan() / curvature };
-                pieces.push(Piece { at, from, direction, curvature, length });
+                pieces.push(Piece { at, from, direction, angle: direction.arg(), curvature, length });
                 at += length;
             }
             taken = straight;
@@ -139,7 +152,7 @@ impl Face {
 
     fn of(direction: c64, curvature: f64, length: f64) -> Face {
         Face {
-            pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, curvature, length }],
+            pieces: vec![Piece { at: 0.0, from: c64::ZERO, direction, angle: direction.arg(), curvature, length }],
             draught: 0.0,
             left_at: f64::INFINITY,
             added: None,
@@ -176,10 +189,20 @@ impl Face {
         self.left_at.min(self.whole_length())
     }
 
+    fn piece(&self, along: f64) -> &Piece {
+        let after = self.pieces.partition_point(|piece| piece.at <= along);
+        &self.pieces[after.max(1) - 1]
+    }
+
+    /// Angle of the bottom at a distance from the keel [rad].
+    fn angle(&self, along: f64) -> f64 {
+        let piece = self.piece(along);
+        piece.angle + piece.curvature * (along - piece.at).min(piece.length)
+    }
+
     /// The place at a distance from the keel [m].
     pub fn place(&self, along: f64) -> Place {
-        let after = self.pieces.partition_point(|piece| piece.at <= along);
-        let piece = &self.pieces[after.max(1) - 1];
+        let piece = self.piece(along);
         let s = along - piece.at;
         let [z, tangent] = piece.at(s.min(piece.length));
         Place { along, z: self.keel() + z + tangent * (s - piece.length).max(0.0), tangent }
@@ -199,9 +222,14 @@ impl Face {
         let from_keel = z - self.keel();
         let end = self.place(self.whole_length());
         let over = if beyond { ((z - end.z) * end.tangent.conj()).re.max(0.0) } else { 0.0 };
-        let places = self.pieces.iter().map(|piece| piece.at + piece.nearest(from_keel)).chain([end.along + over]);
-        let nearer = |best: Place, here: Place| if (here.z - z).norm() < (best.z - z).norm() { here } else { best };
-        places.map(|along| self.place(along)).fold(self.place(0.0), nearer)
+        let on_piece = |piece: &Piece| {
+            let s = piece.nearest(from_keel);
+            [(piece.at(s)[0] - from_keel).norm_sqr(), piece.at + s]
+        };
+        let beyond = [(self.place(end.along + over).z - z).norm_sqr(), end.along + over];
+        let nearer = |best: [f64; 2], here: [f64; 2]| if here[0] < best[0] { here } else { best };
+        let [_, along] = self.pieces.iter().map(on_piece).chain([beyond]).fold([f64::INFINITY, 0.0], nearer);
+        self.place(along)
     }
 
     /// Size of the elements at a distance from the keel for which the rounded knuckles ask [m].
@@ -232,7 +260,7 @@ impl Face {
         let step = 0.5 * std::f64::consts::PI / PLACES as f64;
         let weights = (0..PLACES).map(|k| ((k as f64 + 0.5) * step).sin());
         let total: f64 = weights.clone().sum();
-        weights.map(|w| w * self.place(along * w).tangent.arg()).sum::<f64>() / total
+        weights.map(|w| w * self.angle(along * w)).sum::<f64>() / total
     }
 }
 

@@ -4,15 +4,19 @@
 //! one matrix gives the velocity, the pressure and the added mass. At wet chines, and where a round bottom turns up, the flow separates (Zhao, Faltinsen & Aarsnes 1996).
 
 mod before;
+mod buffer;
 mod cauchy;
 mod elements;
 mod entry;
 mod face;
+mod factorised;
+mod influence;
 mod lower_side;
 mod rolled;
 mod solution;
 mod spline;
 mod state;
+mod stepping;
 mod surface;
 
 use std::f64::consts::FRAC_2_PI;
@@ -35,8 +39,6 @@ use solution::Solution;
 use spline::Spline;
 use surface::FreeSurface;
 
-/// Longest way of a node per step, over the length of its element.
-const COURANT: f64 = 1.0;
 /// Largest growth of the draught per step.
 const DRAUGHT_GROWTH: f64 = 0.03;
 /// Distance to which the free surface reaches, over half the wetted breadth, at the start.
@@ -103,6 +105,7 @@ impl EntryFlow {
             };
             flow.step(|_| 0.0).map_err(ended)?;
         }
+        flow.forget_past();
         Ok(EntryFlow { gravity, ..flow })
     }
 
@@ -129,7 +132,16 @@ impl EntryFlow {
         let similar = SimilarityFlow::solve(keel)?;
         let surface = FreeSurface::similar(&similar, draught, speed, far / keel.to_radians().tan());
         let surface = surface.redistributed(LowerSide { face: &face, underside: None, size: 1.0 });
-        Some(EntryFlow { surface, face, underside: None, draught: of_section, speed, gravity: 0.0, size: 1.0 })
+        Some(EntryFlow {
+            surface,
+            face,
+            underside: None,
+            draught: of_section,
+            speed,
+            gravity: 0.0,
+            size: 1.0,
+            past: Vec::new(),
+        })
     }
 
     /// The draught at which the flow about a round bottom begins [m]; `None` for a wedge.
@@ -138,44 +150,21 @@ impl EntryFlow {
     }
 
     /// The flow about a wedge at another draught: all lengths times `length`.
-    fn scaled(self, length: f64) -> EntryFlow {
+    fn scaled(mut self, length: f64) -> EntryFlow {
+        self.forget_past();
         let draught = self.draught * length;
         EntryFlow { surface: self.surface.scaled(length, 1.0), face: self.face.at_draught(draught), draught, ..self }
     }
 
     /// The same with all velocities in proportion to a downward speed [m/s].
-    fn at_speed(self, speed: f64) -> EntryFlow {
+    fn at_speed(mut self, speed: f64) -> EntryFlow {
+        self.forget_past();
         EntryFlow { surface: self.surface.scaled(1.0, speed / self.speed), speed, ..self }
     }
 
     /// Load of the water now.
     pub fn load(&self) -> FlowLoad {
         self.solve().load
-    }
-
-    /// One step by the midpoint rule. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at
-    /// its start.
-    ///
-    /// # Errors
-    /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
-    pub fn step(&mut self, acceleration: impl Fn(&FlowLoad) -> f64) -> Result<(f64, FlowLoad), FlowEnded> {
-        let mut start = self.solve();
-        if self.separate(&start, acceleration(&start.load)) {
-            start = self.solve();
-        }
-        let ended = |speed: f64| FlowEnded { draught: self.draught, speed };
-        let dt = self.stable_dt(&start);
-        let half = self.moved(self.speed, &start, acceleration(&start.load), 0.5 * dt);
-        if !half.is_finite() {
-            return Err(ended(half.speed));
-        }
-        let middle = half.solve();
-        let end = self.moved(half.speed, &middle, acceleration(&middle.load), dt);
-        if !(end.is_finite() && end.speed > 0.0 && start.load.force.is_finite()) {
-            return Err(ended(end.speed));
-        }
-        *self = end.attached().redistributed();
-        Ok((dt, start.load))
     }
 
     /// Let the flow leave the chine or a round bottom where it does so at a downward acceleration [m/s²]; true if it did.
@@ -203,7 +192,7 @@ impl EntryFlow {
         let count = (beyond / size).ceil().max(3.0);
         let at = (0..=count as usize).map(|k| beyond * k as f64 / count);
         let (z, phi) = at.map(|q| (on_face.z - on_face.tangent * q, phi.sample(q)[0])).unzip();
-        Some(FreeSurface { z, phi })
+        Some(FreeSurface { z, phi, past: Vec::new() })
     }
 
     /// EN24: where the flow leaves a round bottom, as a distance from the keel [m]: beyond there the pressure is below that of the air.
@@ -235,18 +224,21 @@ impl EntryFlow {
         if k < 2 {
             self.underside = None;
             self.face = self.face.left_at(f64::INFINITY);
+            self.forget_past();
             return self;
         }
         underside.z.truncate(k + 1);
         underside.phi.truncate(k + 1);
         underside.z[k] = on_face.z;
+        self.forget_past();
         self
     }
 
     /// The bottom ends at a distance from the keel [m]; what is beyond is a free surface from now on.
     fn detach(&mut self, now: &Solution, along: f64) {
         let kept = now.along.iter().take_while(|at| **at >= along).count();
-        let mut freed = FreeSurface { z: now.face()[..kept].to_vec(), phi: now.phi_on_face()[..kept].to_vec() };
+        let mut freed =
+            FreeSurface { z: now.face()[..kept].to_vec(), phi: now.phi_on_face()[..kept].to_vec(), past: Vec::new() };
         if let Some(underside) = &self.underside {
             let before = underside.z.len() - 1;
             freed.z.splice(..0, underside.z[..before].iter().copied());
@@ -254,46 +246,6 @@ impl EntryFlow {
         }
         self.underside = Some(freed);
         self.face = self.face.left_at(along);
-    }
-
-    /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
-    fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> EntryFlow {
-        let face = self.face.at_draught(self.face.draught + speed * self.face.keel_speed(self.half_width()) * dt);
-        let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt));
-        if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
-            *at_chine = face.edge();
-        }
-        EntryFlow {
-            surface: at.above.moves(&self.surface, dt),
-            face,
-            underside,
-            draught: self.draught + speed * dt,
-            speed: self.speed + acceleration * dt,
-            gravity: self.gravity,
-            size: self.size,
-        }
-    }
-
-    /// With the jet cut and nodes placed anew.
-    fn redistributed(self) -> EntryFlow {
-        let lower = self.lower_side();
-        let surface = self.surface.redistributed(lower);
-        let (cut, size) = (lower.nearest(surface.end()).foot, lower.finest(surface.end()));
-        let underside = self.underside.as_ref().map(|underside| underside.redistributed_below(cut, size));
-        EntryFlow { surface, underside, ..self }
-    }
-
-    fn stable_dt(&self, now: &Solution) -> f64 {
-        let crossing = |z: &[c64], v: &[c64]| {
-            let speed = 0.5 * (v[0].norm() + v[1].norm());
-            COURANT * (z[1] - z[0]).norm() / speed.max(f64::MIN_POSITIVE)
-        };
-        let surfaces = [(Some(&self.surface), &now.above), (self.underside.as_ref(), &now.below)];
-        let pairs = surfaces.into_iter().filter_map(|(surface, flow)| Some((surface?, flow)));
-        let times = pairs.flat_map(|(surface, flow)| {
-            surface.z.windows(2).zip(flow.velocity.windows(2)).map(|(z, v)| crossing(z, v))
-        });
-        times.fold(DRAUGHT_GROWTH * self.face.draught / self.keel_speed().abs(), f64::min)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The flow at an instant (THEORY EN21, EN23, EN24): velocity, rate of the potential, load.
 
 use std::cmp::Ordering;
+use std::f64::consts::FRAC_PI_4;
 
 use faer::c64;
 
@@ -10,11 +11,13 @@ use super::spline::Spline;
 use super::state::EntryFlow;
 use super::surface::FreeSurface;
 
-/// Size of elements on the face at the keel, and the largest, over the wetted length.
-const FACE_ELEMENTS: [f64; 2] = [1e-4, 0.06];
+/// Size of elements on a face at its keel, up to 45° and beyond, where the potential bends more, over the wetted length.
+const AT_KEEL: [f64; 2] = [1e-3, 1e-4];
+/// The largest size of elements on a face, over the wetted length.
+const LARGEST: f64 = 0.06;
 
 /// Flow at the nodes of a free surface.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct SurfaceFlow {
     /// u + iv [m/s].
     pub velocity: Vec<c64>,
@@ -156,9 +159,13 @@ impl EntryFlow {
         z.extend(underside.iter().flat_map(|underside| &underside.z[1..]));
         let contact = z.len() - 1;
         let wetted = if underside.is_some() { face.length() } else { of_face.along };
-        let [at_keel, largest] = FACE_ELEMENTS.map(|x| x * wetted);
+        let is_steep = face.place(0.0).tangent.arg() > FRAC_PI_4;
+        let [at_keel, largest] = [AT_KEEL[usize::from(is_steep)], LARGEST].map(|x| x * wetted);
         let from_keel = |s: f64| if face.is_keeled() { at_keel + GROWTH * (wetted - s).max(0.0) } else { largest };
-        let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest).min(face.size_at(wetted - s)));
+        // beside a wet chine no smaller ones than on the surface that leaves it: they would need shorter steps
+        let least = if underside.is_some() { size } else { 0.0 };
+        let of_knuckles = |s: f64| face.size_at(wetted - s).max(least);
+        let from_end = graded(wetted, |s| grown(size, s).min(from_keel(s)).min(largest).min(of_knuckles(s)));
         let mut along: Vec<f64> = from_end.iter().map(|s| wetted - s).collect();
         if let Some(keel) = along.last_mut() {
             *keel = 0.0;

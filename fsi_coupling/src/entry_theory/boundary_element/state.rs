@@ -2,6 +2,7 @@
 
 use super::face::Face;
 use super::lower_side::LowerSide;
+use super::stepping::Past;
 use super::surface::FreeSurface;
 
 /// The water about a symmetric wedge that moves downwards.
@@ -19,6 +20,8 @@ pub struct EntryFlow {
     pub(super) gravity: f64,
     /// Size of the elements beside the jet over the usual one [-].
     pub(super) size: f64,
+    /// What the next step needs of earlier ones, the last first.
+    pub(super) past: Vec<Past>,
 }
 
 impl EntryFlow {

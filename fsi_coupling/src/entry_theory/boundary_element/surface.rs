@@ -6,6 +6,7 @@ use faer::c64;
 
 use super::elements::{arc_length, graded, grown};
 use super::lower_side::LowerSide;
+use super::solution::SurfaceFlow;
 use super::spline::Spline;
 use crate::entry_theory::similarity::SimilarityFlow;
 
@@ -28,6 +29,8 @@ pub(super) struct FreeSurface {
     pub z: Vec<c64>,
     /// Potential φ there [m²/s].
     pub phi: Vec<f64>,
+    /// Flow at earlier instants where the water was that is now at the nodes, the last first.
+    pub past: Vec<SurfaceFlow>,
 }
 
 impl FreeSurface {
@@ -40,7 +43,7 @@ impl FreeSurface {
     /// The same through points of the exact surface from the tip outwards, x outwards, shape (n, 2).
     pub fn through(surface: &[[f64; 2]], draught: f64, speed: f64, far: f64) -> FreeSurface {
         let z: Vec<c64> = surface.iter().rev().map(|[x, y]| c64::new(*x, *y)).skip_while(|z| z.re > far).collect();
-        let coarse = FreeSurface { phi: vec![0.0; z.len()], z };
+        let coarse = FreeSurface { phi: vec![0.0; z.len()], z, past: Vec::new() };
         let at = arc_length(&coarse.z);
         let between = |k: usize| (0..PIECES).map(move |i| i as f64 / PIECES as f64).map(move |q| (k, q));
         let fine: Vec<f64> = (0..at.len() - 1)
@@ -73,6 +76,7 @@ impl FreeSurface {
         FreeSurface {
             z: self.z.iter().zip(velocity).map(|(z, v)| z + v * dt).collect(),
             phi: self.phi.iter().zip(rate).map(|(phi, rate)| phi + rate * dt).collect(),
+            past: Vec::new(),
         }
     }
 
@@ -121,9 +125,19 @@ impl FreeSurface {
             let spline = Spline::new(&s, of);
             at.iter().map(|&s| spline.sample(s)[0]).collect::<Vec<_>>()
         };
-        let (x, y) = (along(&mut self.z.iter().map(|z| z.re)), along(&mut self.z.iter().map(|z| z.im)));
-        let z = x.into_iter().zip(y).map(|(x, y)| c64::new(x, y)).collect();
-        FreeSurface { z, phi: along(&mut self.phi.iter().copied()) }
+        let places = |z: &[c64]| -> Vec<c64> {
+            let (x, y) = (along(&mut z.iter().map(|z| z.re)), along(&mut z.iter().map(|z| z.im)));
+            x.into_iter().zip(y).map(|(x, y)| c64::new(x, y)).collect()
+        };
+        let of_past = |flow: &SurfaceFlow| SurfaceFlow {
+            velocity: places(&flow.velocity),
+            rate: along(&mut flow.rate.iter().copied()),
+        };
+        FreeSurface {
+            z: places(&self.z),
+            phi: along(&mut self.phi.iter().copied()),
+            past: self.past.iter().map(of_past).collect(),
+        }
     }
 
     /// All lengths times `length`, and all velocities times `speed`.
@@ -131,6 +145,7 @@ impl FreeSurface {
         FreeSurface {
             z: self.z.iter().map(|z| z * length).collect(),
             phi: self.phi.iter().map(|phi| phi * length * speed).collect(),
+            past: Vec::new(),
         }
     }
 

@@ -12,6 +12,7 @@ use solution::RolledSolution;
 
 use super::face::Face;
 use super::lower_side::LowerSide;
+use super::solution::Solution;
 use super::state::EntryFlow;
 use super::surface::FreeSurface;
 use super::{FAR, FlowEnded};
@@ -68,7 +69,7 @@ impl RolledFlow {
             let face = Face::straight(deadrises[i], lengths[i]).at_draught(draught);
             let surface = FreeSurface::through(&similar.faces()[i].surface, draught, speed, far);
             let surface = surface.redistributed(LowerSide { face: &face, underside: None, size });
-            EntryFlow { surface, face, underside: None, draught, speed, gravity, size }
+            EntryFlow { surface, face, underside: None, draught, speed, gravity, size, past: Vec::new() }
         };
         let sides = [side(1), side(0)];
         if let Some(side) =
@@ -112,7 +113,7 @@ impl RolledFlow {
         solution::solve(&self.sides).load
     }
 
-    /// One step by the midpoint rule. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at
+    /// One step. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at
     /// its start.
     ///
     /// # Errors
@@ -120,21 +121,33 @@ impl RolledFlow {
     pub fn step(&mut self, acceleration: impl Fn(&RolledLoad) -> f64) -> Result<(f64, RolledLoad), FlowEnded> {
         let mut start = solution::solve(&self.sides);
         if self.separate(&start) {
+            self.sides.iter_mut().for_each(EntryFlow::forget_past);
             start = solution::solve(&self.sides);
         }
         let ended = |speed: f64| FlowEnded { draught: self.draught(), speed };
-        let dt = (0..2).map(|i| self.sides[i].stable_dt(&start.sides[i])).fold(f64::INFINITY, f64::min);
-        let half = self.moved(self.speed(), &start, acceleration(&start.load), 0.5 * dt);
-        if !half.iter().all(EntryFlow::is_finite) {
-            return Err(ended(half[0].speed));
-        }
-        let middle = solution::solve(&half);
-        let end = self.moved(half[0].speed, &middle, acceleration(&middle.load), dt);
+        let rate = acceleration(&start.load);
+        let longest = |of: &dyn Fn(&EntryFlow, &Solution) -> f64| {
+            self.sides.iter().zip(&start.sides).map(|(side, now)| of(side, now)).fold(f64::INFINITY, f64::min)
+        };
+        let (dt, end) = if self.sides.iter().all(EntryFlow::has_past) {
+            let dt = longest(&EntryFlow::extrapolated_dt);
+            (dt, [0, 1].map(|i| self.sides[i].extrapolated(&start.sides[i], rate, dt)))
+        } else {
+            let dt = longest(&EntryFlow::stable_dt);
+            let half = self.moved(self.speed(), &start, rate, 0.5 * dt);
+            if !half.iter().all(EntryFlow::is_finite) {
+                return Err(ended(half[0].speed));
+            }
+            let middle = solution::solve(&half);
+            (dt, self.moved(half[0].speed, &middle, acceleration(&middle.load), dt))
+        };
         let is_finite = end.iter().all(EntryFlow::is_finite) && start.load.force[1].is_finite();
-        if !(is_finite && end[0].speed > 0.0) {
+        if !(is_finite && end[0].speed > 0.0) || self.sides[0].is_too_short(dt) {
             return Err(ended(end[0].speed));
         }
-        self.sides = end.map(EntryFlow::redistributed);
+        let [right, left] = end;
+        let after = |i: usize, end: EntryFlow| end.after(&self.sides[i], &start.sides[i], rate, dt).redistributed();
+        self.sides = [after(0, right), after(1, left)];
         Ok((dt, start.load))
     }
 

@@ -1,0 +1,224 @@
+//! A step in time: Adams and Bashforth's rule of third order, one solution per step; the midpoint rule where there is no past (THEORY EN22).
+
+use faer::c64;
+
+use super::solution::{FlowLoad, Solution, SurfaceFlow};
+use super::state::EntryFlow;
+use super::surface::FreeSurface;
+use super::{DRAUGHT_GROWTH, FlowEnded};
+
+/// Longest way of a node per step, over the length of its element, by the midpoint rule.
+const COURANT: f64 = 1.0;
+/// The same with a past.
+const COURANT_OF_PAST: f64 = 1.1;
+/// Longest way of the water at a wet chine per step, over the length of the face's last element.
+const AT_CHINE: f64 = 0.6;
+/// Least share of the step to which that shortens it.
+const LEAST_AT_CHINE: f64 = 0.3;
+/// Least growth of the draught per step; a flow that needs shorter ones breaks up.
+const LEAST_GROWTH: f64 = 3e-5;
+/// Instants of which a step makes use.
+const INSTANTS: usize = 3;
+
+/// What is kept of the body's motion at an earlier instant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Past {
+    /// How long ago it was [s].
+    pub ago: f64,
+    /// Downward speed of the bottom, and of its keel [m/s].
+    pub speeds: [f64; 2],
+    /// Downward acceleration [m/s²].
+    pub acceleration: f64,
+}
+
+/// ∫ over the coming `dt` of the parabola through values now and `ago[0]` and `ago[1]` before now: the factors of the three (Adams and Bashforth,
+/// uneven steps).
+fn weights(dt: f64, [a, b]: [f64; 2]) -> [f64; INSTANTS] {
+    let [one, two, three] = [dt, dt * dt / 2.0, dt * dt * dt / 3.0];
+    [one + ((a + b) * two + three) / (a * b), -(b * two + three) / (a * (b - a)), (a * two + three) / (b * (b - a))]
+}
+
+impl EntryFlow {
+    /// One step. `acceleration` gives the downward acceleration [m/s²] under a load. Returns the step [s] and the load at its start.
+    ///
+    /// # Errors
+    /// A wedge that has stopped, or a flow that is no longer finite; the state before the step is kept.
+    pub fn step(&mut self, acceleration: impl Fn(&FlowLoad) -> f64) -> Result<(f64, FlowLoad), FlowEnded> {
+        let mut start = self.solve();
+        if self.separate(&start, acceleration(&start.load)) {
+            self.forget_past();
+            start = self.solve();
+        }
+        let ended = |speed: f64| FlowEnded { draught: self.draught, speed };
+        let rate = acceleration(&start.load);
+        let (dt, end) = if self.has_past() {
+            let dt = self.extrapolated_dt(&start);
+            (dt, self.extrapolated(&start, rate, dt))
+        } else {
+            let dt = self.stable_dt(&start);
+            let half = self.moved(self.speed, &start, rate, 0.5 * dt);
+            if !half.is_finite() {
+                return Err(ended(half.speed));
+            }
+            let middle = half.solve();
+            (dt, self.moved(half.speed, &middle, acceleration(&middle.load), dt))
+        };
+        let goes_on = end.is_finite() && end.speed > 0.0 && start.load.force.is_finite() && !self.is_too_short(dt);
+        if !goes_on {
+            return Err(ended(end.speed));
+        }
+        *self = end.after(self, &start, rate, dt).attached().redistributed();
+        Ok((dt, start.load))
+    }
+
+    /// Is enough known of the past for a step without a solution in its middle? Beside a wet chine it is not: such steps would have to be half as
+    /// long.
+    pub(super) fn has_past(&self) -> bool {
+        self.past.len() + 1 == INSTANTS && self.underside.is_none()
+    }
+
+    /// Moved over `dt` by Adams and Bashforth's rule; `now` is the flow and `rate` the downward acceleration at this instant.
+    pub(super) fn extrapolated(&self, now: &Solution, rate: f64, dt: f64) -> EntryFlow {
+        let ago = [self.past[0].ago, self.past[1].ago];
+        let weights = weights(dt, ago);
+        let motion = self.motion(rate, 0.0);
+        let sum = |of: &dyn Fn(&Past) -> f64| {
+            weights[0] * of(&motion)
+                + self.past.iter().zip(&weights[1..]).map(|(past, weight)| weight * of(past)).sum::<f64>()
+        };
+        let face = self.face.at_draught(self.face.draught + sum(&|past| past.speeds[1]));
+        let mut underside = self.underside.as_ref().map(|surface| surface.extrapolated(&now.below, &weights));
+        if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
+            *at_chine = face.edge();
+        }
+        EntryFlow {
+            surface: self.surface.extrapolated(&now.above, &weights),
+            face,
+            underside,
+            draught: self.draught + sum(&|past| past.speeds[0]),
+            speed: self.speed + sum(&|past| past.acceleration),
+            past: Vec::new(),
+            ..*self
+        }
+    }
+
+    fn motion(&self, acceleration: f64, ago: f64) -> Past {
+        Past { ago, speeds: [self.speed, self.keel_speed()], acceleration }
+    }
+
+    /// With what it comes from after `dt`: a flow whose nodes are those of this one.
+    pub(super) fn after(mut self, before: &EntryFlow, flow: &Solution, rate: f64, dt: f64) -> EntryFlow {
+        let older = before.past.iter().map(|past| Past { ago: past.ago + dt, ..*past });
+        self.past = std::iter::once(before.motion(rate, dt)).chain(older).take(INSTANTS - 1).collect();
+        self.surface.remember(&before.surface, &flow.above);
+        if let (Some(surface), Some(before)) = (&mut self.underside, &before.underside) {
+            surface.remember(before, &flow.below);
+        }
+        self
+    }
+
+    /// Drop the past where the flow changes suddenly.
+    pub(super) fn forget_past(&mut self) {
+        self.past.clear();
+        self.surface.past.clear();
+        if let Some(underside) = &mut self.underside {
+            underside.past.clear();
+        }
+    }
+
+    /// Moved over `dt` with a downward speed, an acceleration and the flow `at` some instant.
+    pub(super) fn moved(&self, speed: f64, at: &Solution, acceleration: f64, dt: f64) -> EntryFlow {
+        let face = self.face.at_draught(self.face.draught + speed * self.face.keel_speed(self.half_width()) * dt);
+        let mut underside = self.underside.as_ref().map(|surface| at.below.moves(surface, dt));
+        if let Some(at_chine) = underside.as_mut().and_then(|surface| surface.z.last_mut()) {
+            *at_chine = face.edge();
+        }
+        EntryFlow {
+            surface: at.above.moves(&self.surface, dt),
+            face,
+            underside,
+            draught: self.draught + speed * dt,
+            speed: self.speed + acceleration * dt,
+            past: Vec::new(),
+            ..*self
+        }
+    }
+
+    /// With the jet cut and nodes placed anew.
+    pub(super) fn redistributed(self) -> EntryFlow {
+        let lower = self.lower_side();
+        let surface = self.surface.redistributed(lower);
+        let (cut, size) = (lower.nearest(surface.end()).foot, lower.finest(surface.end()));
+        let underside = self.underside.as_ref().map(|underside| underside.redistributed_below(cut, size));
+        EntryFlow { surface, underside, ..self }
+    }
+
+    /// Is a step [s] so short that the surface is breaking up?
+    pub(super) fn is_too_short(&self, dt: f64) -> bool {
+        dt * self.keel_speed().abs() < LEAST_GROWTH * self.face.draught
+    }
+
+    /// Longest step of the midpoint rule [s].
+    pub(super) fn stable_dt(&self, now: &Solution) -> f64 {
+        self.longest_dt(now, COURANT)
+    }
+
+    /// Longest step of Adams and Bashforth's rule [s].
+    pub(super) fn extrapolated_dt(&self, now: &Solution) -> f64 {
+        self.longest_dt(now, COURANT_OF_PAST)
+    }
+
+    /// Longest step in which nodes move by `courant` elements at most [s].
+    fn longest_dt(&self, now: &Solution, courant: f64) -> f64 {
+        let crossing = |z: &[c64], v: &[c64]| {
+            let speed = 0.5 * (v[0].norm() + v[1].norm());
+            courant * (z[1] - z[0]).norm() / speed.max(f64::MIN_POSITIVE)
+        };
+        let surfaces = [(Some(&self.surface), &now.above), (self.underside.as_ref(), &now.below)];
+        let pairs = surfaces.into_iter().filter_map(|(surface, flow)| Some((surface?, flow)));
+        let times = pairs.flat_map(|(surface, flow)| {
+            surface.z.windows(2).zip(flow.velocity.windows(2)).map(|(z, v)| crossing(z, v))
+        });
+        let longest = times.fold(DRAUGHT_GROWTH * self.face.draught / self.keel_speed().abs(), f64::min);
+        self.chine_dt(now).clamp(LEAST_AT_CHINE * longest, longest)
+    }
+
+    /// Longest step beside a wet chine [s]: the potential of its node decays to the one with which the water leaves the chine along the face
+    /// (EN24), at a rate of 2.2 times the velocity over the length of the face's last element; the midpoint rule amplifies what falls by more
+    /// than 2 per step.
+    fn chine_dt(&self, now: &Solution) -> f64 {
+        let body = c64::new(0.0, -self.keel_speed());
+        match now.below.velocity.last() {
+            Some(velocity) => AT_CHINE * (now.along[0] - now.along[1]) / (velocity - body).norm(),
+            None => f64::INFINITY,
+        }
+    }
+}
+
+impl FreeSurface {
+    /// Moved with `weights` times the flow now and those of its past.
+    fn extrapolated(&self, now: &SurfaceFlow, weights: &[f64; INSTANTS]) -> FreeSurface {
+        let first = self.moved(&now.velocity, &now.rate, weights[0]);
+        self.past.iter().zip(&weights[1..]).fold(first, |moved, (past, weight)| past.moves(&moved, *weight))
+    }
+
+    /// Keep the `flow` at the nodes of this surface when they were those of `before`, and what that kept.
+    fn remember(&mut self, before: &FreeSurface, flow: &SurfaceFlow) {
+        self.past = std::iter::once(flow).chain(&before.past).take(INSTANTS - 1).cloned().collect();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A parabola is integrated exactly.
+    #[test]
+    fn uneven_steps() {
+        let value = |t: f64| 1.0 - 3.0 * t + 2.0 * t * t;
+        let (dt, ago) = (0.7, [0.4, 1.3]);
+        let weights = weights(dt, ago);
+        let sum = weights[0] * value(0.0) + weights[1] * value(-ago[0]) + weights[2] * value(-ago[1]);
+        assert!((sum - (dt - 1.5 * dt * dt + 2.0 / 3.0 * dt.powi(3))).abs() < 1e-14, "{sum}");
+    }
+}
