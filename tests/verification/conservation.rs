@@ -3,12 +3,13 @@
 use evidence::systems::{lift, system, take};
 use fsi_coupling::Coupled;
 
-/// Σ m (a − g) of the fluid and Σ F on the walls [N/m], and Σ |m (a − g)|, the size that rounding is relative to.
+/// Σ m (a − g − f) of the fluid, f by WC28, and Σ F on the walls [N/m], and Σ |m (a − g − f)|, the size that rounding is relative to.
 fn exchange(system: &Coupled) -> ([f64; 2], [f64; 2], f64) {
     let (p, g) = (system.fluid.particles(), system.fluid.domain().gravity);
     let (mut gained, mut size) = ([0.0; 2], 0.0);
     for k in 0..p.len() {
-        let force = [p.mass[k] * (p.ax[k] - g[0]), p.mass[k] * (p.ay[k] - g[1])];
+        let rest = p.rest.each_ref().map(|f| f.get(k).copied().unwrap_or(0.0));
+        let force = [p.mass[k] * (p.ax[k] - g[0] - rest[0]), p.mass[k] * (p.ay[k] - g[1] - rest[1])];
         (gained[0], gained[1]) = (gained[0] + force[0], gained[1] + force[1]);
         size += force[0].hypot(force[1]);
     }

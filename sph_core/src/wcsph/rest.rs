@@ -2,19 +2,21 @@
 
 use crate::system::ParticleSystem;
 
-/// A particle is coarser than the finest from this ratio of their smoothing lengths on.
-const COARSER: f64 = 1.05;
+/// Neighbours are unequal from this ratio of their smoothing lengths on.
+const UNEQUAL: f64 = 1.05;
 
 /// Water that nothing holds, before its forces at rest are found.
 pub(super) fn release(system: &mut ParticleSystem) {
     system.particles.rest.iter_mut().for_each(Vec::clear);
 }
 
-/// WC28: what accelerates the coarser particles of still water before time starts is taken off, then and later.
+/// WC28: what accelerates still water beside unequal neighbours before time starts is taken off, then and later.
 pub(super) fn hold_at_rest(system: &mut ParticleSystem) {
-    let (domain, p) = (&system.domain, &mut system.particles);
+    let ParticleSystem { domain, particles: p, neighbours, .. } = system;
     let finest = p.h.iter().copied().fold(f64::INFINITY, f64::min);
-    let is_held = |k: usize| p.h[k] > COARSER * finest && p.u[k] == 0.0 && p.v[k] == 0.0;
+    let is_coarse = |k: usize| p.h[k] > UNEQUAL * finest;
+    let beside_coarse = |k: usize| neighbours.fluid.of(k).any(|j| is_coarse(neighbours.source(j, p.len())));
+    let is_held = |k: usize| p.u[k] == 0.0 && p.v[k] == 0.0 && (is_coarse(k) || beside_coarse(k));
     if !domain.starts_level || domain.gravity == [0.0; 2] || !(0..p.len()).any(is_held) {
         return;
     }
