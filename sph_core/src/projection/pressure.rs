@@ -112,7 +112,7 @@ impl PressureEquation {
             }
             if diagonal > 0.0 { sum / diagonal } else { 0.0 }
         });
-        let surface = Surface { indicator: air, moments: &operators.around, neighbours, ventilated };
+        let surface = Surface { indicator: air, neighbours, ventilated };
         active.constrain(&mut system.fields.pressure, surface);
     }
 
@@ -139,7 +139,7 @@ impl PressureEquation {
         let x = &mut fields.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
         let ventilated = settings.flow.ventilation;
-        let surface = Surface { indicator: air, moments: &operators.around, neighbours, ventilated };
+        let surface = Surface { indicator: air, neighbours, ventilated };
         active.warm_start(x, &p.id, &Rows { matrix, source, scale }, surface);
         solver.name(&p.id);
         solver.prepare(&matrix, &p.x, &p.y, &p.h);

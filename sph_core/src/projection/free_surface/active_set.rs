@@ -1,9 +1,8 @@
-//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in along walls (THEORY PR8).
+//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in under tension (THEORY PR8).
 
 use serde::{Deserialize, Serialize};
 
 use crate::neighbours::Neighbours;
-use crate::particles::KernelMoments;
 use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
 use crate::projection::linear_solver::matrix::MatrixRows;
 
@@ -45,17 +44,9 @@ impl Rows<'_> {
 pub(crate) struct Surface<'a> {
     /// 1 beside air, 0 far from it [-].
     pub indicator: &'a [f64],
-    /// Kernel moments.
-    pub moments: &'a [KernelMoments],
     pub neighbours: &'a Neighbours,
-    /// Air comes in along walls.
+    /// Air comes in under tension.
     pub ventilated: bool,
-}
-
-impl Surface<'_> {
-    fn beside_wall(&self, k: usize) -> bool {
-        self.moments[k].wall_kernel_sum > 0.0
-    }
 }
 
 impl ActiveSet {
@@ -68,13 +59,13 @@ impl ActiveSet {
         self.count = 0;
     }
 
-    /// PR8, warm start: a row near air, or beside a wall where air comes in, that was constrained in the last two steps starts
-    /// constrained, unless the water would press there under pressures `pressure` [Pa].
+    /// PR8, warm start: a row near air, or any row where air comes in, that was constrained in the last two steps starts constrained,
+    /// unless the water would press there under pressures `pressure` [Pa].
     pub fn warm_start(&mut self, pressure: &mut [f64], id: &[u32], rows: &Rows, surface: Surface) {
         self.clear(pressure.len());
         self.duration.resize(id.len(), 0);
         for (k, p) in pressure.iter_mut().enumerate() {
-            let exposed = surface.indicator[k] > 0.0 || surface.ventilated && surface.beside_wall(k);
+            let exposed = surface.indicator[k] > 0.0 || surface.ventilated;
             if self.duration[id[k] as usize] >= LASTING && exposed {
                 self.constrained[k] = true;
                 *p = 0.0;
@@ -150,8 +141,8 @@ impl ActiveSet {
         before - self.count
     }
 
-    /// PR8: rows near air and, where air comes in along walls, rows beside a wall that rows like them, all under tension, connect to
-    /// one of those. In later rounds of a step there are more of them, never fewer: each round solves for p ≥ 0 in the same rows.
+    /// PR8: rows near air and, where air comes in, rows that a chain of rows under tension connects to one of those. From round to
+    /// round of a step rows are added, not removed: then the rounds end.
     fn find_tensionless(&mut self, pressure: &[f64], surface: Surface) {
         let (neighbours, n) = (surface.neighbours, pressure.len());
         let ActiveSet { tensionless, constrained, .. } = self;
@@ -165,7 +156,7 @@ impl ActiveSet {
         while let Some(k) = reached.pop() {
             for j in neighbours.fluid.of(k) {
                 let j = neighbours.source(j, n);
-                if !tensionless[j] && surface.beside_wall(j) && (constrained[j] || pressure[j] < 0.0) {
+                if !tensionless[j] && (constrained[j] || pressure[j] < 0.0) {
                     tensionless[j] = true;
                     reached.push(j);
                 }
