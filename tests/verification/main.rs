@@ -29,6 +29,7 @@ mod hydroelastic;
 mod integrators;
 mod keel;
 mod kernel_sums;
+mod leaving_water;
 mod links;
 mod modal;
 mod options;

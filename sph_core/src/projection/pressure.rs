@@ -18,8 +18,8 @@ use crate::walls::interface::WallInterface;
 
 /// Share of the kernel that may be missing without air [-].
 const LARGEST_HOLE: f64 = 0.1;
-/// Rounds in which rows under tension near air are constrained.
-const ACTIVE_SET_ROUNDS: usize = 6;
+/// Rounds in which the active set changes, at most.
+const ACTIVE_SET_ROUNDS: usize = 12;
 /// How much longer an error of density takes to relax where pressures are not solved for (PR16) [-].
 const ONE_ITERATION: f64 = 100.0 / 3.0;
 
@@ -112,7 +112,7 @@ impl PressureEquation {
             }
             if diagonal > 0.0 { sum / diagonal } else { 0.0 }
         });
-        let surface = Surface { indicator: air, moments: &operators.around, neighbours, ventilated };
+        let surface = Surface { indicator: air, neighbours, ventilated };
         active.constrain(&mut system.fields.pressure, surface);
     }
 
@@ -138,15 +138,15 @@ impl PressureEquation {
         let matrix = matrix.assemble(operators, excess, neighbours, domain.simd);
         let x = &mut fields.pressure;
         let stop = Stop { tolerance: settings.tolerance, most_iterations: settings.most_iterations };
-        active.warm_start(x, &p.id, &Rows { matrix, source, scale }, air);
+        let ventilated = settings.flow.ventilation;
+        let surface = Surface { indicator: air, neighbours, ventilated };
+        active.warm_start(x, &p.id, &Rows { matrix, source, scale }, surface);
         solver.name(&p.id);
         solver.prepare(&matrix, &p.x, &p.y, &p.h);
         let inverse = 1.0 / lattice.gradient;
         let mut monolithic = MonolithicSolve::of((packed, neighbours, domain), &p.id, interfaces, walls, inverse);
         before.clone_from(x);
-        let ventilated = settings.flow.ventilation;
-        let surface = Surface { indicator: air, moments: &operators.around, neighbours, ventilated };
-        for round in 0..ACTIVE_SET_ROUNDS {
+        for _ in 0..ACTIVE_SET_ROUNDS {
             let constrained = &active.constrained[..];
             let found = solver.persist(&matrix, source, scale, constrained, x, &stop).and_then(|solved| {
                 *iterations += solved.iterations as u64;
@@ -157,7 +157,7 @@ impl PressureEquation {
                 x.copy_from_slice(before);
                 return Err(not_converged(&failed, p, stop.tolerance, *time));
             }
-            if !active.update(x, &Rows { matrix, source, scale }, surface, round == 0) {
+            if !active.update(x, &Rows { matrix, source, scale }, surface) {
                 break;
             }
         }

@@ -22,7 +22,7 @@ pub enum Method {
 pub struct FlowSettings {
     /// Particle shifting.
     pub shifting: bool,
-    /// Air comes in along walls between a wall and water under tension (THEORY PR8).
+    /// Air comes in where water under tension reaches the free surface, so that flow leaves a round bottom (THEORY PR8).
     pub ventilation: bool,
     /// Share of its smoothing length that a particle may move in a step, above 0 and up to 1 [-].
     #[schemars(extend("exclusiveMinimum" = 0))]

@@ -1,9 +1,8 @@
-//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in along walls (THEORY PR8).
+//! The unilateral condition at the free surface: rows that bear no tension, and air that comes in under tension (THEORY PR8).
 
 use serde::{Deserialize, Serialize};
 
 use crate::neighbours::Neighbours;
-use crate::particles::KernelMoments;
 use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
 use crate::projection::linear_solver::matrix::MatrixRows;
 
@@ -20,7 +19,7 @@ pub(crate) struct ActiveSet {
     pub constrained: Vec<bool>,
     /// How many they are.
     pub count: usize,
-    /// Rows that bear no tension.
+    /// Rows that bear no tension, as found so far in this step.
     tensionless: Vec<bool>,
     /// For how many steps each particle's row has been constrained, by identity.
     duration: Vec<u8>,
@@ -45,28 +44,29 @@ impl Rows<'_> {
 pub(crate) struct Surface<'a> {
     /// 1 beside air, 0 far from it [-].
     pub indicator: &'a [f64],
-    /// Kernel moments.
-    pub moments: &'a [KernelMoments],
     pub neighbours: &'a Neighbours,
-    /// Air comes in along walls.
+    /// Air comes in under tension.
     pub ventilated: bool,
 }
 
 impl ActiveSet {
     /// Every row may be under tension.
     pub fn clear(&mut self, n: usize) {
-        self.constrained.clear();
-        self.constrained.resize(n, false);
+        for rows in [&mut self.constrained, &mut self.tensionless] {
+            rows.clear();
+            rows.resize(n, false);
+        }
         self.count = 0;
     }
 
-    /// PR8, warm start: a row near air that was constrained in the last two steps starts constrained, unless the water would press
-    /// there under pressures `pressure` [Pa].
-    pub fn warm_start(&mut self, pressure: &mut [f64], id: &[u32], rows: &Rows, indicator: &[f64]) {
+    /// PR8, warm start: a row near air, or any row where air comes in, that was constrained in the last two steps starts constrained,
+    /// unless the water would press there under pressures `pressure` [Pa].
+    pub fn warm_start(&mut self, pressure: &mut [f64], id: &[u32], rows: &Rows, surface: Surface) {
         self.clear(pressure.len());
         self.duration.resize(id.len(), 0);
         for (k, p) in pressure.iter_mut().enumerate() {
-            if self.duration[id[k] as usize] >= LASTING && indicator[k] > 0.0 {
+            let exposed = surface.indicator[k] > 0.0 || surface.ventilated;
+            if self.duration[id[k] as usize] >= LASTING && exposed {
                 self.constrained[k] = true;
                 *p = 0.0;
             }
@@ -101,6 +101,11 @@ impl ActiveSet {
     /// PR8: constrain the rows under tension that bear none; returns the new ones, and their tension [Pa].
     pub fn constrain(&mut self, pressure: &mut [f64], surface: Surface) -> Vec<(usize, f64)> {
         self.find_tensionless(pressure, surface);
+        self.hold(pressure)
+    }
+
+    /// Constrain the rows under tension among those found to bear none; returns the new ones, and their tension [Pa].
+    fn hold(&mut self, pressure: &mut [f64]) -> Vec<(usize, f64)> {
         let mut new = Vec::new();
         for (k, p) in pressure.iter_mut().enumerate() {
             if *p < 0.0 && self.tensionless[k] && !self.constrained[k] {
@@ -113,32 +118,45 @@ impl ActiveSet {
         new
     }
 
-    /// PR8: constrain rows under tension, and in the first round release those with a positive residual; returns whether what that
-    /// leaves of the equation needs a further solve.
-    pub fn update(&mut self, pressure: &mut [f64], rows: &Rows, surface: Surface, first: bool) -> bool {
-        let released = if first { self.release(pressure, rows, WORTH) } else { 0 };
-        let new = self.constrain(pressure, surface);
+    /// PR8: release rows with a positive residual and rows that no chain reaches, constrain rows under tension; returns whether
+    /// what that leaves of the equation needs a further solve.
+    pub fn update(&mut self, pressure: &mut [f64], rows: &Rows, surface: Surface) -> bool {
+        let mut released = self.release(pressure, rows, WORTH);
+        self.find_tensionless(pressure, surface);
+        released += self.release_unreached();
+        let new = self.hold(pressure);
         let left = |&(k, tension): &(usize, f64)| rows.matrix.diagonal()[k] * tension / rows.scale[k];
         released > 0 || new.iter().map(left).any(|left| left > WORTH)
     }
 
-    /// PR8: rows near air and, where air comes in along walls, rows beside a wall that rows like them, all under tension, connect to
-    /// one of those.
+    /// Release rows that were warm-started and that air does not reach now; returns how many they are.
+    fn release_unreached(&mut self) -> usize {
+        let before = self.count;
+        for (constrained, &tensionless) in self.constrained.iter_mut().zip(&self.tensionless) {
+            if *constrained && !tensionless {
+                *constrained = false;
+                self.count -= 1;
+            }
+        }
+        before - self.count
+    }
+
+    /// PR8: rows near air and, where air comes in, rows that a chain of rows under tension connects to one of those. From round to
+    /// round of a step rows are added, not removed: then the rounds end.
     fn find_tensionless(&mut self, pressure: &[f64], surface: Surface) {
-        let Surface { indicator, moments, neighbours, ventilated } = surface;
-        let n = pressure.len();
+        let (neighbours, n) = (surface.neighbours, pressure.len());
         let ActiveSet { tensionless, constrained, .. } = self;
-        tensionless.clear();
-        tensionless.extend(indicator.iter().map(|&indicator| indicator > 0.0));
-        if !ventilated {
+        for (tensionless, &indicator) in tensionless.iter_mut().zip(surface.indicator) {
+            *tensionless |= indicator > 0.0;
+        }
+        if !surface.ventilated {
             return;
         }
-        let beside_wall = |k: usize| moments[k].wall_kernel_sum > 0.0;
         let mut reached: Vec<usize> = (0..n).filter(|&k| tensionless[k]).collect();
         while let Some(k) = reached.pop() {
             for j in neighbours.fluid.of(k) {
                 let j = neighbours.source(j, n);
-                if !tensionless[j] && beside_wall(j) && (constrained[j] || pressure[j] < 0.0) {
+                if !tensionless[j] && (constrained[j] || pressure[j] < 0.0) {
                     tensionless[j] = true;
                     reached.push(j);
                 }
