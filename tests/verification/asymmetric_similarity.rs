@@ -1,7 +1,9 @@
 //! A wedge with two deadrises (THEORY EN31–EN35): the similar flow against that of a symmetric wedge and the water's momentum, boundary elements
 //! against the similar flow.
 
-use fsi_coupling::entry_theory::{AsymmetricFlow, Balance, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow};
+use fsi_coupling::entry_theory::{
+    AsymmetricFlow, Balance, EntryModel, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow,
+};
 use scenarios::run::{RunOptions, run};
 use scenarios::scene::load_text;
 
@@ -133,6 +135,14 @@ fn a_scene_with_a_rolled_wedge_has_the_similar_load() {
         let peak = outcome.summary.peaks.get(name).expect("a column").value;
         assert!((peak.abs() / value.abs() - 1.0).abs() < 0.02, "{name}: {peak}, exactly {value}");
     }
+    let auto =
+        load_text("rolled.toml", &ROLLED.replace("\"boundary_element\"", "\"auto\""), &[]).expect("a scene").scene;
+    assert_eq!(auto.model, EntryModel::BoundaryElement, "{:?}", auto.model);
+    // its error bar is the measured error of the vertical force; the largest force of the results is the whole one
+    let [x, y] = [0, 1].map(|k| rho * SPEED.powi(2) * h * exact.force[k]);
+    let largest = outcome.summary.results.peak_force_N_per_m.expect("a force");
+    assert!((largest.value / x.hypot(y) - 1.0).abs() < 0.02, "{largest:?}, exactly {x} and {y}");
+    assert!(largest.band.is_some_and(|band| band < 0.03 * largest.value), "{largest:?}");
     let free = ROLLED.replace("motion = \"constant_velocity\"", "motion = \"free\"\nmass = 2000.0\ninertia = 500.0");
     let refused = load_text("rolled.toml", &free, &[]).expect_err("refused").to_string();
     assert!(refused.contains("may turn or move sideways"), "{refused}");

@@ -5,7 +5,7 @@ use std::time::Instant;
 use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use serde::Serialize;
 
-use super::{Measured, QuantityOfInterest, Theory, measured};
+use super::{Measured, QuantityOfInterest, Theory, measured, rolled};
 use crate::scene::Scene;
 
 /// A theory, for a scene.
@@ -42,7 +42,7 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
             Ok((theory, None)) => Assessment {
                 core_seconds: Some(match model.is_formula() {
                     true => start.elapsed().as_secs_f64(),
-                    false => flow_seconds(&theory),
+                    false => flow_seconds(scene, &theory),
                 }),
                 measured: measured(scene, &theory, want),
                 ..unknown
@@ -56,11 +56,18 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
 }
 
 /// Slope of the wedge whose flow takes as long as one about a round bottom [-].
-const ROUND_STARTS_AS: f64 = 0.32;
+const ROUND_STARTS_AS: f64 = 0.7;
+/// Times as long about a rolled wedge: both sides, finer elements.
+const ROLLED: f64 = 4.0;
 
 /// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β of the flattest face.
-fn flow_seconds(theory: &Theory) -> f64 {
-    let flattest = || theory.section.followed_deadrises().fold(90.0, f64::min).to_radians().tan();
-    let slope = theory.section.radius().map_or_else(flattest, |_| ROUND_STARTS_AS);
-    0.15 + 0.22 / (slope * slope)
+fn flow_seconds(scene: &Scene, theory: &Theory) -> f64 {
+    let faces = scene.body.as_ref().filter(|_| theory.rolls()).and_then(rolled::deadrises);
+    let seconds = |slope: f64| 0.1 + 0.09 / (slope * slope);
+    let of_face = |deadrise: f64| seconds(deadrise.to_radians().tan());
+    match (faces, theory.section.radius()) {
+        (Some([left, right]), _) => ROLLED * of_face(left.min(right)),
+        (None, Some(_)) => seconds(ROUND_STARTS_AS),
+        (None, None) => of_face(theory.section.followed_deadrises().fold(90.0, f64::min)),
+    }
 }
