@@ -9,28 +9,12 @@ use super::cauchy::{Complex, Contour, Known};
 use super::elements::{GROWTH, graded, grown};
 use super::spline::Spline;
 use super::state::EntryFlow;
-use super::surface::FreeSurface;
+use super::surface::SurfaceFlow;
 
 /// Size of elements on a face at its keel, up to 45° and beyond, where the potential bends more, over the wetted length.
 const AT_KEEL: [f64; 2] = [1e-3, 1e-4];
 /// The largest size of elements on a face, over the wetted length.
 const LARGEST: f64 = 0.06;
-
-/// Flow at the nodes of a free surface.
-#[derive(Clone, Debug, Default)]
-pub(super) struct SurfaceFlow {
-    /// u + iv [m/s].
-    pub velocity: Vec<c64>,
-    /// dφ/dt of the nodes [m²/s²].
-    pub rate: Vec<f64>,
-}
-
-impl SurfaceFlow {
-    /// The surface moved over `dt` [s].
-    pub fn moves(&self, surface: &FreeSurface, dt: f64) -> FreeSurface {
-        surface.moved(&self.velocity, &self.rate, dt)
-    }
-}
 
 /// One solution of the flow.
 pub(super) struct Solution {

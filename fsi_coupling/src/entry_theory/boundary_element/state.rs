@@ -2,8 +2,18 @@
 
 use super::face::Face;
 use super::lower_side::LowerSide;
-use super::stepping::Past;
 use super::surface::FreeSurface;
+
+/// What is kept of the body's motion at an earlier instant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Past {
+    /// How long ago it was [s].
+    pub ago: f64,
+    /// Downward speed of the bottom, and of its keel [m/s].
+    pub speeds: [f64; 2],
+    /// Downward acceleration [m/s²].
+    pub acceleration: f64,
+}
 
 /// The water about a symmetric wedge that moves downwards.
 #[derive(Clone, Debug)]

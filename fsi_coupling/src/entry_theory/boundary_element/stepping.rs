@@ -2,9 +2,9 @@
 
 use faer::c64;
 
-use super::solution::{FlowLoad, Solution, SurfaceFlow};
-use super::state::EntryFlow;
-use super::surface::FreeSurface;
+use super::solution::{FlowLoad, Solution};
+use super::state::{EntryFlow, Past};
+use super::surface::{FreeSurface, SurfaceFlow};
 use super::{DRAUGHT_GROWTH, FlowEnded};
 
 /// Longest way of a node per step, over the length of its element, by the midpoint rule.
@@ -19,17 +19,6 @@ const LEAST_AT_CHINE: f64 = 0.3;
 const LEAST_GROWTH: f64 = 3e-5;
 /// Instants of which a step makes use.
 const INSTANTS: usize = 3;
-
-/// What is kept of the body's motion at an earlier instant.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Past {
-    /// How long ago it was [s].
-    pub ago: f64,
-    /// Downward speed of the bottom, and of its keel [m/s].
-    pub speeds: [f64; 2],
-    /// Downward acceleration [m/s²].
-    pub acceleration: f64,
-}
 
 /// ∫ over the coming `dt` of the parabola through values now and `ago[0]` and `ago[1]` before now: the factors of the three (Adams and Bashforth,
 /// uneven steps).

@@ -6,7 +6,6 @@ use faer::c64;
 
 use super::elements::{arc_length, graded, grown};
 use super::lower_side::LowerSide;
-use super::solution::SurfaceFlow;
 use super::spline::Spline;
 use crate::entry_theory::similarity::SimilarityFlow;
 
@@ -20,6 +19,22 @@ const KEPT: f64 = 2.0;
 const TIP: f64 = 12.0;
 /// Least number of elements of the surface that left the chine.
 const LEAST_ELEMENTS: f64 = 4.0;
+
+/// Flow at the nodes of a free surface.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SurfaceFlow {
+    /// u + iv [m/s].
+    pub velocity: Vec<c64>,
+    /// dφ/dt of the nodes [m²/s²].
+    pub rate: Vec<f64>,
+}
+
+impl SurfaceFlow {
+    /// The surface moved over `dt` [s].
+    pub fn moves(&self, surface: &FreeSurface, dt: f64) -> FreeSurface {
+        surface.moved(&self.velocity, &self.rate, dt)
+    }
+}
 
 /// A free surface: the right half of the upper one, from far away to the jet's cut; or that which left the chine, from the
 /// cut to the chine.

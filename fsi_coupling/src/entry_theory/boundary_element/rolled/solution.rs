@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 use faer::c64;
 
 use super::super::cauchy::{Complex, Known};
-use super::super::solution::{FlowLoad, Nodes, Solution, SurfaceFlow, slope_at_edge};
+use super::super::solution::{FlowLoad, Nodes, Solution, slope_at_edge};
 use super::super::spline::Spline;
 use super::super::state::EntryFlow;
+use super::super::surface::SurfaceFlow;
 use super::contour::WholeContour;
 
 /// Load of the water on both faces of a rolled wedge, over its density. The moment is about the apex, counter-clockwise.
