@@ -122,8 +122,8 @@ impl ParticleSystem {
             if p.x[k] < mirror.at {
                 p.x[k] = mirror.reflect(p.x[k]);
                 (p.u[k], p.ax[k]) = (-p.u[k], -p.ax[k]);
-                if let Some(rest) = p.rest[0].get_mut(k) {
-                    *rest = -*rest;
+                if let (Some(rest), Some(home)) = (p.rest[0].get_mut(k), p.home[0].get_mut(k)) {
+                    (*rest, *home) = (-*rest, mirror.reflect(*home));
                 }
                 reflected(p.id[k]);
             }

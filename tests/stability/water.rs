@@ -21,9 +21,9 @@ fn a_step_above_the_acoustic_limit_breaks_down() {
 }
 
 /// Mean kinetic energy of a tank of still water from 1.5 to 2 s [J/m].
-fn churn(growth: &str) -> f64 {
+fn churn(sets: &[&str]) -> f64 {
     let fine_zone = "resolution.fine_zone=[0.2, 0.2]";
-    let mut tank = system("hydrostatic_tank", &["resolution.spacing=0.025", growth, fine_zone]);
+    let mut tank = system("hydrostatic_tank", &[&["resolution.spacing=0.025", fine_zone], sets].concat());
     let mut kinetic = Vec::new();
     advance(&mut tank, 2.0, |s| {
         if s.fluid.time() > 1.5 {
@@ -34,13 +34,16 @@ fn churn(growth: &str) -> f64 {
     evidence::statistics::mean(&kinetic)
 }
 
-/// Where neighbours differ in size, p_a + p_b does not balance gravity exactly. Failure: still water whose cells grow
-/// by 15 % a row churns at some centimetres a second and does not stop. Remedy: growth of 5 %. (An impact is over in
-/// milliseconds, at metres a second, and does not notice.)
+/// Where neighbours differ in size, p_a + p_b does not balance gravity exactly. Failure: water that does not start level, here by 0.1
+/// mm, is not held (THEORY WC28), and with cells that grow by 15 % a row it churns at some centimetres a second. Remedies: a growth of 5 %;
+/// a level surface.
 #[test]
-fn still_water_graded_by_fifteen_percent_keeps_churning() {
-    let (fast, slow) = (churn("resolution.growth=1.15"), churn("resolution.growth=1.05"));
-    assert!(fast > 5.0 * slow, "{fast:.3e} J/m with 15 % a row, {slow:.3e} J/m with 5 %");
+fn water_graded_by_fifteen_percent_that_does_not_start_level_churns() {
+    let not_level = ["resolution.growth=1.15", "tank.surface_amplitude=0.0001"];
+    let (fast, slow) = (churn(&not_level), churn(&["resolution.growth=1.05", not_level[1]]));
+    let level = churn(&not_level[..1]);
+    println!("{fast:.3e} J/m with 15 % a row, {slow:.3e} J/m with 5 %, {level:.3e} J/m level");
+    assert!(fast > 5.0 * slow && fast > 5.0 * level, "{fast:.3e}, {slow:.3e}, {level:.3e} J/m");
 }
 
 /// Pressures of a square block of water that is stretched to a tension of 100 Pa, by identity.

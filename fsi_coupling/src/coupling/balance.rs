@@ -27,8 +27,8 @@ pub(super) struct Balance {
     pub momentum: MomentumAudit,
     pub fluid_at_start: FluidEnergy,
     energy_at_start: f64,
-    /// On the fluid at the end of the last step [N/m], and its number of particles: halves are free of WC28.
-    external_force: ([f64; 2], usize),
+    /// On the fluid at the end of the last step [N/m], and the energy of WC28 that it had released [J/m].
+    external_force: ([f64; 2], f64),
     /// Taken from the water by a beach.
     pub absorbed: Damped,
 }
@@ -40,7 +40,7 @@ impl Balance {
             momentum: MomentumAudit { balance: momentum_balance(fluid.momentum(), members), worst: 0.0 },
             fluid_at_start,
             energy_at_start: energy(&fluid_at_start, members),
-            external_force: (fluid.external_force(), fluid.particles().len()),
+            external_force: (fluid.external_force(), fluid.particles().released),
             absorbed: Damped::default(),
         }
     }
@@ -60,11 +60,11 @@ impl Balance {
         let (now, w) = (momentum_balance(of_fluid, members), walls);
         let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
-        let (before, count) = self.external_force;
-        if count != fluid.particles().len() {
-            self.external_force = (fluid.external_force(), fluid.particles().len());
+        let (before, released) = self.external_force;
+        if released != fluid.particles().released {
+            self.external_force = (fluid.external_force(), fluid.particles().released);
         }
-        // particles are halved before all kicks of a step that holds pairs (WC22), between the two of another (WC11)
+        // particles are released before all kicks of a step that holds pairs (WC22), between the two of another (WC11)
         let after = self.external_force.0;
         let before = if fluid.holds_pairs() { after } else { before };
         for k in 0..2 {

@@ -119,9 +119,14 @@ impl Judge {
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
-            match known && dry && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity {
-                true => (Verdict::Resolved, Some(LEAST_FORCE_BAND), None), // the fall before the water bears
-                false => by_force(peak, raw),
+            let falls = dry && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water bears
+            match (falls, known) {
+                (true, true) => (Verdict::Resolved, Some(LEAST_FORCE_BAND), None),
+                (true, false) => {
+                    let why = "it is that of the fall, and the force of the water is not resolved";
+                    (Verdict::NotResolved, None, Some(why.to_string()))
+                }
+                (false, _) => by_force(peak, raw),
             }
         };
         let unit = [1.0 / STANDARD_GRAVITY, self.gravity];

@@ -51,6 +51,15 @@ pub fn hydrostatic_sound(gravity: [f64; 2], depth: f64) -> [f64; 2] {
 }
 
 impl Scene {
+    /// g D/V² of the entry, what gravity adds to its flow [-]: D at the end, or where the chines of a falling body get wet; V at contact.
+    /// `None` without an entry.
+    pub fn gain_of_gravity(&self) -> Option<f64> {
+        let entry = self.entry()?;
+        let falls = self.body.as_ref().is_some_and(Body::is_free);
+        let draught = if falls { entry.attached_draught() } else { entry.final_draught.max(0.0) };
+        Some(self.gravity[0].hypot(self.gravity[1]) * draught / entry.speed.powi(2))
+    }
+
     /// How the body meets the water; `None` where no body falls or moves down into it.
     pub fn entry(&self) -> Option<Entry> {
         if !self.bodies.is_empty() || !self.joints.is_empty() {

@@ -3,14 +3,17 @@
 use fsi_coupling::settings::significant;
 
 use super::legacy::repulsive_walls;
-use super::settings::Scene;
+use super::settings::{Motion, Scene};
+
+/// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
+const LARGEST_GAIN: f64 = 0.3;
 
 /// Why the forces of a scene are not resolved, where that is known; what is doubtful in `check`, and the verdict of the results.
 pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
     if scene.body.is_none() || scene.model.is_theory() {
         return None;
     }
-    pushed(scene).or_else(|| outside_fine_zone(scene))
+    pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene))
 }
 
 /// Repulsive points push each particle that comes near: a wedge of 30 degrees had five times its force.
@@ -18,6 +21,20 @@ fn pushed(scene: &Scene) -> Option<String> {
     let fluid = scene.solver.weakly_compressible()?;
     repulsive_walls(&fluid.options)
         .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to five times too large".to_string())
+}
+
+/// Graded, incompressible water sinks in its coarse rows under a body that is slow beside what gravity adds.
+fn sinking(scene: &Scene) -> Option<String> {
+    let given = matches!(scene.body.as_ref()?.motion, Motion::ConstantVelocity | Motion::Tabulated(_));
+    let gained = scene.gain_of_gravity()?;
+    let graded = scene.resolution.growth > 1.0 && scene.solver.is_incompressible();
+    (given && graded && gained > LARGEST_GAIN).then(|| {
+        format!(
+            "graded incompressible water sinks under its weight while the body goes down: g D/V^2 is {} at the end, and above {LARGEST_GAIN} the \
+             force was 6 to 20 % low; set solver = \"weakly_compressible\", or tank.width and tank.depth to 4 breadths",
+            significant(gained)
+        )
+    })
 }
 
 fn outside_fine_zone(scene: &Scene) -> Option<String> {

@@ -211,8 +211,12 @@ fn resolve_fluid(
     let keeled = entry.filter(|entry| matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat());
     if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, body.zip(keeled)) {
         let bound = match body.motion {
+            Motion::Free(_) | Motion::ConstantVelocity | Motion::Tabulated(_)
+                if entry.wets_its_chines() && !body.bends() =>
+            {
+                Some(0.0)
+            }
             Motion::Free(_) => Some(tension_beside_air(draft, entry, body)),
-            Motion::ConstantVelocity | Motion::Tabulated(_) if entry.wets_its_chines() && !body.bends() => Some(0.0),
             _ => None,
         };
         bound.map(|bound| draft.fill("fluid.cavitation_pressure", bound));

@@ -59,7 +59,9 @@ pub struct Particles {
     pub energy: Vec<f64>,
     /// Acceleration f that keeps graded water at rest (THEORY WC28) [m/s²], shape (2, n); empty where nothing is graded.
     pub rest: [Vec<f64>; 2],
-    /// Energy −Σ m f·r of particles when they were halved, which ends f [J/m].
+    /// Where it acts: the place of each particle at the start [m], shape (2, n); empty likewise.
+    pub home: [Vec<f64>; 2],
+    /// Energy −Σ m f·r of particles when their f ended [J/m].
     pub released: f64,
     /// How often it was halved (THEORY WC21); empty without a fine zone that moves.
     pub refinement_level: Vec<u8>,
@@ -105,17 +107,29 @@ impl Particles {
         if self.rest[0].is_empty() { [0.0; 2] } else { [self.rest[0][k], self.rest[1][k]] }
     }
 
+    /// WC28: end the acceleration that keeps particle `k` at rest.
+    pub(crate) fn release(&mut self, k: usize) {
+        let [fx, fy] = self.rest(k);
+        self.released -= self.mass[k] * (fx * self.x[k] + fy * self.y[k]);
+        self.rest.iter_mut().filter(|f| !f.is_empty()).for_each(|f| f[k] = 0.0);
+    }
+
     /// Memory that the arrays occupy [bytes].
     pub(crate) fn bytes(&self) -> usize {
-        let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, rest, refinement_level, newly_split, .. } = self;
-        let numbers: usize = [x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest).map(of_vector).sum();
+        let Particles {
+            x, y, u, v, rho, mass, h, ax, ay, id, energy, rest, home, refinement_level, newly_split, ..
+        } = self;
+        let arrays = [x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest).chain(home);
+        let numbers: usize = arrays.map(of_vector).sum();
         numbers + of_vector(id) + of_vector(refinement_level) + of_vector(newly_split)
     }
 
     /// An error unless all arrays have an entry per particle, and identities are those of 0, 1, 2, …; those that are empty in `like`
     /// may be empty.
     pub(crate) fn check(&self, like: &Particles) -> Result<(), StateError> {
-        let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, rest, refinement_level, newly_split, .. } = self;
+        let Particles {
+            x, y, u, v, rho, mass, h, ax, ay, id, energy, rest, home, refinement_level, newly_split, ..
+        } = self;
         let n = x.len();
         for array in [y, u, v, rho, mass, h, ax, ay] {
             expect_count("entries of a particles' array", array.len(), n)?;
@@ -126,7 +140,7 @@ impl Particles {
         expect_count("particles within a hundred times the water's extent", near[0].min(near[1]), n)?;
         expect_count("identities", id.len(), n)?;
         expect_count("energies", energy.len(), if like.energy.is_empty() { 0 } else { n })?;
-        for (rest, like) in rest.iter().zip(&like.rest) {
+        for (rest, like) in rest.iter().chain(home).zip(like.rest.iter().chain(&like.home)) {
             expect_count("accelerations of rest", rest.len(), if like.is_empty() { 0 } else { n })?;
         }
         for split in [refinement_level.len(), newly_split.len()].into_iter().filter(|&split| split > 0) {
@@ -147,8 +161,10 @@ impl Particles {
 
     /// Put particle `order[k]` at place k, in every array.
     pub(crate) fn permute(&mut self, order: &[u32], spare: &mut Spare) {
-        let Particles { x, y, u, v, rho, mass, h, ax, ay, id, energy, rest, refinement_level, newly_split, .. } = self;
-        for array in [x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest) {
+        let Particles {
+            x, y, u, v, rho, mass, h, ax, ay, id, energy, rest, home, refinement_level, newly_split, ..
+        } = self;
+        for array in [x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest).chain(home) {
             permute(array, order, &mut spare.numbers);
         }
         permute(id, order, &mut spare.ids);

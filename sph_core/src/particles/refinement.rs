@@ -114,17 +114,13 @@ impl Particles {
     fn split(&mut self, k: usize, spacing: f64, g: [f64; 2], c0: f64) {
         let upright = self.refinement_level[k].is_multiple_of(2);
         let arm = if upright { [0.5f64.sqrt(), 0.5f64.sqrt()] } else { [1.0, 0.0] }.map(|e| ARM * spacing * e);
-        let f = self.rest(k);
-        self.released -= self.mass[k] * (f[0] * self.x[k] + f[1] * self.y[k]);
+        self.release(k);
         self.mass[k] *= 0.5;
         self.h[k] = smoothing_length(0.5 * self.h[k] * self.h[k]);
         self.refinement_level[k] += 1;
         let id = self.len() as u32;
-        let Particles { x, y, u, v, rho, mass, h, ax, ay, id: ids, energy, rest, .. } = self;
-        for f in rest.iter_mut().filter(|f| !f.is_empty()) {
-            f[k] = 0.0;
-        }
-        let arrays = [&mut *x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest);
+        let Particles { x, y, u, v, rho, mass, h, ax, ay, id: ids, energy, rest, home, .. } = self;
+        let arrays = [&mut *x, y, u, v, rho, mass, h, ax, ay, energy].into_iter().chain(rest).chain(home);
         for array in arrays.filter(|a| !a.is_empty()) {
             array.push(array[k]);
         }

@@ -29,7 +29,7 @@ use crate::walls::Walls;
 use crate::walls::interface_dynamics::accelerate_by_pairs;
 
 use eos::Tait;
-use rest::{hold_at_rest, release};
+use rest::{hold_at_rest, release_all, release_drifted};
 use shifting::{even_out, settle};
 use step_limit::{StepLimit, rebuild_lists};
 use updates::{advance_density_and_drift, kick, kick_and_drift};
@@ -113,8 +113,9 @@ impl Wcsph {
         system.pack(walls);
     }
 
-    /// WC21: split particles inside the refinement zone, if there is one.
+    /// WC28, WC21: release particles that have drifted; split those inside the refinement zone, if there is one.
     pub fn refine(&self, system: &mut ParticleSystem) {
+        release_drifted(&mut system.particles);
         let ParticleSystem { refinement_zone, particles, fields, neighbours, domain, .. } = system;
         if let Some(zone) = refinement_zone {
             let Tait { rho0, c0, .. } = self.eos;
@@ -178,9 +179,9 @@ impl Wcsph {
 impl Scheme for Wcsph {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
         let settling = self.settings.shifting.then_some(self.settings.settling);
-        release(flow.system);
+        release_all(flow.system);
         settle(flow, settling, |flow| self.evaluate_forces(flow, 0.0));
-        hold_at_rest(flow.system);
+        hold_at_rest(flow.system, flow.walls);
         Ok(())
     }
 

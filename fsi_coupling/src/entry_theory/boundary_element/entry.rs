@@ -11,6 +11,8 @@ use super::state::EntryFlow;
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
 /// And at the latest at this share of the draught at which the faces beside the keel are wet.
 pub(super) const LATEST: f64 = 0.5;
+/// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
+pub(super) const LATEST_UNDER_GRAVITY: f64 = 0.02;
 /// Steps before the flow begins.
 pub(super) const STEPS_BEFORE: usize = 64;
 /// Share of the speed at contact below which the wedge counts as stopped.
@@ -123,7 +125,9 @@ impl FlowEntry<'_> {
                 let wet = |x: f64| self.section.wagner_draught(x);
                 let chines = wet(self.section.followed_half_breadth());
                 let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
-                (BEGIN * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0]))
+                let without_gravity =
+                    LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
+                (BEGIN * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0])).min(without_gravity)
             }
         }
     }
