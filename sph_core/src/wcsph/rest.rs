@@ -5,8 +5,8 @@ use crate::particles::Particles;
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
-/// Water is graded if the smoothing length of a particle is this many times that of another.
-const GRADED: f64 = 1.05;
+/// A particle is coarse if its smoothing length is this many times that of the finest.
+const COARSE: f64 = 1.05;
 /// Distance from its place at the start beyond which a particle is not held [h].
 const DRIFT: f64 = 0.5;
 
@@ -16,14 +16,15 @@ pub(super) fn release_all(system: &mut ParticleSystem) {
     rest.iter_mut().chain(home).for_each(Vec::clear);
 }
 
-/// WC28: what accelerates still, graded water before time starts is taken off, then and later. Particles beside a body are not held.
+/// WC28: what accelerates still water in and beside coarse rows before time starts is taken off, then and later. Particles beside a body are
+/// not held.
 pub(super) fn hold_at_rest(system: &mut ParticleSystem, walls: &Walls) {
     let ParticleSystem { domain, particles: p, neighbours, .. } = system;
     let ends = |values: &[f64]| {
         values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [x.min(low), x.max(high)])
     };
     let [finest, coarsest] = ends(&p.h);
-    if !domain.starts_level || domain.gravity == [0.0; 2] || coarsest <= GRADED * finest {
+    if !domain.starts_level || domain.gravity == [0.0; 2] || coarsest <= COARSE * finest {
         return;
     }
     let ([left, right], [floor, _]) = (ends(&p.x), ends(&p.y));
@@ -32,7 +33,11 @@ pub(super) fn hold_at_rest(system: &mut ParticleSystem, walls: &Walls) {
         let mut walls_near = neighbours.walls_of_fluid.of(k);
         walls_near.any(|w| of_body(neighbours.wall_source(w as usize, walls.len())))
     };
-    let held: Vec<bool> = (0..p.len()).map(|k| p.u[k] == 0.0 && p.v[k] == 0.0 && !beside_body(k)).collect();
+    let is_coarse = |k: usize| p.h[k] > COARSE * finest;
+    let beside_coarse = |k: usize| neighbours.fluid.of(k).any(|j| is_coarse(neighbours.source(j, p.len())));
+    let is_still = |k: usize| p.u[k] == 0.0 && p.v[k] == 0.0;
+    let is_held = |k: usize| is_still(k) && (is_coarse(k) || beside_coarse(k)) && !beside_body(k);
+    let held: Vec<bool> = (0..p.len()).map(is_held).collect();
     for (acceleration, rest) in [&mut p.ax, &mut p.ay].into_iter().zip(&mut p.rest) {
         *rest = acceleration.iter().zip(&held).map(|(a, held)| if *held { -a } else { 0.0 }).collect();
         acceleration.iter_mut().zip(&*rest).for_each(|(a, rest)| *a += rest);
