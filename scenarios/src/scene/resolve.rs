@@ -1,5 +1,7 @@
 //! From a draft to a scene: the values that the program finds, in the order in which they depend on each other.
 
+use std::f64::consts::FRAC_PI_2;
+
 use fsi_coupling::Shape;
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::geometry::polygon;
@@ -168,10 +170,20 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
     }
 }
 
+/// Least mass over the added mass (π/2)ρb² of a wedge at its wet chines, of those that were compared without tension behind them [-]; at a
+/// hundredth bodies gained energy.
+const LEAST_MASS_RATIO: f64 = 0.4;
+
+/// Mass [kg/m] from which a falling wedge counts as heavy.
+fn least_heavy_mass(draft: &Draft, entry: &Entry) -> f64 {
+    let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
+    LEAST_MASS_RATIO * FRAC_PI_2 * density * entry.half_breadth.powi(2)
+}
+
 /// Pressure [Pa] that bounds the tension of water which a free body with a keel enters, −ρ(½V² + gL) with the larger L of its breadth
 /// and height: air comes in where it would be lower. With more tension jets are sucked around its chines and its lee side. With none,
-/// noise is cut to one side and light bodies gain energy; a body at a given speed cannot, and has none where its chines get wet. With
-/// dry chines, beside faces that bend, and under flat and round bottoms, a bound would add to the noise of the start.
+/// noise is cut to one side and light bodies gain energy; heavy ones and those at a given speed do not, and have none where their chines get
+/// wet. With dry chines, beside faces that bend, and under flat and round bottoms, a bound would add to the noise of the start.
 fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
     let [low, high] = polygon::bounding_box(&body.placed_outline());
@@ -210,12 +222,10 @@ fn resolve_fluid(
     }
     let keeled = entry.filter(|entry| matches!(entry.bottom, Bottom::Wedge { .. }) && !entry.is_flat());
     if let (Solver::WeaklyCompressible, false, Some((body, entry))) = (solver, gaseous, body.zip(keeled)) {
-        let bound = match body.motion {
-            Motion::Free(_) | Motion::ConstantVelocity | Motion::Tabulated(_)
-                if entry.wets_its_chines() && !body.bends() =>
-            {
-                Some(0.0)
-            }
+        let rigid_and_wet = entry.wets_its_chines() && !body.bends();
+        let bound = match &body.motion {
+            Motion::ConstantVelocity | Motion::Tabulated(_) if rigid_and_wet => Some(0.0),
+            Motion::Free(freedom) if rigid_and_wet && freedom.mass >= least_heavy_mass(draft, entry) => Some(0.0),
             Motion::Free(_) => Some(tension_beside_air(draft, entry, body)),
             _ => None,
         };
