@@ -115,7 +115,9 @@ pub fn swinging(rotations: bool, scheme: ElementScheme) -> (FluidElement, impl F
     };
     let start = law(0.0);
     let topology = Topology { rotations, ..Topology::of(start.position.clone()).closed(0..11) };
-    let spec = FluidElementSpec { scheme, fastest_speed: Some(12.0), ..FluidElementSpec::new(0.03, 1.0, 0.6) };
+    // of one size, so that gravity alone acts from outside (THEORY WC28)
+    let spec =
+        FluidElementSpec { scheme, fastest_speed: Some(12.0), growth: 1.0, ..FluidElementSpec::new(0.03, 1.0, 0.6) };
     let spec = if scheme.projection().is_some() { spec } else { spec.with_sound_speed(40.0) };
     (spec.size(&topology).expect("a sound element").build(&start).expect("water"), law)
 }

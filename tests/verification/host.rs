@@ -57,7 +57,7 @@ fn the_nodes_get_the_impulse_that_the_water_lost() {
 fn impulses_of_single_particles_reach_the_nodes() {
     let arms = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]];
     let law = |t: f64| placed(&arms, &Motion { angle: 0.4 + 15.0 * t, angular_velocity: 15.0, ..Motion::default() });
-    let spec = FluidElementSpec::new(0.03, 0.9, 0.6).with_sound_speed(50.0);
+    let spec = FluidElementSpec { growth: 1.0, ..FluidElementSpec::new(0.03, 0.9, 0.6).with_sound_speed(50.0) };
     let topology = Topology::of(law(0.0).position).closed(0..4);
     let mut element = spec.size(&topology).expect("a sound element").build(&law(0.0)).expect("water");
     let (mut forces, mut time, mut impulses, mut steps) = (vec![[0.0; 3]; 4], 0.0, 0.0, 0);

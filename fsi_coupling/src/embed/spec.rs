@@ -184,6 +184,7 @@ impl FluidElementSpec {
             fluid: self.water,
             gravity: self.gravity,
             fastest_speed: self.fastest_speed.unwrap_or(0.1 * self.speed_of_sound()),
+            starts_level: true,
             ..Domain::default()
         }
     }
