@@ -73,6 +73,7 @@ pub fn measured(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Opt
     Some(Measured { error: found.error + of_gravity, ..found })
 }
 
+/// The same, but for what gravity adds.
 fn measured_without_gravity(scene: &Scene, theory: &Theory, want: QuantityOfInterest) -> Option<Measured> {
     if theory.rolls() {
         return of_rolled_wedge(scene, want);
