@@ -165,13 +165,14 @@ fn a_model_out_of_its_range_is_refused() {
         ),
         ("wedge_constant", &["model=similarity", "body.deadrise_deg=82"], &["4 to 80"]),
         ("wedge", &["model=similarity"], &["chines are wet", "\"boundary_element\""]),
-        ("wedge_constant", &["model=boundary_element", "body.deadrise_deg=8"], &["10 to 60 degrees", "\"similarity\""]),
+        ("wedge_constant", &["model=boundary_element", "body.deadrise_deg=8"], &["10 to 60 degrees", "\"mlm\""]),
         ("wedge", &["model=boundary_element", "body.breadth=0.1"], &["deeper than its breadth", "\"wcsph\""]),
         ("wedge", &["model=mlm", "body.mass=20", "time.end=0.3"], &["leaves the water", "\"wcsph\""]),
         ("fuselage_section", &["model=similarity"], &["a curved or bent bottom", "\"boundary_element\""]),
         ("dam_break", &["model=mlm"], &["without a body"]),
         ("elastic_wedge", &["model=mlm"], &["panels that bend", "\"wcsph\""]),
         ("elastic_wedge", &["model=wagner", "time.end=0.003"], &["wet chines", "\"wcsph\""]),
+        ("wedge_rolled", &["model=wagner"], &["tilted", "\"boundary_element\""]),
         ("wedge_constant", &["model=mlm", "tank.depth=8.0"], &["four wetted half widths", "\"wcsph\""]),
         ("wedge", &["model=mlm", "solver=incompressible"], &["`solver`", "\"mlm\""]),
         ("wedge", &["want=motion"], &["`want`", "auto"]),
@@ -190,4 +191,19 @@ fn a_model_out_of_its_range_is_refused() {
     std::fs::write(place.path("tilted.toml"), tilted).expect("a file");
     let ended = place.run(&["run", "tilted.toml", "--set", "model=mlm"]);
     assert!(ended.code == Some(2) && ended.message.contains("tilted"), "{}", ended.message);
+}
+
+/// A theory has no particles, and needs no spacing; particles do.
+#[test]
+fn a_theory_needs_no_spacing() {
+    let place = Workplace::new();
+    let text = "name = \"t\"\n[time]\nend = 0.05\n[body]\nname = \"w\"\nshape = \"wedge\"\ndeadrise_deg = 30.0\nbreadth = 0.5\n\
+                mass = 100.0\nfree = [\"y\"]\nvelocity = [0.0, -3.0]\n";
+    std::fs::write(place.path("t.toml"), text).expect("a file");
+    for model in ["mlm", "boundary_element"] {
+        let ended = place.run(&["run", "t.toml", "--set", &format!("model={model}"), "--out", model]);
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+    }
+    let ended = place.run(&["run", "t.toml"]);
+    assert!(ended.code == Some(2) && ended.message.contains("resolution.spacing"), "{}", ended.message);
 }

@@ -96,6 +96,15 @@ fn a_beach_of_two_wavelengths_sends_back_less_than_five_per_cent() {
     assert!((waves.phase_speed_ratio.expect("gauges") - 1.0).abs() < 0.03);
 }
 
+/// A run that ends before full waves have passed the gauges gives heights, and no reflection, speed or loss.
+#[test]
+fn a_short_run_gives_no_reflection() {
+    let outcome = run(&scene("wave_maker", &with(&["time.end=8"])), &RunOptions::default()).expect("a run");
+    let waves = outcome.summary.waves.expect("waves of a wave maker");
+    let ratios = [waves.reflection, waves.phase_speed_ratio, waves.decay_per_length];
+    assert!(!waves.gauges.is_empty() && ratios == [None; 3], "{waves:?}");
+}
+
 /// The scene's numbers are those of theory.
 #[test]
 fn a_scene_takes_its_waves_from_their_length_or_period() {

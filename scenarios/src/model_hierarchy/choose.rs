@@ -66,8 +66,11 @@ fn reason(theories: &[Assessment]) -> String {
     if let Some((model, m)) = measured.min_by(|a, b| a.1.error.total_cmp(&b.1.error)) {
         return format!("the best theory, {}, is {} % off in {}", model.name(), significant(100.0 * m.error), m.case);
     }
-    let with_obstacle = || theories.iter().filter(|a| a.obstacle.is_some());
-    let nearest = with_obstacle().find(|a| a.begins).or(with_obstacle().next());
-    let obstacle = nearest.and_then(|a| a.obstacle.as_ref());
-    obstacle.map_or("no theory was measured near this scene".into(), |obstacle| format!("a theory {obstacle}"))
+    if let Some(holds) = theories.iter().rev().find(|a| a.obstacle.is_none()) {
+        let model = holds.model.name();
+        return format!("{model} holds, but its error was not measured near this scene; model = \"{model}\" runs it");
+    }
+    let nearest = theories.iter().find(|a| a.begins).or(theories.last()); // the last holds for most sections
+    let why = nearest.and_then(|a| Some(format!("{} {}", a.model.name(), a.obstacle.as_ref()?)));
+    why.unwrap_or_default()
 }

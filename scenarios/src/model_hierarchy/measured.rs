@@ -149,7 +149,7 @@ fn of_rolled_wedge(scene: &Scene, want: QuantityOfInterest) -> Option<Measured> 
     if !deadrises.iter().all(|deadrise| (least - 1e-6..=most + 1e-6).contains(deadrise)) {
         return None;
     }
-    let drop = "six drops of wedges of 27 to 42 degrees rolled by 4 to 15, against particles";
+    let drop = "six drops of rolled wedges with faces of 20 to 57 degrees, against particles";
     let constant = "rolled wedges at constant speed, against the asymmetric similarity solution";
     match want {
         QuantityOfInterest::Motion if falls => Some(Measured { error: ROLLED_DROP_ERRORS[0], case: drop.into() }),

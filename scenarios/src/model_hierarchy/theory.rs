@@ -302,7 +302,7 @@ fn refuse(what: &str) -> OutOfRange {
     OutOfRange {
         what: what.into(),
         range:
-            "a rigid symmetric body, by boundary elements a rolled wedge too, that goes straight down into still water"
+            "a rigid symmetric body that goes straight down into still water (boundary elements: a rolled wedge too)"
                 .into(),
         next: EntryModel::Wcsph,
     }

@@ -6,7 +6,7 @@ use fsi_coupling::waves::separation::{Amplitude, separate};
 use serde::Serialize;
 
 use super::series::Series;
-use crate::scene::Scene;
+use crate::scene::{Scene, full_waves_by};
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;
@@ -26,13 +26,13 @@ pub struct Waves {
     pub stroke_m: f64,
     /// First harmonic at each place of observe.level, in its order.
     pub gauges: Vec<WaveGauge>,
-    /// Phase speed over that of linear theory, from the phases of all gauges [-]; absent with fewer than two.
+    /// Phase speed over that of linear theory, from the phases of the gauges that four full periods have passed [-]; absent with fewer than two.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub phase_speed_ratio: Option<f64>,
-    /// Share of its height that the wave loses in a wavelength, from the heights of all gauges [-]; absent with fewer than two.
+    /// Share of its height that the wave loses in a wavelength, from the heights of the same gauges [-]; absent with fewer than two.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decay_per_length: Option<f64>,
-    /// Height of the waves that come back over that of those that arrive, from the last three gauges [-]; absent with fewer, or where
+    /// Height of the waves that come back over that of those that arrive, from the last three of them [-]; absent with fewer, or where
     /// they are half a wavelength apart.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reflection: Option<f64>,
@@ -63,8 +63,12 @@ impl Series {
         let amplitudes: Vec<(f64, Amplitude)> =
             places.iter().enumerate().map(|(j, x)| Some((*x, harmonic(j)?))).collect::<Option<_>>()?;
         let gauges: Vec<WaveGauge> = amplitudes.iter().map(|(x, a)| gauge(*x, a, maker.height)).collect();
-        let decays: Vec<[f64; 2]> = gauges.iter().map(|g| [g.x_m, g.height_m.ln()]).collect();
-        let probes = &amplitudes[amplitudes.len().saturating_sub(PROBES)..];
+        // before the full wave has passed a place, what is there is not regular
+        let settled = |x: f64| full_waves_by(scene, x).is_some_and(|by| by <= scene.time.end);
+        let regular: Vec<(f64, Amplitude)> = amplitudes.iter().filter(|(x, _)| settled(*x)).copied().collect();
+        let of_regular = gauges.iter().filter(|g| settled(g.x_m));
+        let decays: Vec<[f64; 2]> = of_regular.map(|g| [g.x_m, g.height_m.ln()]).collect();
+        let probes = &regular[regular.len().saturating_sub(PROBES)..];
         let separated = Some(probes).filter(|probes| probes.len() == PROBES).and_then(|probes| separate(k, probes));
         Some(Waves {
             height_m: maker.height,
@@ -72,7 +76,7 @@ impl Series {
             length_m: wave.length(),
             stroke_m: piston.stroke,
             gauges,
-            phase_speed_ratio: slope(&phases(k, &amplitudes)).map(|late| k / (k + late)),
+            phase_speed_ratio: slope(&phases(k, &regular)).map(|late| k / (k + late)),
             decay_per_length: slope(&decays).map(|rate| 1.0 - (rate * wave.length()).exp()),
             reflection: separated.map(|[right, left]| left[0].hypot(left[1]) / right[0].hypot(right[1])),
         })

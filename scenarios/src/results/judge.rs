@@ -121,7 +121,10 @@ impl Judge {
             let dry = curves.draught_at(peak.time) <= self.spacing;
             let falls = dry && peak.value <= (1.0 + LEAST_FORCE_BAND) * self.gravity; // before the water bears
             match (falls, known) {
-                (true, true) => (Verdict::Resolved, Some(LEAST_FORCE_BAND), None),
+                (true, true) => {
+                    let why = "it is that of the fall: the water accelerates the body less";
+                    (Verdict::Resolved, Some(LEAST_FORCE_BAND), Some(why.to_string()))
+                }
                 (true, false) => {
                     let why = "it is that of the fall, and the force of the water is not resolved";
                     (Verdict::NotResolved, None, Some(why.to_string()))

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use fsi_coupling::entry_theory::EntryModel;
+use fsi_coupling::entry_theory::{EntryModel, OutOfRange};
 use fsi_coupling::settings::{Problem, require, significant};
 use include_dir::{Dir, include_dir};
 use serde_json::Value;
@@ -151,6 +151,7 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     refuse_dropped(&mut given)?;
     refuse_absent(&given)?;
     settle_solver(&mut given)?;
+    fill_in_spacing_of_theory(&mut given)?;
     let draft = draft_of(&given)?;
     if given.get("model").and_then(Value::as_str) == Some("auto") {
         let want: QuantityOfInterest = draft.get("want").unwrap_or_default();
@@ -162,11 +163,21 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     let scene = sensible(draft, limits)?;
     if scene.model.is_theory() {
         let name = scene.model.name();
-        let refused = |e| Problem::new("model", format!("\"{name}\""), format!("a scene it holds for: {e}"));
+        let refused = |e: OutOfRange| {
+            let e = OutOfRange { next: next_that_holds(&scene, e.next), ..e };
+            Problem::new("model", format!("\"{name}\""), format!("a scene it holds for: {e}"))
+        };
         let (_, end) = Theory::outlined(&scene, scene.model).map_err(refused)?;
         end.map_or(Ok(()), |end| Err(refused(end)))?;
     }
     Ok(scene)
+}
+
+/// A model that is valid for the scene: the one `named` if it is, or else the most detailed theory that is.
+fn next_that_holds(scene: &Scene, named: EntryModel) -> EntryModel {
+    let holds = |model: &EntryModel| Theory::outlined(scene, *model).is_ok_and(|(_, end)| end.is_none());
+    let theories = std::iter::once(named).chain(EntryModel::ALL.into_iter().rev());
+    theories.filter(|model| model.is_theory()).find(holds).unwrap_or(EntryModel::Wcsph)
 }
 
 /// Options that are on and that the solver ignores.
@@ -288,11 +299,7 @@ impl Auto {
         if given.pointer(SPACING).is_some() {
             return self.resolved(&given);
         }
-        let entry = entry_of(draft_of(&given)?)?;
-        let draught = entry.map(|(_, entry)| entry.attached_draught().max(entry.bottom.draught_at(entry.half_breadth)));
-        let why = "the finest spacing [m]: nothing enters the water";
-        let draught = draught.ok_or_else(|| Problem::missing("resolution.spacing", why))?;
-        given["resolution"]["spacing"] = (draught / PROVISIONAL).into();
+        given["resolution"]["spacing"] = provisional_spacing(&given)?.into();
         let scene = self.resolved(&given)?;
         let fine = charted_number(self.want).and_then(|number| spacing_within(&scene, number, self.within));
         fine.map_or(Ok(scene), |spacing| {
@@ -300,6 +307,24 @@ impl Auto {
             self.resolved(&given)
         })
     }
+}
+
+/// A spacing to begin with [m].
+fn provisional_spacing(given: &Value) -> Result<f64, Problem> {
+    let entry = entry_of(draft_of(given)?)?;
+    let draught = entry.map(|(_, entry)| entry.attached_draught().max(entry.bottom.draught_at(entry.half_breadth)));
+    let why = "the finest spacing [m]: nothing enters the water";
+    Ok(draught.ok_or_else(|| Problem::missing("resolution.spacing", why))? / PROVISIONAL)
+}
+
+/// A theory has no particles: its scene needs no spacing.
+fn fill_in_spacing_of_theory(given: &mut Value) -> Result<(), Problem> {
+    let model = given.get("model").and_then(Value::as_str).map(String::from);
+    let by_theory = EntryModel::ALL.iter().any(|known| known.is_theory() && Some(known.name()) == model.as_deref());
+    if by_theory && given.pointer(SPACING).is_none() {
+        given["resolution"]["spacing"] = provisional_spacing(given)?.into();
+    }
+    Ok(())
 }
 
 /// The table with another value at a key.

@@ -84,6 +84,6 @@ pub(crate) use settings::{MILLIMETRE, MODES, line};
 pub use source::apply_set;
 pub use sph_core::{Kernel, Slip as WallSlip};
 pub use warnings::warnings;
-pub(crate) use waves::early_end as waves_end_early;
+pub(crate) use waves::{early_end as waves_end_early, full_waves_by};
 pub use wet_period::longest_step;
 pub(crate) use wet_period::resonant_panels;

@@ -241,8 +241,10 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     let draught = entry.final_draught;
     if draught < STARTING_DRAUGHT * spacing && !scene.is_cushioned(entry) {
         warnings.push(format!(
-            "the draught at the end is {} spacings: the force is good to 1 % from {STARTING_DRAUGHT} on",
-            significant(draught / spacing)
+            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} the force is off by more than 1 %: {} m would do for \
+             resolution.spacing",
+            significant(draught / spacing),
+            significant(0.99 * draught / STARTING_DRAUGHT)
         ));
     }
 

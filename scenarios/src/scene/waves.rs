@@ -76,12 +76,16 @@ fn check_wave_maker(scene: &Scene, maker: &WaveMaker) -> Result<(), Problem> {
     check_way_of_piston(scene, -0.5 * scene.tank.width + piston.reach())
 }
 
+/// When four periods of full waves have passed a place [s]; `None` without a wave maker (THEORY GE26).
+pub(crate) fn full_waves_by(scene: &Scene, x: f64) -> Option<f64> {
+    let (maker, wave) = (scene.tank.wave_maker?, scene.wave()?);
+    Some((x + 0.5 * scene.tank.width) / wave.group_speed() + (maker.ramp + 4.0) * wave.period())
+}
+
 /// A run that ends before its farthest gauge has seen four periods of full waves (THEORY GE26).
 pub(crate) fn early_end(scene: &Scene) -> Option<String> {
-    let (maker, wave) = (scene.tank.wave_maker?, scene.wave()?);
     let farthest = scene.observe.level.iter().copied().reduce(f64::max)?;
-    let way = farthest + 0.5 * scene.tank.width;
-    let needed = way / wave.group_speed() + (maker.ramp + 4.0) * wave.period();
+    let needed = full_waves_by(scene, farthest)?;
     (scene.time.end < needed).then(|| {
         format!(
             "time.end = {} s is early for the gauge at x = {farthest} m: waves of full height have passed it for four periods after {} s",

@@ -192,7 +192,7 @@ pub struct Resolution {
     /// Finest particle spacing dx (INDAT dx, dy, dz: one here) [m].
     #[schemars(extend(
         "exclusiveMinimum" = 0,
-        "x-default" = "required; with model = \"auto\": from the work-precision charts"
+        "x-default" = "required; with model = \"auto\": from the work-precision charts; a theory needs none"
     ))]
     pub spacing: f64,
     /// Ratio of successive rows outside the fine zone; 1 is uniform [-].
