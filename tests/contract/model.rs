@@ -165,7 +165,7 @@ fn a_model_out_of_its_range_is_refused() {
         ),
         ("wedge_constant", &["model=similarity", "body.deadrise_deg=82"], &["4 to 80"]),
         ("wedge", &["model=similarity"], &["chines are wet", "\"boundary_element\""]),
-        ("wedge_constant", &["model=boundary_element", "body.deadrise_deg=8"], &["10 to 60 degrees", "\"mlm\""]),
+        ("wedge_constant", &["model=boundary_element", "body.deadrise_deg=8"], &["10 to 60 degrees", "\"wcsph\""]),
         ("wedge", &["model=boundary_element", "body.breadth=0.1"], &["deeper than its breadth", "\"wcsph\""]),
         ("wedge", &["model=mlm", "body.mass=20", "time.end=0.3"], &["leaves the water", "\"wcsph\""]),
         ("fuselage_section", &["model=similarity"], &["a curved or bent bottom", "\"boundary_element\""]),

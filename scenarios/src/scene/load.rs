@@ -173,11 +173,15 @@ fn checked(mut given: Value, limits: Limits) -> Result<Scene, Problem> {
     Ok(scene)
 }
 
-/// A model that is valid for the scene: the one `named` if it is, or else the most detailed theory that is.
+/// A model that is valid for the scene: the one `named`, a more detailed theory, or particles.
 fn next_that_holds(scene: &Scene, named: EntryModel) -> EntryModel {
     let holds = |model: &EntryModel| Theory::outlined(scene, *model).is_ok_and(|(_, end)| end.is_none());
-    let theories = std::iter::once(named).chain(EntryModel::ALL.into_iter().rev());
-    theories.filter(|model| model.is_theory()).find(holds).unwrap_or(EntryModel::Wcsph)
+    let more_detailed = EntryModel::ALL.into_iter().filter(|model| *model > scene.model);
+    std::iter::once(named)
+        .chain(more_detailed)
+        .filter(|model| model.is_theory())
+        .find(holds)
+        .unwrap_or(EntryModel::Wcsph)
 }
 
 /// Options that are on and that the solver ignores.
