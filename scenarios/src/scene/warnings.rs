@@ -241,8 +241,7 @@ fn entry_warnings(scene: &Scene, entry: &Entry) -> Vec<String> {
     let draught = entry.final_draught;
     if draught < STARTING_DRAUGHT * spacing && !scene.is_cushioned(entry) {
         warnings.push(format!(
-            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} the force is off by more than 1 %: {} m would do for \
-             resolution.spacing",
+            "the draught at the end is {} spacings; below {STARTING_DRAUGHT} the force is off by over 1 %: {} m would do",
             significant(draught / spacing),
             significant(0.99 * draught / STARTING_DRAUGHT)
         ));
