@@ -2,6 +2,7 @@
 
 use super::model::{EntryModel, OutOfRange};
 use crate::Shape;
+use crate::geometry::vector::sub;
 
 /// Least slope that a bottom may have, of a deadrise of 4°: below it trapped air, absent here, takes over.
 const LEAST_DEADRISE_DEG: f64 = 4.0;
@@ -9,6 +10,8 @@ const LEAST_DEADRISE_DEG: f64 = 4.0;
 const CONTINUATION_DEG: f64 = 60.0;
 /// Depth of a dent over the breadth up to which a bottom counts as convex: points are rounded [-].
 const DENT: f64 = 1e-4;
+/// Largest turn at a corner that is none [rad].
+const ON_A_LINE: f64 = 1e-9;
 /// Corners on one side of the keel from which they may stand for a circle.
 const LEAST_ON_CIRCLE: usize = 6;
 /// Largest difference of the radii through them [-].
@@ -36,7 +39,7 @@ impl Section {
         if corners.len() < 2 || corners.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return Err(not_a_section("a bottom whose half breadth does not grow from keel to chine"));
         }
-        let (corners, hollow) = without_dents(corners);
+        let (corners, hollow) = without_dents(straightened(corners));
         let slopes = slopes_of(&corners);
         if slopes[0] < 0.0 {
             return Err(not_a_section("a bottom that falls beside its keel"));
@@ -248,6 +251,26 @@ fn slopes_of(corners: &[[f64; 2]]) -> Vec<f64> {
     corners.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect()
 }
 
+/// Without the corners on a straight line between their neighbours; a bottom that is straight to the digits of its points is one face.
+fn straightened(corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let (first, last) = (corners[0], corners[corners.len() - 1]);
+    let one_face = corners.iter().all(|[x, y]| (y - x * last[1] / last[0]).abs() <= DENT * 2.0 * last[0]);
+    if one_face {
+        return vec![first, last];
+    }
+    let mut kept: Vec<[f64; 2]> = Vec::new();
+    for next in corners {
+        if let [.., before, corner] = kept[..] {
+            let ([ax, ay], [bx, by]) = (sub(corner, before), sub(next, corner));
+            if (ax * by - ay * bx).abs() < ON_A_LINE * ax.hypot(ay) * bx.hypot(by) {
+                kept.pop();
+            }
+        }
+        kept.push(next);
+    }
+    kept
+}
+
 /// The corners of a convex bottom as they are; of one that is convex to the digits of its points, those of its convex hull; of another its
 /// corners, and the place and depth of its hollow [m].
 fn without_dents(corners: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, Option<[f64; 2]>) {
@@ -310,6 +333,14 @@ mod tests {
             assert!((section.height(x) - y).abs() < 2e-5);
         }
         assert!((section.wagner_draught(0.3) - 0.3 * 0.364 * std::f64::consts::FRAC_2_PI).abs() < 1e-5);
+    }
+
+    /// Points on a straight face add nothing to it, whether it is the only one or not.
+    #[test]
+    fn corners_on_straight_lines_are_none() {
+        assert_eq!(Section::new(&[[0.0, 0.0], [0.15, 0.07], [0.3, 0.14]]), Section::new(&[[0.0, 0.0], [0.3, 0.14]]));
+        let bent = [[0.0, 0.0], [0.1, 0.02], [0.2, 0.04], [0.25, 0.08], [0.3, 0.12]];
+        assert_eq!(Section::new(&bent), Section::new(&[bent[0], bent[2], bent[4]]));
     }
 
     #[test]
