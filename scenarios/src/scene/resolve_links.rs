@@ -1,7 +1,7 @@
 //! Further bodies and joints of a scene: defaults, and what they exclude.
 
 use fsi_coupling::Outline;
-use fsi_coupling::geometry::polygon;
+use fsi_coupling::geometry::{polygon, vector::sub};
 use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
 
@@ -121,5 +121,35 @@ fn check_joint(scene: &Scene, joint: &Joint, key: impl Fn(&str) -> String) -> Re
         if stretches { "the spring's other end, another point than at" } else { "none: only a spring has a second end" }
     })?;
     let acts = !stretches || joint.stiffness > 0.0 || joint.damping > 0.0;
-    require(acts, &key("stiffness"), joint.stiffness, "a number above 0, or damping: this spring does nothing")
+    require(acts, &key("stiffness"), joint.stiffness, "a number above 0, or damping: this spring does nothing")?;
+    check_start(scene, joint, key)
+}
+
+/// Largest difference of velocities at a joint at the start, as they are typed, over the larger of both [-].
+const TYPED: f64 = 1e-3;
+
+/// Refuses bodies that a joint would jerk at t = 0: at a hinge their velocities differ, at a slider those across the axis or the turning.
+fn check_start(scene: &Scene, joint: &Joint, key: impl Fn(&str) -> String) -> Result<(), Problem> {
+    let body = |name: &str| scene.all_bodies().find(|body| body.name == name);
+    let velocity = |name: &str| body(name).map_or(Some([0.0; 2]), |body| body.velocity_at(joint.at));
+    let [Some(first), Some(second)] = joint.bodies.each_ref().map(|name| velocity(name)) else { return Ok(()) };
+    let apart = sub(second, first);
+    let scale = TYPED * first[0].hypot(first[1]).max(second[0].hypot(second[1]));
+    let [x, y] = joint.axis.unwrap_or([1.0, 0.0]);
+    let turning = |name: &str| body(name).map_or(0.0, |body| body.angular_velocity_deg_per_s);
+    let [one, other] = joint.bodies.each_ref().map(|name| turning(name));
+    let jerks = match joint.kind {
+        JointName::Hinge => apart[0].hypot(apart[1]) > scale,
+        JointName::Slider => {
+            let across = (apart[1] * x - apart[0] * y).abs() / x.hypot(y);
+            across > scale || (one - other).abs() > TYPED * one.abs().max(other.abs())
+        }
+        JointName::Spring => false,
+    };
+    let given = format_args!("{:?}, which start there at {first:?} and {second:?} m/s", joint.bodies);
+    let expected = match joint.kind {
+        JointName::Hinge => "bodies with the same velocity at the hinge",
+        _ => "bodies with the same velocity across the axis and the same angular velocity",
+    };
+    require(!jerks, &key("bodies"), given, expected)
 }

@@ -1,8 +1,8 @@
 //! The body of a scene.
 
 use fsi_coupling::bodies::prescribed::Law;
-use fsi_coupling::geometry::polygon;
 use fsi_coupling::geometry::polyline::Polyline;
+use fsi_coupling::geometry::{polygon, vector::sub};
 use fsi_coupling::settings::OrTouching;
 use fsi_coupling::{PrescribedBody, RigidMotion, Shape};
 use schemars::JsonSchema;
@@ -330,6 +330,19 @@ impl Body {
     /// A point of the body's frame in the tank's frame, at t = 0 [m].
     pub fn to_tank(&self, point: [f64; 2]) -> [f64; 2] {
         placed(vec![point], self.position, self.angle_deg)[0]
+    }
+
+    /// Velocity at t = 0 of a point of the tank's frame that moves with the body [m/s]; `None` for a motion in time.
+    pub(in crate::scene) fn velocity_at(&self, point: [f64; 2]) -> Option<[f64; 2]> {
+        let [x, y] = sub(point, self.to_tank(self.center_of_mass));
+        let turning = self.angular_velocity_deg_per_s.to_radians();
+        match self.motion {
+            Motion::Free(_) | Motion::ConstantVelocity => {
+                Some([self.velocity[0] - turning * y, self.velocity[1] + turning * x])
+            }
+            Motion::Fixed => Some([0.0; 2]),
+            Motion::Oscillating(_) | Motion::Tabulated(_) => None,
+        }
     }
 
     /// Bound of the speed of its points at t = 0 [m/s]: |v| + |ω| r, with the farthest vertex at r from the centre of mass;
