@@ -54,7 +54,7 @@ fn outside_fine_zone(scene: &Scene) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::limit_of_forces;
-    use crate::scene::load;
+    use crate::scene::{load, load_text};
 
     #[test]
     fn repulsive_walls_and_a_small_fine_zone_are_known_before_the_run() {
@@ -63,12 +63,34 @@ mod tests {
         #[cfg(feature = "legacy")]
         assert!(limit("fluid.walls=repulsive").is_some_and(|why| why.contains("fluid.walls")));
         assert!(limit("resolution.fine_zone=[0.03, 0.03]").is_some_and(|why| why.contains("resolution.fine_zone")));
-        let slow = |set: &str| {
-            let sets =
-                ["solver=incompressible", "body.velocity=[0, -0.5]", "gravity=[0, -9.81]", set].map(String::from);
-            limit_of_forces(&load("wedge_constant", &sets).expect("a scene").scene)
-        };
-        assert_eq!(slow("resolution.growth=1.1"), None);
-        assert!(slow("tank.surface_tilt_deg=1").is_some_and(|why| why.contains("level")));
     }
+
+    #[test]
+    fn incompressible_water_sinks_where_it_does_not_start_level() {
+        let limit = |sets: &[&str]| {
+            let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+            limit_of_forces(&load_text("a slow wedge", SLOW, &sets).expect("a scene").scene)
+        };
+        assert_eq!(limit(&[]), None);
+        let waves = ["tank.surface_amplitude=0.001", "tank.surface_mode=2"];
+        assert!(limit(&waves).is_some_and(|why| why.contains("level")));
+    }
+
+    const SLOW: &str = "
+name = 'slow'
+symmetry = 'x'
+solver = 'incompressible'
+[resolution]
+spacing = 0.01
+[time]
+end = 0.2
+[body]
+name = 'wedge'
+shape = 'wedge'
+deadrise_deg = 30.0
+breadth = 1.2
+side_height = 0.5
+motion = 'constant_velocity'
+velocity = [0.0, -1.0]
+";
 }
