@@ -160,7 +160,7 @@ fn domain(scene: &Scene) -> Domain {
         gravity: scene.gravity,
         mirror: (scene.symmetry == Symmetry::X).then_some(Mirror { at: 0.0 }),
         fastest_speed: scene.projection_speed(),
-        starts_level: scene.tank.is_full() && scene.tank.surface().is_none() && scene.gravity[0] == 0.0,
+        starts_level: scene.starts_level(),
         ..Domain::default()
     }
 }

@@ -317,12 +317,12 @@ impl Fluid {
         self.halves() * self.particles().mass.iter().sum::<f64>()
     }
 
-    /// Force of gravity, and of what keeps graded water at rest (WC28) [N/m]; with a mirror plane, on both halves.
+    /// Force of gravity, and of what keeps graded water at rest (WC28, PR18) [N/m]; with a mirror plane, on both halves.
     pub fn external_force(&self) -> [f64; 2] {
-        let (p, g) = (self.particles(), self.domain().gravity);
+        let (p, g, of_tank) = (self.particles(), self.domain().gravity, self.system.force_of_tank);
         let [fx, fy] = parallel::sum(p.len(), |k| p.rest(k).map(|f| p.mass[k] * f));
         let mass: f64 = p.mass.iter().sum();
-        self.of_both_halves([mass * g[0] + fx, mass * g[1] + fy])
+        self.of_both_halves([mass * g[0] + fx + of_tank[0], mass * g[1] + fy + of_tank[1]])
     }
 
     /// Σ m/ρ [m²]; with a mirror plane, of both halves.

@@ -39,6 +39,8 @@ pub struct ParticleSystem {
     pub(crate) steps: u64,
     /// Where coarse particles are split when the lists are made anew (THEORY WC21).
     pub(crate) refinement_zone: Option<RefinementZone>,
+    /// Force of the tank on the water beside that of its wall particles (THEORY PR18) [N/m]; of the last step.
+    pub(crate) force_of_tank: [f64; 2],
     /// A particle was moved outside a step: lists are to be made anew.
     pub(crate) displaced: bool,
     /// Positions at the start of the step [m], by identity; empty without thin plates (WA11).

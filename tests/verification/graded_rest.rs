@@ -1,4 +1,4 @@
-//! Graded water (THEORY WC18) stays at rest (WC28): alone, and below a body that gravity outruns.
+//! Graded water (THEORY WC18) stays at rest (WC28, PR18): alone, and below a body that gravity outruns.
 
 use evidence::statistics::mean;
 use evidence::systems::{advance, of_text};
@@ -55,11 +55,41 @@ fn a_deep_tank_stays_at_rest() {
     assert!(audit < 1e-10, "{audit}");
 }
 
+/// Without PR18 all water accelerates by 0.02 g, and the tank gets 5 J/m. With images of one size only beside the plane of symmetry (PR5)
+/// deep particles count as near air, and it gets 29.
+#[test]
+fn a_deep_tank_of_incompressible_water_does_not_sink() {
+    let mut system = of_text(STILL, &["solver=incompressible"]);
+    let mut largest: f64 = 0.0;
+    advance(&mut system, 0.2, |system| largest = largest.max(system.fluid_energy().kinetic)).expect("still water");
+    let (p, air) = (system.fluid.particles(), system.fluid.surface_indicator());
+    let deepest = (0..p.len()).filter(|&k| air[k] > 0.0).map(|k| -p.y[k] / p.h[k]).fold(0.0, f64::max);
+    let audit = system.momentum_audit().worst;
+    println!("{largest:.2e} J/m, air to {deepest:.2} h, momentum {audit:.1e}");
+    assert!(deepest < 2.5, "a particle {deepest} h below the surface counts as near air");
+    assert!(largest < 2.0 && audit < 1e-10, "{largest} J/m, {audit}");
+}
+
 /// The force on a slow wedge in an automatic tank, against boundary elements, in tenths of the run: it was 14 to 19 % low.
 #[test]
 fn a_slow_wedge_has_the_force_of_potential_flow() {
-    let force = |sets: &[&str]| {
-        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+    let energy = follow_boundary_elements(&[], &[]);
+    assert!(energy < 0.1, "{energy}");
+}
+
+/// The same in incompressible water: it was 6 to 11 % low, and 15 to 20 % at half the speed.
+#[test]
+fn a_slow_wedge_has_the_force_of_potential_flow_in_incompressible_water() {
+    let incompressible = ["solver=incompressible"];
+    let energy = follow_boundary_elements(&incompressible, &[]);
+    assert!(energy < 0.1, "{energy}");
+    follow_boundary_elements(&incompressible, &["body.velocity=[0.0, -0.5]", "time.end=0.4"]);
+}
+
+/// Asserts on forces and momentum; share of the energy exchanged that came from nowhere.
+fn follow_boundary_elements(solver: &[&str], motion: &[&str]) -> f64 {
+    let force = |model: &[&str]| {
+        let sets: Vec<String> = model.iter().chain(motion).map(|set| set.to_string()).collect();
         let scene = scene::load_text("a slow wedge", SLOW, &sets).expect("a sound scene").scene;
         let outcome = run(&scene, &RunOptions::default()).expect("a run");
         let time = outcome.series.column("time_s").expect("times").to_vec();
@@ -73,14 +103,15 @@ fn a_slow_wedge_has_the_force_of_potential_flow() {
             let values = (0..200).map(|k| at(from + (f64::from(k) + 0.5) / 200.0 * (to - from)));
             mean(&values.collect::<Vec<f64>>())
         };
-        (window, outcome.summary.audit)
+        (window, scene.time.end, outcome.summary.audit)
     };
-    let ((exact, _), (particles, audit)) = (force(&["model=boundary_element"]), force(&[]));
+    let ((exact, end, _), (particles, _, audit)) = (force(&["model=boundary_element"]), force(solver));
     for k in 4..9 {
-        let [from, to] = [k, k + 1].map(|k| 0.02 * f64::from(k));
+        let [from, to] = [k, k + 1].map(|k| 0.1 * end * f64::from(k));
         let error = particles(from, to) / exact(from, to) - 1.0;
-        println!("{from:.2} s: {:+.1} %", 100.0 * error);
+        println!("{solver:?} {motion:?} {from:.2} s: {:+.1} %", 100.0 * error);
         assert!(error.abs() < 0.07, "{from:.2} to {to:.2} s: {:+.1} %", 100.0 * error);
     }
-    assert!(audit.momentum < 1e-10 && audit.energy.abs() < 0.1, "{} {}", audit.momentum, audit.energy);
+    assert!(audit.momentum < 1e-10, "{}", audit.momentum);
+    audit.energy.abs()
 }

@@ -61,12 +61,13 @@ impl Balance {
         let [pushed] = parallel::sum(w.len(), |k| [(w.fx[k] * w.fx[k] + w.fy[k] * w.fy[k]).sqrt()]);
         let scale = held + dt * pushed;
         let (before, released) = self.external_force;
-        if released != fluid.particles().released {
+        if released != fluid.particles().released || fluid.force_is_constant_in_step() {
             self.external_force = (fluid.external_force(), fluid.particles().released);
         }
         // particles are released before all kicks of a step that holds pairs (WC22), between the two of another (WC11)
         let after = self.external_force.0;
-        let before = if fluid.holds_pairs() { after } else { before };
+        let is_constant = fluid.holds_pairs() || fluid.force_is_constant_in_step();
+        let before = if is_constant { after } else { before };
         for k in 0..2 {
             let held_by_bodies: f64 = members.iter().map(|m| m.body.momentum().momentum[k].abs()).sum();
             let external = 0.5 * dt * (before[k] + after[k]);

@@ -60,6 +60,11 @@ impl Scene {
         Some(self.gravity[0].hypot(self.gravity[1]) * draught / entry.speed.powi(2))
     }
 
+    /// Level water from wall to wall: what still rows bear is known.
+    pub(crate) fn starts_level(&self) -> bool {
+        self.tank.is_full() && self.tank.surface().is_none() && self.gravity[0] == 0.0
+    }
+
     /// How the body meets the water; `None` where no body falls or moves down into it.
     pub fn entry(&self) -> Option<Entry> {
         if !self.bodies.is_empty() || !self.joints.is_empty() {

@@ -23,14 +23,15 @@ fn pushed(scene: &Scene) -> Option<String> {
         .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to five times too large".to_string())
 }
 
-/// Graded, incompressible water sinks in its coarse rows under a body that is slow beside what gravity adds.
+/// Graded, incompressible water that does not start level sinks in its coarse rows (THEORY PR18), under a body that is slow beside what
+/// gravity adds.
 fn sinking(scene: &Scene) -> Option<String> {
     let given = matches!(scene.body.as_ref()?.motion, Motion::ConstantVelocity | Motion::Tabulated(_));
     let gained = scene.gain_of_gravity()?;
-    let graded = scene.resolution.growth > 1.0 && scene.solver.is_incompressible();
+    let graded = scene.resolution.growth > 1.0 && scene.solver.is_incompressible() && !scene.starts_level();
     (given && graded && gained > LARGEST_GAIN).then(|| {
         format!(
-            "graded incompressible water sinks under its weight while the body goes down: g D/V^2 is {} at the end, and above {LARGEST_GAIN} the \
+            "graded incompressible water that does not start level sinks while the body goes down: g D/V^2 is {} at the end, and above {LARGEST_GAIN} the \
              force was 6 to 20 % low; set solver = \"weakly_compressible\", or tank.width and tank.depth to 4 breadths",
             significant(gained)
         )
@@ -53,7 +54,7 @@ fn outside_fine_zone(scene: &Scene) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::limit_of_forces;
-    use crate::scene::load;
+    use crate::scene::{load, load_text};
 
     #[test]
     fn repulsive_walls_and_a_small_fine_zone_are_known_before_the_run() {
@@ -63,4 +64,33 @@ mod tests {
         assert!(limit("fluid.walls=repulsive").is_some_and(|why| why.contains("fluid.walls")));
         assert!(limit("resolution.fine_zone=[0.03, 0.03]").is_some_and(|why| why.contains("resolution.fine_zone")));
     }
+
+    #[test]
+    fn incompressible_water_sinks_where_it_does_not_start_level() {
+        let limit = |sets: &[&str]| {
+            let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+            limit_of_forces(&load_text("a slow wedge", SLOW, &sets).expect("a scene").scene)
+        };
+        assert_eq!(limit(&[]), None);
+        let waves = ["tank.surface_amplitude=0.001", "tank.surface_mode=2"];
+        assert!(limit(&waves).is_some_and(|why| why.contains("level")));
+    }
+
+    const SLOW: &str = "
+name = 'slow'
+symmetry = 'x'
+solver = 'incompressible'
+[resolution]
+spacing = 0.01
+[time]
+end = 0.2
+[body]
+name = 'wedge'
+shape = 'wedge'
+deadrise_deg = 30.0
+breadth = 1.2
+side_height = 0.5
+motion = 'constant_velocity'
+velocity = [0.0, -1.0]
+";
 }

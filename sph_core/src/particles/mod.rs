@@ -18,6 +18,8 @@ pub use fields::{Fields, KernelMoments, SURFACE_LAMBDA, TENSIONLESS_KERNEL_SUM};
 
 /// A stored particle is refused farther from the water than this, in its extents [-].
 const FAR: f64 = 100.0;
+/// A particle is coarse if its smoothing length is more than this many times that of the finest [-].
+pub(crate) const COARSE: f64 = 1.05;
 
 /// One fluid particle as a filler makes it.
 #[derive(Clone, Copy, Debug, PartialEq)]

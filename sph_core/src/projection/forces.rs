@@ -8,6 +8,7 @@ use crate::interactions::packed_particle::PackedParticle;
 use crate::interactions::pair;
 use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::parallel::{self, CHUNK};
+use crate::particles::COARSE;
 use crate::projection::free_surface::lattice::{Closure, Lattice};
 use crate::projection::operators::Operators;
 use crate::projection::pair_clusters::ChunkPairs;
@@ -87,15 +88,8 @@ impl PressureForces {
             Corrections { system, operators, indicator, lattice, normals: &self.normals, head: self.head, inverse };
         let simd = system.domain.simd;
         system.domain.fluid.kernel.run(Pushing { correction, constants, simd, out: &mut pushes });
-        // corrections have no resultant: their sum is taken off, evenly
-        let (mut impulse, mut mass) = ([0.0; 2], 0.0);
-        for (Push { correction, .. }, m) in pushes.iter().zip(&system.particles.mass) {
-            for i in 0..2 {
-                impulse[i] += m * correction.acceleration[i];
-            }
-            mass += correction.share * m;
-        }
-        let back = if mass > 0.0 { impulse.map(|sum| sum / mass) } else { [0.0; 2] };
+        let (back, of_tank) = close_momentum(system, &pushes);
+        system.force_of_tank = of_tank;
         let g = system.domain.gravity;
         let p = &mut system.particles;
         parallel::update_both(&mut p.ax, &mut p.ay, |k, ax, ay| {
@@ -112,6 +106,22 @@ impl PressureForces {
         let height = |k: usize| half(k) - rho * (g[0] * p.x[k] + g[1] * p.y[k]);
         self.head = (0..p.len()).map(height).fold(f64::NEG_INFINITY, f64::max);
     }
+}
+
+/// PR11, PR18: what makes corrections have no resultant: an acceleration that is taken off, even but for each particle's share
+/// [m/s²], and the force of the tank for those of coarse rows [N/m].
+fn close_momentum(system: &ParticleSystem, pushes: &[Push]) -> ([f64; 2], [f64; 2]) {
+    let (p, starts_level) = (&system.particles, system.domain.starts_level);
+    let coarse = if starts_level { COARSE * system.least_smoothing_length() } else { f64::INFINITY };
+    let (mut impulse, mut mass, mut of_tank) = ([0.0; 2], 0.0, [0.0; 2]);
+    for ((Push { correction, .. }, m), &h) in pushes.iter().zip(&p.mass).zip(&p.h) {
+        let sum = if h > coarse { &mut of_tank } else { &mut impulse };
+        for i in 0..2 {
+            sum[i] += m * correction.acceleration[i];
+        }
+        mass += correction.share * m;
+    }
+    (if mass > 0.0 { impulse.map(|sum| sum / mass) } else { [0.0; 2] }, of_tank)
 }
 
 /// What the corrections of a particle read.

@@ -1,12 +1,10 @@
 //! Graded water that stays at rest (THEORY WC28).
 
 use crate::parallel;
-use crate::particles::Particles;
+use crate::particles::{COARSE, Particles};
 use crate::system::ParticleSystem;
 use crate::walls::Walls;
 
-/// A particle is coarse if its smoothing length is this many times that of the finest.
-const COARSE: f64 = 1.05;
 /// Distance from its place at the start beyond which a particle is not held [h].
 const DRIFT: f64 = 0.5;
 

@@ -144,6 +144,12 @@ impl SurfaceDetection {
             for k in (0..n).filter(|&k| of_fluid[k] >= l) {
                 cover(p.x[k], p.y[k], p.h[k]);
             }
+            if let Some(mirror) = mirror {
+                // a finer grid holds the images beside its own box only
+                for k in (0..n).filter(|&k| of_fluid[k] < l) {
+                    cover(mirror.reflect(p.x[k]), p.y[k], p.h[k]);
+                }
+            }
             for k in (0..walls.len()).filter(|&k| of_walls[k] >= l) {
                 let [dx, dy] = walls.displacement(k, -walls.dt);
                 cover(walls.x[k] + dx, walls.y[k] + dy, walls.h[k]);
