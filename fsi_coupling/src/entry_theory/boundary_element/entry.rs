@@ -11,7 +11,7 @@ use super::state::EntryFlow;
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
 /// The same of a wedge at constant speed without gravity, whose flow is the similar one until its chines are wet.
-const BEGIN_OF_SIMILAR: f64 = 0.5;
+const BEGIN_OF_SIMILAR: f64 = 0.6;
 /// And at the latest at this share of the draught at which the faces beside the keel are wet.
 pub(super) const LATEST: f64 = 0.5;
 /// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
