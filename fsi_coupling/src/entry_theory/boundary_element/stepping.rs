@@ -152,7 +152,7 @@ impl EntryFlow {
 
     /// Longest step of Adams and Bashforth's rule [s].
     pub(super) fn extrapolated_dt(&self, now: &Solution) -> f64 {
-        self.longest_dt(now, self.sizes.courant)
+        self.longest_dt(now, self.sizes.courant_at(self.face.place(0.0).tangent.arg()))
     }
 
     /// Longest step in which nodes move by `courant` elements at most [s].
