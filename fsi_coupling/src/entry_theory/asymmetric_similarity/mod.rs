@@ -17,9 +17,12 @@ pub use side::FaceFlow;
 use grid::Grid;
 use system::System;
 
+/// Deadrises [rad] and their flow.
+type Known = ([f64; 2], Result<AsymmetricFlow, NoFlow>);
+
 thread_local! {
-    /// The last deadrises [rad] and their flow: a scene asks for it several times.
-    static LAST: RefCell<Option<([f64; 2], Result<AsymmetricFlow, NoFlow>)>> = const { RefCell::new(None) };
+    /// The last one: a scene asks for it several times.
+    static LAST: RefCell<Option<Known>> = const { RefCell::new(None) };
 }
 
 /// Step of the usual grids.

@@ -169,8 +169,9 @@ impl Elements {
     #[inline(always)]
     fn factors(&self, block: usize, at: c64) -> Factors {
         let mut factors = by_series(&self.blocks[block], at);
-        let is_any_near = factors.near.0.iter().fold(false, |any, size| any | !(*size < FAR));
-        if is_any_near {
+        let largest = factors.near.0.iter().fold(0.0, |most: f64, size| if *size < most { most } else { *size });
+        let all_are_far = largest < FAR;
+        if !all_are_far {
             let first = block * LANES;
             replace_near(&mut factors, &self.ends[first..self.ends.len().min(first + LANES)], at);
         }
