@@ -10,10 +10,20 @@ mod solve;
 mod sums;
 mod system;
 
+use std::cell::RefCell;
+
 pub use side::FaceFlow;
 
 use grid::Grid;
 use system::System;
+
+/// Deadrises [rad] and their flow.
+type Known = ([f64; 2], Result<AsymmetricFlow, NoFlow>);
+
+thread_local! {
+    /// The last one: a scene asks for it several times.
+    static LAST: RefCell<Option<Known>> = const { RefCell::new(None) };
+}
 
 /// Step of the usual grids.
 const USUAL_STEP: f64 = 0.5;
@@ -68,7 +78,14 @@ impl AsymmetricFlow {
     /// A deadrise outside 4–80°; an asymmetry at which the flow would suck at the steeper face: a real one leaves the apex; one at which Newton's
     /// method does not arrive.
     pub fn solve(left: f64, right: f64) -> Result<AsymmetricFlow, NoFlow> {
-        AsymmetricFlow::with_step(left, right, USUAL_STEP)
+        let deadrises = [left, right];
+        let known =
+            LAST.with_borrow(|last| last.as_ref().filter(|(of, _)| *of == deadrises).map(|(_, flow)| flow.clone()));
+        known.unwrap_or_else(|| {
+            let flow = AsymmetricFlow::with_step(left, right, USUAL_STEP);
+            LAST.set(Some((deadrises, flow.clone())));
+            flow
+        })
     }
 
     /// The same on grids of another step [-].

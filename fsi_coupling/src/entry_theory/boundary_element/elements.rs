@@ -1,5 +1,7 @@
 //! Sizes of the elements along a line of nodes.
 
+use std::f64::consts::{FRAC_PI_4, FRAC_PI_6};
+
 use faer::c64;
 
 /// Growth of the elements per length away from the jet.
@@ -7,12 +9,49 @@ pub(super) const GROWTH: f64 = 0.1;
 /// Elements of the finest size beside the jet's end.
 const FINE_ELEMENTS: f64 = 8.0;
 
+/// Deadrises between which the longest step changes [deg].
+const FLAT_AND_STEEP: [f64; 2] = [15.0, 25.0];
+
+/// Sizes of the elements, and how far nodes move among them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sizes {
+    /// Elements beside the jet, over the usual ones [-].
+    pub jet: f64,
+    /// What is added to their growth on the upper surface beyond the half breadth from the jet, while the chine is dry.
+    pub far: f64,
+    /// Element at the keel over the wetted length: up to 30°, up to 45°, and beyond, where the potential bends more.
+    pub keel: [f64; 3],
+    /// Longest way of a node per step with a past, over the length of its element, about flat faces and about steep ones.
+    pub courant: [f64; 2],
+}
+
+impl Sizes {
+    /// About a straight wedge.
+    pub const WEDGE: Sizes = Sizes { jet: 1.0, far: 0.05, keel: [1e-2, 1e-3, 1e-4], courant: [1.4, 1.1] };
+    /// About a bottom on which the flow meets knuckles or leaves it between keel and chine.
+    pub const BENT: Sizes = Sizes { jet: 1.0, far: 0.0, keel: [1e-3, 1e-3, 1e-4], courant: [1.1, 1.1] };
+    /// About two deadrises.
+    pub const ROLLED: Sizes = Sizes { jet: 1.0, far: 0.0, keel: [1e-2, 1e-2, 1e-3], courant: [1.4, 1.1] };
+
+    /// Element at a keel of an `angle` [rad] over the wetted length.
+    pub fn at_keel(&self, angle: f64) -> f64 {
+        self.keel[usize::from(angle > FRAC_PI_6) + usize::from(angle > FRAC_PI_4)]
+    }
+
+    /// Longest way of a node per step with a past about a face at an `angle` [rad], over the length of its element.
+    pub fn courant_at(&self, angle: f64) -> f64 {
+        let ([flat, steep], [of_flat, of_steep]) = (FLAT_AND_STEEP, self.courant);
+        let share = ((angle.to_degrees() - flat) / (steep - flat)).clamp(0.0, 1.0);
+        of_flat + share * (of_steep - of_flat)
+    }
+}
+
 /// Lengths along nodes from the first one [m].
 pub(super) fn arc_length(z: &[c64]) -> Vec<f64> {
     let mut s = 0.0;
     std::iter::once(0.0)
         .chain(z.windows(2).map(|pair| {
-            s += (pair[1] - pair[0]).norm();
+            s += (pair[1] - pair[0]).norm_sqr().sqrt();
             s
         }))
         .collect()

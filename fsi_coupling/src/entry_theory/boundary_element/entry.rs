@@ -4,11 +4,14 @@ use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
 use super::before::Before;
+use super::is_wedge;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
 
 /// The flow begins at this share of the draught at which the chines are wet, or at which the wedge would be at the end.
 pub(super) const BEGIN: f64 = 1.0 / 6.0;
+/// The same of a wedge at constant speed without gravity, whose flow is the similar one until its chines are wet.
+const BEGIN_OF_SIMILAR: f64 = 0.6;
 /// And at the latest at this share of the draught at which the faces beside the keel are wet.
 pub(super) const LATEST: f64 = 0.5;
 /// And at the latest at this draught over V²/g: the similar flow, from which it begins, has no gravity.
@@ -127,7 +130,8 @@ impl FlowEntry<'_> {
                 let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
                 let without_gravity =
                     LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
-                (BEGIN * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0])).min(without_gravity)
+                let share = if is_wedge(self.section) { begin(self.motion, self.gravity) } else { BEGIN };
+                (share * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0])).min(without_gravity)
             }
         }
     }
@@ -222,6 +226,12 @@ impl FlowEntry<'_> {
             pressure: load.pressure.iter().map(|[x, steady, added]| [*x, rho * (steady + added * rate)]).collect(),
         }
     }
+}
+
+/// The share at which the flow about a wedge begins, by its motion and gravity in the water [m/s²].
+pub(super) fn begin(motion: SectionMotion, gravity: f64) -> f64 {
+    let is_similar = matches!(motion, SectionMotion::Constant) && gravity == 0.0;
+    if is_similar { BEGIN_OF_SIMILAR } else { BEGIN }
 }
 
 /// Time [s] in which a body at a downward speed [m/s] falls by `height` [m].

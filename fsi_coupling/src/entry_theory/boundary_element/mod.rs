@@ -31,7 +31,7 @@ pub use state::EntryFlow;
 use super::model::{EntryModel, OutOfRange};
 use super::section::Section;
 use super::similarity::SimilarityFlow;
-use elements::arc_length;
+use elements::{Sizes, arc_length};
 use entry::{BEGIN, LATEST};
 use face::Face;
 use lower_side::LowerSide;
@@ -91,8 +91,7 @@ impl EntryFlow {
         }
         if section.radius().is_none() {
             // a wedge's flow begins at any draught
-            let length = draught / flow.draught;
-            flow = if section.followed().len() == 2 { flow.scaled(length) } else { flow };
+            flow = if is_wedge(section) { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
             let range = format!("boundary elements follow a round bottom from a draught of {} m on", flow.draught);
             return refused(format!("{draught} m"), &range);
@@ -129,9 +128,10 @@ impl EntryFlow {
             }
         };
         let face = face.at_draught(draught);
+        let sizes = if is_wedge(section) { Sizes::WEDGE } else { Sizes::BENT };
         let similar = SimilarityFlow::solve(keel)?;
         let surface = FreeSurface::similar(&similar, draught, speed, far / keel.to_radians().tan());
-        let surface = surface.redistributed(LowerSide { face: &face, underside: None, size: 1.0 });
+        let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
         Some(EntryFlow {
             surface,
             face,
@@ -139,7 +139,7 @@ impl EntryFlow {
             draught: of_section,
             speed,
             gravity: 0.0,
-            size: 1.0,
+            sizes,
             past: Vec::new(),
         })
     }
@@ -149,10 +149,10 @@ impl EntryFlow {
         section.radius().map(|radius| section.wagner_draught(FIRST_WIDTH * radius * KEEL_DEG.to_radians().sin()))
     }
 
-    /// The flow about a wedge at another draught: all lengths times `length`.
-    fn scaled(mut self, length: f64) -> EntryFlow {
+    /// The flow about a wedge at another draught [m]: all lengths in proportion to it.
+    fn scaled_to(mut self, draught: f64) -> EntryFlow {
         self.forget_past();
-        let draught = self.draught * length;
+        let length = draught / self.draught;
         EntryFlow { surface: self.surface.scaled(length, 1.0), face: self.face.at_draught(draught), draught, ..self }
     }
 
@@ -247,6 +247,11 @@ impl EntryFlow {
         self.underside = Some(freed);
         self.face = self.face.left_at(along);
     }
+}
+
+/// Is the bottom straight from the keel to where the flow leaves it?
+fn is_wedge(section: &Section) -> bool {
+    section.radius().is_none() && section.followed().len() == 2
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! The flow at an instant (THEORY EN21, EN23, EN24): velocity, rate of the potential, load.
 
 use std::cmp::Ordering;
-use std::f64::consts::FRAC_PI_4;
 
 use faer::c64;
 
@@ -11,8 +10,6 @@ use super::spline::Spline;
 use super::state::EntryFlow;
 use super::surface::SurfaceFlow;
 
-/// Size of elements on a face at its keel, up to 45° and beyond, where the potential bends more, over the wetted length.
-const AT_KEEL: [f64; 2] = [1e-3, 1e-4];
 /// The largest size of elements on a face, over the wetted length.
 const LARGEST: f64 = 0.06;
 
@@ -143,8 +140,7 @@ impl EntryFlow {
         z.extend(underside.iter().flat_map(|underside| &underside.z[1..]));
         let contact = z.len() - 1;
         let wetted = if underside.is_some() { face.length() } else { of_face.along };
-        let is_steep = face.place(0.0).tangent.arg() > FRAC_PI_4;
-        let [at_keel, largest] = [AT_KEEL[usize::from(is_steep)], LARGEST].map(|x| x * wetted);
+        let [at_keel, largest] = [self.sizes.at_keel(face.place(0.0).tangent.arg()), LARGEST].map(|x| x * wetted);
         let from_keel = |s: f64| if face.is_keeled() { at_keel + GROWTH * (wetted - s).max(0.0) } else { largest };
         // beside a wet chine no smaller ones than on the surface that leaves it: they would need shorter steps
         let least = if underside.is_some() { size } else { 0.0 };

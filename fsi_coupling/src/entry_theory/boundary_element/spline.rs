@@ -41,7 +41,18 @@ impl<'a> Spline<'a> {
 
     /// Derivatives at its points.
     pub fn slopes(&self) -> Vec<f64> {
-        self.at.iter().map(|&x| self.sample(x)[1]).collect()
+        let last = self.at.len() - 1;
+        let within = |k: usize| {
+            let h = self.at[k + 1] - self.at[k];
+            let [m0, m1] = [self.curvature[k], self.curvature[k + 1]];
+            [(self.value[k + 1] - self.value[k]) / h, h / 6.0, m0, m1]
+        };
+        let at_first = |k: usize| {
+            let [mean, h, m0, m1] = within(k);
+            mean - (2.0 * m0 + m1) * h
+        };
+        let [mean, h, m0, m1] = within(last - 1);
+        (0..last).map(at_first).chain([mean + (m0 + 2.0 * m1) * h]).collect()
     }
 }
 

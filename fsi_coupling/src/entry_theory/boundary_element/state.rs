@@ -1,5 +1,6 @@
 //! The state of the flow: the wedge, its surfaces and its speed.
 
+use super::elements::Sizes;
 use super::face::Face;
 use super::lower_side::LowerSide;
 use super::surface::FreeSurface;
@@ -28,8 +29,7 @@ pub struct EntryFlow {
     pub(super) speed: f64,
     /// Gravity in the water [m/s²].
     pub(super) gravity: f64,
-    /// Size of the elements beside the jet over the usual one [-].
-    pub(super) size: f64,
+    pub(super) sizes: Sizes,
     /// What the next step needs of earlier ones, the last first.
     pub(super) past: Vec<Past>,
 }
@@ -70,7 +70,7 @@ impl EntryFlow {
         LowerSide {
             face: &self.face,
             underside: self.underside.as_ref().map(|surface| &surface.z[..]),
-            size: self.size,
+            sizes: self.sizes,
         }
     }
 

@@ -9,8 +9,6 @@ use super::{DRAUGHT_GROWTH, FlowEnded};
 
 /// Longest way of a node per step, over the length of its element, by the midpoint rule.
 const COURANT: f64 = 1.0;
-/// The same with a past.
-const COURANT_OF_PAST: f64 = 1.1;
 /// Longest way of the water at a wet chine per step, over the length of the face's last element.
 const AT_CHINE: f64 = 0.6;
 /// Least share of the step to which that shortens it.
@@ -154,7 +152,7 @@ impl EntryFlow {
 
     /// Longest step of Adams and Bashforth's rule [s].
     pub(super) fn extrapolated_dt(&self, now: &Solution) -> f64 {
-        self.longest_dt(now, COURANT_OF_PAST)
+        self.longest_dt(now, self.sizes.courant_at(self.face.place(0.0).tangent.arg()))
     }
 
     /// Longest step in which nodes move by `courant` elements at most [s].

@@ -111,7 +111,8 @@ impl FreeSurface {
                 (end < tip).then_some(end)
             });
         let end = kept.unwrap_or(whole);
-        let mut nodes = graded(end, |q| grown(size, q));
+        let (half_breadth, far) = (lower.nearest(self.end()).foot.re, lower.growth_far());
+        let mut nodes = graded(end, |q| grown(size, q) + far * (q - half_breadth).max(0.0));
         nodes.iter_mut().for_each(|q| *q = (end - *q).max(0.0));
         nodes.reverse();
         self.sampled(&nodes)

@@ -2,7 +2,7 @@
 
 use super::{RolledFlow, RolledLoad};
 use crate::entry_theory::asymmetric_similarity::AsymmetricFlow;
-use crate::entry_theory::boundary_element::entry::{BEGIN, LATEST_UNDER_GRAVITY, STEPS_BEFORE, STOPPED, fall_time};
+use crate::entry_theory::boundary_element::entry::{LATEST_UNDER_GRAVITY, STEPS_BEFORE, STOPPED, begin, fall_time};
 use crate::entry_theory::entry::SectionMotion;
 use crate::entry_theory::model::{EntryModel, OutOfRange};
 
@@ -89,7 +89,7 @@ impl RolledEntry {
         let wet = (0..2).map(|i| self.lengths[i] / similar.faces()[i].peak).fold(f64::INFINITY, f64::min);
         let last = (at_contact * left + 0.5 * g * left * left).min(wet);
         let without_gravity = LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
-        Ok((BEGIN * last.max(1e-9 * wet)).min(without_gravity))
+        Ok((begin(self.motion, self.gravity) * last.max(1e-9 * wet)).min(without_gravity))
     }
 
     fn rate(&self, load: &RolledLoad) -> f64 {

@@ -10,6 +10,7 @@ pub use entry::{RolledEntry, RolledInstant};
 pub use solution::RolledLoad;
 use solution::RolledSolution;
 
+use super::elements::Sizes;
 use super::face::Face;
 use super::lower_side::LowerSide;
 use super::solution::Solution;
@@ -65,11 +66,11 @@ impl RolledFlow {
             .map_err(|none| refused(none.to_string(), "boundary elements start from the similarity solution".into()))?;
         let far = FAR / (0.5 * (deadrises[0] + deadrises[1])).tan();
         let side = |i: usize| {
-            let size = element_size(deadrises[i]);
+            let sizes = Sizes { jet: element_size(deadrises[i]), ..Sizes::ROLLED };
             let face = Face::straight(deadrises[i], lengths[i]).at_draught(draught);
             let surface = FreeSurface::through(&similar.faces()[i].surface, draught, speed, far);
-            let surface = surface.redistributed(LowerSide { face: &face, underside: None, size });
-            EntryFlow { surface, face, underside: None, draught, speed, gravity, size, past: Vec::new() }
+            let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
+            EntryFlow { surface, face, underside: None, draught, speed, gravity, sizes, past: Vec::new() }
         };
         let sides = [side(1), side(0)];
         if let Some(side) =
