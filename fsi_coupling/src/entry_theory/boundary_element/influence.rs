@@ -49,18 +49,6 @@ impl Lanes {
         Lanes([value; LANES])
     }
 
-    /// self × `factor` + `other`, rounded once.
-    #[inline(always)]
-    fn times_plus(self, factor: Lanes, other: Lanes) -> Lanes {
-        Lanes(from_fn(|k| self.0[k].mul_add(factor.0[k], other.0[k])))
-    }
-
-    /// `other` − self × `factor`, rounded once.
-    #[inline(always)]
-    fn times_from(self, factor: Lanes, other: Lanes) -> Lanes {
-        Lanes(from_fn(|k| (-self.0[k]).mul_add(factor.0[k], other.0[k])))
-    }
-
     #[inline(always)]
     fn inverse(self) -> Lanes {
         Lanes(from_fn(|k| 1.0 / self.0[k]))
@@ -70,7 +58,7 @@ impl Lanes {
 /// Product of complex numbers.
 #[inline(always)]
 fn times(a: [Lanes; 2], b: [Lanes; 2]) -> [Lanes; 2] {
-    [a[1].times_from(b[1], a[0] * b[0]), a[0].times_plus(b[1], a[1] * b[0])]
+    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
 /// Middles of elements, and half of the way from their first end to their second, x and y [m].
@@ -236,18 +224,18 @@ fn replace_near(factors: &mut Factors, ends: &[[c64; 2]], at: c64) {
 #[inline(always)]
 fn by_series(block: &Block, at: c64) -> Factors {
     let [x, y] = [block.middle[0] - Lanes::all(at.re), block.middle[1] - Lanes::all(at.im)];
-    let inverse = x.times_plus(x, y * y).inverse();
+    let inverse = (x * x + y * y).inverse();
     let [hx, hy] = block.half;
-    let u = [hx.times_plus(x, hy * y) * inverse, hx.times_from(y, hy * x) * inverse];
+    let u = [(hx * x + hy * y) * inverse, (hy * x - hx * y) * inverse];
     let [xx, yy, xy] = [u[0] * u[0], u[1] * u[1], u[0] * u[1]];
     let (w, near) = ([xx - yy, xy + xy], xx + yy);
     // Σ c_k w^k = b₀ + b₁ (w − 2 Re w), b_k = c_k + 2 Re w b_{k+1} − |w|² b_{k+2}
     let (twice, square) = (w[0] + w[0], near * near);
     let [c0, c1, c2, c3] = SERIES.map(Lanes::all);
-    let b2 = twice.times_plus(c3, c2);
-    let b1 = square.times_from(c3, twice.times_plus(b2, c1));
-    let b0 = square.times_from(b2, twice.times_plus(b1, c0));
-    let sum = [b1.times_from(w[0], b0), b1 * w[1]];
+    let b2 = c2 + twice * c3;
+    let b1 = c1 + twice * b2 - square * c3;
+    let b0 = c0 + twice * b1 - square * b2;
+    let sum = [b0 - b1 * w[0], b1 * w[1]];
     let e = times(w, sum);
     let a = times(u, [e[0] + Lanes::all(1.0), e[1]]);
     Factors { first: [a[0] + e[0], a[1] + e[1]], second: [a[0] - e[0], a[1] - e[1]], near }
