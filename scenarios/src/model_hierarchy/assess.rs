@@ -55,19 +55,26 @@ pub fn assess(scene: &Scene, want: QuantityOfInterest) -> Vec<Assessment> {
     EntryModel::ALL.into_iter().filter(|model| model.is_theory()).map(assessed).collect()
 }
 
-/// Slope of the wedge whose flow takes as long as one about a round bottom [-].
-const ROUND_STARTS_AS: f64 = 0.7;
-/// Times as long about a rolled wedge: both sides, finer elements.
-const ROLLED: f64 = 4.0;
+/// Core-seconds of boundary elements about a flow: those of any, and what steps as short as the jet is thin add, times tan²β.
+const OF_WEDGE: [f64; 2] = [0.07, 0.03];
+/// The same about a bent bottom, with finer elements.
+const OF_BENT: [f64; 2] = [0.1, 0.09];
+/// About a round bottom.
+const OF_ROUND: f64 = 0.35;
+/// Times as long about a rolled wedge: both sides.
+const ROLLED: f64 = 1.5;
 
 /// Core-seconds of boundary elements: steps are as short as the jet is thin, which is as tan²β of the flattest face.
 fn flow_seconds(scene: &Scene, theory: &Theory) -> f64 {
     let faces = scene.body.as_ref().filter(|_| theory.rolls()).and_then(rolled::deadrises);
-    let seconds = |slope: f64| 0.1 + 0.09 / (slope * slope);
-    let of_face = |deadrise: f64| seconds(deadrise.to_radians().tan());
+    let of_face = |[any, jet]: [f64; 2], deadrise: f64| any + jet / deadrise.to_radians().tan().powi(2);
     match (faces, theory.section.radius()) {
-        (Some([left, right]), _) => ROLLED * of_face(left.min(right)),
-        (None, Some(_)) => seconds(ROUND_STARTS_AS),
-        (None, None) => of_face(theory.section.followed_deadrises().fold(90.0, f64::min)),
+        (Some([left, right]), _) => ROLLED * of_face(OF_WEDGE, left.min(right)),
+        (None, Some(_)) => OF_ROUND,
+        (None, None) => {
+            let deadrises: Vec<f64> = theory.section.followed_deadrises().collect();
+            let of_flow = if deadrises.len() == 1 { OF_WEDGE } else { OF_BENT };
+            of_face(of_flow, deadrises.into_iter().fold(90.0, f64::min))
+        }
     }
 }
