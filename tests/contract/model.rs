@@ -207,3 +207,22 @@ fn a_theory_needs_no_spacing() {
     let ended = place.run(&["run", "t.toml"]);
     assert!(ended.code == Some(2) && ended.message.contains("resolution.spacing"), "{}", ended.message);
 }
+
+/// Peak and impulse do not depend on how many rows are written.
+#[test]
+fn results_of_a_theory_do_not_depend_on_its_rows() {
+    let place = Workplace::new();
+    let results = |every: &str| {
+        let set = format!("time.sample_every={every}");
+        let ended = place.run(&["run", "wedge", "--set", "model=boundary_element", "--set", &set, "--out", every]);
+        assert_eq!(ended.code, Some(0), "{}", ended.message);
+        let summary = std::fs::read_to_string(place.path(every).join("summary.json")).expect("a summary");
+        let summary: serde_json::Value = serde_json::from_str(&summary).expect("a table");
+        ["peak_force_N_per_m", "impulse_N_s_per_m"]
+            .map(|name| summary["results"][name]["value"].as_f64().expect("a number"))
+    };
+    let (few, many) = (results("0.01"), results("0.0001"));
+    for k in 0..2 {
+        assert!((few[k] / many[k] - 1.0).abs() < 0.01, "{few:?}, {many:?}");
+    }
+}

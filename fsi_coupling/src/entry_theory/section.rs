@@ -89,7 +89,7 @@ impl Section {
                 }
                 corners.push(next);
             }
-            corners
+            straightened(corners)
         };
         let (right, left) = (half(1), half(n - 1));
         let [x0, _] = points[keel];
@@ -254,8 +254,12 @@ fn slopes_of(corners: &[[f64; 2]]) -> Vec<f64> {
 /// Without the corners on a straight line between their neighbours; a bottom that is straight to the digits of its points is one face.
 fn straightened(corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let (first, last) = (corners[0], corners[corners.len() - 1]);
-    let one_face = corners.iter().all(|[x, y]| (y - x * last[1] / last[0]).abs() <= DENT * 2.0 * last[0]);
-    if one_face {
+    let [breadth, height] = sub(last, first);
+    let off = |corner: &[f64; 2]| {
+        let [x, y] = sub(*corner, first);
+        (y - x * height / breadth).abs()
+    };
+    if corners.len() > 1 && corners.iter().all(|corner| off(corner) <= DENT * 2.0 * breadth.abs()) {
         return vec![first, last];
     }
     let mut kept: Vec<[f64; 2]> = Vec::new();

@@ -58,7 +58,7 @@ pub(crate) fn run(
         }),
         peaks: series.peaks().map(peak).collect(),
         means: series.means(0.8 * end).map(|(name, mean)| (name.to_string(), mean)).collect(),
-        results: results(body, &theory, &bars),
+        results: results(body, &detailed(scene)?.unwrap_or(theory), &bars),
         error_bars: bars,
         similarity,
         comparison,
@@ -66,6 +66,20 @@ pub(crate) fn run(
         ..Summary::default()
     };
     Ok(Outcome { summary, series })
+}
+
+/// Least number of instants in a run whose peaks and impulses are results.
+const LEAST_INSTANTS: f64 = 500.0;
+
+/// The theory at more instants, where a scene's rows are few.
+fn detailed(scene: &Scene) -> Result<Option<Theory>, RunError> {
+    let every = scene.time.end / LEAST_INSTANTS;
+    if scene.time.sample_every <= every * (1.0 + 1e-9) {
+        return Ok(None);
+    }
+    let mut detailed = scene.clone();
+    detailed.time.sample_every = every;
+    Theory::of(&detailed, scene.model).map(Some).map_err(|e| RunError::Theory(scene.model.name(), e))
 }
 
 /// Largest difference of the true value from a computed one whose error is the share `error` of the true value, over the

@@ -16,6 +16,9 @@ const LARGEST_CFL: f64 = 1.0;
 /// falls of water on water gain energy.
 const STEADY_CFL: f64 = 0.6;
 
+/// Largest ratio of successive rows at which forces were right.
+const LARGEST_GROWTH: f64 = 1.17;
+
 /// Draughts to the tank's walls and floor from which an impact does not feel them: water that carries no sound answers at
 /// once, which took 18 % of a wedge's force at 5 draughts and 6 % at 10.
 const REACH: f64 = 15.0;
@@ -27,7 +30,17 @@ pub(super) fn check_projection_step(scene: &Scene) -> Result<(), Problem> {
         "a number above 0 and up to {LARGEST_CFL} with solver = {name:?}: the share of its smoothing length that a particle moves \
          in a step"
     );
-    require(cfl <= LARGEST_CFL, "fluid.cfl", cfl, expected)
+    require(cfl <= LARGEST_CFL, "fluid.cfl", cfl, expected)?;
+    let growth = scene.resolution.growth;
+    let expected = format_args!(
+        "at most {LARGEST_GROWTH} with solver = {name:?}: from 1.19 on pressures were several times those of finer grading"
+    );
+    require(
+        growth <= LARGEST_GROWTH || scene.solver.kind() == Solver::IncompressibleThesis,
+        "resolution.growth",
+        growth,
+        expected,
+    )
 }
 
 /// Warnings about a scene with an incompressible solver: its step, its walls, and what does nothing.

@@ -126,3 +126,12 @@ fn a_summary_says_which_solver_ran() {
         assert_eq!(summary.steps, 10, "{solver}: {:?}", summary.message);
     }
 }
+
+/// From 1.19 on the incompressible pressures of a wedge were three times too large.
+#[test]
+fn rows_that_grow_fast_are_refused() {
+    let sets = |growth: f64| ["solver=incompressible".to_string(), format!("resolution.growth={growth}")];
+    assert!(load("wedge_constant", &sets(1.17)).is_ok());
+    let error = load("wedge_constant", &sets(1.2)).expect_err("a fast growth").to_string();
+    assert!(error.contains("`resolution.growth` = 1.2") && error.contains("at most 1.17"), "{error}");
+}

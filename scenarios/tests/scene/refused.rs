@@ -202,6 +202,7 @@ fn bodies_and_joints_that_make_no_sense_are_refused() {
         ("two_boxes", &body("r", 0.1, ", inertia = 1, outline = \"a.csv\""), &["`bodies[0].outline`", "only the first body"]),
         ("flap", &joint("kind = \"hinge\", bodies = [\"hull\", \"flop\"]"), &["`joints[0].bodies[1]` = \"flop\"", "one of hull, flap, tank"]),
         ("flap", &joint("kind = \"hinge\", bodies = [\"hull\", \"hull\"]"), &["`joints[0].bodies`", "two different bodies"]),
+        ("flap", "body={ name = \"hull\", shape = \"box\", breadth = 0.6, height = 0.24, position = [-0.3, 0.17], motion = \"tabulated\", displacements = [[0, 0, 0, 0], [1, 0, -1, 0]] }", &["`joints[0].bodies`", "the same velocity at the hinge"]),
         ("flap", "bodies[0].velocity=[0, -2.5]", &["`joints[0].bodies`", "[0.0, -2.5] m/s", "the same velocity at the hinge"]),
         ("flap", &joint("kind = \"slider\", bodies = [\"hull\", \"flap\"]"), &["`joints[0].axis`", "a direction"]),
         ("flap", &joint("kind = \"hinge\", axis = [1, 0], bodies = [\"hull\", \"flap\"]"), &["`joints[0].axis`", "only a slider"]),

@@ -9,8 +9,6 @@ use super::face::{Face, Place};
 
 /// Element beside the jet, over Wagner's thickness of the jet c tan²β/(2π).
 const FINEST: f64 = 0.35;
-/// Least element beside the end of the jet that has left a wet chine, over its thickness there.
-const OF_LAYER: f64 = 0.3;
 /// Largest thickness that counts, over c.
 const THICKEST: f64 = 0.08;
 
@@ -61,10 +59,8 @@ impl LowerSide<'_> {
 
     /// Size of the elements beside the jet's end [m].
     pub fn finest(&self, end: c64) -> f64 {
-        let Nearest { foot, away, .. } = self.nearest(end);
+        let c = self.nearest(end).foot.re;
         let along = self.face.nearest(end, true).along;
-        let of_wagner = (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST);
-        let of_layer = if self.underside.is_some() { OF_LAYER * away } else { 0.0 };
-        self.sizes.jet * (FINEST * foot.re * of_wagner).max(of_layer)
+        self.sizes.jet * FINEST * c * (self.face.equivalent_angle(along).tan().powi(2) / (2.0 * PI)).min(THICKEST)
     }
 }

@@ -332,16 +332,20 @@ impl Body {
         placed(vec![point], self.position, self.angle_deg)[0]
     }
 
-    /// Velocity at t = 0 of a point of the tank's frame that moves with the body [m/s]; `None` for a motion in time.
-    pub(in crate::scene) fn velocity_at(&self, point: [f64; 2]) -> Option<[f64; 2]> {
-        let [x, y] = sub(point, self.to_tank(self.center_of_mass));
-        let turning = self.angular_velocity_deg_per_s.to_radians();
-        match self.motion {
-            Motion::Free(_) | Motion::ConstantVelocity => {
-                Some([self.velocity[0] - turning * y, self.velocity[1] + turning * x])
+    /// Velocity at t = 0 of a point of the tank's frame that moves with the body [m/s].
+    pub(in crate::scene) fn velocity_at(&self, point: [f64; 2]) -> [f64; 2] {
+        let turned = |[u, v]: [f64; 2], spin: f64, [x, y]: [f64; 2]| [u - spin * y, v + spin * x];
+        let at_rest = RigidMotion { position: self.position, ..RigidMotion::default() };
+        match (&self.motion, self.motion.moved(&at_rest)) {
+            (Motion::Oscillating(_) | Motion::Tabulated(_), Moved::ByLaw(law)) => {
+                let now = law(0.0);
+                turned(now.velocity, now.angular_velocity, sub(point, now.position))
             }
-            Motion::Fixed => Some([0.0; 2]),
-            Motion::Oscillating(_) | Motion::Tabulated(_) => None,
+            (Motion::Fixed, _) => [0.0; 2],
+            _ => {
+                let spin = self.angular_velocity_deg_per_s.to_radians();
+                turned(self.velocity, spin, sub(point, self.to_tank(self.center_of_mass)))
+            }
         }
     }
 

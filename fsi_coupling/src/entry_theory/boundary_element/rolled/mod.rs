@@ -11,6 +11,7 @@ pub use solution::RolledLoad;
 use solution::RolledSolution;
 
 use super::elements::Sizes;
+use super::entry::BEGIN;
 use super::face::Face;
 use super::lower_side::LowerSide;
 use super::solution::Solution;
@@ -64,7 +65,9 @@ impl RolledFlow {
         }
         let similar = AsymmetricFlow::solve(deadrises[0], deadrises[1])
             .map_err(|none| refused(none.to_string(), "boundary elements start from the similarity solution".into()))?;
-        let far = FAR / (0.5 * (deadrises[0] + deadrises[1])).tan();
+        // as far as if it began later: what is far from a small wedge is near to it once its chines are wet
+        let wet = (0..2).map(|i| lengths[i] / similar.faces()[i].peak).fold(0.0, f64::max);
+        let far = FAR * (BEGIN * wet / draught).max(1.0) / (0.5 * (deadrises[0] + deadrises[1])).tan();
         let side = |i: usize| {
             let sizes = Sizes { jet: element_size(deadrises[i]), ..Sizes::ROLLED };
             let face = Face::straight(deadrises[i], lengths[i]).at_draught(draught);
@@ -183,7 +186,11 @@ mod tests {
     use crate::entry_theory::section::Section;
 
     fn rolled(deadrises: [f64; 2], lengths: [f64; 2], gravity: f64) -> RolledFlow {
-        RolledFlow::new(deadrises.map(f64::to_radians), lengths, 0.05, 2.0, gravity).expect("in range")
+        rolled_from(0.05, deadrises, lengths, gravity)
+    }
+
+    fn rolled_from(draught: f64, deadrises: [f64; 2], lengths: [f64; 2], gravity: f64) -> RolledFlow {
+        RolledFlow::new(deadrises.map(f64::to_radians), lengths, draught, 2.0, gravity).expect("in range")
     }
 
     /// Means of F_x, F_y and M over those of the similar flow, and of the largest pressures, from 1.06 of the first draught on.
@@ -214,7 +221,8 @@ mod tests {
         }
     }
 
-    /// Equal faces have the force and the added mass of the symmetric flow, dry and wet.
+    /// Equal faces have the force and the added mass of the symmetric flow, dry and wet, from a small draught on too: with a surface as far as
+    /// 240 of such draughts alone the force was 18 % too large.
     #[test]
     fn equal_faces_are_those_of_a_symmetric_wedge() {
         let section = Section::wedge(30.0, 1.0).expect("a section");
@@ -225,24 +233,29 @@ mod tests {
             let load = symmetric.step(|_| 0.0).expect("a step").1;
             table.push([h, load.force, load.added_mass]);
         }
-        let mut flow = rolled([30.0; 2], [0.5 / f64::cos(30f64.to_radians()); 2], 9.81);
-        let mut compared = [0, 0];
-        while flow.draught() < 0.4 {
-            let (h, (_, load)) = (flow.draught(), flow.step(|_| 0.0).expect("a step"));
-            let k = table.partition_point(|row| row[0] <= h).max(1);
-            let share = (h - table[k - 1][0]) / (table[k][0] - table[k - 1][0]);
-            let at = |of: usize| table[k - 1][of] + share * (table[k][of] - table[k - 1][of]);
-            assert!(load.force[0].abs() < 1e-6 * load.force[1] && load.moment.abs() < 1e-6 * load.force[1], "{h} m");
-            let [force, mass] = [load.force[1] / at(1) - 1.0, load.added_mass[1] / at(2) - 1.0];
-            let wet = flow.chines_wet()[0];
-            // the instant of separation is known to a step
-            if wet && h < 0.25 || h < 0.053 {
-                continue;
+        for first in [0.05, 0.008] {
+            let mut flow = rolled_from(first, [30.0; 2], [0.5 / f64::cos(30f64.to_radians()); 2], 9.81);
+            let mut compared = [0, 0];
+            while flow.draught() < 0.4 {
+                let (h, (_, load)) = (flow.draught(), flow.step(|_| 0.0).expect("a step"));
+                let k = table.partition_point(|row| row[0] <= h).max(1);
+                let share = (h - table[k - 1][0]) / (table[k][0] - table[k - 1][0]);
+                let at = |of: usize| table[k - 1][of] + share * (table[k][of] - table[k - 1][of]);
+                assert!(
+                    load.force[0].abs() < 1e-6 * load.force[1] && load.moment.abs() < 1e-6 * load.force[1],
+                    "{h} m"
+                );
+                let [force, mass] = [load.force[1] / at(1) - 1.0, load.added_mass[1] / at(2) - 1.0];
+                let wet = flow.chines_wet()[0];
+                // the instant of separation is known to a step
+                if wet && h < 0.25 || h < 0.053 {
+                    continue;
+                }
+                assert!(force.abs() < 0.02 && mass.abs() < 0.02, "{h} m, wet {wet}: {force:+.4} {mass:+.4}");
+                compared[usize::from(wet)] += 1;
             }
-            assert!(force.abs() < 0.02 && mass.abs() < 0.02, "{h} m, wet {wet}: {force:+.4} {mass:+.4}");
-            compared[usize::from(wet)] += 1;
+            assert!(compared.iter().all(|count| *count > 10), "{compared:?}");
         }
-        assert!(compared.iter().all(|count| *count > 10), "{compared:?}");
     }
 
     /// What the body does as work is energy of the water, with dry and with wet chines.
