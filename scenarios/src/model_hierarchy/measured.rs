@@ -52,6 +52,8 @@ const ROLLED_DROP_FACES: [f64; 2] = [20.0, 57.0];
 /// Largest differences from particles in them: RMS of the speed over that at contact, largest force, force in tenths of the run [-].
 const ROLLED_DROP_ERRORS: [f64; 3] = [0.005, 0.03, 0.05];
 
+/// What a formula is off in the force of a drop, over what it is off in the speed: the similarity solution 4 to 5 % at 25 and 30° [-].
+const FORCE_PER_SPEED: f64 = 4.0;
 /// Largest g D/V² of the measured cases [-], and what formulas without gravity in the flow are off per unit of it: 0.4 to 2 % at 20 to 40°.
 const LARGEST_GAIN: f64 = 2.0;
 const PER_GAIN: f64 = 0.02;
@@ -103,8 +105,9 @@ fn measured_without_gravity(scene: &Scene, theory: &Theory, want: QuantityOfInte
         format!("a wedge of {} degrees at constant speed, against the similarity solution", significant(deadrise));
     let and_drop =
         format!("free drops: the best theory in {DROP}, against boundary elements, and this one beside it here");
+    let times = if model.is_formula() { FORCE_PER_SPEED } else { 1.0 };
     let with_drop = |error: f64| Measured {
-        error: error + dropped,
+        error: error + times * dropped,
         case: if falls { format!("{against}, and {and_drop}") } else { against.clone() },
     };
     match want {

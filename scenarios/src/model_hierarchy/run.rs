@@ -132,6 +132,9 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
         quantity(peak.value, Some(peak.time), share.map(|share| share * (peak.value + subtracted)))
     };
     let free = matches!(body.motion, Motion::Free(_));
+    // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
+    let past_chines = theory.instants.iter().any(|now| now.wetted >= theory.section.half_breadth());
+    let of_impulse = share.filter(|_| !(past_chines && theory.model.is_formula()));
     let [x, y] = forces.total();
     let impulse = x.hypot(y);
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
@@ -140,7 +143,7 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
         peak_force_N_per_m: peak(forces.largest(), 0.0),
         peak_acceleration_g: peak(accelerations.largest(), 1.0).filter(|_| free),
         peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),
-        impulse_N_s_per_m: quantity(impulse, None, share.map(|share| share * impulse)),
+        impulse_N_s_per_m: quantity(impulse, None, of_impulse.map(|share| share * impulse)),
         panels: Default::default(),
     }
 }
