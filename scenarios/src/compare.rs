@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::observers::{Series, SimilarityResult};
 use crate::reference::{ReferenceError, Table, WedgeSimilarity};
-use crate::scene::{Compare, Norm, Scene, Shape, Similarity};
+use crate::scene::{Compare, Norm, Scene, Shape, Similarity, significant};
 
 /// One line of `summary.json`'s `comparison[]`.
 #[derive(Clone, Debug, Serialize)]
@@ -48,8 +48,37 @@ pub fn curve(compare: &Compare) -> Result<ReferenceCurve, ReferenceError> {
     Ok(ReferenceCurve { t: scaled(&compare.x, compare.x_scale)?, y: scaled(&compare.y, compare.y_scale)? })
 }
 
+/// Compare a run with the curves that its scene names and with the similarity solution: the comparisons, and of those that cannot be made, why.
+pub fn against_all(
+    scene: &Scene,
+    references: &[ReferenceCurve],
+    series: &Series,
+    similarity: Option<&SimilarityResult>,
+) -> (Vec<Comparison>, Vec<String>) {
+    let (mut made, mut missing) = against_curves(&scene.compare, references, series);
+    let Some(ours) = similarity else { return (made, missing) };
+    match wet_chines(scene, ours.draught_m) {
+        Some(why) => missing.push(why),
+        None => made.extend(against_similarity(scene, ours)),
+    }
+    (made, missing)
+}
+
+/// Why a wedge at a draught [m] has no similar flow: by Wagner's wetted breadth (THEORY EN3) its chines are wet.
+fn wet_chines(scene: &Scene, draught: f64) -> Option<String> {
+    let Shape::Wedge { deadrise_deg, breadth, .. } = scene.body.as_ref()?.shape else { return None };
+    let wet = breadth / std::f64::consts::PI * deadrise_deg.to_radians().tan();
+    (draught > wet).then(|| {
+        format!(
+            "similarity solution: the chines are wet at a draught of {} m; the numbers are of a draught of {} m",
+            significant(wet),
+            significant(draught)
+        )
+    })
+}
+
 /// Compare a sampled column with the curves that a scene names: the comparisons, and of those that cannot be made, why.
-pub fn against_curves(
+fn against_curves(
     compares: &[Compare],
     references: &[ReferenceCurve],
     series: &Series,
@@ -134,7 +163,7 @@ pub fn against_curve(compare: &Compare, reference: &ReferenceCurve, series: &Ser
 }
 
 /// Compare the similarity numbers with the exact solution, where there is one.
-pub fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Comparison> {
+fn against_similarity(scene: &Scene, ours: &SimilarityResult) -> Vec<Comparison> {
     let Some(exact) = similarity_of(scene) else {
         return Vec::new();
     };

@@ -224,6 +224,7 @@ fn wrong_parts_are_refused_with_key_and_place() {
     refused(&["accelerometers[0].bandwidth=90.0"], &["accelerometers[0].bandwidth", "40 Hz", "sample_every"]);
     refused(&["aeroplane.radius_of_gyration=15.0"], &["aeroplane.radius_of_gyration", "radius of gyration of 0."]);
     refused(&["beam.stiffness=[0.0]"], &["beam.stiffness", "above 0"]);
+    refused(&["beam.stiffness=[1e3]"], &["beam.stiffness", "a slowest mode of at least", "bending is linear"]);
     refused(&["beam.stiffness=[9e11]"], &["landing.step", "Hz is to be followed"]);
     refused(&["water.largest_suction=-1.0"], &["water.largest_suction"]);
     refused(&["masses=[{x=5.0,mass=9e4}]"], &["masses[0].mass", "leave something of aeroplane.mass"]);

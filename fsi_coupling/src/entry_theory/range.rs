@@ -78,6 +78,11 @@ impl Section {
         &self.corners()[..=faces]
     }
 
+    /// Is the bottom straight from the keel to where the flow leaves it?
+    pub(super) fn is_followed_as_wedge(&self) -> bool {
+        self.radius().is_none() && self.followed().len() == 2
+    }
+
     /// The end of the first face [m].
     pub(super) fn first_face(&self) -> [f64; 2] {
         self.corners()[1]

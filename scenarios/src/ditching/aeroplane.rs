@@ -8,7 +8,10 @@ use fsi_coupling::settings::{Problem, require};
 
 use super::model::Scene;
 use super::parts::{NacelleKeys, PanelKeys, SurfaceKeys};
+use crate::scene::significant;
 
+/// Largest sag of a slowest mode under the weight, g/ω², over the fuselage's length [-]: beyond, bending is not linear.
+const MOST_SAG: f64 = 0.1;
 /// Largest product of the highest mode's frequency and the step.
 const FASTEST: f64 = 1.0;
 
@@ -111,6 +114,12 @@ fn bending(scene: &Scene, masses: &Masses) -> Result<Option<Bending>, Problem> {
         a + (at - k as f64) * (b - a)
     };
     let bending = Bending::new(masses, stiffness, beam.damping).map_err(refused)?;
+    let slowest = bending.frequency.iter().copied().fold(f64::INFINITY, f64::min);
+    let least = (scene.water.gravity / (MOST_SAG * (to - from))).sqrt();
+    if slowest < least {
+        let of = [least, slowest].map(|omega| significant(omega / TAU));
+        return Err(refused(format!("a slowest mode of at least {} Hz, not {} Hz: bending is linear", of[0], of[1])));
+    }
     let fastest = bending.frequency.iter().copied().fold(0.0, f64::max);
     let longest = FASTEST / fastest;
     if scene.landing.step > longest {

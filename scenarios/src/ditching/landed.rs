@@ -72,6 +72,9 @@ pub struct Summary {
     pub status: Status,
     /// Why, where that is no end that was asked for.
     pub message: Option<String>,
+    /// What its file assumes; absent when it names nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
     /// What bore the load.
     pub model: &'static str,
     /// Strips along the fuselage.
@@ -154,6 +157,7 @@ impl Summary {
             scene: scene.name.clone(),
             status,
             message,
+            assumptions: scene.assumptions.clone(),
             model: scene.model.name(),
             strips: scene.landing.strips,
             steps: (last[0] / scene.landing.step).round() as u64,
@@ -218,7 +222,7 @@ impl Summary {
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
              at {:.3} s; {keel}\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
-             {:.1} to {:.1} degrees{}{}{}",
+             {:.1} to {:.1} degrees{}{}{}{}",
             self.scene,
             self.strips,
             self.steps,
@@ -236,6 +240,7 @@ impl Summary {
             self.pitch_deg[2],
             self.sea_text(),
             self.structure_text(),
+            self.assumptions.iter().map(|assumed| format!("\n  assumed: {assumed}")).collect::<String>(),
             self.message
                 .as_ref()
                 .filter(|_| self.status.is_completed())

@@ -28,8 +28,12 @@ pub struct Scene {
     /// Source of its numbers.
     #[serde(default)]
     pub source: String,
-    /// Model of the sections: von_karman, wagner or mlm.
+    /// What no source gives and the file assumes, a sentence each; printed beside the results.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
+    /// Model of the sections.
     #[serde(default = "usual::model")]
+    #[schemars(with = "SectionModel")]
     pub model: EntryModel,
     /// Flight and its integration.
     pub landing: LandingKeys,
@@ -63,6 +67,19 @@ pub struct Scene {
     /// The fuselage bends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beam: Option<BeamKeys>,
+}
+
+/// Models whose load of a section is a formula of its depth and speed.
+#[derive(JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[expect(dead_code, reason = "names the values in the schema")]
+enum SectionModel {
+    /// Added mass of a plate as wide as the body's cut with the still water (von Karman 1929).
+    VonKarman,
+    /// The same with the water's pile-up (Wagner 1932).
+    Wagner,
+    /// Modified Logvinovich model: Wagner's flow, the pressure's square terms, the body's shape (Korobkin 2004).
+    Mlm,
 }
 
 /// Table `[landing]`.

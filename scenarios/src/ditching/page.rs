@@ -19,14 +19,19 @@ const NO_BAND: &str = "no band known";
 pub(super) fn page(scene: &Scene, landed: &Landed) -> String {
     let failed = landed.summary.status == Status::Failed;
     let loads = if failed { "Largest values before the failure" } else { "Largest loads" };
-    let sections = [
-        (loads, [vec![Block::Table(loads_table(scene, landed))], structure_tables(&landed.summary.structure)].concat()),
+    let assumed = (!scene.assumptions.is_empty()).then(|| {
+        ("What the file assumes", vec![Block::Html(list(scene.assumptions.iter().map(|assumed| escape(assumed))))])
+    });
+    let first =
+        (loads, [vec![Block::Table(loads_table(scene, landed))], structure_tables(&landed.summary.structure)].concat());
+    let others = [
         ("What the loads leave out", vec![Block::Html(limits(scene, &landed.summary.warnings))]),
         ("Curves", [vec![Block::Html(hint_html())], curves(scene, landed)].concat()),
         ("Side views", side_views(scene, landed)),
         ("Landing as run", vec![Block::Html(folded("scene.resolved.toml", &scene.to_toml()))]),
     ];
-    let sections: Vec<_> = sections.into_iter().map(|(heading, blocks)| (heading.to_string(), blocks)).collect();
+    let sections = std::iter::once(first).chain(assumed).chain(others);
+    let sections: Vec<_> = sections.map(|(heading, blocks)| (heading.to_string(), blocks)).collect();
     html_page(&format!("splashdown ditch: {}", scene.name), &lead_html(&lead(scene, landed)), &sections)
 }
 
@@ -229,6 +234,11 @@ fn limits(scene: &Scene, warnings: &[String]) -> String {
     ];
     let of_panels = (!scene.panels.is_empty()).then_some(panels);
     let items = items.into_iter().chain(of_panels).map(str::to_string).chain(warnings.iter().map(|w| escape(w)));
+    list(items)
+}
+
+/// Items of HTML as a list.
+fn list(items: impl Iterator<Item = String>) -> String {
     let items: String = items.map(|item| format!("<li>{item}</li>\n")).collect();
     format!("<ul class=\"reasons\">\n{items}</ul>\n")
 }

@@ -103,7 +103,7 @@ pub struct MassKeys {
 /// Table `[beam]`: the fuselage bends.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BeamKeys {
-    /// Bending stiffness E I at equal distances from nose to tail [N m²]; one number: the same everywhere.
+    /// Bending stiffness E I at equal distances from nose to tail [N m²], a list; of one number: the same everywhere.
     pub stiffness: Vec<f64>,
     /// Damping of each mode over the critical one [-].
     #[serde(default = "usual_damping")]

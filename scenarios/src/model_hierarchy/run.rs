@@ -35,8 +35,7 @@ pub(crate) fn run(
     let log = log.map(|path| write_log(scene, body, &theory, &path)).transpose()?;
     let exact = compare::similarity_of(scene);
     let similarity = scene.similarity.and_then(|_| similarity(scene, &theory, exact.as_ref()));
-    let (mut comparison, not_compared) = compare::against_curves(&scene.compare, &references, &series);
-    comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
+    let (comparison, not_compared) = compare::against_all(scene, &references, &series, similarity.as_ref());
     let bars = error_bars(scene, body, &theory, &series);
     let end = theory.instants.last().map_or(0.0, |i| i.time);
     let peak = |(name, value, time_s): (&str, f64, f64)| (name.to_string(), Peak { value, time_s, verdict: None });
@@ -183,6 +182,7 @@ fn similarity(scene: &Scene, theory: &Theory, exact: Option<&WedgeSimilarity>) -
     let z = place * tan / draught - 1.0;
     Some(SimilarityResult {
         window_s: [theory.instants[first].time, theory.instants[last].time],
+        draught_m: draught,
         spacings_per_draught: f64::INFINITY,
         force_coefficient: mean,
         force_coefficient_sd: sd,

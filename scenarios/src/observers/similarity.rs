@@ -28,6 +28,8 @@ const PEAK_SPACINGS: f64 = 8.0;
 pub struct SimilarityResult {
     /// Window the numbers were taken over [s].
     pub window_s: [f64; 2],
+    /// Draught at the window's end, Vt [m].
+    pub draught_m: f64,
     /// Resolution at the window's end, Vt/Δx [-].
     pub spacings_per_draught: f64,
     /// F/(ρV³t), mean over the steps of the window [-].
@@ -233,6 +235,7 @@ impl SimilarityWindow {
         };
         Some(SimilarityResult {
             window_s: [first, last],
+            draught_m: self.speed * last,
             spacings_per_draught: self.speed * last / self.spacing,
             force_coefficient: if seconds > 0.0 { coefficient / seconds } else { sampled },
             force_coefficient_sd: force_sd,

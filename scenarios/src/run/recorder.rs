@@ -283,8 +283,7 @@ impl Recorder {
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
         doubts.extend(compressibility.as_ref().and_then(Compressibility::doubt));
-        let (mut comparison, not_compared) = compare::against_curves(&scene.compare, references, &self.series);
-        comparison.extend(similarity.iter().flat_map(|s| compare::against_similarity(scene, s)));
+        let (comparison, not_compared) = compare::against_all(scene, references, &self.series, similarity.as_ref());
         let verdict = results
             .peak_force_N_per_m
             .map(|force| force.verdict)

@@ -4,7 +4,6 @@ use super::super::entry::{Instant, SectionMotion};
 use super::super::model::{EntryModel, OutOfRange};
 use super::super::section::Section;
 use super::before::Before;
-use super::is_wedge;
 use super::solution::FlowLoad;
 use super::state::EntryFlow;
 
@@ -130,7 +129,7 @@ impl FlowEntry<'_> {
                 let last = (draught.max(0.0) + at_contact * left + 0.5 * g * left * left).min(chines);
                 let without_gravity =
                     LATEST_UNDER_GRAVITY * at_contact * at_contact / self.gravity.max(f64::MIN_POSITIVE);
-                let share = if is_wedge(self.section) { begin(self.motion, self.gravity) } else { BEGIN };
+                let share = if self.section.is_followed_as_wedge() { begin(self.motion, self.gravity) } else { BEGIN };
                 (share * last.max(1e-9 * chines)).min(LATEST * wet(self.section.first_face()[0])).min(without_gravity)
             }
         }

@@ -91,7 +91,7 @@ impl EntryFlow {
         }
         if section.radius().is_none() {
             // a wedge's flow begins at any draught
-            flow = if is_wedge(section) { flow.scaled_to(draught) } else { flow };
+            flow = if section.is_followed_as_wedge() { flow.scaled_to(draught) } else { flow };
         } else if draught < flow.draught {
             let range = format!("boundary elements follow a round bottom from a draught of {} m on", flow.draught);
             return refused(format!("{draught} m"), &range);
@@ -128,7 +128,7 @@ impl EntryFlow {
             }
         };
         let face = face.at_draught(draught);
-        let sizes = if is_wedge(section) { Sizes::WEDGE } else { Sizes::BENT };
+        let sizes = if section.is_followed_as_wedge() { Sizes::WEDGE } else { Sizes::BENT };
         let similar = SimilarityFlow::solve(keel)?;
         let surface = FreeSurface::similar(&similar, draught, speed, far / keel.to_radians().tan());
         let surface = surface.redistributed(LowerSide { face: &face, underside: None, sizes });
@@ -247,11 +247,6 @@ impl EntryFlow {
         self.underside = Some(freed);
         self.face = self.face.left_at(along);
     }
-}
-
-/// Is the bottom straight from the keel to where the flow leaves it?
-fn is_wedge(section: &Section) -> bool {
-    section.radius().is_none() && section.followed().len() == 2
 }
 
 #[cfg(test)]
