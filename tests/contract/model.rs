@@ -169,6 +169,7 @@ fn a_model_out_of_its_range_is_refused() {
         ("wedge", &["model=boundary_element", "body.breadth=0.1"], &["deeper than its breadth", "\"wcsph\""]),
         ("wedge", &["model=mlm", "body.mass=20", "time.end=0.3"], &["leaves the water", "\"wcsph\""]),
         ("fuselage_section", &["model=similarity"], &["a curved or bent bottom", "\"boundary_element\""]),
+        ("cylinder_entry", &["model=boundary_element"], &["a body that is under water", "\"wcsph\""]),
         ("dam_break", &["model=mlm"], &["without a body"]),
         ("elastic_wedge", &["model=mlm"], &["panels that bend", "\"wcsph\""]),
         ("elastic_wedge", &["model=wagner", "time.end=0.003"], &["wet chines", "\"wcsph\""]),
@@ -180,10 +181,12 @@ fn a_model_out_of_its_range_is_refused() {
         ("wedge", &["model=mlp"], &["mlp"]),
     ] {
         let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
-        let ended = place.run(&[&["run", scene, "--out", "none"], &sets[..]].concat());
-        assert_eq!(ended.code, Some(2), "{scene} {sets:?}: {}", ended.message);
-        let message = ended.message.split_whitespace().collect::<Vec<_>>().join(" ").replace("│ ", "");
-        said.iter().for_each(|word| assert!(message.contains(word), "{scene} {sets:?}: no `{word}` in {message}"));
+        for verb in [&["run", scene, "--out", "none"][..], &["check", scene]] {
+            let ended = place.run(&[verb, &sets[..]].concat());
+            assert_eq!(ended.code, Some(2), "{verb:?} {sets:?}: {}", ended.message);
+            let message = ended.message.split_whitespace().collect::<Vec<_>>().join(" ").replace("│ ", "");
+            said.iter().for_each(|word| assert!(message.contains(word), "{scene} {sets:?}: no `{word}` in {message}"));
+        }
         assert!(!place.path("none").exists());
     }
     let tilted = "name = \"t\"\n[time]\nend = 0.1\n[resolution]\nspacing = 0.02\n[body]\nname = \"w\"\nshape = \"wedge\"\n\

@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::shared::{DONE, Output, SceneArgs, Stop, load, say, write};
+use crate::model_hierarchy::Theory;
 use crate::preflight::preflight;
 use crate::report::section_picture;
+use crate::run::RunError;
 use crate::spelling::nearest;
 use crate::templates::TEMPLATES;
 use crate::{ditching, scene};
@@ -91,6 +93,11 @@ pub(super) fn check(output: &Output, args: &CheckArgs) -> Result<u8, Stop> {
         )));
     }
     let loaded = load(&args.scene)?;
+    let (scene, model) = (&loaded.scene, loaded.scene.model);
+    if model.is_theory() {
+        // whether a flow can be followed is known once it was
+        Theory::of(scene, model).map_err(|e| RunError::Theory(model.name(), e))?;
+    }
     let mut preflight = preflight(&loaded.scene, &loaded.warnings);
     preflight.outline = loaded.outline.clone();
     if let Some(path) = &args.picture {

@@ -142,7 +142,8 @@ impl Theory {
         let reached = last.draught + last.speed * left + 0.5 * g * left * left;
         let [min, max] = polygon::bounding_box(&body.placed_outline());
         let deepest = (max[1] - min[1]).min(FlowEntry::DEEPEST * 2.0 * self.section.half_breadth());
-        (reached > deepest).then(|| refuse(&format!("one that may come to a draught of {} m", significant(reached))))
+        (reached > deepest)
+            .then(|| refuse(&format!("one that may be under water at the end, {} m deep", significant(reached))))
     }
 
     /// The moment at which a section at unit speed, in water of unit density, without gravity, has come a metre deep.

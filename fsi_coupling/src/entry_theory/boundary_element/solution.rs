@@ -1,6 +1,7 @@
 //! The flow at an instant (THEORY EN21, EN23, EN24): velocity, rate of the potential, load.
 
 use std::cmp::Ordering;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
 use faer::c64;
 
@@ -12,6 +13,9 @@ use super::surface::SurfaceFlow;
 
 /// The largest size of elements on a face, over the wetted length.
 const LARGEST: f64 = 0.06;
+
+/// Places on the face through which the pressure beside a keel goes, over the wetted length.
+const OF_KEEL_LAW: [f64; 2] = [5e-3, 1e-2];
 
 /// One solution of the flow.
 pub(super) struct Solution {
@@ -87,6 +91,8 @@ impl EntryFlow {
             let steady = rate.phi[k] + 0.5 * on_body[k - contact].norm_sqr() + gravity * nodes[k].im;
             [nodes[k].re, -steady * self.speed / speed, -per_acceleration.phi[k]]
         };
+        let mut pressure: Vec<[f64; 3]> = (contact..n).map(pressure_at).collect();
+        self.follow_keel_law(&along, &mut pressure);
         // a node that moves with v: dφ/dt = φ_t + v·∇φ; the chine goes down with the body
         let with_water = |v: &c64, z: &c64| v.norm_sqr() + phi_t(v, z);
         let mut rate_below: Vec<f64> = below.iter().zip(&nodes[foot..]).map(|(v, z)| with_water(v, z)).collect();
@@ -99,11 +105,26 @@ impl EntryFlow {
                 velocity: above,
             },
             below: SurfaceFlow { velocity: below, rate: rate_below },
-            load: FlowLoad::of((contact..n).map(pressure_at).collect()),
+            load: FlowLoad::of(pressure),
             beta,
             nodes,
             contact,
             along,
+        }
+    }
+
+    /// GE21: the pressure beside a keel above 30° is p₀ − C sᵐ, s the distance from it; there φ_t has a part of s^{m/2}, which straight elements miss.
+    fn follow_keel_law(&self, along: &[f64], pressure: &mut [[f64; 3]]) {
+        let deadrise = self.face.place(0.0).tangent.arg();
+        if !self.face.is_keeled() || deadrise <= FRAC_PI_6 {
+            return;
+        }
+        let power = 2.0 * (PI / (FRAC_PI_2 + deadrise) - 1.0);
+        let [near, far] = OF_KEEL_LAW.map(|share| along.partition_point(|s| *s > share * along[0]) - 1);
+        let [of_near, of_far] = [near, far].map(|k| along[k].powf(power));
+        let falls = (pressure[near][1] - pressure[far][1]) / (of_far - of_near);
+        for k in near + 1..along.len() {
+            pressure[k][1] = pressure[near][1] + falls * (of_near - along[k].powf(power));
         }
     }
 
