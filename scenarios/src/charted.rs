@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
+use crate::compare;
 use crate::error_bar::{ErrorBar, ErrorBars};
 use crate::numbers::Numbers;
 use crate::power_law::PowerLaw;
@@ -105,6 +106,9 @@ impl WedgeEntry {
             Motion::ConstantVelocity if scene.similarity.is_some() => false,
             _ => return None,
         };
+        if !falls && compare::wet_chines(scene, entry.final_draught).is_some() {
+            return None; // the flow is not similar
+        }
         let upright =
             matches!(entry.bottom, Bottom::Wedge { slope } if (slope - deadrise_deg.to_radians().tan()).abs() < 1e-9);
         if scene.solver.weakly_compressible().is_some_and(|fluid| !is_charted(&fluid.scheme)) {

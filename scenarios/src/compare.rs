@@ -65,7 +65,7 @@ pub fn against_all(
 }
 
 /// Why a wedge at a draught [m] has no similar flow: by Wagner's wetted breadth (THEORY EN3) its chines are wet.
-fn wet_chines(scene: &Scene, draught: f64) -> Option<String> {
+pub(crate) fn wet_chines(scene: &Scene, draught: f64) -> Option<String> {
     let Shape::Wedge { deadrise_deg, breadth, .. } = scene.body.as_ref()?.shape else { return None };
     let wet = breadth / std::f64::consts::PI * deadrise_deg.to_radians().tan();
     (draught > wet).then(|| {

@@ -243,8 +243,8 @@ fn wrong_landings_are_refused_with_key_and_place() {
     refused(&["stations[6].breadth=3.89"], &["stations[6]", "faces of 4 to 60 degrees"]);
     refused(&["stations[12].keel=9.0"], &["stations[", "to the axis: expected up to 60"]);
     refused(&["stations[2].deadrise_deg=20"], &["stations[2].deadrise_deg", "not both"]);
-    refused(&["model=wcsph"], &["model", "von_karman, wagner or mlm"]);
-    refused(&["model=similarity"], &["stations[0]", "wedges of 4 to 80 degrees"]);
+    refused(&["model=wcsph"], &["model", "`von_karman`, `wagner`, `mlm`"]);
+    refused(&["model=similarity"], &["model", "`von_karman`, `wagner`, `mlm`"]);
     refused(&["landing.least_speed=90"], &["landing.least_speed", "less than the speed of landing"]);
     refused(&["wing.lift_slope=0"], &["landing.angle_of_attack_deg", "landing.speed"]);
     let text = "name = \"a\"\n[landing]\nangle_of_attack_deg = 9\nflight_path_deg = -40\nend = 1\n[aeroplane]\nmass = 1e4\n\

@@ -24,8 +24,8 @@ pub(super) struct DitchArgs {
     #[arg(long, requires = "export_sections")]
     run_sections: bool,
     /// How many of them.
-    #[arg(long, value_name = "N", default_value_t = 3)]
-    sections: usize,
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..))]
+    sections: u32,
 }
 
 pub(super) fn run_ditch(output: &Output, args: &DitchArgs) -> Result<u8, Stop> {
@@ -66,7 +66,7 @@ fn export(
     let wrong = |e: std::io::Error| Stop::Failed(format!("cannot write to {}: {e}", folder.display()));
     std::fs::create_dir_all(folder).map_err(wrong)?;
     let mut results = Vec::new();
-    for section in ditching::section_scenes(scene, landed, args.sections) {
+    for section in ditching::section_scenes(scene, landed, args.sections as usize) {
         std::fs::write(folder.join(format!("{}.toml", section.name)), &section.text).map_err(wrong)?;
         if args.run_sections {
             results.push(section.run(folder.join(&section.name), args.force)?);

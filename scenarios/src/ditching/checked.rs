@@ -34,6 +34,7 @@ pub(super) fn checked(mut scene: Scene) -> Result<Scene, Problem> {
     (scene.landing.speed, scene.landing.least_speed) = (Some(speed), Some(least));
     names(&scene)?;
     accelerometers(&scene)?;
+    assumptions(&scene)?;
     sea::check(&scene, hull.fuselage())?;
     sea::touched(&scene, &untouched(&scene, aeroplane(&scene)?, &hull))?;
     Ok(scene)
@@ -69,11 +70,23 @@ fn names(scene: &Scene) -> Result<(), Problem> {
     Ok(())
 }
 
+/// Each a sentence on a line.
+fn assumptions(scene: &Scene) -> Result<(), Problem> {
+    let is_sentence = |said: &str| !said.trim().is_empty() && !said.chars().any(char::is_control);
+    scene.assumptions.iter().enumerate().try_for_each(|(k, said)| {
+        require(is_sentence(said), &format!("assumptions[{k}]"), format!("{said:?}"), "words on one line")
+    })
+}
+
 fn accelerometers(scene: &Scene) -> Result<(), Problem> {
+    let ends = [&scene.stations[0], &scene.stations[scene.stations.len() - 1]].map(|station| station.x);
     let highest = HIGHEST / scene.landing.sample_every;
     for (k, keys) in scene.accelerometers.iter().enumerate() {
         let expected =
             format_args!("up to {highest} Hz with a landing.sample_every of {} s", scene.landing.sample_every);
+        let on_fuselage = (ends[0]..=ends[1]).contains(&keys.at[0]);
+        let between = format_args!("a place on the fuselage, from {} to {} m", ends[0], ends[1]);
+        require(on_fuselage, &format!("accelerometers[{k}].at"), format!("{:?}", keys.at), between)?;
         require(keys.bandwidth <= highest, &format!("accelerometers[{k}].bandwidth"), keys.bandwidth, expected)?;
     }
     Ok(())

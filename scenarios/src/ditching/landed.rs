@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::aeroplane::masses;
 use super::checked::{hull, landing};
-use super::loads::{self, Accelerometer, PartLoad, StationLoad};
+use super::loads::{self, Accelerometer, Bent, PartLoad, StationLoad};
 use super::model::Scene;
 use super::sea::{self, Sea};
 use super::series::Series;
@@ -41,15 +41,18 @@ pub fn follow(scene: &Scene) -> Landed {
     let run = landing.solve();
     let series = Series::new(scene, &landing, &run.moments);
     let (stations, balance_error) = loads::stations(scene, &landing, &masses, &run.moments);
+    let bent = landing.aeroplane.bending.as_ref().map(|bending| Bent::of(bending, &run.moments));
     let structure = Structure {
         accelerometers: scene.accelerometers.iter().map(|keys| Accelerometer::of_series(keys, &series)).collect(),
         parts: loads::parts(&landing, &run.moments),
+        deflection_m: bent.map(|bent| bent.deflection),
         frequencies_hz: frequencies(landing.aeroplane.bending.as_ref()),
         stations,
         balance_error,
     };
     let mut summary = Summary::new(scene, &run, &series, structure, start.elapsed().as_secs_f64());
     (summary.sea, summary.warnings) = (Sea::of(scene, &landing), sea::warnings(scene, &landing));
+    summary.warnings.extend(bent.and_then(|bent| bent.too_far()));
     Landed { summary, swell: landing.swell, run, series }
 }
 
@@ -87,6 +90,9 @@ pub struct Summary {
     pub wall_time_s: f64,
     /// Way on the water up to the end [m].
     pub run_length_m: f64,
+    /// Forward speed at which the landing was ended, `landing.least_speed` [m/s]; absent where it was not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ended_at_m_per_s: Option<f64>,
     /// Forward speed at the first touch and at the end [m/s], shape (2).
     pub speed_m_per_s: [f64; 2],
     /// Pitch at the first touch, the least and the most [deg], shape (3).
@@ -108,7 +114,7 @@ pub struct Summary {
     /// The waves; absent on calm water.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sea: Option<Sea>,
-    /// Warnings about the waves; absent when there are none.
+    /// Warnings about waves and bending; absent when there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
     /// What its structure bore.
@@ -123,6 +129,9 @@ pub struct Structure {
     pub accelerometers: Vec<Accelerometer>,
     /// What each part bore that may meet the water.
     pub parts: Vec<PartLoad>,
+    /// Largest deflection of the fuselage from its straight axis [m]; absent for a rigid one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deflection_m: Option<Peak>,
     /// Frequencies of the fuselage's bending modes [Hz]; none for a rigid one.
     pub frequencies_hz: Vec<f64>,
     /// Each station: load and pressure of the strips that are nearer to it than to another, shear and bending in its cut.
@@ -163,6 +172,7 @@ impl Summary {
             steps: (last[0] / scene.landing.step).round() as u64,
             time_end_s: last[0],
             wall_time_s,
+            ended_at_m_per_s: scene.landing.least_speed.filter(|_| run.ended == LandingEnd::Slow),
             run_length_m: last[column("x_m")] - first[column("x_m")],
             speed_m_per_s: [first, last].map(|row| row[column("u_m_per_s")]),
             pitch_deg: [
@@ -215,6 +225,8 @@ impl Summary {
     pub fn to_text(&self) -> String {
         let at = |p: &Peak, unit: &str| format!("{:.2}{unit} at {:.3} s", p.value, p.time_s);
         let (line, place) = (&self.line_load_n_per_m, self.line_load_at_m);
+        let ended =
+            self.ended_at_m_per_s.map_or(String::new(), |v| format!("; ended at landing.least_speed, {v:.1} m/s"));
         let keel = match place.is_finite() {
             true => format!("{:.0} kN/m of keel {place:.1} m from the nose at {:.3} s", 1e-3 * line.value, line.time_s),
             false => "the keel stays dry".to_string(),
@@ -222,7 +234,7 @@ impl Summary {
         format!(
             "{}: {} strips, {} steps, {:.1} s of wall time\n  vertical {}, load factor {}; deceleration {}\n  water {:.0} kN \
              at {:.3} s; {keel}\n  {:.1} m in {:.2} s, from {:.1} to {:.1} m/s; pitch \
-             {:.1} to {:.1} degrees{}{}{}{}",
+             {:.1} to {:.1} degrees{ended}{}{}{}{}",
             self.scene,
             self.strips,
             self.steps,

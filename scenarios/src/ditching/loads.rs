@@ -1,12 +1,13 @@
 //! What the structure of a landing bears: stations of the fuselage, and parts that meet the water.
 
-use fsi_coupling::entry_theory::ditching::{Landing, LandingState, Masses};
+use fsi_coupling::entry_theory::ditching::{Bending, Landing, LandingState, Masses};
 use serde::Serialize;
 
 use super::model::Scene;
 use super::parts::AccelerometerKeys;
 use super::series::Series;
 use crate::run::summary::Peak;
+use crate::scene::significant;
 
 /// Largest accelerations at a place.
 #[derive(Clone, Debug, Serialize)]
@@ -65,6 +66,45 @@ impl Accelerometer {
             normal_g: most(&format!("{}.normal_g", keys.name)),
             longitudinal_g: most(&format!("{}.longitudinal_g", keys.name)),
         }
+    }
+}
+
+/// Largest slope of a bent axis for which bending is linear [rad].
+const LARGEST_SLOPE: f64 = 0.1;
+
+/// How far a fuselage bent.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bent {
+    /// Largest deflection from its straight axis, upwards [m].
+    pub deflection: Peak,
+    /// Largest slope of its axis [rad].
+    slope: f64,
+}
+
+impl Bent {
+    /// By the modes' amplitudes at the moments.
+    pub fn of(bending: &Bending, moments: &[LandingState]) -> Bent {
+        let mut bent = Bent { deflection: Peak::default(), slope: 0.0 };
+        for moment in moments {
+            for shapes in &bending.shapes {
+                let sum =
+                    |of: usize| shapes.iter().zip(&moment.attitude.bend).map(|(shape, a)| shape[of] * a).sum::<f64>();
+                keep(&mut bent.deflection, sum(0), moment.time);
+                bent.slope = bent.slope.max(sum(1).abs());
+            }
+        }
+        bent
+    }
+
+    /// What is said where bending is no longer linear.
+    pub fn too_far(&self) -> Option<String> {
+        (self.slope > LARGEST_SLOPE).then(|| {
+            format!(
+                "the fuselage bends by {} m and turns by {} degrees: bending is linear up to about 6 degrees",
+                significant(self.deflection.value),
+                significant(self.slope.to_degrees())
+            )
+        })
     }
 }
 

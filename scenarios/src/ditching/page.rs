@@ -218,7 +218,8 @@ fn limits(scene: &Scene, warnings: &[String]) -> String {
                  fuselage.";
     let items = [
         "Built-in mercure beside model tests: the deceleration is within a factor of 1.5 in 10 of 14 cases, the upward acceleration of the \
-         worst accelerometer in 7; it is low by up to 2.8 at small angles of attack. Do not take it for a load to design by.",
+         worst accelerometer in 7; it is low by up to 2.8 at small angles of attack. Built-in xp2v, b36 and constellation: decelerations of the \
+         centre of mass are within a factor of 1.5, on the low side. Do not take them for loads to design by.",
         &suction,
         match scene.sea {
             None => {

@@ -25,7 +25,7 @@ mod theory;
 pub use assess::{Assessment, assess};
 pub use choose::{Choice, charted_number, choose};
 pub use measured::{Measured, measured};
-pub(crate) use run::run;
+pub(crate) use run::{Followed, run};
 pub use theory::Theory;
 
 pub use crate::scene::QuantityOfInterest;

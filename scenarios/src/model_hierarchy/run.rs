@@ -15,17 +15,33 @@ use crate::run::summary::{Log, Peak, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
 use crate::scene::{Body, Gauge, Motion, Scene};
 
+/// Largest share of the largest pressure on the front that runs ahead of it [-].
+const FLANK: f64 = 0.5;
 /// Points of a pressure profile, in x/(V t) up to the jet's tip.
 const PROFILE: usize = 800;
 
-/// Run a scene whose model is a theory; `out` is ready for files.
+/// A scene that a theory followed.
+pub(crate) struct Followed {
+    theory: Theory,
+    start: Clock,
+}
+
+impl Followed {
+    /// Follow a scene to its end; nothing is written.
+    pub fn new(scene: &Scene) -> Result<Followed, RunError> {
+        let start = Clock::now();
+        let theory = Theory::of(scene, scene.model).map_err(|e| RunError::Theory(scene.model.name(), e))?;
+        Ok(Followed { theory, start })
+    }
+}
+
+/// Files and numbers of a scene whose model is a theory; `out` is ready for files.
 pub(crate) fn run(
     scene: &Scene,
+    Followed { theory, start }: Followed,
     options: &RunOptions<'_>,
     references: Vec<ReferenceCurve>,
 ) -> Result<Outcome, RunError> {
-    let start = Clock::now();
-    let theory = Theory::of(scene, scene.model).map_err(|e| RunError::Theory(scene.model.name(), e))?;
     let body = scene.body.as_ref().expect("a theory has a body");
     let file = |name: &str| options.out.as_ref().map(|dir| dir.join(name));
     let mut series = Series::new(scene, file("series.csv").as_deref())?;
@@ -106,10 +122,21 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
         peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
     let pressure = |gauge: &Gauge| {
         let column = format!("{}.p_Pa", gauge.name);
-        let (name, value, _) = series.peaks().find(|(name, ..)| *name == column)?;
+        let (name, value, time) = series.peaks().find(|(name, ..)| *name == column)?;
+        let last = theory.instants.len() - 1;
+        let whole = theory.peak_pressure(last).map_or(0.0, |[peak, _]| peak);
+        if time >= theory.instants[last].time && value < FLANK * whole {
+            return None; // the steep front of the pressure has not passed the gauge
+        }
         bar(QuantityOfInterest::PeakPressure, format!("peaks/{name}/value"), value)
     };
-    force.into_iter().chain(scene.gauges.iter().filter_map(pressure)).collect()
+    let mut pressures: Vec<(String, ErrorBar)> = scene.gauges.iter().filter_map(pressure).collect();
+    if theory.model.is_formula() && body.is_free() {
+        // of a drop by a formula only the largest was compared
+        let largest = pressures.iter().map(|(_, bar)| bar.value).fold(f64::NEG_INFINITY, f64::max);
+        pressures.retain(|(_, bar)| bar.value == largest);
+    }
+    force.into_iter().chain(pressures).collect()
 }
 
 /// Results of a theory: no particles, so no mean.
@@ -132,8 +159,7 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     };
     let free = matches!(body.motion, Motion::Free(_));
     // formulas were measured on faces alone: their force past wet chines, and the impulse with it, was not
-    let past_chines = theory.instants.iter().any(|now| now.wetted >= theory.section.half_breadth());
-    let of_impulse = share.filter(|_| !(past_chines && theory.model.is_formula()));
+    let of_impulse = share.filter(|_| !(theory.wets_chines() && theory.model.is_formula()));
     let [x, y] = forces.total();
     let impulse = x.hypot(y);
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));

@@ -26,6 +26,8 @@ pub struct Theory {
     /// The section at every sample of the scene.
     pub instants: Vec<Instant>,
     density: f64,
+    /// Acceleration of gravity whose pressure at rest is to be added to the source's [m/s²].
+    gravity: f64,
     source: Source,
 }
 
@@ -69,6 +71,7 @@ impl Theory {
         let (draught, speed, gravity, density) =
             (body.draught(), -body.velocity[1], -scene.gravity[1], scene.water().density);
         let times = sample_times(scene);
+        let at_rest = if model.is_formula() { gravity } else { 0.0 };
         let (instants, source, end) = if model.is_formula() {
             let loads = Loads::new(model, &if steep { section.convex() } else { section.clone() })?;
             let entry = Entry { loads: &loads, motion, draught, speed, gravity, density, buoyancy: true, steep };
@@ -90,7 +93,7 @@ impl Theory {
             Some(refuse(&format!("from t = {} s on {what}", significant(now.time))))
         });
         let instants = instants[..open].to_vec();
-        Ok((Theory { model, section, instants, density, source }, closed.or(end)))
+        Ok((Theory { model, section, instants, density, gravity: at_rest, source }, closed.or(end)))
     }
 
     /// The same without following a flow: where the model is no formula, by the motion of the modified Logvinovich model, which is near.
@@ -108,7 +111,10 @@ impl Theory {
         if rolled::rolls(scene, model) {
             rolled::check(scene, body, motion)?;
             let (instants, source) = (Vec::new(), Source::Rolled(Vec::new()));
-            return Ok((Theory { model, section, instants, density: scene.water().density, source }, None));
+            return Ok((
+                Theory { model, section, instants, density: scene.water().density, gravity: 0.0, source },
+                None,
+            ));
         }
         model.covers(&section, 0.0)?;
         let (theory, end) = Theory::solved(scene, EntryModel::Mlm, true)?;
@@ -154,7 +160,7 @@ impl Theory {
         let loads = Loads::new(model, &section)?;
         let (slam, wetted) = (loads.at(1.0).slam, loads.at(1.0).wetted);
         let now = Instant { time: 1.0, draught: 1.0, speed: 1.0, rate: 0.0, force: slam, wetted };
-        Ok(Theory { model, section, instants: vec![now], density: 1.0, source: Source::Loads(loads) })
+        Ok(Theory { model, section, instants: vec![now], density: 1.0, gravity: 0.0, source: Source::Loads(loads) })
     }
 
     /// Pressure at distance x from the keel's plane at sample k [Pa]; `None` where the theory has none.
@@ -166,8 +172,18 @@ impl Theory {
                 let along = x.abs() * (1.0 + self.section.slope(0.0).powi(2)).sqrt();
                 Some(steps[k].pressure_at(usize::from(x > 0.0), along))
             }
-            Source::Loads(loads) | Source::Faces(loads, _) => loads.pressure(x, draught, speed, rate, self.density),
+            Source::Loads(loads) | Source::Faces(loads, _) => {
+                let at_rest = self.gravity * (draught - self.section.height(x)).max(0.0);
+                let of_entry = loads.pressure(x, draught, speed, rate, self.density)?;
+                Some(of_entry + self.density * at_rest)
+            }
         }
+    }
+
+    /// True if the water comes to the chines: by Wagner's wetted width, also where the theory's own is narrower.
+    pub fn wets_chines(&self) -> bool {
+        let (b, deepest) = (self.section.half_breadth(), self.section.wagner_draught(self.section.half_breadth()));
+        self.instants.iter().any(|now| now.wetted >= b || now.draught >= deepest)
     }
 
     /// True for a rolled wedge.
@@ -284,7 +300,7 @@ fn bending(
     let instants = faces.instants(&times);
     let end = times.get(instants.len()).map(|time| refuse(&format!("from t = {} s on wet chines", significant(*time))));
     let source = Source::Faces(loads, faces);
-    Ok((Theory { model, section, instants, density: scene.water().density, source }, end))
+    Ok((Theory { model, section, instants, density: scene.water().density, gravity: 0.0, source }, end))
 }
 
 /// Least depth and half width of water that counts as unbounded, in wetted half widths.

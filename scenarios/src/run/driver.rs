@@ -43,8 +43,9 @@ pub fn run(scene: &Scene, options: &RunOptions<'_>) -> Result<Outcome, RunError>
         if options.checkpoints.is_some_and(|asked| asked.every.is_some()) {
             return Err(RunError::NoSteps(scene.model.name()));
         }
+        let followed = model_hierarchy::Followed::new(scene)?;
         let _held = start_folder(scene, options)?;
-        let outcome = model_hierarchy::run(scene, options, references)?;
+        let outcome = model_hierarchy::run(scene, followed, options, references)?;
         return keep(outcome, options.out.as_deref(), options);
     }
     let system = build::build(scene)?;

@@ -53,6 +53,7 @@ fn check_body(scene: &Scene, body: &Body) -> Result<(), Problem> {
     check_body_in_tank(scene, body)?;
     match &body.shape {
         Shape::Polyline { points, thickness } => check_plate(scene, points, *thickness)?,
+        _ if scene.model.is_theory() => (), // no walls of particles
         shape => check_thickness(scene, shape.thickness())?,
     }
     if scene.symmetry == Symmetry::X { check_symmetric(body) } else { Ok(()) }

@@ -105,7 +105,7 @@ impl EntryFlow {
                 velocity: above,
             },
             below: SurfaceFlow { velocity: below, rate: rate_below },
-            load: FlowLoad::of(pressure),
+            load: FlowLoad::of(pressure).with_dry_end(),
             beta,
             nodes,
             contact,
@@ -240,6 +240,12 @@ pub struct FlowLoad {
 }
 
 impl FlowLoad {
+    /// The end of the cut is at the pressure of the air; the force keeps the small tension that is computed there.
+    fn with_dry_end(mut self) -> FlowLoad {
+        self.pressure[0][1] = 0.0;
+        self
+    }
+
     /// Of pressures on the right half, whose image has the same.
     fn of(pressure: Vec<[f64; 3]>) -> FlowLoad {
         let over_breadth =

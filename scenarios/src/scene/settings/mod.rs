@@ -73,7 +73,7 @@ pub struct Scene {
     pub want: QuantityOfInterest,
     /// Largest measured error of model = "auto" [-].
     #[serde(default = "usual::within", skip_serializing)]
-    #[schemars(range(min = 0.0, max = 1.0), extend("x-when" = "model = auto"))]
+    #[schemars(range(max = 1.0), extend("exclusiveMinimum" = 0, "x-when" = "model = auto"))]
     pub within: f64,
     /// Mirror plane. none: the whole tank is simulated; x: only x >= 0, with a mirror at x = 0. Absent with model = "auto": x
     /// where the scene is symmetric.

@@ -168,7 +168,8 @@ pub(super) fn solve(sides: &[EntryFlow; 2]) -> RolledSolution {
         }
         pressure
     });
-    let load = RolledLoad::of(pressure, tangents);
+    let mut load = RolledLoad::of(pressure, tangents);
+    load.pressure.iter_mut().for_each(|pressure| pressure[0][1] = 0.0); // as of `FlowLoad`
     let [right, left] = nodes;
     let ([beta_right, beta_left], [v_right, v_left]) = (beta, velocities);
     let parts = [(&sides[0], right, beta_right, v_right), (&sides[1], left, beta_left, v_left)];
