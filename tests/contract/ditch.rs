@@ -62,6 +62,31 @@ fn a_landing_on_waves_says_where_it_touched() {
     refused.says(&["sea.height", "below 14.2 m"]);
 }
 
+/// What a file assumes stands beside its results, and so does a fuselage that bends too far for linear bending.
+#[test]
+fn a_landing_says_what_it_assumes() {
+    let place = Workplace::new();
+    let sets = ["landing.end=1.8", "assumptions=[\"keel < line & mass\"]", "beam.stiffness=[8e6]"];
+    let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+    let ended = place.run(&[&SHORT[..], &sets[..]].concat());
+    assert_eq!(ended.code, Some(0), "{}", ended.message);
+    for said in ["assumed: keel < line & mass", "bending is linear up to about 6 degrees"] {
+        assert!(ended.stdout.contains(said), "{said}: {}", ended.stdout);
+    }
+    let summary = place.summary("out");
+    assert_eq!(summary["assumptions"][0], "keel < line & mass");
+    assert!(summary["deflection_m"]["value"].as_f64().expect("a number").abs() > 0.5, "{}", summary["deflection_m"]);
+    assert!(place.text("out/report.html").contains("<li>keel &lt; line &amp; mass</li>"));
+    for (set, key, expected) in [
+        ("assumptions=[\" \"]", "assumptions[0]", "words on one line"),
+        ("accelerometers[0].at=[100,0]", "accelerometers[0].at", "a place on the fuselage, from 0 to"),
+    ] {
+        let refused = place.run(&[&SHORT[..4], &["--set", set, "--out", "none"]].concat());
+        assert_eq!(refused.code, Some(2), "{}", refused.message);
+        refused.says(&[key, expected]);
+    }
+}
+
 #[test]
 fn sections_of_a_landing_can_be_checked_and_run() {
     let place = Workplace::new();

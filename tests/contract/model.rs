@@ -56,6 +56,10 @@ fn auto_takes_the_cheapest_model_that_is_right() {
     assert!(model == "wagner" && why.contains("elastic_wedge"), "{why}");
     let (model, why) = chosen(&place, "wedge25", &["want=motion", "within=0.04"]);
     assert!(model == "mlm" && why.contains("wedge25"), "{why}");
+    // behind wet chines von Karman's force grows on
+    let past = ["body.deadrise_deg=45", "body.breadth=2.01", "want=peak_force", "within=0.1"];
+    let (model, why) = chosen(&place, "wedge_constant", &past);
+    assert_eq!(model, "boundary_element", "{why}");
     for (scene, sets) in [
         ("fuselage_section", &["want=peak_force"][..]),
         ("flexible_wedge", &["want=strain"]),
@@ -136,6 +140,24 @@ fn error_bars_of_theories_hold_the_exact_force() {
     }
 }
 
+/// Behind wet chines the flow is not similar: nothing is compared, and no chart of similar flows gives a band.
+#[test]
+fn nothing_is_compared_behind_wet_chines() {
+    let place = Workplace::new();
+    for model in ["mlm", "wcsph"] {
+        let model = format!("model={model}");
+        let sets = [&model, "body.deadrise_deg=45", "body.breadth=2.2", "resolution.spacing=0.05"];
+        let sets: Vec<&str> = sets.into_iter().flat_map(|set| ["--set", set]).collect();
+        let summary =
+            json(&place, &[&["run", "wedge_constant", "--json", "--force", "--out", "out"], &sets[..]].concat());
+        let why = summary["not_compared"][0].as_str().expect("a reason");
+        assert!(why.contains("chines are wet at a draught of 0.7003 m"), "{why}");
+        assert_eq!(summary["comparison"].as_array().map(Vec::len), Some(0), "{}", summary["comparison"]);
+        let bars = summary["error_bars"].as_object();
+        assert!(bars.is_none_or(|bars| bars.keys().all(|path| !path.starts_with("similarity/"))), "{bars:?}");
+    }
+}
+
 /// A gauge on the deck had the pressure of the bottom below it; a stiff face was taken for one that bends too fast.
 #[test]
 fn gauges_off_the_bottom_have_no_pressure_and_stiff_faces_enter() {
@@ -177,7 +199,7 @@ fn a_model_out_of_its_range_is_refused() {
         ("wedge_constant", &["model=mlm", "tank.depth=8.0"], &["four wetted half widths", "\"wcsph\""]),
         ("wedge", &["model=mlm", "solver=incompressible"], &["`solver`", "\"mlm\""]),
         ("wedge", &["want=motion"], &["`want`", "auto"]),
-        ("wedge", &["model=auto", "within=2.0"], &["`within` = 2", "0 to 1"]),
+        ("wedge", &["model=auto", "within=2.0"], &["`within` = 2", "above 0 and up to 1"]),
         ("wedge", &["model=mlp"], &["mlp"]),
     ] {
         let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();

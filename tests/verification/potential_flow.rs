@@ -5,6 +5,7 @@ use fsi_coupling::entry_theory::{
 };
 use scenarios::model_hierarchy::{QuantityOfInterest, Theory, measured};
 use scenarios::run::{RunOptions, run};
+use scenarios::scene::load_text;
 
 use evidence::systems::scene;
 
@@ -100,6 +101,23 @@ fn what_is_outside_the_range_is_refused() {
         let refused = EntryFlow::new(&wedge(30.0), draught, speed, 0.0).expect_err("out of range").to_string();
         assert!(refused.contains("above zero"), "{refused}");
     }
+}
+
+/// Under gravity a formula's pressures have the part at rest, as its force has buoyancy (EN10): half of the pressure at the keel here.
+#[test]
+fn pressures_of_formulas_have_the_part_at_rest() {
+    let peak = |model: &str| {
+        let text = format!(
+            "name = \"a\"\nmodel = \"{model}\"\n[time]\nend = 0.25\n[body]\nname = \"w\"\nshape = \"wedge\"\ndeadrise_deg = 48.0\n\
+             breadth = 1.0\nside_height = 1.0\nmotion = \"constant_velocity\"\nvelocity = [0.0, -1.35]\n[[gauges]]\nname = \"keel\"\n\
+             at = [0.0, 0.0]\n"
+        );
+        let scene = load_text("a.toml", &text, &[]).expect("a scene").scene;
+        let summary = run(&scene, &RunOptions::default()).expect("a run").summary;
+        summary.results.peak_pressure_Pa.expect("a pressure").value
+    };
+    let [formula, flow] = ["similarity", "boundary_element"].map(peak);
+    assert!((formula / flow - 1.0).abs() < 0.04, "{formula} Pa, {flow} Pa by boundary elements");
 }
 
 /// Where the flow of a free drop begins makes no difference while the chines are dry: an entry begins it at a sixth of the draught of wet chines,

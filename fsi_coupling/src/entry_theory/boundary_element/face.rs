@@ -242,6 +242,11 @@ impl Face {
         if self.added.is_some() { f64::INFINITY } else { rounded.map(of).fold(f64::INFINITY, f64::min) }
     }
 
+    /// Length of what is straight or of one radius beside the keel [m].
+    pub fn first_length(&self) -> f64 {
+        self.pieces[0].length
+    }
+
     /// Is there a corner at the keel?
     pub fn is_keeled(&self) -> bool {
         self.pieces[0].direction.im > 1e-6

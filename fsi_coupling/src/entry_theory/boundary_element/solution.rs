@@ -14,7 +14,7 @@ use super::surface::SurfaceFlow;
 /// The largest size of elements on a face, over the wetted length.
 const LARGEST: f64 = 0.06;
 
-/// Places on the face through which the pressure beside a keel goes, over the wetted length.
+/// Places through which the pressure beside a keel goes, over the wetted length of the face beside it.
 const OF_KEEL_LAW: [f64; 2] = [5e-3, 1e-2];
 
 /// One solution of the flow.
@@ -119,9 +119,13 @@ impl EntryFlow {
         if !self.face.is_keeled() || deadrise <= FRAC_PI_6 {
             return;
         }
+        let reach = along[0].min(self.face.first_length());
         let power = 2.0 * (PI / (FRAC_PI_2 + deadrise) - 1.0);
-        let [near, far] = OF_KEEL_LAW.map(|share| along.partition_point(|s| *s > share * along[0]) - 1);
+        let [near, far] = OF_KEEL_LAW.map(|share| along.partition_point(|s| *s > share * reach) - 1);
         let [of_near, of_far] = [near, far].map(|k| along[k].powf(power));
+        if near == far {
+            return;
+        }
         let falls = (pressure[near][1] - pressure[far][1]) / (of_far - of_near);
         for k in near + 1..along.len() {
             pressure[k][1] = pressure[near][1] + falls * (of_near - along[k].powf(power));
