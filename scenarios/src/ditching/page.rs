@@ -115,7 +115,11 @@ fn cards(landed: &Landed) -> Vec<Card> {
             "Way on the water",
             digits(way.scale * s.run_length_m),
             &way.name,
-            format!("in {}; from {first} to {last} m/s", seconds(s.time_end_s)),
+            format!(
+                "in {}; from {first} to {last} m/s{}",
+                seconds(s.time_end_s),
+                if s.ended_at_m_per_s.is_some() { ", ended at landing.least_speed" } else { "" }
+            ),
         ),
         plain("Largest pitch", most, "°", format!("{touch}° at the first touch, least {least}°")),
     ];

@@ -56,7 +56,8 @@ pub fn choose(of_particles: &[Scene], want: QuantityOfInterest, within: f64) -> 
     }
     let model = of_particles[0].model;
     let known = reason(&theories);
-    let why = format!("{}: nothing cheaper is within {} for {}: {known}", model.name(), per_cent(within), want.words());
+    let (name, within, want) = (model.name(), per_cent(within), want.words());
+    let why = format!("{name}: nothing cheaper is within {within} for {want}, nor is this known to be: {known}");
     Choice { model, scene: 0, spacing: false, why }
 }
 

@@ -15,8 +15,8 @@ use crate::run::summary::{Log, Peak, Summary};
 use crate::run::{Outcome, RunError, RunOptions};
 use crate::scene::{Body, Gauge, Motion, Scene};
 
-/// Largest share of the largest pressure on the front that runs ahead of it [-].
-const FLANK: f64 = 0.5;
+/// Least pressure in the rows beside a peak that they follow, over it [-]: it is then within about 1 % of the largest between rows.
+const BESIDE_PEAK: f64 = 0.95;
 /// Points of a pressure profile, in x/(V t) up to the jet's tip.
 const PROFILE: usize = 800;
 
@@ -122,11 +122,13 @@ fn error_bars(scene: &Scene, body: &Body, theory: &Theory, series: &Series) -> E
         peak.and_then(|(name, value, _)| bar(QuantityOfInterest::PeakForce, format!("peaks/{name}/value"), value));
     let pressure = |gauge: &Gauge| {
         let column = format!("{}.p_Pa", gauge.name);
-        let (name, value, time) = series.peaks().find(|(name, ..)| *name == column)?;
-        let last = theory.instants.len() - 1;
-        let whole = theory.peak_pressure(last).map_or(0.0, |[peak, _]| peak);
-        if time >= theory.instants[last].time && value < FLANK * whole {
-            return None; // the steep front of the pressure has not passed the gauge
+        let (name, value, _) = series.peaks().find(|(name, ..)| *name == column)?;
+        // rows that do not follow the peak, and a front that has not passed, give no peak
+        let rows = series.column(name)?;
+        let at = rows.iter().position(|p| *p == value)?;
+        let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|k| rows.get(k));
+        if beside.into_iter().any(|p| *p < BESIDE_PEAK * value) {
+            return None;
         }
         bar(QuantityOfInterest::PeakPressure, format!("peaks/{name}/value"), value)
     };
