@@ -1,5 +1,6 @@
 //! Our curves against reference curves and exact numbers.
 
+use fsi_coupling::entry_theory::Section;
 use serde::Serialize;
 
 use crate::observers::{Series, SimilarityResult};
@@ -66,8 +67,8 @@ pub fn against_all(
 
 /// Why a wedge at a draught [m] has no similar flow: by Wagner's wetted breadth (THEORY EN3) its chines are wet.
 pub(crate) fn wet_chines(scene: &Scene, draught: f64) -> Option<String> {
-    let Shape::Wedge { deadrise_deg, breadth, .. } = scene.body.as_ref()?.shape else { return None };
-    let wet = breadth / std::f64::consts::PI * deadrise_deg.to_radians().tan();
+    let section = Section::of(&scene.body.as_ref()?.shape).ok().filter(|section| section.deadrise_deg().is_some())?;
+    let wet = section.wagner_draught(section.half_breadth());
     (draught > wet).then(|| {
         format!(
             "similarity solution: the chines are wet at a draught of {} m; the numbers are of a draught of {} m",

@@ -59,7 +59,7 @@ const AT_CHINES: f64 = 0.01;
 /// Largest g D/V² of the measured cases [-], and what formulas without gravity in the flow are off per unit of it: 0.4 to 2 % at 20 to 40°.
 const LARGEST_GAIN: f64 = 2.0;
 const PER_GAIN: f64 = 0.02;
-/// The same for the largest pressure at a gauge: up to 20 % at 1.9, at 30° and a given speed; gravity takes from the height of the front.
+/// The same for the largest pressure at a gauge: up to 20 % at 1.9, at 30° and a given speed.
 const PRESSURE_PER_GAIN: f64 = 0.12;
 /// Largest draught at the start over that at the end [-].
 const WET_START: f64 = 0.1;
