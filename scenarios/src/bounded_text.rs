@@ -35,7 +35,7 @@ mod tests {
 
     #[test]
     fn other_encodings_are_told_with_their_line() {
-        let folder = tempfile::tempdir().expect("a folder");
+        let folder = temp_dir::TempDir::new().expect("a folder");
         let path = folder.path().join("latin.toml");
         fs::write(&path, b"name = \"a\"\ndescription = \"Aufprall, schr\xe4g\"\n").expect("a file");
         let said = read_text(&path).expect_err("Latin-1").to_string();

@@ -199,7 +199,7 @@ mod tests {
 
     #[test]
     fn parquet_comes_back() {
-        let folder = tempfile::TempDir::new().expect("a folder");
+        let folder = temp_dir::TempDir::new().expect("a folder");
         let path = folder.path().join("t.parquet");
         let mut file = ParquetFile::create(&path).expect("a file");
         for _ in 0..2 {

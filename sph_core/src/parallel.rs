@@ -3,6 +3,8 @@
 //! The only module that knows of threads. Targets are cut into chunks of fixed length, so the bits of a
 //! result never depend on the number of threads; nothing is scattered, so there are no locks or atomics.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::interactions::simd::with_simd;
@@ -21,18 +23,49 @@ pub fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T
     pool.expect("a system that gives threads").install(task)
 }
 
+/// `change(c, chunk)` for every chunk of `length` of `out`.
+///
+/// This loop and the three below are the only ones that rayon sees. They take their closure by pointer and call it once per
+/// chunk, so rayon's machinery is compiled once per type of target, not once per closure.
+fn chunks_of<T: Send>(out: &mut [T], length: usize, change: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    out.par_chunks_mut(length).enumerate().for_each(|(c, chunk)| change(c, chunk));
+}
+
+/// `change(c, a's chunk, b's chunk)` for every chunk of two arrays, cut into as many chunks.
+fn both_chunks_of<A: Send, B: Send>(
+    (a, length_a): (&mut [A], usize),
+    (b, length_b): (&mut [B], usize),
+    change: &(dyn Fn(usize, &mut [A], &mut [B]) + Sync),
+) {
+    debug_assert_eq!(a.len().div_ceil(length_a), b.len().div_ceil(length_b));
+    let chunks = a.par_chunks_mut(length_a).zip(b.par_chunks_mut(length_b));
+    chunks.enumerate().for_each(|(c, (a, b))| change(c, a, b));
+}
+
+/// `of(c)` for each of `n`, in order.
+fn collect_of<T: Send>(n: usize, of: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
+    (0..n).into_par_iter().map(of).collect()
+}
+
+/// `change(c, pieces[c])` for every piece.
+fn pieces_of<T: Send>(pieces: Vec<T>, change: &(dyn Fn(usize, T) + Sync)) {
+    pieces.into_par_iter().enumerate().for_each(|(c, piece)| change(c, piece));
+}
+
+/// Chunk c of `n` targets in chunks of `length`.
+#[inline(always)]
+fn chunk(c: usize, length: usize, n: usize) -> Range<usize> {
+    c * length..((c + 1) * length).min(n)
+}
+
 /// `out[k] ← gather(k)` for every target k.
 pub fn gather_into<T: Send>(out: &mut [T], gather: impl Fn(usize) -> T + Sync) {
-    out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
-        for (k, slot) in chunk.iter_mut().enumerate() {
-            *slot = gather(c * CHUNK + k);
-        }
-    });
+    update(out, |k, slot| *slot = gather(k));
 }
 
 /// `change(k, out[k])` for every target k.
 pub fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
-    out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, chunk)| {
+    chunks_of(out, CHUNK, &|c, chunk| {
         for (k, slot) in chunk.iter_mut().enumerate() {
             change(c * CHUNK + k, slot);
         }
@@ -40,13 +73,13 @@ pub fn update<T: Send>(out: &mut [T], change: impl Fn(usize, &mut T) + Sync) {
 }
 
 /// `of(targets)` for every chunk of `n` targets, in order.
-pub fn by_chunk<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
-    (0..n.div_ceil(CHUNK)).into_par_iter().map(|c| with_simd(|| of(c * CHUNK..((c + 1) * CHUNK).min(n)))).collect()
+pub fn by_chunk<T: Send>(n: usize, of: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    collect_of(n.div_ceil(CHUNK), &|c| with_simd(|| of(chunk(c, CHUNK, n))))
 }
 
 /// `of(targets)` for every piece of `n` targets, in order.
-pub fn by_piece<T: Send>(n: usize, of: impl Fn(std::ops::Range<usize>) -> T + Sync) -> Vec<T> {
-    (0..n.div_ceil(PIECE)).into_par_iter().map(|c| with_simd(|| of(c * PIECE..((c + 1) * PIECE).min(n)))).collect()
+pub fn by_piece<T: Send>(n: usize, of: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    collect_of(n.div_ceil(PIECE), &|c| with_simd(|| of(chunk(c, PIECE, n))))
 }
 
 /// Sums that a chunk is added up in, in turn, so that no addition waits for the one before it.
@@ -63,7 +96,7 @@ pub fn sum<const N: usize>(n: usize, value: impl Fn(usize) -> [f64; N] + Sync) -
         (0..N).for_each(|i| sum[i] += part[i]);
         sum
     };
-    let of_chunk = |targets: std::ops::Range<usize>| {
+    let of_chunk = |targets: Range<usize>| {
         let (mut lanes, whole) = ([[0.0; N]; LANES], targets.len() / LANES * LANES);
         for k in targets.clone().step_by(LANES).take(whole / LANES) {
             for (l, lane) in lanes.iter_mut().enumerate() {
@@ -80,46 +113,45 @@ pub fn sum<const N: usize>(n: usize, value: impl Fn(usize) -> [f64; N] + Sync) -
 
 /// The least `value(k)` of `n` (infinity when there are none); `min` is exact, so any order gives the same bits.
 pub fn least(n: usize, value: impl Fn(usize) -> f64 + Sync) -> f64 {
-    (0..n.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|c| (c * CHUNK..((c + 1) * CHUNK).min(n)).map(&value).fold(f64::INFINITY, f64::min))
-        .reduce(|| f64::INFINITY, f64::min)
+    least_of(n.div_ceil(CHUNK), &|c| chunk(c, CHUNK, n).map(&value).fold(f64::INFINITY, f64::min))
+}
+
+/// The least `value(c)` of `n`.
+fn least_of(n: usize, value: &(dyn Fn(usize) -> f64 + Sync)) -> f64 {
+    (0..n).into_par_iter().map(value).reduce(|| f64::INFINITY, f64::min)
 }
 
 /// Particles per piece of a verb that asks each only about itself.
 const PIECE: usize = 8 * CHUNK;
 
 /// `change(range, [a[range], b[range], …])` for every piece of arrays of one length.
-pub fn each<T: Send, const N: usize>(
-    arrays: [&mut Vec<T>; N],
-    change: impl Fn(std::ops::Range<usize>, [&mut [T]; N]) + Sync,
-) {
+pub fn each<T: Send, const N: usize>(arrays: [&mut Vec<T>; N], change: impl Fn(Range<usize>, [&mut [T]; N]) + Sync) {
     let length = arrays.first().map_or(0, |a| a.len());
     let mut rest = arrays.map(|a| a.as_mut_slice().chunks_mut(PIECE));
     let pieces: Vec<[&mut [T]; N]> = (0..length.div_ceil(PIECE))
         .map(|_| std::array::from_fn(|i| rest[i].next().expect("arrays of one length")))
         .collect();
-    pieces.into_par_iter().enumerate().for_each(|(c, parts)| {
-        let from = c * PIECE;
-        with_simd(|| change(from..from + parts[0].len(), parts));
-    });
+    pieces_of(pieces, &|c, parts| with_simd(|| change(chunk(c, PIECE, length), parts)));
+}
+
+/// True if `holds(c)` for each of `n`.
+fn all_of(n: usize, holds: &(dyn Fn(usize) -> bool + Sync)) -> bool {
+    (0..n).into_par_iter().all(holds)
 }
 
 /// True if `holds(k)` for each of `n`.
 pub fn every(n: usize, holds: impl Fn(usize) -> bool + Sync) -> bool {
-    let all = |c: usize| with_simd(|| (c * PIECE..((c + 1) * PIECE).min(n)).fold(true, |all, k| all & holds(k)));
-    (0..n.div_ceil(PIECE)).into_par_iter().all(all)
+    all_of(n.div_ceil(PIECE), &|c| with_simd(|| chunk(c, PIECE, n).fold(true, |all, k| all & holds(k))))
 }
 
 /// True if `holds(targets)` for every chunk of `n` targets.
-pub fn every_chunk(n: usize, holds: impl Fn(std::ops::Range<usize>) -> bool + Sync) -> bool {
-    let of = |c: usize| with_simd(|| holds(c * CHUNK..((c + 1) * CHUNK).min(n)));
-    (0..n.div_ceil(CHUNK)).into_par_iter().all(of)
+pub fn every_chunk(n: usize, holds: impl Fn(Range<usize>) -> bool + Sync) -> bool {
+    all_of(n.div_ceil(CHUNK), &|c| with_simd(|| holds(chunk(c, CHUNK, n))))
 }
 
 /// Fill a list for every chunk of `n` targets.
-pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(std::ops::Range<usize>, &mut T) + Sync) {
-    for_each_chunk_with(lists, n, || (), |_, targets, list| fill(targets, list));
+pub fn for_each_chunk<T: Send>(lists: &mut [T], n: usize, fill: impl Fn(Range<usize>, &mut T) + Sync) {
+    update_pieces(lists, 1, |c, list| fill(chunk(c, CHUNK, n), &mut list[0]));
 }
 
 /// Fill a list for every chunk of `n` targets, with something `made` to work with.
@@ -127,10 +159,10 @@ pub fn for_each_chunk_with<T: Send, S>(
     lists: &mut [T],
     n: usize,
     made: impl Fn() -> S + Sync + Send,
-    fill: impl Fn(&mut S, std::ops::Range<usize>, &mut T) + Sync,
+    fill: impl Fn(&mut S, Range<usize>, &mut T) + Sync,
 ) {
     let lists = lists.par_iter_mut().enumerate();
-    lists.for_each_init(made, |with, (c, list)| fill(with, c * CHUNK..((c + 1) * CHUNK).min(n), list));
+    lists.for_each_init(made, |with, (c, list)| fill(with, chunk(c, CHUNK, n), list));
 }
 
 /// `parts[c] ← change(targets, chunk)` for every chunk of `out`: changes targets and gives the chunk's part of a sum. Add
@@ -138,17 +170,15 @@ pub fn for_each_chunk_with<T: Send, S>(
 pub fn update_chunks<T: Send, S: Send>(
     parts: &mut [S],
     out: &mut [T],
-    change: impl Fn(std::ops::Range<usize>, &mut [T]) -> S + Sync,
+    change: impl Fn(Range<usize>, &mut [T]) -> S + Sync,
 ) {
-    debug_assert_eq!(parts.len(), out.len().div_ceil(CHUNK));
-    parts.par_iter_mut().zip(out.par_chunks_mut(CHUNK)).enumerate().for_each(|(c, (part, chunk))| {
-        *part = change(c * CHUNK..c * CHUNK + chunk.len(), chunk);
-    });
+    let n = out.len();
+    both_chunks_of((parts, 1), (out, CHUNK), &|c, part, targets| part[0] = change(chunk(c, CHUNK, n), targets));
 }
 
 /// `change(k, a[k], b[k])` for every target k.
 pub fn update_both<T: Send>(a: &mut [T], b: &mut [T], change: impl Fn(usize, &mut T, &mut T) + Sync) {
-    a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate().for_each(|(c, (a, b))| {
+    both_chunks_of((a, CHUNK), (b, CHUNK), &|c, a, b| {
         for (k, (a, b)) in a.iter_mut().zip(b).enumerate() {
             change(c * CHUNK + k, a, b);
         }
@@ -160,7 +190,7 @@ pub fn update_both_chunks<T: Send, S: Send>(
     parts: &mut [S],
     a: &mut [T],
     b: &mut [T],
-    change: impl Fn(std::ops::Range<usize>, &mut [T], &mut [T]) -> S + Sync,
+    change: impl Fn(Range<usize>, &mut [T], &mut [T]) -> S + Sync,
 ) {
     debug_assert_eq!(parts.len(), a.len().div_ceil(CHUNK));
     let chunks = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK));
@@ -171,17 +201,17 @@ pub fn update_both_chunks<T: Send, S: Send>(
 
 /// `change(c, piece)` for every piece of `length` of `out`.
 pub fn update_pieces<T: Send>(out: &mut [T], length: usize, change: impl Fn(usize, &mut [T]) + Sync) {
-    out.par_chunks_mut(length).enumerate().for_each(|(c, piece)| change(c, piece));
+    chunks_of(out, length, &change);
 }
 
 /// `of(c)` for each of `n` pieces, in order.
 pub fn map_pieces<T: Send>(n: usize, of: impl Fn(usize) -> T + Send + Sync) -> Vec<T> {
-    (0..n).into_par_iter().map(of).collect()
+    collect_of(n, &of)
 }
 
 /// `change(c, pieces[c])` for every piece.
 pub fn each_piece<T: Send>(pieces: Vec<T>, change: impl Fn(usize, T) + Sync) {
-    pieces.into_par_iter().enumerate().for_each(|(c, piece)| change(c, piece));
+    pieces_of(pieces, &change);
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs, thread};
 
 use serde_json::Value;
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 /// Longest wait for anything [s].
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -179,7 +179,7 @@ fn of_landing(place: &str, loaded: Result<ditching::Scene, SceneError>) -> Resul
 
 /// A scene compares with the table; its first two columns are read.
 fn of_table(text: &str) -> Result<bool, String> {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let (file, scene_file) = (folder.path().join("own.csv"), folder.path().join("own.toml"));
     fs::write(&file, text).expect("written");
     let columns: Vec<&str> = text.lines().find(|line| !line.starts_with('#')).unwrap_or("").split(',').collect();
@@ -202,7 +202,7 @@ fn of_table(text: &str) -> Result<bool, String> {
 }
 
 fn of_case<C: Case>(cases: &Catalogue<C>, text: &str) -> Result<bool, String> {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let file = folder.path().join("own.toml");
     fs::write(&file, text).expect("written");
     match cases.select(&[file.display().to_string()]) {

@@ -38,7 +38,7 @@ impl Resumable {
         let text = std::fs::read_to_string(&path).map_err(|error| CheckpointError::Read(path.clone(), error))?;
         let unreadable =
             |error: toml::de::Error| CheckpointError::Unreadable(path.clone(), error.message().to_string());
-        let mut scene: Scene = toml::from_str(&text).map_err(unreadable)?;
+        let mut scene = Scene::from_toml(&text).map_err(unreadable)?;
         if fingerprint(&scene) != of_scene {
             return Err(CheckpointError::Scene(path).into());
         }

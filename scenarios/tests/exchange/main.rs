@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use scenarios::nastran::model::BeamModel;
 use serde_json::Value;
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 fn splashdown(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_splashdown"));

@@ -9,7 +9,7 @@ use scenarios::export::{ExportError, FrameFormat, export_frames};
 use scenarios::log::{IMAGE, LogReader};
 use scenarios::run::{RunOptions, run};
 use scenarios::scene;
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 /// A short run of the wedge.
 fn folder() -> TempDir {

@@ -9,7 +9,7 @@ use std::thread;
 use std::time::Duration;
 
 use scenarios::log::{BackgroundLog, Budget, Frame, Level, LogError, Logged};
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{FRAMES, METADATA, complete_log, path_in, picture, row, samples, stream, time_of};
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use foxglove::Decode;
 use foxglove::messages::{FrameTransforms, Log, PointCloud, SceneUpdate, log};
 use mcap::{MessageStream, Summary};
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{FRAMES, METADATA, complete_log, path_in, row};
 

@@ -4,7 +4,7 @@ use std::fs;
 
 use mcap::{McapError, Summary};
 use scenarios::log::{Level, LogWriter};
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{FRAMES, MESSAGES_PER_FRAME, METADATA, complete_log, path_in, stream, time_of, write_frame};
 

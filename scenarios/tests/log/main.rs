@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use mcap::McapError;
 use mcap::sans_io::LinearReaderOptions;
 use scenarios::log::{BodyView, Frame, Level, LogError, LogMetadata, LogWriter, Point};
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 const FRAMES: usize = 20;
 const FRAME_INTERVAL: f64 = 0.01;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use scenarios::log::{Frame, LogError, LogWriter};
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{METADATA, path_in, row};
 

@@ -81,7 +81,7 @@ fn arguments(folder: &Path, kind: &str, given: &str) -> Vec<String> {
 
 /// What is wrong with the answer to a mistake; nothing where it is as it should be.
 fn faults(kind: &str, given: &str, words: &str) -> Vec<String> {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let mut command = Command::new(env!("CARGO_BIN_EXE_splashdown"));
     let command = command.args(arguments(folder.path(), kind, given)).arg("--json").current_dir(folder.path());
     let output = command.output().expect("the program runs");
@@ -127,7 +127,7 @@ fn refusal(folder: &Path, arguments: &[&str]) -> String {
 
 #[test]
 fn a_folder_is_told_for_what_it_holds() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     for (file, command) in [("scene.resolved.toml", "splashdown resume held"), ("sweep.json", "splashdown sweep held")]
     {
         let held = folder.path().join("held");
@@ -143,7 +143,7 @@ fn a_folder_is_told_for_what_it_holds() {
 /// What stops a command comes before what is doubtful about its scene.
 #[test]
 fn a_folder_that_holds_a_run_is_refused_before_warnings() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     fs::create_dir(folder.path().join("held")).expect("a folder");
     fs::write(folder.path().join("held/summary.json"), "{}").expect("a file");
     let told = refusal(folder.path(), &["run", "wedge", "--set", "resolution.spacing=0.01", "--out", "held"]);
@@ -153,7 +153,7 @@ fn a_folder_that_holds_a_run_is_refused_before_warnings() {
 /// The parser's advice to pass an unknown option as a value is not repeated.
 #[test]
 fn a_key_as_an_option_gets_the_tip_to_set_it() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let told = refusal(folder.path(), &["run", "wedge", "--spacing", "0.01"]);
     assert!(told.contains("tip: a key of the scene is set by `--set resolution.spacing=0.01`"), "{told}");
     assert!(!told.contains("-- --spacing"), "{told}");

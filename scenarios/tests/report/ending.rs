@@ -3,7 +3,7 @@ use std::process::Command;
 /// A thin panel with explicit coupling breaks down within a second: neither console nor page shows results of it.
 #[test]
 fn a_run_that_breaks_down_has_no_results() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let out = folder.path().join("run");
     let sets = ["resolution.spacing=0.02", "coupling.scheme=weak", "body.panels.0.thickness=0.0003", "body.mass=1"];
     let sets = sets.iter().flat_map(|set| ["--set", set]);

@@ -5,7 +5,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{assert_same, complete, scene_of};
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use scenarios::run::{Checkpoints, Resumable, RunOptions, run};
 use scenarios::scene::Scene;
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{assert_same, complete, resumed, scene_of};
 
@@ -23,7 +23,7 @@ fn goes_on(name: &str, sets: &[&str], later: f64) {
     assert!(told.contains("expected --until with a later time"), "{told}");
     resumed(&parts, Some(later));
     let resolved = fs::read_to_string(parts.join("scene.resolved.toml")).expect("a resolved scene");
-    let longer: Scene = toml::from_str(&resolved).expect("a scene");
+    let longer = Scene::from_toml(&resolved).expect("a scene");
     assert_eq!(longer.time.end, later);
     complete(&longer, &whole);
     assert_same(&format!("{name} {sets:?}"), &whole, &parts);
@@ -48,7 +48,7 @@ fn an_impact_goes_on_deeper() {
 fn every_resolved_scene_is_read_back() {
     for (name, _) in scenarios::scene::builtin() {
         let text = scene_of(name, &[]).to_toml();
-        let back: Scene = toml::from_str(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let back = Scene::from_toml(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(back.to_toml(), text, "{name}");
     }
 }

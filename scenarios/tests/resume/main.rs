@@ -13,7 +13,7 @@ use scenarios::run::{Checkpoints, Resumable, RunOptions, run};
 use scenarios::scene::{self, Scene};
 use serde_json::Value;
 use sph_core::parallel::on_threads;
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 /// Numbers of a summary that depend on the machine and on the time of day.
 const VOLATILE: [&str; 4] = ["wall_time_s", "particle_updates_per_s", "threads", "phases"];

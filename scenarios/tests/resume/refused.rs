@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 use super::{broken_off, complete, scene_of};
 

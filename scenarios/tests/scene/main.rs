@@ -130,7 +130,7 @@ fn a_set_of_the_table_alone_leaves_reading_to_load() {
 
 #[test]
 fn a_scene_file_loads_by_its_path() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let path = folder.path().join("drop.toml");
     std::fs::write(&path, DROP).expect("a file");
     let loaded = load(path.to_str().expect("a printable path"), &[]).expect("the scene loads");

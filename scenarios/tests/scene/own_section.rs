@@ -37,7 +37,7 @@ fn outline(loaded: &Loaded) -> Vec<[f64; 2]> {
 
 #[test]
 fn the_guides_section_is_understood_in_every_format() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let of = |file: &str, text: &str| loaded(folder.path(), file, text);
     let csv = of("a.csv", POINTS);
     let report = csv.outline.clone().expect("an outline");
@@ -83,7 +83,7 @@ fn the_guides_section_is_understood_in_every_format() {
 /// Points rounded to 0.01 mm, as drawings have them, leave dents of that size in a convex bottom: theories hold all the same.
 #[test]
 fn a_convex_section_with_rounded_points_has_its_theories() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let face = |k: u32| {
         let x = 550.0 * f64::from(k) / 60.0;
         [x, 0.30 * x + 1e-5 * x * x].map(|value| (100.0 * value).round() / 100.0)
@@ -109,7 +109,7 @@ fn a_convex_section_with_rounded_points_has_its_theories() {
 
 #[test]
 fn a_motion_from_a_table_is_that_of_its_rows() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     fs::write(folder.path().join("drop.csv"), "t [ms], y [mm]\n0, 3\n5, -22\n10, -47\n").expect("a file");
     let scene = "name = \"m\"\ntime = { end = 0.01 }\nresolution = { spacing = 0.01 }\ntank = { width = 2.0, depth = 1.0 }\n\
                  [body]\nshape = \"box\"\nbreadth = \"40 cm\"\nheight = \"20 cm\"\nmotion_file = \"drop.csv\"\n";

@@ -9,7 +9,7 @@ const POINTS: [[f64; 2]; 5] = [[0.0, 0.0], [600.0, 200.0], [600.0, 500.0], [-600
 
 /// Warnings about a section with a mass, from a file with a header and points.
 fn warnings(keys: &str, header: &str, points: &[[f64; 2]]) -> Vec<String> {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     let rows: String = points.iter().map(|[x, y]| format!("{x}, {y}\n")).collect();
     fs::write(folder.path().join("hull.csv"), format!("{header}\n{rows}")).expect("a file");
     let scene = format!(

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use std::{fs, thread};
 
 use serde_json::Value;
-use tempfile::TempDir;
+use temp_dir::TempDir;
 
 /// Longest wait for anything.
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -5,10 +5,10 @@ use std::marker::PhantomData;
 use crate::domain::Domain;
 use crate::interactions::dissipation::{Dissipation, ElasticPair, PairDissipation, WithPairs, with_pairs};
 use crate::interactions::geometry::{MeanScale, PairConstants, UniformScale};
-use crate::interactions::kernel::{Kernel, Shape, WithKernel};
+use crate::interactions::kernel::{self, Kernel, Shape, WithKernel};
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
 use crate::interactions::pair::{self, Extrapolated, Gathered};
-use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::interactions::simd::{LANES, SimdReal, Task};
 use crate::neighbours::Neighbours;
 use crate::neighbours::lists::{Lists, NONE};
 use crate::parallel::{self, CHUNK};
@@ -92,7 +92,7 @@ impl<G: Gather, O: Sums<G::Sum>> WithPairs for PairSum<'_, G, O> {
     fn with<K: Shape, D: PairDissipation>(self) {
         let PairSum { gather, out, simd } = self;
         parallel::each_piece(out.pieces(), |c, out| {
-            simd::run(simd, Piece::<G, O, K, D> { gather, first: c * CHUNK, out, pairs: PhantomData });
+            kernel::run_sums::<K, _>(simd, Piece::<G, O, K, D> { gather, first: c * CHUNK, out, pairs: PhantomData });
         });
     }
 }

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-use crate::interactions::simd::SimdReal;
+use crate::interactions::simd::{self, SimdReal, Task};
 use crate::parallel;
 
 /// The kernels a scene may choose from; each is normalised on its own support of radius 2h.
@@ -46,6 +46,22 @@ pub trait Shape: Copy + Send + Sync + 'static {
     const DW_FACTOR: f64;
     /// w'(q)/q over `DW_FACTOR` [-] (never negative), for 0 < q; finite at 0.
     fn dw_over_q<R: SimdReal>(q: R) -> R;
+    /// Its sums are compiled for several targets side by side too. False for the kernels of 2010, which few scenes use.
+    const SIDE_BY_SIDE: bool = true;
+    /// Its sums are compiled for the registers of AVX-512 too.
+    const AVX512: bool = false;
+}
+
+/// Do `task`, sums with kernel `K`, as wide as they are compiled and this processor can; one target at a time where `simd` is false.
+#[inline]
+pub(crate) fn run_sums<K: Shape, T: Task>(simd: bool, task: T) -> T::Out {
+    if K::AVX512 {
+        simd::run_wide::<true, T>(simd, task)
+    } else if K::SIDE_BY_SIDE {
+        simd::run_wide::<false, T>(simd, task)
+    } else {
+        task.run(0.0)
+    }
 }
 
 /// See [`Kernel::Gaussian`].
@@ -73,6 +89,7 @@ const GAUSSIAN_INSIDE: f64 = 0.981_684_361_111_265_8;
 impl Shape for Gaussian {
     const ALPHA: f64 = 1.0 / (PI * GAUSSIAN_INSIDE);
     const DW_FACTOR: f64 = -2.0;
+    const SIDE_BY_SIDE: bool = false;
     #[inline(always)]
     fn w<R: SimdReal>(q: R) -> R {
         q.below(q.of(2.0), (q.of(-1.0) * q * q).exp(), q.of(0.0))
@@ -86,6 +103,7 @@ impl Shape for Gaussian {
 impl Shape for Quadratic {
     const ALPHA: f64 = 2.0 / PI;
     const DW_FACTOR: f64 = -0.375;
+    const SIDE_BY_SIDE: bool = false;
     #[inline(always)]
     fn w<R: SimdReal>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
@@ -100,6 +118,7 @@ impl Shape for Quadratic {
 impl Shape for CubicSpline {
     const ALPHA: f64 = 10.0 / (7.0 * PI);
     const DW_FACTOR: f64 = -0.75;
+    const SIDE_BY_SIDE: bool = false;
     #[inline(always)]
     fn w<R: SimdReal>(q: R) -> R {
         let t = (q.of(2.0) - q).max(q.of(0.0));
@@ -115,6 +134,7 @@ impl Shape for CubicSpline {
 impl Shape for WendlandC2 {
     const ALPHA: f64 = 7.0 / (4.0 * PI);
     const DW_FACTOR: f64 = -5.0;
+    const AVX512: bool = true;
     #[inline(always)]
     fn w<R: SimdReal>(q: R) -> R {
         let t = half_left(q);

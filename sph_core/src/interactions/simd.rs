@@ -107,11 +107,17 @@ pub(crate) trait Task {
     fn run<R: SimdReal>(self, zero: R) -> Self::Out;
 }
 
-/// Do `task` as wide as this processor can, or one target at a time where `wide` is false.
+/// Do `task` as wide as this processor can, or one target at a time where `simd` is false.
 #[inline]
 pub(crate) fn run<T: Task>(simd: bool, task: T) -> T::Out {
+    run_wide::<true, T>(simd, task)
+}
+
+/// [`run`] with a copy of `task` for the registers of AVX-512, or without.
+#[inline]
+pub(crate) fn run_wide<const AVX512: bool, T: Task>(simd: bool, task: T) -> T::Out {
     #[cfg(target_arch = "x86_64")]
-    if let Some(processor) = pulp::x86::V4::try_new().filter(|_| simd) {
+    if AVX512 && let Some(processor) = pulp::x86::V4::try_new().filter(|_| simd) {
         return processor.vectorize(
             #[inline(always)]
             || task.run(avx2::Four::zero(*processor)),

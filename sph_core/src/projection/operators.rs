@@ -4,9 +4,9 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use crate::interactions::geometry::{PairConstants, pair_geometry};
-use crate::interactions::kernel::{Shape, WithKernel};
+use crate::interactions::kernel::{self, Shape, WithKernel};
 use crate::interactions::packed_particle::{PackedParticle, PackedWall};
-use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::interactions::simd::{LANES, SimdReal, Task};
 use crate::neighbours::Neighbours;
 use crate::parallel::{self, CHUNK};
 use crate::particles::KernelMoments;
@@ -62,7 +62,7 @@ impl WithKernel for Assembly<'_> {
     fn with<K: Shape>(self) {
         let Assembly { shared, mut found, simd } = self;
         parallel::for_each_chunk(&mut found, shared.n, |targets, out| {
-            simd::run(simd, ChunkSums::<K> { shared: &shared, targets, out, kernel: PhantomData });
+            kernel::run_sums::<K, _>(simd, ChunkSums::<K> { shared: &shared, targets, out, kernel: PhantomData });
         });
     }
 }

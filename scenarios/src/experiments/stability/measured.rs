@@ -133,12 +133,13 @@ mod tests {
     #[test]
     fn a_stored_map_comes_back() {
         let measured = measured(&[(Verdict::Stable, Some(0.5)), (Verdict::Failed, Some(1.5))]);
-        let file = tempfile::NamedTempFile::new().expect("a file");
-        std::fs::write(file.path(), measured.to_json()).expect("written");
-        let back = stored(file.path()).expect("read");
+        let folder = temp_dir::TempDir::new().expect("a folder");
+        let file = folder.child("map.json");
+        std::fs::write(&file, measured.to_json()).expect("written");
+        let back = stored(&file).expect("read");
         assert_eq!(back.to_json(), measured.to_json());
         assert_eq!(svg(&back), svg(&measured));
-        std::fs::write(file.path(), "{}").expect("written");
-        assert!(matches!(stored(file.path()), Err(ExperimentError::Case(_))));
+        std::fs::write(&file, "{}").expect("written");
+        assert!(matches!(stored(&file), Err(ExperimentError::Case(_))));
     }
 }

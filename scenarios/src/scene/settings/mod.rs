@@ -18,6 +18,7 @@ use std::sync::LazyLock;
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::settings::Schema;
 use schemars::JsonSchema;
+use serde::de::Error as _;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use body::line;
@@ -277,6 +278,13 @@ impl Scene {
     /// The scene as a scene file.
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("a scene holds nothing that TOML cannot say")
+    }
+
+    /// The scene that [`Scene::to_toml`] wrote. It is read as all scenes are, through JSON, so that the reading of TOML is compiled once.
+    pub fn from_toml(text: &str) -> Result<Scene, toml::de::Error> {
+        let table: toml::Table = text.parse()?;
+        let value = serde_json::to_value(table).map_err(toml::de::Error::custom)?;
+        Scene::deserialize(&value).map_err(toml::de::Error::custom)
     }
 
     /// All bodies: the first, then the further ones.

@@ -4,9 +4,9 @@ use std::marker::PhantomData;
 
 use crate::interactions::dissipation::{Dissipation, PairDissipation, WithPairs, with_pairs};
 use crate::interactions::geometry::{MeanScale, PairConstants, PairGeometry, ScaleRule};
-use crate::interactions::kernel::{Kernel, Shape};
+use crate::interactions::kernel::{self, Kernel, Shape};
 use crate::interactions::packed_particle::PackedParticle;
-use crate::interactions::simd::{self, LANES, SimdReal, Task};
+use crate::interactions::simd::{LANES, SimdReal, Task};
 use crate::neighbours::lists::Lists;
 use crate::parallel::{self, CHUNK};
 
@@ -43,7 +43,7 @@ impl WithPairs for Hold<'_> {
         parallel::each_piece(pieces, |c, (held, own)| {
             let (first, pairs) = (c * CHUNK, PhantomData);
             let candidates = Candidates::of(lists, first, own.len(), |k| fluid[k].h);
-            simd::run(simd, HoldChunk::<K, D> { fluid, constants, first, candidates, held, own, pairs });
+            kernel::run_sums::<K, _>(simd, HoldChunk::<K, D> { fluid, constants, first, candidates, held, own, pairs });
         });
     }
 }
