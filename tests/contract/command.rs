@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::LazyLock;
 use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs, thread};
 
@@ -12,7 +13,12 @@ use temp_dir::TempDir;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// The binary beside this test's own, as cargo lays them out: `TARGET/PROFILE/deps/TEST` and `TARGET/PROFILE/splashdown`.
-pub fn binary() -> PathBuf {
+pub fn binary() -> &'static Path {
+    static FOUND: LazyLock<PathBuf> = LazyLock::new(find);
+    &FOUND
+}
+
+fn find() -> PathBuf {
     let test = env::current_exe().expect("a test has a path");
     let profile = test.parent().and_then(Path::parent).expect("TARGET/PROFILE/deps");
     let path = profile.join(format!("splashdown{}", env::consts::EXE_SUFFIX));

@@ -10,7 +10,7 @@ const RUN: [&str; 10] = [
     "--set",
     "time.end=0.5",
     "--set",
-    "resolution.spacing=0.025",
+    "resolution.spacing=0.04",
     "--out",
     "out",
     "--threads",
@@ -23,7 +23,7 @@ fn a_converged_run_has_error_bars() {
     let place = Workplace::new();
     let ended = place.run(&[&RUN[..], &["--converge"]].concat());
     assert_eq!(ended.code, Some(0), "{}", ended.message);
-    ended.says(&["coarser run 1 of 2: spacing 0.1", "coarser run 2 of 2: spacing 0.05"]);
+    ended.says(&["coarser run 1 of 2: spacing 0.16", "coarser run 2 of 2: spacing 0.08"]);
     let summary = place.summary("out");
     let bars = summary["error_bars"].as_object().expect("bars");
     assert_eq!(bars.len(), 3, "{bars:?}");
@@ -49,7 +49,7 @@ fn a_converged_run_has_error_bars() {
 #[test]
 fn a_run_near_a_charted_one_has_its_error_bar() {
     let place = Workplace::new();
-    let near = place.run(&["run", "wedge_constant", "--set", "resolution.spacing=0.04", "--out", "near", "--quiet"]);
+    let near = place.run(&["run", "wedge_constant", "--set", "resolution.spacing=0.06", "--out", "near", "--quiet"]);
     assert_eq!(near.code, Some(0), "{}", near.message);
     let bars = place.summary("near")["error_bars"].clone();
     let force = &bars["similarity/force_coefficient"];

@@ -3,7 +3,7 @@
 //!
 //! Integers only are frozen: counts of particles, rebuilds and pairs. States are compared bit by bit within one process
 //! and never stored, because `sin`, `powf` and `hypot` come from the system's mathematical library, whose last bit
-//! differs between systems. To mint new counters: run `cargo test --release -p evidence --test regression`, take the
+//! differs between systems. To mint new counters: run `cargo test --release --workspace --test regression`, take the
 //! numbers from the failure's `left`, and say in the commit what changed them.
 
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -117,8 +117,8 @@ fn water_falls_on_a_light_strip() {
 #[test]
 fn light_panels_on_a_light_frame_and_a_light_baffle_hold() {
     let wedge =
-        ["resolution.spacing=0.01", "body.mass=1", "body.panels[0].thickness=0.001", "body.panels[0].density=1000"];
-    let baffle = ["resolution.spacing=0.006", "body.panels[0].density=10"];
+        ["resolution.spacing=0.02", "body.mass=1", "body.panels[0].thickness=0.001", "body.panels[0].density=1000"];
+    let baffle = ["resolution.spacing=0.012", "body.panels[0].density=10"];
     for (name, sets, end, watched) in
         [("flexible_wedge", &wedge[..], 0.006, 1), ("dam_break_baffle", &baffle[..], 0.25, 0)]
     {

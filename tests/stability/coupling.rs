@@ -58,7 +58,7 @@ fn weak_coupling_fails_where_the_estimate_says_and_the_others_nowhere() {
 #[test]
 fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
     let (depth, thick) = (0.5, "fluid.kinematic_viscosity=0.02");
-    for spacing in [1.0 / 60.0, 0.0125] {
+    for spacing in [1.0 / 60.0, 1.0 / 70.0] {
         let mut weak = light_box(-0.25, depth, spacing, &[thick]);
         let ended = advance(&mut weak, 0.05, |_| ());
         let spin = weak.bodies().find_map(|body| body.motion()).expect("a box").acceleration;
@@ -69,7 +69,7 @@ fn a_light_box_floats_up_and_out_where_weak_coupling_breaks_down() {
             let mut top = f64::NEG_INFINITY;
             let up = settle(&mut system, depth, spacing, [0.0, 0.6]);
             top = top.max(-up.least);
-            let rest = settle(&mut system, depth, spacing, [1.0, 1.2]);
+            let rest = settle(&mut system, depth, spacing, [0.8, 1.0]);
             let (momentum, lost) = (system.momentum_audit().worst, system.energy_drift());
             println!(
                 "{spacing} {scheme}: {:?}, {:.0} m/s^2, bottom up to {top:.3} m over the water, draught {:.2} +- {:.2} of exact, \
@@ -97,7 +97,7 @@ fn a_box_in_disordered_water_floats_too_high_whatever_the_scheme() {
         let scheme = format!("coupling.scheme={scheme}");
         let sets = [scheme.as_str(), "fluid.kinematic_viscosity=0.02", "body.free=[\"y\"]"];
         let mut system = light_box(0.25, depth, spacing, &sets);
-        let rest = settle(&mut system, depth, spacing, [1.2, 1.4]);
+        let rest = settle(&mut system, depth, spacing, [0.8, 1.0]);
         println!(
             "{scheme}: {:.4} of exact, {:?}, momentum {:.0e}, energy {:.2} J/m",
             rest.draught / DRAUGHT,

@@ -7,7 +7,7 @@ use scenarios::scene;
 
 /// A coarse dam break to its end, 1.8 s.
 fn dam_break(sets: &[&str]) -> Summary {
-    let scene = scene("dam_break", &[&["resolution.spacing=0.06"], sets].concat());
+    let scene = scene("dam_break", &[&["resolution.spacing=0.08"], sets].concat());
     run::run(&scene, &RunOptions::default()).expect("a scene that can be built").summary
 }
 
@@ -53,16 +53,16 @@ fn every_filter_viscosity_and_law_runs_a_dam_break() {
     completes(&["fluid.eos_exponent=1"]);
     completes(&["fluid.kinematic_viscosity=1e-6", "fluid.turbulence=sps"]);
     completes(&["fluid.kinematic_viscosity=1e-3", "fluid.wall_slip=none"]);
-    completes(&HEAVY_GAS);
 }
 
 /// The Riemann form (THEORY WC8, WC9) in place of density diffusion and artificial viscosity.
 #[test]
 fn the_riemann_form_runs_a_dam_break_with_every_integrator_and_in_gas() {
     let riemann = "fluid.dissipation=riemann";
-    for integrator in ["symplectic", "predictor_corrector", "verlet", "beeman"] {
+    for integrator in ["symplectic", "predictor_corrector", "beeman"] {
         completes(&[riemann, &format!("fluid.integrator={integrator}")]);
     }
+    completes(&[&VERLET[..], &[riemann]].concat());
     completes(&[&HEAVY_GAS[..], &[riemann]].concat());
 }
 

@@ -92,7 +92,7 @@ youngs_modulus = 1e9
 density = 1000.0
 ends = ["free", "clamped"]
 "#;
-    let found = [1e-4, 3e-5].map(|step| {
+    let found = [1e-4, 4e-5].map(|step| {
         let mut system = of_text(&format!("{flap}{WATER}"), &[&format!("time.step={step}")]);
         while system.fluid.time() < 0.06 {
             system.step(step).expect("a stable step");

@@ -47,14 +47,14 @@ fn still_water_with_summed_densities_breaks_down() {
         let sets = [format!("resolution.spacing={spacing}"), format!("fluid.density_evolution={evolution}")];
         advance(&mut tank(&sets.each_ref().map(String::as_str)), 1.0, |_| ())
     };
-    let spacings = [0.02, 0.03, 0.035]; // one run in four holds, by chance
-    let broken = |spacing: &f64| match ended(*spacing, "summation") {
+    let spacings = [0.045, 0.04, 0.035, 0.025]; // a run in three holds, by chance
+    let breaks = |spacing: &f64| match ended(*spacing, "summation") {
         Err(CouplingError::Fluid(Breakdown::Density { .. })) => true,
         Err(other) => panic!("at {spacing} m: {other}"),
         Ok(()) => false,
     };
-    assert!(spacings.iter().any(broken), "still water ran");
-    spacings.iter().for_each(|&spacing| ended(spacing, "continuity").expect("still water stays"));
+    let broken = spacings.into_iter().find(breaks).expect("still water ran at each spacing");
+    ended(broken, "continuity").expect("still water stays");
 }
 
 /// Failure: density diffusion of the whole pressure (LE14) takes the hydrostatic gradient for noise; at the surface and
@@ -76,11 +76,11 @@ fn diffusion_of_the_hydrostatic_pressure_makes_still_water_drift() {
     }
 }
 
-/// Mean kinetic energy of the still tank from 6 to 7 s [J/m].
+/// Mean kinetic energy of the still tank from 5 to 6 s [J/m].
 fn unrest(sets: &[&str]) -> f64 {
     let mut kinetic = Vec::new();
-    advance(&mut tank(sets), 7.0, |s| {
-        if s.fluid.time() > 6.0 {
+    advance(&mut tank(sets), 6.0, |s| {
+        if s.fluid.time() > 5.0 {
             kinetic.push(s.fluid_energy().kinetic);
         }
     })
@@ -89,7 +89,7 @@ fn unrest(sets: &[&str]) -> f64 {
 }
 
 /// The Riemann form's resistance is quadratic in the closing speed (THEORY WC9): water that has lost its lattice, at
-/// millimetres a second, feels next to none. Failure: seven seconds on it still churns, as water does under density
+/// millimetres a second, feels next to none. Failure: six seconds on it still churns, as water does under density
 /// diffusion alone. Remedy: a viscosity that is linear, artificial (WC6, the default) or real (WC7).
 #[test]
 fn still_water_does_not_come_to_rest_without_a_linear_viscosity() {

@@ -61,7 +61,7 @@ fn momentum_closes_in_every_step_of_an_impact() {
         ("floating_box", float.to_vec()),
     ] {
         let mut system = system(scene, &[&sets[..], &["time.start=0"]].concat());
-        take(&mut system, 250).expect("a stable run");
+        take(&mut system, 150).expect("a stable run");
         let worst = system.momentum_audit().worst;
         assert!(lift(&system) != 0.0, "{scene} {sets:?}: nothing is exchanged");
         assert!(worst < 1e-10, "{scene} {sets:?}: momentum open by {worst:e}");

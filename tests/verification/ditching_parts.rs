@@ -174,15 +174,17 @@ fn cuts_of_a_floating_hull_bear_what_statics_says() {
 fn a_stiff_fuselage_lands_as_a_rigid_one() {
     let hull = prism();
     let mut landing = landing(&hull);
+    landing.strips = 100;
     let rigid = landing.solve();
     let masses = Masses::new([0.0, 20.0], 5e4, 10.0, 5e4 * 25.0, &[]).expect("masses");
     let end = |run: &fsi_coupling::entry_theory::ditching::LandingResult| run.moments.last().expect("an end").attitude;
     landing.aeroplane.bending = Some(Bending::new(&masses, |_| 2e11, 0.02).expect("modes"));
-    landing.step = 1e-4;
-    landing.sample_every = 25;
+    landing.step = 2e-4;
+    landing.sample_every = 12;
     let stiff = end(&landing.solve());
     for k in 0..3 {
         let (a, b) = (end(&rigid).rate[k], stiff.rate[k]);
+        println!("{k} {a} {b} {}", (a - b).abs() / (1.0 + a.abs()));
         assert!((a - b).abs() < 2e-3 * (1.0 + a.abs()), "{k}: {a} rigid, {b} stiff");
     }
     landing.aeroplane.bending = Some(Bending::new(&masses, |_| 5e8, 0.02).expect("modes"));
@@ -195,16 +197,21 @@ fn a_stiff_fuselage_lands_as_a_rigid_one() {
     }
 }
 
-/// The built-in landing with a bending fuselage: seconds, in balance.
+/// The built-in landing with a bending fuselage is in balance, and takes as many steps as the rigid one: the largest deceleration comes before 2.5 s.
 #[test]
 fn a_bending_mercure_is_in_balance() {
-    let start = std::time::Instant::now();
-    let landed = mercure(&["beam.stiffness=[1e9, 3e9, 3e9, 1e9]"]);
-    assert!(start.elapsed().as_secs_f64() < 20.0, "{:?}", start.elapsed());
+    let usual = ["landing.strips=100", "landing.end=2.5"];
+    let landed = mercure(&[&usual[..], &["beam.stiffness=[1e9, 3e9, 3e9, 1e9]"]].concat());
+    let steps = landed.summary.steps;
+    assert!(steps <= 2500, "{steps} steps");
     let s = &landed.summary.structure;
     assert!(s.balance_error < 1e-6, "{}", s.balance_error);
     assert!((3.0..8.0).contains(&s.frequencies_hz[0]), "{:?}", s.frequencies_hz);
-    let rigid = mercure(&[]).summary;
+    let rigid = mercure(&usual).summary;
+    println!(
+        "{:?} {:?} {} {}",
+        landed.summary.deceleration_g, rigid.deceleration_g, s.balance_error, rigid.structure.balance_error
+    );
     assert!(rigid.structure.balance_error < 1e-9);
     assert!((landed.summary.deceleration_g.value / rigid.deceleration_g.value - 1.0).abs() < 0.05);
 }

@@ -120,8 +120,8 @@ fn water_at_the_body_is_as_fine_as_asked() {
 
 /// Root mean square of p − ρ g depth over ρ g H inside a tank of still water, mean over the last half second of two [-];
 /// its middle is being halved all the time, or not.
-fn unrest(spacing: &str, moving: bool) -> f64 {
-    let mut tank = system("hydrostatic_tank", &[spacing]);
+fn unrest(moving: bool) -> f64 {
+    let mut tank = system("hydrostatic_tank", &["resolution.spacing=0.05"]);
     let (mut sum, mut count) = (0.0, 0.0);
     while tank.fluid.time() < 2.0 {
         if moving {
@@ -146,10 +146,7 @@ fn unrest(spacing: &str, moving: bool) -> f64 {
 /// Still water that is being halved is disturbed by less than a hundredth of its pressure.
 #[test]
 fn halving_is_not_felt_by_still_water() {
-    let (fine, coarse) = (unrest("resolution.spacing=0.025", false), unrest("resolution.spacing=0.05", false));
-    let halved = unrest("resolution.spacing=0.05", true);
-    println!(
-        "error of the pressure over that of the depth: fine {fine:.5}, coarse {coarse:.5}, being halved {halved:.5}"
-    );
+    let [coarse, halved] = [false, true].map(unrest);
+    println!("error of the pressure over that of the depth: coarse {coarse:.5}, being halved {halved:.5}");
     assert!(halved < 0.01 && coarse < 0.005, "{halved} against {coarse}");
 }

@@ -151,8 +151,8 @@ fn guided_faces_bend_as_linear_clamped_plates() {
     let wedge = ElasticWedge { deadrise_deg: 5.0, ..aluminium(15.0, 0.04, Held::Clamped) };
     let bent = wedge.enter().expect("it enters");
     let text = format!(
-        "name = \"guided\"\nsymmetry = \"x\"\ngravity = [0.0, 0.0]\n[time]\nend = 0.0021\n[resolution]\nspacing = 0.003\n\
-         [fluid]\nsound_speed = 5730.0\n[body]\nname = \"wedge\"\nshape = \"wedge\"\ndeadrise_deg = 5.0\nbreadth = 1.2\n\
+        "name = \"guided\"\nsymmetry = \"x\"\ngravity = [0.0, 0.0]\n[time]\nend = 0.0021\n[resolution]\nspacing = 0.0035\n\
+         [fluid]\nsound_speed = 3500.0\n[body]\nname = \"wedge\"\nshape = \"wedge\"\ndeadrise_deg = 5.0\nbreadth = 1.2\n\
          side_height = 0.2\nmotion = \"constant_velocity\"\nvelocity = [0.0, -15.0]\n[[body.panels]]\nname = \"plate\"\n\
          from = [0.0, 0.0]\nto = [0.6, {}]\nthickness = 0.04\nyoungs_modulus = 67.5e9\npoissons_ratio = 0.34\n\
          density = 2700.0\nends = [\"guided\", \"clamped\"]\n",

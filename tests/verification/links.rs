@@ -120,11 +120,11 @@ fn a_box_that_lands_on_the_floor_lies_there() {
     for solver in ["incompressible", "weakly_compressible"] {
         let mut system = system("box_on_floor", &[&format!("solver={solver}"), "time.end=2"]);
         let buoyancy = 1000.0 * 9.81 * 0.4 * 0.2;
-        advance(&mut system, 1.3, |_| {}).expect("a stable run");
+        advance(&mut system, 0.8, |_| {}).expect("a stable run");
         let start = (system.fluid.time(), system.touched()[0].impulse, motion(&system, 0).velocity[1]);
         let mut water = 0.0;
         let mut last = start.0;
-        advance(&mut system, 1.8, |s| {
+        advance(&mut system, 1.2, |s| {
             water += (s.fluid.time() - last) * motion(s, 0).force[1];
             last = s.fluid.time();
         })
@@ -132,7 +132,10 @@ fn a_box_that_lands_on_the_floor_lies_there() {
         let (m, time) = (motion(&system, 0), system.fluid.time() - start.0);
         let borne = (system.touched()[0].impulse - start.1) / time;
         let expected = 160.0 * 9.81 - water / time;
-        println!("{solver}: {m:?}, borne {borne} N/m, weight less water {expected} N/m");
+        println!(
+            "{solver}: borne {borne} N/m, weight less water {expected} N/m, water {water}; {m:?}",
+            water = water / time / buoyancy
+        );
         assert!((m.position[1] + 0.66).abs() < 0.005 && m.angle.abs() < 0.02, "{m:?}");
         assert!(system.momentum_audit().worst < 1e-10);
         assert!(system.penetration().count <= 1, "{:?}", system.penetration());
@@ -144,7 +147,7 @@ fn a_box_that_lands_on_the_floor_lies_there() {
 /// Boxes of other breadths, masses, tilts and spacings: thrown up or broken down with a film of one row (`contact.gap = 1`).
 #[test]
 fn no_box_that_lands_is_thrown_up() {
-    let cases = [(250.0, 0.05, 0.0), (400.0, 0.05, 0.0), (250.0, 0.05, 5.0), (400.0, 0.033, 12.0), (400.0, 0.025, 0.0)];
+    let cases = [(250.0, 0.05, 0.0), (400.0, 0.05, 0.0), (250.0, 0.05, 5.0), (400.0, 0.033, 12.0), (400.0, 0.03, 0.0)];
     for (mass, spacing, angle) in cases {
         let text = format!(
             "name = \"landing\"\nsolver = \"incompressible\"\n[time]\nend = 2.0\n[resolution]\nspacing = {spacing}\ngrowth = 1.0\n\
@@ -161,7 +164,7 @@ fn no_box_that_lands_is_thrown_up() {
         })
         .expect("a stable run");
         let (m, share) = (motion(&system, 0), water / 0.5 / (1000.0 * 9.81 * 0.16));
-        println!("{mass} kg/m, {spacing} m, {angle} deg: {m:?}, water's force over buoyancy {share}");
+        println!("{mass} kg/m, {spacing} m, {angle} deg: water's force over buoyancy {share}; {m:?}");
         assert!((m.position[1] + 0.6 - 2.0 * spacing).abs() < 0.01 && m.angle.abs() < 0.03, "{m:?}");
         assert!((share - 1.0).abs() < 0.1, "{mass} kg/m, {spacing} m, {angle} deg: {share} of the buoyancy");
     }

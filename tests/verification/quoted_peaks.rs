@@ -54,9 +54,10 @@ fn a_light_drop_is_not_resolved_whatever_draught_the_run_shows() {
 /// A drop at 0.1 m/s that gravity makes ten times as fast, against the modified Logvinovich model.
 #[test]
 fn a_slow_drop_is_right_within_its_band() {
-    let set = ["body.velocity=[0.0, -0.1]", "time.end=0.3", "resolution.spacing=0.008"];
+    let set = ["body.velocity=[0.0, -0.1]", "time.end=0.3", "resolution.spacing=0.009"];
     let force = |sets: &[&str]| peak_force(&summary("wedge", &[&set[..], sets].concat()));
     let (particles, theory) = (force(&[]), force(&["model=mlm"]));
+    println!("{particles:?} {theory:?}");
     assert_eq!(particles.verdict, Verdict::Resolved);
     assert!((particles.value - theory.value).abs() < particles.band.expect("a band"), "{particles:?} {theory:?}");
 }
@@ -69,7 +70,7 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
     let of = |solver: &str, spacing: &str| summary("wedge", &[body, solver, spacing, "compare=[]", "time.end=0.01"]);
     let mut impulses = Vec::new();
     for solver in ["fluid.sound_speed=1480", "solver=incompressible"] {
-        for spacing in ["resolution.spacing=0.01", "resolution.spacing=0.007"] {
+        for spacing in ["resolution.spacing=0.014", "resolution.spacing=0.01"] {
             let summary = of(solver, spacing);
             assert_eq!(peak_force(&summary).verdict, Verdict::Acoustic, "{solver} {spacing}");
             assert!(summary.doubts.iter().any(|doubt| doubt.contains("impulse_N_s_per_m")), "{:?}", summary.doubts);
@@ -79,6 +80,7 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
         }
     }
     let mean = impulses.iter().sum::<f64>() / 4.0;
+    println!("{impulses:?}");
     assert!(impulses.iter().all(|impulse| (impulse / mean - 1.0).abs() < 0.03), "{impulses:?}");
     // as soft as the air beneath: the pressure of Chuang (1966) over the breadth, within the band
     let force = peak_force(&of("solver=weakly_compressible", "resolution.spacing=0.01"));

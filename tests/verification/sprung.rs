@@ -118,7 +118,7 @@ fn a_step_too_long_for_a_spring_is_refused_with_the_one_that_would_do() {
 #[test]
 fn a_mass_on_a_falling_wedge_goes_like_two_masses_under_the_theorys_load() {
     let ([body_mass, mass], stiffness, damping, gravity) = ([60.0, 40.0], 4e5, 300.0, 9.81);
-    let (spacing, end) = (0.003, 0.0224);
+    let (spacing, end) = (0.004, 0.0224);
     let sprung = format!("body.sprung_masses=[{{name=\"seat\",mass={mass},stiffness={stiffness},damping={damping}}}]");
     let sets = [&sprung, "body.mass=60.0", &format!("resolution.spacing={spacing}")];
     let mut system = system("wedge_drop_20", &sets.map(|set| set as &str));

@@ -24,7 +24,7 @@ fn a_plate_parts_two_still_waters() {
         let mut system = separated(thickness, 16, rows, SPACING);
         let (before, depth) = (sides(&system), rows.map(|n| n as f64 * SPACING));
         let (mut forces, mut gauged, mut kinetic) = ([vec![], vec![]], [vec![], vec![]], 0.0_f64);
-        advance(&mut system, 3.0, |s| {
+        advance(&mut system, 2.0, |s| {
             if s.fluid.time() < 1.0 {
                 return;
             }
@@ -66,7 +66,7 @@ fn a_plate_under_still_water_carries_no_force() {
         let body = PrescribedBody::new("plate", plate.outline(), false, law);
         let mut system = plate.with(Box::new(body), 30.0);
         let (mut forces, mut kinetic) = ([vec![], vec![]], vec![]);
-        advance(&mut system, 2.5, |s| {
+        advance(&mut system, 2.0, |s| {
             if s.fluid.time() > 1.0 {
                 let force = s.bodies().find_map(|b| b.motion()).expect("a plate").force;
                 (0..2).for_each(|k| forces[k].push(force[k]));

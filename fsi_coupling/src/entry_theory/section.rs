@@ -25,6 +25,8 @@ const ARC_CORNERS: usize = 96;
 pub struct Section {
     corners: Vec<[f64; 2]>,
     slopes: Vec<f64>,
+    /// Area below the level of each corner, both halves [m²].
+    areas: Vec<f64>,
     /// Radius of the circle for which the corners stand [m].
     radius: Option<f64>,
     /// The deepest place below the convex hull, [distance from the keel's plane, depth] [m].
@@ -44,7 +46,7 @@ impl Section {
         if slopes[0] < 0.0 {
             return Err(not_a_section("a bottom that falls beside its keel"));
         }
-        Ok(Section { corners, slopes, radius: None, hollow })
+        Ok(Section { areas: areas_of(&corners), corners, slopes, radius: None, hollow })
     }
 
     /// A wedge of the given deadrise [deg] and breadth [m].
@@ -119,7 +121,7 @@ impl Section {
     /// The section of its convex hull.
     pub fn convex(&self) -> Section {
         let corners = hull_of(&self.corners);
-        Section { slopes: slopes_of(&corners), corners, radius: self.radius, hollow: None }
+        Section { slopes: slopes_of(&corners), areas: areas_of(&corners), corners, radius: self.radius, hollow: None }
     }
 
     /// Corners from the keel to the chine [m], shape (n, 2).
@@ -215,15 +217,13 @@ impl Section {
 
     /// Area of the body below still water at draught h [m²], both halves; sides rise upright from the chines.
     pub fn still_area(&self, draught: f64) -> f64 {
-        let mut area = 0.0;
-        for w in self.corners.windows(2) {
-            let ([x0, y0], [x1, y1]) = (w[0], w[1]);
-            let top = draught.min(y1);
-            if draught > y0 {
-                let x = if y1 > y0 { x0 + (x1 - x0) * (top - y0) / (y1 - y0) } else { x1 };
-                area += (x0 + x) * (top - y0);
-            }
-        }
+        // a convex bottom rises: the faces before the one that the surface cuts are whole, and those after it are dry
+        let (whole, faces) = match self.hollow {
+            None => (self.corners.partition_point(|c| c[1] < draught).saturating_sub(1), 1),
+            Some(_) => (0, self.slopes.len()),
+        };
+        let wet = self.corners[whole..].windows(2).take(faces).filter(|w| draught > w[0][1]);
+        let area = wet.fold(self.areas[whole], |area, w| area + area_between(w[0], w[1], draught));
         area + 2.0 * self.half_breadth() * (draught - self.chine_height()).max(0.0)
     }
 
@@ -244,6 +244,23 @@ impl Section {
         let bends = self.pieces().map(move |[from, _, _, slope]| (from, slope - std::mem::replace(&mut before, slope)));
         bends.take_while(move |(x, _)| *x < c)
     }
+}
+
+/// Area between the heights of two corners [m²], both halves, up to a draught.
+fn area_between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], draught: f64) -> f64 {
+    let top = draught.min(y1);
+    let x = if y1 > y0 { x0 + (x1 - x0) * (top - y0) / (y1 - y0) } else { x1 };
+    (x0 + x) * (top - y0)
+}
+
+/// Area below the level of each corner [m²], both halves.
+fn areas_of(corners: &[[f64; 2]]) -> Vec<f64> {
+    let mut area = 0.0;
+    let mut add = |w: &[[f64; 2]]| {
+        area += area_between(w[0], w[1], w[1][1]);
+        area
+    };
+    std::iter::once(0.0).chain(corners.windows(2).map(&mut add)).collect()
 }
 
 /// Slopes df/dx between corners [-].

@@ -1,6 +1,7 @@
 //! A run in progress is shown over a WebSocket, and does not depend on who looks.
 
 use std::net::TcpStream;
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU16, Ordering};
 use std::time::{Duration, Instant};
 
@@ -79,16 +80,18 @@ fn watched(scene: &Scene, watch: impl Fn(u16) + Sync) -> Vec<f64> {
     })
 }
 
-fn alone(scene: &Scene) -> Vec<f64> {
-    let outcome = run(scene, &RunOptions::default()).expect("a run");
-    outcome.series.column("wedge.fy_N_per_m").expect("a force")
-}
+/// The scene of two tests, and its series when nothing watches.
+static ALONE: LazyLock<(Scene, Vec<f64>)> = LazyLock::new(|| {
+    let scene = wedge("time.end=0.1");
+    let outcome = run(&scene, &RunOptions::default()).expect("a run");
+    (scene, outcome.series.column("wedge.fy_N_per_m").expect("a force"))
+});
 
 /// Pictures come in the order of time, carry all particles, and the run has the bits of one that nothing watches.
 #[test]
 fn a_viewer_sees_the_run_and_does_not_change_it() {
-    let scene = wedge("time.end=0.1");
-    let seen = watched(&scene, |port| {
+    let (scene, alone) = &*ALONE;
+    let seen = watched(scene, |port| {
         let mut socket = viewer(port);
         let (mut last, mut pictures) = (0, 0);
         while let Some((time, cloud)) = picture(&mut socket) {
@@ -102,16 +105,16 @@ fn a_viewer_sees_the_run_and_does_not_change_it() {
         }
         assert!(pictures > 0);
     });
-    assert_eq!(seen, alone(&scene));
+    assert_eq!(&seen, alone);
 }
 
 /// A viewer that never reads does not hold the run up: it ends, with the same bits.
 #[test]
 fn a_viewer_that_stalls_does_not_disturb() {
-    let scene = wedge("time.end=0.1");
+    let (scene, alone) = &*ALONE;
     let stalled = std::sync::Mutex::new(None);
-    let seen = watched(&scene, |port| *stalled.lock().expect("a lock") = Some(viewer(port)));
-    assert_eq!(seen, alone(&scene));
+    let seen = watched(scene, |port| *stalled.lock().expect("a lock") = Some(viewer(port)));
+    assert_eq!(&seen, alone);
 }
 
 #[test]

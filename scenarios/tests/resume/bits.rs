@@ -29,14 +29,14 @@ fn weakly_compressible_water() {
 #[test]
 fn bodies_and_couplings() {
     each(&[
-        ("wedge", &["time.end=0.006", "resolution.spacing=0.01", "gauges=[]"]),
+        ("wedge", &["time.end=0.006", "resolution.spacing=0.015", "gauges=[]"]),
         ("two_boxes", &["time.end=0.12", "resolution.spacing=0.033"]),
-        ("flap", &["time.end=0.03"]),
+        ("flap", &["time.end=0.015"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=weak"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=iqn_ils"]),
         ("floating_box", &["time.end=0.06", "resolution.spacing=0.033", "coupling.scheme=added_mass"]),
         ("heaving_box", &["time.end=0.04", "resolution.spacing=0.05"]),
-        ("plunging_body", &["time.end=0.08", "resolution.spacing=0.033"]),
+        ("plunging_body", &["time.end=0.04", "resolution.spacing=0.033"]),
     ]);
 }
 
@@ -44,13 +44,13 @@ fn bodies_and_couplings() {
 #[test]
 fn impacts_with_all_observers() {
     each(&[
-        ("wedge_constant", &["time.end=0.6", "resolution.spacing=0.1", "report.force_rules=true"]),
+        ("wedge_constant", &["time.end=0.3", "resolution.spacing=0.1", "report.force_rules=true"]),
         (
             "wedge_constant",
-            &["time.end=0.6", "resolution.spacing=0.1", "resolution.follow=true", "fluid.ventilation=true"],
+            &["time.end=0.4", "resolution.spacing=0.1", "resolution.follow=true", "fluid.ventilation=true"],
         ),
-        ("wedge25", &["time.end=0.01", "resolution.spacing=0.012"]),
-        ("wedge_constant", &["time.end=0.6", "resolution.spacing=0.1", "report.log_budget=0.4"]),
+        ("wedge25", &["time.end=0.008", "resolution.spacing=0.015"]),
+        ("wedge_constant", &["time.end=0.3", "resolution.spacing=0.1", "report.log_budget=0.4"]),
     ]);
 }
 

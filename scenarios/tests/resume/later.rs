@@ -38,8 +38,8 @@ fn a_finished_run_goes_on() {
 /// The zone of fine water and the similarity window go with the end.
 #[test]
 fn an_impact_goes_on_deeper() {
-    goes_on("wedge_constant", &["resolution.spacing=0.1", "time.end=0.9"], 1.0);
-    goes_on("wedge_constant", &["resolution.spacing=0.1", "time.end=0.6", "resolution.follow=false"], 1.0);
+    goes_on("wedge_constant", &["resolution.spacing=0.1", "time.end=0.45"], 0.5);
+    goes_on("wedge_constant", &["resolution.spacing=0.1", "time.end=0.3", "resolution.follow=false"], 0.5);
     goes_on("floating_box", &["time.end=0.03", "resolution.spacing=0.033", "solver=incompressible"], 0.05);
 }
 

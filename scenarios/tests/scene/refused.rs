@@ -286,6 +286,8 @@ fn more_particles_than_memory_is_refused_at_the_spacing() {
     assert!(message.contains(&format!("{fluid} fluid and {wall} wall")), "{message}");
 }
 
+/// Every key meets every scene, every value every key, and every value every scene: a quarter of all that there are of the three. The
+/// others follow in `tests/nightly`, with `EVERY_VALUE`.
 #[test]
 fn no_value_of_any_key_makes_loading_panic() {
     let values = [
@@ -302,10 +304,11 @@ fn no_value_of_any_key_makes_loading_panic() {
         "{}",
         "nan",
     ];
+    let share = if std::env::var_os("EVERY_VALUE").is_some() { 1 } else { 4 };
     let (mut loaded, mut refused) = (0, 0);
-    for (name, _) in builtin() {
-        for keyword in schema().keywords() {
-            for value in values {
+    for (s, (name, _)) in builtin().iter().enumerate() {
+        for (k, keyword) in schema().keywords().iter().enumerate() {
+            for value in values.iter().skip((s + k) % share).step_by(share) {
                 let set = format!("{}={value}", keyword.path.replace("[]", "[0]"));
                 match load(name, &[set]) {
                     Err(error) => refused += usize::from(!error.to_string().is_empty()),
@@ -317,5 +320,7 @@ fn no_value_of_any_key_makes_loading_panic() {
             }
         }
     }
-    assert_eq!(loaded + refused, builtin().len() * schema().keywords().len() * values.len());
+    println!("{loaded} loaded, {refused} refused");
+    assert!(loaded > 0 && refused > 0, "{loaded} loaded, {refused} refused");
+    assert_eq!(loaded + refused, builtin().len() * schema().keywords().len() * values.len() / share);
 }

@@ -153,7 +153,10 @@ impl Aeroplane {
         lost: &[bool],
         rho: f64,
     ) -> Vec<Vec<PointForce>> {
-        let surfaces = self.surfaces.iter().map(|s| s.water(self.centre, now, swell, rho));
+        let surfaces = self.surfaces.iter().zip(lost).map(|(s, lost)| match lost {
+            true => Vec::new(),
+            false => s.water(self.centre, now, swell, rho),
+        });
         let faces = self.nacelles.iter().map(|n| n.face_drag(self.centre, now, swell, rho).into_iter().collect());
         let frame = |p: &Panel| p.frame_drag(hull.fuselage(), self.centre, now, swell, rho).into_iter().collect();
         let held = self.surfaces.len() + self.nacelles.len();

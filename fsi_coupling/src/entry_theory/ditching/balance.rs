@@ -5,7 +5,7 @@ use super::attitude::{Attitude, FREEDOMS};
 use super::bending::Bending;
 use super::landing::Landing;
 use super::parts::PointForce;
-use super::strip::{Bottom, ImpactingPart, Strip, along};
+use super::strip::{Bottom, ImpactingPart, KeelPoint, Strip, along};
 
 /// Rounds in which it is found which strips press and which pull.
 const MOST_ROUNDS: usize = 40;
@@ -124,8 +124,9 @@ impl Landing<'_> {
     /// The wet strips of `number` equal bottoms side by side.
     fn strips(&self, bottom: &Bottom<'_>, edges: &[f64], number: f64, now: &Attitude) -> Vec<Strip> {
         let Water { density, gravity, .. } = self.water;
-        let cut = |w: &[f64]| Strip::new(bottom, now, [w[0], w[1]], density, gravity);
-        edges.windows(2).filter_map(cut).map(|strip| strip.times(number)).collect()
+        let ends: Vec<KeelPoint> = edges.iter().map(|x| KeelPoint::new(bottom, now, *x)).collect();
+        let cut = |w: &[KeelPoint]| Strip::new(bottom, now, [&w[0], &w[1]], density, gravity);
+        ends.windows(2).filter_map(cut).map(|strip| strip.times(number)).collect()
     }
 
     /// Accelerations under the `given` forces and those of the entering strips, and these [N].

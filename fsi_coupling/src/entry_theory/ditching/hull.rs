@@ -93,6 +93,16 @@ impl Hull {
         }
     }
 
+    /// Added mass at a place and a draught, as in [`Hull::at`] [m²].
+    pub(super) fn added_mass(&self, x: f64, draught: f64) -> f64 {
+        let (k, share) = self.fuselage.between(x);
+        let b = self.fuselage.breadth(x);
+        let of = |form: usize| b * b * self.forms[form].at(draught / b).added_mass;
+        let [from, to] = [self.of_station[k], self.of_station[k + 1]];
+        let first = of(from);
+        if from == to { first } else { first + share * (of(to) - first) }
+    }
+
     fn of_form(&self, form: usize, b: f64, draught: f64) -> SectionLoad {
         let loads = &self.forms[form];
         let load = loads.at(draught / b);

@@ -123,7 +123,8 @@ impl Surface {
         let [root, tip] = self.ribs;
         let width = (tip.leading_edge[1] - root.leading_edge[1]) / SPAN_STRIPS as f64;
         let shares = (0..SPAN_STRIPS).map(|k| (k as f64 + 0.5) / SPAN_STRIPS as f64);
-        let wet: Vec<WetStrip> = shares.filter_map(|share| self.wet_strip(share, centre, now, swell)).collect();
+        let aft = [self.incidence.cos(), -self.incidence.sin()]; // along the chord
+        let wet: Vec<WetStrip> = shares.filter_map(|share| self.wet_strip(share, aft, centre, now, swell)).collect();
         let span = width * wet.len() as f64;
         let area: f64 = wet.iter().map(|s| width * s.chord).sum();
         // the fuselage ends the flow at the root: both sides are one plate
@@ -147,17 +148,24 @@ impl Surface {
     }
 
     /// The part of a strip under the surface, from the trailing edge forwards, where it moves against the water.
-    fn wet_strip(&self, share: f64, centre: [f64; 2], now: &Attitude, swell: &Swell) -> Option<WetStrip> {
+    fn wet_strip(
+        &self,
+        share: f64,
+        aft: [f64; 2],
+        centre: [f64; 2],
+        now: &Attitude,
+        swell: &Swell,
+    ) -> Option<WetStrip> {
         let [root, tip] = self.ribs;
         let mean = |a: f64, b: f64| a + share * (b - a);
         let chord = mean(root.chord, tip.chord);
         let leading = [0, 2].map(|k| mean(root.leading_edge[k], tip.leading_edge[k]));
-        let along = [self.incidence.cos(), -self.incidence.sin()]; // aft along the chord
-        let place = |s: f64| [leading[0] + s * along[0], leading[1] + s * along[1]];
-        let [first, last] = [0.0, chord].map(|s| draught(centre, place(s), now, swell));
+        let place = |s: f64| [leading[0] + s * aft[0], leading[1] + s * aft[1]];
+        let last = draught(centre, place(chord), now, swell);
         if last <= 0.0 {
             return None;
         }
+        let first = draught(centre, place(0.0), now, swell);
         let dry = if first < 0.0 { chord * first / (first - last) } else { 0.0 };
         let at = place(0.5 * (dry + chord));
         let [u, w] = through_water(centre, at, now, swell);

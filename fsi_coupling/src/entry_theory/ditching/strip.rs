@@ -124,25 +124,30 @@ pub struct ImpactingPart {
 }
 
 impl Strip {
-    /// The strip between two places from the nose [m], in water of density ρ and gravity g; `None` where it is dry.
-    pub fn new(bottom: &Bottom<'_>, now: &Attitude, ends: [f64; 2], rho: f64, g: f64) -> Option<Strip> {
+    /// The strip between two places of the keel, in water of density ρ and gravity g; `None` where it is dry.
+    pub fn new(bottom: &Bottom<'_>, now: &Attitude, ends: [&KeelPoint; 2], rho: f64, g: f64) -> Option<Strip> {
         let hull = bottom.hull;
-        let ends = ends.map(|x| KeelPoint::new(bottom, now, x));
         let [from, to] = part_above_nothing(ends.map(|p| p.x), ends.map(|p| p.draught))?;
         let wet = KeelPoint::new(bottom, now, 0.5 * (from + to));
         let wet_length = (to - from) * wet.shortening;
         let [ahead, up] = wet.water_acceleration;
-        let area = hull.at(wet.x, wet.draught).area;
-        let buoyancy = [ahead, g + up].map(|acceleration| rho * acceleration * wet_length * area);
+        let of_wet = hull.at(wet.x, wet.draught);
+        let buoyancy = [ahead, g + up].map(|acceleration| rho * acceleration * wet_length * of_wet.area);
         let speed_at = |x: f64| {
             let share = (x - ends[0].x) / (ends[1].x - ends[0].x);
             ends[0].speed + share * (ends[1].speed - ends[0].speed)
         };
         let entry = part_above_nothing([from, to], [from, to].map(speed_at)).map(|[from, to]| {
-            let at = KeelPoint::new(bottom, now, 0.5 * (from + to));
+            let middle = 0.5 * (from + to);
+            let (at, load) = match middle == wet.x {
+                true => (wet, of_wet),
+                false => {
+                    let at = KeelPoint::new(bottom, now, middle);
+                    (at, hull.at(at.x, at.draught))
+                }
+            };
             let length = (to - from) * at.shortening;
-            let load = hull.at(at.x, at.draught);
-            let [before, after] = ends.map(|p| hull.at(p.x, at.draught).added_mass);
+            let [before, after] = ends.map(|p| hull.added_mass(p.x, at.draught));
             let growth = (after - before) / (ends[1].x - ends[0].x); // ∂M/∂x
             let passing = at.velocity[0] / at.shortening; // dx/dt of the station that a plane meets
             let speed = at.speed.max(0.0);
