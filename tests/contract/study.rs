@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::command::Workplace;
 
 const COARSE: [&str; 8] =
-    ["study", "wedge_constant", "--set", "time.end=1.0", "--spacings", "0.14,0.1,0.07", "--sound-speeds", "25,50"];
+    ["study", "wedge_constant", "--set", "time.end=1.0", "--spacings", "0.1,0.07,0.05", "--sound-speeds", "25,50"];
 const OUT: [&str; 3] = ["--out", "out", "--quiet"];
 
 /// Two files; every pair of spacing and sound speed, coarsest first; the same JSON on stdout; a verdict in words that
@@ -23,7 +23,7 @@ fn a_study_writes_its_numbers_and_its_page() {
     let number = |v: &Value, key: &str| v[key].as_f64().unwrap_or_else(|| panic!("{key} in {v}"));
     let grid: Vec<[f64; 2]> =
         points.iter().map(|p| [number(p, "spacing_m"), number(p, "sound_speed_m_per_s")]).collect();
-    assert_eq!(grid, [[0.14, 25.0], [0.14, 50.0], [0.1, 25.0], [0.1, 50.0], [0.07, 25.0], [0.07, 50.0]]);
+    assert_eq!(grid, [[0.1, 25.0], [0.1, 50.0], [0.07, 25.0], [0.07, 50.0], [0.05, 25.0], [0.05, 50.0]]);
     let fit = &study["fit"];
     for key in ["extrapolated", "order_used", "discretisation_error", "sound_speed_error", "uncertainty", "scatter"] {
         number(fit, key);
