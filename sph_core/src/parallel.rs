@@ -31,11 +31,14 @@ fn chunks_of<T: Send>(out: &mut [T], length: usize, change: &(dyn Fn(usize, &mut
     out.par_chunks_mut(length).enumerate().for_each(|(c, chunk)| change(c, chunk));
 }
 
+/// What is done with chunk c of two arrays.
+type OnBoth<'a, A, B> = dyn Fn(usize, &mut [A], &mut [B]) + Sync + 'a;
+
 /// `change(c, a's chunk, b's chunk)` for every chunk of two arrays, cut into as many chunks.
 fn both_chunks_of<A: Send, B: Send>(
     (a, length_a): (&mut [A], usize),
     (b, length_b): (&mut [B], usize),
-    change: &(dyn Fn(usize, &mut [A], &mut [B]) + Sync),
+    change: &OnBoth<'_, A, B>,
 ) {
     debug_assert_eq!(a.len().div_ceil(length_a), b.len().div_ceil(length_b));
     let chunks = a.par_chunks_mut(length_a).zip(b.par_chunks_mut(length_b));
