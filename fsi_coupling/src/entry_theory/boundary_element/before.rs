@@ -16,14 +16,14 @@ pub(super) enum Before {
     /// Of a wedge: that of the similar flow at a draught [m] and a downward speed [m/s].
     Similar(FlowLoad, [f64; 2]),
     /// Of a round bottom: the modified Logvinovich model (Korobkin 2004) and what still water bears, under a gravity [m/s²].
-    Round(Loads, f64),
+    Round(Box<Loads>, f64),
 }
 
 impl Before {
     /// Before a flow that has just begun, under a gravity [m/s²].
     pub fn new(section: &Section, flow: &EntryFlow, gravity: f64) -> Result<Before, OutOfRange> {
         match section.radius() {
-            Some(_) => Ok(Before::Round(Loads::new(EntryModel::Mlm, section)?, gravity)),
+            Some(_) => Ok(Before::Round(Box::new(Loads::new(EntryModel::Mlm, section)?), gravity)),
             None => Ok(Before::Similar(flow.load(), [flow.draught(), flow.speed()])),
         }
     }
