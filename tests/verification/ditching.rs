@@ -130,21 +130,24 @@ const MODEL_TESTS: [ModelTest; 14] = [
     (9.0, -2.0, 44.7e3, [7.5, 7.5], [7.5, 7.5]),
 ];
 
+/// Angle of attack and path [deg], mass [kg].
+type FirstTouch = (f64, f64, f64);
+
 /// A landing that was not tested: the third of its row.
-const UNTESTED: (f64, f64, f64) = (9.0, -1.0, 49.0e3);
+const UNTESTED: FirstTouch = (9.0, -1.0, 49.0e3);
 
 /// The largest loads come before 2.7 s, in 5 s of the landings too.
 const UP_TO_THE_LARGEST_LOADS: &str = "landing.end=3.0";
 
 /// The landings of the model tests and the one that was not tested, by angle of attack, path and mass.
-static LANDINGS: LazyLock<Vec<((f64, f64, f64), Summary)>> = LazyLock::new(|| {
+static LANDINGS: LazyLock<Vec<(FirstTouch, Summary)>> = LazyLock::new(|| {
     let tested = MODEL_TESTS.iter().map(|(attack, path, mass, ..)| (*attack, *path, *mass));
     let all: Vec<_> = tested.chain([UNTESTED]).collect();
     all.into_par_iter().map(|at| (at, mercure_at(at.0, at.1, at.2, &[UP_TO_THE_LARGEST_LOADS]).summary)).collect()
 });
 
 /// The landing at an angle of attack, a path and a mass.
-fn landing_at(at: (f64, f64, f64)) -> &'static Summary {
+fn landing_at(at: FirstTouch) -> &'static Summary {
     LANDINGS.iter().find(|(of, _)| *of == at).map(|(_, summary)| summary).expect("a landing")
 }
 
