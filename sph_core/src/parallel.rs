@@ -25,8 +25,8 @@ pub fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T
 
 /// `change(c, chunk)` for every chunk of `length` of `out`.
 ///
-/// This loop and the three below are the only ones that rayon sees. They take their closure by pointer and call it once per
-/// chunk, so rayon's machinery is compiled once per type of target, not once per closure.
+/// Loops whose name ends in `of` take their closure by pointer and call it once per chunk. So rayon's machinery is compiled
+/// once per type of target, not once per closure.
 fn chunks_of<T: Send>(out: &mut [T], length: usize, change: &(dyn Fn(usize, &mut [T]) + Sync)) {
     out.par_chunks_mut(length).enumerate().for_each(|(c, chunk)| change(c, chunk));
 }
