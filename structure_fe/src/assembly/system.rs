@@ -113,3 +113,43 @@ impl System {
         worst
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::System;
+    use crate::material::{Material, Section};
+    use crate::model::{Beam, Supports};
+
+    const MATERIAL: Material = Material { youngs_modulus: 70e9, poissons_ratio: 0.33, density: 2700.0 };
+
+    /// Half-bandwidth and width of the border: the work of a factorisation is their square times the number of unknowns.
+    fn widths(beam: Beam, supports: Supports) -> [usize; 2] {
+        let system = System::new(beam, supports).unwrap();
+        [system.half_band, system.equations.count() - system.equations.inner()]
+    }
+
+    /// A dense matrix would grow with the beam.
+    #[test]
+    fn the_band_of_a_beam_has_the_same_width_for_any_number_of_elements() {
+        for elements in [100, 1000] {
+            let beam = Beam::straight([0.0, 0.0], [1.0, 0.0], elements, MATERIAL, Section::strip(0.005)).unwrap();
+            let mut supports = Supports::default();
+            supports.clamp(0);
+            assert_eq!(widths(beam, supports), [5, 0], "{elements} elements");
+        }
+    }
+
+    /// A body inside the band would make it as wide as the beam.
+    #[test]
+    fn ties_to_a_body_all_along_do_not_widen_the_band() {
+        for elements in [100, 1000] {
+            let skin = Beam::straight([0.0, 0.0], [1.0, 0.0], elements, MATERIAL, Section::strip(0.005)).unwrap();
+            let (model, body) = skin.with_rigid_body([0.5, 0.3], 50.0, 5.0).unwrap();
+            let mut supports = Supports::default();
+            for node in (0..=elements).step_by(5) {
+                supports.link(body, node);
+            }
+            assert_eq!(widths(model, supports), [5, 3], "{elements} elements");
+        }
+    }
+}
