@@ -40,7 +40,15 @@ impl Column {
         let point = |k: usize| {
             let depth = ((k / COLUMNS) as f64 + 0.5) * spacing;
             let at = [((k % COLUMNS) as f64 + 0.5) * spacing, -depth];
-            WallPoint { at, normal: [0.0, 1.0], area: spacing * spacing, spacing, depth, midline: None }
+            WallPoint {
+                at,
+                normal: [0.0, 1.0],
+                area: spacing * spacing,
+                spacing,
+                depth,
+                outline: [0.0; 2],
+                midline: None,
+            }
         };
         let points: Vec<WallPoint> = (0..3 * COLUMNS).map(point).collect();
         let mut walls = Walls::default();

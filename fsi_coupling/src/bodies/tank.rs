@@ -85,7 +85,7 @@ impl Tank {
         let point = |(column, layer): (usize, usize)| {
             let (depth, shift) = (WallRows::depth(layer, s), if rows.is_shifted(layer) { 0.5 * s } else { 0.0 });
             let at = [self.x[0] - WallRows::depth(column, s) + shift, self.floor - depth];
-            WallPoint { at, normal: [0.0, 1.0], area: s * s, spacing: s, depth, midline: None }
+            WallPoint { at, normal: [0.0, 1.0], area: s * s, spacing: s, depth, outline: [0.0; 2], midline: None }
         };
         cells.map(point).collect()
     }
@@ -122,7 +122,15 @@ impl WettedBody for Tank {
     fn sample(&mut self, rows: &WallRows) -> Result<Vec<WallPoint>, BodyError> {
         let (mut points, layers) = (Vec::new(), rows.layers);
         let depth = WallRows::depth;
-        let point = |at, normal, s: f64, depth| WallPoint { at, normal, area: s * s, spacing: s, depth, midline: None };
+        let point = |at, normal, s: f64, depth| WallPoint {
+            at,
+            normal,
+            area: s * s,
+            spacing: s,
+            depth,
+            outline: [0.0; 2],
+            midline: None,
+        };
         // shifted rows: the floor's towards the plane of symmetry or to the right, the sides' upwards
         let shift = |layer: usize, s: f64| if rows.is_shifted(layer) { 0.5 * s } else { 0.0 };
         let way = if self.half { -1.0 } else { 1.0 };

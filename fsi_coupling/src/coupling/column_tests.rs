@@ -26,7 +26,15 @@ struct Pistons {
 impl Pistons {
     fn new(added: Vec<Vec<f64>>, stiffness: Vec<f64>, place: Vec<f64>, scheme: Scheme) -> Pistons {
         let (mut walls, n) = (Walls::default(), place.len());
-        let point = WallPoint { at: [0.0; 2], normal: [0.0, 1.0], area: 1.0, spacing: 1.0, depth: 0.0, midline: None };
+        let point = WallPoint {
+            at: [0.0; 2],
+            normal: [0.0, 1.0],
+            area: 1.0,
+            spacing: 1.0,
+            depth: 0.0,
+            outline: [0.0; 2],
+            midline: None,
+        };
         walls.extend(&vec![point; n], 1.0);
         let still = vec![0.0; n];
         let interface = Interface::new(scheme);

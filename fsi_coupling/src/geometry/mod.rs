@@ -16,6 +16,7 @@ pub mod error;
 pub mod hermite;
 pub mod layout;
 pub mod outline;
+mod outline_shares;
 pub mod packing;
 pub mod plate;
 pub mod plate_sampling;

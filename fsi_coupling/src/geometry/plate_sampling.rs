@@ -59,7 +59,15 @@ fn end_row(line: &[[f64; 2]], thickness: f64, depth: f64, spacing: f64, points: 
     for k in 0..count as usize {
         let across = (k as f64 + 0.5) * part - 0.5 * thickness;
         let at = [0, 1].map(|c| end[c] - depth * along[c] + across * out[c]);
-        points.push(WallPoint { at, normal: along, area: part * spacing, spacing, depth, midline: None });
+        points.push(WallPoint {
+            at,
+            normal: along,
+            area: part * spacing,
+            spacing,
+            depth,
+            outline: [0.0; 2],
+            midline: None,
+        });
     }
 }
 
@@ -213,6 +221,7 @@ mod tests {
             area: 1e-4,
             spacing: 0.01,
             depth: 0.005,
+            outline: [0.0; 2],
             midline: None,
         };
         for thickness in [0.002, 0.01, 0.024] {

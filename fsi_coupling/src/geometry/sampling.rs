@@ -9,6 +9,7 @@
 use sph_core::WallPoint;
 
 use crate::geometry::outline::Outline;
+use crate::geometry::outline_shares::share_outline;
 use crate::geometry::polygon::normal;
 use crate::geometry::rows::WallRows;
 
@@ -34,7 +35,9 @@ pub fn sample(outline: &Outline, rows: &WallRows, half: bool) -> Vec<WallPoint> 
             }
         }
     }
-    if half { right_half(points, spacing) } else { points }
+    let mut points = if half { right_half(points, spacing) } else { points };
+    share_outline(outline, spacing, half, &mut points);
+    points
 }
 
 /// What lies right of x = 0. On the plane, the half of a corner's particle that the right face owns, and half of any
@@ -191,7 +194,15 @@ pub(crate) fn divide(
         let (at, normal) = station(row, s0 + (k as f64 + 0.5 - first) * part);
         let tip = (at_corner[0] && k == 0) || (at_corner[1] && k + 1 == count as usize);
         let share = if tip { 0.5 } else { 1.0 };
-        points.push(WallPoint { at, normal, area: share * part * spacing, spacing: spaced, depth, midline: None });
+        points.push(WallPoint {
+            at,
+            normal,
+            area: share * part * spacing,
+            spacing: spaced,
+            depth,
+            outline: [0.0; 2],
+            midline: None,
+        });
     }
 }
 
@@ -216,6 +227,7 @@ pub(crate) fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, poi
             area: part * spacing,
             spacing: (part * spacing).sqrt(),
             depth,
+            outline: [0.0; 2],
             midline: None,
         });
     }

@@ -10,6 +10,7 @@ use crate::interactions::simd::{self, LANES, SimdReal, Task};
 use crate::parallel::{self, CHUNK};
 use crate::particles::COARSE;
 use crate::projection::free_surface::lattice::{Closure, Lattice};
+use crate::projection::linear_pressure::LinearPressure;
 use crate::projection::operators::Operators;
 use crate::projection::pair_clusters::ChunkPairs;
 use crate::system::ParticleSystem;
@@ -67,6 +68,7 @@ impl PressureForces {
         system: &mut ParticleSystem,
         walls: &mut Walls,
         operators: &Operators,
+        linear_pressure: &LinearPressure,
         indicator: &[f64],
         lattice: &Lattice,
         constants: PairConstants,
@@ -77,10 +79,8 @@ impl PressureForces {
         extrapolate_to_walls(system, walls); // WA3
         gather_wall_forces(system, &PairTerms { constants, dissipation: Dissipation::default() }, walls);
         walls.scale_forces(inverse, dt);
+        let on_bodies = linear_pressure.correct_bodies(walls, dt);
         system.timers.begin(Phase::Momentum);
-        if system.steps == 0 {
-            self.find_head(system);
-        }
         find_normals(&mut self.normals, system, operators, indicator);
         let mut pushes = std::mem::take(&mut self.pushes);
         pushes.resize(system.particles.len(), Push::default());
@@ -88,7 +88,7 @@ impl PressureForces {
             Corrections { system, operators, indicator, lattice, normals: &self.normals, head: self.head, inverse };
         let simd = system.domain.simd;
         system.domain.fluid.kernel.run(Pushing { correction, constants, simd, out: &mut pushes });
-        let (back, of_tank) = close_momentum(system, &pushes);
+        let (back, of_tank) = close_momentum(system, &pushes, on_bodies);
         system.force_of_tank = of_tank;
         let g = system.domain.gravity;
         let p = &mut system.particles;
@@ -100,7 +100,8 @@ impl PressureForces {
         self.pushes = pushes;
     }
 
-    fn find_head(&mut self, system: &ParticleSystem) {
+    /// At the start.
+    pub fn find_head(&mut self, system: &ParticleSystem) {
         let (p, g, rho) = (&system.particles, system.domain.gravity, system.domain.fluid.density);
         let half = |k: usize| 0.5 * rho * g[0].hypot(g[1]) * (p.mass[k] / p.rho[k]).sqrt();
         let height = |k: usize| half(k) - rho * (g[0] * p.x[k] + g[1] * p.y[k]);
@@ -108,12 +109,12 @@ impl PressureForces {
     }
 }
 
-/// PR11, PR18: what makes corrections have no resultant: an acceleration that is taken off, even but for each particle's share
-/// [m/s²], and the force of the tank for those of coarse rows [N/m].
-fn close_momentum(system: &ParticleSystem, pushes: &[Push]) -> ([f64; 2], [f64; 2]) {
+/// PR11, PR18, PR19: what makes the corrections of the water's forces have the resultant that is opposite to that of the bodies': an
+/// acceleration that is taken off, even but for each particle's share [m/s²], and the force of the tank for those of coarse rows [N/m].
+fn close_momentum(system: &ParticleSystem, pushes: &[Push], on_bodies: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     let (p, starts_level) = (&system.particles, system.domain.starts_level);
     let coarse = if starts_level { COARSE * system.least_smoothing_length() } else { f64::INFINITY };
-    let (mut impulse, mut mass, mut of_tank) = ([0.0; 2], 0.0, [0.0; 2]);
+    let (mut impulse, mut mass, mut of_tank) = (on_bodies, 0.0, [0.0; 2]);
     for ((Push { correction, .. }, m), &h) in pushes.iter().zip(&p.mass).zip(&p.h) {
         let sum = if h > coarse { &mut of_tank } else { &mut impulse };
         for i in 0..2 {

@@ -5,6 +5,7 @@
 
 mod forces;
 mod free_surface;
+mod linear_pressure;
 pub mod linear_solver;
 mod monolithic;
 mod motion;
@@ -31,6 +32,7 @@ use crate::walls::interface_dynamics::accelerate_by_pairs;
 use forces::PressureForces;
 use free_surface::detection::SurfaceDetection;
 use free_surface::lattice::Lattice;
+use linear_pressure::LinearPressure;
 use motion::{StepLimit, move_particles};
 use operators::Operators;
 use pressure::PressureEquation;
@@ -52,6 +54,7 @@ pub struct Projection {
     surface: SurfaceDetection,
     operators: Operators,
     equation: PressureEquation,
+    linear_pressure: LinearPressure,
     forces: PressureForces,
     /// Kernel sum Σ V W that each particle keeps [-], by identity (PR9).
     reference_kernel_sum: Vec<f64>,
@@ -68,6 +71,7 @@ impl Projection {
             surface: SurfaceDetection::default(),
             operators: Operators::default(),
             equation: PressureEquation::default(),
+            linear_pressure: LinearPressure::default(),
             forces: PressureForces::default(),
             reference_kernel_sum: Vec::new(),
             last_dt: 0.0,
@@ -83,10 +87,11 @@ impl Projection {
         self.surface.mark_dry_walls(flow.system, flow.walls); //                     walls without water (PR5)
         self.operators.assemble(flow.system, flow.walls, &self.lattice, constants, dt); // C, ∇C, ∇·u*, A
         self.surface.set_indicator(flow.system, &self.operators, &self.lattice); //  particles near air (PR5)
+        self.place_bodies(flow, self.lattice.gradient); //                                                  closed bodies (PR19)
         self.note_kernel_sums(flow.system);
         self.solve_pressure(flow, dt)?; //                                           (A + s) p = …; a_w with it (CO21)
         let (Flow { system, walls, .. }, air) = (flow, self.surface.indicator());
-        self.forces.apply(system, walls, &self.operators, air, &self.lattice, constants, dt);
+        self.forces.apply(system, walls, &self.operators, &self.linear_pressure, air, &self.lattice, constants, dt);
         let strength = if self.settings.flow.shifting { self.settings.shift } else { 0.0 };
         move_particles(system, strength, air, dt); //                                u' = u + Δt a, r' = r + Δt u' + δr
         self.last_dt = dt;
@@ -95,16 +100,26 @@ impl Projection {
 
     /// PR7–PR11: (A + s) p = −V ∇·u*/Δt + V (C − 1)/(τ Δt), solved for, or one Jacobi iteration of it (PR15).
     fn solve_pressure(&mut self, Flow { system, walls, interfaces }: &mut Flow<'_>, dt: f64) -> Result<(), Breakdown> {
-        let Projection { settings, lattice, surface, operators, equation, reference_kernel_sum, .. } = self;
+        let Projection {
+            settings, lattice, surface, operators, equation, linear_pressure, reference_kernel_sum, ..
+        } = self;
         let air = surface.indicator();
         equation.close_surface(system, operators, air, lattice);
         system.timers.begin(Phase::Pressure);
         equation.gather_source(system, operators, air, lattice, reference_kernel_sum, settings, dt);
         match settings.method {
             Method::OneIteration => equation.relax_once(system, operators, air, settings.flow.ventilation),
-            Method::Solve => equation.solve(system, walls, interfaces, operators, air, lattice, settings)?,
+            Method::Solve => {
+                equation.solve(system, walls, interfaces, linear_pressure, operators, air, lattice, settings)?
+            }
         }
         Ok(())
+    }
+
+    /// PR19: how the water lies around closed bodies, whose pair forces are divided by `norm`.
+    fn place_bodies(&mut self, Flow { system, walls, .. }: &Flow<'_>, norm: f64) {
+        let (air, still) = (self.surface.indicator(), (self.forces.head(), &self.lattice));
+        self.linear_pressure.place(system, walls, air, still, 1.0 / norm);
     }
 
     /// Make the lists if they no longer hold, then pack.
@@ -163,9 +178,15 @@ impl Projection {
 
 impl Scheme for Projection {
     fn initialise(&mut self, flow: &mut Flow<'_>) -> Result<(), Breakdown> {
+        let constants = self.constants(flow.system);
         self.pack(flow.system, flow.walls, 0.0);
-        let terms = PairTerms { constants: self.constants(flow.system), dissipation: Default::default() };
-        accelerate_by_pairs(flow, &terms, 0.0);
+        self.surface.detect(flow.system, flow.walls);
+        self.operators.assemble(flow.system, flow.walls, &self.lattice, constants, 0.0);
+        self.surface.set_indicator(flow.system, &self.operators, &self.lattice);
+        self.forces.find_head(flow.system);
+        self.place_bodies(flow, 1.0);
+        accelerate_by_pairs(flow, &PairTerms { constants, dissipation: Default::default() }, 0.0);
+        self.linear_pressure.correct_bodies(flow.walls, 0.0);
         Ok(())
     }
 

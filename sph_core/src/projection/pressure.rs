@@ -7,6 +7,7 @@ use crate::parallel;
 use crate::particles::Particles;
 use crate::projection::free_surface::active_set::{ActiveSet, Rows, Surface};
 use crate::projection::free_surface::lattice::Lattice;
+use crate::projection::linear_pressure::LinearPressure;
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
 use crate::projection::linear_solver::cluster_matrix::ClusterRows;
 use crate::projection::monolithic::{Bodies, Equation, MonolithicSolve};
@@ -122,6 +123,7 @@ impl PressureEquation {
         system: &mut ParticleSystem,
         walls: &mut Walls,
         interfaces: &mut [WallInterface],
+        linear_pressure: &LinearPressure,
         operators: &Operators,
         air: &[f64],
         lattice: &Lattice,
@@ -144,7 +146,8 @@ impl PressureEquation {
         solver.name(&p.id);
         solver.prepare(&matrix, &p.x, &p.y, &p.h);
         let inverse = 1.0 / lattice.gradient;
-        let mut monolithic = MonolithicSolve::of((packed, neighbours, domain), &p.id, interfaces, walls, inverse);
+        let mut monolithic =
+            MonolithicSolve::of((packed, neighbours, domain), linear_pressure, &p.id, interfaces, walls, inverse);
         before.clone_from(x);
         for _ in 0..ACTIVE_SET_ROUNDS {
             let constrained = &active.constrained[..];

@@ -10,6 +10,8 @@ pub mod midline;
 pub(crate) mod state;
 pub(crate) mod visibility;
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use crate::state_bytes::{StateError, expect_count};
@@ -44,6 +46,9 @@ pub struct WallPoint {
     pub spacing: f64,
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
+    /// Its share ∫n ds of a closed outline, along the normal and along the normal turned by +90° [m] (THEORY PR19); zero behind the
+    /// first row, and where the outline is not closed.
+    pub outline: [f64; 2],
     /// Index of the midline, among its owner's, of the thin plate that it belongs to (THEORY WA9); `None` for ordinary walls.
     pub midline: Option<u32>,
 }
@@ -52,7 +57,7 @@ pub struct WallPoint {
 ///
 /// ```
 /// use sph_core::{WallPoint, Walls};
-/// let point = WallPoint { at: [0.0, -0.05], normal: [0.0, 1.0], area: 0.01, spacing: 0.1, depth: 0.05, midline: None };
+/// let point = WallPoint { at: [0.0, -0.05], normal: [0.0, 1.0], area: 0.01, spacing: 0.1, depth: 0.05, outline: [0.0; 2], midline: None };
 /// let mut walls = Walls::default();
 /// let floor = walls.extend(&[point], 1.5);
 /// walls.fy[0] = 3.0;
@@ -96,6 +101,10 @@ pub struct Walls {
     pub mean_fy: Vec<f64>,
     /// Mean over the step of (r − r_end)×F [N]. The moment of the mean force is taken where the particle ends; this is added to it.
     pub mean_swing: Vec<f64>,
+    /// Shares ∫n ds of closed outlines, along the normal and along the normal turned by +90° [m] (THEORY PR19).
+    pub outline: Vec<[f64; 2]>,
+    /// The particles of each owner.
+    pub owners: Vec<Range<usize>>,
     /// Middle lines of thin walls (THEORY WA8), in the order of their owners.
     pub midlines: Vec<PlateMidline>,
     /// Index of the midline of the thin plate that each belongs to (THEORY WA9); `None` for ordinary walls.
@@ -117,7 +126,7 @@ impl Walls {
             let Walls { x, y, u, v, ax, ay, nx, ny, volume, h, depth, pressure, .. } = w;
             let kinematics = [x, y, u, v, ax, ay, nx, ny, volume, h, depth, pressure].map(Vec::len);
             let forces = [&w.fx, &w.fy, &w.mean_fx, &w.mean_fy, &w.mean_swing].map(Vec::len);
-            [&kinematics[..], &forces, &[w.midline.len()]].concat()
+            [&kinematics[..], &forces, &[w.midline.len(), w.outline.len()]].concat()
         };
         for (found, expected) in arrays(self).into_iter().zip(arrays(like)) {
             expect_count("wall particles", found, expected)?;
@@ -144,7 +153,7 @@ impl Walls {
 
     /// Append an owner's particles, at rest; returns the range they occupy. `ratio` is h over spacing. The owner's midlines,
     /// which its particles count from 0, are to be appended next.
-    pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> std::ops::Range<usize> {
+    pub fn extend(&mut self, points: &[WallPoint], ratio: f64) -> Range<usize> {
         let start = self.len();
         let midlines = self.midlines.len() as u32;
         for point in points {
@@ -155,6 +164,7 @@ impl Walls {
             self.volume.push(point.area);
             self.h.push(ratio * point.spacing);
             self.depth.push(point.depth);
+            self.outline.push(point.outline);
             self.midline.push(point.midline.map(|midline| midlines + midline));
         }
         let n = self.len();
@@ -162,6 +172,7 @@ impl Walls {
         for array in [u, v, ax, ay, pressure, fx, fy, mean_fx, mean_fy, mean_swing] {
             array.resize(n, 0.0);
         }
+        self.owners.push(start..n);
         start..n
     }
 
@@ -215,14 +226,14 @@ impl Walls {
     }
 
     /// An owner's particles, to be moved.
-    pub fn slice_mut(&mut self, range: std::ops::Range<usize>) -> WallsMut<'_> {
+    pub fn slice_mut(&mut self, range: Range<usize>) -> WallsMut<'_> {
         let Walls { x, y, u, v, ax, ay, nx, ny, .. } = self;
         let [x, y, u, v, ax, ay, nx, ny] = [x, y, u, v, ax, ay, nx, ny].map(|array| &mut array[range.clone()]);
         WallsMut { x, y, u, v, ax, ay, nx, ny }
     }
 
     /// The forces on an owner's particles, to be read.
-    pub fn forces(&self, range: std::ops::Range<usize>) -> WallForces<'_> {
+    pub fn forces(&self, range: Range<usize>) -> WallForces<'_> {
         let Walls { x, y, fx, fy, mean_fx, mean_fy, mean_swing, .. } = self;
         let [x, y, fx, fy, mean_fx, mean_fy, mean_swing] =
             [x, y, fx, fy, mean_fx, mean_fy, mean_swing].map(|array| &array[range.clone()]);

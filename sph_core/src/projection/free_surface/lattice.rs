@@ -74,6 +74,12 @@ impl Lattice {
         Lattice { gradient, kernel_sum, face, rows }
     }
 
+    /// Σ V W over the water beside a flat wall, for a wall particle `depth` spacings behind its surface [-].
+    pub fn beside_wall(&self, depth: f64) -> f64 {
+        let row = (depth - 0.5).round().clamp(0.0, (ROWS - 1) as f64) as usize;
+        self.kernel_sum * (1.0 - self.rows[row].kernel_sum)
+    }
+
     /// Missing share of the kernel sum in the deepest row where any is missing [-].
     pub fn faintest(&self) -> f64 {
         self.rows.iter().map(|row| 1.0 - row.kernel_sum).filter(|&missing| missing > 1e-9).fold(1.0, f64::min)

@@ -13,6 +13,7 @@ use crate::neighbours::Neighbours;
 use crate::walls::interface::{InterfaceResidual, WallInterface};
 use crate::walls::{WallForces, Walls};
 
+use crate::projection::linear_pressure::LinearPressure;
 use crate::projection::linear_solver::cg::{NotConverged, PressureSolver, Stop};
 use crate::projection::linear_solver::cluster_matrix::ClusterMatrix;
 use subspace::Subspace;
@@ -52,6 +53,7 @@ pub(crate) struct MonolithicSolve<'a> {
     packed: &'a Packed,
     neighbours: &'a Neighbours,
     domain: &'a Domain,
+    linear_pressure: &'a LinearPressure,
     ids: &'a [u32],
     owners: &'a mut [WallInterface],
     walls: &'a mut Walls,
@@ -73,6 +75,7 @@ impl<'a> MonolithicSolve<'a> {
     /// Of owners whose unknowns are those that their walls' kinematics are written with.
     pub fn of(
         (packed, neighbours, domain): (&'a Packed, &'a Neighbours, &'a Domain),
+        linear_pressure: &'a LinearPressure,
         ids: &'a [u32],
         owners: &'a mut [WallInterface],
         walls: &'a mut Walls,
@@ -80,7 +83,18 @@ impl<'a> MonolithicSolve<'a> {
     ) -> MonolithicSolve<'a> {
         let unknowns = owners.iter().flat_map(|member| member.owner.unknowns()).collect();
         let trial = walls.clone();
-        let mut meeting = MonolithicSolve { packed, neighbours, domain, ids, owners, walls, trial, unknowns, inverse };
+        let mut meeting = MonolithicSolve {
+            packed,
+            neighbours,
+            domain,
+            linear_pressure,
+            ids,
+            owners,
+            walls,
+            trial,
+            unknowns,
+            inverse,
+        };
         meeting.set_trial(&meeting.unknowns.clone());
         meeting
     }
@@ -208,10 +222,14 @@ impl<'a> MonolithicSolve<'a> {
                 [rho0 * (g[0] - a[0]), rho0 * (g[1] - a[1])]
             };
             let field: Vec<[f64; 2]> = range.clone().map(field).collect();
-            let mut forces = vec![[0.0; 2]; range.len()];
+            let mut loads = vec![([0.0; 2], 0.0); range.len()];
             let (packed, neighbours, first, inverse) = (self.packed, self.neighbours, range.start, self.inverse);
             let reaction = Reaction { packed, neighbours, first, pressure, field: &field, inverse };
-            self.domain.fluid.kernel.gather(&reaction, &mut forces);
+            self.domain.fluid.kernel.gather(&reaction, &mut loads);
+            let (mut forces, pressures): (Vec<[f64; 2]>, Vec<f64>) = loads.into_iter().unzip();
+            for (force, more) in forces.iter_mut().zip(self.linear_pressure.correction(range.clone(), &pressures)) {
+                *force = [force[0] + more[0], force[1] + more[1]]; // PR19
+            }
             let [fx, fy] = [0, 1].map(|i| forces.iter().map(|f| f[i]).collect::<Vec<f64>>());
             let each = range.clone().zip(&forces);
             let mean_swing: Vec<f64> = each.map(|(k, f)| self.walls.swing(k, -self.walls.dt, *f)).collect();
@@ -238,7 +256,8 @@ fn add(to: &mut [f64], share: f64, what: &[f64]) {
     to.iter_mut().zip(what).for_each(|(t, w)| *t += share * w);
 }
 
-/// CO19: force [N/m] on the wall particles from `first` on under any pressures, one a fluid particle; the same sums as WA3 and WC5.
+/// CO19: force [N/m] on the wall particles from `first` on, and their pressures [Pa], under any pressures, one per fluid particle; the
+/// same sums as WA3 and WC5.
 struct Reaction<'a> {
     packed: &'a Packed,
     neighbours: &'a Neighbours,
@@ -253,9 +272,9 @@ struct Reaction<'a> {
 }
 
 impl TargetSum for Reaction<'_> {
-    type Sum = [f64; 2];
+    type Sum = ([f64; 2], f64);
     #[inline(always)]
-    fn of<K: Shape>(&self, k: usize) -> [f64; 2] {
+    fn of<K: Shape>(&self, k: usize) -> ([f64; 2], f64) {
         let Reaction { packed: Packed { fluid, walls, .. }, neighbours, first, pressure, field, inverse } = self;
         let n = pressure.len();
         let wall = &walls[first + k];
@@ -274,7 +293,7 @@ impl TargetSum for Reaction<'_> {
         }
         // as in WA3: no pressure without a fluid in reach
         let own = if weight < 1e-9 { 0.0 } else { (mean + field[k][0] * arm[0] + field[k][1] * arm[1]) / weight };
-        [0, 1].map(|i| -inverse * wall.volume * (push[i] + own * slopes[i]))
+        ([0, 1].map(|i| -inverse * wall.volume * (push[i] + own * slopes[i])), own)
     }
 }
 
