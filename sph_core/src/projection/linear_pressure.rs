@@ -16,7 +16,7 @@ const MANY: f64 = 0.9;
 /// Least Σ V W [-] that is a neighbourhood, as in WA3.
 const TOUCHED: f64 = 1e-9;
 
-/// What PR19 reads of a wall particle; all zero where the body is not closed or no water is near.
+/// What PR19 reads of a wall particle; no more than its outline where no water is near.
 #[derive(Clone, Copy, Debug, Default)]
 struct Place {
     /// Position at the start of the step [m].
@@ -91,11 +91,13 @@ impl LinearPressure {
         let places = &self.places[owner];
         let fitted = self.fit(places, pressure);
         let still = Field { middle: [0.0; 2], pressure: self.head, gradient: self.weight };
+        let first_row = places.iter().filter(|place| place.outline != [0.0; 2]);
+        let submerged = first_row.map(|place| place.covered).fold(1.0, f64::min);
         let of = |place: &Place| {
             let inside = fitted.map_or([0.0; 2], |field| place.correction(&field));
             let near_air = if still.at(place.at) > 0.0 { place.correction(&still) } else { [0.0; 2] };
-            let (covered, wet) = (place.covered, (1.0 - place.covered) * place.wet);
-            [0, 1].map(|i| covered * inside[i] + wet * near_air[i])
+            let wet = (1.0 - submerged) * place.wet;
+            [0, 1].map(|i| submerged * inside[i] + wet * near_air[i])
         };
         places.iter().map(of).collect()
     }
@@ -195,16 +197,17 @@ impl TargetSum for Places<'_> {
             let [xx, xy, yy] = second;
             second = [xx + pull * wb.dx * wb.dx, xy + pull * wb.dx * wb.dy, yy + pull * wb.dy * wb.dy];
         }
+        let ([along, across], [nx, ny]) = (walls.outline[k], [walls.nx[k], walls.ny[k]]);
+        let outline = [along * nx - across * ny, along * ny + across * nx];
         if weight < TOUCHED || wall.volume == 0.0 {
-            return Place::default();
+            return Place { outline, ..Place::default() };
         }
         let beside = lattice.beside_wall(walls.depth[k] * domain.fluid.smoothing_ratio / wall.h);
-        let (scale, [along, across]) = (inverse * wall.volume, walls.outline[k]);
-        let ([nx, ny], at) = ([walls.nx[k], walls.ny[k]], [wall.x, wall.y]);
+        let (scale, at) = (inverse * wall.volume, [wall.x, wall.y]);
         Place {
             at,
             surface: [at[0] + walls.depth[k] * nx, at[1] + walls.depth[k] * ny],
-            outline: [along * nx - across * ny, along * ny + across * nx],
+            outline,
             gradient: gradient.map(|g| scale * g),
             second: second.map(|m| scale * m),
             covered: inside / weight,
