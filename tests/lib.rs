@@ -7,7 +7,8 @@
 //!
 //! A fifth, `contract`, drives the `splashdown` command as its users do. This library holds what the kinds share:
 //! coarse [`systems`] to step, a wedge at the host's [`door`], [`bare`] fluids without bodies, a hand-made [`load`] to push
-//! bodies with, a plain [`landing`], a [`light`] box, linear theory of [`heave`], and small [`statistics`].
+//! bodies with, a plain [`landing`], a [`light`] box, linear theory of [`heave`], small [`statistics`], and whether tests
+//! take their [`long`] variants.
 
 #[path = "support/bare.rs"]
 pub mod bare;
@@ -23,6 +24,8 @@ pub mod landing;
 pub mod light;
 #[path = "support/load.rs"]
 pub mod load;
+#[path = "support/long.rs"]
+pub mod long;
 #[path = "support/parameters.rs"]
 pub mod parameters;
 #[path = "support/plates.rs"]

@@ -124,7 +124,7 @@ fn the_summary_has_the_keys_of_the_contract() {
     let seconds: f64 = phases.values().map(|phase| phase["seconds"].as_f64().expect("seconds")).sum();
     let wall = summary["wall_time_s"].as_f64().expect("a number");
     assert!(
-        (shares - 1.0).abs() < 1e-9 && seconds > 0.9 * wall && seconds <= wall,
+        (shares - 1.0).abs() < 1e-9 && seconds > 0.3 * wall && seconds <= wall,
         "{seconds} of {wall} s: {phases:?}"
     );
     assert!(place.text("out/report.html").contains(">momentum "), "no bar of the parts of the run");

@@ -85,14 +85,15 @@ class Browser:
         self.call("Emulation.setEmulatedMedia", media="", features=scheme)
         self.events = []
         self.call("Page.navigate", url=path.resolve().as_uri())
-        self.wait("document.readyState === 'complete'")
+        if not self.wait("document.readyState === 'complete'"):
+            raise SystemExit(f"{path}: not loaded within {PATIENCE:.0f} s")
 
     def value(self, expression):
         """The value of an expression on the page."""
         result = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
         return result["result"].get("value")
 
-    def wait(self, expression, patience=20.0):
+    def wait(self, expression, patience=PATIENCE):
         """Wait until an expression is true."""
         end = time.time() + patience
         while not self.value(expression):

@@ -1,14 +1,15 @@
 //! Where runs fail lies where theory puts it, within one cell of each map (THEORY OP7, WC14, WC15, CO25, LE24).
 
+use evidence::long::long;
 use rayon::prelude::*;
 use scenarios::experiments::stability::{self, MAPS, Map, Verdict};
 
 /// Theory knows the lattice, not the jump of the cut Gaussian, whose edge lies on neighbours at h/Δx = 1 (THEORY LE24).
 const ASTRAY: (&str, &str) = ("free_surface_threshold", "gaussian_1.0");
 
-/// Rows that say the same as others and take long: they run in `tests/nightly`, with `EVERY_ROW`. Light boxes hold with both schemes
+/// Rows that say the same as others and take long: they run in the long variant, in `tests/nightly`. Light boxes hold with both schemes
 /// on the map `coupling_mass` too; sound speeds between the least and the largest; kernels that pair, and that do not, beside these.
-const LONG: [(&str, &[&str]); 6] = [
+const SLOW: [(&str, &[&str]); 6] = [
     ("body_density", &["added_mass", "iqn_ils"]),
     ("kernel_pairing", &["gaussian", "quadratic"]),
     ("integrator_beeman", &["20", "28"]),
@@ -45,9 +46,8 @@ fn boundaries_lie_within_a_cell_of_theory() {
     assert!(maps.len() >= 7, "{} maps with a theory", maps.len());
     let rows = maps.iter().flat_map(|map| map.y.names().into_iter().map(move |y| (map, y)));
     let rows = rows.filter(|(map, y)| (map.name.as_str(), y.as_str()) != ASTRAY);
-    let every = std::env::var_os("EVERY_ROW").is_some();
-    let long = |map: &Map, y: &str| LONG.iter().any(|(name, rows)| map.name == *name && rows.contains(&y));
-    let rows = rows.filter(|(map, y)| every || !long(map, y));
+    let slow = |map: &Map, y: &str| SLOW.iter().any(|(name, rows)| map.name == *name && rows.contains(&y));
+    let rows = rows.filter(|(map, y)| long() || !slow(map, y));
     let points: Vec<Expectation> = rows.flat_map(|(map, y)| around(map, &y)).collect();
     let wrong = |e: &Expectation| {
         let (point, _) = stability::point(&e.map, &e.at).expect("a point that can be run");

@@ -1,6 +1,7 @@
 //! Water that turns from inside to surface and back, in random scenes (`tests/support/surfacing.rs`): the thesis's projection
 //! breaks down there.
 
+use evidence::long::long;
 use evidence::surfacing::{run, variation};
 use rayon::prelude::*;
 
@@ -15,11 +16,12 @@ const GAINING: [u64; 3] = [9, 21, 96];
 /// Bodies that come up, bodies that fall in and come out, and falls of water on water: each runs to its end, nothing
 /// goes through a wall, nothing is faster than three times a fall from the highest point, and no energy comes from nowhere,
 /// but for a little in three of a hundred. Bodies are lighter than water: without the body's mass in the pressure's equation each
-/// breaks down within a few steps. A fifth of the hundred and one of the three run here, all of them in `tests/nightly`.
+/// breaks down within a few steps. A fifth of the hundred and one of the three run here, all of them in the long variant.
 /// `SEEDS=17,20` runs these alone, `SETS="fluid.cfl=0.1 …"` overrides keys of their scenes.
 #[test]
 fn bodies_and_jets_go_through_the_surface() {
     let seeds: Vec<u64> = match std::env::var("SEEDS") {
+        Err(_) if long() => (0..100).collect(),
         Err(_) => (0..100).step_by(5).chain(GAINING.into_iter().take(1)).collect(),
         Ok(list) => list.split(',').map(|seed| seed.trim().parse().expect("SEEDS: numbers")).collect(),
     };

@@ -1,6 +1,7 @@
 //! A wedge with two deadrises (THEORY EN31–EN35): the similar flow against that of a symmetric wedge and the water's momentum, boundary elements
 //! against the similar flow.
 
+use evidence::long::with_long;
 use fsi_coupling::entry_theory::{
     AsymmetricFlow, Balance, EntryModel, FlowEnded, RolledFlow, RolledLoad, SimilarityFlow,
 };
@@ -31,7 +32,7 @@ fn equal_faces_are_those_of_a_symmetric_wedge() {
 #[test]
 fn force_and_moment_are_the_waters_momentum() {
     for deadrise in [20.0, 30.0, 40.0, 50.0] {
-        for roll in [1.0, 12.0, 20.0_f64].into_iter().filter(|roll| deadrise - roll >= 8.0) {
+        for roll in with_long(&[1.0, 12.0, 20.0_f64], &[5.0]).into_iter().filter(|roll| deadrise - roll >= 8.0) {
             let flow = similar(deadrise - roll, deadrise + roll);
             let Balance { force: [x, y], moment, force_from_energy, flux } = flow.balance;
             let of = [x / flow.force[0], y / flow.force[1], moment / flow.moment, force_from_energy / flow.force[1]];
@@ -61,7 +62,8 @@ fn a_small_roll_changes_the_load_in_proportion() {
 #[test]
 fn boundary_elements_keep_the_similar_flow() {
     let rolled_by_ten = [[10.0, 30.0], [20.0, 40.0], [35.0, 55.0]];
-    for [left, right] in rolled_by_ten.into_iter().chain([[41.3, 27.6]]) {
+    let others = with_long(&[[41.3, 27.6]], &[[24.0, 51.0], [33.7, 18.2]]);
+    for [left, right] in rolled_by_ten.into_iter().chain(others) {
         let exact = similar(left, right);
         let mut flow =
             RolledFlow::new([left.to_radians(), right.to_radians()], [100.0; 2], START, SPEED, 0.0).expect("in range");

@@ -1,5 +1,6 @@
 //! Momentum, and action against reaction, in runs with bodies (THEORY CO27).
 
+use evidence::long::long;
 use evidence::systems::{lift, system, take};
 use fsi_coupling::Coupled;
 
@@ -61,7 +62,7 @@ fn momentum_closes_in_every_step_of_an_impact() {
         ("floating_box", float.to_vec()),
     ] {
         let mut system = system(scene, &[&sets[..], &["time.start=0"]].concat());
-        take(&mut system, 150).expect("a stable run");
+        take(&mut system, if long() { 250 } else { 150 }).expect("a stable run");
         let worst = system.momentum_audit().worst;
         assert!(lift(&system) != 0.0, "{scene} {sets:?}: nothing is exchanged");
         assert!(worst < 1e-10, "{scene} {sets:?}: momentum open by {worst:e}");

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use evidence::landing::{RHO, landing, prism, tapered_hull};
+use evidence::long::long;
 use fsi_coupling::entry_theory::ditching::{Aeroplane, Attitude, LandingEnd, LandingState};
 use fsi_coupling::entry_theory::{EntryModel, Loads, Section};
 use rayon::prelude::*;
@@ -88,24 +89,39 @@ fn momentum_and_energy_go_to_the_water() {
     assert!((work / lost - 1.0).abs() < 1e-3, "{work} of work, {lost} lost");
 }
 
-fn mercure(sets: &[&str]) -> Landed {
+fn loaded(name: &str, sets: &[&str]) -> ditching::Scene {
     let sets: Vec<String> = sets.iter().map(|s| s.to_string()).collect();
-    ditching::follow(&ditching::load("mercure", &sets).expect("a landing"))
+    ditching::load(name, &sets).expect("a landing")
+}
+
+fn landed(name: &str, sets: &[&str]) -> Landed {
+    ditching::follow(&loaded(name, sets))
+}
+
+fn mercure(sets: &[&str]) -> Landed {
+    landed("mercure", sets)
 }
 
 /// Half the strips and half the steps of a landing as it is: largest loads change by less than 5 %, which
-/// `a_landing_has_no_grid_in_it_takes_few_steps_and_ends_slow_where_it_may` proves.
+/// `a_landing_has_no_grid_in_it_and_ends_slow_where_it_may` proves.
 const COARSE: [&str; 3] = ["landing.strips=100", "landing.step=0.002", "landing.sample_every=0.004"];
 
-/// A coarse landing at an angle of attack [deg], a path [deg] and a mass [kg].
+/// Strips and steps of these tests: coarse ones, and in the long variant those of a landing as it is.
+fn strips_and_steps() -> &'static [&'static str] {
+    if long() { &[] } else { &COARSE }
+}
+
+/// A landing up to the largest loads, which come before 2.7 s, in 5 s of the landings too; in the long variant up to 5 s. At an angle of
+/// attack [deg], a path [deg] and a mass [kg].
 fn mercure_at(attack: f64, path: f64, mass: f64, more: &[&str]) -> Landed {
     let keys = [
         format!("landing.angle_of_attack_deg={attack:?}"),
         format!("landing.flight_path_deg={path:?}"),
         format!("aeroplane.mass={mass:?}"),
     ];
-    let sets = keys.iter().map(String::as_str).chain(COARSE);
-    mercure(&sets.chain(more.iter().copied()).collect::<Vec<_>>())
+    let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+    let end = if long() { "landing.end=5.0" } else { "landing.end=3.0" };
+    mercure(&[&keys[..], strips_and_steps(), &[end], more].concat())
 }
 
 /// Angle of attack and path [deg], mass [kg], ranges of the largest vertical and longitudinal acceleration [g].
@@ -136,14 +152,11 @@ type FirstTouch = (f64, f64, f64);
 /// A landing that was not tested: the third of its row.
 const UNTESTED: FirstTouch = (9.0, -1.0, 49.0e3);
 
-/// The largest loads come before 2.7 s, in 5 s of the landings too.
-const UP_TO_THE_LARGEST_LOADS: &str = "landing.end=3.0";
-
 /// The landings of the model tests and the one that was not tested, by angle of attack, path and mass.
 static LANDINGS: LazyLock<Vec<(FirstTouch, Summary)>> = LazyLock::new(|| {
     let tested = MODEL_TESTS.iter().map(|(attack, path, mass, ..)| (*attack, *path, *mass));
     let all: Vec<_> = tested.chain([UNTESTED]).collect();
-    all.into_par_iter().map(|at| (at, mercure_at(at.0, at.1, at.2, &[UP_TO_THE_LARGEST_LOADS]).summary)).collect()
+    all.into_par_iter().map(|at| (at, mercure_at(at.0, at.1, at.2, &[]).summary)).collect()
 });
 
 /// The landing at an angle of attack, a path and a mass.
@@ -196,7 +209,7 @@ fn decelerations_of_the_nacas_models() {
     for (name, longitudinal, lengths, length) in
         [("xp2v", 4.0, 2.0, 23.0), ("b36", 3.0, 4.5, 49.4), ("constellation", 4.0, f64::NAN, 29.0)]
     {
-        let s = ditching::follow(&ditching::load(name, &COARSE.map(String::from)).expect("a landing")).summary;
+        let s = landed(name, strips_and_steps()).summary;
         let ratio = s.deceleration_g.value / longitudinal;
         assert!((1.0 / 1.5..1.5).contains(&ratio), "{name}: {:?}, tests {longitudinal} g", s.deceleration_g);
         let run = s.run_length_m / length;
@@ -213,7 +226,7 @@ fn decelerations_of_the_nacas_models() {
 #[test]
 fn without_suction_the_nose_comes_down_and_slams() {
     let cockpit = |suction: &str| {
-        let s = mercure_at(18.0, -1.0, 44.7e3, &[suction, UP_TO_THE_LARGEST_LOADS]).summary;
+        let s = mercure_at(18.0, -1.0, 44.7e3, &[suction]).summary;
         s.structure.accelerometers[0].normal_g.value
     };
     let [none, half, whole] = ["water.suction=0.0", "water.suction=0.5", "water.suction=1.0"].map(cockpit);
@@ -221,16 +234,16 @@ fn without_suction_the_nose_comes_down_and_slams() {
     assert!(none > 1.2 * half && half > 1.2 * whole, "{none} {half} {whole}");
 }
 
-/// Largest loads with half the strips and steps are those within 5 %. The work is bounded: 5 s in steps of 1 ms with 200 strips. The same
-/// landing has the same bits.
+/// Largest loads are within 5 % of those with half the strips and steps; in the long variant, of those with twice as many. The same landing
+/// has the same bits.
 #[test]
-fn a_landing_has_no_grid_in_it_takes_few_steps_and_ends_slow_where_it_may() {
-    let (usual, coarse) = (mercure(&[]).summary, landing_at((12.0, -1.0, 44.7e3)));
-    println!("{:?} {:?}, {:?} {:?}", usual.az_g, coarse.az_g, usual.fz_n, coarse.fz_n);
-    assert!(usual.steps <= 5000 && usual.strips <= 200, "{} steps, {} strips", usual.steps, usual.strips);
-    assert!(coarse.steps <= 1500 && coarse.strips <= 100, "{} steps, {} strips", coarse.steps, coarse.strips);
-    assert!((usual.az_g.value / coarse.az_g.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.az_g, coarse.az_g);
-    assert!((usual.fz_n.value / coarse.fz_n.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.fz_n, coarse.fz_n);
+fn a_landing_has_no_grid_in_it_and_ends_slow_where_it_may() {
+    let usual = mercure(&[]).summary;
+    let finer = ["landing.strips=400", "landing.step=0.0005"];
+    let other = if long() { mercure(&finer).summary } else { landing_at((12.0, -1.0, 44.7e3)).clone() };
+    println!("{} strips: {:?} {:?}, {:?} {:?}", other.strips, usual.az_g, other.az_g, usual.fz_n, other.fz_n);
+    assert!((usual.az_g.value / other.az_g.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.az_g, other.az_g);
+    assert!((usual.fz_n.value / other.fz_n.value - 1.0).abs() < 0.05, "{:?} {:?}", usual.fz_n, other.fz_n);
     let [slow, again] = [0, 1].map(|_| mercure(&["landing.least_speed=55.0"]));
     assert_eq!(slow.run.ended, LandingEnd::Slow);
     assert!(slow.summary.time_end_s < 5.0 && slow.summary.speed_m_per_s[1] < 55.0);
@@ -252,7 +265,7 @@ fn it_floats_at_its_weight() {
 
 #[test]
 fn sections_are_scenes_that_can_be_run() {
-    let scene = ditching::load("mercure", &COARSE.map(String::from)).expect("a landing");
+    let scene = loaded("mercure", &COARSE);
     let sections = ditching::section_scenes(&scene, &ditching::follow(&scene), 3);
     assert_eq!(sections.len(), 3);
     for section in &sections {

@@ -197,13 +197,11 @@ fn a_stiff_fuselage_lands_as_a_rigid_one() {
     }
 }
 
-/// The built-in landing with a bending fuselage is in balance, and takes as many steps as the rigid one: the largest deceleration comes before 2.5 s.
+/// The built-in landing with a bending fuselage is in balance. The largest deceleration comes before 2.5 s.
 #[test]
 fn a_bending_mercure_is_in_balance() {
     let usual = ["landing.strips=100", "landing.end=2.5"];
     let landed = mercure(&[&usual[..], &["beam.stiffness=[1e9, 3e9, 3e9, 1e9]"]].concat());
-    let steps = landed.summary.steps;
-    assert!(steps <= 2500, "{steps} steps");
     let s = &landed.summary.structure;
     assert!(s.balance_error < 1e-6, "{}", s.balance_error);
     assert!((3.0..8.0).contains(&s.frequencies_hz[0]), "{:?}", s.frequencies_hz);

@@ -1,5 +1,6 @@
 //! The peaks that a run quotes, against theory through the same mean (THEORY GE18–GE20).
 
+use evidence::long::long;
 use evidence::systems::scene;
 use scenarios::results::{Quantity, Verdict};
 use scenarios::run::summary::Summary;
@@ -54,7 +55,8 @@ fn a_light_drop_is_not_resolved_whatever_draught_the_run_shows() {
 /// A drop at 0.1 m/s that gravity makes ten times as fast, against the modified Logvinovich model.
 #[test]
 fn a_slow_drop_is_right_within_its_band() {
-    let set = ["body.velocity=[0.0, -0.1]", "time.end=0.3", "resolution.spacing=0.009"];
+    let spacing = if long() { "resolution.spacing=0.008" } else { "resolution.spacing=0.009" };
+    let set = ["body.velocity=[0.0, -0.1]", "time.end=0.3", spacing];
     let force = |sets: &[&str]| peak_force(&summary("wedge", &[&set[..], sets].concat()));
     let (particles, theory) = (force(&[]), force(&["model=mlm"]));
     println!("{particles:?} {theory:?}");
@@ -68,10 +70,11 @@ fn a_flat_contact_is_refused_by_name_and_keeps_its_impulse() {
     let body = "body={ name = 'plate', shape = 'box', breadth = 0.5, height = 0.2, mass = 100.0, free = ['y'], \
         velocity = [0.0, -5.0] }";
     let of = |solver: &str, spacing: &str| summary("wedge", &[body, solver, spacing, "compare=[]", "time.end=0.01"]);
+    let spacings = if long() { [0.01, 0.007] } else { [0.014, 0.01] };
     let mut impulses = Vec::new();
     for solver in ["fluid.sound_speed=1480", "solver=incompressible"] {
-        for spacing in ["resolution.spacing=0.014", "resolution.spacing=0.01"] {
-            let summary = of(solver, spacing);
+        for spacing in spacings {
+            let summary = of(solver, &format!("resolution.spacing={spacing}"));
             assert_eq!(peak_force(&summary).verdict, Verdict::Acoustic, "{solver} {spacing}");
             assert!(summary.doubts.iter().any(|doubt| doubt.contains("impulse_N_s_per_m")), "{:?}", summary.doubts);
             let peak = summary.peaks["plate.fy_N_per_m"];

@@ -82,7 +82,7 @@ pub struct Summary {
     pub model: &'static str,
     /// Strips along the fuselage.
     pub strips: usize,
-    /// Steps taken.
+    /// Steps: `time_end_s` over the length of a step.
     pub steps: u64,
     /// Time at the end [s].
     pub time_end_s: f64,

@@ -21,16 +21,21 @@ fn start(arguments: &[&str]) -> Child {
     command.spawn().expect("the program")
 }
 
-/// Wait until a file is there, or the child has ended.
-fn wait_for(file: &Path, child: &mut Child) {
-    let start = Instant::now();
-    while !file.exists() && child.try_wait().expect("a child").is_none() {
-        assert!(start.elapsed() < Duration::from_secs(60), "{} does not come", file.display());
-        sleep(Duration::from_millis(1));
+/// Wait until a file has been written anew so many times, or the child has ended; no one of its checkpoints has the bytes of another.
+fn wait_for(times: u32, file: &Path, child: &mut Child) {
+    let content = || std::fs::read(file).ok();
+    let (start, mut last, mut seen) = (Instant::now(), content(), 0);
+    while seen < times && child.try_wait().expect("a child").is_none() {
+        assert!(start.elapsed() < Duration::from_secs(60), "{} does not change", file.display());
+        sleep(Duration::from_micros(500));
+        let now = content();
+        seen += u32::from(now != last);
+        last = now;
     }
 }
 
-/// Killed again and again, at moments that differ from one to the next, the run ends with the bits of one without a break.
+/// Killed again and again, each time after one checkpoint more and a little later in its step, the run ends with the bits of one without a
+/// break.
 #[test]
 fn a_run_that_is_killed_again_and_again_has_the_same_bits() {
     let place = TempDir::new().expect("a folder");
@@ -40,12 +45,10 @@ fn a_run_that_is_killed_again_and_again_has_the_same_bits() {
     let sets: Vec<&str> = SETS.iter().flat_map(|set| ["--set", set]).collect();
     let first = [&["run", SCENE, "--out", folder, "--checkpoint-every", "0.002"][..], &sets].concat();
     let mut child = start(&first);
-    let mut wait = Duration::from_millis(20);
     let mut kills = 0;
     loop {
-        wait_for(&parts.join("checkpoint.bin"), &mut child);
-        sleep(wait);
-        wait += Duration::from_micros(36_700);
+        wait_for(2 + kills, &parts.join("checkpoint.bin"), &mut child);
+        sleep(Duration::from_micros(700) * kills);
         let ended = child.try_wait().expect("a child");
         if let Some(status) = ended {
             // a kill may come when all is written and the program has not ended yet: there is nothing to resume

@@ -7,19 +7,30 @@ use std::time::SystemTime;
 
 use super::{Place, wait_until};
 
-/// Five points of about a second each.
+/// One point of about a second.
 const SLOW: &str = r#"
 scene = "wedge"
 [set]
 resolution.spacing = 0.012
 time.end = 0.02
 [grid]
-body.mass = [200, 210, 220, 230, 240]
+body.mass = [200]
 "#;
 /// One point of some minutes.
 const ENDLESS: &str =
     "scene = \"wedge_constant\"\n[set]\nresolution.spacing = 0.01\n[grid]\nbody.deadrise_deg = [30]\n";
 const START: [&str; 5] = ["drops.toml", "--out", "out", "--jobs", "2"];
+
+/// Points of a killed sweep: five, and eight in the long variant.
+fn several() -> u64 {
+    if std::env::var("LONG").is_ok_and(|value| value == "1") { 8 } else { 5 }
+}
+
+/// A sweep of points like [`SLOW`].
+fn slow(points: u64) -> String {
+    let masses: Vec<u64> = (0..points).map(|k| 200 + 10 * k).collect();
+    SLOW.replace("[200]", &format!("{masses:?}"))
+}
 
 fn start(place: &Place) -> Child {
     place.command(&START).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the command starts")
@@ -49,13 +60,13 @@ fn ends(place: &Place) -> Vec<(std::path::PathBuf, SystemTime)> {
 /// kill -9 of a worker: its point runs again, the sweep ends as if nothing had happened.
 #[test]
 fn a_killed_worker_is_replaced() {
-    let place = Place::new(SLOW);
+    let place = Place::new(&slow(several()));
     let mut coordinator = start(&place);
     wait_until("a worker writes", || !place.points_with("series.csv").is_empty());
     signal("-KILL", children(coordinator.id())[0]);
     assert_eq!(coordinator.wait().expect("a child").code(), Some(0));
-    assert_eq!(place.points_with("point.json").len(), 5);
-    assert_eq!(place.text("out/table.csv").lines().count(), 6);
+    assert_eq!(place.points_with("point.json").len() as u64, several());
+    assert_eq!(place.text("out/table.csv").lines().count() as u64, several() + 1);
 }
 
 /// A worker that dies each time is reported, and the next call tries again.
@@ -81,30 +92,30 @@ fn a_worker_that_dies_each_time_is_reported() {
 /// kill -9 of the coordinator: its workers end their points; the next call runs the others only. A second coordinator is refused.
 #[test]
 fn a_killed_coordinator_loses_nothing() {
-    let place = Place::new(SLOW);
+    let place = Place::new(&slow(several()));
     let mut coordinator = start(&place);
     wait_until("a point has ended", || !place.points_with("point.json").is_empty());
     let (code, _, message) = place.sweep(&[]);
     assert_eq!(code, Some(2));
     assert!(message.contains("another `splashdown sweep` runs this sweep"), "{message}");
     let (_, status, _) = place.sweep(&["--status"]);
-    assert_eq!((&status["points"], &status["coordinator"]), (&5.into(), &true.into()));
+    assert_eq!((&status["points"], &status["coordinator"]), (&several().into(), &true.into()));
     signal("-KILL", coordinator.id());
     coordinator.wait().expect("a child");
     let before = ends(&place);
     let (code, said, message) = place.sweep(&["--resume", "--jobs", "2"]);
-    assert_eq!((code, &said["done"]), (Some(0), &5.into()), "{message}");
+    assert_eq!((code, &said["done"]), (Some(0), &several().into()), "{message}");
     // workers may have ended between the two
     assert!(said["reused"].as_u64() >= Some(before.len() as u64), "{said}");
     let after = ends(&place);
     assert!(before.iter().all(|end| after.contains(end)), "a point that had ended ran again");
-    assert_eq!(after.len(), 5);
+    assert_eq!(after.len() as u64, several());
 }
 
 /// Workers of a killed coordinator are waited for, not doubled: their processes stay the only ones.
 #[test]
 fn points_of_a_killed_coordinator_run_once() {
-    let place = Place::new(&SLOW.replace("[200, 210, 220, 230, 240]", "[200, 210]"));
+    let place = Place::new(&slow(2));
     let mut coordinator = start(&place);
     wait_until("both workers write", || place.points_with("series.csv").len() == 2);
     signal("-KILL", coordinator.id());
@@ -139,8 +150,7 @@ fn an_interrupted_sweep_continues() {
 /// A point that was interrupted goes on from its checkpoint, to the bits that it has without a break.
 #[test]
 fn an_interrupted_point_goes_on_from_its_checkpoint() {
-    let one = SLOW.replace("[200, 210, 220, 230, 240]", "[200]");
-    let (place, whole) = (Place::new(&one), Place::new(&one));
+    let (place, whole) = (Place::new(SLOW), Place::new(SLOW));
     let mut coordinator = start(&place);
     wait_until("the worker steps", || place.points_with("series.csv").len() == 1);
     signal("-TERM", coordinator.id());

@@ -9,7 +9,8 @@ fn the_bodys_work_is_energy_of_the_water() {
     let wedge = |deadrise: f64| Section::wedge(deadrise, 1.0).expect("a section");
     let round = |breadth: f64| Section::arc(0.5, breadth).expect("a section");
     let bent = |corners: [[f64; 2]; 3]| Section::new(&corners).expect("a section");
-    let cases = [
+    // wedges, gravity and the deepest draught; those of 30° and 47° in the long variant, with `LONG=1`
+    let mut cases = vec![
         (bent([[0.0, 0.0], [0.25, 0.091], [0.5, 0.266]]), 0.0, 0.4), // 20°, then 35°
         (bent([[0.0, 0.0], [0.3, 0.14], [0.5, 0.194]]), 9.81, 0.3),  // 25°, then 15°
         (bent([[0.0, 0.0], [0.2, 0.073], [0.5, 0.373]]), 2.0, 0.5),  // 20°, then 45°
@@ -18,6 +19,9 @@ fn the_bodys_work_is_energy_of_the_water() {
         (round(1.0), 0.0, 0.4),
         (round(0.7), 9.81, 0.4),
     ];
+    if std::env::var("LONG").is_ok_and(|value| value == "1") {
+        cases.extend([(wedge(22.0), 9.81, 0.6), (wedge(30.0), 0.0, 0.6), (wedge(47.0), 9.81, 0.6)]);
+    }
     for (section, gravity, deepest) in cases {
         let mut flow = EntryFlow::new(&section, 0.05, 2.0, gravity).expect("in range");
         let (mut dry, mut wet) = ([0.0; 2], [0.0; 2]);
