@@ -4,6 +4,7 @@ use fsi_coupling::settings::{Problem, require};
 use serde_json::{Value, json};
 
 use super::data_file::{DataFile, Fault, shortened};
+use super::settings::parabola_rate;
 use super::table_file::NumberTable;
 
 const KEY: &str = "body.motion_file";
@@ -20,19 +21,32 @@ pub(super) fn settle(given: &mut Value, scene_file: &str) -> Result<(), Problem>
     let Some(body) = given.get_mut("body").and_then(Value::as_object_mut) else { return Ok(()) };
     let Some(name) = body.get("motion_file").and_then(Value::as_str).map(str::to_string) else { return Ok(()) };
     let beside = |key: &str| body.get(key).is_some();
-    require(!beside("displacements"), KEY, format_args!("{name:?}"), "no body.displacements beside it")?;
+    require(
+        !beside("displacements") && !beside("displacement_rates"),
+        KEY,
+        format_args!("{name:?}"),
+        "no body.displacements beside it",
+    )?;
     let motion = body.get("motion").cloned().unwrap_or_else(|| json!("tabulated"));
     require(motion == "tabulated", KEY, format_args!("{name:?}"), "motion = \"tabulated\" beside it")?;
     let file = DataFile::read(scene_file, KEY, &name, KIND)?;
-    let rows = rows(&file.text).map_err(|fault| file.problem(fault))?;
+    let (rows, rates) = rows(&file.text).map_err(|fault| file.problem(fault))?;
     body.remove("motion_file");
     body.insert("motion".into(), motion);
     body.insert("displacements".into(), json!(rows));
+    if !rates.is_empty() {
+        body.insert("displacement_rates".into(), json!(rates));
+    }
     Ok(())
 }
 
 /// Rows of time [s], displacement x, y [m] and rotation [deg] from the first row.
-fn rows(text: &str) -> Result<Vec<[f64; 4]>, Fault> {
+type Places = Vec<[f64; 4]>;
+/// Their rates [m/s, m/s, deg/s].
+type Rates = Vec<[f64; 3]>;
+
+/// The places of a table; and, if it gives a velocity, rates at all rows: those that it does not give are of parabolas.
+fn rows(text: &str) -> Result<(Places, Rates), Fault> {
     let table = NumberTable::parse(text)?;
     let last = table.rows.last().map_or(1, |(line, _)| *line);
     if table.rows.len() < 2 {
@@ -56,11 +70,13 @@ fn rows(text: &str) -> Result<Vec<[f64; 4]>, Fault> {
     }
     let mut motion = vec![[0.0; 4]; times.len()];
     motion.iter_mut().zip(&times).for_each(|(row, time)| row[0] = *time);
+    let mut given: [Option<Vec<f64>>; 3] = Default::default();
     let mut found = 0;
     for (k, ((places, length), (speeds, speed))) in PLACES.iter().zip(SPEEDS).enumerate() {
-        let values = match (column(places, length)?, column(speeds, speed)?) {
+        given[k] = column(speeds, speed)?;
+        let values = match (column(places, length)?, &given[k]) {
             (Some(values), _) => values.iter().map(|value| value - values[0]).collect(),
-            (None, Some(speeds)) => integral(&times, &speeds),
+            (None, Some(speeds)) => integral(&times, speeds),
             (None, None) => continue,
         };
         found += 1;
@@ -69,7 +85,12 @@ fn rows(text: &str) -> Result<Vec<[f64; 4]>, Fault> {
     if found == 0 {
         return Err(head("a header that names x, y or angle, or the velocities vx, vy or omega"));
     }
-    Ok(motion)
+    let rate = |row: usize, k: usize| given[k].as_ref().map_or_else(|| parabola_rate(&motion, row, k + 1), |v| v[row]);
+    let rates = match given.iter().any(Option::is_some) {
+        true => (0..motion.len()).map(|row| [0, 1, 2].map(|k| rate(row, k))).collect(),
+        false => Rates::new(),
+    };
+    Ok((motion, rates))
 }
 
 /// Integral over time from the first row, of values that are linear between rows.
@@ -89,11 +110,13 @@ mod tests {
 
     #[test]
     fn places_and_velocities_are_read_in_their_units() {
-        let found = rows("t [ms]; y [mm]; angle [rad]\n0; 5; 0\n10; 4; 0,1\n").expect("rows");
+        let (found, rates) = rows("t [ms]; y [mm]; angle [rad]\n0; 5; 0\n10; 4; 0,1\n").expect("rows");
         assert!((found[1][0] - 0.01).abs() < 1e-15 && (found[1][2] + 1e-3).abs() < 1e-15, "{found:?}");
         assert!((found[1][3] - 0.1_f64.to_degrees()).abs() < 1e-12);
-        let found = rows("time_s,body.vy_m_per_s\n0,-1\n0.5,-1\n1,-3\n").expect("rows");
+        assert!(rates.is_empty(), "places alone");
+        let (found, rates) = rows("time_s,body.vy_m_per_s\n0,-1\n0.5,-1\n1,-3\n").expect("rows");
         assert_eq!(found, [[0.0, 0.0, 0.0, 0.0], [0.5, 0.0, -0.5, 0.0], [1.0, 0.0, -1.5, 0.0]]);
+        assert_eq!(rates, [[0.0, -1.0, 0.0], [0.0, -1.0, 0.0], [0.0, -3.0, 0.0]]);
     }
 
     #[test]

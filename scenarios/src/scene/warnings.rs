@@ -83,6 +83,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
     warnings.extend(limit_of_forces(scene));
+    warnings.extend(scene.all_bodies().filter_map(|body| short_table(body, scene.time.end)));
     warnings.extend(wave_warnings(scene));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
@@ -94,6 +95,17 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         )
     }));
     warnings
+}
+
+/// A table of motion that ends before the run.
+fn short_table(body: &Body, end: f64) -> Option<String> {
+    let Motion::Tabulated(table) = &body.motion else { return None };
+    let (last, [u, v, spin]) = table.end();
+    let [u, v, spin] = [u, v, spin].map(significant);
+    let name = &body.name;
+    (last < end).then(|| {
+        format!("the table of {name}'s motion ends at {last} s, the run at {end} s: from then on it moves at {u}, {v} m/s and {spin} deg/s")
+    })
 }
 
 /// Warnings about a run by a theory.

@@ -10,6 +10,8 @@ use crate::walls::Walls;
 
 /// Weight of the hydrostatic gradient in the fit: that of as many particles at a smoothing length's distance as there are [-].
 const STIFFNESS: f64 = 0.01;
+/// Mean difference from the pressure of still water, over that pressure [-]: water is still up to the first, and not from the second on.
+const STILL: [f64; 2] = [0.25, 0.5];
 /// Shares of Σ V W beside a flat wall [-]: from the first on the water near air counts as still water, from the second on in full.
 const FEW: f64 = 0.6;
 const MANY: f64 = 0.9;
@@ -33,6 +35,8 @@ struct Place {
     covered: f64,
     /// 1 where the water is as thick as beside a flat wall; 0 under a film [-].
     wet: f64,
+    /// Share of the pressure that fits best; the same for all of a body [-].
+    fits: f64,
     /// Smoothing length [m].
     h: f64,
 }
@@ -80,24 +84,45 @@ impl LinearPressure {
         self.places.resize(walls.len(), Place::default());
         for owner in closed(walls) {
             let sum = Places { system, walls, air, lattice, inverse, first: owner.start };
-            domain.fluid.kernel.gather(&sum, &mut self.places[owner]);
+            domain.fluid.kernel.gather(&sum, &mut self.places[owner.clone()]);
+            let fits = self.fits(owner.clone(), &walls.pressure);
+            self.places[owner].iter_mut().for_each(|place| place.fits = fits);
         }
     }
 
+    /// Pressure of still water (PR11).
+    fn still(&self) -> Field {
+        Field { middle: [0.0; 2], pressure: self.head, gradient: self.weight }
+    }
+
+    /// 1 for a body that is all under water, and for one in still water: the pressures of the last step differ little from those of
+    /// still water. 0 under an impact, whose pressure at the edge of the wetted face is not that of the integral.
+    fn fits(&self, owner: Range<usize>, pressure: &[f64]) -> f64 {
+        let (still, mut submerged, mut excess, mut sum) = (self.still(), 1.0, 0.0, 0.0);
+        for (place, p) in self.places[owner.clone()].iter().zip(&pressure[owner]) {
+            if place.outline != [0.0; 2] {
+                submerged = place.covered.min(submerged);
+            }
+            let at_rest = still.at(place.at).max(0.0);
+            excess += place.weight() * (p - at_rest).abs();
+            sum += place.weight() * at_rest;
+        }
+        let calm = if sum > 0.0 { (STILL[1] - excess / sum) / (STILL[1] - STILL[0]) } else { 0.0 };
+        calm.clamp(0.0, 1.0).max(submerged)
+    }
+
     /// What the force on each particle of an owner changes by, under the wall pressures `pressure` [Pa]: the pairs' force of a
-    /// linear pressure is taken off and its integral over the outline is added [N/m]. Inside the water that pressure is the one that
-    /// fits best; near air it is that of still water. Linear in the pressures.
+    /// linear pressure is taken off and its integral over the outline is added [N/m]. That pressure is the one that fits best, as far as
+    /// the body is under water or the water is still; else it is that of still water. Linear in the pressures.
     pub fn correction(&self, owner: Range<usize>, pressure: &[f64]) -> Vec<[f64; 2]> {
         let places = &self.places[owner];
         let fitted = self.fit(places, pressure);
-        let still = Field { middle: [0.0; 2], pressure: self.head, gradient: self.weight };
-        let first_row = places.iter().filter(|place| place.outline != [0.0; 2]);
-        let submerged = first_row.map(|place| place.covered).fold(1.0, f64::min);
+        let still = self.still();
         let of = |place: &Place| {
             let inside = fitted.map_or([0.0; 2], |field| place.correction(&field));
             let near_air = if still.at(place.at) > 0.0 { place.correction(&still) } else { [0.0; 2] };
-            let wet = (1.0 - submerged) * place.wet;
-            [0, 1].map(|i| submerged * inside[i] + wet * near_air[i])
+            let fits = place.fits * place.covered;
+            [0, 1].map(|i| fits * inside[i] + (1.0 - fits) * place.wet * near_air[i])
         };
         places.iter().map(of).collect()
     }
@@ -212,6 +237,7 @@ impl TargetSum for Places<'_> {
             second: second.map(|m| scale * m),
             covered: inside / weight,
             wet: ((weight / beside - FEW) / (MANY - FEW)).clamp(0.0, 1.0),
+            fits: 0.0,
             h: wall.h,
         }
     }
@@ -234,6 +260,7 @@ mod tests {
                 second: [-0.01, 0.002, -0.012],
                 covered: 1.0,
                 wet: 1.0,
+                fits: 1.0,
                 h: 0.3,
             }
         };

@@ -98,10 +98,30 @@ const FASTEST: f64 = 1e4;
 /// Prescribed displacements at given times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Displacements {
-    /// Rows of time, displacement x, y and rotation from body.position and body.angle_deg, in order of time [s, m, m, deg]. Between rows
-    /// cubic in time, with the velocities of parabolas through three rows; outside the table at constant velocity.
+    /// Rows of time, displacement x, y and rotation from body.position and body.angle_deg, in order of time [s, m, m, deg]; from t = 0 or
+    /// before. Between rows cubic in time, with the velocities of parabolas through three rows; after the table at constant velocity.
     #[schemars(extend("x-default" = "required by tabulated without motion_file"))]
     pub displacements: Vec<[f64; 4]>,
+    /// Velocities x, y and of rotation at the rows of body.displacements [m/s, m/s, deg/s].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("x-default" = "of parabolas through three rows"))]
+    pub displacement_rates: Vec<[f64; 3]>,
+}
+
+/// Rate of column `i` of a table of times and values at row `k`: of the parabola through it and its neighbours, or of the line through two.
+pub(in crate::scene) fn parabola_rate(rows: &[[f64; 4]], k: usize, i: usize) -> f64 {
+    let last = rows.len() - 1;
+    let length = |k: usize| rows[k + 1][0] - rows[k][0];
+    let slope = |k: usize| (rows[k + 1][i] - rows[k][i]) / length(k);
+    match k {
+        _ if last == 0 => 0.0,
+        _ if last == 1 => slope(0),
+        0 => slope(0) + (slope(0) - slope(1)) * length(0) / (length(0) + length(1)),
+        k if k == last => {
+            slope(k - 1) + (slope(k - 1) - slope(k - 2)) * length(k - 1) / (length(k - 2) + length(k - 1))
+        }
+        k => (slope(k - 1) * length(k) + slope(k) * length(k - 1)) / (length(k - 1) + length(k)),
+    }
 }
 
 /// A motion downwards.
@@ -114,21 +134,16 @@ pub(in crate::scene) struct Descent {
 }
 
 impl Displacements {
-    /// Velocities x, y [m/s] and angle [deg/s] at a row: of the parabola through it and its neighbours, or of the line through two.
+    /// Velocities x, y [m/s] and angle [deg/s] at a row: as given, or of parabolas.
     fn velocities(&self, row: usize) -> [f64; 3] {
-        let (rows, last) = (&self.displacements, self.displacements.len() - 1);
-        let slope = |k: usize, i: usize| (rows[k + 1][i] - rows[k][i]) / (rows[k + 1][0] - rows[k][0]);
-        let length = |k: usize| rows[k + 1][0] - rows[k][0];
-        [1, 2, 3].map(|i| match row {
-            _ if last == 0 => 0.0,
-            _ if last == 1 => slope(0, i),
-            0 => slope(0, i) + (slope(0, i) - slope(1, i)) * length(0) / (length(0) + length(1)),
-            k if k == last => {
-                let (a, b) = (k - 2, k - 1);
-                slope(b, i) + (slope(b, i) - slope(a, i)) * length(b) / (length(a) + length(b))
-            }
-            k => (slope(k - 1, i) * length(k) + slope(k, i) * length(k - 1)) / (length(k - 1) + length(k)),
-        })
+        let of_parabolas = || [1, 2, 3].map(|i| parabola_rate(&self.displacements, row, i));
+        self.displacement_rates.get(row).copied().unwrap_or_else(of_parabolas)
+    }
+
+    /// Time of the last row [s], and the velocity with which the body goes on [m/s, m/s, deg/s].
+    pub(in crate::scene) fn end(&self) -> (f64, [f64; 3]) {
+        let last = self.displacements.len() - 1;
+        (self.displacements[last][0], self.velocities(last))
     }
 
     /// The rows of the motion of a body that starts so.
@@ -173,6 +188,10 @@ impl Displacements {
             _ if rows.len() < 2 => Some("two rows at least"),
             _ if rows.iter().flatten().any(|value| !value.is_finite()) => Some("finite numbers"),
             _ if rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) => Some("rows in order of time"),
+            _ if rows[0][0] > 0.0 => Some("a first row at t = 0 or before, where the run starts"),
+            _ if !matches!(self.displacement_rates.len(), n if n == 0 || n == rows.len()) => {
+                Some("as many rows as body.displacement_rates has")
+            }
             _ if (0..rows.len()).any(too_fast) => Some("speeds up to 10 000 m/s and deg/s"),
             _ if half && sideways => Some("rows [t, 0, y, 0] with symmetry = \"x\""),
             _ => None,
@@ -382,7 +401,10 @@ mod tests {
     #[test]
     fn a_table_of_a_constant_acceleration_is_exact() {
         let exact = |t: f64| [t, 0.1 * t - t * t, 0.5 * t * t, 10.0 * t];
-        let table = Displacements { displacements: [0.0, 0.1, 0.3, 0.35, 0.8].map(exact).to_vec() };
+        let table = Displacements {
+            displacements: [0.0, 0.1, 0.3, 0.35, 0.8].map(exact).to_vec(),
+            displacement_rates: Vec::new(),
+        };
         let start = RigidMotion { position: [1.0, 2.0], angle: 0.5, ..RigidMotion::default() };
         let Moved::ByLaw(law) = Motion::Tabulated(table.clone()).moved(&start) else { panic!("a law") };
         for t in [0.0, 0.05, 0.3, 0.32, 0.7] {
@@ -395,5 +417,28 @@ mod tests {
         assert!((table.fastest(0.0) - 1.5_f64.hypot(0.8)).abs() < 1e-12, "{}", table.fastest(0.0));
         assert_eq!(table.fault(false), None);
         assert!(table.fault(true).is_some_and(|fault| fault.contains("symmetry")));
+    }
+    /// A table of velocities: they are the body's at the rows, and linear between.
+    #[test]
+    fn velocities_that_a_table_gives_are_the_bodys() {
+        let table = Displacements {
+            displacements: vec![[0.0; 4], [0.02, 0.0, -0.08, 0.0], [0.05, 0.0, -0.2, 0.0]],
+            displacement_rates: vec![[0.0, -5.0, 0.0], [0.0, -3.0, 0.0], [0.0, -5.0, 0.0]],
+        };
+        let Moved::ByLaw(law) = Motion::Tabulated(table.clone()).moved(&RigidMotion::default()) else {
+            panic!("a law")
+        };
+        for (t, v, a) in
+            [(0.0, -5.0, 100.0), (0.005, -4.5, 100.0), (0.02, -3.0, -200.0 / 3.0), (0.035, -4.0, -200.0 / 3.0)]
+        {
+            let now = law(t);
+            assert!((now.velocity[1] - v).abs() < 1e-12 && (now.acceleration[1] - a).abs() < 1e-9, "t = {t}: {now:?}");
+        }
+        assert_eq!(table.end(), (0.05, [0.0, -5.0, 0.0]));
+        let late = Displacements {
+            displacements: vec![[12.5, 0.0, 0.0, 0.0], [12.9, 0.0, -1.0, 0.0]],
+            displacement_rates: Vec::new(),
+        };
+        assert!(late.fault(false).is_some_and(|fault| fault.contains("t = 0 or before")));
     }
 }

@@ -22,6 +22,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use body::line;
+pub(in crate::scene) use body::parabola_rate;
 pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
