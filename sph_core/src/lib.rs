@@ -32,7 +32,7 @@
 //! let mut points = Vec::new();
 //! for row in 0..3 {
 //!     let depth = centre(row);
-//!     let point = |at, normal| WallPoint { at, normal, area: SPACING * SPACING, spacing: SPACING, depth, outline: [0.0; 2], midline: None };
+//!     let point = |at, normal| WallPoint { at, normal, area: SPACING * SPACING, spacing: SPACING, depth, outline: Default::default(), midline: None };
 //!     points.extend((-3..23).map(|i| point([centre(i), -depth], [0.0, 1.0])));
 //!     points.extend((0..20).map(|j| point([-depth, centre(j)], [1.0, 0.0])));
 //!     points.extend((0..20).map(|j| point([2.0 + depth, centre(j)], [-1.0, 0.0])));

@@ -46,7 +46,7 @@ impl Column {
                 area: spacing * spacing,
                 spacing,
                 depth,
-                outline: [0.0; 2],
+                outline: Default::default(),
                 midline: None,
             }
         };

@@ -42,7 +42,7 @@ fn channel(cells: usize, push: f64, speed: f64) -> (Fluid, Walls) {
                 area: spacing * spacing,
                 spacing,
                 depth: (layer as f64 + 0.5) * spacing,
-                outline: [0.0; 2],
+                outline: Default::default(),
                 midline: None,
             })
         };

@@ -28,7 +28,7 @@ fn full_tank() -> (Fluid, Walls) {
         let depth = ((k / COLUMNS) as f64 + 0.5) * spacing;
         let (y, normal) = if floor { (-depth, [0.0, 1.0]) } else { (HEIGHT + depth, [0.0, -1.0]) };
         let at = [((k % COLUMNS) as f64 + 0.5) * spacing, y];
-        WallPoint { at, normal, area: spacing * spacing, spacing, depth, outline: [0.0; 2], midline: None }
+        WallPoint { at, normal, area: spacing * spacing, spacing, depth, outline: Default::default(), midline: None }
     };
     let points: Vec<WallPoint> = (0..6 * COLUMNS).map(|k| point(k / 2, k % 2 == 0)).collect();
     let mut walls = Walls::default();

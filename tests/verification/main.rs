@@ -45,6 +45,7 @@ mod standing_wave;
 mod still_water;
 mod strips;
 mod study;
+mod submerged;
 mod symmetry;
 mod taylor_green;
 mod theory;

@@ -85,7 +85,15 @@ impl Tank {
         let point = |(column, layer): (usize, usize)| {
             let (depth, shift) = (WallRows::depth(layer, s), if rows.is_shifted(layer) { 0.5 * s } else { 0.0 });
             let at = [self.x[0] - WallRows::depth(column, s) + shift, self.floor - depth];
-            WallPoint { at, normal: [0.0, 1.0], area: s * s, spacing: s, depth, outline: [0.0; 2], midline: None }
+            WallPoint {
+                at,
+                normal: [0.0, 1.0],
+                area: s * s,
+                spacing: s,
+                depth,
+                outline: Default::default(),
+                midline: None,
+            }
         };
         cells.map(point).collect()
     }
@@ -128,7 +136,7 @@ impl WettedBody for Tank {
             area: s * s,
             spacing: s,
             depth,
-            outline: [0.0; 2],
+            outline: Default::default(),
             midline: None,
         };
         // shifted rows: the floor's towards the plane of symmetry or to the right, the sides' upwards

@@ -32,7 +32,7 @@ impl Pistons {
             area: 1.0,
             spacing: 1.0,
             depth: 0.0,
-            outline: [0.0; 2],
+            outline: Default::default(),
             midline: None,
         };
         walls.extend(&vec![point; n], 1.0);

@@ -65,7 +65,7 @@ fn end_row(line: &[[f64; 2]], thickness: f64, depth: f64, spacing: f64, points: 
             area: part * spacing,
             spacing,
             depth,
-            outline: [0.0; 2],
+            outline: Default::default(),
             midline: None,
         });
     }
@@ -221,7 +221,7 @@ mod tests {
             area: 1e-4,
             spacing: 0.01,
             depth: 0.005,
-            outline: [0.0; 2],
+            outline: Default::default(),
             midline: None,
         };
         for thickness in [0.002, 0.01, 0.024] {

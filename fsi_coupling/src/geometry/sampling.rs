@@ -200,7 +200,7 @@ pub(crate) fn divide(
             area: share * part * spacing,
             spacing: spaced,
             depth,
-            outline: [0.0; 2],
+            outline: Default::default(),
             midline: None,
         });
     }
@@ -227,7 +227,7 @@ pub(crate) fn sample_fan(face: &Face, next: &Face, depth: f64, spacing: f64, poi
             area: part * spacing,
             spacing: (part * spacing).sqrt(),
             depth,
-            outline: [0.0; 2],
+            outline: Default::default(),
             midline: None,
         });
     }

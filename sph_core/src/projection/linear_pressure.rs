@@ -6,7 +6,7 @@ use crate::interactions::geometry::pair_geometry;
 use crate::interactions::kernel::{Shape, TargetSum};
 use crate::projection::free_surface::lattice::Lattice;
 use crate::system::ParticleSystem;
-use crate::walls::Walls;
+use crate::walls::{OutlineShare, Walls};
 
 /// Weight of the hydrostatic gradient in the fit: that of as many particles at a smoothing length's distance as there are [-].
 const STIFFNESS: f64 = 0.01;
@@ -25,8 +25,10 @@ struct Place {
     at: [f64; 2],
     /// Position of the surface above it [m].
     surface: [f64; 2],
-    /// Its share ∫n ds of the outline [m].
-    outline: [f64; 2],
+    /// Unit normal [-].
+    normal: [f64; 2],
+    /// Its share of the outline, in the frame of the normal.
+    outline: OutlineShare,
     /// V_w ΣV∇W/κ [m].
     gradient: [f64; 2],
     /// V_w ΣV r⊗∇W/κ, symmetric [m²].
@@ -100,7 +102,7 @@ impl LinearPressure {
     fn fits(&self, owner: Range<usize>, pressure: &[f64]) -> f64 {
         let (still, mut submerged, mut excess, mut sum) = (self.still(), 1.0, 0.0, 0.0);
         for (place, p) in self.places[owner.clone()].iter().zip(&pressure[owner]) {
-            if place.outline != [0.0; 2] {
+            if place.outline.area != [0.0; 2] {
                 submerged = place.covered.min(submerged);
             }
             let at_rest = still.at(place.at).max(0.0);
@@ -176,21 +178,31 @@ impl LinearPressure {
 
 /// The owners that have a closed outline.
 fn closed(walls: &Walls) -> impl Iterator<Item = Range<usize>> + '_ {
-    let has_outline = |owner: &&Range<usize>| walls.outline[(*owner).clone()].iter().any(|share| *share != [0.0; 2]);
+    let has_outline =
+        |owner: &&Range<usize>| walls.outline[(*owner).clone()].iter().any(|share| share.area != [0.0; 2]);
     walls.owners.iter().filter(has_outline).cloned()
 }
 
 impl Place {
+    /// ∫P n ds over its share of the outline [N/m].
+    fn integral(&self, field: &Field) -> [f64; 2] {
+        let (OutlineShare { area, moment }, [nx, ny], p) = (self.outline, self.normal, field.at(self.surface));
+        let [gx, gy] = field.gradient;
+        let slope = [gx * nx + gy * ny, gy * nx - gx * ny];
+        let [along, across] = [0, 1].map(|b| p * area[b] + slope[0] * moment[0][b] + slope[1] * moment[1][b]);
+        [along * nx - across * ny, along * ny + across * nx]
+    }
+
     /// Exact less pairs' force of a linear pressure [N/m].
     fn correction(&self, field: &Field) -> [f64; 2] {
         let (p, [gx, gy], [xx, xy, yy]) = (field.at(self.at), field.gradient, self.second);
         let slope = [xx * gx + xy * gy, xy * gx + yy * gy];
-        let on_surface = field.at(self.surface);
-        [0, 1].map(|i| 2.0 * p * self.gradient[i] - slope[i] - on_surface * self.outline[i])
+        let on_surface = self.integral(field);
+        [0, 1].map(|i| 2.0 * p * self.gradient[i] - slope[i] - on_surface[i])
     }
 
     fn weight(&self) -> f64 {
-        self.covered * self.outline[0].hypot(self.outline[1])
+        self.covered * self.outline.area[0].hypot(self.outline.area[1])
     }
 }
 
@@ -222,8 +234,7 @@ impl TargetSum for Places<'_> {
             let [xx, xy, yy] = second;
             second = [xx + pull * wb.dx * wb.dx, xy + pull * wb.dx * wb.dy, yy + pull * wb.dy * wb.dy];
         }
-        let ([along, across], [nx, ny]) = (walls.outline[k], [walls.nx[k], walls.ny[k]]);
-        let outline = [along * nx - across * ny, along * ny + across * nx];
+        let (outline, [nx, ny]) = (walls.outline[k], [walls.nx[k], walls.ny[k]]);
         if weight < TOUCHED || wall.volume == 0.0 {
             return Place { outline, ..Place::default() };
         }
@@ -232,6 +243,7 @@ impl TargetSum for Places<'_> {
         Place {
             at,
             surface: [at[0] + walls.depth[k] * nx, at[1] + walls.depth[k] * ny],
+            normal: [nx, ny],
             outline,
             gradient: gradient.map(|g| scale * g),
             second: second.map(|m| scale * m),
@@ -255,7 +267,8 @@ mod tests {
             Place {
                 at: [0, 1].map(|i| surface[i] - 0.1 * n[i]),
                 surface,
-                outline: n.map(|n| 0.25 * n),
+                normal: n,
+                outline: OutlineShare { area: [0.25, 0.0], moment: [[0.0; 2]; 2] },
                 gradient: [0.11 * n[0] + 0.01, 0.13 * n[1] - 0.02],
                 second: [-0.01, 0.002, -0.012],
                 covered: 1.0,

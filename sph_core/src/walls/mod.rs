@@ -33,6 +33,16 @@ impl WallLayout {
     }
 }
 
+/// The part of a closed outline that a boundary particle stands for (THEORY PR19), in the frame of its normal and of the normal turned by
+/// +90°.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct OutlineShare {
+    /// a = ∫n ds [m].
+    pub area: [f64; 2],
+    /// ∫(r − s)⊗n ds about the surface s above the particle [m²].
+    pub moment: [[f64; 2]; 2],
+}
+
 /// One boundary particle as its owner samples it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallPoint {
@@ -46,9 +56,8 @@ pub struct WallPoint {
     pub spacing: f64,
     /// Depth below the surface, along the normal [m].
     pub depth: f64,
-    /// Its share ∫n ds of a closed outline, along the normal and along the normal turned by +90° [m] (THEORY PR19); zero behind the
-    /// first row, and where the outline is not closed.
-    pub outline: [f64; 2],
+    /// Its share of a closed outline (THEORY PR19); zero behind the first row, and where the outline is not closed.
+    pub outline: OutlineShare,
     /// Index of the midline, among its owner's, of the thin plate that it belongs to (THEORY WA9); `None` for ordinary walls.
     pub midline: Option<u32>,
 }
@@ -57,7 +66,7 @@ pub struct WallPoint {
 ///
 /// ```
 /// use sph_core::{WallPoint, Walls};
-/// let point = WallPoint { at: [0.0, -0.05], normal: [0.0, 1.0], area: 0.01, spacing: 0.1, depth: 0.05, outline: [0.0; 2], midline: None };
+/// let point = WallPoint { at: [0.0, -0.05], normal: [0.0, 1.0], area: 0.01, spacing: 0.1, depth: 0.05, outline: Default::default(), midline: None };
 /// let mut walls = Walls::default();
 /// let floor = walls.extend(&[point], 1.5);
 /// walls.fy[0] = 3.0;
@@ -101,8 +110,8 @@ pub struct Walls {
     pub mean_fy: Vec<f64>,
     /// Mean over the step of (r − r_end)×F [N]. The moment of the mean force is taken where the particle ends; this is added to it.
     pub mean_swing: Vec<f64>,
-    /// Shares ∫n ds of closed outlines, along the normal and along the normal turned by +90° [m] (THEORY PR19).
-    pub outline: Vec<[f64; 2]>,
+    /// Shares of closed outlines (THEORY PR19).
+    pub outline: Vec<OutlineShare>,
     /// The particles of each owner.
     pub owners: Vec<Range<usize>>,
     /// Middle lines of thin walls (THEORY WA8), in the order of their owners.

@@ -102,9 +102,9 @@ pub struct Displacements {
     /// before. Between rows cubic in time, with the velocities of parabolas through three rows; after the table at constant velocity.
     #[schemars(extend("x-default" = "required by tabulated without motion_file"))]
     pub displacements: Vec<[f64; 4]>,
-    /// Velocities x, y and of rotation at the rows of body.displacements [m/s, m/s, deg/s].
+    /// Velocities x, y and of rotation at the rows of body.displacements, instead of those of parabolas [m/s, m/s, deg/s].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    #[schemars(extend("x-default" = "of parabolas through three rows"))]
+    #[schemars(extend("x-default" = "absent"))]
     pub displacement_rates: Vec<[f64; 3]>,
 }
 
