@@ -92,7 +92,9 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
             draft.fill("resolution.fine_zone", [tank.width, tank.depth]);
         }
     };
-    resolve_resolution(draft, &solver, entry.as_ref(), body.as_ref(), automatic)?;
+    let under_water = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
+        && body.iter().chain(&others).any(Body::starts_under_water);
+    resolve_resolution(draft, &solver, entry.as_ref(), body.as_ref(), [automatic, under_water])?;
     for i in 0..draft.count("gauges") {
         let gauge: Gauge = draft.read(&format!("gauges[{i}]"))?;
         word(&format!("gauges[{i}].name"), &gauge.name)?;
@@ -283,16 +285,17 @@ fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, bodies: &[&Body]
     options.map_or(Ok(()), |options| legacy::check_coupling(options, scheme == CouplingScheme::IqnIls))
 }
 
-/// Packing and refinement tracking; `automatic`: the scene leaves the fine zone to the program.
+/// Packing and refinement tracking; `automatic`: the scene leaves the fine zone to the program; `under_water`: so starts a body.
 fn resolve_resolution(
     draft: &mut Draft,
     solver: &SolverSettings,
     entry: Option<&Entry>,
     body: Option<&Body>,
-    automatic: bool,
+    [automatic, under_water]: [bool; 2],
 ) -> Result<(), Problem> {
     let plate = body.is_some_and(|body| matches!(body.shape, Shape::Polyline { .. }));
-    let packing = draft.fill("resolution.packing", solver.is_incompressible() && body.is_some() && !plate);
+    let packing =
+        draft.fill("resolution.packing", (solver.is_incompressible() && body.is_some() || under_water) && !plate);
     let beside_plate = "false with a polyline, beside which there is room anyhow";
     require(!(plate && packing), "resolution.packing", true, beside_plate)?;
     let asked: Option<bool> = draft.get("resolution.follow");

@@ -346,6 +346,11 @@ impl Body {
         placed(self.shape.outline(), self.position, self.angle_deg)
     }
 
+    /// Whether all of it is under the still water at t = 0.
+    pub(in crate::scene) fn starts_under_water(&self) -> bool {
+        self.placed_outline().iter().all(|at| at[1] <= 0.0)
+    }
+
     /// A point of the body's frame in the tank's frame, at t = 0 [m].
     pub fn to_tank(&self, point: [f64; 2]) -> [f64; 2] {
         placed(vec![point], self.position, self.angle_deg)[0]

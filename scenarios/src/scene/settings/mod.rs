@@ -211,7 +211,7 @@ pub struct Resolution {
     pub lattice: Lattice,
     /// Packing of the water round the body before the run: as much as there is room for, evenly (Colagrossi et al. 2012).
     /// Not round a polyline.
-    #[schemars(extend("x-default" = "false; true if incompressible with a body"))]
+    #[schemars(extend("x-default" = "false; true if incompressible with a body, and for a body under water"))]
     pub packing: bool,
     /// Refinement tracking: the fine zone grows with the draught of a body that enters the water, and coarse particles are split
     /// (THEORY WC21). For the weakly compressible solver with the symplectic integrator.
