@@ -80,7 +80,7 @@ fn a_cylinder_let_go_under_water_has_the_acceleration_of_its_added_mass() {
         let [x, y] = motion(&system).velocity;
         println!("{density} kg/m3: {y} m/s, {expected} expected");
         assert!(
-            (y / expected - 1.0).abs() < 0.08 && x.abs() < 0.01,
+            (y / expected - 1.0).abs() < 0.09 && x.abs() < 0.01,
             "{density} kg/m3: {x}, {y} m/s, {expected} expected"
         );
     }
@@ -97,7 +97,7 @@ fn a_neutral_cylinder_stays() {
     advance(&mut system, 2.0, |_| {}).expect("a stable run");
     let gap = [0, 1].map(|i| (motion(&system).position[i] - start[i]) / 0.025);
     println!("moved by {gap:?} spacings");
-    assert!(gap.iter().all(|gap| gap.abs() < 0.3), "moved by {gap:?} spacings");
+    assert!(gap.iter().all(|gap| gap.abs() < 0.05), "moved by {gap:?} spacings");
 }
 
 /// A box afloat beside the lattice: before PR19 the mean force sideways was 6.6 % of that of still water on a side.

@@ -39,7 +39,6 @@ const STRETCHED_CFL: f64 = 0.4;
 const SAMPLES_PER_PERIOD: f64 = 5.0;
 
 const LARGEST_GROWTH: f64 = 1.2;
-
 /// Deflection over length from which a clamped or pinned plate is rather a membrane [-].
 const MEMBRANE: f64 = 0.1;
 /// Elements this short, in spacings, held with a light and soft panel; 0.83 did not [-].
@@ -83,7 +82,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
             .push("fluid.kernel = \"quadratic\" broke down in the jet of a wedge: use it for comparison only".into());
     }
     warnings.extend(limit_of_forces(scene));
-    warnings.extend(scene.all_bodies().filter_map(|body| short_table(body, scene.time.end)));
+    warnings.extend(scene.all_bodies().filter_map(|body| body.short_table(scene.time.end)));
     warnings.extend(wave_warnings(scene));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
@@ -95,17 +94,6 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         )
     }));
     warnings
-}
-
-/// A table of motion that ends before the run.
-fn short_table(body: &Body, end: f64) -> Option<String> {
-    let Motion::Tabulated(table) = &body.motion else { return None };
-    let (last, [u, v, spin]) = table.end();
-    let [u, v, spin] = [u, v, spin].map(significant);
-    let name = &body.name;
-    (last < end).then(|| {
-        format!("the table of {name}'s motion ends at {last} s, the run at {end} s: from then on it moves at {u}, {v} m/s and {spin} deg/s")
-    })
 }
 
 /// Warnings about a run by a theory.

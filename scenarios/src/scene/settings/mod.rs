@@ -4,6 +4,7 @@
 //! checks and `scene.resolved.toml` follow from it (see [`fsi_coupling::settings`]).
 
 mod body;
+mod displacements;
 mod fluid;
 mod links;
 mod modes;
@@ -22,9 +23,9 @@ use serde::de::Error as _;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use body::line;
-pub(in crate::scene) use body::parabola_rate;
 pub(super) use body::placed;
 pub use body::{Axis, Body, Freedom, Motion, Moved, Oscillation, panel_length, panel_line};
+pub(in crate::scene) use displacements::parabola_rate;
 pub use fluid::{IncompressibleFluid, SolverSettings, Water, WeaklyCompressibleFluid};
 pub use fsi_coupling::geometry::layout::Lattice;
 pub(in crate::scene) use links::TANK;
