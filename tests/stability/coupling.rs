@@ -20,6 +20,7 @@ fn released(density: f64, scheme: &str) -> (f64, f64) {
         "tank.width=0.4".to_string(),
         "tank.depth=0.3".to_string(),
         "resolution.spacing=0.01".to_string(),
+        "resolution.packing=false".to_string(),
         "fluid.sound_speed=20".to_string(),
         format!("coupling.scheme={scheme}"),
     ];

@@ -59,7 +59,7 @@ fn a_body_at_rest_under_water_carries_the_weight_of_the_water_that_it_displaces(
         let check = |system: &Coupled| {
             let [x, y] = motion(system).force.map(|f| f / weight);
             let t = system.fluid.time();
-            assert!((y - 1.0).abs() < 0.01 && x.abs() < 0.005, "{depth} m, {shift:?}, t = {t}: {x} sideways, {y} up");
+            assert!((y - 1.0).abs() < 0.012 && x.abs() < 0.005, "{depth} m, {shift:?}, t = {t}: {x} sideways, {y} up");
         };
         check(&system);
         advance(&mut system, 0.1, check).expect("a stable run");
