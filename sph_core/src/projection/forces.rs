@@ -100,7 +100,7 @@ impl PressureForces {
         self.pushes = pushes;
     }
 
-    /// At the start.
+    /// PR11: the head of the particles as they lie at the start.
     pub fn find_head(&mut self, system: &ParticleSystem) {
         let (p, g, rho) = (&system.particles, system.domain.gravity, system.domain.fluid.density);
         let half = |k: usize| 0.5 * rho * g[0].hypot(g[1]) * (p.mass[k] / p.rho[k]).sqrt();

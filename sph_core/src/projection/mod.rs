@@ -87,7 +87,7 @@ impl Projection {
         self.surface.mark_dry_walls(flow.system, flow.walls); //                     walls without water (PR5)
         self.operators.assemble(flow.system, flow.walls, &self.lattice, constants, dt); // C, ∇C, ∇·u*, A
         self.surface.set_indicator(flow.system, &self.operators, &self.lattice); //  particles near air (PR5)
-        self.place_bodies(flow, self.lattice.gradient); //                                                  closed bodies (PR19)
+        self.place_bodies(flow, self.lattice.gradient); //                           closed bodies (PR19)
         self.note_kernel_sums(flow.system);
         self.solve_pressure(flow, dt)?; //                                           (A + s) p = …; a_w with it (CO21)
         let (Flow { system, walls, .. }, air) = (flow, self.surface.indicator());

@@ -98,7 +98,8 @@ impl Displacements {
     /// What is wrong with the table, if anything is.
     pub(in crate::scene) fn fault(&self, half: bool) -> Option<&'static str> {
         let rows = &self.displacements;
-        let sideways = rows.iter().any(|[_, x, _, angle]| *x != 0.0 || *angle != 0.0);
+        let sideways = rows.iter().any(|[_, x, _, angle]| *x != 0.0 || *angle != 0.0)
+            || self.displacement_rates.iter().any(|[u, _, spin]| *u != 0.0 || *spin != 0.0);
         let too_fast = |k: usize| self.velocities(k).iter().any(|v| !v.is_finite() || v.abs() > FASTEST);
         match () {
             _ if rows.len() < 2 => Some("two rows at least"),
