@@ -136,6 +136,7 @@ fn in_words(s: &Summary) -> String {
         ),
     }];
     lines.extend(s.results.named().iter().map(result_in_words));
+    lines.extend(s.results.bandwidth_by.map(|by| format!("  bandwidth of the force: {}", by.words())));
     lines.extend(s.doubts.iter().map(|doubt| format!("  DOUBT: {doubt}")));
     lines.extend(s.choice.iter().map(|why| format!("  model chosen: {why}")));
     for c in &s.comparison {
@@ -154,8 +155,12 @@ fn in_words(s: &Summary) -> String {
         return lines.join("\n");
     }
     lines.push(format!(
-        "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, penetrated {}",
-        s.audit.momentum, s.audit.energy, s.audit.volume, s.audit.penetrated
+        "  audit: momentum {:.1e}, energy {:+.3}, volume {:+.1e}, surface {}, penetrated {}",
+        s.audit.momentum,
+        s.audit.energy,
+        s.audit.volume,
+        s.audit.surface.map_or("-".into(), |gap| format!("{gap:.1e}")),
+        s.audit.penetrated
     ));
     lines.extend(s.audit.worst_penetration.iter().map(|worst| format!("  PENETRATION: {worst}")));
     lines.join("\n")

@@ -167,6 +167,7 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     let gauges = bars.iter().filter(|(path, _)| path.ends_with(".p_Pa/value"));
     let pressure = gauges.max_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
     Results {
+        bandwidth_by: None,
         peak_force_N_per_m: peak(forces.largest(), 0.0),
         peak_acceleration_g: peak(accelerations.largest(), 1.0).filter(|_| free),
         peak_pressure_Pa: pressure.and_then(|(_, bar)| quantity(bar.value, None, Some(bar.band))),

@@ -3,8 +3,9 @@
 use fsi_coupling::Breach;
 use serde::{Deserialize, Serialize};
 
+use super::surface_impulse::SurfaceImpulse;
 use super::{Frame, ObserveError, Observer};
-use crate::scene::Scene;
+use crate::scene::{Scene, presses_on_walls};
 
 /// The state of rest, for scenes whose water should come, or stay, to rest.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -77,6 +78,8 @@ pub struct History {
     penetrated: usize,
     worst: Option<WorstPenetration>,
     fastest: f64,
+    /// Absent with walls that have no pressure of their own.
+    surface: Option<SurfaceImpulse>,
 }
 
 impl History {
@@ -84,7 +87,8 @@ impl History {
     pub fn new(scene: &Scene) -> History {
         let (spacing, g) = (scene.resolution.spacing, scene.gravity[1].abs());
         let ripple = 0.5 * scene.water().density * g * spacing * spacing * scene.tank.width;
-        History { ripple, ..History::default() }
+        let surface = presses_on_walls(scene).then(SurfaceImpulse::default);
+        History { ripple, surface, ..History::default() }
     }
 
     /// The largest energy exchanged [J/m], the scale of a drift. At least that of a ripple as
@@ -101,6 +105,11 @@ impl History {
     /// The particle found deepest beyond a wall at any sample.
     pub fn worst_penetration(&self) -> Option<&WorstPenetration> {
         self.worst.as_ref()
+    }
+
+    /// Impulse of the pressure on a body's outline that the body did not get, as a share (THEORY CO39) [-].
+    pub fn surface_gap(&self) -> Option<f64> {
+        self.surface.as_ref()?.gap()
     }
 
     /// Fastest particle at any sample [m/s].
@@ -139,6 +148,9 @@ impl Observer for History {
             }
         }
         self.fastest = self.fastest.max(frame.held.top_speed);
+        if let Some(surface) = &mut self.surface {
+            surface.sample(system);
+        }
         self.entries.push(Entry { time: frame.time(), kinetic: energy.kinetic, height: frame.held.height });
         Ok(())
     }

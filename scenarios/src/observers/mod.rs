@@ -15,6 +15,7 @@ mod run_view;
 mod sensing;
 mod series;
 mod similarity;
+mod surface_impulse;
 mod waves;
 
 use std::io;

@@ -5,19 +5,18 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::air_pulse::air_pulse;
+use super::averaging::{Averaging, CUTOFF};
 use super::bands::{Depth, LEAST_FORCE_BAND};
+use super::doubts::Doubts;
 use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
 use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
 use crate::scene::{
-    Bottom, Entry, LEAST_DRAUGHT, Scene, known_compressibility_error, limit_of_forces, resonant_panels, significant,
+    Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, known_compressibility_error, limit_of_forces, resonant_panels,
+    significant,
 };
 
-/// Time over which a peak is averaged, in times that the body takes to fall through a spacing (GE18) [-].
-const WINDOW: f64 = 3.0;
-/// The mean over a time τ halves the power at this over τ (GE18) [-].
-const CUTOFF: f64 = 0.443;
 /// Bands of a peak pressure by the spacings across the length with 90 % of the peak: least length, share of the pressure [-].
 const PRESSURE_BANDS: [(f64, f64); 2] = [(17.0, 0.04), (5.0, 0.25)];
 /// What twice the time takes off a round bottom's peak counts so often in its band (GE20) [-].
@@ -52,29 +51,12 @@ impl Curves {
     }
 }
 
-/// Doubts: why, and about which results.
-#[derive(Default)]
-struct Doubts(Vec<(String, String)>);
-
-impl Doubts {
-    fn add(&mut self, name: &str, why: Option<String>) {
-        let Some(why) = why else { return };
-        match self.0.iter_mut().find(|(_, known)| *known == why) {
-            Some((names, _)) => *names = format!("{names}, {name}"),
-            None => self.0.push((name.to_string(), why)),
-        }
-    }
-
-    fn sentences(self) -> Vec<String> {
-        self.0.into_iter().map(|(names, why)| format!("{names}: {why}")).collect()
-    }
-}
-
 /// What a scene's results are judged by.
 pub(super) struct Judge {
     pub(super) spacing: f64,
-    /// Speed with which rows of particles are met [m/s].
-    speed: f64,
+    /// Averaging times of forces, and of pressures.
+    of_force: Averaging,
+    of_pressure: Averaging,
     entry: Option<Entry>,
     /// Magnitude of gravity [m/s²].
     gravity: f64,
@@ -86,20 +68,28 @@ pub(super) struct Judge {
     limit: Option<String>,
     /// Panels that vibrate with the water's sound, and why.
     resonant: Vec<(String, String)>,
+    /// Keys of the method with which no band was measured, in words.
+    unusual: Vec<String>,
 }
 
 impl Judge {
     pub fn new(scene: &Scene) -> Judge {
         let entry = scene.entry().filter(|entry| entry.final_draught > 0.0);
+        let speed = entry.map_or_else(|| scene.fastest_speed(), |entry| entry.attached_speed);
+        let of_root = entry.map_or(speed, |entry| entry.root_speed().max(entry.speed));
+        let air = entry.and_then(|entry| air_pulse(scene, &entry));
+        let of_air = air.map(|[time, _]| time);
         Judge {
             spacing: scene.resolution.spacing,
-            speed: entry.map_or_else(|| scene.fastest_speed(), |entry| entry.attached_speed),
+            of_force: Averaging::of_force(scene, entry.as_ref(), speed, of_air),
+            of_pressure: Averaging::of_pressure(scene, of_root, of_air),
             entry,
             gravity: scene.gravity[0].hypot(scene.gravity[1]),
             sound_speed: (!scene.solver.is_incompressible()).then(|| scene.sound_speed()),
-            air: entry.and_then(|entry| air_pulse(scene, &entry)),
+            air,
             limit: limit_of_forces(scene),
             resonant: resonant_panels(scene),
+            unusual: scene.unusual_keys(&[]).iter().map(Unusual::words).collect(),
         }
     }
 
@@ -110,12 +100,12 @@ impl Judge {
             doubts.add(name, why);
             quantity.with_known_band()
         };
-        let window = self.air.map_or(WINDOW * self.spacing / self.speed, |[window, _]| window);
+        let window = self.of_force.time;
         let by_force = |peak: Extreme, raw: Extreme| {
             let mean = |curve: &RunningIntegral<2>| curve.mean_about(peak.time, window).unwrap_or_default();
             with_tension(self.force_finding(curves, window, peak, raw), mean(&curves.tension), mean(&curves.force))
         };
-        let force = self.peak(&curves.force, window, [1.0, 0.0], &by_force);
+        let force = self.peak(&curves.force, (self.of_force, "bandwidth"), [1.0, 0.0], &by_force);
         let known = force.as_ref().is_some_and(|(quantity, _)| quantity.verdict == Verdict::Resolved);
         let by_acceleration = |peak: Extreme, raw: Extreme| {
             let dry = curves.draught_at(peak.time) <= self.spacing;
@@ -133,7 +123,7 @@ impl Judge {
             }
         };
         let unit = [1.0 / STANDARD_GRAVITY, self.gravity];
-        let acceleration = self.peak(&curves.acceleration, window, unit, &by_acceleration);
+        let acceleration = self.peak(&curves.acceleration, (self.of_force, "bandwidth"), unit, &by_acceleration);
         let pressure = self.peak_pressure(curves);
         let impulse = curves.force.largest().map(|_| self.impulse(curves));
         let of_force = force.as_ref().map(|(quantity, _)| *quantity);
@@ -142,19 +132,24 @@ impl Judge {
             peak_acceleration_g: acceleration.map(|found| keep("peak_acceleration_g", found)),
             peak_pressure_Pa: pressure.map(|found| keep("peak_pressure_Pa", found)),
             impulse_N_s_per_m: impulse.map(|found| keep("impulse_N_s_per_m", found)),
+            bandwidth_by: of_force.map(|_| self.of_force.by),
             panels: BTreeMap::new(),
         };
         let panels = panels.iter().enumerate().map(|(k, panel)| {
             let resonates = self.resonant.iter().find(|(name, _)| *name == panel.name).map(|(_, why)| why.as_str());
             // GE18 averages over spacings that an entering body falls through: elsewhere a plate may vibrate faster
             let stress = curves.stresses.get(k).filter(|_| self.entry.is_some());
-            let mean = stress.and_then(|curve| curve.largest_mean(window));
+            let mean = stress.and_then(|curve| curve.largest_mean(self.of_force.least));
             let (results, why) = panel_results(panel, of_force, mean.map(|mean| mean.value), resonates);
             doubts.add(&panel.name, why);
             (panel.name.clone(), results)
         });
-        let panels = panels.collect();
-        (Results { panels, ..results }, doubts.sentences())
+        let results = Results { panels: panels.collect(), ..results };
+        let results = match self.unusual.is_empty() {
+            true => results,
+            false => results.without_bands(&self.unusual, &mut doubts),
+        };
+        (results, doubts.sentences())
     }
 
     /// The largest mean of a curve times a factor; its band's share is of the value and what is subtracted in it. `None`
@@ -162,11 +157,11 @@ impl Judge {
     fn peak<const N: usize>(
         &self,
         curve: &RunningIntegral<N>,
-        window: f64,
+        (averaging, key): (Averaging, &str),
         [factor, subtracted]: [f64; 2],
         finding: &dyn Fn(Extreme, Extreme) -> Finding,
     ) -> Option<(Quantity, Option<String>)> {
-        let raw = curve.largest()?;
+        let (raw, window) = (curve.largest()?, averaging.time);
         let Some(mean) = curve.largest_mean(window) else {
             let (value, why) = (factor * raw.value, "the run is shorter than the time of its mean".to_string());
             let quantity = Quantity {
@@ -179,11 +174,21 @@ impl Judge {
             };
             return Some((quantity, Some(why)));
         };
-        // GE19: what twice the time takes off the peak
+        // GE19: what twice the time takes off the peak, where the time follows the spacing
         let twice = curve.largest_mean(2.0 * window).map_or(0.0, |longer| longer.value);
         let round = matches!(self.entry, Some(Entry { bottom: Bottom::Arc { .. }, .. }));
-        let smoothed = (mean.value - twice).max(0.0) * if round { ROUND_SMOOTHING } else { 1.0 };
-        let (verdict, band, why) = finding(mean, raw);
+        let times = if averaging.is_fixed() {
+            0.0
+        } else if round {
+            ROUND_SMOOTHING
+        } else {
+            1.0
+        };
+        let smoothed = times * (mean.value - twice).max(0.0);
+        let (verdict, band, why) = match averaging.too_short(key, self.spacing) {
+            Some(why) => (Verdict::NotResolved, None, Some(why)),
+            None => finding(mean, raw),
+        };
         let quantity = Quantity {
             value: factor * mean.value,
             time_s: Some(mean.time),
@@ -273,8 +278,6 @@ impl Judge {
 
     /// The gauge with the largest peak.
     fn peak_pressure(&self, curves: &Curves) -> Option<(Quantity, Option<String>)> {
-        let root = self.entry.map_or(self.speed, |entry| entry.root_speed().max(entry.speed));
-        let window = self.air.map_or(WINDOW * self.spacing / root, |[window, _]| window);
         let finding = |peak: Extreme, raw: Extreme| {
             let Some(entry) = &self.entry else { return self.unforeseen(curves, peak, raw) };
             if entry.is_flat() {
@@ -299,7 +302,10 @@ impl Judge {
                 }
             }
         };
-        let each = curves.pressures.iter().filter_map(|curve| self.peak(curve, window, [1.0, 0.0], &finding));
+        let each = curves
+            .pressures
+            .iter()
+            .filter_map(|curve| self.peak(curve, (self.of_pressure, "pressure_bandwidth"), [1.0, 0.0], &finding));
         each.max_by(|(a, _), (b, _)| a.value.total_cmp(&b.value))
     }
 
@@ -325,12 +331,15 @@ impl Judge {
 
 #[cfg(test)]
 mod tests {
+    use super::super::averaging::BandwidthBy;
     use super::*;
 
     /// A judge of a flow that no theory foresees.
     fn still() -> Judge {
-        let (limit, air, resonant) = (None, None, Vec::new());
-        Judge { spacing: 0.1, speed: 1.0, entry: None, gravity: 9.81, sound_speed: None, air, limit, resonant }
+        let of_force = Averaging { time: 0.3, least: 0.3, by: BandwidthBy::Spacing };
+        let (limit, air, resonant, unusual) = (None, None, Vec::new(), Vec::new());
+        let (spacing, gravity, of_pressure) = (0.1, 9.81, of_force);
+        Judge { spacing, of_force, of_pressure, entry: None, gravity, sound_speed: None, air, limit, resonant, unusual }
     }
 
     /// A force of 1 N/m for a second, with a step of 0.01 s that is so many times as large.

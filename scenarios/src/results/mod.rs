@@ -5,8 +5,10 @@
 //! spacings; the largest value of a single step is given beside it, as `raw`.
 
 mod air_pulse;
+mod averaging;
 mod bands;
 mod blunt;
+mod doubts;
 mod filtered;
 mod judge;
 mod observer;
@@ -18,6 +20,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+pub use averaging::BandwidthBy;
 pub use filtered::FilteredAcceleration;
 pub(crate) use filtered::PASS_OVER_CLASS;
 pub use observer::ResultsObserver;
@@ -110,6 +113,9 @@ pub struct Results {
     /// Magnitude of the impulse of the water on the body over the run [N s/m].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub impulse_N_s_per_m: Option<Quantity>,
+    /// What the bandwidth of force and acceleration follows from; absent without an averaged force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bandwidth_by: Option<BandwidthBy>,
     /// Results of each panel, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub panels: BTreeMap<String, PanelResults>,

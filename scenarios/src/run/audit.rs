@@ -9,6 +9,8 @@ use crate::scene::significant;
 const MOMENTUM: f64 = 1e-9;
 /// Largest energy that may come from nowhere, over the energy exchanged [-].
 const ENERGY: f64 = 0.02;
+/// Largest share of a body's impulse by which it may differ from that of the pressure on its outline [-].
+const SURFACE: f64 = 0.01;
 /// Largest share of the exchanged work that may be lost between water and body, or within the body [-].
 const WORK: f64 = 0.01;
 
@@ -23,6 +25,9 @@ pub struct Audit {
     pub work: f64,
     /// Work on an elastic body that its energies do not contain, over the work exchanged [-].
     pub structure: f64,
+    /// Impulse of the pressure on a body's outline that the body did not get, over the impulse exchanged (THEORY CO39) [-]; `null` where no
+    /// water pressed on a body, and for walls without a pressure of their own.
+    pub surface: Option<f64>,
     /// Change of the fluid's volume Σm/ρ over its start value [-].
     pub volume: f64,
     /// Most fluid particles found beyond a wall's surface at any sample.
@@ -69,6 +74,13 @@ impl Audit {
             beyond(self.structure, WORK).then(|| {
                 format!("audit.structure: {} of the work on the body is not in its energies", percent(self.structure))
             }),
+            self.surface.filter(|gap| beyond(*gap, SURFACE)).map(|gap| {
+                format!(
+                    "audit.surface: the impulse on a body is {} off that of the pressure along its outline: its force is no better; use a finer \
+                     spacing",
+                    percent(gap)
+                )
+            }),
             self.worst_penetration.as_ref().map(|worst| format!("audit.penetrated: {worst}")),
         ];
         told.into_iter().flatten().collect()
@@ -83,12 +95,13 @@ mod tests {
     fn each_part_out_of_bounds_is_told_by_its_name() {
         let fine = Audit { momentum: 1e-12, energy: -0.4, work: 0.005, structure: 1e-3, ..Audit::default() };
         assert!(fine.doubts().is_empty());
-        let broken = Audit { momentum: 1e-6, energy: 0.3, work: 0.02, structure: 0.05, ..Audit::default() };
+        let broken =
+            Audit { momentum: 1e-6, energy: 0.3, work: 0.02, structure: 0.05, surface: Some(0.02), ..Audit::default() };
         let doubts = broken.doubts();
-        for (doubt, name) in doubts.iter().zip(["momentum", "energy", "work", "structure"]) {
+        for (doubt, name) in doubts.iter().zip(["momentum", "energy", "work", "structure", "surface"]) {
             assert!(doubt.starts_with(&format!("audit.{name}: ")), "{doubt}");
         }
-        assert_eq!(doubts.len(), 4);
+        assert_eq!(doubts.len(), 5);
         assert!(broken.loses_work() && !fine.loses_work());
         assert_eq!(Audit { energy: f64::NAN, ..fine }.doubts().len(), 1);
     }

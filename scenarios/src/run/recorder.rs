@@ -271,6 +271,7 @@ impl Recorder {
             energy: system.energy_drift() / self.history.scale(),
             work: body.map_or(0.0, |k| system.work_audit(k).residual()),
             structure: body.map_or(0.0, |k| structure_gap(system, k, self.energy_of_body)),
+            surface: self.history.surface_gap(),
             volume: fluid.volume() / volume - 1.0,
             penetrated: self.history.penetrated(),
             worst_penetration: self.history.worst_penetration().cloned(),

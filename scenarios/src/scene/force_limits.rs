@@ -1,8 +1,9 @@
 //! Why no force on a body can be relied on, whatever the run gives: known before it.
 
 use fsi_coupling::settings::significant;
+use sph_core::Solver;
 
-use super::legacy::repulsive_walls;
+use super::legacy::{extrapolates, repulsive_walls};
 use super::settings::{Motion, Scene};
 
 /// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
@@ -14,6 +15,12 @@ pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
         return None;
     }
     pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene))
+}
+
+/// False where no wall has a pressure of its own that its surface's integral could be found of (THEORY GE8).
+pub(crate) fn presses_on_walls(scene: &Scene) -> bool {
+    let of_options = scene.solver.weakly_compressible().is_none_or(|fluid| extrapolates(&fluid.options));
+    of_options && scene.solver.kind() != Solver::IncompressibleThesis
 }
 
 /// Repulsive points push each particle that comes near: a wedge of 30 degrees had five times its force.

@@ -75,6 +75,15 @@ pub fn force_rules(system: &Coupled, k: usize, panel: f64) -> Option<[Load; 4]> 
     }))
 }
 
+/// Forces on body `k` [N/m]: the reactions that move it, and the integral of the pressure over the first row. `None` for a body without an
+/// outline or a motion.
+pub fn reaction_and_pressure(system: &Coupled, k: usize) -> Option<[[f64; 2]; 2]> {
+    let outline_now = PlacedOutline::of(system, system.bodies().nth(k)?)?;
+    let pressed = outline_now.first_row(k, &Probe::new(&system.fluid));
+    let sum = |forces: Vec<PointForce>| forces.iter().fold([0.0; 2], |[x, y], f| [x + f.force[0], y + f.force[1]]);
+    Some([outline_now.reactions(k), pressed].map(sum))
+}
+
 impl PlacedOutline<'_> {
     /// FEX_2D: the pair forces, where the boundary particles are.
     fn reactions(&self, k: usize) -> Vec<PointForce> {

@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use crate::results::BandwidthBy;
+
 /// A summary, as far as the page shows it; names and units are those of [`Summary`](crate::run::summary::Summary).
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default)]
@@ -50,6 +52,7 @@ pub(crate) struct Results {
     pub peak_acceleration_g: Option<Quantity>,
     pub peak_pressure_Pa: Option<Quantity>,
     pub impulse_N_s_per_m: Option<Quantity>,
+    pub bandwidth_by: Option<BandwidthBy>,
     pub panels: BTreeMap<String, PanelResults>,
 }
 
@@ -101,6 +104,7 @@ pub(crate) struct Audit {
     pub energy: Option<f64>,
     pub work: Option<f64>,
     pub structure: Option<f64>,
+    pub surface: Option<f64>,
     pub volume: Option<f64>,
     pub penetrated: u64,
 }

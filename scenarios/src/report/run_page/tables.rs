@@ -108,16 +108,13 @@ pub(super) fn results_section(run: &RunFolder) -> Vec<Block> {
             "",
         ]));
     }
-    let averaged = results.iter().any(|(_, q)| q.cutoff_hz.is_some());
-    let of_what = match run.scene.entry() {
-        Some(_) => "the time in which the body falls three spacings",
-        None => "the time in which the fastest water passes three spacings",
-    };
-    let mut text = match averaged {
-        true => format!(
-            "Peaks of force, acceleration and pressure are means over {of_what}. The last column is the largest value of a single step."
+    let mut text = match run.record.results.bandwidth_by {
+        Some(by) => format!(
+            "Peaks of force, acceleration and pressure are means. The bandwidth of the force is {}. The last column is the largest value of a \
+             single step.",
+            by.words()
         ),
-        false => String::new(),
+        None => String::new(),
     };
     if results.iter().any(|(name, _)| name.ends_with(".peak_stress_Pa")) {
         text += " A stress is the largest of every step, for a structure averages by itself.";
@@ -223,6 +220,10 @@ pub(super) fn audit_section(run: &RunFolder) -> Vec<Block> {
     if run.scene.body.as_ref().is_some_and(|body| body.bends()) {
         let words = "Work on an elastic body that its energies do not contain, relative";
         add(words, audit.structure, "at most 0.01", &|v| small(v, 0.01));
+    }
+    if audit.surface.is_some() {
+        let words = "Impulse of the pressure on a body's outline that the body did not get, relative";
+        add(words, audit.surface, "at most 0.01", &|v| small(v, 0.01));
     }
     add("Volume: relative change", audit.volume, "at most about 0.01", &|v| small(v, 0.01));
     let penetrated = audit.penetrated as f64;
