@@ -11,7 +11,7 @@ const WINDOW: f64 = 3.0;
 /// Averaging time over the time in which a wedge falls to the draught of its largest force [-].
 const SHARE_OF_RISE: f64 = 0.1;
 /// Averaging time of a round bottom over R/V [-].
-const SHARE_OF_RADIUS: f64 = 0.05;
+const SHARE_OF_RADIUS: f64 = 0.015;
 /// Times that differ by less are equal [-].
 const EQUAL: f64 = 1e-9;
 

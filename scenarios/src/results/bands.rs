@@ -6,9 +6,9 @@ use crate::scene::{Bottom, Entry, LEAST_DRAUGHT, significant};
 const FORCE_BAND: [f64; 2] = [0.7, 1.0];
 /// The least band of a peak force, a share of it [-].
 pub(super) const LEAST_FORCE_BAND: f64 = 0.03;
-/// The same of an impulse, of wedges and of round bottoms, shares of the impulse [-].
-const IMPULSE_BAND: [f64; 2] = [2.0, 4.0];
-const LEAST_IMPULSE_BAND: f64 = 0.07;
+/// The same of an impulse, of wedges and of round bottoms, each weakly compressible and incompressible, shares of the impulse [-].
+const IMPULSE_BAND: [[f64; 2]; 2] = [[1.0, 2.0], [1.5, 2.0]];
+const LEAST_IMPULSE_BAND: [f64; 2] = [0.025, 0.04];
 /// What the tip of a wedge steeper than 45 degrees, which is thinner than the kernel, adds to the force times k/tan²β: weakly
 /// compressible and incompressible [-].
 const THIN_TIP: [f64; 2] = [0.15, 0.5];
@@ -50,9 +50,10 @@ impl Depth {
                 "the draught at the end or at the largest force is {deep} spacings; {LEAST_DRAUGHT} are needed{cure}"
             ));
         }
-        let at_one_spacing = IMPULSE_BAND[usize::from(round)];
+        let solver = usize::from(self.incompressible);
+        let at_one_spacing = IMPULSE_BAND[usize::from(round)][solver];
         let share = (at_one_spacing + 2.0 * self.thin_tip(entry)) / self.spacings();
-        self.within_widest(share.max(LEAST_IMPULSE_BAND))
+        self.within_widest(share.max(LEAST_IMPULSE_BAND[solver]))
     }
 
     fn within_widest(self, share: f64) -> Result<f64, String> {

@@ -180,7 +180,8 @@ impl Run<'_> {
                 return Ok((Err(Breakdown::Endless(system.fluid.steps(), system.fluid.time())), seen));
             }
             system.fluid.timers_mut().begin(Phase::Integration);
-            let dt = scene.time.step.map_or_else(|| system.stable_dt(), Ok); // LE5
+            let whole = scene.time.end - scene.time.start; // water at rest without gravity has no limit
+            let dt = scene.time.step.map_or_else(|| system.stable_dt().map(|dt| dt.min(whole)), Ok); // LE5
             let stepped = dt.and_then(|dt| Ok((dt, system.step_or_shorter(dt)?)));
             match stepped {
                 Err(breakdown) => return Ok((Err(breakdown.into()), seen)),

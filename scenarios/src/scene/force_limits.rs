@@ -4,6 +4,7 @@ use fsi_coupling::settings::significant;
 use sph_core::Solver;
 
 use super::legacy::{extrapolates, repulsive_walls};
+use super::narrow_gaps::gap_limit;
 use super::settings::{Motion, Scene};
 
 /// Largest g D/V² of a body at a given speed in graded, incompressible water, of its draught D at the end [-].
@@ -14,7 +15,7 @@ pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
     if scene.body.is_none() || scene.model.is_theory() {
         return None;
     }
-    pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene))
+    pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene)).or_else(|| gap_limit(scene))
 }
 
 /// False where no wall has a pressure of its own that its surface's integral could be found of (THEORY GE8).

@@ -18,6 +18,7 @@ use super::impact::Entry;
 use super::keel::keel_warnings;
 use super::legacy::refuse_absent;
 use super::mistaken_file::Expected;
+use super::narrow_gaps::gap_warnings;
 use super::outline::OutlineReport;
 use super::plausible::implausible;
 use super::prepare::prepare;
@@ -109,7 +110,8 @@ pub fn all_warnings(scene: &Scene) -> Vec<String> {
 }
 
 fn warnings_about(scene: &Scene, outline: Option<&OutlineReport>) -> Vec<String> {
-    [implausible(scene, outline), warnings(scene), keel_warnings(scene), gauge_warnings(scene)].concat()
+    let of_gaps = if scene.model.is_theory() { Vec::new() } else { gap_warnings(scene) };
+    [implausible(scene, outline), warnings(scene), keel_warnings(scene), gauge_warnings(scene), of_gaps].concat()
 }
 
 /// The scene without the `--set` keys that say what flows, where it can be read, and the first of these keys; `None` without any.

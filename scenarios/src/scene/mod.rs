@@ -35,6 +35,7 @@ mod load;
 pub(crate) mod mistaken_file;
 mod modes_file;
 mod motion_file;
+mod narrow_gaps;
 mod outline;
 mod plausible;
 mod prepare;

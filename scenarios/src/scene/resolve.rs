@@ -69,7 +69,9 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
         hydrostatic_sound(gravity, draft.get("tank.depth").unwrap_or(least))[0]
     });
     let gentle = body.is_none() && tank.as_ref().is_some_and(Tank::is_full);
-    let solver = resolve_fluid(draft, body.as_ref(), entry.as_ref(), fastest, still, gentle)?;
+    let under_water = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
+        && body.iter().chain(&others).any(Body::starts_under_water);
+    let solver = resolve_fluid(draft, body.as_ref(), entry.as_ref(), fastest, still, [gentle, under_water])?;
     let waves = tank.as_ref().is_some_and(Tank::is_wave_tank);
     let calmed = matches!(solver.kind(), Solver::Incompressible | Solver::IncompressibleExplicit);
     if waves && calmed {
@@ -92,8 +94,6 @@ pub(super) fn resolve(mut draft: Draft) -> Result<Scene, Problem> {
             draft.fill("resolution.fine_zone", [tank.width, tank.depth]);
         }
     };
-    let under_water = tank.as_ref().is_some_and(|tank| tank.block_from.is_none())
-        && body.iter().chain(&others).any(Body::starts_under_water);
     resolve_resolution(draft, &solver, entry.as_ref(), body.as_ref(), [automatic, under_water])?;
     for i in 0..draft.count("gauges") {
         let gauge: Gauge = draft.read(&format!("gauges[{i}]"))?;
@@ -176,6 +176,9 @@ fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
 /// hundredth bodies gained energy.
 const LEAST_MASS_RATIO: f64 = 0.4;
 
+/// Speed of sound that stands in an incompressible scene without gravity in which nothing moves, where no number follows from it [m/s].
+const AT_REST: f64 = 1.0;
+
 /// Mass [kg/m] from which a falling wedge counts as heavy.
 fn least_heavy_mass(draft: &Draft, entry: &Entry) -> f64 {
     let density = draft.get::<f64>("fluid.density").unwrap_or(FluidSettings::default().density);
@@ -198,15 +201,20 @@ fn tension_beside_air(draft: &Draft, entry: &Entry, body: &Body) -> f64 {
 /// noisy in the median; with 8 noise is twice that of 1. No exact case judges round and flat bottoms.
 const ACOUSTIC_STEPS_OF_A_WEDGE: u32 = 4;
 
+/// Artificial viscosity α around a body that starts under water [-]. With the usual one, and water that does not stretch along walls, a cylinder of
+/// half the water's density rose 26 % too slowly at 10 spacings per diameter, and 18 % at 20.
+const VISCOSITY_UNDER_WATER: f64 = 0.005;
+
 /// The solver's settings, complete. `fastest` is the largest known speed of the flow [m/s]; `still` the speed of
-/// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks.
+/// sound that bears the water's weight [m/s]. `gentle`: nothing falls into the water, and no dam breaks; `under_water`: so starts
+/// a body.
 fn resolve_fluid(
     draft: &mut Draft,
     body: Option<&Body>,
     entry: Option<&Entry>,
     fastest: f64,
     still: f64,
-    gentle: bool,
+    [gentle, under_water]: [bool; 2],
 ) -> Result<SolverSettings, Problem> {
     let solver: Solver = draft.get("solver").unwrap_or_default();
     let thesis = solver == Solver::IncompressibleThesis;
@@ -238,7 +246,12 @@ fn resolve_fluid(
     }
     let given: Option<f64> = draft.get("fluid.sound_speed");
     let water: Water = draft.read("fluid")?;
-    let sound = draft.fill("fluid.sound_speed", auto_sound_speed(&water, entry, fastest, still));
+    let sound = match auto_sound_speed(&water, entry, fastest, still) {
+        // a size of the tank follows from it, and nothing else
+        nothing if nothing == 0.0 && solver.is_incompressible() && entry.is_none() => AT_REST,
+        sound => sound,
+    };
+    let sound = draft.fill("fluid.sound_speed", sound);
     if sound == 0.0 && !gaseous {
         if draft.get::<WaveMaker>("tank.wave_maker").is_some() {
             let expected = "[0, a number below 0] with a [tank.wave_maker]";
@@ -248,6 +261,12 @@ fn resolve_fluid(
         return Err(Problem::missing("fluid.sound_speed", expected));
     }
     if solver == Solver::WeaklyCompressible {
+        let WeaklyCompressibleFluid { options, .. } = draft.read("fluid")?;
+        let by_diffusion = draft.get("fluid.dissipation") != Some(Dissipation::Riemann);
+        if under_water && by_diffusion && legacy::holds_geometry(&options) {
+            draft.fill("fluid.wall_stretch", true);
+            draft.fill("fluid.artificial_viscosity", VISCOSITY_UNDER_WATER);
+        }
         let WeaklyCompressibleFluid { scheme, options, .. } = draft.read("fluid")?;
         let bends = body.is_some_and(Body::bends);
         let settles = matches!(water.fluid.kernel, Kernel::WendlandC2 | Kernel::WendlandC4);

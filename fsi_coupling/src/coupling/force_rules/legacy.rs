@@ -9,16 +9,32 @@ impl PlacedOutline<'_> {
     /// FEX_2D2: −p n ℓ on the surface above the first row; ℓ reaches half way to the neighbours along the outline. The
     /// pressure is the boundary particle's, carried to the surface by ρ₀(g − a_w)·n, times the place's wetness.
     pub(super) fn first_row(&self, k: usize, probe: &Probe<'_>) -> Vec<PointForce> {
+        self.pressed(k, |at, p| probe.wetness(at) * p)
+    }
+
+    /// Boundary particles of the first row of body `k`.
+    pub(super) fn first_particles(&self, k: usize) -> impl Iterator<Item = usize> + '_ {
+        let (w, ratio) = (&self.system.walls, self.system.fluid.domain().fluid.smoothing_ratio);
+        self.system.range(k).filter(move |&j| w.depth[j] < 0.75 * w.h[j] / ratio)
+    }
+
+    /// Pressure on the surface above boundary particle `j` [Pa].
+    pub(super) fn surface_pressure(&self, j: usize) -> f64 {
         let (w, domain) = (&self.system.walls, self.system.fluid.domain());
-        let first = |j: &usize| w.depth[*j] < 0.75 * w.h[*j] / domain.fluid.smoothing_ratio;
         let (rho, g) = (domain.fluid.density, domain.gravity);
+        let slope = rho * ((g[0] - w.ax[j]) * w.nx[j] + (g[1] - w.ay[j]) * w.ny[j]);
+        w.pressure[j] + slope * w.depth[j]
+    }
+
+    /// The same of a pressure that `taken` makes of place [m] and pressure [Pa].
+    pub(super) fn pressed(&self, k: usize, taken: impl Fn([f64; 2], f64) -> f64) -> Vec<PointForce> {
+        let w = &self.system.walls;
         let pressed = |j: usize| {
-            let (n, at) = ([w.nx[j], w.ny[j]], self.above(j));
-            let slope = rho * ((g[0] - w.ax[j]) * n[0] + (g[1] - w.ay[j]) * n[1]);
-            let p = probe.wetness(at) * (w.pressure[j] + slope * w.depth[j]);
-            PointForce { surface: at, at, force: [-p * n[0], -p * n[1]] }
+            let at = self.above(j);
+            let p = taken(at, self.surface_pressure(j));
+            PointForce { surface: at, at, force: [-p * w.nx[j], -p * w.ny[j]] }
         };
-        let mut forces = self.doubled(self.system.range(k).filter(first).map(pressed).collect());
+        let mut forces = self.doubled(self.first_particles(k).map(pressed).collect());
         let starts: Vec<f64> = self.side_starts();
         let stations: Vec<(usize, f64)> = forces
             .iter()

@@ -14,9 +14,12 @@
 mod legacy;
 pub mod nodal_loads;
 mod placed_outline;
+mod surface_pressure;
 
 use sph_core::particles::probe::Probe;
 use sph_core::walls::Resultant;
+
+pub use surface_pressure::reaction_and_pressure;
 
 use crate::coupling::coupled::Coupled;
 use crate::coupling::force_rules::nodal_loads::{Nodal, resultant};
@@ -73,15 +76,6 @@ pub fn force_rules(system: &Coupled, k: usize, panel: f64) -> Option<[Load; 4]> 
         resultant: resultant(&outline_now.corners, &corners, outline_now.motion.position),
         corners,
     }))
-}
-
-/// Forces on body `k` [N/m]: the reactions that move it, and the integral of the pressure over the first row. `None` for a body without an
-/// outline or a motion.
-pub fn reaction_and_pressure(system: &Coupled, k: usize) -> Option<[[f64; 2]; 2]> {
-    let outline_now = PlacedOutline::of(system, system.bodies().nth(k)?)?;
-    let pressed = outline_now.first_row(k, &Probe::new(&system.fluid));
-    let sum = |forces: Vec<PointForce>| forces.iter().fold([0.0; 2], |[x, y], f| [x + f.force[0], y + f.force[1]]);
-    Some([outline_now.reactions(k), pressed].map(sum))
 }
 
 impl PlacedOutline<'_> {

@@ -52,6 +52,15 @@ impl<'a> PlacedOutline<'a> {
         self.system.fluid.domain().mirror.map(|m| m.at)
     }
 
+    /// Area within all loops [m²].
+    pub fn area(&self) -> f64 {
+        let cross = |[a, b]: [usize; 2]| {
+            let (a, b) = (self.corners[a], self.corners[b]);
+            0.5 * (a[0] * b[1] - a[1] * b[0])
+        };
+        self.sides.iter().map(|side| cross(side.corners)).sum()
+    }
+
     /// The forces of the half in front of the plane of symmetry, and those of their images.
     pub fn doubled(&self, forces: Vec<PointForce>) -> Vec<PointForce> {
         let Some(plane) = self.plane() else { return forces };

@@ -38,7 +38,7 @@ pub struct Report {
     pub acceleration_cfc: Option<f64>,
     /// Bandwidth of the quoted peaks of force and acceleration: means over 0.443 of its inverse (THEORY GE18), such as twice the lowest
     /// frequency of the structure, or the 100 Hz of CFC 60 [Hz]. absent: that of the impact, 4.4 V/D with the draught D of the largest force,
-    /// or 8.9 V/R of a round bottom; of the spacing where that is coarser.
+    /// or 30 V/R of a round bottom; of the spacing where that is coarser.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub bandwidth: Option<f64>,
