@@ -29,7 +29,7 @@ pub const FILE: &str = "checkpoint.bin";
 pub(super) const PART: &str = "checkpoint.bin.part";
 
 const MAGIC: &[u8; 8] = b"SPLASHCP";
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Why a run cannot be resumed.

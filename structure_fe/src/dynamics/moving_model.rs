@@ -45,7 +45,7 @@ impl MovingModel {
             time: 0.0,
             integrated_acceleration: zero.clone(),
             mean_reaction: zero,
-            plastic_curvature: self.system.no_plasticity(),
+            plastic: self.system.no_plasticity(),
             ruptures: Vec::new(),
         }
     }
@@ -103,8 +103,8 @@ impl MovingModel {
             self.system.forces(state.kinematics(), &self.damping, &mut internal, None);
             return combine(load, &internal, |load, internal| load - internal);
         };
-        let State { displacement, velocity, acceleration, plastic_curvature, .. } = state;
-        self.system.elastic_forces(displacement, plastic_curvature, &mut internal, None);
+        let State { displacement, velocity, acceleration, plastic, .. } = state;
+        self.system.elastic_forces(displacement, plastic, &mut internal, None);
         let mut forces = self.system.viscous_forces([displacement, displacement], velocity, &self.damping, &mass.nodal);
         for (node, force) in forces.iter_mut().enumerate() {
             for dof in 0..3 {

@@ -75,7 +75,7 @@ impl Trapezoidal {
             return Err(Error::StepNotConverged { time, dt, iteration, residual, node, dof });
         }
         self.set_velocity(model, &step, &mut new, &mean);
-        model.system.update_plasticity(&new.displacement, &mut new.plastic_curvature);
+        model.system.update_plasticity(&new.displacement, &mut new.plastic);
         self.balance(model, &step, &mut new, &mean, dissipated, &mut report);
         let mut residual = model.residual_at_prescribed_acceleration(&self.mass, &mut new, load);
         model.matrix.solve(&mut residual);
@@ -146,7 +146,7 @@ impl Trapezoidal {
         let arms = [&between[..], &at_end[..]];
         matrix.clear();
         let from = (&step.chords[..], &start.displacement[..]);
-        let (plastic, tangent) = (&start.plastic_curvature, Some((arms, &mut *matrix)));
+        let (plastic, tangent) = (&start.plastic, Some((arms, &mut *matrix)));
         system.mean_elastic_forces(from, &new.displacement, plastic, self.weight, internal, tangent);
         system.add_viscosity(&step.middle(new), damping, dt.recip(), arms, matrix);
         let of_ground = if system.is_damped_against_ground() { damping.mass / dt } else { 0.0 };
@@ -163,7 +163,7 @@ impl Trapezoidal {
     /// Mean elastic forces into `model.internal`; returns their work beyond the change of the elastic energy \[J\].
     fn elastic_forces(&self, model: &mut MovingModel, step: &Step, new: &State) -> f64 {
         let from = (&step.chords[..], &step.start.displacement[..]);
-        let plastic = &step.start.plastic_curvature;
+        let plastic = &step.start.plastic;
         let internal = &mut model.internal;
         model.system.mean_elastic_forces(from, &new.displacement, plastic, self.weight, internal, None)
     }

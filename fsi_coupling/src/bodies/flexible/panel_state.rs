@@ -1,6 +1,6 @@
 //! What panels do now, and what they have borne so far.
 
-use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, Range, SectionForces, State};
+use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, PlasticStrains, Range, SectionForces, State};
 
 use crate::bodies::flexible::panel::Panel;
 use crate::bodies::flexible::state::FlexibleState;
@@ -74,6 +74,8 @@ pub struct Worst {
     pub strain: Range,
     /// Allowable stress over the largest [-]; `None` where none is given.
     pub reserve_factor: Option<f64>,
+    /// Whether it has yielded anywhere.
+    pub yielded: bool,
     /// Largest plastic curvature left in it now, by magnitude [1/m].
     pub plastic_curvature: f64,
 }
@@ -86,7 +88,7 @@ pub(crate) fn state_of(
     frame: &RigidMotion,
 ) -> PanelState {
     let FlexibleState { nodes, envelope, .. } = state;
-    let (sections, strains) = (dynamics.section_forces(nodes), dynamics.fibre_strains(nodes));
+    let (sections, fibres) = (dynamics.section_forces(nodes), dynamics.fibres(nodes));
     let still = vec![[0.0; 3]; nodes.displacement.len()];
     let watched = panel.spec.watch.iter().map(|&share| {
         let (element, t) = panel.element_at(share);
@@ -96,8 +98,8 @@ pub(crate) fn state_of(
         let rigid = map.place(&map.on_frame(rest.at, rest.normal), &nodes.displacement);
         let moved = [0, 1].map(|k| at.at[k] - rigid.at[k]);
         let [first, second] = [2 * element, 2 * element + 1];
-        let [right, left] =
-            [0, 1].map(|side| strains[first][side] + t * (strains[second][side] - strains[first][side]));
+        let [right, left] = [0, 1]
+            .map(|side| fibres[first].strain[side] + t * (fibres[second].strain[side] - fibres[first].strain[side]));
         Watched {
             share,
             displacement: rotate(moved, -frame.angle),
@@ -110,8 +112,8 @@ pub(crate) fn state_of(
         name: panel.spec.name.clone(),
         watched: watched.collect(),
         load: state.now[panel.nodes.clone()].iter().map(|load| in_frame(load, frame.angle)).collect(),
-        stress: panel.stress(dynamics.beam(), &sections),
-        worst: worst(panel, nodes, envelope),
+        stress: panel.stress(&fibres),
+        worst: worst(panel, dynamics, nodes, envelope),
         stations: stations(panel, dynamics, envelope),
         allowable_stress: panel.spec.allowable_stress,
         ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
@@ -124,11 +126,13 @@ fn in_frame([x, y, moment]: &[f64; 3], angle: f64) -> [f64; 3] {
     [x, y, *moment]
 }
 
-fn worst(panel: &Panel, nodes: &State, envelope: &Envelope) -> Worst {
+fn worst(panel: &Panel, dynamics: &Dynamics, nodes: &State, envelope: &Envelope) -> Worst {
     let ends = &envelope.ends[2 * panel.elements.start..2 * panel.elements.end];
     let over = |of: fn(&EndEnvelope) -> Range| ends[1..].iter().map(of).fold(of(&ends[0]), wider);
     let stress = over(|end| end.fibre_stress);
-    let plastic = nodes.plastic_curvature.get(panel.elements.clone()).into_iter().flatten().flatten();
+    let yielded = nodes.plastic.get(panel.elements.clone()).into_iter().flatten().any(PlasticStrains::has_yielded);
+    let plastic = dynamics.plastic_curvatures(nodes).into_iter().enumerate();
+    let plastic = plastic.filter(|(element, _)| panel.elements.contains(element)).flat_map(|(_, kappa)| kappa);
     Worst {
         normal: over(|end| end.normal),
         shear: over(|end| end.shear),
@@ -136,6 +140,7 @@ fn worst(panel: &Panel, nodes: &State, envelope: &Envelope) -> Worst {
         stress,
         strain: over(|end| end.fibre_strain),
         reserve_factor: panel.spec.allowable_stress.map(|allowable| allowable / stress.largest()),
+        yielded,
         plastic_curvature: plastic.fold(0.0, |most, kappa| f64::max(most, kappa.abs())),
     }
 }
