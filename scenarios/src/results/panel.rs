@@ -1,8 +1,9 @@
 //! Judges the results of panels (THEORY GE19).
 
 use fsi_coupling::{ModesState, PanelState};
+use structure_fe::Range;
 
-use super::{PanelResults, Quantity, Verdict};
+use super::{PanelResults, Quantity, Verdict, WIDE};
 use crate::scene::{MODES, significant};
 
 /// Band of a stress over that of the force, as shares; fitted on elastic drops against half the spacing [-].
@@ -10,27 +11,46 @@ const STRESS_BAND: f64 = 1.3;
 /// Largest ratio of a peak of stress to the largest mean over the time of GE18 [-].
 const LARGEST_PEAK: f64 = 1.5;
 
-/// The largest stress of a panel, or of a structure by its modes.
+/// What a panel, or a structure by its modes, bore.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StressPeak {
     /// Of the panel; `modes`.
     pub name: String,
-    /// Its magnitude [Pa].
+    /// Largest magnitude of the stress [Pa].
     pub value: f64,
     /// Its time [s].
     pub time: f64,
-    /// Allowable stress over it [-].
+    /// Reserve factor [-]: of the stress, or after yield of the strain.
     pub reserve_factor: Option<f64>,
+    /// Whether it stays within its limits.
+    pub allowed: Option<bool>,
+    /// Largest magnitude of the strain [-] and its time [s], of a panel that has yielded.
+    pub strain: Option<[f64; 2]>,
+    /// Strain at which its ends break off [-].
+    pub rupture_strain: Option<f64>,
 }
 
 impl From<&PanelState> for StressPeak {
     fn from(panel: &PanelState) -> StressPeak {
-        let stress = panel.worst.stress;
-        let [value, time] = match -stress.least > stress.most {
-            true => [-stress.least, stress.time_of_least],
-            false => [stress.most, stress.time_of_most],
-        };
-        StressPeak { name: panel.name.clone(), value, time, reserve_factor: panel.worst.reserve_factor }
+        let worst = &panel.worst;
+        let [value, time] = largest(&worst.stress);
+        StressPeak {
+            name: panel.name.clone(),
+            value,
+            time,
+            reserve_factor: worst.reserve_factor,
+            allowed: worst.allowed,
+            strain: worst.yielded.then(|| largest(&worst.strain)),
+            rupture_strain: panel.rupture_strain,
+        }
+    }
+}
+
+/// The largest magnitude of a range, and its time [s].
+fn largest(range: &Range) -> [f64; 2] {
+    match -range.least > range.most {
+        true => [-range.least, range.time_of_least],
+        false => [range.most, range.time_of_most],
     }
 }
 
@@ -39,29 +59,44 @@ impl StressPeak {
     pub fn of_modes(modes: &ModesState) -> Option<StressPeak> {
         let largest = modes.extremes.stress.iter().max_by(|a, b| a[0].abs().total_cmp(&b[0].abs()));
         let [value, time] = *largest?;
-        Some(StressPeak { name: MODES.into(), value: value.abs(), time, reserve_factor: None })
+        let (name, value) = (MODES.into(), value.abs());
+        Some(StressPeak { name, value, time, reserve_factor: None, allowed: None, strain: None, rupture_strain: None })
+    }
+
+    /// Why it is beyond its limits, where it is.
+    fn excess(&self) -> Option<String> {
+        let reserve = self.reserve_factor;
+        let times = reserve.filter(|reserve| *reserve < 1.0).map(|reserve| significant(1.0 / reserve));
+        self.allowed.filter(|allowed| !allowed).map(|_| match (self.strain, times) {
+            (None, times) => format!("the stress is {} times the allowable one", times.unwrap_or_default()),
+            (Some([strain, _]), None) => {
+                let percent = significant(100.0 * strain);
+                format!("it yields, up to a strain of {percent} %, and no `rupture_strain` says how far it may")
+            }
+            (Some([strain, _]), Some(times)) if self.rupture_strain.is_some_and(|limit| strain > limit) => {
+                format!("its strain is {times} times the rupture strain")
+            }
+            (Some(_), Some(times)) => format!("it yields, and the stress is {times} times the allowable one"),
+        })
     }
 }
 
-/// Results of a panel under a load; a structure averages by itself, and its stress is nearly as good as the force.
+/// Results of a panel under a load, and doubts; a structure averages by itself, and its stress is nearly as good as the force.
 ///
 /// `mean`: largest mean of its stress over the time of GE18 [Pa]; what the peak has above it is as short as the noise of the force.
-/// `resonates`: why it vibrates with the water's sound, where it does.
+/// `resonates`: why it vibrates with the water's sound, where it does. What it may bear is said beside, not in place of, how well it is known.
 pub(super) fn panel_results(
-    &StressPeak { value, time, reserve_factor: reserve, .. }: &StressPeak,
+    peak: &StressPeak,
     force: Option<Quantity>,
     mean: Option<f64>,
     resonates: Option<&str>,
-) -> (PanelResults, Option<String>) {
+) -> (PanelResults, Vec<String>) {
+    let &StressPeak { value, time, reserve_factor: reserve, strain, allowed, .. } = peak;
     let excess = mean.filter(|mean| *mean > 0.0).map_or(0.0, |mean| (value / mean - 1.0).max(0.0));
     let load = force.map(|force| force.verdict).filter(|verdict| *verdict != Verdict::Resolved);
-    let (verdict, doubt) = match (reserve, load) {
-        (Some(reserve), _) if reserve < 1.0 => {
-            let why = format!("the stress is {} times the allowable one", significant(1.0 / reserve));
-            (Verdict::BeyondAllowable, Some(why))
-        }
+    let (verdict, doubt) = match load {
         _ if resonates.is_some() => (Verdict::Acoustic, resonates.map(String::from)),
-        (_, Some(verdict)) => (verdict, None),
+        Some(verdict) => (verdict, None),
         _ if excess > LARGEST_PEAK - 1.0 => {
             let ratio = significant(1.0 + excess);
             let why = format!("the stress rises to {ratio} times its mean over the time that the spacing resolves");
@@ -71,11 +106,20 @@ pub(super) fn panel_results(
     };
     let of_force = force.and_then(|force| Some(STRESS_BAND * force.band? / force.value));
     let share = of_force.filter(|share| share.is_finite()).map(|share| share + excess);
-    let quantity = |value: f64| {
+    let quantity = |value: f64, time: f64, share: Option<f64>| {
         let band = share.map(|share| share * value);
-        Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict }.with_known_band()
+        let quantity = Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict, allowed };
+        quantity.with_known_band()
     };
-    (PanelResults { peak_stress_Pa: quantity(value), reserve_factor: reserve.map(quantity) }, doubt)
+    // beyond yield the strain grows faster than the load: no band is known
+    let of_reserve = share.filter(|_| strain.is_none());
+    let results = PanelResults {
+        peak_stress_Pa: quantity(value, time, share),
+        peak_strain: strain.map(|[strain, time]| quantity(strain, time, None)),
+        reserve_factor: reserve.map(|factor| quantity(factor, strain.map_or(time, |[_, time]| time), of_reserve)),
+    };
+    let withheld = (verdict == Verdict::Resolved && results.peak_stress_Pa.is_withheld()).then(|| WIDE.to_string());
+    (results, peak.excess().into_iter().chain(doubt).chain(withheld).collect())
 }
 
 #[cfg(test)]
@@ -84,7 +128,8 @@ mod tests {
 
     /// A panel that bore a stress of 6 MPa.
     fn panel() -> StressPeak {
-        StressPeak { name: "plate".into(), value: 6e6, time: 0.016, reserve_factor: None }
+        let (name, value, time) = ("plate".into(), 6e6, 0.016);
+        StressPeak { name, value, time, reserve_factor: None, allowed: None, strain: None, rupture_strain: None }
     }
 
     /// A burst of force of 3 ms rang a panel at 28 degrees: 6.4 MPa, and 5 MPa with half the spacing.
@@ -97,15 +142,54 @@ mod tests {
             cutoff_hz: Some(75.0),
             raw: 1100.0,
             verdict: Verdict::Resolved,
+            allowed: None,
         };
         let stress = |mean: f64| panel_results(&panel(), Some(force), Some(mean), None);
         let (calm, none) = stress(6e6);
-        assert!((calm.peak_stress_Pa.band.expect("a band") / 6e6 - 0.104).abs() < 1e-12 && none.is_none());
+        assert!((calm.peak_stress_Pa.band.expect("a band") / 6e6 - 0.104).abs() < 1e-12 && none.is_empty());
         let (burst, _) = stress(5e6);
         assert!((burst.peak_stress_Pa.band.expect("a band") / 6e6 - 0.304).abs() < 1e-12);
         assert_eq!(burst.peak_stress_Pa.verdict, Verdict::Resolved);
         let (spike, why) = stress(3e6);
         assert_eq!(spike.peak_stress_Pa.verdict, Verdict::NotResolved);
-        assert!(why.is_some_and(|why| why.contains("2 times its mean")));
+        assert!(why[0].contains("2 times its mean"), "{why:?}");
+    }
+
+    /// Resolved and allowed are two things: a stress of a force that is not resolved, and of one that is, beyond its limit.
+    #[test]
+    fn a_stress_beyond_its_limit_is_resolved_or_not() {
+        let force = |verdict: Verdict, band: f64| {
+            let (value, raw, time_s, cutoff_hz) = (1000.0, 1000.0, Some(0.03), None);
+            Some(Quantity { value, time_s, band: Some(band), cutoff_hz, raw, verdict, allowed: None })
+        };
+        let over = StressPeak { reserve_factor: Some(0.5), allowed: Some(false), ..panel() };
+        let stress = |force| panel_results(&over, force, None, None);
+        let (resolved, doubts) = stress(force(Verdict::Resolved, 80.0));
+        assert_eq!(
+            (resolved.peak_stress_Pa.verdict, resolved.peak_stress_Pa.allowed),
+            (Verdict::Resolved, Some(false))
+        );
+        assert_eq!(doubts, ["the stress is 2 times the allowable one"]);
+        let (unresolved, _) = stress(force(Verdict::NotResolved, 80.0));
+        assert_eq!(unresolved.reserve_factor.expect("a factor").verdict, Verdict::NotResolved);
+        assert_eq!(unresolved.reserve_factor.expect("a factor").allowed, Some(false));
+        // 1432 MPa about 751 MPa tell nothing
+        let (wide, doubts) = stress(force(Verdict::Resolved, 900.0));
+        assert!(wide.peak_stress_Pa.is_withheld() && wide.peak_stress_Pa.verdict == Verdict::NotResolved);
+        assert!(doubts[1].contains("as large as itself"), "{doubts:?}");
+    }
+
+    /// Beyond yield the strain is the result, against the rupture strain.
+    #[test]
+    fn a_panel_that_yields_is_judged_by_its_strain() {
+        let yields = StressPeak { strain: Some([0.004, 0.02]), allowed: Some(false), ..panel() };
+        let (results, doubts) = panel_results(&yields, None, None, None);
+        let strain = results.peak_strain.expect("a strain");
+        assert_eq!((strain.value, strain.time_s, strain.band, strain.allowed), (0.004, Some(0.02), None, Some(false)));
+        assert!(results.reserve_factor.is_none() && doubts[0].contains("0.4 %"), "{doubts:?}");
+        let enough =
+            StressPeak { reserve_factor: Some(25.0), allowed: Some(true), rupture_strain: Some(0.1), ..yields };
+        let (results, doubts) = panel_results(&enough, None, None, None);
+        assert!(doubts.is_empty() && results.reserve_factor.is_some_and(|factor| factor.value == 25.0));
     }
 }

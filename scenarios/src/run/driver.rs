@@ -9,7 +9,7 @@ use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
 use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
-use super::recorder::{Observed, Recorder, next};
+use super::recorder::{Observed, Recorder, next, rupture};
 use super::summary::Status;
 use super::{Checkpoints, Held, Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
 use crate::build;
@@ -89,12 +89,16 @@ impl Run<'_> {
                 stepped.store(true, Ordering::Relaxed);
             }
             let checkpoint = self.last_checkpoint(&ended, start)?;
-            if matches!(ended, Ok(Status::Completed)) {
+            if matches!(ended, Ok(Status::Completed | Status::Ruptured)) {
                 self.observing(|recorder, system| recorder.complete(system, seen))?;
             }
             Ok::<_, RunError>((ended, checkpoint))
         })?;
         let (status, message) = match ended {
+            // BE26: the surface stays closed to the water, which an opening would let in
+            Ok(Status::Ruptured) => {
+                (Status::Ruptured, rupture(&self.system).map(|what| format!("{what}: the run ends there")))
+            }
             Ok(status) => (status, None),
             Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
         };
@@ -109,7 +113,7 @@ impl Run<'_> {
     /// Complete the log of a run that took its last step, and write summary and report.
     pub(crate) fn conclude(self, status: Status, message: Option<String>, start: Instant) -> Result<Outcome, RunError> {
         let Run { scene, options, dir, references, mut system, mut recorder, volume, .. } = self;
-        if status != Status::Completed {
+        if !matches!(status, Status::Completed | Status::Ruptured) {
             recorder.record_stop(&system, status, message.as_deref())?;
         }
         recorder.series.release();
@@ -195,6 +199,9 @@ impl Run<'_> {
             let (step, time) = (system.fluid.steps(), system.fluid.time());
             debug!(step, time, "stepped");
             seen = self.observe()?;
+            if self.system.bodies().any(|body| body.first_rupture().is_some()) {
+                return Ok((Ok(Status::Ruptured), seen));
+            }
             if let Some((due, every)) =
                 due.as_mut().zip(every).filter(|(due, _)| time >= **due && time < scene.time.end)
             {

@@ -54,8 +54,12 @@ pub struct PanelResult {
     pub stress_pa: Extremes,
     /// Their strain, plastic strain included [-].
     pub strain: Extremes,
-    /// Allowable stress over the largest [-]; `null` without an allowable stress.
+    /// Allowable stress over the largest; after yield the rupture strain over the largest strain [-]; `null` without such a limit.
     pub reserve_factor: Option<f64>,
+    /// Whether it yielded anywhere.
+    pub yielded: bool,
+    /// Whether it stayed within its limits; `null` without a limit.
+    pub allowed: Option<bool>,
     /// Largest plastic curvature left [1/m].
     pub plastic_curvature_per_m: f64,
     /// Deflection at the places that are watched, at the end of the run [m].
@@ -78,6 +82,8 @@ impl From<&PanelState> for PanelResult {
             stress_pa: worst.stress.into(),
             strain: worst.strain.into(),
             reserve_factor: worst.reserve_factor,
+            yielded: worst.yielded,
+            allowed: worst.allowed,
             plastic_curvature_per_m: worst.plastic_curvature,
             deflection_at_end_m: panel.watched.iter().map(|w| w.deflection).collect(),
             envelope: PanelEnvelope::from(panel),
@@ -99,7 +105,7 @@ pub struct PanelEnvelope {
     pub moment_n: Vec<Extremes>,
     /// Stress of the outer fibres [Pa].
     pub stress_pa: Vec<Extremes>,
-    /// Allowable stress over the largest there [-]; empty without an allowable stress.
+    /// Allowable stress over the largest there [-]; empty without an allowable stress, and after yield.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub reserve_factor: Vec<f64>,
 }
@@ -114,7 +120,7 @@ impl From<&PanelState> for PanelEnvelope {
             shear_n_per_m: of(|s| s.shear),
             moment_n: of(|s| s.moment),
             stress_pa: of(|s| s.stress),
-            reserve_factor: panel.allowable_stress.map_or(Vec::new(), reserve),
+            reserve_factor: panel.allowable_stress.filter(|_| !panel.worst.yielded).map_or(Vec::new(), reserve),
         }
     }
 }

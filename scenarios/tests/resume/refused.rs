@@ -64,7 +64,7 @@ fn a_damaged_checkpoint_is_refused_by_name() {
     let mut newer = bytes.clone();
     newer[8] = 9;
     fs::write(&file, newer).expect("a file");
-    assert_says(&refusal(&[name(&dir)]), &["checkpoint.bin has format 9", "expected format 3"]);
+    assert_says(&refusal(&[name(&dir)]), &["checkpoint.bin has format 9", "expected format 4"]);
     fs::write(&file, "time_s,x_m\n").expect("a file");
     assert_says(&refusal(&[name(&dir)]), &["is not a checkpoint of splashdown"]);
     fs::remove_file(&file).expect("a file");

@@ -117,7 +117,7 @@ fn work_closes_through_yield() {
         let rest = Ends::zeros();
         let from = Chord::new(&element, &rest);
         let of = |plastic| DiscreteGradient::new(&element, Start { from, before: &rest, plastic }, &small, 0.6);
-        let [with, without] = [Some(&PlasticStrains::NONE), None].map(|plastic| of(plastic));
+        let [with, without] = [Some(&PlasticStrains::NONE), None].map(of);
         assert_eq!(with.forces().forces, without.forces().forces);
         assert_eq!(with.tangent(), without.tangent());
     }

@@ -40,6 +40,8 @@ pub struct PanelState {
     pub stations: Vec<Station>,
     /// Stress that it may bear [Pa]; `None` where none is given.
     pub allowable_stress: Option<f64>,
+    /// Strain at which an end breaks off [-]; `None` where none is given.
+    pub rupture_strain: Option<f64>,
     /// What has broken of it, in the order in which it did.
     pub ruptures: Vec<Break>,
 }
@@ -72,10 +74,13 @@ pub struct Worst {
     pub stress: Range,
     /// Their strain, plastic strain included [-].
     pub strain: Range,
-    /// Allowable stress over the largest [-]; `None` where none is given.
+    /// Allowable stress over the largest [-]. Of a panel that has yielded the rupture strain over the largest strain, or less by an allowable
+    /// stress below its yield stress. `None` where no limit is given.
     pub reserve_factor: Option<f64>,
     /// Whether it has yielded anywhere.
     pub yielded: bool,
+    /// Whether it stays within its limits; a panel that has yielded without a rupture strain does not. `None` where no limit is given.
+    pub allowed: Option<bool>,
     /// Largest plastic curvature left in it now, by magnitude [1/m].
     pub plastic_curvature: f64,
 }
@@ -116,6 +121,7 @@ pub(crate) fn state_of(
         worst: worst(panel, dynamics, nodes, envelope),
         stations: stations(panel, dynamics, envelope),
         allowable_stress: panel.spec.allowable_stress,
+        rupture_strain: panel.spec.rupture_strain,
         ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
     }
 }
@@ -133,13 +139,28 @@ fn worst(panel: &Panel, dynamics: &Dynamics, nodes: &State, envelope: &Envelope)
     let yielded = nodes.plastic.get(panel.elements.clone()).into_iter().flatten().any(PlasticStrains::has_yielded);
     let plastic = dynamics.plastic_curvatures(nodes).into_iter().enumerate();
     let plastic = plastic.filter(|(element, _)| panel.elements.contains(element)).flat_map(|(_, kappa)| kappa);
+    let strain = over(|end| end.fibre_strain);
+    let spec = &panel.spec;
+    let by_stress = spec.allowable_stress.map(|allowable| allowable / stress.largest());
+    let by_strain = spec.rupture_strain.map(|limit| limit / strain.largest());
+    let reserve_factor = match spec.plasticity.filter(|_| yielded) {
+        None => by_stress,
+        // beyond yield a stress is no measure but against a lower limit
+        Some(law) => {
+            let is_below = |allowable: &f64| *allowable < law.yield_stress;
+            let factors = by_stress.filter(|_| spec.allowable_stress.as_ref().is_some_and(is_below)).into_iter();
+            factors.chain(by_strain).reduce(f64::min)
+        }
+    };
+    let is_limited = spec.allowable_stress.is_some() || spec.rupture_strain.is_some();
     Worst {
         normal: over(|end| end.normal),
         shear: over(|end| end.shear),
         moment: over(|end| end.moment),
         stress,
-        strain: over(|end| end.fibre_strain),
-        reserve_factor: panel.spec.allowable_stress.map(|allowable| allowable / stress.largest()),
+        strain,
+        reserve_factor,
+        allowed: reserve_factor.map(|factor| factor >= 1.0).or((yielded && is_limited).then_some(false)),
         yielded,
         plastic_curvature: plastic.fold(0.0, |most, kappa| f64::max(most, kappa.abs())),
     }
