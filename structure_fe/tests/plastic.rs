@@ -142,6 +142,46 @@ fn a_strip_far_in_its_membrane_is_the_arc_of_its_yield_force() {
     }
 }
 
+/// A load of hundreds of collapse loads, in steps that are long for it: the step is divided, and energy and impulse still close.
+#[test]
+fn a_plate_that_yields_at_once_converges() {
+    let elements = 24;
+    let weak = Plasticity { yield_stress: 1e6, hardening_modulus: 0.0 };
+    for name in ["clamped_clamped", "simply_supported"] {
+        let model = beam(elements).with_plasticity(weak).unwrap();
+        let mut dynamics = Dynamics::new(model, supports(name, elements), CONSERVING, Damping::default()).unwrap();
+        let mut state = dynamics.at_rest();
+        let mut load = none(elements + 1);
+        load[1..elements].iter_mut().for_each(|node| node[1] = -3e5 * LENGTH / elements as f64);
+        let (mut work, mut dissipated, mut worst): (f64, f64, f64) = (0.0, 0.0, 0.0);
+        let mut impulse = 0.0;
+        for step in 0..40 {
+            if step == 10 {
+                load = none(elements + 1);
+            }
+            let before = state.clone();
+            let report = dynamics.step(&mut state, &load, 1e-4).unwrap();
+            work += pairing(&load, &moved(&before, &state));
+            dissipated += report.dissipated;
+            impulse += 1e-4
+                * (load.iter().map(|node| node[1]).sum::<f64>()
+                    + state.mean_reaction.iter().map(|node| node[1]).sum::<f64>());
+            let energy = dynamics.kinetic_energy(&state) + dynamics.strain_energy(&state);
+            worst = worst.max((energy + dissipated - work).abs());
+        }
+        let momentum = dynamics.momentum(&state)[1];
+        println!(
+            "{name}: energy {:.1e}, {dissipated} of {work} J, momentum {:.1e}",
+            worst / work,
+            momentum / impulse - 1.0
+        );
+        assert!(worst < 1e-10 * work && dissipated > 0.0);
+        assert!((momentum / impulse - 1.0).abs() < 1e-9, "{momentum} against {impulse}");
+        let limit = 1.000_001 * 2.0 / 3.0_f64.sqrt() * weak.yield_stress;
+        assert!(dynamics.fibres(&state).iter().flat_map(|fibres| fibres.stress).all(|stress| stress.abs() < limit));
+    }
+}
+
 /// Elements that could yield and do not are elastic to the bit.
 #[test]
 fn below_the_limit_the_motion_is_the_elastic_one() {

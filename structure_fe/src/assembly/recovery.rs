@@ -1,7 +1,9 @@
 //! Recovery of energies, section forces, strains and reactions from a displacement.
 
 use super::System;
-use crate::element::{Chord, ElementConstants, Ends, PlasticStrains, SectionForces, in_chord, strain_energy};
+use crate::element::{
+    Chord, ElementConstants, Ends, PlasticElement, PlasticStrains, SectionForces, in_chord, strain_energy,
+};
 use crate::error::Error;
 use crate::field::Field;
 use crate::model::{Beam, Element, RigidLinks, Supports};
@@ -34,7 +36,8 @@ impl System {
         beams + self.supports.spring_energy(q) + deformed.sum::<f64>()
     }
 
-    /// Section forces at the ends of the elements: elastic forces minus the element's own loads.
+    /// Section forces at the ends of the elements: elastic forces minus the element's own loads. The moments of an element that has yielded
+    /// are those at its Gauss points: beyond them it does not say how far its layers flow.
     pub fn section_forces(
         &self,
         q: &[[f64; 3]],
@@ -46,14 +49,21 @@ impl System {
             let layers = element.plastic.as_ref();
             let yielded = layers.map(|layers| in_chord(element, &chord, layers.held(&plastic[index])));
             let elastic = chord.elastic_forces(element, yielded.as_ref());
-            SectionForces::at_ends(&own_loads.map_or(elastic, |loads| elastic - chord.to_local(&loads[index])))
+            let own = own_loads.map_or(elastic, |loads| elastic - chord.to_local(&loads[index]));
+            let mut ends = SectionForces::at_ends(&own);
+            if let Some(layers) = layers.filter(|_| plastic[index].has_yielded()) {
+                let moments = layers.moments(&chord.deformation, &plastic[index]);
+                ends.iter_mut().zip(moments).for_each(|(end, moment)| end.moment = moment);
+            }
+            ends
         });
         sections.collect()
     }
 
     /// Strains and stresses of the outer fibres at the ends, right-hand and left-hand side \[-, Pa\].
     ///
-    /// Those of an element that has yielded are those of layers there (BE25), else of the section forces.
+    /// Those of an element that has yielded are those of layers there (BE25), else of the section forces: up to the first yield, for they
+    /// contain the part of N in the moments (BE11), which the layers do not.
     pub fn fibres(&self, q: &[[f64; 3]], plastic: &[PlasticStrains]) -> Vec<Fibres> {
         let forces = self.section_forces(q, plastic, None);
         let mut fibres = Vec::with_capacity(2 * forces.len());
@@ -64,7 +74,8 @@ impl System {
                 let curvature = end.moment / section.bending_stiffness(material);
                 let mean = end.normal / section.axial_stiffness(material);
                 let strain = [mean - right * curvature, mean - left * curvature];
-                Fibres { strain, stress: [right, left].map(|eta| end.fibre_stress(section, eta)) }
+                let limit = element.plastic.as_ref().map_or(f64::INFINITY, PlasticElement::first_yield);
+                Fibres { strain, stress: [right, left].map(|eta| end.fibre_stress(section, eta).clamp(-limit, limit)) }
             };
             let mut ends = forces.map(of);
             if let Some(layers) = &element.plastic.as_ref().filter(|_| plastic[index].has_yielded()) {

@@ -80,6 +80,11 @@ impl MovingModel {
         }
     }
 
+    /// True where no support moves.
+    pub fn supports_rest(&self) -> bool {
+        self.prescribed().all(|(_, _, motion)| motion.velocity == 0.0 && motion.acceleration == 0.0)
+    }
+
     /// The accelerations that the supports prescribe, zero elsewhere.
     fn prescribed_acceleration(&self) -> Field {
         let mut acceleration = vec![[0.0; 3]; self.internal.len()];

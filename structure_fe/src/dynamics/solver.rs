@@ -215,7 +215,8 @@ impl Dynamics {
     /// Section forces at the ends of the elements: of element e at 2e (first node) and 2e + 1.
     ///
     /// From the deformation alone: inertia and load q along an element would add q L^2/12 to the moment and q L/2 to
-    /// the shear force at the ends of an element of length L. [`SectionForces::fibre_stress`] gives stresses.
+    /// the shear force at the ends of an element of length L. [`SectionForces::fibre_stress`] gives stresses of elastic elements. The
+    /// moments of an element that has yielded are those at its Gauss points, L/2 (1 - 1/sqrt(3)) from its ends.
     pub fn section_forces(&self, state: &State) -> Vec<SectionForces> {
         self.model.system.section_forces(&state.displacement, &state.plastic, None).into_flattened()
     }

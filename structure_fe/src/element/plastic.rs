@@ -221,6 +221,17 @@ impl PlasticElement {
         [0, 1].map(|end| [0, 1].map(|side| self.law.stress(strains[end][side], plastic.fibres[end][side])[0]))
     }
 
+    /// Moments at the Gauss points \[N m\].
+    pub fn moments(&self, deformation: &[f64; 3], plastic: &PlasticStrains) -> [f64; 2] {
+        let curvatures = self.curvatures(deformation, 2.0 * SQRT_3);
+        [0, 1].map(|g| self.bending_stiffness * curvatures[g] + self.relief(&plastic.layers[g])[1])
+    }
+
+    /// Stress along the element at which a fibre yields first \[Pa\].
+    pub fn first_yield(&self) -> f64 {
+        self.law.first_yield()
+    }
+
     /// Curvatures that the plastic strains leave without a moment, at the Gauss points \[1/m\].
     pub fn plastic_curvatures(&self, plastic: &PlasticStrains) -> [f64; 2] {
         plastic.layers.map(|layers| -self.relief(&layers)[1] / self.bending_stiffness)

@@ -61,6 +61,12 @@ impl YieldLaw {
         Self { modulus: section.modulus(material), contraction, shear, hardening, yield_stress }
     }
 
+    /// Stress along the element at which it yields first \[Pa\].
+    pub fn first_yield(&self) -> f64 {
+        let nu = self.contraction.unwrap_or(0.0);
+        self.yield_stress / (1.0 - nu + nu * nu).sqrt()
+    }
+
     /// What plastic strains take off the stress along the element \[Pa\].
     pub fn relief(&self, [along, across]: [f64; 2]) -> f64 {
         -self.modulus * (along + self.contraction.unwrap_or(0.0) * across)
