@@ -11,6 +11,9 @@ const STRESS_BAND: f64 = 1.3;
 /// Largest ratio of a peak of stress to the largest mean over the time of GE18 [-].
 const LARGEST_PEAK: f64 = 1.5;
 
+/// Smallest share of the largest strain at the other end of its element [-]: below, the element decides how long the hinge is.
+const LEAST_STRAIN_ACROSS: f64 = 0.5;
+
 /// What a panel, or a structure by its modes, bore.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StressPeak {
@@ -26,6 +29,8 @@ pub(super) struct StressPeak {
     pub allowed: Option<bool>,
     /// Largest magnitude of the strain [-] and its time [s], of a panel that has yielded.
     pub strain: Option<[f64; 2]>,
+    /// The least of both ends of the element of that strain, over it [-].
+    pub strain_across: f64,
     /// Strain at which its ends break off [-].
     pub rupture_strain: Option<f64>,
 }
@@ -41,6 +46,7 @@ impl From<&PanelState> for StressPeak {
             reserve_factor: worst.reserve_factor,
             allowed: worst.allowed,
             strain: worst.yielded.then(|| largest(&worst.strain)),
+            strain_across: worst.strain_across,
             rupture_strain: panel.rupture_strain,
         }
     }
@@ -60,7 +66,8 @@ impl StressPeak {
         let largest = modes.extremes.stress.iter().max_by(|a, b| a[0].abs().total_cmp(&b[0].abs()));
         let [value, time] = *largest?;
         let (name, value) = (MODES.into(), value.abs());
-        Some(StressPeak { name, value, time, reserve_factor: None, allowed: None, strain: None, rupture_strain: None })
+        let (reserve_factor, allowed, strain, rupture_strain) = (None, None, None, None);
+        Some(StressPeak { name, value, time, reserve_factor, allowed, strain, strain_across: 1.0, rupture_strain })
     }
 
     /// Why it is beyond its limits, where it is.
@@ -106,20 +113,32 @@ pub(super) fn panel_results(
     };
     let of_force = force.and_then(|force| Some(STRESS_BAND * force.band? / force.value));
     let share = of_force.filter(|share| share.is_finite()).map(|share| share + excess);
-    let quantity = |value: f64, time: f64, share: Option<f64>| {
+    let one_element = strain.filter(|_| peak.strain_across < LEAST_STRAIN_ACROSS).map(|_| {
+        let percent = significant(100.0 * peak.strain_across);
+        format!(
+            "its strain falls to {percent} % within an element: use more `elements`, and a `hardening_modulus` above 0"
+        )
+    });
+    let of_strain = match verdict {
+        Verdict::Resolved | Verdict::NoBand if one_element.is_some() => Verdict::NotResolved,
+        verdict => verdict,
+    };
+    let quantity = |value: f64, time: f64, share: Option<f64>, verdict: Verdict| {
         let band = share.map(|share| share * value);
         let quantity = Quantity { value, time_s: Some(time), band, cutoff_hz: None, raw: value, verdict, allowed };
         quantity.with_known_band()
     };
     // beyond yield the strain grows faster than the load: no band is known
-    let of_reserve = share.filter(|_| strain.is_none());
     let results = PanelResults {
-        peak_stress_Pa: quantity(value, time, share),
-        peak_strain: strain.map(|[strain, time]| quantity(strain, time, None)),
-        reserve_factor: reserve.map(|factor| quantity(factor, strain.map_or(time, |[_, time]| time), of_reserve)),
+        peak_stress_Pa: quantity(value, time, share, verdict),
+        peak_strain: strain.map(|[strain, time]| quantity(strain, time, None, of_strain)),
+        reserve_factor: reserve.map(|factor| match strain {
+            Some([_, time]) => quantity(factor, time, None, of_strain),
+            None => quantity(factor, time, share, verdict),
+        }),
     };
     let withheld = (verdict == Verdict::Resolved && results.peak_stress_Pa.is_withheld()).then(|| WIDE.to_string());
-    (results, peak.excess().into_iter().chain(doubt).chain(withheld).collect())
+    (results, peak.excess().into_iter().chain(doubt).chain(withheld).chain(one_element).collect())
 }
 
 #[cfg(test)]
@@ -129,7 +148,8 @@ mod tests {
     /// A panel that bore a stress of 6 MPa.
     fn panel() -> StressPeak {
         let (name, value, time) = ("plate".into(), 6e6, 0.016);
-        StressPeak { name, value, time, reserve_factor: None, allowed: None, strain: None, rupture_strain: None }
+        let (reserve_factor, allowed, strain, rupture_strain) = (None, None, None, None);
+        StressPeak { name, value, time, reserve_factor, allowed, strain, strain_across: 1.0, rupture_strain }
     }
 
     /// A burst of force of 3 ms rang a panel at 28 degrees: 6.4 MPa, and 5 MPa with half the spacing.
@@ -191,5 +211,10 @@ mod tests {
             StressPeak { reserve_factor: Some(25.0), allowed: Some(true), rupture_strain: Some(0.1), ..yields };
         let (results, doubts) = panel_results(&enough, None, None, None);
         assert!(doubts.is_empty() && results.reserve_factor.is_some_and(|factor| factor.value == 25.0));
+        // a hinge within an element is as long as the element
+        let (results, doubts) = panel_results(&StressPeak { strain_across: 0.2, ..enough }, None, None, None);
+        let verdicts = [results.peak_strain, results.reserve_factor].map(|found| found.expect("a number").verdict);
+        assert_eq!((verdicts, doubts.len()), ([Verdict::NotResolved; 2], 1));
+        assert_eq!(results.peak_stress_Pa.verdict, Verdict::NoBand);
     }
 }

@@ -4,12 +4,13 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use fsi_coupling::{Coupled, CouplingError};
+use fsi_coupling::{BodyError, Coupled, CouplingError};
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
 use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
-use super::recorder::{Observed, Recorder, next, rupture};
+use super::panel::first_rupture;
+use super::recorder::{Observed, Recorder, next};
 use super::summary::Status;
 use super::{Checkpoints, Held, Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
 use crate::build;
@@ -97,10 +98,10 @@ impl Run<'_> {
         let (status, message) = match ended {
             // BE26: the surface stays closed to the water, which an opening would let in
             Ok(Status::Ruptured) => {
-                (Status::Ruptured, rupture(&self.system).map(|what| format!("{what}: the run ends there")))
+                (Status::Ruptured, first_rupture(&self.system).map(|what| format!("{what}: the run ends there")))
             }
             Ok(status) => (status, None),
-            Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
+            Err(breakdown) => (Status::Failed, Some(in_words(&breakdown, self.scene))),
         };
         let dir = self.dir;
         let outcome = self.conclude(status, message, start)?;
@@ -159,6 +160,22 @@ fn keep(mut outcome: Outcome, dir: Option<&Path>, options: &RunOptions<'_>) -> R
         write(&dir.join("report.html"), &run_page::report(dir)?)?;
     }
     Ok(outcome)
+}
+
+/// A breakdown with the keys that prevent it.
+fn in_words(breakdown: &Breakdown, scene: &Scene) -> String {
+    let mut panels = scene.body.iter().flat_map(|body| &body.panels);
+    match breakdown {
+        Breakdown::Step(CouplingError::Body(BodyError::Structure { reason, .. }))
+            if reason.contains("not converged") && panels.any(|panel| panel.yield_stress.is_some()) =>
+        {
+            format!(
+                "{breakdown}; a panel yields faster than its equations are solved: expected fewer `body.panels[].elements`, a higher \
+                 `hardening_modulus`, or a smaller `time.step`"
+            )
+        }
+        _ => breakdown.to_string(),
+    }
 }
 
 impl Run<'_> {

@@ -1,8 +1,10 @@
 //! What the panels of a body bore over a run.
 
-use fsi_coupling::{PanelState, Station};
+use fsi_coupling::{Coupled, PanelState, Station};
 use serde::Serialize;
-use structure_fe::Range;
+use structure_fe::{Break, Range};
+
+use crate::scene::significant;
 
 /// Extremes of a quantity over a panel and the run.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -39,6 +41,15 @@ pub struct Rupture {
     pub y_m: f64,
     /// Strain of the outer fibre [-].
     pub strain: f64,
+}
+
+/// The first rupture of a panel, in words.
+pub(super) fn first_rupture(system: &Coupled) -> Option<String> {
+    system.bodies().find_map(|body| {
+        let (panel, Break { place: [x, y], time, value, .. }) = body.first_rupture()?;
+        let (strain, time) = (significant(100.0 * value), significant(1e3 * time));
+        Some(format!("{panel} broke off at ({x:.4}, {y:.4}) m at {time} ms, at a strain of {strain} %"))
+    })
 }
 
 /// Extremes over every step of the run, not only over the samples.

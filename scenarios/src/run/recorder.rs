@@ -10,6 +10,7 @@ use tracing::warn;
 use super::RunError;
 use super::link_results::{contact_results, joint_results};
 use super::modes::ModesResult;
+use super::panel::first_rupture;
 use super::particle_order::particle_order;
 use super::summary::{
     Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Status, Summary, phase_times,
@@ -22,7 +23,7 @@ use crate::observers::{
     SimilarityWindow, WorstPenetration, body_values,
 };
 use crate::results::{ResultsObserver, Verdict};
-use crate::scene::{Scene, known_compressibility_error, significant, thesis_work, waves_end_early};
+use crate::scene::{Scene, known_compressibility_error, thesis_work, waves_end_early};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -277,7 +278,7 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         let results = results.with_work_lost(audit.loses_work());
-        doubts.extend(rupture(system).map(|why| {
+        doubts.extend(first_rupture(system).map(|why| {
             let names: Vec<String> = results.named().into_iter().map(|(name, _)| name).collect();
             format!("{}: {why}; they hold up to that moment", names.join(", "))
         }));
@@ -374,15 +375,6 @@ impl Recorder {
             force_corrected: share.map(|share| 1.0 / (1.0 - share)),
         })
     }
-}
-
-/// The first rupture of a panel, in words.
-pub(super) fn rupture(system: &Coupled) -> Option<String> {
-    system.bodies().find_map(|body| {
-        let (panel, structure_fe::Break { place: [x, y], time, value, .. }) = body.first_rupture()?;
-        let (strain, time) = (significant(100.0 * value), significant(1e3 * time));
-        Some(format!("{panel} broke off at ({x:.4}, {y:.4}) m at {time} ms, at a strain of {strain} %"))
-    })
 }
 
 /// The model's name in the summary.

@@ -19,7 +19,7 @@ const ROUNDED: [f64; 2] = [1e-8, 1e-13];
 const STAGNANT: f64 = 0.3;
 
 /// A step that does not converge is halved so often at most.
-const MOST_HALVINGS: u32 = 7;
+const MOST_DIVISIONS: u32 = 7;
 
 /// A correction larger than this times the smallest so far rejects the predictor \[-\].
 const DIVERGING: f64 = 100.0;
@@ -62,11 +62,11 @@ impl Trapezoidal {
     ) -> Result<(State, StepReport), Error> {
         let mut outcome = self.whole_step(model, state, load, dt);
         let divides = !state.plastic.is_empty() && model.supports_rest();
-        for halvings in 1..=MOST_HALVINGS {
+        for division in 1..=MOST_DIVISIONS {
             if !(divides && matches!(outcome, Err(Error::StepNotConverged { .. }))) {
                 break;
             }
-            outcome = self.step_in_parts(model, state, load, dt, 1 << halvings);
+            outcome = self.step_in_parts(model, state, load, dt, 1 << division);
         }
         outcome
     }

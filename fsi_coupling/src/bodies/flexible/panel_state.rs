@@ -79,6 +79,8 @@ pub struct Worst {
     pub reserve_factor: Option<f64>,
     /// Whether it has yielded anywhere.
     pub yielded: bool,
+    /// Largest strain at the other end of the element of the largest, over it [-]: small where one element holds the whole hinge.
+    pub strain_across: f64,
     /// Whether it stays within its limits; a panel that has yielded without a rupture strain does not. `None` where no limit is given.
     pub allowed: Option<bool>,
     /// Largest plastic curvature left in it now, by magnitude [1/m].
@@ -159,11 +161,20 @@ fn worst(panel: &Panel, dynamics: &Dynamics, nodes: &State, envelope: &Envelope)
         moment: over(|end| end.moment),
         stress,
         strain,
+        strain_across: strain_across(ends),
         reserve_factor,
         allowed: reserve_factor.map(|factor| factor >= 1.0).or((yielded && is_limited).then_some(false)),
         yielded,
         plastic_curvature: plastic.fold(0.0, |most, kappa| f64::max(most, kappa.abs())),
     }
+}
+
+/// Largest strain at the other end of the element of the largest, over it [-].
+fn strain_across(ends: &[EndEnvelope]) -> f64 {
+    let largest = |end: &EndEnvelope| end.fibre_strain.largest();
+    let steepest = ends.chunks_exact(2).map(|pair| [largest(&pair[0]), largest(&pair[1])]);
+    let steepest = steepest.max_by(|a, b| a[0].max(a[1]).total_cmp(&b[0].max(b[1])));
+    steepest.map_or(1.0, |[a, b]| a.min(b) / a.max(b))
 }
 
 /// What a panel has borne at its nodes.

@@ -217,6 +217,10 @@ fn verdict(run: &RunFolder) -> Verdict {
         }
         _ => ("doubtful", "Not finished.".to_string()),
     };
+    if !run.has_failed() && record.status != "beyond_allowable" {
+        let yielded = record.panels.iter().filter(|(_, panel)| panel.yielded);
+        reasons.extend(yielded.filter_map(|(name, _)| doubts::of_material(run, name)));
+    }
     reasons.extend(study(run));
     reasons.extend(run.gaps.iter().cloned());
     Verdict { class, heading, reasons }
@@ -305,10 +309,11 @@ fn cards(run: &RunFolder) -> String {
             None => "over the run".into(),
         };
         let mut lines = vec![format!("{band}, {time}")];
-        let panel = name.strip_suffix(".peak_stress_Pa").unwrap_or_default();
+        let yielded = |panel: &&str| run.record.panels.get(*panel).is_some_and(|own| own.yielded);
+        let of_stress = name.strip_suffix(".peak_stress_Pa").filter(|panel| !yielded(panel));
+        let panel = of_stress.or(name.strip_suffix(".peak_strain")).unwrap_or_default();
         if let Some((_, factor)) = reserve(panel).filter(|_| !quantity.is_withheld()) {
-            let by_strain = run.record.panels.get(panel).is_some_and(|own| own.yielded);
-            let limit = if by_strain {
+            let limit = if yielded(&panel) {
                 rupture_strain(run, panel).zip(Some("-"))
             } else {
                 allowable(run, panel).zip(Some("Pa"))
@@ -326,7 +331,7 @@ fn cards(run: &RunFolder) -> String {
             "<li class=\"{class}\"><h3>{}</h3><p class=\"value\">{} <small>{}</small></p>{details}<p class=\"chip\">{}</p></li>\n",
             escape(&title),
             if quantity.is_withheld() { "–".into() } else { digits(unit.scale * value) },
-            escape(&unit.name),
+            escape(unit.name.trim_matches('-')),
             escape(&verdict_of(run, name, quantity))
         );
     }

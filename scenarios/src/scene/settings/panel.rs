@@ -102,7 +102,7 @@ pub struct Panel {
     #[serde(default)]
     #[schemars(range(min = 0.0), extend("x-when" = ".yield_stress"))]
     pub hardening_modulus: f64,
-    /// Strain of an outer fibre at a held end at which that end breaks off; the wetted surface stays closed [-]. absent: never.
+    /// Strain of an outer fibre at a held end at which that end breaks off, and the run ends [-]. absent: never.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub rupture_strain: Option<f64>,
