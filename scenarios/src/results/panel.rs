@@ -14,6 +14,9 @@ const LARGEST_PEAK: f64 = 1.5;
 /// Smallest share of the largest strain at the other end of its element [-]: below, the element decides how long the hinge is.
 const LEAST_STRAIN_ACROSS: f64 = 0.5;
 
+/// Largest strain of the beams' theory (BE1) [-].
+const LARGEST_STRAIN: f64 = 0.05;
+
 /// What a panel, or a structure by its modes, bore.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StressPeak {
@@ -70,6 +73,21 @@ impl StressPeak {
         Some(StressPeak { name, value, time, reserve_factor, allowed, strain, strain_across: 1.0, rupture_strain })
     }
 
+    /// Why the strain of a panel that has yielded is not known, where that is so.
+    fn unknown_strain(&self, strain: f64) -> Option<String> {
+        if strain > LARGEST_STRAIN {
+            let percent = significant(100.0 * strain);
+            return Some(format!(
+                "its strain of {percent} % is not small: the beams hold up to {} %",
+                100.0 * LARGEST_STRAIN
+            ));
+        }
+        (self.strain_across < LEAST_STRAIN_ACROSS).then(|| {
+            let percent = significant(100.0 * self.strain_across);
+            format!("its strain falls to {percent} % within an element: use more `elements`, and a `hardening_modulus` above 0")
+        })
+    }
+
     /// Why it is beyond its limits, where it is.
     fn excess(&self) -> Option<String> {
         let reserve = self.reserve_factor;
@@ -112,15 +130,11 @@ pub(super) fn panel_results(
         _ => (Verdict::Resolved, None),
     };
     let of_force = force.and_then(|force| Some(STRESS_BAND * force.band? / force.value));
-    let share = of_force.filter(|share| share.is_finite()).map(|share| share + excess);
-    let one_element = strain.filter(|_| peak.strain_across < LEAST_STRAIN_ACROSS).map(|_| {
-        let percent = significant(100.0 * peak.strain_across);
-        format!(
-            "its strain falls to {percent} % within an element: use more `elements`, and a `hardening_modulus` above 0"
-        )
-    });
+    // a stress that the law of the material bounds does not follow the force
+    let share = of_force.filter(|share| share.is_finite() && strain.is_none()).map(|share| share + excess);
+    let coarse = strain.and_then(|[strain, _]| peak.unknown_strain(strain));
     let of_strain = match verdict {
-        Verdict::Resolved | Verdict::NoBand if one_element.is_some() => Verdict::NotResolved,
+        Verdict::Resolved | Verdict::NoBand if coarse.is_some() => Verdict::NotResolved,
         verdict => verdict,
     };
     let quantity = |value: f64, time: f64, share: Option<f64>, verdict: Verdict| {
@@ -138,7 +152,7 @@ pub(super) fn panel_results(
         }),
     };
     let withheld = (verdict == Verdict::Resolved && results.peak_stress_Pa.is_withheld()).then(|| WIDE.to_string());
-    (results, peak.excess().into_iter().chain(doubt).chain(withheld).chain(one_element).collect())
+    (results, peak.excess().into_iter().chain(doubt).chain(withheld).chain(coarse).collect())
 }
 
 #[cfg(test)]

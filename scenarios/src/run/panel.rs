@@ -4,6 +4,7 @@ use fsi_coupling::{Coupled, PanelState, Station};
 use serde::Serialize;
 use structure_fe::{Break, Range};
 
+use crate::results::Results;
 use crate::scene::significant;
 
 /// Extremes of a quantity over a panel and the run.
@@ -50,6 +51,12 @@ pub(super) fn first_rupture(system: &Coupled) -> Option<String> {
         let (strain, time) = (significant(100.0 * value), significant(1e3 * time));
         Some(format!("{panel} broke off at ({x:.4}, {y:.4}) m at {time} ms, at a strain of {strain} %"))
     })
+}
+
+/// What a rupture means for the results.
+pub(super) fn rupture_doubt(system: &Coupled, results: &Results) -> Option<String> {
+    let names: Vec<String> = results.named().into_iter().map(|(name, _)| name).collect();
+    Some(format!("{}: {}; they hold up to that moment", names.join(", "), first_rupture(system)?))
 }
 
 /// Extremes over every step of the run, not only over the samples.

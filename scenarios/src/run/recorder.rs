@@ -10,7 +10,6 @@ use tracing::warn;
 use super::RunError;
 use super::link_results::{contact_results, joint_results};
 use super::modes::ModesResult;
-use super::panel::first_rupture;
 use super::particle_order::particle_order;
 use super::summary::{
     Audit, Compressibility, Coupling, Log, PanelResult, Particles, Peak, Projection, Status, Summary, phase_times,
@@ -278,12 +277,9 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         let results = results.with_work_lost(audit.loses_work());
-        doubts.extend(first_rupture(system).map(|why| {
-            let names: Vec<String> = results.named().into_iter().map(|(name, _)| name).collect();
-            format!("{}: {why}; they hold up to that moment", names.join(", "))
-        }));
-        let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
-        doubts.extend(audit.doubts().into_iter().chain(early).chain(self.host_doubt.clone()));
+        let early = waves_end_early(scene).map(|why| format!("waves: {why}")).into_iter();
+        let others = early.chain(super::panel::rupture_doubt(system, &results)).chain(self.host_doubt.clone());
+        doubts.extend(audit.doubts().into_iter().chain(others));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
