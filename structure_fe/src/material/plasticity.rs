@@ -210,4 +210,32 @@ mod tests {
         let low = bar.stress(back, bar.respond(back, out).plastic)[0];
         assert!((low - (top - 2.0 * LAW.yield_stress - tangent * 0.001)).abs() < 1e-3, "{low}");
     }
+
+    /// Plastic work of a cycle between two strains: 4 sigma_y p of a bar, p = (epsilon - sigma_y/E)/(1 + H/E).
+    #[test]
+    fn cycles_dissipate_the_area_of_their_loop() {
+        let [bar, strip] = laws(LAW);
+        for law in [bar, strip] {
+            let (mut plastic, mut stress, mut work) = ([0.0; 2], [0.0; 2], 0.0);
+            for step in 1..=5000 {
+                let strain = 0.01 * (std::f64::consts::TAU * f64::from(step) / 1000.0).sin();
+                let (before, from) = (plastic, stress);
+                plastic = law.respond(strain, before).plastic;
+                stress = law.stress(strain, plastic);
+                // of the last cycle
+                if step > 4000 {
+                    work += [0, 1].map(|k| 0.5 * (from[k] + stress[k]) * (plastic[k] - before[k])).iter().sum::<f64>();
+                }
+            }
+            if law.contraction.is_none() {
+                let amplitude = (0.01 - LAW.yield_stress / law.modulus) / (1.0 + LAW.hardening_modulus / law.modulus);
+                assert!((work / (4.0 * LAW.yield_stress * amplitude) - 1.0).abs() < 1e-2, "{work}");
+            } else {
+                // of a flow in plane strain, with 2/sqrt(3) sigma_y along the element
+                let modulus = law.modulus;
+                let amplitude = 0.01 - 2.0 / 3.0_f64.sqrt() * LAW.yield_stress / modulus;
+                assert!((work / (8.0 / 3.0_f64.sqrt() * LAW.yield_stress * amplitude) - 1.0).abs() < 0.05, "{work}");
+            }
+        }
+    }
 }
