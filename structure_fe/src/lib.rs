@@ -3,7 +3,7 @@
 //! Elements are Euler-Bernoulli's or Timoshenko's ([`Theory`]), with axial stiffness, three degrees of
 //! freedom per node, at any orientation. The section is a bar, or a one metre wide strip of a plate in
 //! cylindrical bending, in which case everything is per metre of span. Materials are linearly elastic, and can
-//! yield in bending ([`Beam::with_plasticity`]); joints can break ([`Supports::breakable`]).
+//! yield ([`Beam::with_plasticity`]); joints can break ([`Supports::breakable`]).
 //!
 //! | | small displacements | any displacements and rotations, small strains |
 //! |---|---|---|
@@ -90,9 +90,10 @@ pub mod model;
 pub mod modes;
 pub mod statics;
 
+pub use assembly::Fibres;
 pub use dynamics::SupportMotion;
 pub use dynamics::{Dynamics, EffectiveInertia, EndEnvelope, Envelope, Integration, Range, State, StepReport};
-pub use element::{Damping, SectionForces, Theory};
+pub use element::{Damping, PlasticStrains, SectionForces, Theory};
 pub use error::Error;
 pub use field::Dof;
 pub use material::{BarSection, Material, Plasticity, Section};

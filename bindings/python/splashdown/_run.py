@@ -92,7 +92,7 @@ class Run:
 
     @property
     def status(self) -> str:
-        """How the run ended: "completed", "completed_with_doubts", "beyond_allowable", "failed" or "interrupted"."""
+        """How the run ended: "completed", "completed_with_doubts", "beyond_allowable", "ruptured", "failed" or "interrupted"."""
         return str(self.summary.get("status"))
 
     @property

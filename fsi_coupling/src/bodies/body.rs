@@ -6,6 +6,7 @@
 
 use sph_core::walls::Resultant;
 use sph_core::{InterfaceDynamics, PlateMidline, StateError, WallForces, WallPoint, WallsMut};
+use structure_fe::Break;
 
 use crate::bodies::error::BodyError;
 use crate::bodies::flexible::panel_state::PanelState;
@@ -112,6 +113,11 @@ pub trait Inspect {
     /// State of the panels of a flexible body.
     fn panels(&self) -> Vec<PanelState> {
         Vec::new()
+    }
+
+    /// The first end of a panel that broke off, with the panel's name.
+    fn first_rupture(&self) -> Option<(&str, Break)> {
+        None
     }
 
     /// Modes of a body that bends in them.

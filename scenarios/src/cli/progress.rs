@@ -95,7 +95,7 @@ pub(super) fn step_to_end(
         summary.doubts.iter().for_each(|doubt| complain(format_args!("warning: {doubt}")));
     }
     match summary.status {
-        Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable => Ok(DONE),
+        Status::Completed | Status::CompletedWithDoubts | Status::BeyondAllowable | Status::Ruptured => Ok(DONE),
         Status::Failed => Err(Stop::Failed(summary.message.unwrap_or_default())),
         Status::Interrupted => Err(Stop::Failed(format!("interrupted at t = {:.6} s", summary.time_end_s))),
     }
@@ -113,12 +113,16 @@ fn progress_bar(output: &Output) -> ProgressBar {
 
 /// A result on a line.
 fn result_in_words((name, quantity): &(String, Quantity)) -> String {
+    if quantity.is_withheld() {
+        return format!("  {name}: withheld, {}: its band is as large as itself", quantity.verdict.name());
+    }
     let band = quantity.band.map_or(String::new(), |band| format!(" ± {}", significant(band)));
+    let allowed = if quantity.allowed == Some(false) { ", NOT ALLOWED" } else { "" };
     let time = quantity.time_s.map_or(String::new(), |time| format!(" at {time:.5} s"));
     let raw = quantity
         .cutoff_hz
         .map_or(String::new(), |f| format!(", mean below {f:.0} Hz (single step: {})", significant(quantity.raw)));
-    format!("  {name}: {}{band}{time}, {}{raw}", significant(quantity.value), quantity.verdict.name())
+    format!("  {name}: {}{band}{time}, {}{allowed}{raw}", significant(quantity.value), quantity.verdict.name())
 }
 
 /// A run that broke down: what it computed before is no result.
@@ -135,6 +139,7 @@ fn in_words(s: &Summary) -> String {
             s.scene, s.particles.fluid, s.steps, s.wall_time_s
         ),
     }];
+    lines.extend(s.message.iter().filter(|_| s.status == Status::Ruptured).map(|what| format!("  RUPTURE: {what}")));
     lines.extend(s.results.named().iter().map(result_in_words));
     lines.extend(s.results.bandwidth_by.map(|by| format!("  bandwidth of the force: {}", by.words())));
     lines.extend(s.doubts.iter().map(|doubt| format!("  DOUBT: {doubt}")));

@@ -150,7 +150,7 @@ fn results(body: &Body, theory: &Theory, bars: &ErrorBars) -> Results {
     }
     let quantity = |value: f64, time_s: Option<f64>, band: Option<f64>| {
         let verdict = Verdict::Resolved;
-        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict }.with_known_band())
+        Some(Quantity { value, time_s, band, cutoff_hz: None, raw: value, verdict, allowed: None }.with_known_band())
     };
     // an acceleration and an impulse are as good as the force
     let bar = bars.get(&format!("peaks/{}.fy_N_per_m/value", body.name));

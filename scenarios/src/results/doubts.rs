@@ -29,7 +29,9 @@ impl Results {
         }
         let own = [&mut self.peak_force_N_per_m, &mut self.peak_acceleration_g, &mut self.peak_pressure_Pa];
         let of_panels = self.panels.values_mut();
-        let of_panels = of_panels.flat_map(|p| std::iter::once(&mut p.peak_stress_Pa).chain(&mut p.reserve_factor));
+        let of_panels = of_panels.flat_map(|p| {
+            [Some(&mut p.peak_stress_Pa), p.peak_strain.as_mut(), p.reserve_factor.as_mut()].into_iter().flatten()
+        });
         for quantity in own.into_iter().chain([&mut self.impulse_N_s_per_m]).flatten().chain(of_panels) {
             let verdict = if quantity.verdict == Verdict::Resolved { Verdict::NoBand } else { quantity.verdict };
             *quantity = Quantity { band: None, verdict, ..*quantity };

@@ -11,7 +11,7 @@ use super::doubts::Doubts;
 use super::panel::{StressPeak, panel_results};
 use super::running_integral::{Extreme, RunningIntegral};
 use super::tension::with_tension;
-use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict};
+use super::{Finding, Quantity, Results, STANDARD_GRAVITY, Verdict, WIDE};
 use crate::scene::{
     Bottom, Entry, LEAST_DRAUGHT, Scene, Unusual, known_compressibility_error, limit_of_forces, resonant_panels,
     significant,
@@ -97,7 +97,8 @@ impl Judge {
     pub fn results(&self, curves: &Curves, panels: &[StressPeak]) -> (Results, Vec<String>) {
         let mut doubts = Doubts::default();
         let mut keep = |name: &str, (quantity, why): (Quantity, Option<String>)| {
-            doubts.add(name, why);
+            let wide = quantity.verdict == Verdict::Resolved && quantity.is_withheld();
+            doubts.add(name, why.or(wide.then(|| WIDE.to_string())));
             quantity.with_known_band()
         };
         let window = self.of_force.time;
@@ -140,8 +141,8 @@ impl Judge {
             // GE18 averages over spacings that an entering body falls through: elsewhere a plate may vibrate faster
             let stress = curves.stresses.get(k).filter(|_| self.entry.is_some());
             let mean = stress.and_then(|curve| curve.largest_mean(self.of_force.least));
-            let (results, why) = panel_results(panel, of_force, mean.map(|mean| mean.value), resonates);
-            doubts.add(&panel.name, why);
+            let (results, reasons) = panel_results(panel, of_force, mean.map(|mean| mean.value), resonates);
+            reasons.into_iter().for_each(|why| doubts.add(&panel.name, Some(why)));
             (panel.name.clone(), results)
         });
         let results = Results { panels: panels.collect(), ..results };
@@ -171,6 +172,7 @@ impl Judge {
                 cutoff_hz: None,
                 raw: value,
                 verdict: Verdict::NotResolved,
+                allowed: None,
             };
             return Some((quantity, Some(why)));
         };
@@ -196,6 +198,7 @@ impl Judge {
             cutoff_hz: Some(CUTOFF / window),
             raw: factor * raw.value,
             verdict,
+            allowed: None,
         };
         Some((quantity, why))
     }
@@ -325,7 +328,7 @@ impl Judge {
         let verdict = if why.is_some() { Verdict::NotResolved } else { Verdict::Resolved };
         let (verdict, share, why) = with_tension((verdict, share, why), curves.tension.total(), curves.force.total());
         let band = share.map(|share| share * value);
-        (Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict }, why)
+        (Quantity { value, time_s: None, band, cutoff_hz: None, raw: value, verdict, allowed: None }, why)
     }
 }
 

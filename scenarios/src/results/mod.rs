@@ -26,6 +26,9 @@ pub(crate) use filtered::PASS_OVER_CLASS;
 pub use observer::ResultsObserver;
 pub(crate) use running_integral::{Extreme, RunningIntegral};
 
+/// Why a number is withheld.
+const WIDE: &str = "its band is as large as itself";
+
 /// Standard gravity [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
 
@@ -41,8 +44,6 @@ pub enum Verdict {
     NotResolved,
     /// Nothing known speaks against it, and nothing gives a band: no theory or chart is of such a flow.
     NoBand,
-    /// A stress is above the allowable one.
-    BeyondAllowable,
 }
 
 impl Verdict {
@@ -53,7 +54,6 @@ impl Verdict {
             Verdict::Acoustic => "acoustic",
             Verdict::NotResolved => "not_resolved",
             Verdict::NoBand => "no_band",
-            Verdict::BeyondAllowable => "beyond_allowable",
         }
     }
 }
@@ -76,14 +76,31 @@ pub struct Quantity {
     pub raw: f64,
     /// What may be said of it.
     pub verdict: Verdict,
+    /// Whether what it belongs to stays within its limits; absent where there is no limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed: Option<bool>,
 }
 
 impl Quantity {
-    /// The same: resolved only with a band.
+    /// The same: resolved only with a band that is smaller than its value.
     pub(crate) fn with_known_band(self) -> Quantity {
-        let unknown = self.verdict == Verdict::Resolved && self.band.is_none();
-        Quantity { verdict: if unknown { Verdict::NoBand } else { self.verdict }, ..self }
+        let verdict = match self.verdict {
+            Verdict::Resolved | Verdict::NoBand if self.is_withheld() => Verdict::NotResolved,
+            Verdict::Resolved if self.band.is_none() => Verdict::NoBand,
+            known => known,
+        };
+        Quantity { verdict, ..self }
     }
+
+    /// True for a number that tells nothing: its band is as large as itself.
+    pub fn is_withheld(&self) -> bool {
+        is_withheld(self.value, self.band)
+    }
+}
+
+/// True for a value that tells nothing: its band is as large as itself.
+pub(crate) fn is_withheld(value: f64, band: Option<f64>) -> bool {
+    band.is_some_and(|band| band > 0.0 && band >= value.abs())
 }
 
 /// Results of a panel.
@@ -92,7 +109,10 @@ impl Quantity {
 pub struct PanelResults {
     /// Largest magnitude of the stress of an outer fibre [Pa].
     pub peak_stress_Pa: Quantity,
-    /// Allowable stress over it [-]; absent without an allowable stress.
+    /// Largest magnitude of the strain of an outer fibre [-]; absent for a panel that has not yielded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_strain: Option<Quantity>,
+    /// Allowable stress over the largest; after yield the rupture strain over the largest strain [-]; absent without such a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reserve_factor: Option<Quantity>,
 }
@@ -125,7 +145,8 @@ impl Results {
     /// The same; where work of the water is lost between fluid and body, what panels bear is not resolved.
     pub(crate) fn with_work_lost(mut self, lost: bool) -> Results {
         for panel in self.panels.values_mut().filter(|_| lost) {
-            for quantity in std::iter::once(&mut panel.peak_stress_Pa).chain(&mut panel.reserve_factor) {
+            let others = panel.peak_strain.iter_mut().chain(&mut panel.reserve_factor);
+            for quantity in std::iter::once(&mut panel.peak_stress_Pa).chain(others) {
                 if matches!(quantity.verdict, Verdict::Resolved | Verdict::NoBand) {
                     quantity.verdict = Verdict::NotResolved;
                 }
@@ -145,7 +166,9 @@ impl Results {
         let own = own.into_iter().filter_map(|(name, quantity)| Some((name.to_string(), quantity?)));
         let panels = self.panels.iter().flat_map(|(name, panel)| {
             let stress = (format!("{name}.peak_stress_Pa"), panel.peak_stress_Pa);
-            std::iter::once(stress).chain(panel.reserve_factor.map(|r| (format!("{name}.reserve_factor"), r)))
+            let strain = panel.peak_strain.map(|strain| (format!("{name}.peak_strain"), strain));
+            let factor = panel.reserve_factor.map(|factor| (format!("{name}.reserve_factor"), factor));
+            std::iter::once(stress).chain(strain).chain(factor)
         });
         own.chain(panels).collect()
     }

@@ -4,11 +4,12 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use fsi_coupling::{Coupled, CouplingError};
+use fsi_coupling::{BodyError, Coupled, CouplingError};
 use sph_core::{Phase, parallel};
 use tracing::{debug, info, warn};
 
 use super::checkpoint::{self, Checkpoint, fingerprint, write_whole};
+use super::panel::first_rupture;
 use super::recorder::{Observed, Recorder, next};
 use super::summary::Status;
 use super::{Checkpoints, Held, Outcome, RunError, RunOptions, prepare, refuse_occupied, write};
@@ -89,14 +90,18 @@ impl Run<'_> {
                 stepped.store(true, Ordering::Relaxed);
             }
             let checkpoint = self.last_checkpoint(&ended, start)?;
-            if matches!(ended, Ok(Status::Completed)) {
+            if matches!(ended, Ok(Status::Completed | Status::Ruptured)) {
                 self.observing(|recorder, system| recorder.complete(system, seen))?;
             }
             Ok::<_, RunError>((ended, checkpoint))
         })?;
         let (status, message) = match ended {
+            // BE26: the surface stays closed to the water, which an opening would let in
+            Ok(Status::Ruptured) => {
+                (Status::Ruptured, first_rupture(&self.system).map(|what| format!("{what}: the run ends there")))
+            }
             Ok(status) => (status, None),
-            Err(breakdown) => (Status::Failed, Some(breakdown.to_string())),
+            Err(breakdown) => (Status::Failed, Some(in_words(&breakdown, self.scene))),
         };
         let dir = self.dir;
         let outcome = self.conclude(status, message, start)?;
@@ -109,7 +114,7 @@ impl Run<'_> {
     /// Complete the log of a run that took its last step, and write summary and report.
     pub(crate) fn conclude(self, status: Status, message: Option<String>, start: Instant) -> Result<Outcome, RunError> {
         let Run { scene, options, dir, references, mut system, mut recorder, volume, .. } = self;
-        if status != Status::Completed {
+        if !matches!(status, Status::Completed | Status::Ruptured) {
             recorder.record_stop(&system, status, message.as_deref())?;
         }
         recorder.series.release();
@@ -157,6 +162,22 @@ fn keep(mut outcome: Outcome, dir: Option<&Path>, options: &RunOptions<'_>) -> R
     Ok(outcome)
 }
 
+/// A breakdown with the keys that prevent it.
+fn in_words(breakdown: &Breakdown, scene: &Scene) -> String {
+    let mut panels = scene.body.iter().flat_map(|body| &body.panels);
+    match breakdown {
+        Breakdown::Step(CouplingError::Body(BodyError::Structure { reason, .. }))
+            if reason.contains("not converged") && panels.any(|panel| panel.yield_stress.is_some()) =>
+        {
+            format!(
+                "{breakdown}; a panel yields faster than its equations are solved: expected fewer `body.panels[].elements`, a higher \
+                 `hardening_modulus`, or a smaller `time.step`"
+            )
+        }
+        _ => breakdown.to_string(),
+    }
+}
+
 impl Run<'_> {
     /// Step to the end, and what was due after the last step. The inner error is the breakdown that stopped the run.
     fn advance(&mut self, start: Instant) -> Result<(Result<Status, Breakdown>, Observed), RunError> {
@@ -196,6 +217,9 @@ impl Run<'_> {
             let (step, time) = (system.fluid.steps(), system.fluid.time());
             debug!(step, time, "stepped");
             seen = self.observe()?;
+            if self.system.bodies().any(|body| body.first_rupture().is_some()) {
+                return Ok((Ok(Status::Ruptured), seen));
+            }
             if let Some((due, every)) =
                 due.as_mut().zip(every).filter(|(due, _)| time >= **due && time < scene.time.end)
             {

@@ -1,8 +1,11 @@
 //! What the panels of a body bore over a run.
 
-use fsi_coupling::{PanelState, Station};
+use fsi_coupling::{Coupled, PanelState, Station};
 use serde::Serialize;
-use structure_fe::Range;
+use structure_fe::{Break, Range};
+
+use crate::results::Results;
+use crate::scene::significant;
 
 /// Extremes of a quantity over a panel and the run.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -41,6 +44,21 @@ pub struct Rupture {
     pub strain: f64,
 }
 
+/// The first rupture of a panel, in words.
+pub(super) fn first_rupture(system: &Coupled) -> Option<String> {
+    system.bodies().find_map(|body| {
+        let (panel, Break { place: [x, y], time, value, .. }) = body.first_rupture()?;
+        let (strain, time) = (significant(100.0 * value), significant(1e3 * time));
+        Some(format!("{panel} broke off at ({x:.4}, {y:.4}) m at {time} ms, at a strain of {strain} %"))
+    })
+}
+
+/// What a rupture means for the results.
+pub(super) fn rupture_doubt(system: &Coupled, results: &Results) -> Option<String> {
+    let names: Vec<String> = results.named().into_iter().map(|(name, _)| name).collect();
+    Some(format!("{}: {}; they hold up to that moment", names.join(", "), first_rupture(system)?))
+}
+
 /// Extremes over every step of the run, not only over the samples.
 #[derive(Clone, Debug, Serialize)]
 pub struct PanelResult {
@@ -54,8 +72,12 @@ pub struct PanelResult {
     pub stress_pa: Extremes,
     /// Their strain, plastic strain included [-].
     pub strain: Extremes,
-    /// Allowable stress over the largest [-]; `null` without an allowable stress.
+    /// Allowable stress over the largest; after yield the rupture strain over the largest strain [-]; `null` without such a limit.
     pub reserve_factor: Option<f64>,
+    /// Whether it yielded anywhere.
+    pub yielded: bool,
+    /// Whether it stayed within its limits; `null` without a limit.
+    pub allowed: Option<bool>,
     /// Largest plastic curvature left [1/m].
     pub plastic_curvature_per_m: f64,
     /// Deflection at the places that are watched, at the end of the run [m].
@@ -78,6 +100,8 @@ impl From<&PanelState> for PanelResult {
             stress_pa: worst.stress.into(),
             strain: worst.strain.into(),
             reserve_factor: worst.reserve_factor,
+            yielded: worst.yielded,
+            allowed: worst.allowed,
             plastic_curvature_per_m: worst.plastic_curvature,
             deflection_at_end_m: panel.watched.iter().map(|w| w.deflection).collect(),
             envelope: PanelEnvelope::from(panel),
@@ -99,7 +123,7 @@ pub struct PanelEnvelope {
     pub moment_n: Vec<Extremes>,
     /// Stress of the outer fibres [Pa].
     pub stress_pa: Vec<Extremes>,
-    /// Allowable stress over the largest there [-]; empty without an allowable stress.
+    /// Allowable stress over the largest there [-]; empty without an allowable stress, and after yield.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub reserve_factor: Vec<f64>,
 }
@@ -114,7 +138,7 @@ impl From<&PanelState> for PanelEnvelope {
             shear_n_per_m: of(|s| s.shear),
             moment_n: of(|s| s.moment),
             stress_pa: of(|s| s.stress),
-            reserve_factor: panel.allowable_stress.map_or(Vec::new(), reserve),
+            reserve_factor: panel.allowable_stress.filter(|_| !panel.worst.yielded).map_or(Vec::new(), reserve),
         }
     }
 }

@@ -264,7 +264,7 @@ impl Recorder {
         let (results, mut doubts) = self.results.results(scene, system);
         let acceleration_filtered =
             scene.report.acceleration_cfc.and_then(|class| self.results.filtered(class, &results));
-        let unresolved = similarity.as_ref().and_then(|s| s.cp_max_unresolved.as_ref());
+        let unresolved = similarity.iter().filter_map(|s| s.cp_max_unresolved.as_ref());
         doubts.extend(unresolved.map(|why| format!("similarity.cp_max: {why}")));
         let audit = Audit {
             momentum: system.momentum_audit().worst,
@@ -279,7 +279,8 @@ impl Recorder {
         };
         let results = results.with_work_lost(audit.loses_work());
         let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
-        doubts.extend(audit.doubts().into_iter().chain(early).chain(self.host_doubt.clone()));
+        doubts.extend(audit.doubts().into_iter().chain(early));
+        doubts.extend(super::panel::rupture_doubt(system, &results).into_iter().chain(self.host_doubt.clone()));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);

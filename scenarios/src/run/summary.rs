@@ -25,8 +25,10 @@ pub enum Status {
     Completed,
     /// Reached its end time; `doubts` says which results are not to be relied on.
     CompletedWithDoubts,
-    /// Reached its end time; a stress is above the allowable one.
+    /// Reached its end time; a panel is beyond its limits.
     BeyondAllowable,
+    /// Ended where the first end of a panel broke off; `message` has panel, place, time and strain.
+    Ruptured,
     /// Broke down; `message` has cause, place and time.
     Failed,
     /// Ended by the user.
@@ -41,7 +43,7 @@ impl Status {
 
     /// The status of a run that ended so, with its results and the doubts about them.
     pub(crate) fn with(self, results: &Results, doubts: &[String]) -> Status {
-        let beyond = results.named().iter().any(|(_, quantity)| quantity.verdict == Verdict::BeyondAllowable);
+        let beyond = results.named().iter().any(|(_, quantity)| quantity.allowed == Some(false));
         match self {
             Status::Completed if beyond => Status::BeyondAllowable,
             Status::Completed if !doubts.is_empty() => Status::CompletedWithDoubts,

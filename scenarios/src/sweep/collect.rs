@@ -21,7 +21,25 @@ pub struct Number {
     pub verdict: Option<String>,
     /// When [s], where it has a time.
     pub time_s: Option<f64>,
+    /// Whether it is within its limits, where it has some.
+    pub allowed: Option<bool>,
 }
+
+impl Number {
+    /// A number that is not judged.
+    pub fn plain(value: f64) -> Number {
+        Number { value, band: None, verdict: None, time_s: None, allowed: None }
+    }
+
+    /// Words of `summary.json` that a reader must know: that it is beyond its limits, and what may be said of it.
+    pub fn words(&self) -> impl Iterator<Item = &str> {
+        let beyond = (self.allowed == Some(false)).then_some(BEYOND);
+        beyond.into_iter().chain(self.verdict.as_deref())
+    }
+}
+
+/// The word of a number beyond its limits.
+pub(super) const BEYOND: &str = "beyond_allowable";
 
 /// A point with what it gave.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,13 +201,20 @@ fn result(point: &Point, number: usize, found: &HashMap<&str, Found>) -> PointRe
 fn number(value: &Value) -> Option<Number> {
     let of = |key: &str| value.get(key).and_then(Value::as_f64);
     match value.as_f64() {
-        Some(value) => Some(Number { value, band: None, verdict: None, time_s: None }),
+        Some(value) => Some(Number::plain(value)),
         None => {
             let band = of("band");
             let verdict = value.get("verdict").and_then(Value::as_str);
-            // folders of older versions: no value is resolved without a band
-            let verdict = verdict.map(|own| if own == "resolved" && band.is_none() { "no_band" } else { own });
-            Some(Number { value: of("value")?, band, verdict: verdict.map(String::from), time_s: of("time_s") })
+            // folders of older versions: no value is resolved without a band, and being allowed was part of the verdict
+            let of_older = verdict == Some(BEYOND);
+            let verdict = verdict.map(|own| match own {
+                "resolved" if band.is_none() => "no_band",
+                BEYOND => "no_band",
+                own => own,
+            });
+            let allowed = value.get("allowed").and_then(Value::as_bool).or(of_older.then_some(false));
+            let verdict = verdict.map(String::from);
+            Some(Number { value: of("value")?, band, verdict, time_s: of("time_s"), allowed })
         }
     }
 }

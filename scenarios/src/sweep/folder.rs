@@ -38,7 +38,7 @@ pub(super) const KILLED: &str = "killed";
 impl Outcome {
     /// True for a point with results.
     pub fn is_completed(&self) -> bool {
-        ["completed", "completed_with_doubts", "beyond_allowable"].contains(&self.status.as_str())
+        ["completed", "completed_with_doubts", "beyond_allowable", "ruptured"].contains(&self.status.as_str())
     }
 }
 

@@ -46,7 +46,8 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
     let (done, failed) = (collected.completed().count(), collected.failed().count());
     let counts = [
         (with_status("completed_with_doubts"), "with doubts"),
-        (with_status("beyond_allowable"), "with a stress beyond the allowable"),
+        (with_status("beyond_allowable"), "with a panel beyond the allowable"),
+        (with_status("ruptured"), "ended at a rupture"),
         (failed, "failed"),
         (all - done - failed, "without a result yet"),
     ];
@@ -76,7 +77,7 @@ fn lead(collected: &Collected, cases: &[Worst<'_>]) -> Lead {
     let is_doubtful =
         |(case, _): &(&Worst<'_>, Quantity)| verdict(case.number).is_some_and(|(tone, _)| tone != Tone::Good);
     let tone = match () {
-        _ if failed > 0 || counts[1].0 > 0 => Tone::Failed,
+        _ if failed > 0 || counts[1].0 > 0 || counts[2].0 > 0 => Tone::Failed,
         _ if !wrong.is_empty() || named.iter().any(is_doubtful) => Tone::Doubtful,
         _ => Tone::Good,
     };
@@ -157,8 +158,9 @@ const MARKS: [(&str, &str); 4] =
 
 /// A number with its band and its mark.
 fn marked(quantity: &Quantity, number: &Number) -> String {
-    let mark = MARKS.iter().find(|(verdict, _)| number.verdict.as_deref() == Some(verdict));
-    format!("{}{}", quantity.banded(number), mark.map_or(String::new(), |(_, mark)| format!(" {mark}")))
+    let marks = MARKS.iter().filter(|(word, _)| number.words().any(|own| own == *word));
+    let marks: String = marks.map(|(_, mark)| format!(" {mark}")).collect();
+    format!("{}{marks}", quantity.banded(number))
 }
 
 fn axes_of(point: &PointResult) -> impl Iterator<Item = String> {
@@ -221,7 +223,7 @@ fn points(collected: &Collected) -> Vec<Block> {
     let after: Vec<String> = told.then(|| "status".to_string()).into_iter().chain(labels).collect();
     let has = |verdict: &str| {
         let mut numbers = listed().flat_map(|point| point.numbers.values());
-        numbers.any(|number| number.verdict.as_deref() == Some(verdict))
+        numbers.any(|number| number.words().any(|own| own == verdict))
     };
     let marks = MARKS.iter().filter(|(verdict, _)| has(verdict));
     let marks: Vec<String> = marks.map(|(verdict, mark)| format!("{mark} {}", in_words(verdict))).collect();

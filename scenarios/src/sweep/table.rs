@@ -35,6 +35,10 @@ pub(crate) fn table(collected: &Collected) -> DataTable {
         if has(|number| number.verdict.is_some()) {
             table.texts(format!("{name}.verdict"), numbers.clone().map(|number| number?.verdict.clone()));
         }
+        if has(|number| number.allowed.is_some()) {
+            let allowed = numbers.clone().map(|number| number?.allowed.map(|is| is.to_string()));
+            table.texts(format!("{name}.allowed"), allowed);
+        }
         if has(|number| number.time_s.is_some()) {
             table.numbers(format!("{name}.time_s"), numbers_of(|number| number.time_s));
         }

@@ -203,7 +203,7 @@ fn chart(collected: &Collected, name: &str, axis: usize) -> Option<Chart> {
 
 /// What may be said of a number; one that is not judged is drawn as one that is resolved.
 fn verdict_of(number: &Number) -> &str {
-    number.verdict.as_deref().filter(|own| MARKS.iter().any(|(known, ..)| known == own)).unwrap_or("resolved")
+    number.words().find(|own| MARKS.iter().any(|(known, ..)| known == own)).unwrap_or("resolved")
 }
 
 /// Entries for colours, for dashes, and for marks where not all points are resolved.

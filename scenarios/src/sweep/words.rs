@@ -2,13 +2,14 @@
 
 use serde_json::Value;
 
-use super::collect::{Collected, Number, PointResult};
+use super::collect::{BEYOND, Collected, Number, PointResult};
 use super::file::SCENE_AXIS;
 use super::plan::Axis;
 use super::table::plain;
 use crate::report::run_page::quantity::{Unit, column, digits, result};
 use crate::report::run_page::{in_words as verdict_in_words, two_digits};
 use crate::report::{COARSE, Tone};
+use crate::results::is_withheld;
 use crate::scene::significant;
 
 /// A quantity in words, in a unit that suits its largest value.
@@ -97,6 +98,9 @@ impl Quantity {
 
     /// A value with its band.
     pub fn banded(&self, number: &Number) -> String {
+        if is_withheld(number.value, number.band) {
+            return "withheld".into();
+        }
         let band = number.band.map_or(String::new(), |band| format!("\u{a0}±\u{a0}{}", two_digits(self.scale * band)));
         format!("{}{band}", self.value(number.value))
     }
@@ -114,9 +118,9 @@ pub(super) fn verdict(number: &Number) -> Option<(Tone, String)> {
     let share = number.band.map(|band| (band / number.value).abs()).filter(|share| share.is_finite());
     let percent = share.map_or(String::new(), |share| format!(", ±\u{a0}{:.0}\u{a0}%", 100.0 * share));
     let (tone, words) = match verdict {
+        _ if number.allowed == Some(false) => (Tone::Failed, verdict_in_words(BEYOND)),
         "resolved" if share.is_some_and(|share| share > COARSE) => (Tone::Doubtful, "coarse"),
         "resolved" => (Tone::Good, "resolved"),
-        "beyond_allowable" => (Tone::Failed, verdict_in_words(verdict)),
         _ => (Tone::Doubtful, verdict_in_words(verdict)),
     };
     Some((tone, words.to_string() + &percent))
@@ -230,7 +234,7 @@ mod tests {
     #[test]
     fn a_value_has_two_digits_of_its_band() {
         let force = Quantity { title: "Peak force".into(), unit: "kN/m".into(), scale: 1e-3 };
-        let number = Number { value: 15330.8, band: Some(384.5), verdict: None, time_s: None };
+        let number = Number { band: Some(384.5), ..Number::plain(15330.8) };
         assert_eq!(force.whole(&number), "15.3\u{a0}±\u{a0}0.38\u{a0}kN/m");
         assert_eq!(force.label(), "Peak force [kN/m]");
         let with = |band: f64| Number { band: Some(band), verdict: Some("resolved".into()), ..number.clone() };

@@ -66,16 +66,16 @@ fn panels_and_thin_plates() {
     ]);
 }
 
-/// A panel that yields and breaks off at both ends, broken off before, between and after; one on springs and dampers.
+/// A panel that yields until an end breaks off, which ends the run at 2.9 ms; one on springs and dampers.
 #[test]
 fn panels_that_yield_break_and_spring() {
     let size = ["time.end=0.004", "resolution.spacing=0.016"];
     let weak = [
         "body.panels[0].yield_stress=2e7",
         "body.panels[0].hardening_modulus=1e9",
-        "body.panels[0].rupture_strain=3e-4",
+        "body.panels[0].rupture_strain=4e-3",
     ];
-    for share in [0.3, 0.6, 0.95] {
+    for share in [0.3, 0.6, 0.97] {
         continues("flexible_wedge", &[&size[..], &weak].concat(), share, [1, 2]);
     }
     let sprung = [

@@ -23,11 +23,16 @@ fn scene_of(name: &str, sets: &[&str]) -> Scene {
     scene::load(name, &sets).unwrap_or_else(|error| panic!("{name} {sets:?}: {error:?}")).scene
 }
 
+/// At its end time, or at a rupture.
+fn has_ended(status: Status) -> bool {
+    status.is_completed() || status == Status::Ruptured
+}
+
 /// Run a scene in a folder without a break; the number of steps.
 fn complete(scene: &Scene, dir: &Path) -> u64 {
     let options = RunOptions { out: Some(dir.to_owned()), ..RunOptions::default() };
     let summary = run(scene, &options).expect("a run").summary;
-    assert!(summary.status.is_completed(), "{}: {:?}", scene.name, summary.message);
+    assert!(has_ended(summary.status), "{}: {:?}", scene.name, summary.message);
     summary.steps
 }
 
@@ -50,7 +55,7 @@ fn resumed(dir: &Path, until: Option<f64>) {
     let every = resumable.checkpoint_interval();
     let options = RunOptions { checkpoints: Some(Checkpoints { every }), ..RunOptions::default() };
     let summary = resumable.resume(&options).unwrap_or_else(|error| panic!("{}: {error}", dir.display())).summary;
-    assert!(summary.status.is_completed(), "{:?}", summary.message);
+    assert!(has_ended(summary.status), "{:?}", summary.message);
 }
 
 fn summary_of(dir: &Path) -> Value {

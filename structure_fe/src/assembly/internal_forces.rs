@@ -1,25 +1,11 @@
 //! Internal forces at the nodes and their tangents: elastic, viscous and, with consistent mass, inertia forces.
 
 use super::{Arms, Kinematics, System};
-use crate::element::{Chord, Damping, DiscreteGradient, ElementConstants, EndsMatrix, Motion, Start, Weights};
+use crate::element::{Chord, Damping, DiscreteGradient, EndsMatrix, Motion, PlasticStrains, Start, Weights};
 use crate::element::{add_deformation_matrix, add_elastic_tangent, end_forces, response, viscous_forces};
 use crate::field::{Field, combine};
 use crate::linear_algebra::Bordered;
 use crate::model::{Loads, add_ends};
-
-/// Plastic curvatures of an element; zero for an elastic model.
-#[inline]
-fn history(plastic: &[[f64; 2]], element: usize) -> [f64; 2] {
-    plastic.get(element).copied().unwrap_or_default()
-}
-
-/// Plastic parts of the forces (N, M_s, M_a), and of their tangent: ss, sa, aa.
-#[inline]
-fn plastic_parts(element: &ElementConstants, chord: &Chord, before: [f64; 2]) -> [[f64; 3]; 2] {
-    let Some(bending) = &element.plastic else { return [[0.0; 3]; 2] };
-    let flow = bending.flow(&chord.deformation, before);
-    [[0.0, flow.plastic_moments[0], flow.plastic_moments[1]], flow.softening]
-}
 
 impl System {
     /// Inertia with consistent mass, damping and elastic forces, the left-hand side of the equations of motion
@@ -64,12 +50,12 @@ impl System {
         }
     }
 
-    /// Elastic forces of beams, springs and connectors (THEORY BE11, BE27), with the return map from the curvatures `plastic`; `tangent`:
+    /// Elastic forces of beams, springs and connectors (THEORY BE11, BE27), with the return map from the strains `plastic`; `tangent`:
     /// adds that many times the tangent (BE11) to the matrix.
     pub fn elastic_forces(
         &self,
         q: &[[f64; 3]],
-        plastic: &[[f64; 2]],
+        plastic: &[PlasticStrains],
         forces: &mut [[f64; 3]],
         mut tangent: Option<(f64, Arms, &mut Bordered)>,
     ) {
@@ -77,14 +63,15 @@ impl System {
         self.supports.add_spring_forces(q, forces);
         for (index, (nodes, element)) in self.beam.constants().enumerate() {
             let chord = Chord::new(element, &self.beam.ends(nodes, q));
-            let [moments, softening] = plastic_parts(element, &chord, history(plastic, index));
-            add_ends(forces, nodes, &chord.to_global(&chord.elastic_forces(element, &moments)));
+            let layers = element.plastic.as_ref().zip(plastic.get(index));
+            let yielded = layers.map(|(layers, plastic)| layers.corrections(element, &chord, plastic));
+            let others = yielded.as_ref().map(|yielded| &yielded.forces);
+            add_ends(forces, nodes, &chord.to_global(&chord.elastic_forces(element, others)));
             if let Some((factor, arms, matrix)) = &mut tangent {
                 let mut local = EndsMatrix::zeros();
-                add_elastic_tangent(element, &chord, &moments, *factor, &mut local);
-                if element.plastic.is_some() {
-                    let [ss, sa, aa] = softening;
-                    add_deformation_matrix(&chord, &[0.0, 0.0, 0.0, ss, sa, aa], *factor, &mut local);
+                add_elastic_tangent(element, &chord, others.unwrap_or(&[0.0; 3]), *factor, &mut local);
+                if let Some(yielded) = yielded {
+                    add_deformation_matrix(&chord, &yielded.tangent, *factor, &mut local);
                 }
                 self.add_matrix(nodes, &chord.matrix_to_global(&local), *arms, matrix);
             }
@@ -95,20 +82,19 @@ impl System {
         self.add_connector_forces_at(q, forces, tangent);
     }
 
-    /// Updates the plastic curvatures by the return map at `q`.
-    pub fn update_plasticity(&self, q: &[[f64; 3]], plastic: &mut [[f64; 2]]) {
-        for ((nodes, element), curvature) in self.beam.constants().zip(plastic) {
-            if let Some(bending) = &element.plastic {
-                let chord = Chord::new(element, &self.beam.ends(nodes, q));
-                *curvature = bending.flow(&chord.deformation, *curvature).curvature;
+    /// Updates the plastic strains by the return map at `q`.
+    pub fn update_plasticity(&self, q: &[[f64; 3]], plastic: &mut [PlasticStrains]) {
+        for ((nodes, element), strains) in self.beam.constants().zip(plastic) {
+            if let Some(layers) = &element.plastic {
+                layers.update(element, &Chord::new(element, &self.beam.ends(nodes, q)).deformation, strains);
             }
         }
     }
 
-    /// Zero plastic curvatures; empty for an elastic model.
-    pub fn no_plasticity(&self) -> Vec<[f64; 2]> {
+    /// Zero plastic strains; empty for an elastic model.
+    pub fn no_plasticity(&self) -> Vec<PlasticStrains> {
         let elements = if self.beam.first_plastic_element().is_some() { self.beam.elements().len() } else { 0 };
-        vec![[0.0; 2]; elements]
+        vec![PlasticStrains::NONE; elements]
     }
 
     /// The chords of the elements.
@@ -123,7 +109,7 @@ impl System {
         &self,
         (from, before): (&[Chord], &[[f64; 3]]),
         q: &[[f64; 3]],
-        plastic: &[[f64; 2]],
+        plastic: &[PlasticStrains],
         weight: f64,
         forces: &mut [[f64; 3]],
         mut tangent: Option<(Arms, &mut Bordered)>,
@@ -138,7 +124,7 @@ impl System {
         }
         for (index, ((nodes, element), &from)) in self.beam.constants().zip(from).enumerate() {
             let (before, ends) = (self.beam.ends(nodes, before), self.beam.ends(nodes, q));
-            let start = Start { from, before: &before, plastic: history(plastic, index) };
+            let start = Start { from, before: &before, plastic: plastic.get(index) };
             let step = DiscreteGradient::new(element, start, &ends, weight);
             let mean = step.forces();
             add_ends(forces, nodes, &mean.forces);

@@ -9,5 +9,6 @@ mod recovery;
 mod system;
 
 pub(crate) use equations::{Arms, Equations, SymmetricMatrix};
+pub use recovery::Fibres;
 pub(crate) use recovery::{linear_section_forces, reactions};
 pub(crate) use system::{Kinematics, System};

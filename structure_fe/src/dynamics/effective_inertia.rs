@@ -48,7 +48,7 @@ impl Dynamics {
         self.apply_ruptures(state).expect("a state of this model");
         let theta = self.end_weight();
         let (system, damping, internal) = (&self.model.system, &self.model.damping, &mut self.model.internal);
-        let (q, plastic) = (&state.displacement, &state.plastic_curvature);
+        let (q, plastic) = (&state.displacement, &state.plastic);
         let arms = system.equations.links.arms_at(q);
         let mut matrix = system.matrix();
         if let Some(mass) = self.rule.lumped_mass() {

@@ -74,21 +74,15 @@ impl Envelope {
     /// Extends the envelope by a state.
     pub fn record(&mut self, dynamics: &Dynamics, state: &State) {
         let time = state.time;
-        let elements = dynamics.beam().elements();
-        for (index, (end, forces)) in self.ends.iter_mut().zip(dynamics.section_forces(state)).enumerate() {
-            let element = &elements[index / 2];
+        for (end, forces) in self.ends.iter_mut().zip(dynamics.section_forces(state)) {
             let SectionForces { normal, shear, moment } = forces;
             end.normal.include(normal, time);
             end.shear.include(shear, time);
             end.moment.include(moment, time);
-            for eta in element.section.fibres() {
-                end.fibre_stress.include(forces.fibre_stress(&element.section, eta), time);
-            }
         }
-        for (end, strains) in self.ends.iter_mut().zip(dynamics.fibre_strains(state)) {
-            for strain in strains {
-                end.fibre_strain.include(strain, time);
-            }
+        for (end, fibres) in self.ends.iter_mut().zip(dynamics.fibres(state)) {
+            fibres.stress.into_iter().for_each(|stress| end.fibre_stress.include(stress, time));
+            fibres.strain.into_iter().for_each(|strain| end.fibre_strain.include(strain, time));
         }
         for (ranges, values) in self.displacement.iter_mut().zip(&state.displacement) {
             for (range, value) in ranges.iter_mut().zip(values) {

@@ -45,7 +45,7 @@ impl MovingModel {
             time: 0.0,
             integrated_acceleration: zero.clone(),
             mean_reaction: zero,
-            plastic_curvature: self.system.no_plasticity(),
+            plastic: self.system.no_plasticity(),
             ruptures: Vec::new(),
         }
     }
@@ -80,6 +80,11 @@ impl MovingModel {
         }
     }
 
+    /// True where no support moves.
+    pub fn supports_rest(&self) -> bool {
+        self.prescribed().all(|(_, _, motion)| motion.velocity == 0.0 && motion.acceleration == 0.0)
+    }
+
     /// The accelerations that the supports prescribe, zero elsewhere.
     fn prescribed_acceleration(&self) -> Field {
         let mut acceleration = vec![[0.0; 3]; self.internal.len()];
@@ -103,8 +108,8 @@ impl MovingModel {
             self.system.forces(state.kinematics(), &self.damping, &mut internal, None);
             return combine(load, &internal, |load, internal| load - internal);
         };
-        let State { displacement, velocity, acceleration, plastic_curvature, .. } = state;
-        self.system.elastic_forces(displacement, plastic_curvature, &mut internal, None);
+        let State { displacement, velocity, acceleration, plastic, .. } = state;
+        self.system.elastic_forces(displacement, plastic, &mut internal, None);
         let mut forces = self.system.viscous_forces([displacement, displacement], velocity, &self.damping, &mass.nodal);
         for (node, force) in forces.iter_mut().enumerate() {
             for dof in 0..3 {

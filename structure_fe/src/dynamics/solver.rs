@@ -5,7 +5,7 @@ use super::lumped_mass::{LumpedMass, concentrate_at_bodies, explicit_mass, mass_
 use super::moving_model::MovingModel;
 use super::trapezoidal::Trapezoidal;
 use super::{Integration, State, StepReport, SupportMotion};
-use crate::assembly::{System, reactions};
+use crate::assembly::{Fibres, System, reactions};
 use crate::element::{Damping, Ends, SectionForces, momentum, rotated};
 use crate::error::{Error, above_zero, not_negative, require};
 use crate::field::{Dof, combine, sum};
@@ -165,7 +165,7 @@ impl Dynamics {
 
     /// Elastic energy of beams, springs and connectors \[J\].
     pub fn strain_energy(&self, state: &State) -> f64 {
-        self.model.system.strain_energy(&state.displacement, &state.plastic_curvature)
+        self.model.system.strain_energy(&state.displacement, &state.plastic)
     }
 
     /// Linear momentum along x and y \[kg m/s\], and angular momentum about the origin \[kg m^2/s\].
@@ -215,15 +215,23 @@ impl Dynamics {
     /// Section forces at the ends of the elements: of element e at 2e (first node) and 2e + 1.
     ///
     /// From the deformation alone: inertia and load q along an element would add q L^2/12 to the moment and q L/2 to
-    /// the shear force at the ends of an element of length L. [`SectionForces::fibre_stress`] gives stresses.
+    /// the shear force at the ends of an element of length L. [`SectionForces::fibre_stress`] gives stresses of elastic elements. The
+    /// moments of an element that has yielded are those at its Gauss points, L/2 (1 - 1/sqrt(3)) from its ends.
     pub fn section_forces(&self, state: &State) -> Vec<SectionForces> {
-        self.model.system.section_forces(&state.displacement, &state.plastic_curvature, None).into_flattened()
+        self.model.system.section_forces(&state.displacement, &state.plastic, None).into_flattened()
     }
 
-    /// Strain of the outer fibres at the ends of the elements \[-\], plastic strain included: right-hand side, left-hand
-    /// side; of element e at 2e (first node) and 2e + 1. Small strains: N/(EA) +- kappa h/2.
-    pub fn fibre_strains(&self, state: &State) -> Vec<[f64; 2]> {
-        self.model.system.fibre_strains(&state.displacement, &state.plastic_curvature)
+    /// Strains and stresses of the outer fibres at the ends of the elements: of element e at 2e (first node) and 2e + 1.
+    ///
+    /// Elastic: N/(EA) -+ eta kappa and [`SectionForces::fibre_stress`]. In an element that has yielded the strain of the axis and the
+    /// curvature at the end, and the stress that the material has at this strain (THEORY BE25).
+    pub fn fibres(&self, state: &State) -> Vec<Fibres> {
+        self.model.system.fibres(&state.displacement, &state.plastic)
+    }
+
+    /// Plastic curvatures at the two Gauss points of each element \[1/m\]; empty for an elastic model.
+    pub fn plastic_curvatures(&self, state: &State) -> Vec<[f64; 2]> {
+        self.model.system.plastic_curvatures(&state.plastic)
     }
 
     /// Deformed length of each element \[m\], and the unit vector along its chord \[-\].
@@ -293,15 +301,15 @@ fn central_difference(
 /// The joints of a state that exceed their limits, in the order in which they were declared.
 fn exceeded(system: &System, state: &State) -> Vec<Break> {
     let joints = &system.supports.breakables;
-    let strains = if joints.iter().any(|(_, rupture)| matches!(rupture, Rupture::FibreStrain(_))) {
-        system.fibre_strains(&state.displacement, &state.plastic_curvature)
+    let fibres = if joints.iter().any(|(_, rupture)| matches!(rupture, Rupture::FibreStrain(_))) {
+        system.fibres(&state.displacement, &state.plastic)
     } else {
         Vec::new()
     };
     let mut breaks = Vec::new();
     for &(node, rupture) in joints {
         let (value, limit) = match rupture {
-            Rupture::FibreStrain(limit) => (strain_at(system, node, &strains), limit),
+            Rupture::FibreStrain(limit) => (strain_at(system, node, &fibres), limit),
             Rupture::Rotation(limit) => (rotation_of(system, node, state), limit),
         };
         if value > limit {
@@ -329,10 +337,10 @@ fn move_bodies(beam: &Beam, from: &[[f64; 2]], state: &mut State) {
 }
 
 /// The largest strain of an outer fibre at the ends of elements at a node \[-\].
-fn strain_at(system: &System, node: usize, strains: &[[f64; 2]]) -> f64 {
+fn strain_at(system: &System, node: usize, fibres: &[Fibres]) -> f64 {
     let ends = system.beam.elements().iter().flat_map(|element| element.nodes);
-    let here = ends.zip(strains).filter(|(end, _)| *end == node);
-    here.flat_map(|(_, fibres)| fibres).fold(0.0, |most: f64, strain| most.max(strain.abs()))
+    let here = ends.zip(fibres).filter(|(end, _)| *end == node);
+    here.flat_map(|(_, fibres)| fibres.strain).fold(0.0, |most: f64, strain| most.max(strain.abs()))
 }
 
 /// Rotation of a node relative to the partner of its hinge, or the body of its link \[rad\].

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::Kinematics;
+use crate::element::PlasticStrains;
 use crate::model::Break;
 
 /// Displacement and motion of a model: fields over the nodes, `[nodes][u, w, theta]`.
@@ -25,8 +26,8 @@ pub struct State {
     pub integrated_acceleration: Vec<[f64; 3]>,
     /// Mean force of the supports over the last step, springs included \[N, N, N m\]; of the trapezoidal rule only.
     pub mean_reaction: Vec<[f64; 3]>,
-    /// Plastic curvatures at two places of each element \[1/m\]; empty for an elastic model.
-    pub plastic_curvature: Vec<[f64; 2]>,
+    /// Plastic strains of each element; empty for an elastic model.
+    pub plastic: Vec<PlasticStrains>,
     /// Ruptures in the order in which they occurred.
     pub ruptures: Vec<Break>,
 }

@@ -10,7 +10,8 @@
 
 use super::ends::{Ends, EndsMatrix, end_forces, rotate};
 use super::mass::consistent_mass;
-use crate::material::{Material, PlasticBending, Section};
+use super::plastic::PlasticElement;
+use crate::material::{Material, Section};
 use serde::{Deserialize, Serialize};
 
 /// The theory of an element. Euler-Bernoulli by default; see [`Beam::with_theory`](crate::Beam::with_theory).
@@ -52,8 +53,8 @@ pub(crate) struct ElementConstants {
     pub radius_squared: f64,
     /// Consistent mass in the element's axes (THEORY BE5).
     pub mass: EndsMatrix,
-    /// Plastic bending, if the element can yield.
-    pub plastic: Option<PlasticBending>,
+    /// Its layers, if the element can yield.
+    pub plastic: Option<PlasticElement>,
 }
 
 impl ElementConstants {

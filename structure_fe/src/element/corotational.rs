@@ -110,11 +110,12 @@ impl Chord {
         global
     }
 
-    /// Elastic end forces in the chord's axes, B^T (N, M_s, M_a), with the `plastic` part of the latter (THEORY BE11).
+    /// Elastic end forces in the chord's axes, B^T (N, M_s, M_a), with the part of plastic strains (THEORY BE11, BE25).
     #[inline]
-    pub fn elastic_forces(&self, element: &ElementConstants, plastic: &[f64; 3]) -> Ends {
-        let forces = deformation_forces(element, &self.deformation);
-        end_forces(&[forces[0], forces[1] + plastic[1], forces[2] + plastic[2]], self.length)
+    pub fn elastic_forces(&self, element: &ElementConstants, plastic: Option<&[f64; 3]>) -> Ends {
+        let elastic = deformation_forces(element, &self.deformation);
+        let forces = plastic.map_or(elastic, |plastic| [0, 1, 2].map(|k| elastic[k] + plastic[k]));
+        end_forces(&forces, self.length)
     }
 
     /// Rates (de/dt \[m/s\], dpsi_s/dt, dpsi_a/dt \[rad/s\]) of end velocities `v` in the chord's axes.
@@ -128,6 +129,13 @@ impl Chord {
     pub fn angular_velocity(&self, v: &Ends) -> f64 {
         (v[4] - v[1]) / self.length
     }
+}
+
+/// Mean strain of the axis \[-\] (THEORY BE11).
+#[inline]
+pub(super) fn mean_strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
+    let [g_arc, g_ess] = element.curvature_strain;
+    e / element.length + 0.5 * (g_arc * arc * arc + g_ess * ess * ess)
 }
 
 /// Forces (N \[N\], M_s, M_a \[N m\]) conjugate to the deformations (THEORY BE11).

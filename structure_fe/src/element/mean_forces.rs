@@ -4,8 +4,8 @@
 //! chord, times the motion of the step, are their exact changes; normal force and moments are weighted means of both
 //! ends of the step (THEORY BE21).
 
-use super::{Chord, ElementConstants, Ends, EndsMatrix, sinc};
-use crate::material::{Flow, PlasticBending};
+use super::corotational::mean_strain;
+use super::{Chord, ElementConstants, Ends, EndsMatrix, PlasticStrains, YieldStep, sinc};
 
 /// Forces of an element over a step.
 #[derive(Debug, Clone, Copy)]
@@ -16,12 +16,12 @@ pub(crate) struct MeanForces {
     pub dissipated: f64,
 }
 
-/// An element at the start of a step: its chord, the end values, and the plastic curvatures.
+/// An element at the start of a step: its chord, the end values, and the plastic strains of one that yields.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Start<'a> {
     pub from: Chord,
     pub before: &'a Ends,
-    pub plastic: [f64; 2],
+    pub plastic: Option<&'a PlasticStrains>,
 }
 
 /// The discrete gradient of an element's energy over a step: forces and tangent.
@@ -39,14 +39,8 @@ pub(crate) struct DiscreteGradient<'a> {
     mean: [f64; 3],
     /// N \[N\], M_s, M_a \[N m\].
     forces: [f64; 3],
-    /// The return map, with the plastic curvatures at the start.
-    flow: Option<(&'a PlasticBending, Flow, [f64; 2])>,
-}
-
-/// Mean strain of the axis \[-\] (THEORY BE11).
-fn strain(element: &ElementConstants, [e, arc, ess]: &[f64; 3]) -> f64 {
-    let [g_arc, g_ess] = element.curvature_strain;
-    e / element.length + 0.5 * (g_arc * arc * arc + g_ess * ess * ess)
+    /// The return map of its layers.
+    flow: Option<YieldStep>,
 }
 
 impl<'a> DiscreteGradient<'a> {
@@ -62,16 +56,22 @@ impl<'a> DiscreteGradient<'a> {
         let weighted = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
         let [axial, for_arc, for_ess] = element.stiffness;
         let [g_arc, g_ess] = element.curvature_strain.map(|factor| factor * element.length);
-        let [before, after] = [&from, &to].map(|chord| strain(element, &chord.deformation));
-        let normal = axial * element.length * weighted(before, after);
+        let [before, after] = [&from, &to].map(|chord| mean_strain(element, &chord.deformation));
+        let mut normal = axial * element.length * weighted(before, after);
+        let flow = element
+            .plastic
+            .as_ref()
+            .zip(plastic)
+            .map(|(layers, plastic)| layers.step(element, [&from.deformation, &to.deformation], plastic, weight));
+        if let Some(flow) = &flow {
+            normal += weighted(flow.before[0], flow.after.forces[0]);
+        }
         let of = |i: usize| weighted(from.deformation[i], to.deformation[i]);
         let mut forces =
             [normal, for_arc * of(1) + normal * g_arc * mean[1], for_ess * of(2) + normal * g_ess * mean[2]];
-        let flow = element.plastic.as_ref().map(|bending| (bending, bending.flow(&to.deformation, plastic), plastic));
-        if let Some((bending, flow, before)) = &flow {
-            let before = bending.plastic_moments(*before);
-            for k in 0..2 {
-                forces[k + 1] += weighted(before[k], flow.plastic_moments[k]);
+        if let Some(flow) = &flow {
+            for k in 1..3 {
+                forces[k] += weighted(flow.before[k], flow.after.forces[k]);
             }
         }
         let elongation_by = middle.map(|x| 2.0 * x / both);
@@ -84,29 +84,15 @@ impl<'a> DiscreteGradient<'a> {
         let [x, y] = [0, 1].map(|k| normal * self.elongation_by[k] - ess * self.rotation_by[k]);
         let element = self.element;
         let change: [f64; 3] = std::array::from_fn(|i| self.to.deformation[i] - self.from.deformation[i]);
-        let [before, after] = [&self.from, &self.to].map(|chord| strain(element, &chord.deformation));
+        let [before, after] = [&self.from, &self.to].map(|chord| mean_strain(element, &chord.deformation));
         let [axial, for_arc, for_ess] = element.stiffness;
         let stretched = axial * (element.length * (after - before)).powi(2);
-        let bent = match &self.flow {
-            None => (self.weight - 0.5) * (for_arc * change[1].powi(2) + for_ess * change[2].powi(2)),
-            Some((bending, flow, history)) => self.work_of_bending(bending, flow, *history),
-        };
+        let bent = (self.weight - 0.5) * (for_arc * change[1].powi(2) + for_ess * change[2].powi(2));
+        let flown = self.flow.map_or(0.0, |flow| flow.dissipated);
         MeanForces {
             forces: Ends::new(-x, -y, 0.5 * (ess + arc), x, y, 0.5 * (ess - arc)),
-            dissipated: (self.weight - 0.5) * stretched + bent,
+            dissipated: (self.weight - 0.5) * stretched + bent + flown,
         }
-    }
-
-    /// Plastic work, and the dissipation of the weighted mean, of an element that yields \[J\].
-    fn work_of_bending(&self, bending: &PlasticBending, flow: &Flow, history: [f64; 2]) -> f64 {
-        let before = bending.moments(&self.from.deformation, history);
-        let curvatures = [&self.from, &self.to].map(|chord| bending.curvatures(&chord.deformation));
-        let of = |g: usize| {
-            let (moved, flown) = (curvatures[1][g] - curvatures[0][g], flow.curvature[g] - history[g]);
-            let (mean, change) = (0.5 * (before[g] + flow.moment[g]), flow.moment[g] - before[g]);
-            (self.weight - 0.5) * change * moved + mean * flown
-        };
-        0.5 * bending.length * (of(0) + of(1))
     }
 
     /// Derivative of the forces by the end values at the end of the step; not symmetric.
@@ -125,17 +111,24 @@ impl<'a> DiscreteGradient<'a> {
         let by_ess = [y * s, -y * c, 0.5, 0.5];
         let [_, arc_end, ess_end] = self.to.deformation;
         let [_, arc_mean, ess_mean] = self.mean;
-        let [ss, sa, aa] = self.flow.map_or([0.0; 3], |(_, flow, _)| flow.softening.map(|value| weight * value));
+        let softening = self.flow.map_or([0.0; 6], |flow| flow.after.softening.map(|value| weight * value));
+        let [strain, n_arc, n_ess, ss, sa, aa] = softening;
         let by = |k: usize| {
-            let n = weight * axial * (by_e[k] + g_arc * arc_end * by_arc[k] + g_ess * ess_end * by_ess[k]);
+            let stretch = by_e[k] + g_arc * arc_end * by_arc[k] + g_ess * ess_end * by_ess[k];
+            let mut n = weight * axial * stretch;
+            if self.flow.is_some() {
+                n += strain * stretch / element.length + n_arc * by_arc[k] + n_ess * by_ess[k];
+            }
             let m_arc = (weight * for_arc + 0.5 * normal * g_arc) * by_arc[k]
                 + g_arc * arc_mean * n
                 + ss * by_arc[k]
-                + sa * by_ess[k];
+                + sa * by_ess[k]
+                + n_arc * stretch;
             let m_ess = (weight * for_ess + 0.5 * normal * g_ess) * by_ess[k]
                 + g_ess * ess_mean * n
                 + sa * by_arc[k]
-                + aa * by_ess[k];
+                + aa * by_ess[k]
+                + n_ess * stretch;
             [n, m_arc, m_ess]
         };
         let both = self.from.length + self.to.length;
@@ -177,8 +170,8 @@ impl<'a> DiscreteGradient<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::{Theory, deformation_forces, end_forces, strain_energy};
-    use crate::material::{Material, Section};
+    use crate::element::{PlasticElement, Theory, deformation_forces, end_forces, strain_energy};
+    use crate::material::{Material, Plasticity, Section};
 
     const MATERIAL: Material = Material { youngs_modulus: 3e6, poissons_ratio: 0.3, density: 200.0 };
 
@@ -196,7 +189,7 @@ mod tests {
     fn step<'a>(
         element: &'a ElementConstants,
         before: &'a Ends,
-        plastic: [f64; 2],
+        plastic: Option<&'a PlasticStrains>,
         to: &Ends,
         weight: f64,
     ) -> DiscreteGradient<'a> {
@@ -213,14 +206,14 @@ mod tests {
             let moved = TO - FROM;
             let change = strain_energy(&element, &TO) - strain_energy(&element, &FROM);
             for weight in [0.5, 0.7] {
-                let mean = step(&element, &FROM, [0.0; 2], &TO, weight).forces();
+                let mean = step(&element, &FROM, None, &TO, weight).forces();
                 let error = mean.forces.dot(&moved) - mean.dissipated - change;
                 assert!(error.abs() < 1e-10 * change.abs(), "{weight}: {error:e} of {change}");
                 assert!((mean.dissipated > 0.0) == (weight > 0.5));
             }
             // And at one place they are the forces there.
             let there = chord(&TO);
-            let mean = step(&element, &TO, [0.0; 2], &TO, 0.5).forces().forces;
+            let mean = step(&element, &TO, None, &TO, 0.5).forces().forces;
             let exact = there.to_global(&end_forces(&deformation_forces(&element, &there.deformation), there.length));
             for (mean, exact) in mean.iter().zip(&exact) {
                 assert!((mean - exact).abs() < 1e-10 * exact.abs().max(1.0));
@@ -232,13 +225,12 @@ mod tests {
     fn the_tangent_is_their_derivative_also_where_the_element_yields() {
         let elastic = element(SOFT_IN_SHEAR);
         let mut yielding = element(Theory::EulerBernoulli);
-        yielding.plastic = Some(PlasticBending {
-            stiffness: section().bending_stiffness(&MATERIAL),
-            hardening: 4.0,
-            yield_moment: 2.0,
-            length: 0.5,
-        });
-        for (element, plastic) in [(elastic, [0.0; 2]), (yielding, [0.3, -0.2])] {
+        let soft = Plasticity { yield_stress: 5e4, hardening_modulus: 2e5 };
+        yielding.plastic = PlasticElement::new((&MATERIAL, &section()), &soft, yielding.length, false);
+        let mut strains = PlasticStrains::NONE;
+        yielding.plastic.as_ref().unwrap().update(&yielding, &[0.02, 0.1, -0.2], &mut strains);
+        assert!(strains.has_yielded());
+        for (element, plastic) in [(elastic, None), (yielding, Some(&strains))] {
             for to in [TO, FROM + 1e-5 * TO] {
                 let tangent = step(&element, &FROM, plastic, &to, 0.6).tangent();
                 for j in 0..6 {

@@ -6,6 +6,7 @@ mod ends;
 mod inertia;
 mod mass;
 mod mean_forces;
+mod plastic;
 mod section_forces;
 
 pub(crate) use constants::ElementConstants;
@@ -15,4 +16,6 @@ pub(crate) use ends::{Ends, EndsMatrix, end_forces, rotated, sinc};
 pub use inertia::Damping;
 pub(crate) use inertia::{Motion, Weights, momentum, response, viscous_forces};
 pub(crate) use mean_forces::{DiscreteGradient, Start};
+pub use plastic::PlasticStrains;
+pub(crate) use plastic::{PlasticElement, YieldStep, in_chord};
 pub use section_forces::SectionForces;

@@ -1,4 +1,4 @@
-//! Materials and cross-sections: elastic constants, stiffness per length, yielding in bending.
+//! Materials and cross-sections: elastic constants, stiffness per length, yielding.
 //!
 //! A steel plate strip of 10 mm is 10 % stiffer in bending than a bar of the same rectangle, because plane strain
 //! prevents its lateral contraction:
@@ -13,9 +13,11 @@
 //! assert!((strip.mass_per_length(&steel) - 78.5).abs() < 1e-12); // [kg/m], per metre of span
 //! ```
 
+mod layers;
 mod plasticity;
 mod section;
 
+pub(crate) use layers::{LAYERS, Layers};
 pub use plasticity::Plasticity;
-pub(crate) use plasticity::{Flow, PlasticBending};
+pub(crate) use plasticity::YieldLaw;
 pub use section::{BarSection, Material, Section};

@@ -142,7 +142,15 @@ impl Section {
         material.density * self.area()
     }
 
-    fn modulus(&self, material: &Material) -> f64 {
+    pub(crate) fn is_strip(&self) -> bool {
+        matches!(self.0, Profile::Strip { .. })
+    }
+
+    pub(crate) fn is_rectangle(&self) -> bool {
+        !matches!(self.0, Profile::Bar(_))
+    }
+
+    pub(crate) fn modulus(&self, material: &Material) -> f64 {
         match self.0 {
             Profile::Rectangular { .. } | Profile::Bar(_) => material.youngs_modulus,
             Profile::Strip { .. } => material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2)),

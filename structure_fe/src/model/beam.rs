@@ -1,10 +1,10 @@
 //! The model: nodes, elements and their materials; options: beam theory, rotatory inertia, plasticity, axial releases, point
 //! masses, rigid bodies.
 
-use crate::element::{ElementConstants, Ends, Theory};
+use crate::element::{ElementConstants, Ends, PlasticElement, Theory};
 use crate::error::{Error, existing_element, existing_node, finite, not_negative, positive};
 use crate::field::{Field, sum};
-use crate::material::{Material, PlasticBending, Plasticity, Section};
+use crate::material::{Material, Plasticity, Section};
 
 /// Elements shorter than this fraction of the model's extent count as having no length.
 const SHORTEST_ELEMENT: f64 = 1e-12;
@@ -227,13 +227,14 @@ impl Beam {
                 let (analysis, feature, item) = ("Timoshenko's theory", "plasticity", "element");
                 return Err(Error::Unsupported { analysis, feature, item, index, instead: "Theory::EulerBernoulli" });
             }
-            let farthest = section.fibres().into_iter().map(f64::abs).fold(0.0, f64::max);
-            constants.plastic = Some(PlasticBending {
-                stiffness: section.bending_stiffness(material),
-                hardening: plasticity.hardening_modulus * section.second_moment(),
-                yield_moment: plasticity.yield_stress * section.second_moment() / farthest,
-                length,
-            });
+            let layers = PlasticElement::new((material, section), &plasticity, length, axial_release);
+            constants.plastic = Some(layers.ok_or(Error::BadProperty {
+                quantity: "second moment of area [m^4]",
+                item: "element",
+                index,
+                value: section.second_moment(),
+                expected: "at most the area times the distances of both outer fibres, and both above 0, in a bar that yields",
+            })?);
         }
         Ok(constants)
     }
@@ -256,7 +257,7 @@ impl Beam {
         self.with_options_of("axial release", element, |options| options.axial_release = true)
     }
 
-    /// The same model with every element yielding in bending.
+    /// The same model with every element yielding by force and moment together (THEORY BE25).
     ///
     /// [`NonlinearStatics`](crate::NonlinearStatics) and the trapezoidal rule of [`Dynamics`](crate::Dynamics) support
     /// it; linear analyses use the elastic model. Euler-Bernoulli's elements only.
@@ -264,7 +265,7 @@ impl Beam {
         self.with_options(.., |options| options.plasticity = Some(plasticity))
     }
 
-    /// The same model with one element yielding in bending.
+    /// The same model with one element yielding.
     pub fn with_plasticity_of(self, element: usize, plasticity: Plasticity) -> Result<Self, Error> {
         self.with_options_of("plasticity", element, |options| options.plasticity = Some(plasticity))
     }

@@ -3,6 +3,7 @@
 use super::StaticSolution;
 use super::mechanism::require_no_free_motion;
 use crate::assembly::{System, reactions};
+use crate::element::PlasticStrains;
 use crate::error::Error;
 use crate::field::{Field, combine};
 use crate::linear_algebra::Bordered;
@@ -30,18 +31,18 @@ const LINE_SEARCH_TRIALS: usize = 8;
 /// A supported model at large displacements and rotations.
 ///
 /// Equilibrium f(u) = lambda F(u), with co-rotational elements (THEORY BE11), forces that keep their
-/// direction and pressures that follow. Small strains; elements may [yield](Beam::with_plasticity) in bending.
+/// direction and pressures that follow. Small strains; elements may [yield](Beam::with_plasticity).
 #[derive(Debug, Clone)]
 pub struct NonlinearStatics {
     pub(crate) system: System,
     zero: Field,
 }
 
-/// Displacement and plastic curvatures.
+/// Displacement and plastic strains.
 #[derive(Debug, Clone)]
 pub(crate) struct Equilibrium {
     pub u: Vec<[f64; 3]>,
-    pub plastic: Vec<[f64; 2]>,
+    pub plastic: Vec<PlasticStrains>,
 }
 
 impl NonlinearStatics {
@@ -69,7 +70,7 @@ impl NonlinearStatics {
     }
 
     /// Applies load cases in sequence, each by linear interpolation from the one before in `steps` equal steps; the first
-    /// from zero. Plastic curvatures accumulate: after a load, [`Loads::default`] gives the permanent deformation.
+    /// from zero. Plastic strains accumulate: after a load, [`Loads::default`] gives the permanent deformation.
     pub fn history(&self, cases: &[Loads], steps: usize) -> Result<Vec<StaticSolution>, Error> {
         let mut at = self.at_rest();
         let none = Loads::default();
@@ -253,7 +254,7 @@ impl NonlinearStatics {
             reactions: reactions(&self.system.supports, (links, &links.arms_at(&u)), &u, residual),
             section_forces: self.system.section_forces(&u, &plastic, Some(&own)),
             displacement: u,
-            plastic_curvature: plastic,
+            plastic_curvature: self.system.plastic_curvatures(&plastic),
         }
     }
 }

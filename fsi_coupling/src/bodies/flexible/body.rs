@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use structure_fe::{Dynamics, Envelope, State};
+use structure_fe::{Break, Dynamics, Envelope, State};
 
 use sph_core::state_bytes::{StateError, decode, encode};
 use sph_core::walls::Resultant;
@@ -288,6 +288,12 @@ impl Inspect for FlexibleBody {
         let (model, state, frame) = (&self.model, &self.state, self.frame());
         let parts = (&model.dynamics, &model.surface.layout.map);
         model.panels.iter().map(|panel| state_of(panel, parts, state, &frame)).collect()
+    }
+
+    fn first_rupture(&self) -> Option<(&str, Break)> {
+        let first = *self.state.nodes.ruptures.first()?;
+        let panel = self.model.panels.iter().find(|panel| panel.nodes.contains(&first.node))?;
+        Some((&panel.spec.name, first))
     }
 
     fn material_point(&self, at: [f64; 2]) -> Option<(SurfacePoint, [f64; 2])> {

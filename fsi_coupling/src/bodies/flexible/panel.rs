@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use structure_fe::{
-    BarSection, Beam, Connector, Dof, Element, Material, Plasticity, Rupture, Section, SectionForces, Supports, Theory,
+    BarSection, Beam, Connector, Dof, Element, Fibres, Material, Plasticity, Rupture, Section, Supports, Theory,
 };
 
 use crate::geometry::polyline::Polyline;
@@ -73,7 +73,7 @@ pub struct PanelSpec {
     pub material: Material,
     /// Beam theory.
     pub theory: Theory,
-    /// Plasticity in bending; Euler–Bernoulli theory only.
+    /// Yield by force and moment; Euler–Bernoulli theory only.
     pub plasticity: Option<Plasticity>,
     /// Strain of an outer fibre at which an end breaks off [-], if it may.
     pub rupture_strain: Option<f64>,
@@ -263,17 +263,11 @@ impl Panel {
         (self.elements.start + element, along - element as f64)
     }
 
-    /// Largest stress of an outer fibre at the ends of its elements, by magnitude [Pa]; `sections` are the whole model's.
-    pub fn stress(&self, beam: &Beam, sections: &[SectionForces]) -> f64 {
-        let of = |element: usize| {
-            let section = beam.elements()[element].section;
-            let [right, left] = section.fibres();
-            let ends = &sections[2 * element..2 * element + 2];
-            ends.iter().flat_map(move |end| [left, right].map(|eta| end.fibre_stress(&section, eta)))
-        };
-        self.elements
-            .clone()
-            .flat_map(of)
-            .fold(0.0, |most, stress| if stress.abs() > f64::abs(most) { stress } else { most })
+    /// Largest stress of an outer fibre at the ends of its elements, by magnitude [Pa]; `fibres` are the whole model's.
+    pub fn stress(&self, fibres: &[Fibres]) -> f64 {
+        let ends = &fibres[2 * self.elements.start..2 * self.elements.end];
+        // of each end the left fibre first: of two as large the first counts
+        let each = ends.iter().flat_map(|Fibres { stress: [right, left], .. }| [*left, *right]);
+        each.fold(0.0, |most, stress| if stress.abs() > f64::abs(most) { stress } else { most })
     }
 }

@@ -1,6 +1,6 @@
 //! What panels do now, and what they have borne so far.
 
-use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, Range, SectionForces, State};
+use structure_fe::{Break, Dynamics, EndEnvelope, Envelope, PlasticStrains, Range, SectionForces, State};
 
 use crate::bodies::flexible::panel::Panel;
 use crate::bodies::flexible::state::FlexibleState;
@@ -40,6 +40,8 @@ pub struct PanelState {
     pub stations: Vec<Station>,
     /// Stress that it may bear [Pa]; `None` where none is given.
     pub allowable_stress: Option<f64>,
+    /// Strain at which an end breaks off [-]; `None` where none is given.
+    pub rupture_strain: Option<f64>,
     /// What has broken of it, in the order in which it did.
     pub ruptures: Vec<Break>,
 }
@@ -72,8 +74,15 @@ pub struct Worst {
     pub stress: Range,
     /// Their strain, plastic strain included [-].
     pub strain: Range,
-    /// Allowable stress over the largest [-]; `None` where none is given.
+    /// Allowable stress over the largest [-]. Of a panel that has yielded the rupture strain over the largest strain, or less by an allowable
+    /// stress below its yield stress. `None` where no limit is given.
     pub reserve_factor: Option<f64>,
+    /// Whether it has yielded anywhere.
+    pub yielded: bool,
+    /// Largest strain at the other end of the element of the largest, over it [-]: small where one element holds the whole hinge.
+    pub strain_across: f64,
+    /// Whether it stays within its limits; a panel that has yielded without a rupture strain does not. `None` where no limit is given.
+    pub allowed: Option<bool>,
     /// Largest plastic curvature left in it now, by magnitude [1/m].
     pub plastic_curvature: f64,
 }
@@ -86,7 +95,7 @@ pub(crate) fn state_of(
     frame: &RigidMotion,
 ) -> PanelState {
     let FlexibleState { nodes, envelope, .. } = state;
-    let (sections, strains) = (dynamics.section_forces(nodes), dynamics.fibre_strains(nodes));
+    let (sections, fibres) = (dynamics.section_forces(nodes), dynamics.fibres(nodes));
     let still = vec![[0.0; 3]; nodes.displacement.len()];
     let watched = panel.spec.watch.iter().map(|&share| {
         let (element, t) = panel.element_at(share);
@@ -96,8 +105,8 @@ pub(crate) fn state_of(
         let rigid = map.place(&map.on_frame(rest.at, rest.normal), &nodes.displacement);
         let moved = [0, 1].map(|k| at.at[k] - rigid.at[k]);
         let [first, second] = [2 * element, 2 * element + 1];
-        let [right, left] =
-            [0, 1].map(|side| strains[first][side] + t * (strains[second][side] - strains[first][side]));
+        let [right, left] = [0, 1]
+            .map(|side| fibres[first].strain[side] + t * (fibres[second].strain[side] - fibres[first].strain[side]));
         Watched {
             share,
             displacement: rotate(moved, -frame.angle),
@@ -110,10 +119,11 @@ pub(crate) fn state_of(
         name: panel.spec.name.clone(),
         watched: watched.collect(),
         load: state.now[panel.nodes.clone()].iter().map(|load| in_frame(load, frame.angle)).collect(),
-        stress: panel.stress(dynamics.beam(), &sections),
-        worst: worst(panel, nodes, envelope),
+        stress: panel.stress(&fibres),
+        worst: worst(panel, dynamics, nodes, envelope),
         stations: stations(panel, dynamics, envelope),
         allowable_stress: panel.spec.allowable_stress,
+        rupture_strain: panel.spec.rupture_strain,
         ruptures: nodes.ruptures.iter().filter(|rupture| panel.nodes.contains(&rupture.node)).copied().collect(),
     }
 }
@@ -124,20 +134,47 @@ fn in_frame([x, y, moment]: &[f64; 3], angle: f64) -> [f64; 3] {
     [x, y, *moment]
 }
 
-fn worst(panel: &Panel, nodes: &State, envelope: &Envelope) -> Worst {
+fn worst(panel: &Panel, dynamics: &Dynamics, nodes: &State, envelope: &Envelope) -> Worst {
     let ends = &envelope.ends[2 * panel.elements.start..2 * panel.elements.end];
     let over = |of: fn(&EndEnvelope) -> Range| ends[1..].iter().map(of).fold(of(&ends[0]), wider);
     let stress = over(|end| end.fibre_stress);
-    let plastic = nodes.plastic_curvature.get(panel.elements.clone()).into_iter().flatten().flatten();
+    let yielded = nodes.plastic.get(panel.elements.clone()).into_iter().flatten().any(PlasticStrains::has_yielded);
+    let plastic = dynamics.plastic_curvatures(nodes).into_iter().enumerate();
+    let plastic = plastic.filter(|(element, _)| panel.elements.contains(element)).flat_map(|(_, kappa)| kappa);
+    let strain = over(|end| end.fibre_strain);
+    let spec = &panel.spec;
+    let by_stress = spec.allowable_stress.map(|allowable| allowable / stress.largest());
+    let by_strain = spec.rupture_strain.map(|limit| limit / strain.largest());
+    let reserve_factor = match spec.plasticity.filter(|_| yielded) {
+        None => by_stress,
+        // beyond yield a stress is no measure but against a lower limit
+        Some(law) => {
+            let is_below = |allowable: &f64| *allowable < law.yield_stress;
+            let factors = by_stress.filter(|_| spec.allowable_stress.as_ref().is_some_and(is_below)).into_iter();
+            factors.chain(by_strain).reduce(f64::min)
+        }
+    };
+    let is_limited = spec.allowable_stress.is_some() || spec.rupture_strain.is_some();
     Worst {
         normal: over(|end| end.normal),
         shear: over(|end| end.shear),
         moment: over(|end| end.moment),
         stress,
-        strain: over(|end| end.fibre_strain),
-        reserve_factor: panel.spec.allowable_stress.map(|allowable| allowable / stress.largest()),
+        strain,
+        strain_across: strain_across(ends),
+        reserve_factor,
+        allowed: reserve_factor.map(|factor| factor >= 1.0).or((yielded && is_limited).then_some(false)),
+        yielded,
         plastic_curvature: plastic.fold(0.0, |most, kappa| f64::max(most, kappa.abs())),
     }
+}
+
+/// Largest strain at the other end of the element of the largest, over it [-].
+fn strain_across(ends: &[EndEnvelope]) -> f64 {
+    let largest = |end: &EndEnvelope| end.fibre_strain.largest();
+    let steepest = ends.chunks_exact(2).map(|pair| [largest(&pair[0]), largest(&pair[1])]);
+    let steepest = steepest.max_by(|a, b| a[0].max(a[1]).total_cmp(&b[0].max(b[1])));
+    steepest.map_or(1.0, |[a, b]| a.min(b) / a.max(b))
 }
 
 /// What a panel has borne at its nodes.

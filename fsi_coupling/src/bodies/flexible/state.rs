@@ -62,7 +62,7 @@ impl FlexibleState {
         for field in moving.into_iter().chain(loads) {
             expect_count("nodes", field.len(), n)?;
         }
-        let (found, expected) = (nodes.plastic_curvature.len(), like.nodes.plastic_curvature.len());
+        let (found, expected) = (nodes.plastic.len(), like.nodes.plastic.len());
         expect_count("elements that yield", found, expected)?;
         expect_count("ruptures of nodes", nodes.ruptures.iter().filter(|r| r.node < n).count(), nodes.ruptures.len())?;
         expect_count("element ends", self.envelope.ends.len(), like.envelope.ends.len())?;

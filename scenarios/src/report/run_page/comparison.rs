@@ -65,7 +65,8 @@ fn lead(runs: &[RunFolder], names: &[String], differing: &Differing) -> String {
         let (class, words) = match status {
             "completed" => ("completed", "completed"),
             "completed_with_doubts" => ("doubtful", "completed with doubts"),
-            "beyond_allowable" => ("failed", "stress beyond the allowable"),
+            "beyond_allowable" => ("failed", "beyond the allowable"),
+            "ruptured" => ("failed", "ended at a rupture"),
             "failed" => ("failed", "failed"),
             "interrupted" => ("doubtful", "interrupted"),
             _ => ("doubtful", "not finished"),
@@ -120,12 +121,16 @@ fn verdict(quantity: &Quantity) -> String {
     let share = quantity.band.zip(quantity.value).map(|(band, value)| (band / value).abs()).filter(|s| s.is_finite());
     match share.filter(|share| quantity.verdict == "resolved" && *share > COARSE) {
         Some(share) => format!("coarse, ± {} %", digits(100.0 * share)),
+        None if quantity.allowed == Some(false) => format!("{}; not allowed", in_words(&quantity.verdict)),
         None => in_words(&quantity.verdict).into(),
     }
 }
 
 /// A result over the first run's, with its band where both have one.
 fn ratio(quantity: &Quantity, first: &Quantity) -> Option<String> {
+    if quantity.is_withheld() || first.is_withheld() {
+        return None;
+    }
     let (value, over) = (quantity.value?, first.value?);
     let ratio = Some(value / over).filter(|ratio| ratio.is_finite())?;
     let shares = quantity.band.zip(first.band).map(|(band, of_first)| (band / value).abs() + (of_first / over).abs());

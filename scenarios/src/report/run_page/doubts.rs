@@ -92,7 +92,13 @@ fn shallow(doubt: &str) -> Option<Shallow<'_>> {
 pub(super) fn of_material(run: &RunFolder, name: &str) -> Option<String> {
     let panel = run.scene.body.iter().flat_map(|body| &body.panels).find(|panel| panel.name == name)?;
     Some(match panel.yield_stress {
-        Some(stress) => format!("{name} yields above {} in this run: it stays bent", with_unit(stress, "Pa")),
+        Some(stress) if run.record.panels.get(name).is_some_and(|panel| panel.yielded) => {
+            let stress = with_unit(stress, "Pa");
+            format!(
+                "{name} yielded above {stress}, by force and moment together: its strain is the result, not its stress"
+            )
+        }
+        Some(stress) => format!("{name} did not yield, which it does above {}", with_unit(stress, "Pa")),
         None => format!(
             "{name} is elastic at any stress in this run, for it has no yield_stress: a metal that yields bears less stress and bends more"
         ),

@@ -101,9 +101,9 @@ impl RunFolder {
         self.record.status == "failed"
     }
 
-    /// True where the run was ended by its user.
+    /// True where the run was ended by its user, or at a rupture: its results are those so far.
     pub fn is_interrupted(&self) -> bool {
-        self.record.status == "interrupted"
+        ["interrupted", "ruptured"].contains(&self.record.status.as_str())
     }
 
     /// The gauge whose pressure is the peak pressure among the results.

@@ -58,7 +58,7 @@ pub(crate) fn in_words(verdict: &str) -> &str {
 
 /// A number with its band in its unit.
 pub(super) fn with_band(quantity: &Quantity, si: &str) -> String {
-    let Some(value) = quantity.value else { return "–".into() };
+    let Some(value) = quantity.value.filter(|_| !quantity.is_withheld()) else { return "–".into() };
     let unit = Unit::of(si, value);
     let band = quantity.band.map_or(String::new(), |band| format!(" ± {}", two_digits(unit.scale * band)));
     let name = if unit.name == "-" { String::new() } else { format!(" {}", unit.name) };
@@ -67,7 +67,7 @@ pub(super) fn with_band(quantity: &Quantity, si: &str) -> String {
 
 /// The band as a share of the value.
 fn share(quantity: &Quantity) -> Option<f64> {
-    let (band, value) = (quantity.band?, quantity.value?);
+    let (band, value) = (quantity.band?, quantity.value.filter(|_| !quantity.is_withheld())?);
     Some((band / value).abs()).filter(|share| share.is_finite())
 }
 
@@ -86,6 +86,7 @@ fn coarse(quantity: &Quantity) -> Option<f64> {
 pub(super) fn verdict_of(run: &RunFolder, name: &str, quantity: &Quantity) -> String {
     let words = match coarse(quantity) {
         Some(share) => format!("coarse, ± {}", percent(share)),
+        None if quantity.is_withheld() => format!("{}: its band is as large as itself", in_words(&quantity.verdict)),
         None => in_words(&quantity.verdict).to_string(),
     };
     let told = |panel: &str| run.record.doubts.iter().any(|doubt| doubt.starts_with(&format!("{panel}: ")));
@@ -96,6 +97,7 @@ pub(super) fn verdict_of(run: &RunFolder, name: &str, quantity: &Quantity) -> St
         }
         _ if run.is_interrupted() && quantity.time_s.is_none() => format!("up to {}, not complete", end(run)),
         _ if run.is_interrupted() => format!("{words}, so far"),
+        _ if quantity.allowed == Some(false) => format!("{words}; not allowed"),
         _ => words,
     }
 }
@@ -132,7 +134,8 @@ pub(crate) fn named(run: &RunFolder) -> Vec<(String, &Quantity)> {
     let of_panels = results.panels.iter().flat_map(|(name, panel)| {
         let stress = panel.peak_stress_Pa.as_ref().map(|stress| (format!("{name}.peak_stress_Pa"), stress));
         let factor = panel.reserve_factor.as_ref().map(|factor| (format!("{name}.reserve_factor"), factor));
-        stress.into_iter().chain(factor)
+        let strain = panel.peak_strain.as_ref().map(|strain| (format!("{name}.peak_strain"), strain));
+        stress.into_iter().chain(strain).chain(factor)
     });
     own.chain(of_panels).collect()
 }
@@ -143,16 +146,35 @@ pub(super) fn allowable(run: &RunFolder, panel: &str) -> Option<f64> {
     panels.filter(|own| own.name == panel).find_map(|own| own.allowable_stress)
 }
 
-/// Panels whose stress is above the allowable one, in sentences.
+/// The strain at which an end of a panel breaks off [-].
+fn rupture_strain(run: &RunFolder, panel: &str) -> Option<f64> {
+    let panels = run.scene.body.iter().flat_map(|body| &body.panels);
+    panels.filter(|own| own.name == panel).find_map(|own| own.rupture_strain)
+}
+
+/// Panels that are beyond their limits, in sentences.
 fn overstressed(run: &RunFolder) -> Vec<String> {
+    let at =
+        |quantity: &Quantity| quantity.time_s.map_or(String::new(), |time| format!(" at {}", with_unit(time, "s")));
     let of = |(name, panel): (&String, &super::record::PanelResults)| {
-        let stress = panel.peak_stress_Pa.as_ref().filter(|stress| stress.verdict == "beyond_allowable")?;
-        let (value, allowed) = (stress.value?, allowable(run, name));
-        let of_allowed = allowed.map_or(String::new(), |allowed| format!("; {} is allowed", with_unit(allowed, "Pa")));
-        let reserve = panel.reserve_factor.as_ref().and_then(|factor| factor.value);
-        let factor = reserve.map_or(String::new(), |factor| format!(" (reserve factor {})", digits(factor)));
-        let time = stress.time_s.map_or(String::new(), |time| format!(" at {}", with_unit(time, "s")));
-        Some(format!("{name} reaches {}{time}{of_allowed}{factor}", with_unit(value, "Pa")))
+        let stress = panel.peak_stress_Pa.as_ref().filter(|stress| stress.allowed == Some(false))?;
+        let reserve = panel.reserve_factor.as_ref().filter(|factor| !factor.is_withheld());
+        let factor = reserve.and_then(|factor| factor.value);
+        let factor = factor.map_or(String::new(), |factor| format!(" (reserve factor {})", digits(factor)));
+        let known = match stress.verdict.as_str() {
+            "resolved" | "no_band" => String::new(),
+            verdict => format!(", {}", in_words(verdict)),
+        };
+        if let Some(strain) = &panel.peak_strain {
+            let limit = rupture_strain(run, name);
+            let limit =
+                limit.map_or("no rupture_strain is given".into(), |v| format!("{} is allowed", with_unit(v, "-")));
+            let value = with_unit(strain.value?, "-");
+            return Some(format!("{name} yields, to a strain of {value}{}{known}; {limit}{factor}", at(strain)));
+        }
+        let of_allowed = allowable(run, name).map_or(String::new(), |v| format!("; {} is allowed", with_unit(v, "Pa")));
+        let value = if stress.is_withheld() { "a stress".into() } else { with_unit(stress.value?, "Pa") };
+        Some(format!("{name} reaches {value}{}{known}{of_allowed}{factor}", at(stress)))
     };
     run.record.results.panels.iter().filter_map(of).collect()
 }
@@ -160,7 +182,9 @@ fn overstressed(run: &RunFolder) -> Vec<String> {
 fn verdict(run: &RunFolder) -> Verdict {
     let record = &run.record;
     let overstressed = overstressed(run);
-    let other = |doubt: &&String| overstressed.is_empty() || !doubt.contains("times the allowable");
+    let other = |doubt: &&String| {
+        overstressed.is_empty() || !(doubt.contains("times the allowable") || doubt.contains("it yields, "))
+    };
     let kept: Vec<String> = record.doubts.iter().filter(other).cloned().collect();
     // what a run computed before it broke down is no result to be doubted
     let mut reasons = if run.has_failed() { Vec::new() } else { doubts::merged(&kept) };
@@ -169,7 +193,12 @@ fn verdict(run: &RunFolder) -> Verdict {
             let panels = record.results.panels.keys();
             let material = panels.filter(|name| overstressed.iter().any(|told| told.starts_with(name.as_str())));
             reasons.extend(material.filter_map(|name| doubts::of_material(run, name)));
-            ("failed", format!("Stress beyond the allowable: {}.", overstressed.join("; ")))
+            let what = if overstressed.iter().any(|told| told.contains(" yields, to")) { "Panel" } else { "Stress" };
+            ("failed", format!("{what} beyond the allowable: {}.", overstressed.join("; ")))
+        }
+        "ruptured" => {
+            reasons.push("The surface stays closed to the water: what comes after a rupture is not computed.".into());
+            ("failed", format!("Rupture: {}.", record.message.as_deref().unwrap_or_default()))
         }
         "completed" => completed(run, &mut reasons),
         "completed_with_doubts" => ("doubtful", "Completed with doubts.".to_string()),
@@ -188,6 +217,10 @@ fn verdict(run: &RunFolder) -> Verdict {
         }
         _ => ("doubtful", "Not finished.".to_string()),
     };
+    if !run.has_failed() && record.status != "beyond_allowable" {
+        let yielded = record.panels.iter().filter(|(_, panel)| panel.yielded);
+        reasons.extend(yielded.filter_map(|(name, _)| doubts::of_material(run, name)));
+    }
     reasons.extend(study(run));
     reasons.extend(run.gaps.iter().cloned());
     Verdict { class, heading, reasons }
@@ -263,6 +296,7 @@ fn cards(run: &RunFolder) -> String {
         let (title, si) = title(run, name);
         let unit = Unit::of(si, value);
         let band = match quantity.band {
+            Some(_) if quantity.is_withheld() => "the band is as large as the value".into(),
             Some(band) => {
                 let share = share(quantity).map_or(String::new(), |share| format!(" ({})", percent(share)));
                 format!("± {} {}{share}", two_digits(unit.scale * band), unit.name)
@@ -275,22 +309,29 @@ fn cards(run: &RunFolder) -> String {
             None => "over the run".into(),
         };
         let mut lines = vec![format!("{band}, {time}")];
-        let panel = name.strip_suffix(".peak_stress_Pa").unwrap_or_default();
-        if let Some((_, factor)) = reserve(panel) {
-            let allowed = allowable(run, panel).map_or(String::new(), |v| format!(", {} allowed", with_unit(v, "Pa")));
+        let yielded = |panel: &&str| run.record.panels.get(*panel).is_some_and(|own| own.yielded);
+        let of_stress = name.strip_suffix(".peak_stress_Pa").filter(|panel| !yielded(panel));
+        let panel = of_stress.or(name.strip_suffix(".peak_strain")).unwrap_or_default();
+        if let Some((_, factor)) = reserve(panel).filter(|_| !quantity.is_withheld()) {
+            let limit = if yielded(&panel) {
+                rupture_strain(run, panel).zip(Some("-"))
+            } else {
+                allowable(run, panel).zip(Some("Pa"))
+            };
+            let allowed = limit.map_or(String::new(), |(v, si)| format!(", {} allowed", with_unit(v, si)));
             lines.push(format!("reserve factor {}{allowed}", digits(factor.value.unwrap_or(f64::NAN))));
         }
         let class = match quantity.verdict.as_str() {
             "resolved" if coarse(quantity).is_none() && !run.is_interrupted() => "completed",
-            "beyond_allowable" => "failed",
             _ => "doubtful",
         };
+        let class = if quantity.allowed == Some(false) { "failed" } else { class };
         let details: String = lines.iter().map(|line| format!("<p>{}</p>", escape(line))).collect();
         html += &format!(
             "<li class=\"{class}\"><h3>{}</h3><p class=\"value\">{} <small>{}</small></p>{details}<p class=\"chip\">{}</p></li>\n",
             escape(&title),
-            digits(unit.scale * value),
-            escape(&unit.name),
+            if quantity.is_withheld() { "–".into() } else { digits(unit.scale * value) },
+            escape(unit.name.trim_matches('-')),
             escape(&verdict_of(run, name, quantity))
         );
     }

@@ -89,6 +89,7 @@ pub(crate) fn result(name: &str) -> (String, &'static str) {
         "impulse_N_s_per_m" => ("Impulse".into(), "N s/m"),
         other => match other.rsplit_once('.') {
             Some((panel, "peak_stress_Pa")) => (format!("Peak stress in {panel}"), "Pa"),
+            Some((panel, "peak_strain")) => (format!("Peak strain in {panel}"), "-"),
             Some((panel, "reserve_factor")) => (format!("Reserve factor of {panel}"), "-"),
             _ => (other.into(), "-"),
         },

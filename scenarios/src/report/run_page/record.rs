@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use crate::results::BandwidthBy;
+use crate::results::{BandwidthBy, is_withheld};
 
 /// A summary, as far as the page shows it; names and units are those of [`Summary`](crate::run::summary::Summary).
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -61,6 +61,7 @@ pub(crate) struct Results {
 #[allow(non_snake_case)]
 pub(crate) struct PanelResults {
     pub peak_stress_Pa: Option<Quantity>,
+    pub peak_strain: Option<Quantity>,
     pub reserve_factor: Option<Quantity>,
 }
 
@@ -73,6 +74,14 @@ pub(crate) struct Quantity {
     pub cutoff_hz: Option<f64>,
     pub raw: Option<f64>,
     pub verdict: String,
+    pub allowed: Option<bool>,
+}
+
+impl Quantity {
+    /// True for a number that tells nothing: its band is as large as itself.
+    pub fn is_withheld(&self) -> bool {
+        self.value.is_some_and(|value| is_withheld(value, self.band))
+    }
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -175,6 +184,7 @@ pub(crate) struct Panel {
     pub stress_pa: Extremes,
     pub strain: Extremes,
     pub reserve_factor: Option<f64>,
+    pub yielded: bool,
     pub plastic_curvature_per_m: Option<f64>,
     pub ruptures: Vec<Rupture>,
     pub envelope: Envelope,

@@ -82,6 +82,7 @@ fn extremes_table(run: &RunFolder, name: &str, panel: &Panel) -> Block {
     let mut rows = Vec::new();
     if let Some(factor) = panel.reserve_factor {
         let allowed = allowable(run, name).map_or(String::new(), |v| format!(" ({} allowed)", with_unit(v, "Pa")));
+        let allowed = if panel.yielded { " of the strain".into() } else { allowed };
         rows.push(row(&[&format!("Reserve factor{allowed}"), "", "", &digits(factor), ""]));
     }
     let mut extremes = |what: &str, si: &str, e: &Extremes| {

@@ -94,15 +94,15 @@ pub struct Panel {
     #[serde(default = "usual_watch")]
     #[schemars(inner(range(min = 0.0, max = 1.0)))]
     pub watch: Vec<f64>,
-    /// Yield stress of the tension test, beyond which the plate stays bent (bilinear moment and curvature) [Pa]. absent: elastic.
+    /// Yield stress of the tension test: the plate yields by force and moment together (von Mises) [Pa]. absent: elastic.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub yield_stress: Option<f64>,
-    /// Plastic modulus beyond the yield stress [Pa].
+    /// Stress over plastic strain beyond the yield stress, in the tension test [Pa].
     #[serde(default)]
     #[schemars(range(min = 0.0), extend("x-when" = ".yield_stress"))]
     pub hardening_modulus: f64,
-    /// Strain of an outer fibre at a held end at which that end breaks off; the wetted surface stays closed [-]. absent: never.
+    /// Strain of an outer fibre at a held end at which that end breaks off, and the run ends [-]. absent: never.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub rupture_strain: Option<f64>,
@@ -195,11 +195,8 @@ impl Panel {
         [0, 1].map(|end| EndSpring { stiffness: stiffness[end], damping: damping[end] })
     }
 
-    /// In plane strain bending yields at σ_y/√(1 − ν + ν²) (von Mises 1913), in plane stress at σ_y.
     fn plasticity(&self) -> Option<Plasticity> {
-        let nu = if self.plane == Plane::Strain { self.poissons_ratio } else { 0.0 };
-        let yield_stress = self.yield_stress? / (1.0 - nu + nu * nu).sqrt();
-        Some(Plasticity { yield_stress, hardening_modulus: self.hardening_modulus })
+        Some(Plasticity { yield_stress: self.yield_stress?, hardening_modulus: self.hardening_modulus })
     }
 
     /// What it is made of.
