@@ -16,8 +16,9 @@ use sph_core::Solver;
 use crate::build::layout;
 use crate::model_hierarchy::{Assessment, QuantityOfInterest, assess};
 use crate::scene::{
-    Body, CouplingScheme, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry, known_compressibility_error,
-    line, longest_step, memory_estimate, panel_exchanges, panel_length, particle_estimate,
+    Body, CouplingScheme, Entry, ExchangeRatio, Modes, OutlineReport, Panel, Scene, Symmetry,
+    known_compressibility_error, line, longest_spring_step, longest_step, memory_estimate, panel_exchanges,
+    panel_length, particle_estimate,
 };
 use fsi_coupling::entry_theory::EntryModel;
 use fsi_coupling::natural_frequencies;
@@ -133,7 +134,7 @@ pub(crate) fn step(scene: &Scene) -> f64 {
         true => scene.projection_speed(),
         false => scene.sound_speed() + scene.fastest_speed(),
     };
-    let automatic = || (scene.courant_number() * h / fastest).min(longest_step(scene));
+    let automatic = || (scene.courant_number() * h / fastest).min(longest_step(scene)).min(longest_spring_step(scene));
     scene.time.step.unwrap_or_else(automatic).min(scene.time.end)
 }
 

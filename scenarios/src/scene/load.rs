@@ -26,6 +26,7 @@ use super::resolve::resolve;
 use super::resolve_body::resolve_body;
 use super::resolve_links::has_links;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
+use super::spring_steps::check_spring_step;
 use super::source::{Source, refuse_absurd_numbers};
 use super::warnings::warnings;
 use crate::charted::spacing_within;
@@ -227,6 +228,7 @@ fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
     let scene = resolve(draft)?;
     if limits == Limits::Kept {
         check_step(&scene)?;
+    check_spring_step(&scene)?;
     }
     check(&scene)?;
     Ok(scene)
