@@ -222,6 +222,33 @@ fn a_bounce_that_gains_nothing_is_newtons() {
     }
 }
 
+fn open_tank() -> Member {
+    use crate::geometry::layout::{Basin, Layout};
+    let basin =
+        Basin { x: [-2.0, 2.0], y: [-1.0, 0.0], fine_x: [-2.0, 2.0], fine_depth: 1.0, spacing: 0.1, growth: 1.0 };
+    let mut tank = crate::bodies::tank::Tank::new(Layout::new(basin), [-2.0, 2.0], -1.0, 0.5, false);
+    let rows = crate::geometry::rows::WallRows::filled(0.1, 4);
+    crate::bodies::body::WettedBody::sample(&mut tank, &rows).expect("a tank");
+    member(Box::new(tank))
+}
+
+/// Walls end at the rim: a box above it flies over, one below it is stopped, one that falls on the rim lies on it, across the wall.
+#[test]
+fn a_wall_of_the_tank_ends_at_its_rim() {
+    let law = ContactLaw { friction: 1.0, ..ContactLaw::default() };
+    let after = |at: [f64; 2], velocity: [f64; 2], gravity: f64, end: f64| {
+        let mut dry = Dry::new(vec![free(box_at(at, velocity, 2.0, gravity)), open_tank()], law, Vec::new());
+        dry.run(end, |_| {});
+        dry.body(0).motion().expect("a box")
+    };
+    let over = after([0.0, 1.5], [4.0, 0.0], 0.0, 1.0);
+    assert!((over.position[0] - 4.0).abs() < 1e-3 && over.velocity == [4.0, 0.0], "{over:?}");
+    let under = after([0.0, 0.0], [4.0, 0.0], 0.0, 1.0);
+    assert!((under.position[0] - 1.5).abs() < 1e-3, "stopped with its side at the wall: {under:?}");
+    let on = after([2.2, 0.9], [0.0; 2], G, 1.0);
+    assert!((on.position[1] - 0.75).abs() < 1e-3 && on.angle.abs() < 1e-3, "on the rim: {on:?}");
+}
+
 /// A tilted box falls on a floor and comes to rest on its bottom, borne by its weight, within the fall of one step.
 #[test]
 fn a_box_that_falls_on_a_floor_lies_there() {
