@@ -1,6 +1,7 @@
 //! Scene files: what loads, what is refused and how, what is left to the program.
 
 mod air;
+mod guide_examples;
 mod legacy;
 mod own_section;
 mod panels;
