@@ -149,10 +149,12 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
     let sound = (!scene.solver.is_incompressible()).then_some(scene.sound_speed());
     let (step, cost) = (step(scene), cost_of_step(scene));
     let steps = ((scene.time.end - scene.time.start) / step).ceil();
-    let entry = scene.entry();
+    let entries = scene.entries();
+    let least = |of: &dyn Fn(&Entry) -> f64| entries.iter().map(|(_, entry)| of(entry)).reduce(f64::min);
+    let root = entries.iter().map(|(_, entry)| entry.root_speed()).reduce(f64::max);
     let sides = if scene.symmetry == Symmetry::X { 1.0 } else { 2.0 };
     let length = |panel: &Panel| scene.body.as_ref().map_or(0.0, |body| panel_length(body, panel));
-    let wetted = entry.map(|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
+    let wetted = least(&|e| sides * e.bottom.wetted_half_width(e.attached_draught()));
     Preflight {
         scene: scene.name.clone(),
         fluid_particles,
@@ -164,11 +166,9 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
         core_seconds: cost * (fluid_particles as f64 + added) * steps,
         sound_speed_m_per_s: sound,
         mach: sound.map(|sound| fastest / sound),
-        compressibility_error: entry
-            .zip(sound)
-            .and_then(|(entry, sound)| known_compressibility_error(entry.root_speed(), sound)),
+        compressibility_error: root.zip(sound).and_then(|(root, sound)| known_compressibility_error(root, sound)),
         spacings_across_wetted_width: wetted.map(|w| w / scene.resolution.spacing),
-        spacings_across_pressure_peak: entry.map(|e| e.peak_length() / scene.resolution.spacing),
+        spacings_across_pressure_peak: least(&Entry::peak_length).map(|length| length / scene.resolution.spacing),
         coupling_scheme: scene.coupling.scheme,
         added_mass_ratios: sound.and_then(|_| ExchangeRatio::of(scene)).map(|exchange| exchange.ratios),
         panels: panel_exchanges(scene)

@@ -24,10 +24,9 @@ use super::prepare::prepare;
 use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
-use super::resolve_links::has_links;
 use super::settings::{Body, GRAVITY, QuantityOfInterest, Scene, Symmetry, schema};
-use super::spring_steps::check_spring_step;
 use super::source::{Source, refuse_absurd_numbers};
+use super::spring_steps::check_spring_step;
 use super::warnings::warnings;
 use crate::charted::spacing_within;
 use crate::embedded::texts;
@@ -228,12 +227,12 @@ fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
     let scene = resolve(draft)?;
     if limits == Limits::Kept {
         check_step(&scene)?;
-    check_spring_step(&scene)?;
     }
     check(&scene)?;
     Ok(scene)
 }
 
+    check_spring_step(&scene)?;
 /// Writes the solver of a scene whose model names one, and refuses that of another model.
 fn settle_solver(given: &mut Value) -> Result<(), Problem> {
     let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
@@ -343,7 +342,8 @@ fn with(given: &Value, key: &str, value: &str) -> Value {
 /// The entry of a draft's body, were there no end.
 fn entry_of(mut draft: Draft) -> Result<Option<(Body, Entry)>, Problem> {
     let symmetry = draft.get("symmetry").unwrap_or(Symmetry::None);
-    let Some(body) = resolve_body(&mut draft, symmetry)?.filter(|_| !has_links(&draft)) else { return Ok(None) };
+    let alone = draft.count("bodies") == 0 && draft.count("joints") == 0;
+    let Some(body) = resolve_body(&mut draft, symmetry)?.filter(|_| alone) else { return Ok(None) };
     let gravity = draft.get("gravity").unwrap_or_else(GRAVITY);
     let density = draft.get("fluid.density").unwrap_or(FluidSettings::default().density);
     let spacing = draft.get("resolution.spacing").unwrap_or(f64::INFINITY);

@@ -9,6 +9,7 @@ mod plausible;
 mod projection;
 mod reference_page;
 mod refused;
+mod several_bodies;
 mod start;
 #[cfg(feature = "legacy")]
 mod thesis_files;
