@@ -20,7 +20,7 @@ use super::legacy::refuse_absent;
 use super::mistaken_file::Expected;
 use super::outline::OutlineReport;
 use super::plausible::implausible;
-use super::prepare::prepare;
+use super::prepare::{Prepared, prepare};
 use super::references::{drop_references, sets_of_the_flow};
 use super::resolve::resolve;
 use super::resolve_body::resolve_body;
@@ -87,7 +87,7 @@ pub fn load_text(name: &str, text: &str, sets: &[String]) -> Result<Loaded, Scen
 fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let mut given = source.read()?;
     let written = given.clone();
-    let outline = prepare(&mut given, &source.name).map_err(|problem| {
+    let Prepared { outline, told } = prepare(&mut given, &source.name).map_err(|problem| {
         // a misspelt key may be why another is missing
         let misspelt = schema().check(&written).err().filter(|first| first.sentence.starts_with("unknown key"));
         source.error(misspelt.unwrap_or(problem))
@@ -98,8 +98,12 @@ fn loaded(source: Source, limits: Limits) -> Result<Loaded, SceneError> {
     let resolved = toml::Value::try_from(&scene).unwrap_or(toml::Value::Boolean(false));
     refuse_absurd_numbers("", &resolved).map_err(|problem| source.error(problem))?;
     let dropped = before(&source, &scene).and_then(|(before, key)| drop_references(&mut scene, before.as_ref(), &key));
-    let warnings =
-        dropped.into_iter().chain(ignored(&given, &scene)).chain(warnings_about(&scene, outline.as_ref())).collect();
+    let warnings = dropped
+        .into_iter()
+        .chain(told)
+        .chain(ignored(&given, &scene))
+        .chain(warnings_about(&scene, outline.as_ref()))
+        .collect();
     Ok(Loaded { warnings, scene, outline, source })
 }
 

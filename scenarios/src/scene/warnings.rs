@@ -74,6 +74,7 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     warnings.extend(limit_of_forces(scene));
     warnings.extend(scene.all_bodies().filter_map(|body| body.short_table(scene.time.end)));
     warnings.extend(wave_warnings(scene));
+    warnings.extend(scene.all_bodies().filter_map(Body::kinks));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);
