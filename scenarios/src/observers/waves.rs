@@ -6,7 +6,7 @@ use fsi_coupling::waves::separation::{Amplitude, separate};
 use serde::Serialize;
 
 use super::series::Series;
-use crate::scene::{Scene, full_waves_by};
+use crate::scene::{Scene, full_waves_by, significant, waves_end_early};
 
 /// Periods at the end of the run over which harmonics are taken.
 const PERIODS: f64 = 4.0;
@@ -47,6 +47,23 @@ pub struct WaveGauge {
     pub height_m: f64,
     /// The same over that asked for [-].
     pub height_ratio: f64,
+}
+
+/// Growth of a regular wave in a wavelength from which its height is doubted [-].
+const GROWS: f64 = 0.01;
+
+/// Doubts about the waves of a run: it ended early, or they grow on their way, which nothing makes them do.
+pub(crate) fn doubts_about_waves(scene: &Scene, waves: Option<&Waves>) -> Vec<String> {
+    let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
+    let growth = waves.and_then(|waves| waves.decay_per_length).map(|decay| -decay).filter(|growth| *growth > GROWS);
+    let grows = growth.map(|growth| {
+        format!(
+            "waves: their height grows by {} % in a wavelength along the gauges, and regular waves lose height: waves that come back, a gauge on \
+             the beach or too short a run may be why",
+            significant(100.0 * growth)
+        )
+    });
+    early.into_iter().chain(grows).collect()
 }
 
 impl Series {
@@ -138,6 +155,25 @@ fn first_harmonic(curve: &[[f64; 2]], omega: f64) -> Option<Amplitude> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn waves_that_grow_on_their_way_are_doubted() {
+        let scene = crate::scene::load("wave_maker", &[]).expect("a scene").scene;
+        let doubts = |decay: f64| {
+            let waves = Waves {
+                height_m: 0.02,
+                period_s: 1.0,
+                length_m: 1.5,
+                stroke_m: 0.02,
+                gauges: Vec::new(),
+                phase_speed_ratio: None,
+                decay_per_length: Some(decay),
+                reflection: None,
+            };
+            doubts_about_waves(&scene, Some(&waves)).iter().any(|doubt| doubt.contains("grows by 5 %"))
+        };
+        assert!(doubts(-0.05) && !doubts(0.05) && !doubts(-0.005));
+    }
 
     /// A wave with a mean and a second harmonic: amplitude and phase of the first are found.
     #[test]

@@ -19,10 +19,10 @@ use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
     ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError, Observer, Series,
-    SimilarityWindow, WorstPenetration, body_values,
+    SimilarityWindow, WorstPenetration, body_values, doubts_about_waves,
 };
 use crate::results::{ResultsObserver, Verdict};
-use crate::scene::{Scene, known_compressibility_error, thesis_work, waves_end_early};
+use crate::scene::{Scene, known_compressibility_error, thesis_work};
 
 /// Means are taken over the run from this share of it on.
 const LATE: f64 = 0.8;
@@ -277,8 +277,9 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         let results = results.with_work_lost(audit.loses_work());
-        let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
-        doubts.extend(audit.doubts().into_iter().chain(early).chain(self.host_doubt.clone()));
+        let waves = self.series.waves(scene);
+        let of_waves = doubts_about_waves(scene, waves.as_ref());
+        doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(self.host_doubt.clone()));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
         let compressibility = self.compressibility(scene);
@@ -333,7 +334,7 @@ impl Recorder {
             rest: Some(self.history.rest(since)),
             order,
             water: self.series.water(since),
-            waves: self.series.waves(scene),
+            waves,
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
                 iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,

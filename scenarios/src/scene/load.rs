@@ -232,11 +232,11 @@ fn sensible(draft: Draft, limits: Limits) -> Result<Scene, Problem> {
     if limits == Limits::Kept {
         check_step(&scene)?;
     }
+    check_spring_step(&scene)?;
     check(&scene)?;
     Ok(scene)
 }
 
-    check_spring_step(&scene)?;
 /// Writes the solver of a scene whose model names one, and refuses that of another model.
 fn settle_solver(given: &mut Value) -> Result<(), Problem> {
     let word = |key: &str| given.get(key).and_then(Value::as_str).map(String::from);
