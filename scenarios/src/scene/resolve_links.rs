@@ -11,7 +11,7 @@ use super::settings::{Body, Joint, JointName, Scene, Symmetry, TANK};
 use super::source::word;
 
 /// Tables of a body that only the first one may have.
-const OF_THE_FIRST: [&str; 5] = ["panels", "modal", "outline", "motion_file", "modes_file"];
+const OF_THE_FIRST: [&str; 6] = ["panels", "modal", "outline", "outline_layer", "motion_file", "modes_file"];
 
 /// All bodies after the first, complete.
 pub(super) fn resolve_further_bodies(draft: &mut Draft, symmetry: Symmetry) -> Result<Vec<Body>, Problem> {

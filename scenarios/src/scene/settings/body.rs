@@ -31,6 +31,9 @@ pub struct Body {
     /// that which the file states, else m.
     #[serde(default, skip_serializing)]
     pub outline_unit: Option<String>,
+    /// Layer of a DXF, or id or label of a group of an SVG, that has the outline. absent: all lines that are visible.
+    #[serde(default, skip_serializing)]
+    pub outline_layer: Option<String>,
     /// Table of the motion, motion = "tabulated", below the folder of the scene's file: a header of t and x, y, angle, or the velocities
     /// vx, vy, omega, each with its unit in brackets, such as mm. Displacements count from the first row; velocities are linear between rows.
     #[serde(default, skip_serializing)]
