@@ -298,12 +298,17 @@ fn resolve_coupling(draft: &mut Draft, solver: &SolverSettings, bodies: &[&Body]
     let solves_both = matches!(solver.kind(), Solver::WeaklyCompressible | Solver::Incompressible);
     let options = solver.weakly_compressible().map(|fluid| &fluid.options);
     let extrapolated = options.is_none_or(legacy::extrapolates);
-    draft.fill("coupling.scheme", if is_light && solves_both && extrapolated { AddedMass } else { Weak });
+    let alternates = bends && options.is_some_and(legacy::leaps);
+    draft
+        .fill("coupling.scheme", if is_light && solves_both && extrapolated && !alternates { AddedMass } else { Weak });
     let scheme = draft.read::<Coupling>("coupling")?.scheme;
     let allowed =
         |holds: bool, expected: &str| require(holds, "coupling.scheme", format_args!("{:?}", scheme.name()), expected);
     let walls = "\"weak\" with these fluid.walls: only \"extrapolated\" walls take a body's acceleration";
     allowed(scheme == Weak || extrapolated, walls)?;
+    let verlet = "\"weak\" with fluid.integrator = \"verlet\" and a body that bends, or another integrator: its force alternates from \
+                  step to step";
+    allowed(scheme == Weak || !alternates, verlet)?;
     allowed(
         scheme != AddedMass || solves_both,
         "\"weak\" or \"iqn_ils\" with this solver: only \"weakly_compressible\" and \"incompressible\" solve a body's \
