@@ -17,11 +17,11 @@ pub(crate) fn limit_of_forces(scene: &Scene) -> Option<String> {
     pushed(scene).or_else(|| outside_fine_zone(scene)).or_else(|| sinking(scene))
 }
 
-/// Repulsive points push each particle that comes near: a wedge of 30 degrees had five times its force.
+/// Repulsive points push each particle that comes near, by contact impulses that no force shows: a wedge of 30 degrees had a third of its force.
 fn pushed(scene: &Scene) -> Option<String> {
     let fluid = scene.solver.weakly_compressible()?;
     repulsive_walls(&fluid.options)
-        .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to five times too large".to_string())
+        .then(|| "fluid.walls = \"repulsive\": the force of an impact is up to 70 % too low, for these walls push by contact impulses".to_string())
 }
 
 /// Graded, incompressible water that does not start level sinks in its coarse rows (THEORY PR18), under a body that is slow beside what
@@ -71,7 +71,10 @@ mod tests {
         let limit = |set: &str| limit_of_forces(&load("wedge", &[set.to_string()]).expect("a scene").scene);
         assert_eq!(limit("resolution.spacing=0.006"), None);
         #[cfg(feature = "legacy")]
-        assert!(limit("fluid.walls=repulsive").is_some_and(|why| why.contains("fluid.walls")));
+        assert!(
+            limit("fluid.walls=repulsive")
+                .is_some_and(|why| why.contains("fluid.walls") && why.contains("70 % too low"))
+        );
         assert!(limit("resolution.fine_zone=[0.03, 0.03]").is_some_and(|why| why.contains("resolution.fine_zone")));
     }
 
