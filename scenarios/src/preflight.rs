@@ -195,7 +195,10 @@ pub fn preflight(scene: &Scene, warnings: &[String]) -> Preflight {
         modes: scene.body.as_ref().and_then(|body| body.modal.as_ref()).map(ModesBrief::of),
         model: scene.model.name(),
         choice: scene.choice.clone(),
-        theories: scene.entry().map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
+        theories: scene
+            .entry()
+            .filter(|_| scene.bodies.is_empty())
+            .map_or(Vec::new(), |_| assess(scene, QuantityOfInterest::PeakForce)),
         outline: None,
         warnings: warnings.to_vec(),
     }

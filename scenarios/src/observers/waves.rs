@@ -52,8 +52,8 @@ pub struct WaveGauge {
 /// Growth of a regular wave in a wavelength from which its height is doubted [-].
 const GROWS: f64 = 0.01;
 
-/// Doubts about the waves of a run: it ended early, or they grow on their way, which nothing makes them do.
-pub(crate) fn doubts_about_waves(scene: &Scene, waves: Option<&Waves>) -> Vec<String> {
+/// Why the waves of a run are unlikely: it ended early, or they grow on their way, which nothing makes them do.
+pub(crate) fn unlikely_waves(scene: &Scene, waves: Option<&Waves>) -> Vec<String> {
     let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
     let growth = waves.and_then(|waves| waves.decay_per_length).map(|decay| -decay).filter(|growth| *growth > GROWS);
     let grows = growth.map(|growth| {
@@ -157,9 +157,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn waves_that_grow_on_their_way_are_doubted() {
+    fn waves_that_grow_on_their_way_are_told() {
         let scene = crate::scene::load("wave_maker", &[]).expect("a scene").scene;
-        let doubts = |decay: f64| {
+        let told = |decay: f64| {
             let waves = Waves {
                 height_m: 0.02,
                 period_s: 1.0,
@@ -170,9 +170,9 @@ mod tests {
                 decay_per_length: Some(decay),
                 reflection: None,
             };
-            doubts_about_waves(&scene, Some(&waves)).iter().any(|doubt| doubt.contains("grows by 5 %"))
+            unlikely_waves(&scene, Some(&waves)).iter().any(|why| why.contains("grows by 5 %"))
         };
-        assert!(doubts(-0.05) && !doubts(0.05) && !doubts(-0.005));
+        assert!(told(-0.05) && !told(0.05) && !told(-0.005));
     }
 
     /// A wave with a mean and a second harmonic: amplitude and phase of the first are found.

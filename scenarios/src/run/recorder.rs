@@ -19,7 +19,7 @@ use crate::error_bar::ErrorBars;
 use crate::log::{Level, Logged};
 use crate::observers::{
     ForceRules, Frame, GaugeReader, GaugeResult, History, LiveObserver, LogObserver, ObserveError, Observer, Series,
-    SimilarityWindow, WorstPenetration, body_values, doubts_about_waves,
+    SimilarityWindow, WorstPenetration, body_values, unlikely_waves,
 };
 use crate::results::{ResultsObserver, Verdict};
 use crate::scene::{Scene, known_compressibility_error, thesis_work};
@@ -278,7 +278,7 @@ impl Recorder {
         };
         let results = results.with_work_lost(audit.loses_work());
         let waves = self.series.waves(scene);
-        let of_waves = doubts_about_waves(scene, waves.as_ref());
+        let of_waves = unlikely_waves(scene, waves.as_ref());
         doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(self.host_doubt.clone()));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));

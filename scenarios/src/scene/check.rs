@@ -317,6 +317,7 @@ fn check_wedge_similarity(scene: &Scene) -> Result<(), Problem> {
         require(holds, "similarity", format_args!("\"wedge\" {given}"), expected)
     };
     let Some(body) = &scene.body else { return has(false, "without a body".into(), "a wedge") };
+    has(scene.bodies.is_empty() && scene.joints.is_empty(), "beside other bodies or joints".into(), "a wedge alone")?;
     let wedge = matches!(body.shape, Shape::Wedge { .. });
     has(wedge, format!("with shape = \"{}\"", body.shape.name()), "shape = \"wedge\"")?;
     let steady = body.motion == Motion::ConstantVelocity;

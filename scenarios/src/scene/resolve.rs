@@ -162,7 +162,8 @@ fn refuse_rising(draft: &Draft, body: &Body) -> Result<(), Problem> {
 }
 
 fn resolve_tank(draft: &mut Draft) -> Result<Tank, Problem> {
-    let expected = "a length [m]: \"auto\" needs a body that falls or moves down into the water, alone";
+    let expected =
+        "a length [m]: \"auto\" needs a body that falls or moves down into the water and that no joint holds";
     let length = |key: &str| draft.get::<f64>(key).ok_or_else(|| Problem::missing(key, expected));
     let (depth, width) = (length("tank.depth")?, length("tank.width")?);
     let water_width = draft.fill("tank.water_width", width);

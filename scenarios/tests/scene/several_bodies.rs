@@ -90,6 +90,15 @@ fn a_fixed_body_beside_an_impact_asks_for_nothing() {
     assert_eq!(motion.position, [0.3, 0.3], "what is fixed is not carried back");
 }
 
+/// The similarity solution is that of a wedge alone.
+#[test]
+fn no_similarity_solution_holds_beside_another_body() {
+    let far = "bodies=[{ name = 'far', shape = 'box', breadth = 0.3, height = 0.2, mass = 3, inertia = 1, position = [3, 1] }]";
+    let error = scenarios::scene::load("wedge_constant", &[far.to_string(), "symmetry=none".to_string()]);
+    let words = error.expect_err("two bodies").to_string();
+    assert!(words.contains("`similarity`") && words.contains("a wedge alone"), "{words}");
+}
+
 fn alone_text() -> String {
     "name = \"drops\"\n[time]\nend = 0.02\n[resolution]\nspacing = 0.0025\n[body]\nname = \"left\"\nshape = \"wedge\"\n\
      deadrise_deg = 20.0\nbreadth = 0.4\nside_height = 0.2\nmass = 60.0\nfree = [\"y\"]\nposition = [-0.25, 0.0]\n\
