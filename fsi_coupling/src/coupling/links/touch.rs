@@ -109,7 +109,7 @@ fn behind(members: &[Member], solids: [usize; 2], corners: &[[f64; 2]], gap: f64
     let wall = members[solids[0]].body.as_ref();
     let touch = |&at: &[f64; 2]| {
         let (distance, surface) = wall.met_by_solid(at);
-        (gap >= distance).then(|| Touch { solids, at, normal: surface.normal, depth: gap - distance })
+        (gap >= distance).then_some(Touch { solids, at, normal: surface.normal, depth: gap - distance })
     };
     corners.iter().filter_map(touch).collect()
 }
