@@ -2,7 +2,7 @@
 
 use fsi_coupling::Outline;
 use fsi_coupling::geometry::{polygon, vector::sub};
-use fsi_coupling::settings::{Problem, require, significant};
+use fsi_coupling::settings::{Problem, require};
 use serde_json::Value;
 
 use super::draft::Draft;
@@ -12,6 +12,11 @@ use super::source::word;
 
 /// Tables of a body that only the first one may have.
 const OF_THE_FIRST: [&str; 6] = ["panels", "modal", "outline", "outline_layer", "motion_file", "modes_file"];
+
+/// True for a scene of several bodies, or of joints: no theory of one body that enters still water holds for it.
+pub(super) fn has_links(draft: &Draft) -> bool {
+    draft.count("bodies") > 0 || draft.count("joints") > 0
+}
 
 /// All bodies after the first, complete.
 pub(super) fn resolve_further_bodies(draft: &mut Draft, symmetry: Symmetry) -> Result<Vec<Body>, Problem> {
@@ -55,44 +60,6 @@ pub(super) fn thin_film(scene: &Scene) -> Option<String> {
              pressure, and a body that lands may be thrown up"
         )
     })
-}
-
-/// Free bodies that start in the water with no room for a film beneath or beside them: what is there does not hold its pressure, and they
-/// stay for a while.
-pub(super) fn stuck_bodies(scene: &Scene) -> Vec<String> {
-    let spacing = scene.resolution.spacing;
-    let (half, floor) = (0.5 * scene.tank.width, -scene.tank.depth);
-    let bodies: Vec<_> = scene.all_bodies().map(|body| (body, body.placed_outline())).collect();
-    let between = |a: &[[f64; 2]], b: &[[f64; 2]]| {
-        let outline = Outline::polygon(b).ok();
-        a.iter().filter_map(|at| Some(outline.as_ref()?.signed_distance(*at))).fold(f64::INFINITY, f64::min)
-    };
-    let told = |(body, corners): &(&Body, Vec<[f64; 2]>)| {
-        let [min, max] = polygon::bounding_box(corners);
-        if !body.is_free() || min[1] >= 0.0 || scene.model.is_theory() {
-            return None;
-        }
-        let mut near = vec![(min[1] - floor, "the floor".to_string()), (half - max[0], "the right wall".to_string())];
-        if scene.symmetry == Symmetry::None {
-            near.push((min[0] + half, "the left wall".to_string()));
-        }
-        for (other, of_other) in bodies.iter().filter(|(other, _)| other.name != body.name) {
-            let joined = scene.joints.iter().any(|joint| joint.joins(&body.name, &other.name));
-            let away = between(corners, of_other).min(between(of_other, corners));
-            near.extend((!joined).then(|| (away, format!("body {}", other.name))));
-        }
-        let nearest = near.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        nearest.filter(|(away, _)| *away < FILM * spacing * (1.0 - 1e-9)).map(|(away, what)| {
-            format!(
-                "{}it starts {} spacings from {what}: less than {FILM} rows of particles between solids do not hold the water's pressure, and the \
-                 body may stick there; start it {} m away",
-                scene.about(body),
-                significant(away / spacing),
-                significant((FILM + 1.0) * spacing)
-            )
-        })
-    };
-    bodies.iter().filter_map(told).collect()
 }
 
 /// Refuses joints that hold nothing, and bodies that overlap at the start.

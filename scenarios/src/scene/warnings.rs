@@ -9,8 +9,8 @@ use super::force_limits::limit_of_forces;
 use super::impact::LEAST_SOUND_RATIO;
 use super::incompressible::projection_warnings;
 use super::legacy;
-use super::resolve_links::{stuck_bodies, thin_film};
-use super::settings::{Body, Gauge, Panel, Scene, WeaklyCompressibleFluid, panel_length};
+use super::resolve_links::thin_film;
+use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use super::waves::wave_warnings;
 use fsi_coupling::PanelEnd;
 use fsi_coupling::entry_theory::EntryModel;
@@ -51,7 +51,6 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
         Some(fluid) => sound_warnings(scene, fluid),
     };
     warnings.extend(thin_film(scene));
-    warnings.extend(stuck_bodies(scene));
     let density = scene.water().density;
     if !(LIQUID[0]..=LIQUID[1]).contains(&density) {
         warnings.push(format!(
@@ -74,8 +73,8 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
     }
     warnings.extend(limit_of_forces(scene));
     warnings.extend(scene.all_bodies().filter_map(|body| body.short_table(scene.time.end)));
-    warnings.extend(scene.all_bodies().filter_map(Body::kinks));
     warnings.extend(wave_warnings(scene));
+    warnings.extend(scene.all_bodies().filter_map(Body::kinks));
     warnings.extend(doubtful_panels(scene));
     warnings.extend(scene.gauges.iter().filter_map(|gauge| coarse_samples(scene, gauge)));
     let late = scene.compare.iter().filter(|compare| compare.window[0] >= scene.time.end);

@@ -199,18 +199,6 @@ fn verlets_leapfrog_with_panels_has_the_scheme_it_runs_with() {
     }
 }
 
-/// One spacing above the floor a box under water stayed for half a second; with room for two rows beneath it none did.
-#[test]
-fn a_body_without_room_for_a_film_beneath_it_is_told() {
-    let told = |spacings: f64| {
-        let position = format!("body.position=[0.0, {}]", -0.8 + 0.1 + 0.02 * spacings);
-        let loaded = scenarios::scene::load("box_on_floor", &[position, "body.angle_deg=0".to_string()]);
-        let warnings = loaded.expect("a sound scene").warnings;
-        warnings.iter().any(|warning| warning.contains("from the floor") && warning.contains("may stick"))
-    };
-    assert!(told(1.0) && !told(2.0) && !told(3.0));
-}
-
 #[test]
 fn bodies_and_joints_that_make_no_sense_are_refused() {
     let body = |name: &str, x: f64, more: &str| {
