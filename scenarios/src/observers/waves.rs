@@ -53,17 +53,21 @@ pub struct WaveGauge {
 const GROWS: f64 = 0.01;
 
 /// Why the waves of a run are unlikely: it ended early, or they grow on their way, which nothing makes them do.
-pub(crate) fn unlikely_waves(scene: &Scene, waves: Option<&Waves>) -> Vec<String> {
+pub(crate) fn unlikely_waves(scene: &Scene, series: &Series) -> Vec<String> {
     let early = waves_end_early(scene).map(|why| format!("waves: {why}"));
-    let growth = waves.and_then(|waves| waves.decay_per_length).map(|decay| -decay).filter(|growth| *growth > GROWS);
-    let grows = growth.map(|growth| {
-        format!(
+    early.into_iter().chain(series.waves(scene).and_then(|waves| waves.grow())).collect()
+}
+
+impl Waves {
+    /// That they grow on their way.
+    fn grow(&self) -> Option<String> {
+        let growth = self.decay_per_length.map(|decay| -decay).filter(|growth| *growth > GROWS)?;
+        Some(format!(
             "waves: their height grows by {} % in a wavelength along the gauges, and regular waves lose height: waves that come back, a gauge on \
              the beach or too short a run may be why",
             significant(100.0 * growth)
-        )
-    });
-    early.into_iter().chain(grows).collect()
+        ))
+    }
 }
 
 impl Series {
@@ -158,7 +162,6 @@ mod tests {
 
     #[test]
     fn waves_that_grow_on_their_way_are_told() {
-        let scene = crate::scene::load("wave_maker", &[]).expect("a scene").scene;
         let told = |decay: f64| {
             let waves = Waves {
                 height_m: 0.02,
@@ -170,7 +173,7 @@ mod tests {
                 decay_per_length: Some(decay),
                 reflection: None,
             };
-            unlikely_waves(&scene, Some(&waves)).iter().any(|why| why.contains("grows by 5 %"))
+            waves.grow().is_some_and(|why| why.contains("grows by 5 %"))
         };
         assert!(told(-0.05) && !told(0.05) && !told(-0.005));
     }

@@ -277,8 +277,7 @@ impl Recorder {
             stopped_at_plate: Some(system.stopped()).filter(|&stopped| stopped > 0),
         };
         let results = results.with_work_lost(audit.loses_work());
-        let waves = self.series.waves(scene);
-        let of_waves = unlikely_waves(scene, waves.as_ref());
+        let of_waves = unlikely_waves(scene, &self.series);
         doubts.extend(audit.doubts().into_iter().chain(of_waves).chain(self.host_doubt.clone()));
         let order = particle_order(fluid.particles());
         doubts.extend(order.and_then(|order| order.doubt(fluid.domain().fluid.kernel)));
@@ -334,7 +333,7 @@ impl Recorder {
             rest: Some(self.history.rest(since)),
             order,
             water: self.series.water(since),
-            waves,
+            waves: self.series.waves(scene),
             coupling: Some(Coupling {
                 scheme: scene.coupling.scheme,
                 iterations_mean: agreement.iterations as f64 / agreement.steps.max(1) as f64,
