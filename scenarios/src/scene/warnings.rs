@@ -10,7 +10,7 @@ use super::impact::LEAST_SOUND_RATIO;
 use super::incompressible::projection_warnings;
 use super::legacy;
 use super::resolve_links::thin_film;
-use super::settings::{Body, Gauge, Motion, Panel, Scene, WeaklyCompressibleFluid, panel_length};
+use super::settings::{Body, Gauge, Panel, Scene, WeaklyCompressibleFluid, panel_length};
 use super::waves::wave_warnings;
 use fsi_coupling::PanelEnd;
 use fsi_coupling::entry_theory::EntryModel;
