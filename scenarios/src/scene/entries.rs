@@ -89,6 +89,13 @@ impl Scene {
         self.meeting().entries(self.all_bodies(), &self.joints)
     }
 
+    /// How bodies that joints hold would meet the water alone.
+    pub(super) fn held_entries(&self) -> Vec<(&Body, Entry)> {
+        let alone = self.meeting().entries(self.all_bodies(), &[]);
+        let held = |body: &Body| self.joints.iter().any(|joint| joint.bodies.contains(&body.name));
+        alone.into_iter().filter(|(body, _)| held(body)).collect()
+    }
+
     /// Fastest speed of the flow that is known before the run [m/s].
     pub fn fastest_speed(&self) -> f64 {
         fastest_of_all(self.all_bodies(), &self.entries(), self.gravity, Some(&self.tank)) + self.tank.block_speed()

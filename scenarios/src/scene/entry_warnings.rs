@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use super::air_warnings::{flat_contact, vapour};
 use super::auto::WATER_SOUND;
 use super::bottom::Bottom;
-use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error};
+use super::impact::{Entry, LEAST_DRAUGHT, jet_reach, known_compressibility_error, sound_speed_for};
 use super::settings::{Body, Motion, Scene};
 use fsi_coupling::Shape;
 use fsi_coupling::settings::significant;
@@ -26,7 +26,23 @@ pub(super) fn entry_warnings(scene: &Scene) -> Vec<String> {
         let about = scene.about(body);
         warnings.into_iter().map(move |warning| format!("{about}{warning}")).collect::<Vec<_>>()
     };
-    scene.entries().into_iter().flat_map(of).collect()
+    scene.entries().into_iter().flat_map(of).chain(held_entries(scene)).collect()
+}
+
+/// Bodies that move down into the water and that joints hold: no automatic value knows of their entry.
+fn held_entries(scene: &Scene) -> Vec<String> {
+    let told = |(body, entry): (&Body, Entry)| {
+        let wanted = sound_speed_for(scene.solver.water().compressibility_error, entry.root_speed());
+        let slow = !scene.solver.is_incompressible() && scene.sound_speed() < wanted;
+        (slow && body.velocity[1] < 0.0 && entry.final_draught > 0.0).then(|| {
+            format!(
+                "{}a joint holds it, and the automatic values leave its entry out: alone it would have fluid.sound_speed = {} m/s",
+                scene.about(body),
+                significant(wanted)
+            )
+        })
+    };
+    scene.held_entries().into_iter().filter_map(told).collect()
 }
 
 /// What compressibility takes of the force on each body.
